@@ -1,0 +1,39 @@
+# Third-party packages as one INTERFACE target each; a missing one is one sentence with the Debian package.
+
+find_package(MPI COMPONENTS C CXX QUIET)
+if(NOT MPI_CXX_FOUND)
+  message(FATAL_ERROR "Open MPI is missing: install the packages libopenmpi-dev and openmpi-bin.")
+endif()
+
+find_package(Trilinos QUIET COMPONENTS Teuchos Kokkos Tpetra)
+if(NOT Trilinos_FOUND)
+  message(FATAL_ERROR "Trilinos is missing: install the packages trilinos-all-dev, libptscotch-dev and libscotch-dev.")
+endif()
+add_library(barreno_trilinos INTERFACE)
+if(TARGET Trilinos::all_libs)
+  target_link_libraries(barreno_trilinos INTERFACE Trilinos::all_libs)
+else()
+  target_include_directories(barreno_trilinos SYSTEM INTERFACE
+    ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS})
+  target_link_directories(barreno_trilinos INTERFACE ${Trilinos_LIBRARY_DIRS})
+  target_link_libraries(barreno_trilinos INTERFACE ${Trilinos_LIBRARIES} ${Trilinos_TPL_LIBRARIES})
+endif()
+target_link_libraries(barreno_trilinos INTERFACE MPI::MPI_CXX)
+# The deprecated C++ binding of MPI is not used, and its header warns.
+target_compile_definitions(barreno_trilinos INTERFACE OMPI_SKIP_MPICXX)
+target_link_options(barreno_trilinos INTERFACE -Wl,--as-needed)
+
+# The parallel HDF5, the one that Debian's Exodus is built on; never the serial one beside it.
+set(HDF5_PREFER_PARALLEL TRUE)
+find_package(HDF5 QUIET COMPONENTS C)
+if(NOT HDF5_FOUND OR NOT HDF5_IS_PARALLEL)
+  message(FATAL_ERROR "The parallel HDF5 is missing: install the package libhdf5-openmpi-dev.")
+endif()
+find_library(BARRENO_EXODUS_LIBRARY NAMES exodus exoIIv2c)
+find_path(BARRENO_EXODUS_INCLUDE exodusII.h)
+if(NOT BARRENO_EXODUS_LIBRARY OR NOT BARRENO_EXODUS_INCLUDE)
+  message(FATAL_ERROR "Exodus is missing: install the package libexodusii-dev.")
+endif()
+add_library(barreno_exodus INTERFACE)
+target_include_directories(barreno_exodus SYSTEM INTERFACE ${BARRENO_EXODUS_INCLUDE})
+target_link_libraries(barreno_exodus INTERFACE ${BARRENO_EXODUS_LIBRARY})

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Jet table of a self-similar stretching jet.
+
+    python3 make_jet.py > tungsten_154.csv
+
+At time 0 the jet has full density and lies on the axis behind the launch plane: material coordinate X from
+the virtual origin, velocity v = v_tip X / L0, tip at the plane, X = L0. It stretches freely, x = X (1 + v_tip t / L0),
+so X passes the plane at t = (L0 - X) / v. It is cut at time 0 into cylinders that keep their length: the stretch
+appears as gaps between them. L0 follows from the velocities of the first and the last cylinder and the time
+between them. Lengths and radii go linearly from tip to tail, lengths scaled to fill the jet without gap at time 0.
+"""
+
+import math
+
+COUNT = 154
+TIP_VELOCITY, TAIL_VELOCITY = 7830.0, 1292.0  # m/s
+DURATION = 77.5e-6  # s, from the first launch to the last
+TIP_LENGTH, TAIL_LENGTH = 1.0, 0.3  # relative, before scaling to fill the jet
+TIP_RADIUS, TAIL_RADIUS = 1.0e-3, 2.2e-3  # m
+DENSITY = 17600.0  # kg/m3
+
+
+def slugs():
+    """Rows (time, velocity, radius, length, density), and the initial jet length L0."""
+    origin = DURATION * TAIL_VELOCITY / (1.0 - TAIL_VELOCITY / TIP_VELOCITY)
+    share = [i / (COUNT - 1) for i in range(COUNT)]
+    length = [TIP_LENGTH + s * (TAIL_LENGTH - TIP_LENGTH) for s in share]
+    # Distance of each centre behind the first one, neighbours touching.
+    behind = [0.0]
+    for i in range(1, COUNT):
+        behind.append(behind[-1] + 0.5 * (length[i - 1] + length[i]))
+    scale = origin * (1.0 - TAIL_VELOCITY / TIP_VELOCITY) / behind[-1]
+    rows = []
+    for i in range(COUNT):
+        x = origin - scale * behind[i]
+        velocity = TIP_VELOCITY * x / origin
+        radius = TIP_RADIUS + (TAIL_RADIUS - TIP_RADIUS) * behind[i] / behind[-1]
+        rows.append(((origin - x) / velocity, velocity, radius, scale * length[i], DENSITY))
+    return rows, origin
+
+
+def totals(rows):
+    mass = [d * math.pi * r * r * l for _, _, r, l, d in rows]
+    momentum = sum(m * row[1] for m, row in zip(mass, rows))
+    energy = sum(0.5 * m * row[1] ** 2 for m, row in zip(mass, rows))
+    return sum(mass), momentum, energy
+
+
+def integrals(rows, origin, points=20000):
+    """The same of the continuous jet, by the midpoint rule over X, from the tail's end to the tip's."""
+    first, last = rows[0], rows[-1]
+    x_tip, x_tail = origin, origin * last[1] / first[1]
+    low, high = x_tail - 0.5 * last[3], x_tip + 0.5 * first[3]
+    mass = momentum = energy = 0.0
+    for k in range(points):
+        x = low + (k + 0.5) * (high - low) / points
+        radius = TIP_RADIUS + (TAIL_RADIUS - TIP_RADIUS) * (x_tip - x) / (x_tip - x_tail)
+        dm = DENSITY * math.pi * radius**2 * (high - low) / points
+        velocity = TIP_VELOCITY * x / origin
+        mass, momentum, energy = mass + dm, momentum + dm * velocity, energy + 0.5 * dm * velocity**2
+    return mass, momentum, energy
+
+
+def main():
+    rows, origin = slugs()
+    launched, exact = totals(rows), integrals(rows, origin)
+    for name, a, b in zip(("mass", "momentum", "energy"), launched, exact):
+        if abs(a / b - 1.0) > 1e-3:
+            raise SystemExit(f"{name} of the slugs, {a}, is not that of the continuous jet, {b}")
+    print("# units: SI")
+    print("# Made by make_jet.py: self-similar stretching jet, v = v_tip X / L0, cut into full-density cylinders.")
+    print(f"# v_tip = {TIP_VELOCITY} m/s, L0 = {origin:.6g} m, {COUNT} slugs over {DURATION} s")
+    print(f"# launched mass {launched[0]:.9g} kg, momentum {launched[1]:.9g} kg m/s, kinetic energy {launched[2]:.9g} J")
+    print(f"# continuous    mass {exact[0]:.9g} kg, momentum {exact[1]:.9g} kg m/s, kinetic energy {exact[2]:.9g} J")
+    print("time,velocity,radius,length,density")
+    for row in rows:
+        print(",".join(f"{value:.9g}" for value in row))
+
+
+if __name__ == "__main__":
+    main()

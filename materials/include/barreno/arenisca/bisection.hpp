@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/arenisca/return_map.hpp"
+
+#include <cmath>
+
+namespace barreno::arenisca {
+
+/// Meridian of a fixed surface as a curve with one parameter, for the nested bisection.
+///
+/// s in [0, pi/2]: the cap by its angle, x = kappa - (kappa - X) cos s, q = Ff sin s (the angle resolves the
+/// tip, where x alone does not); s > pi/2: the limit surface, x = kappa + (s - pi/2) width.
+template <class Counter>
+struct MeridianCurve {
+  const YieldSurface& surface;
+  const Trial& trial;
+  const Cap& cap;
+  double origin, width;  ///< x where the limit surface begins, and stress per unit of s there
+  Counter& count;
+
+  static constexpr double quarter_turn = 1.5707963267948966;
+
+  struct Point {
+    double x, q, dx, dq;  ///< place and tangent
+  };
+  BARRENO_FUNCTION Point at(double s) {
+    count.add();
+    if (s >= quarter_turn) {
+      const double x = smaller(origin + (s - quarter_turn) * width, surface.vertex);
+      const double curved = surface.linear() ? 0.0 : surface.a3 * std::exp(surface.a2 * x);
+      return {x, surface.limit(x), width, -(surface.a2 * curved + surface.a4) * width};
+    }
+    const double length = cap.kappa - cap.X;
+    const double half = std::sin(0.5 * s);
+    const double x = cap.X + 2.0 * length * half * half;
+    const double curved = surface.linear() ? 0.0 : surface.a3 * std::exp(surface.a2 * x);
+    const double limit = surface.a1 - curved - surface.a4 * x;
+    const double slope = -surface.a2 * curved - surface.a4;
+    const double dx = length * std::sin(s);
+    return {x, limit * std::sin(s), dx, slope * dx * std::sin(s) + limit * std::cos(s)};
+  }
+  /// Half the derivative of the squared distance to the trial point along the curve.
+  BARRENO_FUNCTION double operator()(double s) {
+    const Point p = at(s);
+    return (p.x - trial.x) * p.dx + trial.metric * (p.q - trial.q) * p.dq;
+  }
+};
+
+/// Sign of the meridian's rise along the curve; falls through zero at its top.
+template <class Counter>
+struct Fall {
+  MeridianCurve<Counter>& curve;
+  BARRENO_FUNCTION double operator()(double s) { return -curve.at(s).dq; }
+};
+
+/// Non-hardening return: closest point of the surface with this cap, by bisection along the meridian.
+///
+/// The paper turns a search line about the trial point and tests which side of the surface a rotated point
+/// falls on. That test compares distances, which are flat at the closest point, so it resolves the angle to
+/// sqrt(round-off) = 1e-8 only, too coarse for an oracle; here the sign of the distance's derivative is
+/// bisected instead, which is exact to round-off. The bracket is the arc that the trial point sees: from its
+/// own x to the top of the meridian.
+template <class Counter>
+BARRENO_FUNCTION Returned return_without_hardening(
+    const YieldSurface& surface, const Trial& trial, const Cap& cap, Counter& count
+) {
+  using Curve = MeridianCurve<Counter>;
+  const double reach = trial.metric * trial.q * surface.steepest;
+  const double highest = smaller(trial.x, surface.vertex);
+  const double origin = cap.present ? cap.kappa : highest - reach;
+  const bool on_cap = cap.present && trial.x < cap.kappa;
+  const double width = larger(highest - origin, cap.present ? cap.kappa - cap.X : 0.0);
+  Curve curve{surface, trial, cap, origin, width, count};
+  double below = Curve::quarter_turn;
+  if (cap.present) {
+    Fall<Counter> fall{curve};
+    below = bisect(fall, 0.0, Curve::quarter_turn, 0.0);
+  }
+  double above = Curve::quarter_turn + 1.0;
+  if (on_cap) {
+    const double part = larger(trial.x - cap.X, 0.0) / (2.0 * (cap.kappa - cap.X));
+    above = 2.0 * std::asin(std::sqrt(part));
+    if (above < below) {
+      const double top = below;
+      below = above;
+      above = top;
+    }
+  }
+  // A vertex closer than any point of the meridian: the distance still falls at its end.
+  const bool at_vertex = !on_cap && highest == surface.vertex && curve(above) <= 0.0;
+  const auto p = curve.at(at_vertex ? above : bisect(curve, below, above, 0.0));
+  const double q = smaller(larger(p.q, 0.0), trial.q);
+  return {p.x, q, trial.evp + (trial.x - p.x) / trial.triple_bulk};
+}
+
+/// Isotropic part of the return to the surface hardened by a fraction eta of the non-hardening return, less
+/// that fraction: the quantity whose sign the paper bisects.
+template <class Counter>
+struct ConsistencyOfEta {
+  const YieldSurface& surface;
+  const CrushCurve& crush;
+  const Trial& trial;
+  double devp0;
+  Counter& count;
+
+  BARRENO_FUNCTION Returned returned(double eta) {
+    const double evp = trial.evp + eta * devp0;
+    const Cap cap = crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
+    return return_without_hardening(surface, trial, cap, count);
+  }
+  /// Negative while eta is too small.
+  BARRENO_FUNCTION double operator()(double eta) {
+    const double evp = trial.evp + eta * devp0;
+    const bool closed = crush.p3 > 0.0 && !crush.has_cap(evp);
+    if (closed && devp0 < 0.0) return 1.0;
+    if (closed) return -1.0;
+    // Hardening may swallow the trial point: then the surface has moved too far.
+    const Cap cap = crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
+    if (surface.contains(trial.x, trial.q, cap, count)) return 1.0;
+    const double devp = return_without_hardening(surface, trial, cap, count).evp - trial.evp;
+    return devp0 > 0.0 ? eta * devp0 - devp : devp - eta * devp0;
+  }
+};
+
+/// The paper's return: non-hardening return, then eta by bisection. Slow; the oracle of return_fast().
+template <class Counter>
+BARRENO_FUNCTION Returned return_bisection(
+    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
+) {
+  const Returned first = return_without_hardening(surface, trial, trial.cap, count);
+  const double devp0 = first.evp - trial.evp;
+  if (crush.p3 == 0.0) return first;
+  if (devp0 >= 0.0 && clears_cap(surface, crush, first.x, first.evp)) return first;
+  if (devp0 == 0.0) {
+    return trial.cap.present ? first : return_with_closed_pores(surface, crush, trial);
+  }
+  ConsistencyOfEta<Counter> consistency{surface, crush, trial, devp0, count};
+  // Steep retraction of the cap: the paper's eta <= 1 does not hold; the first root beyond is taken.
+  double above = 1.0;
+  const double start = larger(trial.evp, crush.last_open());
+  if (!trial.cap.present && consistency((start - trial.evp) / devp0) >= 0.0) {
+    return return_with_closed_pores(surface, crush, trial);
+  }
+  const double X = trial.cap.present ? trial.cap.X : crush.strength(start);
+  const double farthest = (trial.x - X) / (trial.triple_bulk * devp0);
+  while (devp0 > 0.0 && above < farthest && consistency(above) < 0.0) above *= 2.0;
+  if (devp0 > 0.0) above = smaller(above, farthest);
+  const double eta = bisect(consistency, 0.0, above, 0.0);
+  const double evp = trial.evp + eta * devp0;
+  if (evp <= crush.last_open()) {
+    return return_with_closed_pores(surface, crush, trial);
+  }
+  const Returned last = consistency.returned(eta);
+  return {last.x, last.q, trial.evp + (trial.x - last.x) / trial.triple_bulk};
+}
+
+}  // namespace barreno::arenisca

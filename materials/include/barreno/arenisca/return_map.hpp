@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/arenisca/crush_curve.hpp"
+#include "barreno/arenisca/root_finding.hpp"
+#include "barreno/arenisca/yield_surface.hpp"
+#include "barreno/portability.hpp"
+
+#include <cmath>
+
+namespace barreno::arenisca {
+
+/// Trial state outside the surface, in x = I1 and q = sqrt(J2) at constant Lode angle.
+///
+/// Returned is the point closest to the trial point in z = I1/sqrt(3), r = beta sqrt(3K/G) sqrt(J2). Three
+/// times that distance squared is (x_tr - x)^2 + metric (q_tr - q)^2 with metric = 9 beta^2 K/G, which is
+/// why beta acts squared on the dilatancy.
+struct Trial {
+  double x, q;
+  double metric;        ///< 9 beta^2 K/G
+  double triple_bulk;   ///< 3K, so that d(evp) = (x_tr - x)/3K [stress]
+  double evp;           ///< volumetric plastic strain at the start of the substep
+  Cap cap;              ///< cap at that evp
+};
+
+/// Where the trial state comes back to: on the surface hardened to `evp`.
+struct Returned {
+  double x, q, evp;
+};
+
+/// The return is one scalar equation, because evp fixes everything: x = x_tr - 3K (evp - evp_n) by
+/// elasticity, the cap by the crush curve, q = Ff fc by the surface; what is left is that the line to the
+/// trial point is normal to the surface,
+///
+///   (x - x_tr) fc = metric (q_tr - Ff fc) A,   A = fc d(Ff fc)/dx.
+///
+/// At the tip fc -> 0 like a square root. Collecting fc and squaring gives, on the compacting side,
+///
+///   fc^2 = (metric q_tr A / D)^2,   D = (x - x_tr) + metric Ff A,
+///
+/// which is smooth through the tip (hydrostatic crushing is no special case), while the first form is smooth
+/// where A changes sign. q = q_tr metric Ff A / D is what is left of the trial shear.
+template <class Counter>
+struct CompactingSide {
+  const YieldSurface& surface;
+  const CrushCurve& crush;
+  const Trial& trial;
+  Counter& count;
+
+  /// Positive where the point lies on the elastic side of the solution (too much compaction).
+  BARRENO_FUNCTION double operator()(double evp) {
+    const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
+    const Cap cap = surface.cap_at(crush.strength(evp));
+    const MeridianPoint m = surface.at(x, cap, count);
+    if (m.slope <= 0.0) return m.cap_squared;
+    const double shear = trial.metric * trial.q * m.slope;
+    const double whole = (x - trial.x) + trial.metric * m.limit * m.slope;
+    return m.cap_squared - (shear / whole) * (shear / whole);
+  }
+};
+
+/// The same condition on the dilating side (A <= 0), where the cap retracts; positive at too little dilation.
+template <class Counter>
+struct DilatingSide {
+  const YieldSurface& surface;
+  const CrushCurve& crush;
+  const Trial& trial;
+  Counter& count;
+
+  BARRENO_FUNCTION double operator()(double evp) {
+    const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
+    const Cap cap = surface.cap_at(crush.strength(evp));
+    const MeridianPoint m = surface.at(x, cap, count);
+    const double fc = std::sqrt(larger(m.cap_squared, 0.0));
+    return (x - trial.x) * fc - trial.metric * (trial.q - m.limit * fc) * m.slope;
+  }
+};
+
+/// I1 of the point of the limit surface (no cap) closest to the trial point; the vertex included.
+template <class Counter>
+BARRENO_FUNCTION double
+return_to_limit(const YieldSurface& surface, const Trial& trial, Counter& count) {
+  if (trial.x - surface.vertex >= trial.metric * trial.q * surface.steepest) return surface.vertex;
+  double x = smaller(trial.x, surface.vertex);
+  const Cap none;
+  const MeridianPoint start = surface.at(x, none, count);
+  if (trial.x <= surface.vertex && trial.q <= start.limit) return trial.x;
+  // Newton on the monotone condition (x - x_tr) - metric (q_tr - Ff) Ff'; Ff'' <= 0 keeps its slope >= 1.
+  double lower = trial.x - trial.metric * trial.q * surface.steepest, upper = x;
+  MeridianPoint m = start;
+  constexpr int most_iterations = 60;
+  for (int i = 0; i < most_iterations; ++i) {
+    const double curvature = surface.linear() ? 0.0 : surface.a2 * (m.slope + surface.a4);
+    const double residual = (x - trial.x) - trial.metric * (trial.q - m.limit) * m.slope;
+    const double slope =
+        1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
+    (residual > 0.0 ? upper : lower) = x;
+    double next = x - residual / slope;
+    if (surface.linear()) return next;
+    if (!(next >= lower && next <= upper)) next = 0.5 * (lower + upper);
+    const bool done = std::fabs(next - x) <= 1e-14 * (std::fabs(x) + std::fabs(upper - lower));
+    x = next;
+    if (done) break;
+    m = surface.at(x, none, count);
+  }
+  return x;
+}
+
+/// All pores closed: evp stops at -p3 (or where it was, if they were closed before) and the flow is isochoric; what porosity shear would open at this
+/// pressure crushes at once, so the shear limit without cap holds.
+BARRENO_FUNCTION Returned
+return_with_closed_pores(const YieldSurface& surface, const CrushCurve& crush, const Trial& trial) {
+  const double evp = trial.cap.present ? -crush.p3 : trial.evp;
+  const double x = smaller(trial.x - trial.triple_bulk * (evp - trial.evp), surface.vertex);
+  return {x, smaller(trial.q, larger(surface.limit(x), 0.0)), evp};
+}
+
+/// Point of the hardened surface at a solved evp; towards the tip q comes from the smooth form, since
+/// Ff fc would turn the last digit of evp into the eighth of q (and the smooth form is 0/0 at the top).
+template <class Counter>
+BARRENO_FUNCTION Returned point_on_cap(
+    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, double evp, Counter& count
+) {
+  constexpr double near_tip = 0.1;
+  const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
+  const MeridianPoint m = surface.at(x, surface.cap_at(crush.strength(evp)), count);
+  double q = m.limit * std::sqrt(larger(m.cap_squared, 0.0));
+  if (m.cap_squared < near_tip && m.slope > 0.0) {
+    const double kept = trial.metric * m.limit * m.slope;
+    q = trial.q * kept / ((x - trial.x) + kept);
+  }
+  return {x, smaller(q, trial.q), evp};
+}
+
+/// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it opens.
+BARRENO_FUNCTION bool
+clears_cap(const YieldSurface& surface, const CrushCurve& crush, double x, double evp) {
+  if (crush.p3 == 0.0) return true;
+  const double open_evp = larger(evp, crush.last_open());
+  return x >= surface.cap_at(crush.strength(open_evp)).kappa;
+}
+
+/// Function values that count as zero, relative to the solution's own scale: five digits beyond the 1e-9 to
+/// which the solvers agree.
+constexpr double solved = 1e-14;
+
+/// Return to the compacting side of the hardening cap.
+template <class Counter>
+BARRENO_FUNCTION Returned return_by_compaction(
+    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
+) {
+  CompactingSide<Counter> side{surface, crush, trial, count};
+  // At x = kappa_n the hardened cap's branch point is already passed: enough compaction there.
+  BracketEnd a = {trial.evp + (trial.x - trial.cap.kappa) / trial.triple_bulk, 1.0};
+  if (a.x < crush.last_open()) {
+    a = {crush.last_open(), side(crush.last_open())};
+    if (a.f <= 0.0) return return_with_closed_pores(surface, crush, trial);
+  }
+  const BracketEnd b = {trial.evp, side(trial.evp)};
+  if (b.f >= 0.0) return point_on_cap(surface, crush, trial, trial.evp, count);
+  const double evp = find_root(side, a, b, 1e-15 * (b.x - a.x), solved);
+  return point_on_cap(surface, crush, trial, evp, count);
+}
+
+/// Bracket end with enough dilation, from the first step whose doublings get there, so that of several roots
+/// (steep retraction of the cap softens) the first is taken; at x = X there is always enough.
+template <class Counter>
+BARRENO_FUNCTION BracketEnd enough_dilation(
+    DilatingSide<Counter>& side, const Trial& trial, double start, double step
+) {
+  const double X = trial.cap.present ? trial.cap.X : side.crush.strength(start);
+  const double farthest = trial.evp + (trial.x - X) / trial.triple_bulk;
+  for (; step > 0.0 && trial.evp + step < farthest; step *= 2.0) {
+    if (trial.evp + step <= start) continue;
+    const BracketEnd end = {trial.evp + step, side(trial.evp + step)};
+    if (end.f < 0.0) return end;
+  }
+  return {farthest, side(farthest)};
+}
+
+/// Return to the cap as it retracts.
+/// @param below point of the start surface straight below the trial point, dilating (slope <= 0)
+template <class Counter>
+BARRENO_FUNCTION Returned return_to_retracting_cap(
+    const YieldSurface& surface,
+    const CrushCurve& crush,
+    const Trial& trial,
+    const MeridianPoint& below,
+    Counter& count
+) {
+  DilatingSide<Counter> side{surface, crush, trial, count};
+  const double fc = std::sqrt(larger(below.cap_squared, 0.0));
+  const double residual = -trial.metric * (trial.q - below.limit * fc) * below.slope;
+  if (residual <= 0.0) return point_on_cap(surface, crush, trial, trial.evp, count);
+  // First guess: half more than the non-hardening return to the tangent at that point.
+  constexpr double margin = 1.5;
+  const double slope = below.slope / fc;
+  const double step =
+      margin * residual / (fc * (1.0 + trial.metric * slope * slope) * trial.triple_bulk);
+  const BracketEnd a = {trial.evp, residual};
+  const BracketEnd b = enough_dilation(side, trial, trial.evp, step);
+  const double small = solved * (trial.cap.kappa - trial.cap.X);
+  const double evp = find_root(side, a, b, 1e-15 * (b.x - a.x), small);
+  return point_on_cap(surface, crush, trial, evp, count);
+}
+
+/// Return to the limit surface or the vertex; to the cap if that retracts into the way.
+template <class Counter>
+BARRENO_FUNCTION Returned return_by_dilation(
+    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
+) {
+  const double x_limit = return_to_limit(surface, trial, count);
+  const double evp_limit = trial.evp + (trial.x - x_limit) / trial.triple_bulk;
+  if (clears_cap(surface, crush, x_limit, evp_limit)) {
+    const double limit = x_limit >= surface.vertex ? 0.0 : larger(surface.limit(x_limit), 0.0);
+    return {x_limit, smaller(limit, trial.q), evp_limit};
+  }
+  DilatingSide<Counter> side{surface, crush, trial, count};
+  const double start = larger(trial.evp, crush.last_open());
+  const BracketEnd a = {start, side(start)};
+  if (a.f <= 0.0) {
+    if (!trial.cap.present) return return_with_closed_pores(surface, crush, trial);
+    return point_on_cap(surface, crush, trial, start, count);
+  }
+  const BracketEnd b = enough_dilation(side, trial, start, evp_limit - trial.evp);
+  const double evp = find_root(side, a, b, 1e-15 * (b.x - a.x), solved * std::fabs(trial.x));
+  return point_on_cap(surface, crush, trial, evp, count);
+}
+
+/// Fast return of a trial point outside the surface (consistency and closest point in one equation).
+template <class Counter>
+BARRENO_FUNCTION Returned return_fast(
+    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
+) {
+  if (!trial.cap.present || trial.x >= trial.cap.kappa) {
+    return return_by_dilation(surface, crush, trial, count);
+  }
+  if (trial.x <= trial.cap.X) return return_by_compaction(surface, crush, trial, count);
+  // Straight below the trial point the surface's slope decides the sign of the plastic volume change, with or
+  // without hardening.
+  const MeridianPoint below = surface.at(trial.x, trial.cap, count);
+  if (below.slope > 0.0) return return_by_compaction(surface, crush, trial, count);
+  return return_to_retracting_cap(surface, crush, trial, below, count);
+}
+
+}  // namespace barreno::arenisca

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/arenisca/elasticity.hpp"
+#include "barreno/arenisca/plastic_flow.hpp"
+#include "barreno/arenisca/rock.hpp"
+#include "barreno/outcome.hpp"
+#include "barreno/tensor.hpp"
+
+#include <cmath>
+
+namespace barreno::arenisca {
+
+/// Elastic prediction with the moduli at the middle of the substep (second-order Taylor of exp(B2/I1)), I1
+/// held within what the surface admits.
+BARRENO_FUNCTION Prediction
+predict(const Rock& rock, const PointState& n, const Cap& cap, double dv, const Sym3& de) {
+  const Elasticity& e = rock.elasticity;
+  const Elasticity::PressureTerm term = e.pressure_term(n.x);
+  const double coupling = e.coupling(n.x, n.evp);
+  const Moduli start = e.moduli(term.value, coupling);
+  Moduli used = start;
+  if (term.slope != 0.0) {
+    double x = smaller(n.x + 3.0 * start.bulk * dv, rock.surface.vertex);
+    if (cap.present) x = larger(x, cap.X);
+    const double middle = term.value + 0.5 * term.slope * (x - n.x);
+    used = e.moduli(smaller(larger(middle, 0.0), 1.0), coupling);
+  }
+  return predict_with(n, start, used, dv, de);
+}
+
+BARRENO_FUNCTION Attempt
+accept_elastic(const Rock& rock, const PointState& n, const Prediction& p, double dv, const Sym3& de) {
+  Attempt a;
+  a.end = {p.x, p.s, n.evp, n.shear_strain};
+  a.moduli = rock.elasticity.moduli_at(p.x, n.evp);
+  const double mismatch = moduli_mismatch(p, a.moduli);
+  // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): most elastic steps pass without measuring the stresses.
+  a.error = 2.0 * mismatch;
+  a.allowed = rock.tolerance;
+  if (a.error > a.allowed) {
+    a.error = mismatch * stress_size(p.x - n.x, std::sqrt(second_invariant(p.s - n.s)));
+    a.allowed = allowed_error(rock, n, p.x, p.q);
+  }
+  a.order = 3;
+  a.elastic_work = 0.5 * ((n.x + p.x) * dv / 3.0 + contract(n.s + p.s, de));
+  return a;
+}
+
+template <class Counter>
+BARRENO_FUNCTION Attempt
+attempt_substep(const Rock& rock, const PointState& n, double dv, const Sym3& de, Counter& count) {
+  // Inside the virgin rock's surface is inside that of compacted rock: no logarithm for most elastic points.
+  if (n.evp < 0.0) {
+    const Prediction p = predict(rock, n, rock.first_cap, dv, de);
+    if (rock.surface.contains(p.x, p.q, rock.first_cap, count)) {
+      return accept_elastic(rock, n, p, dv, de);
+    }
+  }
+  const Cap cap = rock.cap_at(n.evp);
+  const Prediction p = predict(rock, n, cap, dv, de);
+  if (rock.surface.contains(p.x, p.q, cap, count)) return accept_elastic(rock, n, p, dv, de);
+  return flow_plastically(rock, n, cap, p, dv, de, count);
+}
+
+/// Factor for the next substep, in sixteenths: then round-off does not reach the choice of substeps, and both
+/// solvers, or two machines, take the same ones.
+BARRENO_FUNCTION double step_factor(const Attempt& a) {
+  constexpr double safety = 0.9, smallest = 0.125, largest = 4.0, grain = 16.0;
+  if (a.error <= 0.0) return largest;
+  const double ratio = a.allowed / a.error;
+  const double factor = safety * (a.order == 3 ? std::cbrt(ratio) : std::sqrt(ratio));
+  return smaller(larger(std::floor(grain * factor) / grain, smallest), largest);
+}
+
+/// Fraction of a step below which a substep is taken as it is: where the law itself jumps (K at I1 = 0 with
+/// coupling, the cap's return when closed pores open) none is small enough.
+BARRENO_FUNCTION double smallest_fraction(const Sym3& strain) {
+  constexpr double fraction = 1.0 / 1024.0, smallest_strain = 1e-5;
+  const double size = norm(strain);
+  return size * fraction > smallest_strain ? smallest_strain / size : fraction;
+}
+
+/// Integrates a step in error-controlled substeps.
+/// @param[in,out] state  stress and history; meaningful only when the outcome is ok
+template <class Counter>
+BARRENO_FUNCTION Outcome
+integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& count) {
+  constexpr int most_attempts = 2000;  // bounds the cost of any input; 100 % strain needs some hundred
+  Outcome outcome;
+  outcome.substeps = 0;
+  const double volume = trace(strain);
+  const Sym3 shape = deviator(strain);
+  double done = 0.0, fraction = 1.0;
+  for (int i = 0; i < most_attempts; ++i) {
+    const bool last = done + fraction >= 1.0;
+    if (last) fraction = 1.0 - done;
+    const Attempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, count);
+    if (!std::isfinite(a.error)) break;
+    if (a.error > a.allowed && fraction > smallest_fraction(strain)) {
+      fraction *= step_factor(a);
+      continue;
+    }
+    state = a.end;
+    outcome.elastic_work += a.elastic_work;
+    outcome.plastic_work += a.plastic_work;
+    outcome.longitudinal_modulus = a.moduli.bulk + 4.0 / 3.0 * a.moduli.shear;
+    ++outcome.substeps;
+    if (last) return outcome;
+    done += fraction;
+    fraction *= step_factor(a);
+  }
+  outcome.status = Status::substep_limit;
+  return outcome;
+}
+
+}  // namespace barreno::arenisca

@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/describe.hpp"
+#include "barreno/models/johnson_cook_flow.hpp"
+#include "barreno/models/linear_elastic.hpp"
+#include "barreno/models/mie_gruneisen.hpp"
+#include "barreno/outcome.hpp"
+#include "barreno/tensor.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// Metal at high rate: Johnson-Cook flow stress, Mie-Grueneisen pressure, heating, melting,
+/// breaking.
+///
+/// Flow stress: johnson_cook_flow.hpp. Pressure: mie_gruneisen.hpp.
+///
+/// Pressure comes from the volume ratios of the increment, not from the trace of the strain.
+/// Deviator: linear elastic with constant G in logarithmic strain, radial return (J2, backward
+/// Euler). The return is solved for the plastic strain and the plastic strain rate together; the
+/// temperature in it is that of the start of the step plus the step's compression and viscous
+/// heat, so plastic heat acts from the next step on. At and above T_melt the deviator is zero.
+/// The flow stress follows the rate at once: where straining stops, a yielded point relaxes to the
+/// flow stress of the rate that its relaxation has (to that of rate0 if dt = 0).
+///
+/// Energy: rho0 de = -p dV + V s : deps + q dV_viscous, each by the trapezoidal rule, the pressure
+/// at the end of the step included (linear, solved in closed form). The equation of state takes e
+/// without the elastic energy of the deviator, V s : s / 4G: with a constant G that energy is not
+/// heat and gives no pressure. (Codes that put all of e there err by Gamma0 Y^2 / 6G, some MPa.)
+///
+/// Temperature: isentropic change with volume, dT/T = -Gamma0 d(V / V_ref), plus viscous work and
+/// the Taylor-Quinney share of plastic work over the specific heat. With a constant specific heat
+/// at constant volume this T belongs to the same Mie-Grueneisen material; the deck's specific heat
+/// is taken for it.
+///
+/// Work: elastic_work is the change of V s : s / 4G plus all of -p dV (thermal pressure included);
+/// plastic_work is the mean flow stress times the plastic strain; the host knows q and adds -q dV.
+///
+/// Breaking: a point whose damage is 1 is broken. It carries no tension afterwards: its pressure is
+/// not negative, and its equivalent stress is at most 3p/2, so that no principal stress is tensile.
+/// The volume it gains in tension must close before it bears load again. It breaks when the tension
+/// -p reaches the Spall Stress (stress zero at once), or when the Johnson-Cook damage
+///   dD = dep / ef,
+///   ef = (D1 + D2 exp(D3 sigma*)) (1 + D4 ln max(rate / rate0, 1)) (1 + D5 T*),
+/// sigma* = -p / Y (at most 1.5), has reached 1 (from the next step on). Neither is on by default.
+/// @par Source  Johnson & Cook, 7th Int. Symp. Ballistics, The Hague, 1983, 541-547 (flow stress);
+///              Johnson & Cook, Engng Fract. Mech. 21 (1985) 31-48 (damage);
+///              Wilkins, Computer Simulation of Dynamic Phenomena, 1999 (energy, radial return).
+struct JohnsonCook {
+  static constexpr const char* name = "Johnson-Cook";
+  static constexpr const char* summary =
+      "Metal at high rate: Johnson-Cook flow stress and damage, Mie-Grueneisen pressure, melting, "
+      "spall.";
+  struct Parameters {
+    double shear_modulus = 0.0;
+    double a = 0.0, b = 0.0, c = 0.0, n = 1.0, m = 1.0;
+    double reference_rate = 1.0;
+    double room_temperature = 294.0, melt_temperature = 0.0;
+    double specific_heat = 0.0;
+    double sound_speed = 0.0, slope = 0.0, gamma = 0.0;
+    double taylor_quinney = 0.9;
+    double spall_stress = 0.0;
+    double d1 = 0.0, d2 = 0.0, d3 = 0.0, d4 = 0.0, d5 = 0.0;
+  };
+  struct History {
+    double plastic_strain = 0.0;
+    double temperature = 0.0;
+    double internal_energy = 0.0;
+    double damage = 0.0;
+  };
+  static constexpr int history_count = 4;
+
+  static ParameterTable<Parameters> parameter_table() {
+    using P = Parameters;
+    namespace dim = dimension;
+    return {
+        {required(&P::shear_modulus, "Shear Modulus", dim::stress, above(0.0), "shear modulus G"),
+         required(&P::a, "A", dim::stress, at_least(0.0), "yield stress at no plastic strain"),
+         required(&P::b, "B", dim::stress, at_least(0.0), "hardening coefficient"),
+         required(&P::c, "C", dim::none, at_least(0.0), "rate coefficient"),
+         required(&P::n, "n", dim::none, at_least(0.0), "hardening exponent"),
+         required(&P::m, "m", dim::none, above(0.0), "thermal softening exponent"),
+         optional(
+             &P::reference_rate,
+             "Reference Strain Rate",
+             dim::rate,
+             above(0.0),
+             1.0,
+             "plastic strain rate up to which A and B hold"
+         ),
+         optional(
+             &P::room_temperature,
+             "Room Temperature",
+             dim::temperature,
+             above(0.0),
+             294.0,
+             "temperature at the start; below it there is no thermal hardening"
+         ),
+         required(
+             &P::melt_temperature,
+             "Melt Temperature",
+             dim::temperature,
+             above(0.0),
+             "no strength from here"
+         ),
+         required(
+             &P::specific_heat, "Specific Heat", dim::heat_capacity, above(0.0), "heat capacity"
+         ),
+         required(
+             &P::sound_speed,
+             "Sound Speed",
+             dim::velocity,
+             above(0.0),
+             "c0 in U_s = c0 + s u_p; K = rho0 c0^2"
+         ),
+         required(&P::slope, "Hugoniot Slope", dim::none, at_least(0.0), "s in U_s = c0 + s u_p"),
+         required(
+             &P::gamma, "Gruneisen", dim::none, at_least(0.0), "Gamma0; Gamma rho is constant"
+         ),
+         optional(
+             &P::taylor_quinney,
+             "Taylor Quinney",
+             dim::none,
+             between(0.0, 1.0),
+             0.9,
+             "share of plastic work that becomes heat; the usual measured value, the rest stays in "
+             "the lattice"
+         ),
+         optional(
+             &P::spall_stress,
+             "Spall Stress",
+             dim::stress,
+             at_least(0.0),
+             0.0,
+             "hydrostatic tension at which the point breaks; 0: no limit"
+         ),
+         optional(
+             &P::d1, "D1", dim::none, any(), 0.0, "Johnson-Cook damage; D1 to D5 all 0: no damage"
+         ),
+         optional(
+             &P::d2, "D2", dim::none, any(), 0.0, "Johnson-Cook damage, factor of the exponential"
+         ),
+         optional(
+             &P::d3,
+             "D3",
+             dim::none,
+             any(),
+             0.0,
+             "Johnson-Cook damage, triaxiality (tension positive)"
+         ),
+         optional(&P::d4, "D4", dim::none, any(), 0.0, "Johnson-Cook damage, rate"),
+         optional(&P::d5, "D5", dim::none, any(), 0.0, "Johnson-Cook damage, temperature")},
+        {}};
+  }
+  static std::vector<HistoryField> history_table() {
+    return {
+        {"plastic_strain", dimension::none, "equivalent plastic strain"},
+        {"temperature", dimension::temperature, "temperature"},
+        {"internal_energy", dimension::specific_energy, "specific internal energy, 0 at the start"},
+        {"damage", dimension::none, "Johnson-Cook damage; 1: broken, by damage or by spall"}};
+  }
+
+  /// Rules across parameters; an empty text means that the set is sound.
+  static std::string check(const Parameters& p, double density) {
+    std::ostringstream text;
+    const double bulk_modulus = density * p.sound_speed * p.sound_speed;
+    if (p.melt_temperature <= p.room_temperature) {
+      text << "Melt Temperature = " << p.melt_temperature
+           << " does not exceed Room Temperature = " << p.room_temperature
+           << " (the metal would be molten at the start). Give both in kelvin.";
+    } else if (p.shear_modulus > 1.5 * bulk_modulus) {
+      text << "Shear Modulus = " << p.shear_modulus << " exceeds 1.5 times the bulk modulus "
+           << bulk_modulus << " = Density * Sound Speed^2 (Poisson's ratio would be negative)."
+           << " Check the units of the three.";
+    } else if (p.a > p.shear_modulus) {
+      text << "A = " << p.a << " exceeds Shear Modulus = " << p.shear_modulus
+           << " (the metal would yield at strains above 1/3). Check the units of both.";
+    } else if (p.spall_stress > bulk_modulus) {
+      text << "Spall Stress = " << p.spall_stress << " exceeds the bulk modulus " << bulk_modulus
+           << " = Density * Sound Speed^2 (no metal holds that tension). Check its units, or use 0 "
+              "for no"
+           << " limit.";
+    } else if (has_damage(p) && p.d1 + p.d2 <= 0.0) {
+      text << "D1 + D2 = " << p.d1 + p.d2
+           << " is not positive (the metal would break at no plastic strain)."
+           << " Check both, or set D1 to D5 to 0 for no damage.";
+    }
+    return text.str();
+  }
+
+  JohnsonCook(const Parameters& p, double density)
+      : p_(p),
+        eos_{density, p.sound_speed, p.slope, p.gamma},
+        flow_{
+            p.a,
+            p.b,
+            p.c,
+            p.n,
+            p.m,
+            p.reference_rate,
+            p.room_temperature,
+            1.0 / (p.melt_temperature - p.room_temperature),
+            3.0 * p.shear_modulus},
+        inverse_density_(1.0 / density),
+        heat_per_work_(1.0 / (density * p.specific_heat)),
+        energy_per_square_(0.25 / p.shear_modulus),
+        has_damage_(has_damage(p)) {}
+
+  History initial_history() const { return {0.0, p_.room_temperature, 0.0, 0.0}; }
+
+  /// Stress, history and density of a point at rest under hydrostatic pressure, reached
+  /// isentropically.
+  InitialStateOf<Sym3, History> initial_state(double pressure) const;
+
+  /// @param[in]     increment strain, dt, volume ratios and viscous pressure of the step
+  /// @param[in,out] stress    unrotated Cauchy stress [stress]
+  /// @param[in,out] history   as in history_table(); with the stress left as it was if the outcome
+  /// failed
+  /// @return bad_input for values that are not finite, dt < 0, volume ratios that are not positive
+  /// or beyond
+  ///         the compression limit of the equation of state
+  BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& history) const;
+
+  /// Bound on K_s + 4G/3 of a point in this state, K_s = rho c^2 isentropic at the current density
+  /// [stress].
+  BARRENO_FUNCTION double longitudinal_modulus(
+      const Sym3& stress, const History& history, double volume_ratio
+  ) const {
+    const double derivative = eos_.reference(1.0 - volume_ratio).derivative;
+    return modulus(-trace(stress) / 3.0, volume_ratio, derivative, history.damage >= 1.0);
+  }
+  const Parameters& parameters() const { return p_; }
+  const MieGruneisen& equation_of_state() const { return eos_; }
+  const JohnsonCookFlow& flow() const { return flow_; }
+
+private:
+  using Return = JohnsonCookFlow::Return;
+
+  /// What the volume change and the deviator of one step leave to the energy and the breaking.
+  struct Step {
+    double dt, change, mean_ratio;  ///< change of V / V_ref and its mean
+    bool broken;                    ///< at the start
+    double elastic_work = 0.0, plastic_work = 0.0;
+  };
+
+  static bool has_damage(const Parameters& p) {
+    return p.d1 != 0.0 || p.d2 != 0.0 || p.d3 != 0.0 || p.d4 != 0.0 || p.d5 != 0.0;
+  }
+  BARRENO_FUNCTION double modulus(
+      double pressure, double volume_ratio, double reference_derivative, bool broken
+  ) const {
+    const double bulk = eos_.bulk_modulus();
+    const double shear_part = 4.0 / 3.0 * p_.shear_modulus;
+    // An open broken point bears nothing; the modulus it will have when it closes keeps the step
+    // safe.
+    if (broken && pressure <= 0.0) {
+      return bulk * (volume_ratio < 1.0 ? volume_ratio : 1.0) + shear_part;
+    }
+    // The isentropic modulus falls to zero at a tension of order K / Gamma0: keep a positive speed.
+    constexpr double floor_fraction = 0.01;
+    const double isentropic =
+        eos_.isentropic_modulus(1.0 - volume_ratio, reference_derivative, pressure);
+    const double least = floor_fraction * bulk;
+    return (isentropic > least ? isentropic : least) + shear_part;
+  }
+  BARRENO_FUNCTION static Outcome failure(Status status) {
+    Outcome outcome;
+    outcome.status = status;
+    return outcome;
+  }
+  BARRENO_FUNCTION bool admissible(const Increment& i, const Sym3& stress, const History& h) const;
+  BARRENO_FUNCTION bool return_deviator(
+      const Sym3& s_n, double limit, Step& step, History& end, Sym3& s, Return& flow
+  ) const;
+  BARRENO_FUNCTION double release(double limit, Sym3& s, double& plastic_strain) const;
+  BARRENO_FUNCTION void break_point(
+      const Return& flow, Step& step, History& end, Sym3& s, double& p
+  ) const;
+  BARRENO_FUNCTION void grow_damage(const Return& flow, double pressure, double dt, History& end)
+      const;
+
+  Parameters p_;
+  MieGruneisen eos_;
+  JohnsonCookFlow flow_;
+  double inverse_density_;    ///< 1 / rho0
+  double heat_per_work_;      ///< 1 / (rho0 c): temperature per work per reference volume
+  double energy_per_square_;  ///< 1 / 4G: s : s / 4G is the elastic energy of a deviator
+  bool has_damage_;
+};
+
+inline InitialStateOf<Sym3, JohnsonCook::History> JohnsonCook::initial_state(double pressure
+) const {
+  InitialStateOf<Sym3, History> state{isotropic(0.0), initial_history(), 1.0, 0.0, true};
+  const double limit = eos_.compression_limit();
+  const double limit_pressure =
+      eos_.pressure(limit, eos_.isentrope_energy(limit) * inverse_density_);
+  state.possible = pressure >= 0.0 && pressure < limit_pressure;
+  if (!state.possible) return state;
+  double low = 0.0, high = limit;
+  double eta = pressure / eos_.bulk_modulus();
+  // Newton on the isentrope, where dP/deta = a' + Gamma0 P; bisection when a step leaves the
+  // bracket.
+  for (int i = 0; i < 100; ++i) {
+    if (!(eta >= low && eta <= high)) eta = 0.5 * (low + high);
+    const double p = eos_.pressure(eta, eos_.isentrope_energy(eta) * inverse_density_);
+    (p > pressure ? high : low) = eta;
+    const double step = (pressure - p) / (eos_.reference(eta).derivative + eos_.gamma * p);
+    if (std::fabs(step) <= 1e-15 * eta) break;
+    eta += step;
+  }
+  state.volume_ratio = 1.0 - eta;
+  state.stored_energy = eos_.isentrope_energy(eta);
+  state.history.internal_energy = state.stored_energy * inverse_density_;
+  state.history.temperature *= std::exp(eos_.gamma * eta);
+  state.stress = isotropic(-eos_.pressure(eta, state.history.internal_energy));
+  return state;
+}
+
+BARRENO_FUNCTION bool JohnsonCook::admissible(
+    const Increment& i, const Sym3& stress, const History& h
+) const {
+  const double change = i.volume_ratio_end - i.volume_ratio_begin;
+  // One sum for all: it is finite only if every term is.
+  const double sum = i.strain.xx + i.strain.yy + i.strain.zz + i.strain.xy + i.strain.yz +
+                     i.strain.zx + stress.xx + stress.yy + stress.zz + stress.xy + stress.yz +
+                     stress.zx + i.viscous_pressure + i.dt + change + h.plastic_strain +
+                     h.temperature + h.internal_energy + h.damage;
+  return std::isfinite(sum) && i.dt >= 0.0 && i.volume_ratio_begin > 0.0 &&
+         i.volume_ratio_end > 0.0 && 1.0 - i.volume_ratio_end < eos_.compression_limit() &&
+         1.0 + 0.5 * eos_.gamma * change > 0.0;
+}
+
+/// Radial return: s is the trial deviator on entry and the deviator at the end of the step on
+/// return.
+/// @param s_n   deviator at the start of the step [stress]
+/// @param limit equivalent stress a broken point can hold [stress]
+/// @return false if the trial is too large for a double or the return has not converged
+BARRENO_FUNCTION bool JohnsonCook::return_deviator(
+    const Sym3& s_n, double limit, Step& step, History& end, Sym3& s, Return& flow
+) const {
+  const double trial_squared = 1.5 * contract(s, s);
+  if (!std::isfinite(trial_squared)) return false;
+  const double bound = flow_.lower_bound(end.plastic_strain, end.temperature);
+  const double least = bound < limit ? bound : limit;
+  if (trial_squared <= least * least) return true;
+  const double trial = std::sqrt(trial_squared);
+  const double start = 1.5 * contract(s_n, s) / trial;
+  flow = flow_.return_to_flow_stress(trial, start, step.dt, end.temperature, end.plastic_strain);
+  if (flow.stress > limit) {
+    flow.plastic_increment = (trial - limit) / flow_.stiffness;
+    flow.mean_stress = limit + (start > limit ? 0.5 * (start - limit) : 0.0);
+    flow.stress = limit;
+  }
+  if (flow.plastic_increment > 0.0) s = (flow.stress / trial) * s;
+  end.plastic_strain += flow.plastic_increment;
+  step.plastic_work = step.mean_ratio * flow.mean_stress * flow.plastic_increment;
+  return flow.converged;
+}
+
+/// Lower the equivalent stress to the limit at constant strain.
+/// @return the elastic energy set free, all of it dissipated, per current volume [stress]
+BARRENO_FUNCTION double JohnsonCook::release(double limit, Sym3& s, double& plastic_strain) const {
+  const double equivalent = std::sqrt(1.5 * contract(s, s));
+  if (equivalent <= limit) return 0.0;
+  const double increment = (equivalent - limit) / flow_.stiffness;
+  plastic_strain += increment;
+  s = (limit / equivalent) * s;
+  return 0.5 * (equivalent + limit) * increment;
+}
+
+BARRENO_FUNCTION void JohnsonCook::grow_damage(
+    const Return& flow, double pressure, double dt, History& end
+) const {
+  if (flow.stress <= 0.0) return;  // molten: no ductile fracture to count
+  const double ratio = -pressure / flow.stress, triaxiality = ratio < 1.5 ? ratio : 1.5;
+  const double fracture_strain = (p_.d1 + p_.d2 * std::exp(p_.d3 * triaxiality)) *
+                                 (1.0 + p_.d4 * flow_.log_rate(flow.plastic_increment, dt)) *
+                                 (1.0 + p_.d5 * flow_.homologous(end.temperature));
+  // Published sets with D1 < 0 give no fracture strain at high tension: the point breaks at once.
+  end.damage = flow.plastic_increment >= (1.0 - end.damage) * fracture_strain
+                   ? 1.0
+                   : end.damage + flow.plastic_increment / fracture_strain;
+}
+
+/// Damage and spall at the end of a step, where tension is let go and does no work on the way; and
+/// the stress limit of a point that was broken before.
+BARRENO_FUNCTION void JohnsonCook::break_point(
+    const Return& flow, Step& step, History& end, Sym3& s, double& p
+) const {
+  if (!step.broken && has_damage_ && flow.plastic_increment > 0.0) {
+    grow_damage(flow, p, step.dt, end);
+  }
+  const bool spalls = !step.broken && p_.spall_stress > 0.0 && p < -p_.spall_stress;
+  if (!step.broken && !spalls) return;
+  if (spalls) {
+    p = 0.0;
+    end.damage = 1.0;
+  }
+  const double freed = step.mean_ratio * release(1.5 * p, s, end.plastic_strain);
+  step.plastic_work += freed;
+  step.elastic_work -= freed;
+}
+
+BARRENO_FUNCTION Outcome
+JohnsonCook::update(const Increment& increment, Sym3& stress, History& history) const {
+  if (!admissible(increment, stress, history)) return failure(Status::bad_input);
+  const double density = eos_.density, ratio = increment.volume_ratio_end;
+  const double change = ratio - increment.volume_ratio_begin;
+  Step step{increment.dt, change, ratio - 0.5 * change, history.damage >= 1.0};
+  const double viscous_work = -increment.viscous_pressure * change;
+  const double implicit = 1.0 / (1.0 + 0.5 * eos_.gamma * change);
+  History end = history;
+  end.temperature = history.temperature * eos_.isentropic_temperature_ratio(change, implicit) +
+                    viscous_work * heat_per_work_ * implicit;
+
+  // 1. Energy at the end as far as known. The trapezoidal p dV contains P(end), which is linear in
+  //    the thermal energy: that is implicit * (known + deviatoric work - shear energy).
+  const double p_n = -trace(stress) / 3.0;
+  const Sym3 s_n = stress + isotropic(p_n);
+  const double squares_n = contract(s_n, s_n);
+  const MieGruneisen::Reference reference = eos_.reference(1.0 - ratio);
+  const double known =
+      history.internal_energy * density + viscous_work - 0.5 * (p_n + reference.pressure) * change;
+
+  // 2. Deviator. The limit of a broken point takes the pressure without this step's plastic heat.
+  const Sym3 strain = deviator(increment.strain);
+  Sym3 s = s_n + (2.0 * p_.shear_modulus) * strain;
+  const double shear_per_square = ratio * energy_per_square_;
+  const double p_known =
+      reference.pressure + eos_.gamma * implicit * (known - shear_per_square * squares_n);
+  const double limit = step.broken ? (p_known > 0.0 ? 1.5 * p_known : 0.0) : HUGE_VAL;
+  Return flow;
+  if (!return_deviator(s_n, limit, step, end, s, flow)) return failure(Status::not_converged);
+
+  // 3. Pressure and energy, per reference volume.
+  const double squares = contract(s, s), shear_energy = shear_per_square * squares;
+  const double deviatoric_work = 0.5 * step.mean_ratio * contract(s_n + s, strain);
+  const double thermal = implicit * (known + deviatoric_work - shear_energy);
+  double p = reference.pressure + eos_.gamma * thermal;
+  double energy = thermal + shear_energy;
+  if (step.broken && p < 0.0) {
+    p = 0.0;
+    energy = known + 0.5 * reference.pressure * change + deviatoric_work;
+  }
+  end.internal_energy = energy * inverse_density_;
+  step.elastic_work =
+      step.mean_ratio * energy_per_square_ * (squares - squares_n) - 0.5 * (p_n + p) * change;
+
+  // 4. Breaking, plastic heat, and what is reported.
+  break_point(flow, step, end, s, p);
+  end.temperature += p_.taylor_quinney * step.plastic_work * heat_per_work_ * implicit;
+  Outcome outcome;
+  outcome.elastic_work = step.elastic_work;
+  outcome.plastic_work = step.plastic_work;
+  outcome.longitudinal_modulus = modulus(p, ratio, reference.derivative, end.damage >= 1.0);
+  s = s - isotropic(p);
+  if (!is_finite(s) || !std::isfinite(end.temperature + end.internal_energy)) {
+    return failure(Status::not_converged);
+  }
+  stress = s;
+  history = end;
+  return outcome;
+}
+
+}  // namespace barreno

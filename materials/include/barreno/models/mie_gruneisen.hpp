@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/portability.hpp"
+
+#include <cmath>
+
+namespace barreno {
+
+/// Mie-Grueneisen equation of state about a linear shock Hugoniot U_s = c0 + s u_p, with Gamma rho
+/// constant, in energy form. Pressure is positive in compression, eta = 1 - V / V_ref.
+///
+///   P(eta, e) = a(eta) + Gamma0 rho0 e
+///   a(eta) = P_H(eta) (1 - Gamma0 eta / 2),  P_H = rho0 c0^2 eta / (1 - s eta)^2    (eta >= 0)
+///   a(eta) = rho0 c0^2 eta                                                          (eta < 0)
+///
+/// The pressure and its first derivative are continuous at eta = 0. P_H is singular at eta = 1/s,
+/// the largest compression a single shock can reach; states at or beyond 0.99 of it are refused.
+/// @par Source  Marsh (ed.), LASL Shock Hugoniot Data, Univ. of California Press, 1980 (linear
+/// U_s-u_p);
+///              Wilkins, Computer Simulation of Dynamic Phenomena, Springer, 1999 (energy form).
+struct MieGruneisen {
+  double density;      ///< rho0 [mass/length^3]
+  double sound_speed;  ///< c0 [length/time]
+  double slope;        ///< s [-]
+  double gamma;        ///< Gamma0 [-]
+
+  /// rho0 c0^2, the bulk modulus of the unstrained material [stress].
+  BARRENO_FUNCTION double bulk_modulus() const { return density * sound_speed * sound_speed; }
+
+  /// First eta that is refused [-]. With s <= 1 it is the vanishing volume that limits, not the
+  /// shock.
+  BARRENO_FUNCTION double compression_limit() const { return slope > 1.0 ? 0.99 / slope : 0.99; }
+
+  /// a(eta) and its derivative.
+  struct Reference {
+    double pressure;    ///< a(eta), the pressure at zero internal energy [stress]
+    double derivative;  ///< d a / d eta [stress]
+  };
+  BARRENO_FUNCTION Reference reference(double eta) const {
+    const double bulk = bulk_modulus();
+    if (eta <= 0.0) return {bulk * eta, bulk};
+    const double closure = 1.0 / (1.0 - slope * eta);
+    const double factor = 1.0 - 0.5 * gamma * eta;
+    const double hugoniot = bulk * closure * closure;  // P_H / eta
+    const double growth = (1.0 + slope * eta) * closure;
+    return {hugoniot * eta * factor, hugoniot * (growth * factor - 0.5 * gamma * eta)};
+  }
+
+  /// P(eta, e) [stress]; energy is the specific internal energy [energy/mass].
+  BARRENO_FUNCTION double pressure(double eta, double energy) const {
+    return reference(eta).pressure + gamma * density * energy;
+  }
+
+  /// Isentropic bulk modulus -V (dP/dV)_s = rho c^2 with the current density rho [stress]. It
+  /// follows from de = -P dV / m on an isentrope; it may become negative in strong tension.
+  BARRENO_FUNCTION double isentropic_modulus(
+      double eta, double reference_derivative, double pressure_now
+  ) const {
+    return (1.0 - eta) * (reference_derivative + gamma * pressure_now);
+  }
+
+  /// T / T_begin of an isentropic volume change [-]: dT / T = -Gamma dV / V = -Gamma0 d(V / V_ref).
+  /// The trapezoidal rule, (1 - x/2) / (1 + x/2), avoids the exponential where its error x^3 / 12
+  /// is far below a step's others.
+  /// @param change   of V / V_ref
+  /// @param implicit 1 / (1 + Gamma0 change / 2), which a caller has at hand
+  BARRENO_FUNCTION double isentropic_temperature_ratio(double change, double implicit) const {
+    const double x = gamma * change;
+    return std::fabs(x) < 0.02 ? (1.0 - 0.5 * x) * implicit : std::exp(-x);
+  }
+
+  /// Internal energy per reference volume on the isentrope through the unstrained cold state
+  /// [stress]:
+  ///   E(eta) = integral over x from 0 to eta of a(x) exp(Gamma0 (eta - x)) dx   (from dE/deta =
+  ///   P).
+  /// Gauss-Legendre with 3 points on 64 panels: for states a scene starts from (eta below 0.1)
+  /// exact to round-off. Set-up only.
+  double isentrope_energy(double eta) const {
+    constexpr int panels = 64;
+    const double node = std::sqrt(0.6);
+    const double h = eta / panels;
+    double sum = 0.0;
+    for (int i = 0; i < panels; ++i) {
+      const double mid = (i + 0.5) * h;
+      const double x[3] = {mid - 0.5 * node * h, mid, mid + 0.5 * node * h};
+      const double w[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+      for (int k = 0; k < 3; ++k) {
+        sum += h * w[k] * reference(x[k]).pressure * std::exp(gamma * (eta - x[k]));
+      }
+    }
+    return sum;
+  }
+};
+
+}  // namespace barreno

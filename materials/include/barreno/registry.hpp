@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/input/schema.hpp"
+#include "barreno/models.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// The registry is generated from the list in models.hpp and from the models' own tables: what a
+/// deck may say, what the manual prints and what hosts ask for have one source.
+
+/// A model without its types.
+struct ModelDescription {
+  std::string name;
+  std::string summary;
+  std::vector<input::Entry> parameters;  ///< in the order of the model's table
+  std::vector<HistoryField> history;     ///< in the order of the History struct
+};
+
+const std::vector<ModelDescription>& describe_models();
+
+/// Throws InputError with the part of the sentence after the value, nearest name included.
+const ModelDescription& find_model(const std::string& name);
+
+inline constexpr int card_schema_version = 1;
+
+/// The table of a card of this model: schema version, units, source, model, density and its
+/// parameters.
+input::Section card_section(const ModelDescription& model);
+
+/// The same as a Teuchos list with validators and documentation, for hosts that validate in
+/// Teuchos' way. Required parameters are absent from it, because such a list can only say defaults.
+Teuchos::ParameterList valid_parameters(const ModelDescription& model);
+
+/// A material from values in SI; names, types, bounds and the model's own rules are checked.
+/// @param source, path  where the list came from, for sentences: "deck.xml", "Materials/Steel"
+Material make_material(
+    const std::string& name,
+    const Teuchos::ParameterList& list,
+    const std::string& source = "material",
+    const std::string& path = ""
+);
+
+/// A card's text, scanned and checked against its model's table; values in SI.
+Teuchos::ParameterList scan_card(const std::string& text, const std::string& source);
+
+/// A material from a card file. Throws FileError or InputError.
+Material read_card(const std::string& file);
+
+}  // namespace barreno

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "barreno/input/error.hpp"
+#include "barreno/input/scan_xml.hpp"
+#include "text.hpp"
+
+namespace barreno::input {
+
+using Teuchos::XMLObject;
+
+namespace {
+
+std::optional<XMLObject> find_child(
+    const XMLObject& list, const char* tag, const std::string& name
+) {
+  for (int i = 0; i < list.numChildren(); ++i) {
+    const XMLObject& child = list.getChild(i);
+    if (child.getTag() == tag && child.hasAttribute("name") && child.getAttribute("name") == name) {
+      return child;
+    }
+  }
+  return std::nullopt;
+}
+
+/// XMLObject is a handle: what is found or added here belongs to the tree.
+XMLObject find_or_add(XMLObject& list, const char* tag, const std::string& name) {
+  if (const auto child = find_child(list, tag, name)) return *child;
+  XMLObject child(tag);
+  child.addAttribute("name", name);
+  list.addChild(child);
+  return child;
+}
+
+}  // namespace
+
+std::optional<std::string> find_text(const XMLObject& list, const std::string& name) {
+  const auto child = find_child(list, "Parameter", name);
+  if (!child || !child->hasAttribute("value")) return std::nullopt;
+  return std::string(trim(child->getAttribute("value")));
+}
+
+std::optional<XMLObject> find_list(const XMLObject& list, const std::string& name) {
+  return find_child(list, "ParameterList", name);
+}
+
+UnitSystem units_of(const XMLObject& root, const std::string& source) {
+  const auto text = find_text(root, "Units");
+  if (!text) return {};
+  try {
+    return read_unit_system(*text);
+  } catch (const InputError& error) {
+    refuse_value(source, "Units", *text, error.what());
+  }
+}
+
+void override_value(XMLObject root, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const auto names = split(assignment.substr(0, equals), '/');
+  bool sound = equals != std::string::npos && !names.empty();
+  for (const std::string& name : names) sound = sound && !name.empty();
+  if (!sound) {
+    throw InputError(
+        "--set " + shown(assignment) +
+        " assigns nothing (a path, '=' and a value belong here); write for example --set "
+        "\"Time/End Time=50 us\"."
+    );
+  }
+  XMLObject list = root;
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    list = find_or_add(list, "ParameterList", names[i]);
+  XMLObject parameter = find_or_add(list, "Parameter", names.back());
+  parameter.addAttribute("value", assignment.substr(equals + 1));
+}
+
+std::string join(const std::string& path, const std::string& name) {
+  return path.empty() ? name : path + "/" + name;
+}
+
+std::string shown(const std::string& text) {
+  constexpr std::size_t longest = 60;
+  std::string cut = text.size() > longest ? text.substr(0, longest - 3) + "..." : text;
+  // A sentence stays on one line.
+  for (char& c : cut) {
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  }
+  const bool plain =
+      !cut.empty() && std::string("0123456789+-.{").find(cut.front()) != std::string::npos;
+  return plain ? cut : "\"" + cut + "\"";
+}
+
+void refuse(const std::string& source, const std::string& path, const std::string& problem) {
+  std::string sentence =
+      source + (path.empty() ? "" : ": " + path) + (problem.empty() ? "" : " " + problem);
+  if (sentence.back() != '.' && sentence.back() != '?') sentence += '.';
+  throw InputError(sentence);
+}
+
+void refuse_value(
+    const std::string& source,
+    const std::string& path,
+    const std::string& text,
+    const std::string& problem
+) {
+  refuse(source, path + " = " + shown(text), problem);
+}
+
+}  // namespace barreno::input

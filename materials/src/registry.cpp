@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "barreno/registry.hpp"
+
+#include "barreno/input/error.hpp"
+#include "barreno/input/nearest_name.hpp"
+#include "barreno/input/scan_xml.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <utility>
+
+namespace barreno {
+namespace {
+
+using input::Entry;
+using Teuchos::ParameterList;
+
+/// Shortest decimal text that reads back as the same double.
+std::string exact(double x) {
+  char buffer[40];
+  for (const int digits : {15, 17}) {
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, x);
+    if (std::stod(buffer) == x) break;
+  }
+  return buffer;
+}
+
+template <class Model>
+std::vector<Entry> entries_of() {
+  std::vector<Entry> entries;
+  const auto table = Model::parameter_table();
+  for (const auto& p : table.numbers) {
+    const Entry entry = input::number(p.name, p.dimension, p.bounds, p.meaning);
+    entries.push_back(p.required ? entry : entry.by_default(exact(p.default_value)));
+  }
+  for (const auto& c : table.choices) {
+    const auto index = static_cast<std::size_t>(c.default_index);
+    entries.push_back(input::word(c.name, c.words, c.meaning).by_default(c.words.at(index)));
+  }
+  return entries;
+}
+
+template <class Model>
+ModelDescription describe() {
+  return {Model::name, Model::summary, entries_of<Model>(), Model::history_table()};
+}
+
+template <class Model>
+AnyModel build(const ParameterList& list, double density, std::string& problem) {
+  typename Model::Parameters p{};
+  const auto table = Model::parameter_table();
+  for (const auto& number : table.numbers) p.*(number.member) = list.get<double>(number.name);
+  for (const auto& choice : table.choices) {
+    const auto& words = choice.words;
+    const auto word = std::find(words.begin(), words.end(), list.get<std::string>(choice.name));
+    p.*(choice.member) = static_cast<int>(word - words.begin());
+  }
+  problem = Model::check(p, density);
+  // A model may count on a sound set, so an unsound one is never built; any other stands in until
+  // the throw.
+  return problem.empty() ? AnyModel(Model(p, density))
+                         : AnyModel(LinearElastic({1.0, 1.0}, density));
+}
+
+using Builder = AnyModel (*)(const ParameterList&, double, std::string&);
+
+template <class... Models>
+std::vector<ModelDescription> describe_all(const std::variant<Models...>* /*list*/) {
+  return {describe<Models>()...};
+}
+template <class... Models>
+std::vector<Builder> builders_of(const std::variant<Models...>* /*list*/) {
+  return {&build<Models>...};
+}
+
+/// A value of a list as it would stand in a deck, so that one reader checks lists and texts alike.
+std::string text_of(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<double>()) return exact(Teuchos::getValue<double>(entry));
+  if (entry.isType<int>()) return std::to_string(Teuchos::getValue<int>(entry));
+  if (entry.isType<std::string>()) return Teuchos::getValue<std::string>(entry);
+  return "a value of another type";
+}
+
+/// Names, types and bounds of a list in SI, defaults filled.
+ParameterList checked(
+    const ParameterList& list,
+    const input::Section& section,
+    const std::string& source,
+    const std::string& path
+) {
+  Teuchos::XMLObject xml("ParameterList");
+  for (auto item = list.begin(); item != list.end(); ++item) {
+    Teuchos::XMLObject parameter("Parameter");
+    parameter.addAttribute("name", list.name(item));
+    parameter.addAttribute("value", text_of(list.entry(item)));
+    xml.addChild(parameter);
+  }
+  return input::scan_list(xml, section, path, {source, {}});
+}
+
+const ModelDescription& model_named(
+    const std::string& name, const std::string& source, const std::string& path
+) {
+  try {
+    return find_model(name);
+  } catch (const InputError& error) {
+    input::refuse_value(source, input::join(path, "Model"), name, error.what());
+  }
+}
+
+void check_version(int version, const std::string& source, const std::string& path) {
+  if (version == card_schema_version) return;
+  input::refuse_value(
+      source,
+      input::join(path, "Schema Version"),
+      std::to_string(version),
+      "is not the version that this program reads (" + std::to_string(card_schema_version) +
+          "); convert the card or use the program that it was written for"
+  );
+}
+
+}  // namespace
+
+const std::vector<ModelDescription>& describe_models() {
+  static const std::vector<ModelDescription> models =
+      describe_all(static_cast<const AnyModel*>(nullptr));
+  return models;
+}
+
+const ModelDescription& find_model(const std::string& name) {
+  std::vector<std::string> known;
+  for (const ModelDescription& model : describe_models()) {
+    if (model.name == name) return model;
+    known.push_back(model.name);
+  }
+  throw InputError("is not a model that is known here; " + input::suggest_name(name, known));
+}
+
+input::Section card_section(const ModelDescription& model) {
+  std::vector<std::string> names;
+  for (const ModelDescription& each : describe_models()) names.push_back(each.name);
+  input::Section section;
+  section.name = "Card";
+  section.meaning = model.summary;
+  section.entries = {
+      input::integer("Schema Version", any(), "version of this table")
+          .by_default(std::to_string(card_schema_version)),
+      input::text("Units", "consistent system of the plain numbers, as in a deck").by_default("SI"),
+      input::text("Source", "where the numbers come from").if_given(),
+      input::word("Model", names, "constitutive model"),
+      input::number("Density", dimension::density, above(0.0), "reference density")};
+  section.entries.insert(section.entries.end(), model.parameters.begin(), model.parameters.end());
+  return section;
+}
+
+Material make_material(
+    const std::string& name,
+    const ParameterList& list,
+    const std::string& source,
+    const std::string& path
+) {
+  static const std::vector<Builder> builders = builders_of(static_cast<const AnyModel*>(nullptr));
+  const std::string word = list.isType<std::string>("Model") ? list.get<std::string>("Model") : "";
+  const ModelDescription& model = model_named(word, source, path);
+  const ParameterList values = checked(list, card_section(model), source, path);
+  check_version(values.get<int>("Schema Version"), source, path);
+  const double density = values.get<double>("Density");
+  const auto index = static_cast<std::size_t>(&model - describe_models().data());
+  std::string problem;
+  AnyModel built = builders[index](values, density, problem);
+  if (!problem.empty()) input::refuse(source, input::join(path, problem), "");
+  return {name, density, std::move(built)};
+}
+
+ParameterList scan_card(const std::string& text, const std::string& source) {
+  const Teuchos::XMLObject xml = input::parse_xml(text, source);
+  const std::string word = input::find_text(xml, "Model").value_or("");
+  const input::UnitSystem units = input::units_of(xml, source);
+  ParameterList list =
+      input::scan_list(xml, card_section(model_named(word, source, "")), "", {source, units});
+  check_version(list.get<int>("Schema Version"), source, "");
+  list.set("Units", std::string("SI"));
+  return list;
+}
+
+Material read_card(const std::string& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) {
+    throw FileError(
+        file + " cannot be read (it is absent or not readable); give the path of a card."
+    );
+  }
+  const ParameterList list = scan_card(text.str(), file);
+  const std::size_t slash = file.find_last_of('/');
+  const std::string name = file.substr(slash == std::string::npos ? 0 : slash + 1);
+  return make_material(name.substr(0, name.rfind(".xml")), list, file);
+}
+
+}  // namespace barreno

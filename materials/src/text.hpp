@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace barreno::input {
+
+std::string_view trim(std::string_view text);
+
+/// Parts between separators, trimmed; "a,,b" has an empty second part, an empty text has no part.
+std::vector<std::string> split(std::string_view text, char separator);
+
+}  // namespace barreno::input

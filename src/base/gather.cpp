@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/gather.hpp"
+
+#include "base/error.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
+
+#include <mpi.h>
+
+namespace barreno {
+namespace {
+
+constexpr int root = 0;
+
+template <class T>
+std::vector<T> gather(const Comm& comm, const std::vector<T>& mine, MPI_Datatype type) {
+  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
+  if (mpi == nullptr) return mine;  // a communicator of one process without MPI
+  MPI_Comm raw = *mpi->getRawMpiComm();
+  const int count = static_cast<int>(mine.size());
+  std::vector<int> counts(comm.getSize()), begins(comm.getSize(), 0);
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, root, raw);
+  for (std::size_t r = 1; r < counts.size(); ++r) begins[r] = begins[r - 1] + counts[r - 1];
+  std::vector<T> all;
+  if (is_root(comm)) all.resize(static_cast<std::size_t>(begins.back()) + counts.back());
+  MPI_Gatherv(mine.data(), count, type, all.data(), counts.data(), begins.data(), type, root, raw);
+  return all;
+}
+
+template <class T>
+void reduce(const Comm& comm, Teuchos::EReductionType operation, std::vector<T>& values) {
+  const std::vector<T> mine = values;
+  const int count = static_cast<int>(values.size());
+  Teuchos::reduceAll<int, T>(comm, operation, count, mine.data(), values.data());
+}
+
+}  // namespace
+
+std::vector<double> gather_to_root(const Comm& comm, const std::vector<double>& mine) {
+  return gather(comm, mine, MPI_DOUBLE);
+}
+std::vector<long long> gather_to_root(const Comm& comm, const std::vector<long long>& mine) {
+  return gather(comm, mine, MPI_LONG_LONG);
+}
+
+void sum_over_ranks(const Comm& comm, std::vector<double>& values) {
+  reduce(comm, Teuchos::REDUCE_SUM, values);
+}
+void sum_over_ranks(const Comm& comm, std::vector<long long>& values) {
+  reduce(comm, Teuchos::REDUCE_SUM, values);
+}
+void min_over_ranks(const Comm& comm, std::vector<double>& values) {
+  reduce(comm, Teuchos::REDUCE_MIN, values);
+}
+void max_over_ranks(const Comm& comm, std::vector<double>& values) {
+  reduce(comm, Teuchos::REDUCE_MAX, values);
+}
+
+std::string broadcast_from_root(const Comm& comm, const std::string& text) {
+  int length = static_cast<int>(text.size());
+  Teuchos::broadcast<int, int>(comm, root, 1, &length);
+  std::string received = text;
+  received.resize(static_cast<std::size_t>(length));
+  if (length > 0) Teuchos::broadcast<int, char>(comm, root, length, received.data());
+  return received;
+}
+
+void RootWork::run(const std::function<void()>& work) {
+  if (!is_root(comm_) || !sentence_.empty()) return;
+  try {
+    work();
+  } catch (const FileError& error) {
+    sentence_ = error.what();
+  }
+}
+
+void RootWork::agree() const {
+  const std::string sentence = broadcast_from_root(comm_, sentence_);
+  if (!sentence.empty()) throw FileError(sentence);
+}
+
+}  // namespace barreno

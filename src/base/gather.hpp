@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+using Comm = Teuchos::Comm<int>;
+
+/// Rank 0 reads decks and writes files.
+inline bool is_root(const Comm& comm) {
+  return comm.getRank() == 0;
+}
+
+/// The ranks' values one after the other in rank order; empty on all ranks but the root.
+std::vector<double> gather_to_root(const Comm& comm, const std::vector<double>& mine);
+std::vector<long long> gather_to_root(const Comm& comm, const std::vector<long long>& mine);
+
+/// Entry by entry over the ranks, the result on every rank; all ranks give the same number of
+/// entries.
+void sum_over_ranks(const Comm& comm, std::vector<double>& values);
+void sum_over_ranks(const Comm& comm, std::vector<long long>& values);
+void min_over_ranks(const Comm& comm, std::vector<double>& values);
+void max_over_ranks(const Comm& comm, std::vector<double>& values);
+
+/// The root's text on every rank.
+std::string broadcast_from_root(const Comm& comm, const std::string& text);
+
+/// Work on files that only the root does, between collective calls that every rank must reach.
+///
+/// A FileError of the root is kept, later work is skipped, and agree() throws it on every rank, so
+/// that no rank waits for one that has left.
+class RootWork {
+public:
+  explicit RootWork(const Comm& comm) : comm_(comm) {}
+  /// Runs on the root only.
+  void run(const std::function<void()>& work);
+  /// Collective. @throws FileError on every rank if the root met one
+  void agree() const;
+
+private:
+  const Comm& comm_;
+  std::string sentence_;
+};
+
+}  // namespace barreno

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+
+#include "base/error.hpp"
+
+#include <barreno/input/nearest_name.hpp>
+#include <barreno/input/scan_xml.hpp>
+#include <charconv>
+
+namespace barreno {
+namespace {
+
+const std::vector<std::string> commands = {"run", "check", "describe"};
+/// Part of the contract with users, but not built yet.
+const std::vector<std::string> later_commands = {"drive", "resume", "report"};
+
+/// The arguments, with a cursor that knows what an option still needs.
+class Arguments {
+public:
+  Arguments(int argc, const char* const* argv) : words_(argv + 1, argv + argc) {}
+  bool at_end() const { return at_ == words_.size(); }
+  std::string next() { return words_[at_++]; }
+  std::string value_of(const std::string& option, const std::string& example) {
+    if (at_end()) {
+      throw DeckError(
+          option + " has no value after it (it needs one); write for example " + option + " " +
+          example + "."
+      );
+    }
+    return next();
+  }
+
+private:
+  std::vector<std::string> words_;
+  std::size_t at_ = 0;
+};
+
+int ranks_of(const std::string& text) {
+  int ranks = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ranks);
+  if (error != std::errc{} || end != text.data() + text.size() || ranks < 1) {
+    throw DeckError(
+        "--ranks " + input::shown(text) +
+        " is no number of ranks (1 or more); write for example --ranks 2."
+    );
+  }
+  return ranks;
+}
+
+Command command_of(const std::string& word) {
+  if (word == "--help" || word == "-h" || word == "help") return Command::help;
+  if (word == "--version") return Command::version;
+  if (word == "run") return Command::run;
+  if (word == "check") return Command::check;
+  if (word == "describe") return Command::describe;
+  for (const auto& later : later_commands) {
+    if (word == later) {
+      throw DeckError(
+          "barreno " + word +
+          " is not built yet (this version has run, check and describe); use one of those."
+      );
+    }
+  }
+  throw DeckError(input::shown(word) + " is not a command; " + input::suggest_name(word, commands));
+}
+
+std::vector<std::string> known_options(Command command) {
+  if (command == Command::describe) return {"--markdown", "--help"};
+  if (command == Command::check) return {"--set", "--ranks", "--help"};
+  return {"--out", "--ranks", "--set", "--overwrite", "--help"};
+}
+
+[[noreturn]] void refuse_option(const std::string& word, Command command) {
+  if (word == "--fidelity") {
+    throw DeckError("--fidelity is not built yet (a deck's own values hold); remove it.");
+  }
+  throw DeckError(
+      word + " is not an option of this command; " +
+      input::suggest_name(word, known_options(command))
+  );
+}
+
+void parse_option(const std::string& word, Arguments& arguments, Options& options) {
+  const Command command = options.command;
+  bool known = false;
+  for (const auto& option : known_options(command)) known = known || word == option;
+  if (!known) refuse_option(word, command);
+  if (word == "--help") options.command = Command::help;
+  if (word == "--markdown") options.markdown = true;
+  if (word == "--overwrite") options.overwrite = true;
+  if (word == "--out") options.out = arguments.value_of(word, "results");
+  if (word == "--ranks") options.ranks = ranks_of(arguments.value_of(word, "2"));
+  if (word == "--set")
+    options.overrides.push_back(arguments.value_of(word, "\"Time/End Time=50 us\""));
+}
+
+}  // namespace
+
+Options parse_command_line(int argc, const char* const* argv) {
+  Arguments arguments(argc, argv);
+  Options options;
+  if (arguments.at_end()) return options;
+  options.command = command_of(arguments.next());
+  if (options.command == Command::help || options.command == Command::version) return options;
+  std::string& operand = options.command == Command::describe ? options.section : options.deck_file;
+  bool given = false;
+  while (!arguments.at_end()) {
+    const std::string word = arguments.next();
+    if (word.size() > 1 && word.front() == '-') {
+      parse_option(word, arguments, options);
+      if (options.command == Command::help) return options;
+    } else if (given) {
+      throw DeckError(
+          input::shown(word) + " comes after " + input::shown(operand) +
+          " (one is enough); remove one of them."
+      );
+    } else {
+      operand = word;
+      given = true;
+    }
+  }
+  if (!given && options.command != Command::describe) {
+    throw DeckError(
+        "no deck is named (it says what to compute); write for example barreno run "
+        "input_xml/perforation.xml."
+    );
+  }
+  return options;
+}
+
+std::string help_text() {
+  return "barreno run DECK [--out DIR] [--ranks N] [--set \"Sub List/Parameter=value\"]... "
+         "[--overwrite]\n"
+         "    compute; without --out into runs/<deck name>-<counter>\n"
+         "barreno check DECK [--set \"Sub List/Parameter=value\"]...\n"
+         "    validate, print the plan, write nothing\n"
+         "barreno describe [SECTION or MODEL] [--markdown]\n"
+         "    the deck reference\n"
+         "\n"
+         "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, 3 numerical failure, 4 "
+         "internal.\n";
+}
+
+}  // namespace barreno

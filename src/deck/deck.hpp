@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_XMLObject.hpp>
+
+#include <barreno/models.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace barreno {
+
+/// A deck that was read: every value checked against the tables, in SI, defaults filled, cards and
+/// jet table included. Paths are "Sub List/Parameter".
+class Deck {
+public:
+  Deck(std::string name, Teuchos::ParameterList values, Teuchos::XMLObject xml)
+      : name_(std::move(name)), values_(std::move(values)), xml_(std::move(xml)) {}
+
+  const std::string& name() const { return name_; }
+  const Teuchos::ParameterList& values() const { return values_; }
+  /// What the user should know although it is no error, a sentence each.
+  std::vector<std::string> notes;
+  /// File of the jet table that Jet/Slugs came from; empty without one.
+  std::string jet_table;
+
+  /// A parameter or a list of that path is there (given, included or by default).
+  bool has(const std::string& path) const;
+  /// Names of the lists below a list, in the order of the deck.
+  std::vector<std::string> lists(const std::string& path) const;
+
+  double number(const std::string& path) const;
+  int integer(const std::string& path) const;
+  std::string word(const std::string& path) const;
+  std::vector<std::string> words(const std::string& path) const;
+  std::vector<double> vector(const std::string& path) const;
+  std::vector<std::vector<double>> rows(const std::string& path) const;
+
+  /// The material of a list below Materials, its model's own rules checked.
+  Material material(const std::string& name) const;
+
+  /// Throws DeckError: path, the value as the user wrote it, the problem.
+  [[noreturn]] void refuse_value(const std::string& path, const std::string& problem) const;
+  /// Throws DeckError: path, the problem.
+  [[noreturn]] void refuse(const std::string& path, const std::string& problem) const;
+
+private:
+  template <class T>
+  T get(const std::string& path) const;
+
+  std::string name_;
+  Teuchos::ParameterList values_;
+  Teuchos::XMLObject xml_;  ///< as the user wrote it, for sentences
+};
+
+}  // namespace barreno

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/deck_schema.hpp"
+
+#include <algorithm>
+
+namespace barreno {
+namespace {
+
+using namespace input;
+namespace dim = dimension;
+
+constexpr Dimension wave_number{-1, 0, 0, 0};
+
+const std::vector<std::string> faces = {
+    "x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"};
+
+Bounds above_up_to(double a, double b) {
+  return {a, b, true, false};
+}
+
+Section grid_section() {
+  return {
+      "Grid",
+      "the box that particles may occupy and the cells of the background grid",
+      Presence::required,
+      {word(
+           "Mode",
+           {"axisymmetric", "plane strain"},
+           "axisymmetric: {r, axial}; plane strain: {x, y}, per metre"
+       ),
+       vector("Lower", dim::length, any(), "lower corner of the box"),
+       vector("Upper", dim::length, any(), "upper corner, a whole number of cells away"),
+       number("Cell Size", dim::length, above(0.0), "edge of the square cells")},
+      {},
+      {}};
+}
+
+Section bodies_section() {
+  const Section body = {
+      "*",
+      "one body, filled with particles",
+      Presence::required,
+      {text("Material", "name of a list in Materials"),
+       word("Shape", {"box", "ball"}, "box: Lower and Upper; ball: Centre and Radius")
+           .by_default("box"),
+       vector("Lower", dim::length, any(), "lower corner of a box").if_given(),
+       vector("Upper", dim::length, any(), "upper corner of a box").if_given(),
+       vector("Centre", dim::length, any(), "centre of a ball; on the axis in axisymmetry")
+           .if_given(),
+       number("Radius", dim::length, above(0.0), "radius of a ball").if_given(),
+       integer("Particles Per Cell", between(1, 16), "per direction").by_default("2"),
+       vector("Velocity", dim::velocity, any(), "initial velocity; zero without it").if_given(),
+       vector(
+           "Velocity Wave Number",
+           wave_number,
+           any(),
+           "k of an initial velocity Velocity * sin(k . x); uniform without it"
+       )
+           .if_given()},
+      {},
+      {}};
+  return {
+      "Bodies",
+      "what is there at time 0, a list of free name each",
+      Presence::defaulted,
+      {},
+      {},
+      {body}};
+}
+
+Section conditions_section() {
+  const Section condition = {
+      "*",
+      "one condition",
+      Presence::required,
+      {word("Face", faces, "face of the grid box"),
+       word(
+           "Kind",
+           {"symmetry", "fixed", "prescribed velocity"},
+           "symmetry: no normal velocity; fixed: no velocity; prescribed velocity: that of Velocity"
+       ),
+       vector("Velocity", dim::velocity, any(), "only for a prescribed velocity").if_given()},
+      {},
+      {}};
+  return {
+      "Conditions",
+      "prescribed motion of the faces of the grid box, a list of free name each",
+      Presence::defaulted,
+      {},
+      {},
+      {condition}};
+}
+
+Section loads_section() {
+  const Section load = {
+      "*",
+      "one load",
+      Presence::required,
+      {word("Kind", {"pressure"}, "pressure: follows the faces, pushes inward when positive"),
+       text("Body", "name of a box in Bodies"),
+       words("Faces", faces, "faces of that box that are pressed"),
+       number("Pressure", dim::stress, any(), "constant in time; or Times and Pressures")
+           .if_given(),
+       vector("Times", dim::time, any(), "increasing; the pressure is linear in between")
+           .if_given(),
+       vector("Pressures", dim::stress, any(), "one for each of Times").if_given()},
+      {},
+      {}};
+  return {
+      "Loads", "prescribed forces, a list of free name each", Presence::defaulted, {}, {}, {load}};
+}
+
+Section confinement_section() {
+  return {
+      "Confinement",
+      "bodies that start in equilibrium under a pressure, which stays on their outer faces",
+      Presence::optional,
+      {number("Pressure", dim::stress, at_least(0.0), "on every outer face that has no condition"),
+       words("Bodies", {}, "names of boxes in Bodies")},
+      {},
+      {}};
+}
+
+Section jet_section() {
+  return {
+      "Jet",
+      "a jet launched along y through a plane, from a table of slugs",
+      Presence::optional,
+      {text("Material", "name of a list in Materials"),
+       file("Table", "CSV file: time,velocity,radius,length,density, a row per slug").if_given(),
+       table(
+           "Slugs",
+           {dim::time, dim::velocity, dim::length, dim::length, dim::density},
+           "the same rows in the deck itself, instead of Table"
+       )
+           .if_given(),
+       number("Launch Position", dim::length, any(), "y of the launch plane"),
+       word("Direction", {"+y", "-y"}, "where the jet flies"),
+       integer("Particles Per Cell", between(1, 16), "per direction").by_default("4")},
+      {},
+      {}};
+}
+
+Section step_section() {
+  return {
+      "Step",
+      "how a step is taken",
+      Presence::defaulted,
+      {word("Shape Function", {"GIMP"}, "support of a particle").by_default("GIMP"),
+       number("Courant Fraction", dim::none, above_up_to(0.0, 1.0), "of the critical step")
+           .by_default("0.5"),
+       number("Growth Limit", dim::none, above(1.0), "largest ratio of successive steps")
+           .by_default("1.1"),
+       number(
+           "Largest Strain",
+           dim::none,
+           above_up_to(0.0, 1.0),
+           "of one step; beyond it the step is retried smaller"
+       )
+           .by_default("0.1"),
+       number("PIC Fraction", dim::none, between(0.0, 1.0), "0: FLIP, 1: PIC").by_default("0"),
+       number(
+           "Linear Viscosity",
+           dim::none,
+           at_least(0.0),
+           "A1 in q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)"
+       )
+           .by_default("0.2"),
+       number("Quadratic Viscosity", dim::none, at_least(0.0), "A2 in the same").by_default("2"),
+       number("Initial Step", dim::time, at_least(0.0), "first step; 0: the stable one")
+           .by_default("0"),
+       number("Largest Step", dim::time, at_least(0.0), "limit of every step; 0: none")
+           .by_default("0")},
+      {},
+      {}};
+}
+
+Section output_section() {
+  return {
+      "Output",
+      "what is written, and when",
+      Presence::defaulted,
+      {number("Field Interval", dim::time, at_least(0.0), "between fields; 0: first and last only")
+           .by_default("0"),
+       number(
+           "History Interval",
+           dim::time,
+           at_least(0.0),
+           "between rows of history and depth; 0: every step"
+       )
+           .by_default("0"),
+       word("Particle Glyph", {"deformed", "point"}, "particles as deformed cells or as points")
+           .by_default("deformed")},
+      {},
+      {}};
+}
+
+Section build_schema() {
+  Section materials = {
+      "Materials",
+      "what the bodies are made of, a list of free name each",
+      Presence::required,
+      {},
+      {},
+      {any_material_section()}};
+  materials.named_read_elsewhere = true;
+  const Section time = {
+      "Time",
+      "how long",
+      Presence::required,
+      {number("End Time", dim::time, above(0.0), "end of the run")},
+      {},
+      {}};
+  return {
+      "Deck",
+      "a run",
+      Presence::required,
+      {integer(
+           "Schema Version", any(), "version of this table: " + std::to_string(deck_schema_version)
+       ),
+       text("Title", "one line for screens and files").by_default(""),
+       text("Units", "of plain numbers: SI, or units of length, time and mass (\"mm-us-g\")")
+           .by_default("SI")},
+      {grid_section(),
+       materials,
+       bodies_section(),
+       conditions_section(),
+       loads_section(),
+       confinement_section(),
+       jet_section(),
+       step_section(),
+       time,
+       output_section()},
+      {}};
+}
+
+}  // namespace
+
+const input::Section& deck_schema() {
+  static const input::Section schema = build_schema();
+  return schema;
+}
+
+input::Section any_material_section() {
+  return {
+      "*",
+      "one material: a card, a model with its parameters, or a card with single values overridden",
+      Presence::required,
+      {file("Card", "file of a card: beside the deck, in materials/cards or in BARRENO_MATERIALS")
+           .if_given(),
+       word(
+           "Bad Particles",
+           {"remove", "hold", "stop"},
+           "what becomes of particles whose update fails"
+       )
+           .by_default("remove")},
+      {},
+      {}};
+}
+
+input::Section material_section(const ModelDescription& model) {
+  input::Section section = card_section(model);
+  // The deck says these once, for everything in it.
+  auto& entries = section.entries;
+  entries.erase(
+      std::remove_if(
+          entries.begin(),
+          entries.end(),
+          [](const auto& e) { return e.name == "Schema Version" || e.name == "Units"; }
+      ),
+      entries.end()
+  );
+  const input::Section common = any_material_section();
+  entries.insert(entries.begin(), common.entries.begin(), common.entries.end());
+  return section;
+}
+
+}  // namespace barreno

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/describe_deck.hpp"
+
+#include "base/error.hpp"
+#include "deck/deck_schema.hpp"
+
+#include <barreno/input/nearest_name.hpp>
+#include <barreno/input/scan_xml.hpp>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace barreno {
+namespace {
+
+using input::Entry;
+using input::Kind;
+using input::Presence;
+using input::Section;
+
+std::string number_text(double x) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%g", x);
+  return buffer;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string columns_text(const Entry& entry) {
+  std::vector<std::string> units;
+  for (const Dimension& column : entry.columns) units.push_back(input::si_unit_of(column));
+  return "table of [" + listed(units) + "]";
+}
+
+std::string type_text(const Entry& entry) {
+  const std::string unit = input::si_unit_of(entry.dimension);
+  const std::string suffix = unit.empty() ? "" : " [" + unit + "]";
+  switch (entry.kind) {
+    case Kind::number:
+      return "number" + suffix;
+    case Kind::integer:
+      return "integer";
+    case Kind::text:
+      return "text";
+    case Kind::file:
+      return "file";
+    case Kind::flag:
+      return "true or false";
+    case Kind::word:
+      return "one of: " + listed(entry.words);
+    case Kind::words:
+      return entry.words.empty() ? "array of names" : "array of: " + listed(entry.words);
+    case Kind::vector:
+      return "array" + suffix;
+    case Kind::table:
+      return columns_text(entry);
+  }
+  return {};
+}
+
+std::string bounds_text(const Bounds& b) {
+  std::string text;
+  if (std::isfinite(b.lower)) text = (b.lower_open ? "> " : ">= ") + number_text(b.lower);
+  if (std::isfinite(b.upper)) {
+    text += (text.empty() ? "" : ", ") + std::string(b.upper_open ? "< " : "<= ") +
+            number_text(b.upper);
+  }
+  return text;
+}
+
+std::string default_text(const Entry& entry) {
+  if (entry.presence == Presence::required) return "required";
+  if (entry.presence == Presence::optional) return "optional";
+  return entry.default_text.empty() ? "default: empty" : "default: " + entry.default_text;
+}
+
+void write_entry(const Entry& entry, std::ostream& out) {
+  const std::string bounds = bounds_text(entry.bounds);
+  out << "  " << entry.name << "\n      " << entry.meaning << "\n      " << type_text(entry)
+      << (bounds.empty() ? "" : ", " + bounds) << "; " << default_text(entry) << '\n';
+}
+
+/// Lists of free name are there when they are written, so only fixed ones can be missing.
+std::string presence_text(const Section& section) {
+  if (section.name == "*") return "";
+  return section.presence == Presence::required ? " (required)" : " (may be left out)";
+}
+
+void write_section(const Section& section, const std::string& path, std::ostream& out) {
+  out << path << ": " << section.meaning << presence_text(section) << "\n";
+  for (const Entry& entry : section.entries) write_entry(entry, out);
+  for (const Section& named : section.named) write_section(named, path + "/" + named.name, out);
+}
+
+void write_model(const ModelDescription& model, std::ostream& out) {
+  out << "Model \"" << model.name << "\": " << model.summary << '\n';
+  for (const Entry& entry : card_section(model).entries) write_entry(entry, out);
+  if (!model.history.empty()) out << "  history of every particle:\n";
+  for (const HistoryField& field : model.history) {
+    const std::string unit = input::si_unit_of(field.dimension);
+    out << "      " << field.name << (unit.empty() ? "" : " [" + unit + "]") << ": "
+        << field.meaning << '\n';
+  }
+}
+
+constexpr const char* how_to_write =
+    "A deck is a Teuchos ParameterList in XML: <ParameterList name=\"...\"> for a section,\n"
+    "<Parameter name=\"End Time\" type=\"string\" value=\"120 us\"/> for a value. Plain numbers "
+    "are in the system\n"
+    "that Units names (default SI); a number with a unit suffix (\"12.7 mm\", \"10 ksi\", \"2.3 "
+    "g/cm3\") is\n"
+    "converted wherever a dimension is declared. Arrays are written \"{0 mm, -20 mm}\".\n";
+
+void write_overview(std::ostream& out) {
+  const Section& deck = deck_schema();
+  out << how_to_write << "\nAt the top of the deck:\n";
+  for (const Entry& entry : deck.entries) write_entry(entry, out);
+  out << "\nSections:\n";
+  for (const Section& section : deck.sections) {
+    out << "  " << section.name << ": " << section.meaning << presence_text(section) << "\n";
+  }
+  out << "\nModels:\n";
+  for (const ModelDescription& model : describe_models()) {
+    out << "  " << model.name << ": " << model.summary << '\n';
+  }
+  out << "\nbarreno describe SECTION or MODEL prints its table.\n";
+}
+
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+void write_rows(const std::vector<Entry>& entries, std::ostream& out) {
+  if (entries.empty()) return;
+  out << "| name | value | bounds | default | meaning |\n|---|---|---|---|---|\n";
+  for (const Entry& entry : entries) {
+    const std::string text = default_text(entry);
+    const std::string value = text.rfind("default: ", 0) == 0 ? text.substr(9) : text;
+    out << "| " << cell(entry.name) << " | " << cell(type_text(entry)) << " | "
+        << bounds_text(entry.bounds) << " | " << cell(value) << " | " << cell(entry.meaning)
+        << " |\n";
+  }
+  out << '\n';
+}
+
+void write_markdown_section(const Section& section, const std::string& path, std::ostream& out) {
+  out << "## " << path << "\n\n" << section.meaning << presence_text(section) << ".\n\n";
+  write_rows(section.entries, out);
+  for (const Section& named : section.named)
+    write_markdown_section(named, path + "/" + named.name, out);
+}
+
+}  // namespace
+
+std::string describe_text(const std::string& section) {
+  std::ostringstream out;
+  std::vector<std::string> known;
+  if (section.empty()) {
+    write_overview(out);
+    return out.str();
+  }
+  for (const Section& part : deck_schema().sections) {
+    known.push_back(part.name);
+    if (part.name == section) write_section(part, part.name, out);
+  }
+  for (const ModelDescription& model : describe_models()) {
+    known.push_back(model.name);
+    if (model.name == section) write_model(model, out);
+  }
+  if (out.str().empty()) {
+    throw DeckError(
+        "describe " + input::shown(section) + " names neither a section nor a model; " +
+        input::suggest_name(section, known)
+    );
+  }
+  return out.str();
+}
+
+std::string describe_markdown() {
+  std::ostringstream out;
+  out << "# Deck reference\n\nGenerated by `barreno describe --markdown` from the tables that "
+         "validate decks; "
+         "do not edit.\n\n"
+      << how_to_write << "\n## Top of the deck\n\n";
+  write_rows(deck_schema().entries, out);
+  for (const Section& section : deck_schema().sections)
+    write_markdown_section(section, section.name, out);
+  for (const ModelDescription& model : describe_models()) {
+    out << "## Model " << model.name << "\n\n" << model.summary << "\n\n";
+    write_rows(card_section(model).entries, out);
+    if (model.history.empty()) continue;
+    out << "| history | unit | meaning |\n|---|---|---|\n";
+    for (const HistoryField& field : model.history) {
+      out << "| " << field.name << " | " << input::si_unit_of(field.dimension) << " | "
+          << cell(field.meaning) << " |\n";
+    }
+    out << '\n';
+  }
+  std::string text = out.str();
+  text.pop_back();  // one newline at the end, not two
+  return text;
+}
+
+}  // namespace barreno

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/read_deck.hpp"
+
+#include "base/error.hpp"
+#include "deck/deck_schema.hpp"
+#include "deck/find_card.hpp"
+#include "deck/jet_table.hpp"
+#include "deck/read_once.hpp"
+
+#include <barreno/input/scan_xml.hpp>
+#include <filesystem>
+
+namespace barreno {
+namespace {
+
+using input::join;
+using Teuchos::ParameterList;
+using Teuchos::XMLObject;
+
+struct Reading {
+  input::Source source;
+  std::string directory;  ///< of the deck
+  const Teuchos::Comm<int>& comm;
+  std::vector<std::string> notes;
+};
+
+/// How sentences name a file that the deck includes.
+std::string included(const Reading& reading, const std::string& path, const std::string& file) {
+  return reading.source.name + ": " + path + " = " + input::shown(file);
+}
+
+const ModelDescription& model_of(
+    const XMLObject& xml, const std::string& path, const std::string& source
+) {
+  const auto word = input::find_text(xml, "Model");
+  if (!word) {
+    input::refuse(
+        source,
+        path,
+        "says neither Card nor Model (the material is not defined); add one of the two"
+    );
+  }
+  try {
+    return find_model(*word);
+  } catch (const InputError& error) {
+    input::refuse_value(source, join(path, "Model"), *word, error.what());
+  }
+}
+
+std::string load_card(const std::string& card, const std::string& path, const Reading& reading) {
+  const auto read = [&] {
+    try {
+      return read_file(find_card(card, reading.directory), input::largest_text, "a card");
+    } catch (const FileError& error) {
+      throw FileError(included(reading, join(path, "Card"), card) + " " + error.what());
+    }
+  };
+  return read_once(read, reading.comm);
+}
+
+/// A card is complete in itself; what the deck says beside it replaces single values.
+ParameterList read_card_material(
+    const XMLObject& xml, const std::string& card, const std::string& path, Reading& reading
+) {
+  const std::string text = load_card(card, path, reading);
+  const std::string source = included(reading, join(path, "Card"), card);
+  const XMLObject card_xml = input::parse_xml(text, source);
+  for (const char* expected : {"Units", "Schema Version"}) {
+    if (!input::find_text(card_xml, expected)) {
+      reading.notes.push_back(card + " does not state its " + expected + "; the default is used.");
+    }
+  }
+  ParameterList list = scan_card(text, source);
+  const auto model = list.get<std::string>("Model");
+  const input::Section section = material_section(find_model(model));
+  ParameterList overrides =
+      input::scan_list(xml, section, path, reading.source, input::Completeness::partial);
+  if (overrides.isParameter("Model") && overrides.get<std::string>("Model") != model) {
+    input::refuse_value(
+        reading.source.name,
+        join(path, "Model"),
+        overrides.get<std::string>("Model"),
+        "is not the model of the card ('" + model +
+            "'); remove it or write all parameters instead of the card"
+    );
+  }
+  overrides.remove("Card");
+  list.remove("Units");
+  list.remove("Schema Version");
+  // The effective deck names no card, so the card is remembered as the source of the numbers.
+  if (!list.isParameter("Source")) list.set("Source", "card " + card);
+  list.set("Bad Particles", any_material_section().entries.back().default_text);
+  list.setParameters(overrides);
+  return list;
+}
+
+ParameterList read_material(const XMLObject& xml, const std::string& path, Reading& reading) {
+  if (const auto card = input::find_text(xml, "Card"))
+    return read_card_material(xml, *card, path, reading);
+  const ModelDescription& model = model_of(xml, path, reading.source.name);
+  return input::scan_list(xml, material_section(model), path, reading.source);
+}
+
+void read_materials(const XMLObject& root, Reading& reading, ParameterList& values) {
+  ParameterList& materials = values.sublist("Materials");
+  const auto xml = input::find_list(root, "Materials");
+  for (const XMLObject& child : input::sub_lists(*xml, "Materials", reading.source.name)) {
+    const std::string& name = child.getAttribute("name");
+    materials.sublist(name) = read_material(child, join("Materials", name), reading);
+  }
+}
+
+/// The table's rows become part of the deck, so that the effective deck needs no other file.
+std::string include_jet_table(const Reading& reading, ParameterList& values) {
+  if (!values.isSublist("Jet")) return {};
+  ParameterList& jet = values.sublist("Jet");
+  if (jet.isParameter("Table") == jet.isParameter("Slugs")) {
+    input::refuse(
+        reading.source.name,
+        "Jet",
+        "needs either Table or Slugs (one of them says what is launched); give exactly one of the "
+        "two"
+    );
+  }
+  if (!jet.isParameter("Table")) return {};
+  const auto table = jet.get<std::string>("Table");
+  const auto read = [&] {
+    const auto path = std::filesystem::path(reading.directory) / table;
+    if (!std::filesystem::exists(path)) {
+      throw FileError(
+          included(reading, "Jet/Table", table) +
+          " names no file (paths are relative to the deck); check the path."
+      );
+    }
+    return read_file(path.string(), input::largest_text, "a jet table");
+  };
+  jet.set(
+      "Slugs", read_jet_table(read_once(read, reading.comm), included(reading, "Jet/Table", table))
+  );
+  jet.remove("Table");
+  return table;
+}
+
+void check_version(const ParameterList& values, const std::string& source) {
+  const int version = values.get<int>("Schema Version");
+  if (version == deck_schema_version) return;
+  input::refuse_value(
+      source,
+      "Schema Version",
+      std::to_string(version),
+      "is not the version that this program reads (" + std::to_string(deck_schema_version) +
+          "); convert the deck or use the program that it was written for"
+  );
+}
+
+}  // namespace
+
+Deck read_deck(
+    const std::string& file,
+    const std::vector<std::string>& overrides,
+    const Teuchos::Comm<int>& comm
+) {
+  const std::string text =
+      read_once([&] { return read_file(file, input::largest_text, "the deck"); }, comm);
+  const std::filesystem::path path(file);
+  const std::string name = path.filename().string();
+  const XMLObject root = input::parse_xml(text, name);
+  for (const std::string& assignment : overrides) input::override_value(root, assignment);
+  Reading reading{
+      {name, input::units_of(root, name)},
+      path.has_parent_path() ? path.parent_path().string() : ".",
+      comm,
+      {}};
+
+  ParameterList values = input::scan_list(root, deck_schema(), "", reading.source);
+  check_version(values, name);
+  values.set("Units", "SI");
+  read_materials(root, reading, values);
+  const std::string jet_table = include_jet_table(reading, values);
+  Deck deck(name, values, root);
+  deck.jet_table = jet_table;
+  deck.notes = reading.notes;
+  return deck;
+}
+
+}  // namespace barreno

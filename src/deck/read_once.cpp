@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/read_once.hpp"
+
+#include "base/error.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace barreno {
+namespace {
+
+/// What rank 0 met, as a number that can be sent.
+enum class Verdict { read, deck_error, file_error };
+
+struct Result {
+  Verdict verdict = Verdict::read;
+  std::string text;
+};
+
+Result attempt(const std::function<std::string()>& read) {
+  try {
+    return {Verdict::read, read()};
+  } catch (const DeckError& error) {
+    return {Verdict::deck_error, error.what()};
+  } catch (const FileError& error) {
+    return {Verdict::file_error, error.what()};
+  }
+}
+
+}  // namespace
+
+std::string read_once(const std::function<std::string()>& read, const Teuchos::Comm<int>& comm) {
+  Result result;
+  if (comm.getRank() == 0) result = attempt(read);
+  int head[2] = {static_cast<int>(result.verdict), static_cast<int>(result.text.size())};
+  Teuchos::broadcast(comm, 0, 2, head);
+  result.text.resize(static_cast<std::size_t>(head[1]));
+  Teuchos::broadcast(comm, 0, head[1], result.text.data());
+  switch (static_cast<Verdict>(head[0])) {
+    case Verdict::deck_error:
+      throw DeckError(result.text);
+    case Verdict::file_error:
+      throw FileError(result.text);
+    case Verdict::read:
+      break;
+  }
+  return result.text;
+}
+
+std::string read_file(const std::string& file, std::size_t largest, const std::string& what) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) {
+    throw FileError(file + " does not exist (it was to be " + what + "); check the path.");
+  }
+  if (std::filesystem::is_directory(status)) {
+    throw FileError(file + " is a directory (it was to be " + what + "); give the path of a file.");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw FileError(file + " cannot be opened (it was to be " + what + "); check its permissions.");
+  }
+  std::string text(largest + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest) {
+    throw DeckError(
+        file + " is larger than " + std::to_string(largest) + " bytes (it was to be " + what +
+        "); is it the right file?"
+    );
+  }
+  if (stream.bad()) {
+    throw FileError(file + " cannot be read (it was to be " + what + "); check the disk.");
+  }
+  return text;
+}
+
+}  // namespace barreno

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "grid/grid.hpp"
+
+#include <vector>
+
+namespace barreno {
+
+/// The background grid of a scene with no tile active yet; every tile's owner is rank 0 until it is
+/// partitioned.
+Grid make_grid(const GridSpec& spec, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
+
+/// Make exactly the listed tiles active on this rank, find neighbours and ghosts, and say which
+/// copy of each node counts. Collective.
+///
+/// @param owned  box ids of tiles that this rank owns, ascending
+void activate_tiles(Grid& grid, const std::vector<int>& owned);
+
+}  // namespace barreno

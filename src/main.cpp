@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "check.hpp"
+#include "command_line.hpp"
+#include "deck/describe_deck.hpp"
+#include "deck/echo_deck.hpp"
+#include "deck/read_deck.hpp"
+#include "output/output.hpp"
+#include "output/run_folder.hpp"
+#include "run.hpp"
+#include "scene/build_scene.hpp"
+#include "state/build_state.hpp"
+
+#include <Tpetra_Core.hpp>
+
+#include <mpi.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+namespace barreno {
+namespace {
+
+int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
+  const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
+  const Scene scene = build_scene(deck);
+  State state = build_state(scene, comm);
+  const std::string name = std::filesystem::path(options.deck_file).stem().string();
+  const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
+  Output output(
+      scene, state, {folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, deck.notes}
+  );
+  output.write_if_due(scene, state);
+  const RunVerdict verdict = run(scene, state, output);
+  output.finish(scene, state, verdict);
+  return verdict.exit_code;
+}
+
+int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
+  const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
+  const Scene scene = build_scene(deck);
+  if (is_root(*comm)) std::cout << plan_text(scene, deck.notes);
+  return static_cast<int>(ExitCode::finished);
+}
+
+int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
+  const Options options = parse_command_line(argc, argv);
+  const bool root = is_root(*comm);
+  switch (options.command) {
+    case Command::run: return run_deck(options, comm);
+    case Command::check: return check_deck(options, comm);
+    case Command::describe:
+      if (root) std::cout << (options.markdown ? describe_markdown() : describe_text(options.section));
+      break;
+    case Command::version:
+      if (root) std::cout << "barreno " << BARRENO_VERSION << '\n';
+      break;
+    case Command::help:
+      if (root) std::cout << help_text();
+      break;
+  }
+  return static_cast<int>(ExitCode::finished);
+}
+
+/// An error that every rank meets is said once and ends the run in order; one that only this rank can know of
+/// must not leave the others waiting.
+int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
+  try {
+    return execute(argc, argv, comm);
+  } catch (const std::exception& error) {
+    const ExitCode code = exit_code_of(error);
+    if (code != ExitCode::internal) {
+      if (is_root(*comm)) std::cerr << "barreno: " << error.what() << std::endl;
+    } else {
+      std::cerr << "barreno: internal error on rank " << comm->getRank() << ": " << error.what() << std::endl;
+      if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+    }
+    return static_cast<int>(code);
+  }
+}
+
+}  // namespace
+}  // namespace barreno
+
+int main(int argc, char** argv) {
+  const Tpetra::ScopeGuard mpi_and_kokkos(&argc, &argv);
+  barreno::note_signals();
+  return barreno::report_errors(argc, argv, Tpetra::getDefaultComm());
+}

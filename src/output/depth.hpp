@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/gather.hpp"
+#include "output/particle_fields.hpp"
+#include "output/text_file.hpp"
+#include "scene/scene.hpp"
+#include "state/state.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace barreno {
+
+/// The path of the jet into the target: depths are measured from `face` along `direction` of y.
+///
+/// The face is the outer face, as the deck places it, of the first body that the jet meets on the
+/// axis (the casing if there is one); `end` is the far face of the last such body. Without a body
+/// on the axis the face is the launch plane and the path has no length.
+struct JetPath {
+  double face = 0.0, end = 0.0;  ///< coordinates along y [length]
+  double direction = 1.0;
+  double bin = 0.0;  ///< one cell [length]
+  int bins = 0;      ///< from the face to the end
+  double depth(double y) const { return direction * (y - face); }
+};
+JetPath jet_path(const Scene& scene);
+
+/// Smallest |x| of the part of a convex domain that lies strictly between two depths; infinite if
+/// none does.
+double nearest_to_axis(const Corners& corners, const JetPath& path, double above, double below);
+
+/// How far the jet has come. None of the numbers depends on the rank count or on the order of
+/// particles.
+struct Penetration {
+  /// Depth of the deepest corner of a jet particle's domain; 0 before the jet arrives [length].
+  double depth = 0.0;
+  /// Length of the channel that is open from the outer face on: whole bins of one cell along the
+  /// axis, open while no target particle's domain comes closer to the axis than half a cell
+  /// [length].
+  double channel_depth = 0.0;
+  /// Distance from the axis to the nearest target domain in the bin at half the channel depth; 0
+  /// without a channel, the width of the grid if the bin holds no target [length].
+  double channel_radius_mid = 0.0;
+  /// Mass of the jet particles whose centre is beyond the outer face [mass].
+  double jet_mass_inside = 0.0;
+  /// Velocity along the jet's direction of the particle that reaches deepest, in free flight too; 0
+  /// before the first launch [length/time].
+  double tip_velocity = 0.0;
+};
+
+/// Collective; the result is valid on the root.
+Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path);
+
+/// Open channel from the nearest distance of the target to the axis in each bin: depth and radius
+/// in the middle.
+void measure_channel(
+    const std::vector<double>& nearest, const JetPath& path, double grid_width, Penetration& result
+);
+
+/// depth.csv, a row per call; for scenes with a jet.
+class DepthWriter {
+public:
+  DepthWriter(const Scene& scene, const Comm& comm, const std::filesystem::path& path);
+  /// Collective. @throws FileError on every rank
+  void write(const Scene& scene, const State& state);
+  const Penetration& last() const { return last_; }  ///< valid on the root
+
+private:
+  JetPath path_;
+  std::unique_ptr<LineFile> file_;  ///< root only
+  Penetration last_;
+};
+
+}  // namespace barreno

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/history_writer.hpp"
+
+#include "base/region.hpp"
+#include "state/balance.hpp"
+
+namespace barreno {
+
+RunTotals sum_totals(const State& state) {
+  const Comm& comm = *state.grid.comm;
+  RunTotals totals;
+  totals.ledger = sum_over_ranks(comm, state.ledger);
+  std::vector<double> counts{0.0, state.particle_steps};
+  for (const Particles& particles : state.particles) counts[0] += particles.count;
+  sum_over_ranks(comm, counts);
+  totals.particles = counts[0];
+  totals.particle_steps = counts[1];
+  return totals;
+}
+
+HistoryWriter::HistoryWriter(const Comm& comm, const std::filesystem::path& path) {
+  std::string header =
+      "time,step,dt,particles,mass,momentum,kinetic,elastic,plastic,viscous,boundary_work,launched_"
+      "kinetic,"
+      "stress_integration,transfer,removed_kinetic,energy_error,mass_error,momentum_error";
+  for (const char* cause : removal_names) header += std::string(",removed_") + cause;
+  header += ",held,retried";
+  RootWork work(comm);
+  work.run([&] {
+    file_ = std::make_unique<LineFile>(path);
+    file_->append(
+        "# SI units: time, dt s; mass kg; momentum (along y) kg m/s; energies and work J; plane "
+        "strain: per "
+        "m of thickness; errors relative; removed, held: particles; retried: steps"
+    );
+    file_->append(header);
+  });
+  work.agree();
+}
+
+void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals& totals) {
+  const Region region("write_history");
+  const Ledger& l = totals.ledger;
+  std::vector<double> row{
+      clock.time,
+      static_cast<double>(clock.step),
+      clock.dt,
+      totals.particles,
+      l.mass,
+      l.momentum,
+      l.kinetic,
+      l.elastic,
+      l.plastic,
+      l.viscous,
+      l.boundary_work,
+      l.launched_kinetic,
+      l.stress_integration,
+      l.transfer,
+      total_removed(l).kinetic,
+      energy_balance(l).error(),
+      mass_balance(l).error(),
+      momentum_balance(l).error()};
+  for (const RemovalTally& tally : l.removed) row.push_back(tally.count);
+  row.insert(row.end(), {l.held, l.retried_steps});
+  RootWork work(comm);
+  work.run([&] { file_->append(csv_line(row)); });
+  work.agree();
+}
+
+}  // namespace barreno

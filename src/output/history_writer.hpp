@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/gather.hpp"
+#include "output/text_file.hpp"
+#include "state/state.hpp"
+
+#include <memory>
+
+namespace barreno {
+
+/// Numbers of the whole run at one instant, the same on every rank.
+struct RunTotals {
+  Ledger ledger;
+  double particles = 0.0;
+  double particle_steps = 0.0;
+};
+
+/// Collective.
+RunTotals sum_totals(const State& state);
+
+/// history.csv: time, particles, every term of the ledger, the errors of the three balances and the
+/// tally of removed and held particles; a row per call.
+class HistoryWriter {
+public:
+  HistoryWriter(const Comm& comm, const std::filesystem::path& path);
+  /// Collective. @throws FileError on every rank
+  void write(const Comm& comm, const Clock& clock, const RunTotals& totals);
+
+private:
+  std::unique_ptr<LineFile> file_;  ///< root only
+};
+
+}  // namespace barreno

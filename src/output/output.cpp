@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/output.hpp"
+
+#include "base/gather.hpp"
+#include "output/depth.hpp"
+#include "output/exodus_writer.hpp"
+#include "output/history_writer.hpp"
+#include "output/progress.hpp"
+#include "output/summary.hpp"
+#include "state/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace barreno {
+namespace {
+
+/// Multiples of an interval that are reached: the next one is `count * interval`. Every rank counts
+/// alike.
+class Schedule {
+public:
+  explicit Schedule(double interval) : interval_(interval) {}
+  bool due(double time) const {
+    return interval_ > 0.0 && time / interval_ > static_cast<double>(count_) - round_off;
+  }
+  void done(double time) { count_ = index_after(time); }
+  double next(double time) const { return static_cast<double>(index_after(time)) * interval_; }
+  bool on() const { return interval_ > 0.0; }
+
+private:
+  static constexpr double round_off = 1e-6;
+  long index_after(double time) const {
+    return static_cast<long>(std::floor(time / interval_ + round_off)) + 1;
+  }
+  double interval_;
+  long count_ = 0;
+};
+
+std::string number_line(const char* pattern, double a, double b = 0.0) {
+  char text[160];
+  std::snprintf(text, sizeof text, pattern, a, b);
+  return text;
+}
+
+std::vector<std::string> result_numbers(
+    const Scene& scene,
+    const RunTotals& totals,
+    const Penetration& penetration,
+    const RunSummary& summary
+) {
+  std::vector<std::string> lines;
+  if (scene.jet.present)
+    lines.push_back(number_line(
+        "depth %.2f mm, open channel %.2f mm",
+        1e3 * penetration.depth,
+        1e3 * penetration.channel_depth
+    ));
+  const Ledger& ledger = totals.ledger;
+  lines.push_back(
+      number_line(
+          "errors: energy %+.2e, mass %+.1e",
+          energy_balance(ledger).error(),
+          mass_balance(ledger).error()
+      ) +
+      number_line(", axial momentum %+.1e", momentum_balance(ledger).error())
+  );
+  lines.push_back(
+      number_line("%.0f particles removed, %.0f held", total_removed(ledger).count, ledger.held)
+  );
+  lines.push_back(
+      duration_text(summary.wall_seconds) +
+      number_line(
+          ", %.0f ns per particle-step, %.0f MB at most",
+          totals.particle_steps > 0.0 ? 1e9 * summary.wall_seconds / totals.particle_steps : 0.0,
+          1e-6 * summary.peak_resident_bytes
+      )
+  );
+  return lines;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines = split_lines(text, text.size() + 1);
+  lines.insert(lines.begin(), "effective deck:");
+  return lines;
+}
+
+}  // namespace
+
+struct Output::Parts {
+  Parts(const Scene& scene, const State& state, const RunDescription& description);
+  void write_rows(const Scene& scene, const State& state);
+  void watch_ledger(const Ledger& ledger, double time);
+  void show_progress(const State& state);
+
+  RunDescription run;
+  Teuchos::RCP<const Comm> comm;
+  double end_time;
+  std::unique_ptr<Progress> progress;  ///< root only
+  std::unique_ptr<ExodusWriter> fields;
+  std::unique_ptr<HistoryWriter> history;
+  std::unique_ptr<DepthWriter> depth;  ///< scenes with a jet only
+  Schedule field_schedule, history_schedule, progress_schedule;
+  RunTotals totals;  ///< of the last row
+  Ledger watched;    ///< tallies that were warned about
+  long fields_step = -1, rows_step = -1;
+};
+
+Output::Parts::Parts(const Scene& scene, const State& state, const RunDescription& description)
+    : run(description),
+      comm(state.grid.comm),
+      end_time(scene.end_time),
+      field_schedule(scene.output.field_interval),
+      history_schedule(scene.output.history_interval),
+      progress_schedule(0.01 * scene.end_time) {
+  totals = sum_totals(state);
+  RootWork work(*comm);
+  work.run([&] {
+    const bool terminal = isatty(STDOUT_FILENO) == 1;
+    progress = std::make_unique<Progress>(run.folder / "run.log", scene.end_time, terminal);
+    for (const std::string& line : scene_lines(scene, run, comm->getSize(), totals.particles))
+      progress->say(line);
+    write_whole_file(run.folder / "deck.xml", run.deck_text);
+  });
+  work.agree();
+  fields = std::make_unique<ExodusWriter>(
+      scene,
+      all_slots(scene),
+      state,
+      run.folder / "particles.e",
+      run.version,
+      lines_of(run.deck_text)
+  );
+  history = std::make_unique<HistoryWriter>(*comm, run.folder / "history.csv");
+  if (scene.jet.present)
+    depth = std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv");
+}
+
+void Output::Parts::write_rows(const Scene& scene, const State& state) {
+  totals = sum_totals(state);
+  history->write(*comm, state.clock, totals);
+  if (depth) depth->write(scene, state);
+  rows_step = state.clock.step;
+}
+
+/// A warning for each cause of removal and for held particles when the first ones appear.
+void Output::Parts::watch_ledger(const Ledger& ledger, double time) {
+  const std::string when = number_line(" by t = %.4g s.", time);
+  const auto warn = [&](const std::string& kind, double before, double now) {
+    if (now > before)
+      progress->warn(kind, number_line("%.0f ", now) + kind + when, std::lround(now - before));
+  };
+  for (std::size_t cause = 0; cause < ledger.removed.size(); ++cause)
+    warn(
+        std::string("particles removed (") + removal_names[cause] + ")",
+        watched.removed[cause].count,
+        ledger.removed[cause].count
+    );
+  warn("particles held as debris", watched.held, ledger.held);
+  warn("steps retried with a smaller dt", watched.retried_steps, ledger.retried_steps);
+  watched = ledger;
+}
+
+void Output::Parts::show_progress(const State& state) {
+  const Clock& clock = state.clock;
+  progress->show(
+      {clock.time,
+       clock.dt,
+       clock.step,
+       totals.particles,
+       totals.particle_steps,
+       energy_balance(totals.ledger).error()}
+  );
+}
+
+Output::Output(const Scene& scene, const State& state, const RunDescription& run)
+    : parts_(std::make_unique<Parts>(scene, state, run)) {}
+Output::~Output() = default;
+
+void Output::write_if_due(const Scene& scene, const State& state) {
+  Parts& o = *parts_;
+  const Clock& clock = state.clock;
+  const bool first = o.fields_step < 0;
+  if (first || o.field_schedule.due(clock.time)) {
+    o.fields->write(scene, state);
+    o.fields_step = clock.step;
+    if (o.field_schedule.on()) o.field_schedule.done(clock.time);
+  }
+  const bool rows_due = first || !o.history_schedule.on() || o.history_schedule.due(clock.time);
+  const bool progress_due = o.progress_schedule.due(clock.time);
+  if (rows_due) {
+    o.write_rows(scene, state);
+    if (o.history_schedule.on()) o.history_schedule.done(clock.time);
+  } else if (progress_due) {
+    o.totals = sum_totals(state);
+  }
+  if (progress_due) o.progress_schedule.done(clock.time);
+  if (!rows_due && !progress_due) return;
+  RootWork work(*o.comm);
+  work.run([&] {
+    o.watch_ledger(o.totals.ledger, clock.time);
+    o.show_progress(state);
+  });
+  work.agree();
+}
+
+double Output::next_time(double now) const {
+  const Schedule& schedule = parts_->field_schedule;
+  return schedule.on() ? std::min(schedule.next(now), parts_->end_time) : parts_->end_time;
+}
+
+void Output::warn(const std::string& kind, const std::string& sentence) {
+  RootWork work(*parts_->comm);
+  work.run([&] { parts_->progress->warn(kind, sentence); });
+  work.agree();
+}
+
+void Output::finish(const Scene& scene, const State& state, const RunVerdict& verdict) {
+  Parts& o = *parts_;
+  if (o.fields_step != state.clock.step) o.fields->write(scene, state);
+  if (o.rows_step != state.clock.step) o.write_rows(scene, state);
+  o.fields->close(*o.comm);
+  RunSummary summary = summarise(state, o.progress ? o.progress->seconds() : 0.0);
+  const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
+  RootWork work(*o.comm);
+  work.run([&] {
+    o.watch_ledger(o.totals.ledger, state.clock.time);
+    o.show_progress(state);
+    o.progress->list_warnings();
+    summary.warnings = o.progress->warnings();
+    write_whole_file(
+        o.run.folder / "summary.json",
+        summary_text(scene, state, o.run, o.totals, penetration, summary, verdict)
+    );
+    const auto numbers = result_numbers(scene, o.totals, penetration, summary);
+    for (const std::string& line : result_lines(scene, state, o.run, verdict, numbers))
+      o.progress->say(line);
+  });
+  work.agree();
+}
+
+}  // namespace barreno

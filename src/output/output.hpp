@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene/scene.hpp"
+#include "state/state.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// What the output must know beside scene and state.
+struct RunDescription {
+  std::filesystem::path folder;  ///< exists, see create_run_folder
+  std::string deck_name;         ///< as the user typed it
+  std::string deck_text;         ///< the effective deck: re-runnable, written as deck.xml
+  std::string version;
+  std::vector<std::string> notes;  ///< further lines for the first block on the screen
+};
+
+/// How a run ended.
+struct RunVerdict {
+  bool finished = false;
+  std::string reason;  ///< one sentence; empty if finished
+  int exit_code = 0;
+};
+
+/// All files of a run and the screen. The files' contents do not depend on the rank count.
+///
+/// Every function is collective: a file that cannot be written is a FileError on every rank.
+class Output {
+public:
+  /// Prints the first block and opens the files; the state is that at t = 0.
+  Output(const Scene& scene, const State& state, const RunDescription& run);
+  ~Output();
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  /// Fields at multiples of the field interval, history and depth at theirs, progress; call at the
+  /// start and after every step.
+  void write_if_due(const Scene& scene, const State& state);
+
+  /// The next instant after `now` that a step must end on: a field output or the end of the run
+  /// [time].
+  double next_time(double now) const;
+
+  /// A warning that every rank gives alike: printed once for each `kind`, later ones are counted.
+  void warn(const std::string& kind, const std::string& sentence);
+
+  /// Last fields and rows, summary.json, and the last block on the screen.
+  void finish(const Scene& scene, const State& state, const RunVerdict& verdict);
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace barreno

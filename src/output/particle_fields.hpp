@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene/scene.hpp"
+#include "state/particles.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// Corners of a particle's domain, counter-clockwise as QUAD4 wants them: x y of each.
+using Corners = std::array<double, 8>;
+
+/// x_p + F_p (+-h_x, +-h_y), corners (-,-) (+,-) (+,+) (-,+).
+Corners domain_corners(
+    const double position[2], const double deformation_gradient[4], const double half_size[2]
+);
+
+/// In-plane components xx yy zz xy.
+using PlaneStress = std::array<double, 4>;
+
+/// R sigma R^T with F = R U: the unrotated stress in the space frame.
+PlaneStress space_stress(const PlaneStress& unrotated, const double deformation_gradient[4]);
+
+/// What the writers read of one particle set, on the host.
+struct HostParticles {
+  explicit HostParticles(const Particles& particles);
+
+  using Values = FieldView::HostMirror;
+  int count = 0;
+  ArrayView<ParticleId>::HostMirror id;
+  ArrayView<unsigned char>::HostMirror body;
+  Values position, velocity, deformation_gradient, stress, mass, initial_volume, half_size;
+  Values viscous_pressure, history;
+
+  Corners corners(int p) const;
+  double volume(int p) const;  ///< initial_volume det F [length^3]
+};
+
+/// Element variables of a material in files: the common ones, then the model's history by its own
+/// names.
+std::vector<std::string> particle_field_names(const Material& material);
+
+/// Their values for one particle, in that order; `status` is 1.
+void append_particle_fields(
+    const HostParticles& particles, int p, double reference_density, std::vector<double>& values
+);
+
+}  // namespace barreno

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace barreno {
+namespace {
+
+using Clock_ = std::chrono::steady_clock;
+constexpr double redraw_seconds = 0.1;
+
+/// printf into a string; for the few places where columns must line up.
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+std::string si(double value, const char* unit) {
+  return format("%.4g %s", value, unit);
+}
+
+double seconds_between(Clock_::time_point a, Clock_::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  if (!(seconds >= 0.0) || seconds > 1e9) return "?";
+  const auto s = static_cast<long>(std::lround(seconds));
+  if (s < 60) return std::to_string(s) + " s";
+  if (s < 3600) return std::to_string(s / 60) + " min " + std::to_string(s % 60) + " s";
+  return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
+}
+
+Progress::Progress(const std::filesystem::path& log, double end_time, bool terminal)
+    : log_(log), end_time_(end_time), terminal_(terminal), start_(Clock_::now()) {}
+
+double Progress::seconds() const {
+  return seconds_between(start_, Clock_::now());
+}
+
+void Progress::say(const std::string& line) {
+  if (drawing_) std::cout << '\n';
+  drawing_ = false;
+  std::cout << line << std::endl;
+  log_.append(line);
+}
+
+std::string Progress::line(const ProgressNow& now) const {
+  const double done = end_time_ > 0.0 ? std::min(1.0, now.time / end_time_) : 1.0;
+  const double elapsed = seconds();
+  const double left = done > 0.0 ? elapsed * (1.0 - done) / done : -1.0;
+  const double rate = elapsed > 0.0 ? now.particle_steps / elapsed : 0.0;
+  return format(
+      "%3.0f %%  t %.4g s  step %ld  dt %.3g s  %.0f particles  %.3g particle-steps/s  left %s  "
+      "energy "
+      "error %+.1e",
+      std::floor(100.0 * done),
+      now.time,
+      now.step,
+      now.dt,
+      now.particles,
+      rate,
+      now.step > 0 ? duration_text(left).c_str() : "?",
+      now.energy_error
+  );
+}
+
+void Progress::show(const ProgressNow& now) {
+  constexpr double round_off = 1e-9;  // a step that ends on a tenth belongs to it
+  const double done = end_time_ > 0.0 ? now.time / end_time_ : 1.0;
+  const int tenth = static_cast<int>(std::floor(10.0 * done + round_off));
+  const bool passed = tenth > tenths_;
+  tenths_ = std::max(tenths_, tenth);
+  const std::string text = line(now);
+  if (passed) log_.append(text);
+  if (!terminal_) {
+    if (passed) std::cout << text << std::endl;
+    return;
+  }
+  const auto clock = Clock_::now();
+  if (!passed && seconds_between(drawn_, clock) < redraw_seconds) return;
+  drawn_ = clock;
+  drawing_ = true;
+  std::cout << "\r\033[K" << text << std::flush;
+}
+
+void Progress::warn(const std::string& kind, const std::string& sentence, long count) {
+  const bool first = warnings_.find(kind) == warnings_.end();
+  warnings_[kind] += count;
+  if (first) say("warning: " + sentence);
+}
+
+void Progress::list_warnings() {
+  for (const auto& [kind, count] : warnings_)
+    if (count > 1) say("warning: " + kind + ": " + std::to_string(count) + " times in all");
+}
+
+std::vector<std::string> scene_lines(
+    const Scene& scene, const RunDescription& run, int ranks, double particles
+) {
+  const bool axisymmetric = scene.grid.mode == Mode::axisymmetric;
+  const GridSpec& grid = scene.grid;
+  std::vector<std::string> lines;
+  lines.push_back("Barreno " + run.version + ": " + run.deck_name + ", " + scene.title);
+  lines.push_back(
+      std::string("  grid       ") +
+      (axisymmetric ? "axisymmetric (x = r, y = axial)" : "plane strain (per m of thickness)") +
+      ", " + si(1e3 * (grid.upper[0] - grid.lower[0]), "mm x ") +
+      si(1e3 * (grid.upper[1] - grid.lower[1]), "mm") + ", cells of " +
+      si(1e3 * grid.cell_size, "mm")
+  );
+  for (const BodySpec& body : scene.bodies) {
+    const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+    const std::string model =
+        std::visit([](const auto& m) { return std::string(m.name); }, material.model);
+    std::string text = "  body       " + body.name + ": " + material.name + " (" + model + "), " +
+                       std::to_string(body.particles_per_cell) +
+                       " particles per cell and direction";
+    if (body.initial_pressure != 0.0)
+      text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
+    lines.push_back(text);
+  }
+  if (scene.jet.present) {
+    const auto& slugs = scene.jet.slugs;
+    const Material& material =
+        scene.materials[static_cast<std::size_t>(scene.jet.material)].material;
+    lines.push_back(
+        "  jet        " + std::to_string(slugs.size()) + " slugs of " + material.name + " from " +
+        scene.jet.table_file +
+        (slugs.empty()
+             ? std::string()
+             : ", " + format("%.4g to %.4g m/s", slugs.front().velocity, slugs.back().velocity))
+    );
+  }
+  lines.push_back(
+      "  modelled   " + std::string("explicit dynamics, GIMP, ") +
+      format("FLIP with %.3g PIC, ", scene.step.pic_fraction) + "artificial viscosity, " +
+      std::to_string(scene.conditions.size()) + " conditions, " +
+      std::to_string(scene.loads.size()) + " loads"
+  );
+  lines.push_back(
+      "  not        pore fluid flow, heat conduction, friction between bodies (one velocity "
+      "field)" +
+      std::string(scene.jet.present ? "" : ", jet")
+  );
+  for (const std::string& note : run.notes) lines.push_back("  note       " + note);
+  lines.push_back(
+      "  run        " + format(
+                            "%.0f particles now, to t = %.4g s, %d rank%s",
+                            particles,
+                            scene.end_time,
+                            ranks,
+                            ranks == 1 ? "" : "s"
+                        )
+  );
+  lines.push_back("  files      " + run.folder.string());
+  return lines;
+}
+
+std::vector<std::string> result_lines(
+    const Scene& scene,
+    const State& state,
+    const RunDescription& run,
+    const RunVerdict& verdict,
+    const std::vector<std::string>& numbers
+) {
+  std::vector<std::string> lines;
+  lines.push_back(
+      verdict.finished
+          ? format("Finished: t = %.4g s after %ld steps.", state.clock.time, state.clock.step)
+          : format(
+                "Stopped at t = %.4g s of %.4g s, step %ld: ",
+                state.clock.time,
+                scene.end_time,
+                state.clock.step
+            ) + verdict.reason
+  );
+  for (const std::string& number : numbers) lines.push_back("  " + number);
+  const std::string folder = run.folder.string();
+  lines.push_back(
+      "Files in " + folder + ": summary.json, history.csv" +
+      (scene.jet.present ? ", depth.csv" : "") + ", particles.e (ParaView), deck.xml, run.log"
+  );
+  lines.push_back("Next: ./barreno report " + folder);
+  return lines;
+}
+
+}  // namespace barreno

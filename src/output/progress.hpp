@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/output.hpp"
+#include "output/text_file.hpp"
+
+#include <chrono>
+#include <map>
+
+namespace barreno {
+
+/// What the progress line says.
+struct ProgressNow {
+  double time = 0.0, dt = 0.0;
+  long step = 0;
+  double particles = 0.0, particle_steps = 0.0;
+  double energy_error = 0.0;
+};
+
+/// The screen and the same text in run.log. Root only.
+///
+/// On a terminal the progress line is redrawn in place; elsewhere, and in run.log, there is a line
+/// at every tenth of the run.
+class Progress {
+public:
+  Progress(const std::filesystem::path& log, double end_time, bool terminal);
+
+  /// A line on the screen and in the log.
+  void say(const std::string& line);
+  void show(const ProgressNow& now);
+  /// The first of a kind is shown, all are counted.
+  void warn(const std::string& kind, const std::string& sentence, long count = 1);
+  /// Counts of the warnings that came more than once.
+  void list_warnings();
+  const std::map<std::string, long>& warnings() const { return warnings_; }
+  double seconds() const;  ///< since the construction
+
+private:
+  std::string line(const ProgressNow& now) const;
+
+  using Time = std::chrono::steady_clock::time_point;
+  LineFile log_;
+  double end_time_;
+  bool terminal_;
+  Time start_, drawn_{};
+  int tenths_ = -1;       ///< last tenth of the run that was said
+  bool drawing_ = false;  ///< the cursor stands behind a progress line
+  std::map<std::string, long> warnings_;
+};
+
+/// Seconds as a person says them: 42 s, 3 min 20 s, 2 h 5 min.
+std::string duration_text(double seconds);
+
+/// Lines that say what was read, what is modelled and what is not.
+std::vector<std::string> scene_lines(
+    const Scene& scene, const RunDescription& run, int ranks, double particles
+);
+
+/// Lines of the end: the result, where the files are and what to type next.
+std::vector<std::string> result_lines(
+    const Scene& scene,
+    const State& state,
+    const RunDescription& run,
+    const RunVerdict& verdict,
+    const std::vector<std::string>& numbers
+);
+
+}  // namespace barreno

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/gather.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace barreno {
+
+/// What the command line says about the folder of a run.
+struct RunFolderRequest {
+  std::string out;         ///< --out; empty: runs/<deck name>-<counter>, new every time
+  bool overwrite = false;  ///< --overwrite: the result that is in the folder is removed first
+  std::string deck_name;   ///< file name of the deck without folder and extension
+};
+
+/// Chooses and creates the folder; collective, the same answer on every rank.
+/// @throws FileError on every rank if the folder holds a result or cannot be written; then nothing
+/// is changed
+std::filesystem::path create_run_folder(const Comm& comm, const RunFolderRequest& request);
+
+/// Removes the folder again if nothing was written into it: for a run that fails before it starts.
+void discard_empty_run_folder(const Comm& comm, const std::filesystem::path& folder);
+
+}  // namespace barreno

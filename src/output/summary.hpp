@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/depth.hpp"
+#include "output/history_writer.hpp"
+#include "output/output.hpp"
+
+#include <map>
+
+namespace barreno {
+
+/// One phase over all ranks.
+struct PhaseSummary {
+  std::string label;
+  double mean_seconds = 0.0, largest_seconds = 0.0;  ///< of the ranks
+  long calls = 0;                                    ///< of the root
+};
+
+/// What summary.json says beside the totals; the same names there.
+struct RunSummary {
+  int ranks = 1;
+  double wall_seconds = 0.0;  ///< from the first output to the last
+  double bytes_per_particle = 0.0;
+  double peak_resident_bytes = 0.0;  ///< sum of the ranks' peaks
+  double largest_rank_peak_bytes = 0.0;
+  std::vector<PhaseSummary> phases;
+  std::map<std::string, long> warnings;
+};
+
+/// Collects memory and phases over the ranks. Collective.
+RunSummary summarise(const State& state, double wall_seconds);
+
+/// The text of summary.json.
+std::string summary_text(
+    const Scene& scene,
+    const State& state,
+    const RunDescription& run,
+    const RunTotals& totals,
+    const Penetration& penetration,
+    const RunSummary& summary,
+    const RunVerdict& verdict
+);
+
+}  // namespace barreno

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/text_file.hpp"
+
+#include "base/error.hpp"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <sstream>
+
+namespace barreno {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const char* verb) {
+  const std::string why = errno == 0 ? "the disk may be full" : std::strerror(errno);
+  throw FileError(
+      std::string("cannot ") + verb + " '" + path.string() + "' (" + why +
+      "). Free the disk or give another folder with --out."
+  );
+}
+
+}  // namespace
+
+std::string to_text(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end.ptr};
+}
+
+void write_whole_file(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path aside = path.string() + ".tmp";
+  errno = 0;
+  std::ofstream stream(aside, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();
+  std::error_code ignored;
+  if (!stream) {
+    const int why = errno;
+    std::filesystem::remove(aside, ignored);
+    errno = why;
+    refuse(path, "write");
+  }
+  std::error_code error;
+  std::filesystem::rename(aside, path, error);
+  if (!error) return;
+  std::filesystem::remove(aside, ignored);
+  errno = error.value();
+  refuse(path, "write");
+}
+
+LineFile::LineFile(const std::filesystem::path& path) : path_(path) {
+  errno = 0;
+  stream_.open(path, std::ios::binary | std::ios::trunc);
+  if (!stream_) refuse(path_, "create");
+}
+
+void LineFile::append(const std::string& line) {
+  errno = 0;
+  stream_ << line << '\n' << std::flush;
+  if (!stream_) refuse(path_, "write");
+}
+
+std::string csv_line(const std::vector<double>& values) {
+  std::string line;
+  for (const double value : values) {
+    if (!line.empty()) line += ',';
+    line += to_text(value);
+  }
+  return line;
+}
+
+std::string cut_text(const std::string& text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  std::size_t end = bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end > 0 ? end : bytes);
+}
+
+std::vector<std::string> split_lines(const std::string& text, std::size_t bytes) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    do {
+      lines.push_back(cut_text(line, bytes));
+      line.erase(0, lines.back().size());
+    } while (!line.empty());
+  }
+  return lines;
+}
+
+}  // namespace barreno

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// Shortest decimal text that reads back as the same double; `nan` and `inf` as such.
+std::string to_text(double value);
+
+/// Writes aside and renames, so that the final name never holds half a file. @throws FileError
+void write_whole_file(const std::filesystem::path& path, const std::string& text);
+
+/// A text file that grows line by line and is flushed after each, so that it can be read during the
+/// run.
+class LineFile {
+public:
+  /// @throws FileError if it cannot be created
+  explicit LineFile(const std::filesystem::path& path);
+  /// @throws FileError if the line did not reach the file
+  void append(const std::string& line);
+
+private:
+  std::filesystem::path path_;
+  std::ofstream stream_;
+};
+
+/// The values as one line of a CSV file.
+std::string csv_line(const std::vector<double>& values);
+
+/// At most `bytes` bytes of a text, not cut inside a UTF-8 character.
+std::string cut_text(const std::string& text, std::size_t bytes);
+
+/// A text as lines of at most `bytes` bytes.
+std::vector<std::string> split_lines(const std::string& text, std::size_t bytes);
+
+}  // namespace barreno

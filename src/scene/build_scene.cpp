@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/build_scene.hpp"
+
+#include "scene/geometry.hpp"
+#include "scene/scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <unistd.h>
+
+namespace barreno {
+namespace {
+
+constexpr int tile_cells = 8;           ///< per direction; the grid keeps a directory of tiles
+constexpr double bytes_per_tile = 8.0;  ///< owner and local index of every tile of the box
+constexpr double bytes_per_particle = 250.0;  ///< state arrays and their share of active tiles
+
+std::string text_of(const char* format, double x) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, x);
+  return buffer;
+}
+
+GridSpec read_grid(const Deck& deck) {
+  GridSpec grid;
+  grid.mode = deck.word("Grid/Mode") == "axisymmetric" ? Mode::axisymmetric : Mode::plane_strain;
+  grid.lower = vector_at(deck, "Grid/Lower", grid.mode);
+  grid.upper = vector_at(deck, "Grid/Upper", grid.mode);
+  grid.cell_size = deck.number("Grid/Cell Size");
+  if (grid.mode == Mode::axisymmetric && grid.lower[0] < 0.0) {
+    deck.refuse_value(
+        "Grid/Lower", "has a negative radius (the axis is at x = 0); begin at 0 or outside the axis"
+    );
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
+    const std::string axis = i == 0 ? "x" : "y";
+    const double cells = (grid.upper[i] - grid.lower[i]) / grid.cell_size;
+    if (!(cells > 0.0)) {
+      deck.refuse_value(
+          "Grid/Upper",
+          "is not above Grid/Lower along " + axis + " (the box is empty); exchange the two"
+      );
+    }
+    // Beyond 1e12 the fraction is round-off, and memory refuses such a grid with its own sentence.
+    if (cells < 1e12 && std::abs(cells - std::round(cells)) > 1e-6 * std::max(1.0, cells)) {
+      deck.refuse_value(
+          "Grid/Cell Size",
+          "does not divide the box along " + axis + " (" + text_of("%.6g", cells) +
+              " cells); change the cell size or the corners of the box"
+      );
+    }
+  }
+  return grid;
+}
+
+double tiles_of(const GridSpec& grid) {
+  double tiles = 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
+    tiles *= std::ceil((grid.upper[i] - grid.lower[i]) / (grid.cell_size * tile_cells));
+  }
+  return tiles;
+}
+
+BadParticlePolicy policy_of(const std::string& word) {
+  if (word == "stop") return BadParticlePolicy::stop;
+  return word == "hold" ? BadParticlePolicy::hold : BadParticlePolicy::remove;
+}
+
+void add_materials(const Deck& deck, Scene& scene) {
+  for (const std::string& name : deck.lists("Materials")) {
+    scene.materials.push_back(
+        {deck.material(name), policy_of(deck.word("Materials/" + name + "/Bad Particles"))}
+    );
+  }
+}
+
+StepSpec read_step(const Deck& deck) {
+  StepSpec step;
+  step.courant_fraction = deck.number("Step/Courant Fraction");
+  step.growth_limit = deck.number("Step/Growth Limit");
+  step.largest_strain = deck.number("Step/Largest Strain");
+  step.pic_fraction = deck.number("Step/PIC Fraction");
+  step.linear_viscosity = deck.number("Step/Linear Viscosity");
+  step.quadratic_viscosity = deck.number("Step/Quadratic Viscosity");
+  step.initial_step = deck.number("Step/Initial Step");
+  step.largest_step = deck.number("Step/Largest Step");
+  return step;
+}
+
+OutputSpec read_output(const Deck& deck) {
+  OutputSpec output;
+  output.field_interval = deck.number("Output/Field Interval");
+  output.history_interval = deck.number("Output/History Interval");
+  output.glyph = deck.word("Output/Particle Glyph") == "point" ? Glyph::point : Glyph::deformed;
+  return output;
+}
+
+/// Refused before anything is allocated; the grid is counted first, because its size needs no
+/// bodies.
+void check_memory(const Deck& deck, const Scene& scene) {
+  const double bytes = memory_estimate(scene);
+  const double available =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  // Tiles are numbered with int.
+  const bool countable =
+      tiles_of(scene.grid) < static_cast<double>(std::numeric_limits<int>::max());
+  if (bytes <= available && countable) return;
+  deck.refuse_value(
+      "Grid/Cell Size",
+      "makes the run too large for memory (grid and particles need " + text_of("%.0f", bytes) +
+          " bytes, more than this machine has); choose larger cells or a smaller box"
+  );
+}
+
+}  // namespace
+
+double particle_estimate(const Scene& scene) {
+  const double cell = scene.grid.cell_size * scene.grid.cell_size;
+  double particles = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    particles +=
+        area_of(body.shape, scene.grid) / cell * body.particles_per_cell * body.particles_per_cell;
+  }
+  for (const JetSlug& slug : scene.jet.slugs) {
+    const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;
+    // A slug thinner than a particle is still one.
+    particles += std::max(1.0, slug.radius * per_length) * std::max(1.0, slug.length * per_length);
+  }
+  return particles;
+}
+
+double memory_estimate(const Scene& scene) {
+  return bytes_per_tile * tiles_of(scene.grid) + bytes_per_particle * particle_estimate(scene);
+}
+
+Scene build_scene(const Deck& deck) {
+  Scene scene;
+  scene.title = deck.word("Title");
+  scene.end_time = deck.number("Time/End Time");
+  scene.grid = read_grid(deck);
+  add_materials(deck, scene);
+  add_bodies(deck, scene);
+  add_conditions(deck, scene);
+  add_loads(deck, scene);
+  add_confinement(deck, scene);
+  add_jet(deck, scene);
+  scene.step = read_step(deck);
+  scene.output = read_output(deck);
+  if (scene.bodies.empty() && !scene.jet.present) {
+    deck.refuse("Bodies", "is empty and there is no Jet (nothing would move); add a body or a jet");
+  }
+  check_memory(deck, scene);
+  return scene;
+}
+
+}  // namespace barreno

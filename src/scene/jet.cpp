@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/jet.hpp"
+
+#include <cstdio>
+
+namespace barreno {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+std::string text_of(double x) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.6g", x);
+  return buffer;
+}
+
+/// What is wrong with one slug, or nothing.
+std::string problem_of(const JetSlug& slug, double material_density) {
+  const auto positive = [](const char* name, double value, const char* unit) {
+    return "a " + std::string(name) + " of " + text_of(value) + " " + unit +
+           " (it must be above 0); correct the table";
+  };
+  if (slug.time < 0.0) {
+    return "a launch time of " + text_of(slug.time) + " s (the run starts at 0); shift the table";
+  }
+  if (!(slug.velocity > 0.0)) return positive("velocity", slug.velocity, "m/s");
+  if (!(slug.radius > 0.0)) return positive("radius", slug.radius, "m");
+  if (!(slug.length > 0.0)) return positive("length", slug.length, "m");
+  if (!(slug.density > 0.0)) return positive("density", slug.density, "kg/m3");
+  // A thousandth allows for the digits of a table.
+  if (slug.density > 1.001 * material_density) {
+    return "a density of " + text_of(slug.density) + " kg/m3 above the " +
+           text_of(material_density) +
+           " kg/m3 of its material (only void can be added, not mass); correct the table or the "
+           "Material";
+  }
+  return {};
+}
+
+}  // namespace
+
+double cross_section(const JetSlug& slug, const GridSpec& grid) {
+  if (grid.mode == Mode::axisymmetric) return pi * slug.radius * slug.radius;
+  return grid.lower[0] < 0.0 ? 2.0 * slug.radius : slug.radius;
+}
+
+JetTotals jet_totals(const JetSpec& jet, const GridSpec& grid) {
+  JetTotals totals;
+  for (const JetSlug& slug : jet.slugs) {
+    const double mass = slug.density * cross_section(slug, grid) * slug.length;
+    totals.mass += mass;
+    totals.momentum += mass * slug.velocity;
+    totals.energy += 0.5 * mass * slug.velocity * slug.velocity;
+  }
+  return totals;
+}
+
+std::vector<JetSlug> discrete_slugs(
+    const std::vector<std::vector<double>>& rows, double material_density, std::string& problem
+) {
+  std::vector<JetSlug> slugs;
+  for (const auto& row : rows) {
+    JetSlug slug{row[0], row[1], row[2], row[3], row[4]};
+    const std::string number = std::to_string(slugs.size() + 1);
+    const std::string wrong = problem_of(slug, material_density);
+    if (!wrong.empty()) {
+      problem = "gives slug " + number + " " + wrong;
+      return {};
+    }
+    if (!slugs.empty() && slug.time < slugs.back().time) {
+      problem = "launches slug " + number + " at " + text_of(slug.time) + " s, before slug " +
+                std::to_string(slugs.size()) + " at " + text_of(slugs.back().time) +
+                " s (launch times must not decrease); sort the rows by time";
+      return {};
+    }
+    slug.length *= slug.density / material_density;
+    slug.density = material_density;
+    slugs.push_back(slug);
+  }
+  return slugs;
+}
+
+}  // namespace barreno

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <barreno/models.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace barreno {
+
+/// What was asked, as plain structs in SI, checked and complete. Built once by build_scene, then
+/// const.
+///
+/// In axisymmetry x = r, y = axial and z = hoop; vectors carry three components, two-dimensional
+/// modes use the first two.
+
+using Vector = std::array<double, 3>;
+
+enum class Mode { axisymmetric, plane_strain };
+
+struct GridSpec {
+  Mode mode = Mode::axisymmetric;
+  Vector lower{}, upper{};  ///< corners of the box that particles may occupy [length]
+  double cell_size = 0.0;   ///< [length]
+};
+
+/// What happens to a particle that went bad (inverted, not finite, failed material update).
+enum class BadParticlePolicy { stop, hold, remove };
+
+struct MaterialSpec {
+  Material material;
+  BadParticlePolicy bad_particles = BadParticlePolicy::remove;
+};
+
+struct Box {
+  Vector lower{}, upper{};
+};
+struct Ball {  ///< a sphere in axisymmetry (centre on the axis), a disk in plane strain
+  Vector centre{};
+  double radius = 0.0;
+};
+using Shape = std::variant<Box, Ball>;
+
+struct BodySpec {
+  std::string name;
+  int material = 0;  ///< index into Scene::materials
+  Shape shape;
+  int particles_per_cell = 2;     ///< per direction
+  Vector velocity{};              ///< [length/time]
+  double initial_pressure = 0.0;  ///< the body starts in equilibrium under this pressure [stress]
+  /// Initial velocity v = amplitude * sin(wave_number . x): the standing wave of the bar tests.
+  Vector velocity_wave_number{};  ///< all zero: uniform velocity [1/length]
+};
+
+enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
+
+/// Piecewise-linear function of time, constant outside its range.
+struct Table {
+  std::vector<double> time{0.0}, value{0.0};
+  double operator()(double t) const;
+};
+
+/// Kinematic condition on the nodes of one face of the grid box (and beyond it).
+enum class ConditionKind { symmetry, fixed, prescribed_velocity };
+struct ConditionSpec {
+  std::string name;
+  Face face = Face::x_lower;
+  ConditionKind kind = ConditionKind::symmetry;
+  Vector velocity{};  ///< prescribed_velocity only [length/time]
+};
+
+/// Pressure that follows the faces of a body's own outer particles (tension positive: pushes inward
+/// if > 0).
+struct PressureLoadSpec {
+  std::string name;
+  int body = 0;                 ///< index into Scene::bodies, a Box
+  std::array<bool, 6> faces{};  ///< indexed by Face
+  Table pressure;               ///< [stress]
+};
+
+struct JetSlug {
+  double time = 0.0;                  ///< its centre crosses the launch plane [time]
+  double velocity = 0.0;              ///< [length/time]
+  double radius = 0.0, length = 0.0;  ///< half-width instead of radius in plane strain [length]
+  double density = 0.0;               ///< [mass/length^3]
+};
+
+struct JetSpec {
+  bool present = false;
+  int material = 0;
+  std::string table_file;
+  std::vector<JetSlug> slugs;    ///< launch times do not decrease
+  double launch_position = 0.0;  ///< coordinate of the launch plane along y [length]
+  double direction = 1.0;        ///< +1 or -1 along y
+  int particles_per_cell = 4;    ///< per direction
+};
+
+enum class ShapeFunction { gimp };
+
+struct StepSpec {
+  ShapeFunction shape = ShapeFunction::gimp;
+  double courant_fraction =
+      0.5;                      ///< of the critical Courant number of shape and particles per cell
+  double growth_limit = 1.1;    ///< largest ratio of successive steps
+  double largest_strain = 0.1;  ///< per step: |D| dt stays below, the step is retried smaller [-]
+  double pic_fraction = 0.0;    ///< 0 = FLIP, 1 = PIC
+  double linear_viscosity = 0.2;     ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
+  double quadratic_viscosity = 2.0;  ///< A2
+  double initial_step = 0.0;         ///< 0: the stable step [time]
+  double largest_step = 0.0;         ///< 0: no limit [time]
+};
+
+enum class Glyph { deformed, point };
+
+struct OutputSpec {
+  double field_interval = 0.0;  ///< between Exodus steps; 0: first and last only [time]
+  double history_interval =
+      0.0;  ///< between rows of history.csv and depth.csv; 0: every step [time]
+  Glyph glyph = Glyph::deformed;
+};
+
+struct Scene {
+  std::string title;
+  GridSpec grid;
+  std::vector<MaterialSpec> materials;
+  std::vector<BodySpec> bodies;
+  std::vector<ConditionSpec> conditions;
+  std::vector<PressureLoadSpec> loads;
+  JetSpec jet;
+  StepSpec step;
+  double end_time = 0.0;  ///< [time]
+  OutputSpec output;
+};
+
+/// Axis names of a mode, for messages and files.
+inline int dimensions(Mode /*mode*/) {
+  return 2;
+}
+
+}  // namespace barreno

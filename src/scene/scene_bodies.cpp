@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/geometry.hpp"
+#include "scene/scene_parts.hpp"
+
+#include <algorithm>
+#include <barreno/input/nearest_name.hpp>
+
+namespace barreno {
+namespace {
+
+/// Refuse a parameter of the other shape, which would be read and do nothing.
+void check_shape_entries(
+    const Deck& deck,
+    const std::string& path,
+    const std::string& shape,
+    const std::vector<const char*>& needed,
+    const std::vector<const char*>& foreign
+) {
+  for (const char* name : needed) {
+    if (!deck.has(path + "/" + name)) {
+      deck.refuse(
+          path + "/" + name, "is missing (a " + shape + " needs it); add it or change Shape"
+      );
+    }
+  }
+  for (const char* name : foreign) {
+    if (deck.has(path + "/" + name)) {
+      deck.refuse_value(
+          path + "/" + name, "has no meaning for a " + shape + "; remove it or change Shape"
+      );
+    }
+  }
+}
+
+Box read_box(const Deck& deck, const std::string& path, Mode mode) {
+  check_shape_entries(deck, path, "box", {"Lower", "Upper"}, {"Centre", "Radius"});
+  const Box box{vector_at(deck, path + "/Lower", mode), vector_at(deck, path + "/Upper", mode)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!(box.upper[i] > box.lower[i])) {
+      deck.refuse_value(
+          path + "/Upper",
+          std::string("is not above Lower along ") + (i == 0 ? "x" : "y") +
+              " (the body is empty); exchange the two"
+      );
+    }
+  }
+  return box;
+}
+
+Ball read_ball(const Deck& deck, const std::string& path, Mode mode) {
+  check_shape_entries(deck, path, "ball", {"Centre", "Radius"}, {"Lower", "Upper"});
+  const Ball ball{vector_at(deck, path + "/Centre", mode), deck.number(path + "/Radius")};
+  if (mode == Mode::axisymmetric && ball.centre[0] != 0.0) {
+    deck.refuse_value(
+        path + "/Centre", "is off the axis (the ball would be a ring); put it at x = 0"
+    );
+  }
+  return ball;
+}
+
+BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& grid) {
+  const std::string path = "Bodies/" + name;
+  BodySpec body;
+  body.name = name;
+  body.material = material_at(deck, path + "/Material");
+  if (deck.word(path + "/Shape") == "box") {
+    body.shape = read_box(deck, path, grid.mode);
+  } else {
+    body.shape = read_ball(deck, path, grid.mode);
+  }
+  body.particles_per_cell = deck.integer(path + "/Particles Per Cell");
+  if (deck.has(path + "/Velocity")) body.velocity = vector_at(deck, path + "/Velocity", grid.mode);
+  if (deck.has(path + "/Velocity Wave Number")) {
+    body.velocity_wave_number = vector_at(deck, path + "/Velocity Wave Number", grid.mode);
+  }
+  if (!inside(body.shape, grid)) {
+    deck.refuse(
+        path,
+        "reaches outside the grid (particles can only be inside its box); enlarge Grid or move the "
+        "body"
+    );
+  }
+  return body;
+}
+
+}  // namespace
+
+Vector vector_at(const Deck& deck, const std::string& path, Mode mode) {
+  const auto values = deck.vector(path);
+  const auto count = static_cast<std::size_t>(dimensions(mode));
+  if (values.size() != count) {
+    const char* axes = mode == Mode::axisymmetric ? "{r, axial}" : "{x, y}";
+    deck.refuse_value(
+        path,
+        "has " + std::to_string(values.size()) + " components (this mode has " +
+            std::to_string(count) + "); write " + axes
+    );
+  }
+  Vector vector{};
+  std::copy(values.begin(), values.end(), vector.begin());
+  return vector;
+}
+
+int material_at(const Deck& deck, const std::string& path) {
+  const auto names = deck.lists("Materials");
+  const std::string name = deck.word(path);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    deck.refuse_value(path, "names no list in Materials; " + input::suggest_name(name, names));
+  }
+  return static_cast<int>(found - names.begin());
+}
+
+int body_named(
+    const Deck& deck, const Scene& scene, const std::string& path, const std::string& name
+) {
+  std::vector<std::string> names;
+  for (const BodySpec& body : scene.bodies) names.push_back(body.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    deck.refuse_value(
+        path, "names '" + name + "', which is not in Bodies; " + input::suggest_name(name, names)
+    );
+  }
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  if (!std::holds_alternative<Box>(scene.bodies[index].shape)) {
+    deck.refuse_value(
+        path, "names '" + name + "', which is a ball (only boxes have faces to press); choose a box"
+    );
+  }
+  return static_cast<int>(index);
+}
+
+void add_bodies(const Deck& deck, Scene& scene) {
+  for (const std::string& name : deck.lists("Bodies")) {
+    const BodySpec body = read_body(deck, name, scene.grid);
+    for (const BodySpec& other : scene.bodies) {
+      if (overlap(body.shape, other.shape, scene.grid)) {
+        deck.refuse(
+            "Bodies/" + name,
+            "overlaps Bodies/" + other.name +
+                " (the same place would be filled twice); move or shrink one of them"
+        );
+      }
+    }
+    scene.bodies.push_back(body);
+  }
+}
+
+}  // namespace barreno

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/geometry.hpp"
+#include "scene/jet.hpp"
+#include "scene/scene_parts.hpp"
+
+#include <algorithm>
+
+namespace barreno {
+namespace {
+
+/// Where the widest and longest slug is when its centre crosses the plane.
+Box launch_box(const JetSpec& jet) {
+  double radius = 0.0, length = 0.0;
+  for (const JetSlug& slug : jet.slugs) {
+    radius = std::max(radius, slug.radius);
+    length = std::max(length, slug.length);
+  }
+  const double y = jet.launch_position;
+  return {{0.0, y - 0.5 * length, 0.0}, {radius, y + 0.5 * length, 0.0}};
+}
+
+}  // namespace
+
+void add_jet(const Deck& deck, Scene& scene) {
+  if (!deck.has("Jet/Slugs")) return;
+  JetSpec& jet = scene.jet;
+  jet.present = true;
+  jet.material = material_at(deck, "Jet/Material");
+  jet.launch_position = deck.number("Jet/Launch Position");
+  jet.direction = deck.word("Jet/Direction") == "+y" ? 1.0 : -1.0;
+  jet.particles_per_cell = deck.integer("Jet/Particles Per Cell");
+  jet.table_file = deck.jet_table;
+  const std::string rows_path = jet.table_file.empty() ? "Jet/Slugs" : "Jet/Table";
+  std::string problem;
+  const double density = scene.materials[static_cast<std::size_t>(jet.material)].material.density;
+  jet.slugs = discrete_slugs(deck.rows("Jet/Slugs"), density, problem);
+  if (!problem.empty()) deck.refuse_value(rows_path, problem);
+
+  const Box place = launch_box(jet);
+  if (scene.grid.lower[0] > 0.0) {
+    deck.refuse(
+        "Jet",
+        "is launched along x = 0, which is outside the grid (its box begins beyond); extend "
+        "Grid/Lower to 0"
+    );
+  }
+  if (!inside(place, scene.grid)) {
+    deck.refuse_value(
+        "Jet/Launch Position",
+        "puts the launch plane outside the grid (every slug must fit into its box at launch); "
+        "enlarge Grid or move the plane"
+    );
+  }
+  for (const BodySpec& body : scene.bodies) {
+    if (overlap(place, body.shape, scene.grid)) {
+      deck.refuse_value(
+          "Jet/Launch Position",
+          "puts the launch plane into Bodies/" + body.name +
+              " (the jet is launched in free space); move the plane away from the body"
+      );
+    }
+  }
+}
+
+}  // namespace barreno

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/geometry.hpp"
+#include "scene/scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+const std::array<std::string, 6> face_names = {
+    "x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"};
+
+std::size_t axis_of(Face face) {
+  return static_cast<std::size_t>(face) / 2;
+}
+bool is_upper(Face face) {
+  return static_cast<int>(face) % 2 == 1;
+}
+double coordinate(const Box& box, Face face) {
+  return (is_upper(face) ? box.upper : box.lower)[axis_of(face)];
+}
+
+std::vector<Face> faces_of(Mode mode) {
+  std::vector<Face> faces;
+  for (int i = 0; i < 2 * dimensions(mode); ++i) faces.push_back(static_cast<Face>(i));
+  return faces;
+}
+
+ConditionKind kind_of(const std::string& word) {
+  if (word == "symmetry") return ConditionKind::symmetry;
+  return word == "fixed" ? ConditionKind::fixed : ConditionKind::prescribed_velocity;
+}
+
+const ConditionSpec* condition_on(const Scene& scene, Face face) {
+  for (const ConditionSpec& condition : scene.conditions) {
+    if (condition.face == face) return &condition;
+  }
+  return nullptr;
+}
+
+/// The axis is no boundary: matter cannot cross it, and must be free to move along it.
+void check_axis(const Deck& deck, const Scene& scene) {
+  if (scene.grid.mode != Mode::axisymmetric || scene.grid.lower[0] > 0.0) return;
+  const ConditionSpec* condition = condition_on(scene, Face::x_lower);
+  if (condition == nullptr) {
+    deck.refuse(
+        "Conditions",
+        "has none on x_lower, which is the axis (nothing crosses it); add one of Kind symmetry"
+    );
+  }
+  if (condition->kind != ConditionKind::symmetry) {
+    deck.refuse_value(
+        "Conditions/" + condition->name + "/Kind",
+        "stands on x_lower, which is the axis (matter must be free to move along it); write "
+        "symmetry"
+    );
+  }
+}
+
+Table read_pressure(const Deck& deck, const std::string& path) {
+  const bool constant = deck.has(path + "/Pressure");
+  const bool times = deck.has(path + "/Times"), pressures = deck.has(path + "/Pressures");
+  if (constant == (times && pressures) || times != pressures) {
+    deck.refuse(
+        path,
+        "needs either Pressure or both Times and Pressures (one of them says how hard); give one"
+    );
+  }
+  if (constant) return {{0.0}, {deck.number(path + "/Pressure")}};
+  const Table table{deck.vector(path + "/Times"), deck.vector(path + "/Pressures")};
+  if (table.time.empty() || table.time.size() != table.value.size()) {
+    deck.refuse_value(
+        path + "/Pressures",
+        "has " + std::to_string(table.value.size()) + " entries, but Times has " +
+            std::to_string(table.time.size()) + " (one belongs to each); make them equal"
+    );
+  }
+  for (std::size_t i = 1; i < table.time.size(); ++i) {
+    if (!(table.time[i] > table.time[i - 1])) {
+      deck.refuse_value(
+          path + "/Times",
+          "does not increase at component " + std::to_string(i + 1) +
+              " (the pressure there would be ambiguous); sort the times"
+      );
+    }
+  }
+  return table;
+}
+
+bool is_loaded(const Scene& scene, int body, Face face) {
+  const auto presses = [&](const PressureLoadSpec& load) {
+    return load.body == body && load.faces[static_cast<std::size_t>(face)];
+  };
+  return std::any_of(scene.loads.begin(), scene.loads.end(), presses);
+}
+
+/// How a face of one body lies on the opposite face of another.
+enum class Sharing { none, part, whole };
+
+Sharing sharing(const Box& a, Face face, const Box& b, double tolerance) {
+  const auto opposite = static_cast<Face>(static_cast<int>(face) ^ 1);
+  if (std::abs(coordinate(a, face) - coordinate(b, opposite)) > tolerance) return Sharing::none;
+  const std::size_t along = 1 - axis_of(face);
+  if (std::min(a.upper[along], b.upper[along]) - std::max(a.lower[along], b.lower[along]) <=
+      tolerance) {
+    return Sharing::none;
+  }
+  const bool whole =
+      b.lower[along] <= a.lower[along] + tolerance && b.upper[along] >= a.upper[along] - tolerance;
+  return whole ? Sharing::whole : Sharing::part;
+}
+
+/// The face carries the confining pressure: no condition holds it and no confined body is behind
+/// it.
+bool is_outer(
+    const Deck& deck, const Scene& scene, const std::vector<int>& confined, int body, Face face
+) {
+  const auto box_of = [&](int index) {
+    return std::get<Box>(scene.bodies[static_cast<std::size_t>(index)].shape);
+  };
+  const double tolerance = touching(scene.grid);
+  const Box box = box_of(body), grid{scene.grid.lower, scene.grid.upper};
+  const bool at_grid_face = std::abs(coordinate(box, face) - coordinate(grid, face)) <= tolerance;
+  if (at_grid_face && condition_on(scene, face) != nullptr) return false;
+  for (const int other : confined) {
+    const Sharing shared =
+        other == body ? Sharing::none : sharing(box, face, box_of(other), tolerance);
+    if (shared == Sharing::whole) return false;
+    if (shared == Sharing::part) {
+      deck.refuse_value(
+          "Confinement/Bodies",
+          "puts the pressure on a part of the face " + face_names[static_cast<std::size_t>(face)] +
+              " of '" + scene.bodies[static_cast<std::size_t>(body)].name + "' ('" +
+              scene.bodies[static_cast<std::size_t>(other)].name +
+              "' covers the rest, and a face is pressed whole or not); make the faces equal or "
+              "split the body"
+      );
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Face face_at(const Deck& deck, const std::string& path, const std::string& word, Mode mode) {
+  const auto found = std::find(face_names.begin(), face_names.end(), word);
+  const auto face = static_cast<Face>(found - face_names.begin());
+  if (axis_of(face) >= static_cast<std::size_t>(dimensions(mode))) {
+    deck.refuse_value(
+        path,
+        "names a face that does not exist in this mode (it has x and y only); choose one of those"
+    );
+  }
+  return face;
+}
+
+void add_conditions(const Deck& deck, Scene& scene) {
+  for (const std::string& name : deck.lists("Conditions")) {
+    const std::string path = "Conditions/" + name;
+    ConditionSpec condition;
+    condition.name = name;
+    condition.face = face_at(deck, path + "/Face", deck.word(path + "/Face"), scene.grid.mode);
+    condition.kind = kind_of(deck.word(path + "/Kind"));
+    const bool prescribed = condition.kind == ConditionKind::prescribed_velocity;
+    if (prescribed != deck.has(path + "/Velocity")) {
+      if (prescribed)
+        deck.refuse(path + "/Velocity", "is missing (a prescribed velocity needs it); add it");
+      deck.refuse_value(
+          path + "/Velocity", "has no meaning for this Kind; remove it or write prescribed velocity"
+      );
+    }
+    if (prescribed) condition.velocity = vector_at(deck, path + "/Velocity", scene.grid.mode);
+    if (const ConditionSpec* other = condition_on(scene, condition.face)) {
+      deck.refuse_value(
+          path + "/Face",
+          "has the condition '" + other->name +
+              "' already (a face moves in one way); remove one of them"
+      );
+    }
+    scene.conditions.push_back(condition);
+  }
+  check_axis(deck, scene);
+}
+
+void add_loads(const Deck& deck, Scene& scene) {
+  for (const std::string& name : deck.lists("Loads")) {
+    const std::string path = "Loads/" + name;
+    PressureLoadSpec load;
+    load.name = name;
+    load.body = body_named(deck, scene, path + "/Body", deck.word(path + "/Body"));
+    for (const std::string& word : deck.words(path + "/Faces")) {
+      const Face face = face_at(deck, path + "/Faces", word, scene.grid.mode);
+      if (is_loaded(scene, load.body, face)) {
+        deck.refuse_value(
+            path + "/Faces",
+            "presses " + word + " of its body a second time; remove one of the loads"
+        );
+      }
+      load.faces[static_cast<std::size_t>(face)] = true;
+    }
+    load.pressure = read_pressure(deck, path);
+    scene.loads.push_back(load);
+  }
+}
+
+namespace {
+
+/// A body cannot start in equilibrium under a pressure that would crush or break it.
+void check_holds(
+    const Deck& deck, const Material& material, const std::string& body, double pressure
+) {
+  const bool possible = std::visit(
+      [&](const auto& model) { return model.initial_state(pressure).possible; }, material.model
+  );
+  if (possible) return;
+  deck.refuse_value(
+      "Confinement/Pressure",
+      "is more than '" + material.name + "' of Bodies/" + body +
+          " can hold elastically (it could not start in equilibrium); lower the pressure or change "
+          "the material"
+  );
+}
+
+}  // namespace
+
+void add_confinement(const Deck& deck, Scene& scene) {
+  if (!deck.has("Confinement/Pressure")) return;
+  const double pressure = deck.number("Confinement/Pressure");
+  std::vector<int> confined;
+  for (const std::string& name : deck.words("Confinement/Bodies")) {
+    confined.push_back(body_named(deck, scene, "Confinement/Bodies", name));
+  }
+  for (const int body : confined) {
+    BodySpec& spec = scene.bodies[static_cast<std::size_t>(body)];
+    check_holds(
+        deck, scene.materials[static_cast<std::size_t>(spec.material)].material, spec.name, pressure
+    );
+    spec.initial_pressure = pressure;
+    PressureLoadSpec load;
+    load.name = "Confinement of " + spec.name;
+    load.body = body;
+    load.pressure = {{0.0}, {pressure}};
+    for (const Face face : faces_of(scene.grid.mode)) {
+      if (!is_outer(deck, scene, confined, body, face)) continue;
+      if (is_loaded(scene, body, face)) {
+        deck.refuse_value(
+            "Confinement/Bodies",
+            "presses a face of '" + spec.name +
+                "' that a load presses too (the body would not start in equilibrium); remove the "
+                "load"
+        );
+      }
+      load.faces[static_cast<std::size_t>(face)] = true;
+    }
+    scene.loads.push_back(load);
+  }
+}
+
+}  // namespace barreno

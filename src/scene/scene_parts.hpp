@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "deck/deck.hpp"
+#include "scene/scene.hpp"
+
+#include <string>
+
+namespace barreno {
+
+/// The parts of build_scene. Each reads its sections of the deck and adds to the scene; a later
+/// part may use what an earlier one built. All throw DeckError.
+
+void add_bodies(const Deck& deck, Scene& scene);
+void add_conditions(const Deck& deck, Scene& scene);
+void add_loads(const Deck& deck, Scene& scene);
+void add_confinement(const Deck& deck, Scene& scene);
+void add_jet(const Deck& deck, Scene& scene);
+
+/// A vector with one entry per dimension of the mode.
+Vector vector_at(const Deck& deck, const std::string& path, Mode mode);
+
+/// Index of the material that the parameter at `path` names.
+int material_at(const Deck& deck, const std::string& path);
+
+/// Index of the body of that name, which the parameter at `path` says.
+int body_named(
+    const Deck& deck, const Scene& scene, const std::string& path, const std::string& name
+);
+
+/// A face that exists in the mode; `word` out of the parameter at `path`.
+Face face_at(const Deck& deck, const std::string& path, const std::string& word, Mode mode);
+
+}  // namespace barreno

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "grid/grid.hpp"
+
+#include <cmath>
+
+namespace barreno {
+
+/// Where a particle is, in units of cells. `x` and `y` count from the first node of the tile's
+/// patch; `axis` is the radius of that node, so that r = axis + x (axisymmetry only).
+struct ParticlePlace {
+  double x = 0.0, y = 0.0;
+  double half_x = 0.0, half_y = 0.0;  ///< half edges of the undeformed particle
+  double axis = 0.0;
+  double per_cell = 1.0;  ///< 1 / cell size
+};
+
+/// Uniform GIMP: the particle is a box of its undeformed size around x_p, at most one cell wide.
+///
+///   S_I = average of N_I over the box,  grad S_I = average of grad N_I,
+///
+/// in axisymmetry weighted with r; there T_I = int N_I dr / int r dr gives the hoop strain, and a
+/// box that reaches across the axis is cut at it. The integrals are exact for any half size, so
+/// that the sums of S, of grad S and the uniform strain states are too (docs/method.md).
+///
+/// Source: S. Bardenhagen, E. Kober, CMES 5 (2004) 477-495; r-weighting: J. Nairn, J. Guilkey,
+/// IJNME 101 (2015) 127-147.
+struct Gimp {
+  static constexpr const char* word = "GIMP";
+
+  /// Weights along one axis: three nodes from `first` on.
+  struct Axis {
+    int first = 0;
+    double s[3]{};  ///< averages of N
+    double g[3]{};  ///< averages of dN/dx [1/length]
+    double t[3]{};  ///< int N dr / int r dr [1/length]; radial axis only
+  };
+
+  /// [a, b] in cells, b - a <= 1, split at the node inside it: part [a, c] lies in the first cell,
+  /// [1, e] in the second, and either may be empty.
+  template <bool Radial>
+  KOKKOS_INLINE_FUNCTION static Axis axis_weights(
+      double x, double half, double axis, double per_cell
+  ) {
+    double a = x - half;
+    double b = x + half;
+    if constexpr (Radial) a = std::fmax(a, -axis);
+    const double base = std::floor(a);
+    a -= base;
+    b -= base;
+    const double c = std::fmin(b, 1.0);
+    const double e = std::fmax(b, 1.0);
+    const double w1 = c - a;
+    const double w2 = e - 1.0;
+    const double m1 = 0.5 * (a + c);
+    const double m2 = 0.5 * (1.0 + e);
+    Axis out;
+    out.first = static_cast<int>(base);
+    if constexpr (Radial) {
+      const double r1 = axis + base + m1;
+      const double r2 = axis + base + m2;
+      const double inverse = 1.0 / (w1 * r1 + w2 * r2);
+      const double hoop = inverse * per_cell;
+      out.s[0] = (w1 * (1.0 - m1) * r1 - w1 * w1 * w1 / 12.0) * inverse;
+      out.s[2] = (w2 * (m2 - 1.0) * r2 + w2 * w2 * w2 / 12.0) * inverse;
+      out.g[0] = -w1 * r1 * hoop;
+      out.g[2] = w2 * r2 * hoop;
+      out.t[0] = w1 * (1.0 - m1) * hoop;
+      out.t[2] = w2 * (m2 - 1.0) * hoop;
+      out.t[1] = (w1 + w2) * hoop - out.t[0] - out.t[2];
+    } else {
+      const double inverse = 1.0 / (w1 + w2);
+      out.s[0] = w1 * (1.0 - m1) * inverse;
+      out.s[2] = w2 * (m2 - 1.0) * inverse;
+      out.g[0] = -w1 * inverse * per_cell;
+      out.g[2] = w2 * inverse * per_cell;
+    }
+    out.s[1] = 1.0 - out.s[0] - out.s[2];
+    out.g[1] = -out.g[0] - out.g[2];
+    return out;
+  }
+
+  /// Linear hat functions at a point: weights of a particle's face along its normal.
+  KOKKOS_INLINE_FUNCTION static Axis point_weights(double x) {
+    const double base = std::floor(x);
+    Axis out;
+    out.first = static_cast<int>(base);
+    out.s[1] = x - base;
+    out.s[0] = 1.0 - out.s[1];
+    return out;
+  }
+
+  Axis x, y;
+
+  template <class M>
+  KOKKOS_INLINE_FUNCTION static Gimp support(const ParticlePlace& place) {
+    return {
+        axis_weights<M::hoop>(place.x, place.half_x, place.axis, place.per_cell),
+        axis_weights<false>(place.y, place.half_y, 0.0, place.per_cell)};
+  }
+
+  /// Average of N over one face of the particle (0: x_lower, 1: x_upper, 2: y_lower, 3: y_upper),
+  /// the weight of a pressure on it. sum_p V_p grad S_p of a body is then exactly the sum over its
+  /// outer faces, and a body under uniform pressure is in exact equilibrium.
+  template <class M>
+  KOKKOS_INLINE_FUNCTION static Gimp face_support(const ParticlePlace& place, int face) {
+    Gimp out = support<M>(place);
+    const double side = face % 2 == 0 ? -1.0 : 1.0;
+    if (face < 2)
+      out.x = point_weights(place.x + side * place.half_x);
+    else
+      out.y = point_weights(place.y + side * place.half_y);
+    return out;
+  }
+
+  static constexpr int nodes = 9;
+
+  /// visit(slot, S, dS/dx, dS/dy, T) for every node of the support.
+  template <class Visitor>
+  KOKKOS_INLINE_FUNCTION void for_each_node(Visitor&& visit) const {
+    const int first = y.first * patch_nodes + x.first;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        visit(
+            first + j * patch_nodes + i,
+            x.s[i] * y.s[j],
+            x.g[i] * y.s[j],
+            x.s[i] * y.g[j],
+            x.t[i] * y.s[j]
+        );
+  }
+
+  /// Critical Courant number c dt / h of a free bar (docs/method.md), by the half size in cells:
+  /// the minimum over all places of the particles in their cells.
+  static double critical_courant(double half_size_in_cells) {
+    constexpr double half[4] = {0.125, 1.0 / 6.0, 0.25, 0.5};
+    constexpr double limit[4] = {0.665, 0.732, 0.804, 0.868};
+    if (half_size_in_cells <= half[0]) return limit[0] * half_size_in_cells / half[0];
+    for (int i = 1; i < 4; ++i)
+      if (half_size_in_cells <= half[i])
+        return limit[i - 1] + (limit[i] - limit[i - 1]) * (half_size_in_cells - half[i - 1]) /
+                                  (half[i] - half[i - 1]);
+    return limit[3];
+  }
+};
+
+}  // namespace barreno

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/types.hpp"
+#include "scene/scene.hpp"
+
+#include <barreno/tensor.hpp>
+#include <cmath>
+#include <utility>
+
+namespace barreno {
+
+/// Compile-time facts of a mode; the kernels are compiled once per mode.
+struct Axisymmetric {
+  static constexpr bool hoop = true;
+  static constexpr int deformation_components = 5;
+};
+struct PlaneStrain {
+  static constexpr bool hoop = false;
+  static constexpr int deformation_components = 4;
+};
+
+template <class F>
+decltype(auto) visit_mode(Mode mode, F&& f) {
+  if (mode == Mode::axisymmetric) return std::forward<F>(f)(Axisymmetric{});
+  return std::forward<F>(f)(PlaneStrain{});
+}
+
+/// Deformation gradient, or its increment, of a two-dimensional mode: in-plane part and hoop
+/// stretch.
+struct PlaneTensor {
+  double xx = 1.0, xy = 0.0, yx = 0.0, yy = 1.0, zz = 1.0;
+};
+KOKKOS_INLINE_FUNCTION double determinant(const PlaneTensor& f) {
+  return (f.xx * f.yy - f.xy * f.yx) * f.zz;
+}
+template <class M>
+KOKKOS_INLINE_FUNCTION PlaneTensor load_plane_tensor(const FieldView& v, int p) {
+  PlaneTensor f{v(p, 0), v(p, 1), v(p, 2), v(p, 3), 1.0};
+  if constexpr (M::hoop) f.zz = v(p, 4);
+  return f;
+}
+
+/// Rotation of a plane, stored as cosine and sine.
+struct PlaneRotation {
+  double c = 1.0, s = 0.0;
+};
+
+/// R of F = R U in two dimensions, exact: the direction of (Fxx + Fyy, Fyx - Fxy). A matrix without
+/// a direction (both zero) has no rotation.
+KOKKOS_INLINE_FUNCTION PlaneRotation polar_rotation(const PlaneTensor& f) {
+  const double a = f.xx + f.yy;
+  const double b = f.yx - f.xy;
+  const double n = std::sqrt(a * a + b * b);
+  return n > 0.0 ? PlaneRotation{a / n, b / n} : PlaneRotation{};
+}
+
+/// Half-way between two rotations less than half a turn apart.
+KOKKOS_INLINE_FUNCTION PlaneRotation mean_rotation(const PlaneRotation& q, const PlaneRotation& r) {
+  const double c = q.c + r.c;
+  const double s = q.s + r.s;
+  const double n = std::sqrt(c * c + s * s);
+  return n > 0.0 ? PlaneRotation{c / n, s / n} : q;
+}
+
+/// R t R^T: from the unrotated to the space frame.
+KOKKOS_INLINE_FUNCTION Sym3 rotate(const PlaneRotation& r, const Sym3& t) {
+  const double cc = r.c * r.c;
+  const double ss = r.s * r.s;
+  const double cs = r.c * r.s;
+  return {
+      cc * t.xx - 2.0 * cs * t.xy + ss * t.yy,
+      ss * t.xx + 2.0 * cs * t.xy + cc * t.yy,
+      t.zz,
+      cs * (t.xx - t.yy) + (cc - ss) * t.xy,
+      0.0,
+      0.0};
+}
+
+/// R^T t R: from the space to the unrotated frame.
+KOKKOS_INLINE_FUNCTION Sym3 unrotate(const PlaneRotation& r, const Sym3& t) {
+  return rotate({r.c, -r.s}, t);
+}
+
+/// exp(A) of a plane tensor, in closed form: with t = tr A / 2, B = A - t I and z = -det B,
+///
+///   exp(A) = e^t (C(z) I + S(z) B),   C = cosh sqrt z,   S = sinh sqrt z / sqrt z
+///
+/// (cosine and sine for z < 0), by their power series in z where it converges at once. det exp(A) =
+/// exp(tr A) to round-off, which keeps the volume of a particle after many steps.
+KOKKOS_INLINE_FUNCTION PlaneTensor exponential(const PlaneTensor& a) {
+  const double t = 0.5 * (a.xx + a.yy);
+  const double d = 0.5 * (a.xx - a.yy);
+  const double z = d * d + a.xy * a.yx;
+  double c =
+      1.0 + z * (1.0 / 2 + z * (1.0 / 24 + z * (1.0 / 720 + z * (1.0 / 40320 + z / 3628800))));
+  double s =
+      1.0 + z * (1.0 / 6 + z * (1.0 / 120 + z * (1.0 / 5040 + z * (1.0 / 362880 + z / 39916800))));
+  if (std::abs(z) > 0.05) {
+    const double root = std::sqrt(std::abs(z));
+    c = z > 0.0 ? std::cosh(root) : std::cos(root);
+    s = (z > 0.0 ? std::sinh(root) : std::sin(root)) / root;
+  }
+  const double e = std::exp(t);
+  return {
+      e * (c + s * d),
+      e * s * a.xy,
+      e * s * a.yx,
+      e * (c - s * d),
+      a.zz == 0.0 ? 1.0 : std::exp(a.zz)};
+}
+
+/// In-plane product a b, hoop stretches multiplied.
+KOKKOS_INLINE_FUNCTION PlaneTensor multiply(const PlaneTensor& a, const PlaneTensor& b) {
+  return {
+      a.xx * b.xx + a.xy * b.yx,
+      a.xx * b.xy + a.xy * b.yy,
+      a.yx * b.xx + a.yy * b.yx,
+      a.yx * b.xy + a.yy * b.yy,
+      a.zz * b.zz};
+}
+
+}  // namespace barreno

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "state/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace barreno {
+
+Ledger sum_over_ranks(const Comm& comm, const Ledger& mine) {
+  static_assert(
+      std::is_trivially_copyable_v<Ledger> && sizeof(Ledger) % sizeof(double) == 0,
+      "the ledger is summed as an array of doubles"
+  );
+  std::vector<double> values(sizeof(Ledger) / sizeof(double));
+  std::memcpy(values.data(), &mine, sizeof(Ledger));
+  sum_over_ranks(comm, values);
+  Ledger sum;
+  std::memcpy(static_cast<void*>(&sum), values.data(), sizeof(Ledger));
+  sum.retried_steps = mine.retried_steps;  // every rank counted the same steps
+  return sum;
+}
+
+RemovalTally total_removed(const Ledger& ledger) {
+  RemovalTally total;
+  for (const RemovalTally& tally : ledger.removed) {
+    total.count += tally.count;
+    total.mass += tally.mass;
+    total.momentum += tally.momentum;
+    total.kinetic += tally.kinetic;
+  }
+  return total;
+}
+
+double Balance::error() const {
+  if (remainder == 0.0) return 0.0;
+  return put_in > 0.0 ? remainder / put_in : std::numeric_limits<double>::infinity();
+}
+
+Balance mass_balance(const Ledger& l) {
+  const double put_in = l.initial_mass + l.launched_mass;
+  return {l.mass + total_removed(l).mass - put_in, put_in};
+}
+
+Balance momentum_balance(const Ledger& l) {
+  const double put_in =
+      l.initial_momentum + l.launched_momentum + l.condition_impulse + l.load_impulse;
+  // Net momenta may cancel (a standing wave): the roots are what the same kinetic energy carries
+  // one way.
+  const double scale = std::sqrt(2.0 * l.initial_mass * l.initial_kinetic) +
+                       std::sqrt(2.0 * l.launched_mass * l.launched_kinetic) +
+                       std::abs(l.condition_impulse) + std::abs(l.load_impulse);
+  return {l.momentum + total_removed(l).momentum - put_in, scale};
+}
+
+Balance energy_balance(const Ledger& l) {
+  const double found = l.kinetic + l.elastic + l.plastic + l.viscous + total_removed(l).kinetic;
+  const double put_in = l.initial_kinetic + l.launched_kinetic + l.prestress + l.boundary_work;
+  const double scale =
+      l.initial_kinetic + l.launched_kinetic + l.prestress + std::abs(l.boundary_work);
+  return {found - put_in - l.transfer - l.stress_integration, scale};
+}
+
+JetTotals jet_table_totals(const Scene& scene, std::size_t slugs) {
+  const double pi = std::acos(-1.0);
+  JetTotals totals;
+  for (std::size_t s = 0; s < std::min(slugs, scene.jet.slugs.size()); ++s) {
+    const JetSlug& slug = scene.jet.slugs[s];
+    const double width =
+        std::min(slug.radius, scene.grid.upper[0]) - std::max(-slug.radius, scene.grid.lower[0]);
+    const double section =
+        scene.grid.mode == Mode::axisymmetric ? pi * slug.radius * slug.radius : width;
+    const double mass = slug.density * section * slug.length;
+    totals.mass += mass;
+    totals.momentum += mass * slug.velocity * scene.jet.direction;
+    totals.kinetic += 0.5 * mass * slug.velocity * slug.velocity;
+  }
+  return totals;
+}
+
+}  // namespace barreno

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/gather.hpp"
+#include "scene/scene.hpp"
+#include "state/ledger.hpp"
+
+namespace barreno {
+
+/// The ledger of the whole run on every rank, by one reduction.
+Ledger sum_over_ranks(const Comm& comm, const Ledger& mine);
+
+/// All causes together.
+RemovalTally total_removed(const Ledger& ledger);
+
+/// What a balance leaves over, and the same relative to what was put in.
+struct Balance {
+  double remainder = 0.0;
+  double put_in = 0.0;  ///< the scale; 0: nothing came in, then the error is 0 or infinite
+  double error() const;
+};
+
+/// mass + removed - initial - launched, relative to initial + launched.
+Balance mass_balance(const Ledger& ledger);
+
+/// Axial momentum + removed - initial - launched - impulses of conditions and loads, relative to
+/// sqrt(2 m E) of what moved at the start and of the jet, plus the magnitudes of the impulses.
+Balance momentum_balance(const Ledger& ledger);
+
+/// The remainder of the identity at `Ledger`, relative to initial_kinetic + launched + prestress +
+/// |boundary_work|.
+Balance energy_balance(const Ledger& ledger);
+
+/// Mass, axial momentum and kinetic energy of the jet's first `slugs` slugs as the table gives
+/// them, of the part that lies within the grid: the full circle in axisymmetry, per unit thickness
+/// in plane strain.
+struct JetTotals {
+  double mass = 0.0, momentum = 0.0, kinetic = 0.0;
+};
+JetTotals jet_table_totals(const Scene& scene, std::size_t slugs);
+
+}  // namespace barreno

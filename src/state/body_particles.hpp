@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene/scene.hpp"
+#include "state/slots.hpp"
+
+#include <functional>
+
+namespace barreno {
+
+/// One particle as it is made: place, size and volume (full circle in axisymmetry).
+struct NewParticle {
+  ParticleId id = 0;
+  double x = 0.0, y = 0.0;
+  double half_x = 0.0, half_y = 0.0;
+  double volume = 0.0;
+  unsigned loaded_sides = 0;  ///< bits by Face: the outer layers of a box
+};
+
+/// Fill a body with particles, in the order of their ids from `first` on.
+///
+/// A box is divided evenly, so that its mass and its faces are exact; other shapes take the
+/// particles of the regular lattice (cell size / particles per cell) whose centres lie inside.
+void for_each_body_particle(
+    const GridSpec& grid,
+    const BodySpec& body,
+    ParticleId first,
+    const std::function<void(const NewParticle&)>& visit
+);
+long long count_body_particles(const GridSpec& grid, const BodySpec& body);
+
+/// Divide a slug of the jet evenly: a slug thinner than a particle becomes one, so that mass,
+/// momentum and energy are exact. Density below the material's own shortens a discrete slug. The
+/// slug's centre is at y = 0.
+///
+/// In plane strain with x = 0 at the lower edge of the grid the half x > 0 is made, else the whole
+/// width.
+void for_each_slug_particle(
+    const Scene& scene,
+    const JetSlug& slug,
+    ParticleId first,
+    const std::function<void(const NewParticle&)>& visit
+);
+long long count_slug_particles(const Scene& scene, const JetSlug& slug);
+
+/// First id of every body, then of every slug of the jet, then one past the last.
+std::vector<ParticleId> first_ids(const Scene& scene);
+
+/// Half size, in cells, of the smallest particle that the scene gives a material.
+double smallest_half_size(const Scene& scene, int material);
+
+}  // namespace barreno

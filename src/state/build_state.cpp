@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "state/build_state.hpp"
+
+#include "base/error.hpp"
+#include "base/region.hpp"
+#include "grid/partition.hpp"
+#include "grid/tiles.hpp"
+#include "shape/visit_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+/// Bits of the pressure loads on a particle's own faces: load * 6 + face.
+double loaded_faces(const Scene& scene, int body, unsigned sides) {
+  double bits = 0.0;
+  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
+    if (scene.loads[l].body != body) continue;
+    for (unsigned face = 0; face < 6; ++face)
+      if (scene.loads[l].faces[face] && (sides >> face & 1U))
+        bits += std::ldexp(1.0, static_cast<int>(6 * l + face));
+  }
+  return bits;
+}
+
+void velocity_at(const BodySpec& body, double x, double y, double (&velocity)[2]) {
+  const Vector& k = body.velocity_wave_number;
+  const bool wave = k[0] != 0.0 || k[1] != 0.0;
+  const double shape = wave ? std::sin(k[0] * x + k[1] * y) : 1.0;
+  velocity[0] = body.velocity[0] * shape;
+  velocity[1] = body.velocity[1] * shape;
+}
+
+/// Particles per tile of the box, found by every rank for itself.
+std::vector<double> count_in_tiles(const Scene& scene, const Grid& grid) {
+  std::vector<double> counts(grid.owner.size(), 0.0);
+  for (const BodySpec& body : scene.bodies)
+    for_each_body_particle(scene.grid, body, 0, [&](const NewParticle& p) {
+      counts[static_cast<std::size_t>(cell_of(grid, p.x, p.y).tile)] += 1.0;
+    });
+  return counts;
+}
+
+/// What one particle brings into the balances.
+void enter(const Particles& particles, int p, double stored_energy, Ledger& ledger) {
+  const double m = particles.mass(p);
+  const double vx = particles.velocity(p, 0);
+  const double vy = particles.velocity(p, 1);
+  ledger.initial_mass += m;
+  ledger.initial_momentum += m * vy;
+  ledger.initial_kinetic += 0.5 * m * (vx * vx + vy * vy);
+  ledger.mass += m;
+  ledger.momentum += m * vy;
+  ledger.kinetic += 0.5 * m * (vx * vx + vy * vy);
+  ledger.prestress += m * stored_energy;
+  ledger.elastic += m * stored_energy;
+}
+
+/// Elastic energy of the initial equilibrium per mass.
+/// @throws NumericalError if the material cannot hold the pressure
+double initial_energy(const Scene& scene, const BodySpec& body) {
+  const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+  return std::visit(
+      [&](const auto& model) {
+        const auto start = model.initial_state(body.initial_pressure);
+        if (start.possible) return start.stored_energy / material.density;
+        std::ostringstream text;
+        text << "Bodies/" << body.name << " starts under " << body.initial_pressure
+             << " Pa, which its material '" << material.name
+             << "' cannot hold elastically. Lower the confinement or take a stronger material.";
+        throw NumericalError(text.str());
+      },
+      material.model
+  );
+}
+
+}  // namespace
+
+int add_particle(
+    const Scene& scene,
+    Particles& particles,
+    const NewParticle& made,
+    unsigned body,
+    double pressure,
+    const double (&velocity)[2]
+) {
+  reserve(particles, particles.count + 1);
+  const int p = particles.count++;
+  particles.sorted = false;
+  particles.id(p) = made.id;
+  particles.body(p) = static_cast<unsigned char>(body);
+  particles.key(p) = unplaced_key;
+  particles.for_each_field([p](Field& field) {
+    for (int c = 0; c < field.components; ++c) field(p, c) = 0.0;
+  });
+  particles.position(p, 0) = made.x;
+  particles.position(p, 1) = made.y;
+  particles.velocity(p, 0) = velocity[0];
+  particles.velocity(p, 1) = velocity[1];
+  particles.half_size(p, 0) = made.half_x;
+  particles.half_size(p, 1) = made.half_y;
+  particles.initial_volume(p) = made.volume;
+  for (const int diagonal : {0, 3, 4})
+    if (diagonal < particles.deformation_gradient.components)
+      particles.deformation_gradient(p, diagonal) = 1.0;
+  if (particles.loaded_faces.components > 0)
+    particles.loaded_faces(p) = loaded_faces(scene, static_cast<int>(body), made.loaded_sides);
+
+  const Material& material = scene.materials[static_cast<std::size_t>(particles.material)].material;
+  std::visit(
+      [&](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        const auto start = model.initial_state(pressure);
+        for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&start.stress.xx)[c];
+        if constexpr (Model::history_count > 0) {
+          const auto* const h = reinterpret_cast<const double*>(&start.history);
+          for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
+        }
+        particles.mass(p) = material.density / start.volume_ratio * made.volume;
+        particles.longitudinal_modulus(p) =
+            model.longitudinal_modulus(start.stress, start.history, start.volume_ratio);
+      },
+      material.model
+  );
+  return p;
+}
+
+State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  const Region region("build_state");
+  State state;
+  state.grid = make_grid(scene.grid, comm);
+  state.grid.owner =
+      bisect_tiles(state.grid.tiles, count_in_tiles(scene, state.grid), comm->getSize());
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    state.particles.push_back(make_particles(scene, static_cast<int>(m)));
+    state.particles.back().critical_courant = visit_shape(scene.step.shape, [&](auto shape) {
+      return decltype(shape)::critical_courant(smallest_half_size(scene, static_cast<int>(m)));
+    });
+  }
+  const std::vector<ParticleId> first = first_ids(scene);
+  state.slug_ids.assign(
+      first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()
+  );
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodySpec& body = scene.bodies[b];
+    const double energy = initial_energy(scene, body);
+    Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
+    for_each_body_particle(scene.grid, body, first[b], [&](const NewParticle& made) {
+      if (owner_of(state.grid, made.x, made.y) != comm->getRank()) return;
+      double velocity[2] = {};
+      velocity_at(body, made.x, made.y, velocity);
+      const int p = add_particle(
+          scene, particles, made, static_cast<unsigned>(b), body.initial_pressure, velocity
+      );
+      enter(particles, p, energy, state.ledger);
+    });
+  }
+  return state;
+}
+
+}  // namespace barreno

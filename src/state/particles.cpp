@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "state/particles.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+int history_components(const AnyModel& model) {
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::history_count; }, model);
+}
+
+template <class View>
+void grow(View& view, int capacity) {
+  Kokkos::resize(view, static_cast<std::size_t>(capacity));
+}
+
+/// The pressure loads of a scene fit into the bits of one double: six faces each.
+bool has_loads(const Scene& scene, int material) {
+  return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const PressureLoadSpec& load) {
+    return scene.bodies[static_cast<std::size_t>(load.body)].material == material;
+  });
+}
+
+}  // namespace
+
+Particles make_particles(const Scene& scene, int material) {
+  namespace dim = dimension;
+  const bool axisymmetric = scene.grid.mode == Mode::axisymmetric;
+  const Material& m = scene.materials[static_cast<std::size_t>(material)].material;
+  Particles p;
+  p.material = material;
+  p.position = {"position", dim::length, 2, {}};
+  p.velocity = {"velocity", dim::velocity, 2, {}};
+  p.deformation_gradient = {"deformation_gradient", dim::none, axisymmetric ? 5 : 4, {}};
+  p.stress = {"stress", dim::stress, 4, {}};
+  p.mass = {"mass", dim::mass, 1, {}};
+  p.initial_volume = {"initial_volume", {3, 0, 0, 0}, 1, {}};
+  p.half_size = {"half_size", dim::length, 2, {}};
+  p.viscous_pressure = {"viscous_pressure", dim::stress, 1, {}};
+  p.longitudinal_modulus = {"longitudinal_modulus", dim::stress, 1, {}};
+  p.history = {"history", dim::none, history_components(m.model), {}};
+  p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material) ? 1 : 0, {}};
+  p.grid_motion = {"grid_motion", dim::velocity, 4, {}};
+  p.increment = {"increment", dim::none, 5, {}};
+  reserve(p, 1);
+  return p;
+}
+
+void reserve(Particles& particles, int capacity) {
+  if (capacity <= particles.capacity) return;
+  particles.capacity = std::max(capacity, particles.capacity + particles.capacity / 2);
+  const int n = particles.capacity;
+  grow(particles.id, n);
+  grow(particles.body, n);
+  grow(particles.key, n);
+  grow(particles.spare, n);
+  grow(particles.spare_id, n);
+  grow(particles.order, n);
+  const auto grow_field = [n](Field& field) {
+    Kokkos::resize(
+        field.values, static_cast<std::size_t>(n), static_cast<std::size_t>(field.components)
+    );
+  };
+  particles.for_each_field(grow_field);
+  particles.for_each_scratch_field(grow_field);
+}
+
+void keep_rows(Particles& particles, const std::vector<char>& keep) {
+  int kept = 0;
+  for (int p = 0; p < particles.count; ++p) {
+    if (!keep[static_cast<std::size_t>(p)]) continue;
+    if (kept != p) {
+      particles.id(kept) = particles.id(p);
+      particles.body(kept) = particles.body(p);
+      particles.for_each_field([=](Field& field) {
+        for (int c = 0; c < field.components; ++c) field(kept, c) = field(p, c);
+      });
+    }
+    ++kept;
+  }
+  particles.count = kept;
+  particles.sorted = false;
+}
+
+void permute_rows(Particles& particles) {
+  const auto n = static_cast<std::size_t>(particles.count);
+  const int* const order = particles.order.data();
+  // One column of scratch serves every component in turn.
+  double* const column = particles.grid_motion.values.data();
+  particles.for_each_field([&](Field& field) {
+    for (int c = 0; c < field.components; ++c) {
+      double* const values = &field(0, c);
+      for (std::size_t k = 0; k < n; ++k) column[k] = values[order[k]];
+      std::copy(column, column + n, values);
+    }
+  });
+  const auto permute = [&](auto& values, auto& spare) {
+    for (std::size_t k = 0; k < n; ++k) spare(k) = values(static_cast<std::size_t>(order[k]));
+    for (std::size_t k = 0; k < n; ++k)
+      values(k) = static_cast<std::decay_t<decltype(values(k))>>(spare(k));
+  };
+  permute(particles.id, particles.spare_id);
+  permute(particles.body, particles.spare);
+  permute(particles.key, particles.spare);
+  for (std::size_t k = 0; k < n; ++k) particles.order(k) = static_cast<int>(k);
+}
+
+std::size_t bytes_per_particle(const Particles& particles) {
+  std::size_t doubles = 0;
+  auto& p = const_cast<Particles&>(particles);  // for_each_field has one, non-const, form
+  const auto add = [&](Field& field) { doubles += static_cast<std::size_t>(field.components); };
+  p.for_each_field(add);
+  p.for_each_scratch_field(add);
+  return doubles * sizeof(double) + 2 * sizeof(ParticleId) + sizeof(unsigned char) +
+         3 * sizeof(int);
+}
+
+}  // namespace barreno

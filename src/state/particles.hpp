@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/field.hpp"
+#include "scene/scene.hpp"
+
+#include <vector>
+
+namespace barreno {
+
+/// Components of the two-dimensional modes. Hoop or out-of-plane parts are stored only where they
+/// move.
+///
+///   position, velocity, half_size   x y
+///   deformation_gradient            xx xy yx yy and, in axisymmetry, zz
+///   stress                          xx yy zz xy, unrotated: the space tensor is R stress R^T with
+///   F = R U
+///
+/// Set in Particles::body of a particle that its policy holds as stress-free debris.
+inline constexpr unsigned char held_bit = 0x80;
+inline constexpr int most_bodies = held_bit - 1;
+
+/// Values of Particles::key that are not a cell: not placed yet; to be removed because its update
+/// failed.
+inline constexpr int unplaced_key = -1;
+inline constexpr int failed_key = -2;
+
+/// All particles of one material: structure of arrays, `count` rows used of `capacity`.
+/// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
+/// particles has one order, whatever their history or rank count.
+struct Particles {
+  int material = 0;  ///< index into Scene::materials
+  int count = 0;
+  int capacity = 0;
+  double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set
+  bool sorted = false;            ///< order and tile_begin belong to the present rows and tiles
+
+  ArrayView<ParticleId> id;  ///< unique over the run; files sort by it
+  ArrayView<unsigned char>
+      body;  ///< index into Scene::bodies, or its size for the jet; held_bit: debris
+
+  Field position;              ///< x_p [length]
+  Field velocity;              ///< v_p [length/time]
+  Field deformation_gradient;  ///< F_p, identity at the start (prestressed states included) [-]
+  Field stress;                ///< unrotated Cauchy stress [stress]
+  Field mass;                  ///< m_p [mass]
+  Field initial_volume;        ///< V_p at the start; V_p = initial_volume det F [length^3]
+  Field half_size;             ///< half edge lengths of the undeformed particle [length]
+  Field viscous_pressure;      ///< q_p, artificial viscosity, positive in compression [stress]
+  Field longitudinal_modulus;  ///< K + 4G/3 of the last update [stress]
+  Field history;       ///< the model's internal variables, in the order of its history_table()
+  Field loaded_faces;  ///< bits of pressure loads on own faces; no components if there are none
+
+  /// Scratch of the step, not state: what the grid says to the particle.
+  Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]
+  Field increment;    ///< dt L, then the unrotated strain increment and the old volume ratio [-]
+
+  ArrayView<int> key;    ///< tile * cells per tile + cell in tile, of the last sort
+  ArrayView<int> spare;  ///< scratch of the sort
+  ArrayView<ParticleId> spare_id;
+  ArrayView<int> order;       ///< rows sorted by (key, id)
+  ArrayView<int> cell_begin, cell_end;  ///< scratch of the sort
+  ArrayView<int> tile_begin;  ///< order[tile_begin[t] .. tile_begin[t+1]) are the rows in tile t
+
+  /// Every field that is state: migration, restart, output and the finiteness audit walk this one
+  /// list.
+  template <class F>
+  void for_each_field(F&& f) {
+    f(position);
+    f(velocity);
+    f(deformation_gradient);
+    f(stress);
+    f(mass);
+    f(initial_volume);
+    f(half_size);
+    f(viscous_pressure);
+    f(longitudinal_modulus);
+    f(history);
+    f(loaded_faces);
+  }
+  template <class F>
+  void for_each_scratch_field(F&& f) {
+    f(grid_motion);
+    f(increment);
+  }
+};
+
+/// An empty set for one material with the fields that the scene needs.
+Particles make_particles(const Scene& scene, int material);
+
+/// Room for at least `capacity` rows; grows by half when it must grow, keeps what is there.
+void reserve(Particles& particles, int capacity);
+
+/// Put the rows into the order of the last sort, for the sake of the cache.
+void permute_rows(Particles& particles);
+
+/// Rows [0, count) of the listed rows only, in their present order; `keep[p]` says which.
+void keep_rows(Particles& particles, const std::vector<char>& keep);
+
+/// Bytes of state and scratch arrays that one particle of this set occupies.
+std::size_t bytes_per_particle(const Particles& particles);
+
+}  // namespace barreno

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "grid/grid.hpp"
+#include "state/ledger.hpp"
+#include "state/nodes.hpp"
+#include "state/particles.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace barreno {
+
+struct Clock {
+  double time = 0.0;
+  double dt = 0.0;  ///< of the last step
+  long step = 0;
+};
+
+/// All that changes during a run; what a restart holds. Nodes are scratch of the step.
+struct State {
+  Grid grid;
+  std::vector<Particles> particles;  ///< one set per material, in the order of Scene::materials
+  Nodes nodes;
+  Clock clock;
+  Ledger ledger;
+  std::size_t next_slug = 0;         ///< first jet slug that is still to be launched
+  std::vector<ParticleId> slug_ids;  ///< first id of every slug
+  double stable_step =
+      std::numeric_limits<double>::infinity();  ///< of this rank, by the last stress update [time]
+  double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
+};
+
+}  // namespace barreno

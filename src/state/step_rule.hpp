@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include <cmath>
+
+namespace barreno {
+
+/// Artificial viscosity and the step that a particle allows; captured by value in kernels.
+struct StepRule {
+  double cell_size, linear, quadratic, courant;
+
+  StepRule(const Scene& scene, double critical_courant)
+      : cell_size(scene.grid.cell_size),
+        linear(scene.step.linear_viscosity),
+        quadratic(scene.step.quadratic_viscosity),
+        // The critical number is that of a bar; diagonal modes of d dimensions are stiffer by sqrt
+        // d.
+        courant(
+            scene.step.courant_fraction * critical_courant / std::sqrt(dimensions(scene.grid.mode))
+        ) {}
+
+  /// q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2) in compression, else 0 [stress].
+  KOKKOS_INLINE_FUNCTION double viscous_pressure(double density, double modulus, double rate)
+      const {
+    if (!(rate < 0.0)) return 0.0;
+    const double h_rate = cell_size * -rate;
+    return density * h_rate * (linear * std::sqrt(modulus / density) + quadratic * h_rate);
+  }
+
+  /// dt = C h / (Q + sqrt(Q^2 + c^2) + |v|), Q = A1 c + A2 h |tr D| the viscosity as a speed
+  /// [time].
+  ///
+  /// Source of the form: viscous term of a damped oscillator's limit, J. Hallquist, LS-DYNA Theory
+  /// (2006), "Time step control".
+  KOKKOS_INLINE_FUNCTION double stable_step(
+      double density, double modulus, double rate, double speed
+  ) const {
+    const double c = std::sqrt(modulus / density);
+    const double q = rate < 0.0 ? linear * c - quadratic * cell_size * rate : 0.0;
+    return courant * cell_size / (q + std::sqrt(q * q + c * c) + speed);
+  }
+};
+
+}  // namespace barreno

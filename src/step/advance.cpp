@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/advance.hpp"
+
+#include "base/gather.hpp"
+#include "base/region.hpp"
+#include "grid/halo.hpp"
+#include "step/interpolate_motion.hpp"
+#include "step/launch_jet.hpp"
+#include "step/move_particles.hpp"
+#include "step/place_particles.hpp"
+#include "step/project_loads.hpp"
+#include "step/project_particles.hpp"
+#include "step/solve_velocity.hpp"
+#include "step/stable_step.hpp"
+#include "step/update_deformation.hpp"
+#include "step/update_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+/// A step is taken again at most this often; then the particle policy acts.
+constexpr int most_retries = 3;
+
+/// Grid velocity and what it does to the particles, with a smaller step if a strain increment is
+/// too large.
+GridTally find_motion(const Scene& scene, State& state, double& dt) {
+  GridTally tally;
+  for (int retry = 0;; ++retry) {
+    tally = solve_velocity(scene, state.grid, dt, state.nodes);
+    std::vector<double> strain{0.0};
+    for (Particles& particles : state.particles)
+      strain[0] =
+          std::max(strain[0], interpolate_motion(scene, state.grid, state.nodes, dt, particles));
+    max_over_ranks(*state.grid.comm, strain);
+    if (!(strain[0] > scene.step.largest_strain) || retry == most_retries) return tally;
+    dt *= std::max(0.25, 0.8 * scene.step.largest_strain / strain[0]);
+    state.ledger.retried_steps += 1.0;
+  }
+}
+
+/// Everything of the step that changes particles; returns what their materials said.
+StressTally update_particles(
+    const Scene& scene, double dt, State& state, ParticleTally& moved, StepResult& result
+) {
+  StressTally total;
+  for (Particles& particles : state.particles) {
+    const ParticleTally set = move_particles(scene, dt, particles);
+    moved.kinetic_before += set.kinetic_before;
+    moved.kinetic_after += set.kinetic_after;
+    moved.mass += set.mass;
+    moved.momentum += set.momentum;
+    update_deformation(scene, particles);
+    const StressTally stress = update_stress(scene, dt, particles);
+    total.elastic += stress.elastic;
+    total.plastic += stress.plastic;
+    total.viscous += stress.viscous;
+    total.stress_work += stress.stress_work;
+    total.stable_step = std::min(total.stable_step, stress.stable_step);
+    total.failures += stress.failures;
+    const bool stops =
+        scene.materials[static_cast<std::size_t>(particles.material)].bad_particles ==
+        BadParticlePolicy::stop;
+    if (stress.failures > 0.0 && stops &&
+        (result.failed < 0 || stress.first_failed < result.failed))
+      result = {true, stress.first_failed, particles.material, result.interrupt};
+    state.particle_steps += particles.count;
+  }
+  return total;
+}
+
+/// Each term where it arises; see Ledger.
+void tally_step(
+    const Scene& scene,
+    const GridTally& grid,
+    double load_work,
+    const ParticleTally& moved,
+    const StressTally& stress,
+    State& state
+) {
+  Ledger& ledger = state.ledger;
+  ledger.mass = moved.mass;
+  ledger.momentum = moved.momentum;
+  ledger.kinetic = moved.kinetic_after;
+  ledger.boundary_work += grid.condition_work;
+  ledger.condition_impulse +=
+      grid.condition_impulse + scene.step.pic_fraction * grid.filter_impulse;
+  ledger.transfer +=
+      grid.kinetic_before - moved.kinetic_before + moved.kinetic_after - grid.kinetic_after;
+  ledger.elastic += stress.elastic;
+  ledger.plastic += stress.plastic;
+  ledger.viscous += stress.viscous;
+  ledger.stress_integration += grid.force_work - load_work + stress.stress_work;
+}
+
+/// The verdict of all ranks; only scenes in which a failure stops the run pay for it.
+void agree_on_failure(const Scene& scene, const State& state, StepResult& result) {
+  const bool may_stop =
+      std::any_of(scene.materials.begin(), scene.materials.end(), [](const MaterialSpec& m) {
+        return m.bad_particles == BadParticlePolicy::stop;
+      });
+  if (!may_stop) return;
+  constexpr double none = std::numeric_limits<double>::max();
+  std::vector<double> first{result.failed < 0 ? none : static_cast<double>(result.failed)};
+  min_over_ranks(*state.grid.comm, first);
+  if (first[0] == none) return;
+  std::vector<double> material{
+      static_cast<double>(result.failed) == first[0] ? result.material : -1.0};
+  max_over_ranks(*state.grid.comm, material);
+  result = {
+      true, static_cast<ParticleId>(first[0]), static_cast<int>(material[0]), result.interrupt};
+}
+
+}  // namespace
+
+StepResult advance(const Scene& scene, double next_time, State& state) {
+  const Region region("advance");
+  auto& [grid, particles, nodes, clock, ledger, next_slug, slug_ids, stable, particle_steps] =
+      state;
+
+  launch_jet(scene, state);                              // slugs whose time has come
+  Placement placement = locate_particles(scene, state);  // cell of each; the lost are tallied
+  double dt = agree_on_step(scene, next_time, placement, state);  // the one reduction
+  place_particles(scene, placement, state);                       // ranks, tiles, order
+
+  clear_nodes(grid, nodes);
+  for (const Particles& set : particles)
+    project_particles(scene, grid, set, nodes);  // m, p, f  (2.1-2.3)
+  project_loads(scene, state);                   // pressure on faces                 (2.4)
+  exchange_halo(grid, nodes.sums, patch_size * sum_components);
+  const GridTally motion =
+      find_motion(scene, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)
+
+  const double load_work = tally_loads(scene, dt, state);  // before F and x move on
+
+  StepResult result;
+  result.interrupt = placement.interrupt;
+  ParticleTally moved;
+  const StressTally stress =
+      update_particles(scene, dt, state, moved, result);       // x, v, F, sigma (2.7-2.9)
+  tally_step(scene, motion, load_work, moved, stress, state);  // energy and momentum, term by term
+  agree_on_failure(scene, state, result);
+
+  stable = stress.stable_step;
+  clock = {dt >= next_time - clock.time ? next_time : clock.time + dt, dt, clock.step + 1};
+  return result;
+}
+
+}  // namespace barreno

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+namespace barreno {
+
+/// How a step went; the same on every rank.
+struct StepResult {
+  bool stopped = false;    ///< a material failed whose policy is to stop
+  ParticleId failed = -1;  ///< the first particle that failed, in the order of ids
+  int material = -1;       ///< its material
+  int interrupt = 0;       ///< signal that some rank received
+};
+
+/// One explicit step, stress last (USL), at most to `next_time`. docs/method.md numbers the
+/// equations.
+StepResult advance(const Scene& scene, double next_time, State& state);
+
+}  // namespace barreno

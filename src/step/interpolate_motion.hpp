@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+namespace barreno {
+
+/// Velocity, velocity increment and velocity gradient of the grid at every particle. docs/method.md
+/// (2.6)
+///
+///   v = S_Ip v_I',   dv = S_Ip (v_I' - v_I),   dt L = dt v_I' (x) grad S_Ip,   dt L_hoop = dt T_Ip
+///   v_I,r'
+///
+/// Nothing is committed: a step that turns out too large is taken again from solve_velocity.
+///
+/// @post particles.grid_motion and particles.increment (dt L: xx xy yx yy hoop)
+/// @return largest |D| dt of the set on this rank [-]
+double interpolate_motion(
+    const Scene& scene, const Grid& grid, const Nodes& nodes, double dt, Particles& particles
+);
+
+}  // namespace barreno

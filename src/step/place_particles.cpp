@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/place_particles.hpp"
+
+#include "base/gather.hpp"
+#include "base/region.hpp"
+#include "grid/migrate.hpp"
+#include "grid/partition.hpp"
+#include "grid/tiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace barreno {
+namespace {
+
+/// Steps between two physical sorts of the rows: long enough to cost nothing, short enough to keep
+/// locality.
+constexpr long steps_per_permutation = 50;
+
+void tally_removal(const Particles& particles, int p, RemovalCause cause, Ledger& ledger) {
+  RemovalTally& tally = ledger.removed[static_cast<std::size_t>(cause)];
+  const double m = particles.mass(p);
+  const double vx = particles.velocity(p, 0);
+  const double vy = particles.velocity(p, 1);
+  tally.count += 1.0;
+  tally.mass += m;
+  ledger.mass -= m;
+  if (!std::isfinite(vx) || !std::isfinite(vy)) return;
+  const double kinetic = 0.5 * m * (vx * vx + vy * vy);
+  tally.momentum += m * vy;
+  tally.kinetic += kinetic;
+  ledger.momentum -= m * vy;
+  ledger.kinetic -= kinetic;
+}
+
+/// -1: stays; else why it goes.
+int removal_cause(const Grid& grid, const Particles& particles, int p) {
+  const double x = particles.position(p, 0);
+  const double y = particles.position(p, 1);
+  const double sum = x + y + particles.velocity(p, 0) + particles.velocity(p, 1);
+  if (!std::isfinite(sum)) return static_cast<int>(RemovalCause::not_finite);
+  if (particles.key(p) == failed_key) return static_cast<int>(RemovalCause::material_failure);
+  if (!grid.holds(x, y)) return static_cast<int>(RemovalCause::left_grid);
+  return -1;
+}
+
+void remove_lost(const Grid& grid, Particles& particles, Ledger& ledger) {
+  std::vector<char> keep(static_cast<std::size_t>(particles.count), 1);
+  for (int p = 0; p < particles.count; ++p) {
+    const int cause = removal_cause(grid, particles, p);
+    if (cause < 0) continue;
+    tally_removal(particles, p, static_cast<RemovalCause>(cause), ledger);
+    keep[static_cast<std::size_t>(p)] = 0;
+  }
+  keep_rows(particles, keep);
+}
+
+/// Keys of a set's rows from their cells; false if one is outside the grid or lost otherwise.
+bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
+  const int me = grid.comm->getRank();
+  bool all_inside = true;
+  bool moved = false;
+  for (int p = 0; p < particles.count; ++p) {
+    const double x = particles.position(p, 0);
+    const double y = particles.position(p, 1);
+    if (particles.key(p) == failed_key || !grid.holds(x, y)) {
+      all_inside = false;
+      continue;
+    }
+    const Cell cell = cell_of(grid, x, y);
+    const int tile = grid.directory(static_cast<std::size_t>(cell.tile));
+    int key = unplaced_key;
+    if (tile >= 0 && tile < grid.active)
+      key = tile * cells_per_tile + cell.inside;
+    else if (grid.owner[static_cast<std::size_t>(cell.tile)] == me)
+      placement.new_tile = true;
+    else
+      placement.someone_left = true;
+    moved = moved || key != particles.key(p);
+    particles.key(p) = key;
+  }
+  if (moved) particles.sorted = false;
+  return all_inside;
+}
+
+/// A particle as doubles on its way to another rank: set, id, body, then its fields.
+void pack_row(Particles& particles, int p, std::vector<double>& out) {
+  double id = 0.0;
+  static_assert(sizeof(ParticleId) == sizeof(double), "ids travel in the place of a double");
+  std::memcpy(&id, &particles.id(p), sizeof(id));
+  out.push_back(particles.material);
+  out.push_back(id);
+  out.push_back(particles.body(p));
+  particles.for_each_field([&](Field& field) {
+    for (int c = 0; c < field.components; ++c) out.push_back(field(p, c));
+  });
+}
+
+const double* unpack_row(const double* row, Particles& particles) {
+  reserve(particles, particles.count + 1);
+  const int p = particles.count++;
+  std::memcpy(&particles.id(p), row + 1, sizeof(ParticleId));
+  particles.body(p) = static_cast<unsigned char>(row[2]);
+  particles.key(p) = unplaced_key;
+  row += 3;
+  particles.for_each_field([&](Field& field) {
+    for (int c = 0; c < field.components; ++c) field(p, c) = *row++;
+  });
+  particles.sorted = false;
+  return row;
+}
+
+void migrate_particles(State& state) {
+  const Region region("migrate_particles");
+  const Grid& grid = state.grid;
+  const int me = grid.comm->getRank();
+  std::vector<std::vector<double>> outgoing(static_cast<std::size_t>(grid.comm->getSize()));
+  for (Particles& particles : state.particles) {
+    std::vector<char> keep(static_cast<std::size_t>(particles.count), 1);
+    for (int p = 0; p < particles.count; ++p) {
+      if (particles.key(p) != unplaced_key) continue;
+      const int owner = owner_of(grid, particles.position(p, 0), particles.position(p, 1));
+      if (owner == me) continue;
+      pack_row(particles, p, outgoing[static_cast<std::size_t>(owner)]);
+      keep[static_cast<std::size_t>(p)] = 0;
+    }
+    keep_rows(particles, keep);
+  }
+  const std::vector<double> received = exchange_rows(*grid.comm, outgoing);
+  for (const double* row = received.data(); row < received.data() + received.size();)
+    row = unpack_row(row, state.particles[static_cast<std::size_t>(*row)]);
+}
+
+std::vector<int> occupied_tiles(const State& state) {
+  std::vector<char> holds(state.grid.owner.size(), 0);
+  for (const Particles& particles : state.particles)
+    for (int p = 0; p < particles.count; ++p)
+      holds[static_cast<std::size_t>(
+          cell_of(state.grid, particles.position(p, 0), particles.position(p, 1)).tile
+      )] = 1;
+  std::vector<int> tiles;
+  for (std::size_t t = 0; t < holds.size(); ++t)
+    if (holds[t]) tiles.push_back(static_cast<int>(t));
+  return tiles;
+}
+
+/// Rows by key; within a cell by id, so that the order does not depend on how the rows are stored.
+void sort_by_cell(const Grid& grid, Particles& particles) {
+  const auto tiles = static_cast<std::size_t>(grid.active);
+  const std::size_t keys = tiles * cells_per_tile;
+  if (particles.cell_begin.extent(0) < keys + 1) {
+    particles.cell_begin = ArrayView<int>("cell_begin", keys + keys / 4 + 1);
+    particles.cell_end = ArrayView<int>("cell_end", keys + keys / 4 + 1);
+  }
+  if (particles.tile_begin.extent(0) < tiles + 1)
+    particles.tile_begin = ArrayView<int>("tile_begin", tiles + tiles / 4 + 1);
+
+  int* const begin = particles.cell_begin.data();
+  int* const end = particles.cell_end.data();
+  int* const order = particles.order.data();
+  std::fill(begin, begin + keys + 1, 0);
+  for (int p = 0; p < particles.count; ++p) ++begin[particles.key(p) + 1];
+  for (std::size_t k = 0; k < keys; ++k) begin[k + 1] += begin[k];
+  std::copy(begin, begin + keys, end);
+  for (int p = 0; p < particles.count; ++p) {
+    const int key = particles.key(p);
+    int place = end[key]++;
+    for (; place > begin[key] && particles.id(order[place - 1]) > particles.id(p); --place)
+      order[place] = order[place - 1];
+    order[place] = p;
+  }
+  for (std::size_t t = 0; t <= tiles; ++t) particles.tile_begin(t) = begin[t * cells_per_tile];
+  particles.sorted = true;
+}
+
+}  // namespace
+
+Placement locate_particles(const Scene& /*scene*/, State& state) {
+  const Region region("locate_particles");
+  Placement placement;
+  for (Particles& particles : state.particles) {
+    if (find_keys(state.grid, particles, placement)) continue;
+    remove_lost(state.grid, particles, state.ledger);
+    find_keys(state.grid, particles, placement);
+  }
+  return placement;
+}
+
+void place_particles(const Scene& scene, const Placement& agreed, State& state) {
+  const Region region("place_particles");
+  bool new_tile = agreed.new_tile;
+  if (agreed.someone_left) {
+    migrate_particles(state);
+    const Placement after = locate_particles(scene, state);
+    std::vector<double> flag{after.new_tile ? 1.0 : 0.0};
+    max_over_ranks(*state.grid.comm, flag);
+    new_tile = new_tile || flag[0] > 0.0;
+  }
+  if (new_tile) {
+    activate_tiles(state.grid, occupied_tiles(state));
+    locate_particles(scene, state);
+    for (Particles& particles : state.particles) particles.sorted = false;
+  }
+  for (Particles& particles : state.particles) {
+    if (particles.sorted) continue;
+    sort_by_cell(state.grid, particles);
+    if (state.clock.step % steps_per_permutation == 0) permute_rows(particles);
+  }
+}
+
+void partition_particles(
+    const Scene& scene, const std::vector<double>& cost_of_particle, State& state
+) {
+  const Region region("partition_particles");
+  Grid& grid = state.grid;
+  std::vector<double> weights(grid.owner.size(), 0.0);
+  for (const Particles& particles : state.particles)
+    for (int p = 0; p < particles.count; ++p)
+      weights[static_cast<std::size_t>(
+          cell_of(grid, particles.position(p, 0), particles.position(p, 1)).tile
+      )] += cost_of_particle[static_cast<std::size_t>(particles.material)];
+  sum_over_ranks(*grid.comm, weights);
+  grid.owner = bisect_tiles(grid.tiles, weights, grid.comm->getSize());
+  // No tile is active in the new partition: everybody is looked for afresh.
+  activate_tiles(grid, {});
+  locate_particles(scene, state);
+  place_particles(scene, {true, true}, state);
+}
+
+}  // namespace barreno

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+namespace barreno {
+
+/// What locate_particles saw on this rank; agreed between the ranks with the step size.
+struct Placement {
+  bool someone_left = false;  ///< a particle is in a tile of another rank
+  bool new_tile = false;      ///< a particle is in an own tile that is not active yet
+  int interrupt = 0;          ///< signal that was received
+};
+
+/// Find every particle's cell. Particles outside the grid, not finite or given up by their material
+/// are taken out and tallied by cause.
+Placement locate_particles(const Scene& scene, State& state);
+
+/// Bring every particle to the rank that owns its tile, activate the tiles that hold particles, and
+/// sort the rows by (tile, cell, id). Collective if anything moved between ranks or a tile is new.
+///
+/// @param placement  agreed between the ranks
+void place_particles(const Scene& scene, const Placement& placement, State& state);
+
+/// Owners of all tiles by the cost of the particles in them, measured or counted; then every
+/// particle goes home. Collective.
+///
+/// @param cost_of_particle  one number per particle set, its share of the time per particle
+void partition_particles(
+    const Scene& scene, const std::vector<double>& cost_of_particle, State& state
+);
+
+}  // namespace barreno

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/project_loads.hpp"
+
+#include "base/region.hpp"
+#include "shape/kinematics.hpp"
+#include "shape/place.hpp"
+#include "shape/visit_kernels.hpp"
+
+#include <cstdint>
+
+namespace barreno {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+
+struct Force {
+  double x = 0.0, y = 0.0;
+};
+
+/// Pressure on the deformed face: -p J F^-T N A, N and A of the undeformed particle (Nanson).
+///
+/// In axisymmetry the radius at the start follows from the initial volume, which is that of the
+/// full ring.
+template <class M>
+Force face_force(const Particles& particles, int p, int face, double pressure) {
+  const double half_x = particles.half_size(p, 0);
+  const double half_y = particles.half_size(p, 1);
+  const double volume = particles.initial_volume(p);
+  const double side = face % 2 == 0 ? -1.0 : 1.0;
+  double area = volume / (face < 2 ? 2.0 * half_x : 2.0 * half_y);
+  if (M::hoop && face < 2) area += side * two_pi * half_x * 2.0 * half_y;
+  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
+  const double scale = -pressure * area * side * f.zz;
+  return face < 2 ? Force{scale * f.yy, -scale * f.xy} : Force{-scale * f.yx, scale * f.xx};
+}
+
+/// visit(tile, row, face, pressure) for every loaded face of this rank.
+template <class Visitor>
+void for_each_loaded_face(const Scene& scene, double time, const State& state, Visitor&& visit) {
+  for (const Particles& particles : state.particles) {
+    if (particles.loaded_faces.components == 0) continue;
+    for (int tile = 0; tile < state.grid.active; ++tile)
+      for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
+        const int p = particles.order(k);
+        auto bits = static_cast<std::uint64_t>(particles.loaded_faces(p));
+        for (int i = 0; bits != 0; ++i, bits >>= 1)
+          if (bits & 1U)
+            visit(
+                particles,
+                tile,
+                p,
+                i % 6,
+                scene.loads[static_cast<std::size_t>(i / 6)].pressure(time)
+            );
+      }
+  }
+}
+
+template <class M, class S>
+auto face_support(
+    const PatchFrame& frame, const Grid& grid, const Particles& particles, int tile, int p, int face
+) {
+  return S::template face_support<M>(
+      frame.place(
+          grid.tile_x(tile),
+          grid.tile_y(tile),
+          particles.position(p, 0),
+          particles.position(p, 1),
+          particles.half_size(p, 0),
+          particles.half_size(p, 1)
+      ),
+      face
+  );
+}
+
+}  // namespace
+
+void project_loads(const Scene& scene, State& state) {
+  if (scene.loads.empty()) return;
+  const Region region("project_loads");
+  const PatchFrame frame(state.grid);
+  visit_kernels(scene, [&](auto mode, auto shape) {
+    using M = decltype(mode);
+    using S = decltype(shape);
+    const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
+      const Force force = face_force<M>(particles, p, face, pressure);
+      double* const patch =
+          &state.nodes.sums(static_cast<std::size_t>(tile) * patch_size * sum_components);
+      face_support<M, S>(frame, state.grid, particles, tile, p, face)
+          .for_each_node([&](int slot, double s, double, double, double) {
+            patch[slot * sum_components + 3] += s * force.x;
+            patch[slot * sum_components + 4] += s * force.y;
+          });
+    };
+    for_each_loaded_face(scene, state.clock.time, state, add);
+  });
+}
+
+double tally_loads(const Scene& scene, double dt, State& state) {
+  if (scene.loads.empty()) return 0.0;
+  const Region region("tally_loads");
+  const PatchFrame frame(state.grid);
+  double work = 0.0;
+  visit_kernels(scene, [&](auto mode, auto shape) {
+    using M = decltype(mode);
+    using S = decltype(shape);
+    const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
+      const Force force = face_force<M>(particles, p, face, pressure);
+      const double* const patch =
+          &state.nodes.motion(static_cast<std::size_t>(tile) * patch_size * motion_components);
+      face_support<M, S>(frame, state.grid, particles, tile, p, face)
+          .for_each_node([&](int slot, double s, double, double, double) {
+            // Mean velocity of the step: v after it less half of its increment.
+            const double* const node = patch + slot * motion_components;
+            work += dt * s *
+                    (force.x * (node[0] - 0.5 * node[2]) + force.y * (node[1] - 0.5 * node[3]));
+          });
+      state.ledger.load_impulse += force.y * dt;
+    };
+    for_each_loaded_face(scene, state.clock.time, state, add);
+  });
+  state.ledger.boundary_work += work;
+  return work;
+}
+
+}  // namespace barreno

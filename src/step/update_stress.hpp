@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+#include <limits>
+
+namespace barreno {
+
+/// Work of one stress update and what it says about the next step; sums over this rank's particles
+/// of one set.
+struct StressTally {
+  double elastic = 0.0, plastic = 0.0, viscous = 0.0;  ///< of the materials [energy]
+  double stress_work =
+      0.0;  ///< trapezoid of (sigma - q I) : d_eps V, the particles' view of the same work
+  double stable_step = std::numeric_limits<double>::infinity();  ///< smallest of the set [time]
+  double failures = 0.0;                                         ///< points whose update failed
+  ParticleId first_failed = -1;                                  ///< smallest id among them
+};
+
+/// Stress, history and artificial viscosity of one set, by its own material. docs/method.md (2.9)
+///
+///   q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2) in compression, else 0
+///
+/// A failed point keeps stress and history; the material's particle policy marks it for removal or
+/// holds it stress-free.
+///
+/// @pre particles.increment holds the strain increment and the old det F (update_deformation)
+StressTally update_stress(const Scene& scene, double dt, Particles& particles);
+
+}  // namespace barreno

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/models.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What a model brings to the contract tests: a new model adds one Sample.
+namespace barreno::test {
+
+/// A sound parameter set in SI units, and what the tests need to know about it.
+///   density       reference density [kg/m3]
+///   parameters()  the set
+///   elastic       a strain that is clearly elastic from the unstressed state, in any direction [-]
+///   plastic       a strain that is clearly plastic, if the model has plasticity [-]
+///   pressure      a hydrostatic pressure the material holds elastically [Pa]
+///   contradictions()  sets that check() refuses, each with the parameter its sentence must name
+template <class Model>
+struct Sample;
+
+template <>
+struct Sample<LinearElastic> {
+  static constexpr double density = 7830.0, elastic = 1e-3, plastic = 2e-2, pressure = 68.95e6;
+  static LinearElastic::Parameters parameters() { return {160e9, 80e9}; }
+  static std::vector<std::pair<LinearElastic::Parameters, std::string>> contradictions() {
+    return {};
+  }
+};
+
+/// Copper, as in materials/cards/copper.xml.
+template <>
+struct Sample<JohnsonCook> {
+  static constexpr double density = 8930.0, elastic = 1e-4, plastic = 2e-2, pressure = 68.95e6;
+  static JohnsonCook::Parameters parameters() {
+    JohnsonCook::Parameters p;
+    p.shear_modulus = 47.7e9;
+    p.a = 90e6;
+    p.b = 292e6;
+    p.c = 0.025;
+    p.n = 0.31;
+    p.m = 1.09;
+    p.melt_temperature = 1356.0;
+    p.specific_heat = 383.0;
+    p.sound_speed = 3940.0;
+    p.slope = 1.489;
+    p.gamma = 2.02;
+    return p;
+  }
+  static std::vector<std::pair<JohnsonCook::Parameters, std::string>> contradictions() {
+    std::vector<std::pair<JohnsonCook::Parameters, std::string>> list(
+        5, {parameters(), "Melt Temperature"}
+    );
+    list[0].first.melt_temperature = list[0].first.room_temperature;
+    list[1].first.shear_modulus = 300e9;
+    list[1].second = "Shear Modulus";
+    list[2].first.a = 90e9;
+    list[2].second = "A = ";
+    list[3].first.spall_stress = 1.2e12;
+    list[3].second = "Spall Stress";
+    list[4].first.d1 = -0.5;
+    list[4].second = "D1 + D2";
+    return list;
+  }
+};
+
+/// The demonstration set of design/arenisca.md: plausible, not fitted.
+template <>
+struct Sample<Arenisca> {
+  static constexpr double density = 2300.0, elastic = 1e-4, plastic = 2e-2, pressure = 68.95e6;
+  static Arenisca::Parameters parameters() {
+    Arenisca::Parameters p{};
+    for (const auto& entry : Arenisca::parameter_table().numbers) {
+      if (!entry.required) p.*entry.member = entry.default_value;
+    }
+    for (const auto& entry : Arenisca::parameter_table().choices) {
+      p.*entry.member = entry.default_index;
+    }
+    p.PEAKI1 = 21e6;
+    p.FSLOPE = 0.435;
+    p.STREN = 4e8;
+    p.YSLOPE = 0.02;
+    p.B0 = 8e9;
+    p.B1 = 28e9;
+    p.B2 = 4e8;
+    p.B3 = 0.0;
+    p.B4 = 0.0;
+    p.G0 = 8e9;
+    p.p0_crush_curve = -6e8;
+    p.p1_crush_curve = 1.5e-9;
+    p.p3_crush_curve = 0.22;
+    p.CR = 0.5;
+    return p;
+  }
+  static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
+    std::vector<std::pair<Arenisca::Parameters, std::string>> list(1, {parameters(), "YSLOPE"});
+    list[0].first.YSLOPE = 0.6;
+    return list;
+  }
+};
+
+template <class Model>
+Model sample_model() {
+  return Model(Sample<Model>::parameters(), Sample<Model>::density);
+}
+
+/// A point with its own state, driven by strain increments; the volume follows the trace of the
+/// strain.
+template <class Model>
+struct Point {
+  const Model& model;
+  Sym3 stress{};
+  typename Model::History history{};
+  double volume_ratio = 1.0;
+  Outcome last{};
+
+  explicit Point(const Model& m) : model(m), history(m.initial_history()) {}
+
+  Increment increment(const Sym3& strain, double dt) const {
+    Increment i{};
+    i.strain = strain;
+    i.dt = dt;
+    i.volume_ratio_begin = volume_ratio;
+    i.volume_ratio_end = volume_ratio * std::exp(trace(strain));
+    return i;
+  }
+  Outcome apply(const Sym3& strain, double dt, double viscous_pressure = 0.0) {
+    Increment i = increment(strain, dt);
+    i.viscous_pressure = viscous_pressure;
+    last = model.update(i, stress, history);
+    if (!last.failed()) volume_ratio = i.volume_ratio_end;
+    return last;
+  }
+};
+
+}  // namespace barreno::test

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/scenes.hpp"
+
+#include "base/gather.hpp"
+#include "step/stable_step.hpp"
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_Core.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace barreno::testing {
+
+Material copper(double strength) {
+  JohnsonCook::Parameters p;
+  p.shear_modulus = 47.7e9;
+  p.a = 90e6 * strength;
+  p.b = 292e6 * strength;
+  p.c = 0.025;
+  p.n = 0.31;
+  p.m = 1.09;
+  p.melt_temperature = 1356.0;
+  p.specific_heat = 383.0;
+  p.sound_speed = 3940.0;
+  p.slope = 1.489;
+  p.gamma = 2.02;
+  return {"copper", 8930.0, JohnsonCook(p, 8930.0)};
+}
+
+Material elastic(double young, double poisson, double density) {
+  const double bulk = young / (3.0 * (1.0 - 2.0 * poisson));
+  const double shear = young / (2.0 * (1.0 + poisson));
+  return {"elastic", density, LinearElastic({bulk, shear}, density)};
+}
+
+Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const Material& material) {
+  Scene scene;
+  scene.grid = {mode, lower, upper, h};
+  scene.materials.push_back({material, BadParticlePolicy::stop});
+  return scene;
+}
+
+BodySpec& add_box(Scene& scene, const std::string& name, Vector lower, Vector upper, int particles_per_cell) {
+  BodySpec body;
+  body.name = name;
+  body.shape = Box{lower, upper};
+  body.particles_per_cell = particles_per_cell;
+  scene.bodies.push_back(body);
+  return scene.bodies.back();
+}
+
+void add_symmetry(Scene& scene, Face face) {
+  scene.conditions.push_back({"symmetry", face, ConditionKind::symmetry, {}});
+}
+
+namespace {
+
+State start_on(const Scene& scene, const Teuchos::RCP<const Comm>& comm) {
+  State state = build_state(scene, comm);
+  for (const Particles& particles : state.particles)
+    state.stable_step = std::min(state.stable_step, stable_step_of_rows(scene, particles, 0));
+  return state;
+}
+
+}  // namespace
+
+State start(const Scene& scene) { return start_on(scene, Tpetra::getDefaultComm()); }
+
+State start_alone(const Scene& scene) {
+  return start_on(scene, Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF)));
+}
+
+void advance_to(const Scene& scene, double time, State& state, long steps) {
+  for (long i = 0; i < steps && state.clock.time < time; ++i) {
+    const StepResult result = advance(scene, time, state);
+    if (result.stopped) return;
+  }
+}
+
+std::vector<std::vector<double>> all_rows(const State& state) {
+  const Comm& comm = *state.grid.comm;
+  std::vector<double> mine;
+  for (const Particles& p : state.particles)
+    for (int i = 0; i < p.count; ++i) {
+      const bool hoop = p.deformation_gradient.components == 5;
+      const double det = (p.deformation_gradient(i, 0) * p.deformation_gradient(i, 3) -
+                          p.deformation_gradient(i, 1) * p.deformation_gradient(i, 2)) *
+                         (hoop ? p.deformation_gradient(i, 4) : 1.0);
+      for (const double value :
+           {static_cast<double>(p.id(static_cast<std::size_t>(i))), p.position(i, 0), p.position(i, 1),
+            p.velocity(i, 0), p.velocity(i, 1), p.stress(i, 0), p.stress(i, 1), p.stress(i, 2), p.stress(i, 3), det})
+        mine.push_back(value);
+    }
+  std::vector<double> size{static_cast<double>(mine.size())};
+  sum_over_ranks(comm, size);
+  const std::vector<double> root = gather_to_root(comm, mine);
+  std::vector<double> all(static_cast<std::size_t>(size[0]), 0.0);
+  std::copy(root.begin(), root.end(), all.begin());
+  sum_over_ranks(comm, all);  // only the root holds values
+  std::map<long long, std::vector<double>> rows;
+  for (std::size_t i = 0; i < all.size(); i += 10)
+    rows[static_cast<long long>(all[i])].assign(all.begin() + static_cast<long>(i) + 1, all.begin() + static_cast<long>(i) + 10);
+  std::vector<std::vector<double>> sorted;
+  sorted.reserve(rows.size());
+  for (auto& row : rows) sorted.push_back(row.second);
+  return sorted;
+}
+
+}  // namespace barreno::testing

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene/scene.hpp"
+#include "state/build_state.hpp"
+#include "step/advance.hpp"
+
+#include <string>
+#include <vector>
+
+namespace barreno::testing {
+
+/// Copper with a Mie-Grueneisen pressure; strength off if `strength` is 0.
+Material copper(double strength = 1.0);
+
+/// Linear elastic with the given Young's modulus and Poisson's ratio.
+Material elastic(double young, double poisson, double density);
+
+/// Empty grid box [lower, upper] with cells of size h; one material.
+Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const Material& material);
+
+/// Adds a box body of material 0.
+BodySpec& add_box(Scene& scene, const std::string& name, Vector lower, Vector upper, int particles_per_cell);
+void add_symmetry(Scene& scene, Face face);
+
+/// State at t = 0 on all ranks, or on this rank alone.
+State start(const Scene& scene);
+State start_alone(const Scene& scene);
+
+/// Steps until `time`, at most `steps` of them.
+void advance_to(const Scene& scene, double time, State& state, long steps = 1000000000);
+
+/// All particles of the run sorted by id, on every rank: one row per particle, columns
+/// x y vx vy sxx syy szz sxy detF.
+std::vector<std::vector<double>> all_rows(const State& state);
+
+}  // namespace barreno::testing

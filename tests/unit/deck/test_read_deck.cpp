@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/error.hpp"
+#include "deck/deck_schema.hpp"
+#include "deck/describe_deck.hpp"
+#include "deck/echo_deck.hpp"
+#include "deck/read_deck.hpp"
+#include "scene/build_scene.hpp"
+
+#include <Teuchos_DefaultSerialComm.hpp>
+#include <Teuchos_TwoDArray.hpp>
+#include <Teuchos_XMLParameterListCoreHelpers.hpp>
+
+#include <gtest/gtest.h>
+
+#include <barreno/registry.hpp>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace barreno {
+namespace {
+
+/// A deck with a card, a jet and a confinement, in a folder that goes with the test.
+class ReadDeck : public ::testing::Test {
+protected:
+  ReadDeck() {
+    std::string name = (std::filesystem::temp_directory_path() / "barreno_deck_XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+    write("rubber.xml", R"xml(<ParameterList name="Rubber">
+      <Parameter name="Units" type="string" value="mm-us-g"/>
+      <Parameter name="Schema Version" type="int" value="1"/>
+      <Parameter name="Model" type="string" value="Linear Elastic"/>
+      <Parameter name="Density" type="double" value="1e-3"/>
+      <Parameter name="Bulk Modulus" type="string" value="6 MPa"/>
+      <Parameter name="Shear Modulus" type="string" value="3 MPa"/></ParameterList>)xml");
+    write(
+        "jet.csv",
+        "time,velocity,radius,length,density\n0,1000,0.0013,0.001,500\n1e-6,900,1 mm,1 mm,1000\n"
+    );
+    write("deck.xml", R"xml(<ParameterList name="Deck">
+      <Parameter name="Schema Version" type="int" value="1"/>
+      <Parameter name="Title" type="string" value="a &lt; b &amp; &quot;c&quot;"/>
+      <Parameter name="Units" type="string" value="mm-us-g"/>
+      <ParameterList name="Grid"><Parameter name="Mode" type="string" value="axisymmetric"/>
+        <Parameter name="Lower" type="Array(double)" value="{0, -20}"/>
+        <Parameter name="Upper" type="Array(double)" value="{20, 4 cm}"/>
+        <Parameter name="Cell Size" type="double" value="1"/></ParameterList>
+      <ParameterList name="Materials"><ParameterList name="Rubber">
+        <Parameter name="Card" type="string" value="rubber.xml"/>
+        <Parameter name="Shear Modulus" type="string" value="2 MPa"/></ParameterList></ParameterList>
+      <ParameterList name="Bodies">
+        <ParameterList name="Front"><Parameter name="Material" type="string" value="Rubber"/>
+          <Parameter name="Lower" type="string" value="{0, 0}"/>
+          <Parameter name="Upper" type="string" value="{10, 12.7}"/></ParameterList>
+        <ParameterList name="Back"><Parameter name="Material" type="string" value="Rubber"/>
+          <Parameter name="Lower" type="string" value="{0, 12.7}"/>
+          <Parameter name="Upper" type="string" value="{10, 30}"/></ParameterList></ParameterList>
+      <ParameterList name="Conditions"><ParameterList name="Axis">
+        <Parameter name="Face" type="string" value="x_lower"/>
+        <Parameter name="Kind" type="string" value="symmetry"/></ParameterList></ParameterList>
+      <ParameterList name="Confinement"><Parameter name="Pressure" type="string" value="1 kPa"/>
+        <Parameter name="Bodies" type="string" value="{Front, Back}"/></ParameterList>
+      <ParameterList name="Jet"><Parameter name="Material" type="string" value="Rubber"/>
+        <Parameter name="Table" type="string" value="jet.csv"/>
+        <Parameter name="Launch Position" type="double" value="-5"/>
+        <Parameter name="Direction" type="string" value="+y"/></ParameterList>
+      <ParameterList name="Time"><Parameter name="End Time" type="double" value="40"/></ParameterList>
+      </ParameterList>)xml");
+  }
+  ~ReadDeck() override { std::filesystem::remove_all(folder_); }
+  ReadDeck(const ReadDeck&) = delete;
+  ReadDeck& operator=(const ReadDeck&) = delete;
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  Deck read(const std::string& name, const std::vector<std::string>& overrides = {}) const {
+    return read_deck((folder_ / name).string(), overrides, Teuchos::SerialComm<int>());
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(ReadDeck, TheSceneIsInSi) {
+  const Scene scene = build_scene(read("deck.xml"));
+  EXPECT_EQ(scene.grid.upper[1], 0.04);
+  EXPECT_EQ(scene.end_time, 40e-6);
+  EXPECT_EQ(std::get<Box>(scene.bodies[0].shape).upper[1], 0.0127);
+  EXPECT_EQ(scene.materials[0].material.density, 1000.0);
+  const auto& rubber = std::get<LinearElastic>(scene.materials[0].material.model);
+  EXPECT_EQ(rubber.parameters().bulk_modulus, 6e6);
+  EXPECT_EQ(rubber.parameters().shear_modulus, 2e6);
+  ASSERT_EQ(scene.jet.slugs.size(), 2U);
+  EXPECT_DOUBLE_EQ(scene.jet.slugs[0].length, 0.0005);
+}
+
+TEST_F(ReadDeck, ConfinementPressesOuterFacesOnly) {
+  const Scene scene = build_scene(read("deck.xml"));
+  ASSERT_EQ(scene.loads.size(), 2U);
+  const std::array<bool, 6> front = {false, true, true, false, false, false};
+  const std::array<bool, 6> back = {false, true, false, true, false, false};
+  EXPECT_EQ(scene.loads[0].faces, front);
+  EXPECT_EQ(scene.loads[1].faces, back);
+  EXPECT_EQ(scene.bodies[1].initial_pressure, 1000.0);
+  EXPECT_EQ(scene.loads[0].pressure(1.0), 1000.0);
+}
+
+TEST_F(ReadDeck, TheEffectiveDeckGivesTheSameDeckWithoutOtherFiles) {
+  const Deck deck = read("deck.xml", {"Step/Courant Fraction=0.3"});
+  const std::string xml = effective_deck_xml(deck);
+  EXPECT_EQ(xml.find("rubber.xml\"/>\n      <Parameter name=\"Card"), std::string::npos);
+  write("effective.xml", xml);
+  const Deck again = read("effective.xml");
+  EXPECT_EQ(again.values(), deck.values());
+  EXPECT_EQ(again.number("Step/Courant Fraction"), 0.3);
+  EXPECT_EQ(again.word("Title"), "a < b & \"c\"");
+}
+
+TEST_F(ReadDeck, TeuchosItselfReadsTheEffectiveDeckAlike) {
+  const Deck deck = read("deck.xml");
+  const auto list = Teuchos::getParametersFromXmlString(effective_deck_xml(deck));
+  EXPECT_EQ(list->sublist("Grid").get<double>("Cell Size"), 0.001);
+  EXPECT_EQ(
+      list->sublist("Jet").get<Teuchos::TwoDArray<double>>("Slugs"),
+      deck.values().sublist("Jet").get<Teuchos::TwoDArray<double>>("Slugs")
+  );
+}
+
+TEST_F(ReadDeck, AnOverrideIsCheckedLikeTheDeck) {
+  EXPECT_THROW(read("deck.xml", {"Step/Courant Fractoin=0.3"}), DeckError);
+  EXPECT_THROW(read("deck.xml", {"Step/Courant Fraction=3"}), DeckError);
+  EXPECT_THROW(read("deck.xml", {"Materials/Rubber/Card=nowhere.xml"}), FileError);
+}
+
+TEST_F(ReadDeck, MemoryIsEstimatedFromTheScene) {
+  const Scene scene = build_scene(read("deck.xml"));
+  EXPECT_GT(particle_estimate(scene), 4.0 * 300.0);
+  EXPECT_GT(memory_estimate(scene), 200.0 * 4.0 * 300.0);
+  EXPECT_THROW(build_scene(read("deck.xml", {"Grid/Cell Size=1 nm"})), DeckError);
+}
+
+TEST(TableOfPressures, IsLinearBetweenAndConstantOutside) {
+  const Table table{{1.0, 3.0}, {10.0, 20.0}};
+  EXPECT_EQ(table(0.0), 10.0);
+  EXPECT_EQ(table(2.0), 15.0);
+  EXPECT_EQ(table(3.0), 20.0);
+  EXPECT_EQ(table(9.0), 20.0);
+}
+
+/// Every entry: a meaning, a default that its own rules accept, no name twice.
+void check_section(const input::Section& section) {
+  std::set<std::string> names;
+  EXPECT_FALSE(section.meaning.empty()) << section.name;
+  for (const input::Entry& entry : section.entries) {
+    EXPECT_FALSE(entry.meaning.empty()) << entry.name;
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+  }
+  for (const auto& part : section.sections) check_section(part);
+  for (const auto& part : section.named) check_section(part);
+}
+
+TEST(Schema, TablesAreSound) {
+  check_section(deck_schema());
+  for (const ModelDescription& model : describe_models()) {
+    check_section(material_section(model));
+    EXPECT_NE(describe_text(model.name).find(model.summary), std::string::npos);
+    EXPECT_NO_THROW(valid_parameters(model));
+  }
+}
+
+TEST(Schema, TheManualNamesEverySection) {
+  const std::string manual = describe_markdown();
+  for (const auto& section : deck_schema().sections) {
+    EXPECT_NE(manual.find("## " + section.name), std::string::npos) << section.name;
+    EXPECT_NO_THROW(describe_text(section.name));
+  }
+  EXPECT_THROW(describe_text("Girds"), DeckError);
+}
+
+TEST(Registry, AListIsCheckedLikeACard) {
+  Teuchos::ParameterList list;
+  list.set("Model", "Linear Elastic");
+  list.set("Density", 1000.0);
+  list.set("Bulk Modulus", 6e6);
+  EXPECT_THROW(make_material("Rubber", list), InputError);
+  list.set("Shear Modulus", 3e6);
+  EXPECT_EQ(make_material("Rubber", list).density, 1000.0);
+  list.set("Shear Modulis", 3e6);
+  EXPECT_THROW(make_material("Rubber", list), InputError);
+}
+
+}  // namespace
+}  // namespace barreno

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/particle_fields.hpp"
+#include "synthetic_run.hpp"
+
+#include <Teuchos_DefaultComm.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+TEST(DomainCorners, FollowTheDeformationGradientCounterClockwise) {
+  const double x[2] = {10.0, 20.0}, F[4] = {2.0, 0.5, 0.0, 1.0}, h[2] = {1.0, 3.0};
+  const Corners expected{10.0 - 3.5, 17.0, 10.0 + 0.5, 17.0, 10.0 + 3.5, 23.0, 10.0 - 0.5, 23.0};
+  EXPECT_EQ(domain_corners(x, F, h), expected);
+}
+
+TEST(SpaceStress, TurnsWithTheRotationOfF) {
+  // A quarter turn of a stretched particle: xx and yy change places, shear changes its sign.
+  const double F[4] = {0.0, -3.0, 2.0, 0.0};
+  const PlaneStress s = space_stress({1.0, 2.0, 3.0, 4.0}, F);
+  EXPECT_NEAR(s[0], 2.0, 1e-14);
+  EXPECT_NEAR(s[1], 1.0, 1e-14);
+  EXPECT_NEAR(s[2], 3.0, 1e-14);
+  EXPECT_NEAR(s[3], -4.0, 1e-14);
+}
+
+TEST(SpaceStress, OfAUniaxialStressPointsAlongTheTurnedAxis) {
+  const double angle = 0.3, c = std::cos(angle), s = std::sin(angle);
+  // F = R U with the symmetric U = ((1.5, 0.2), (0.2, 0.8)).
+  const double F[4] = {1.5 * c - 0.2 * s, 0.2 * c - 0.8 * s, 1.5 * s + 0.2 * c, 0.2 * s + 0.8 * c};
+  const PlaneStress turned = space_stress({7.0, 0.0, 0.0, 0.0}, F);
+  EXPECT_NEAR(turned[0], 7.0 * c * c, 1e-13);
+  EXPECT_NEAR(turned[1], 7.0 * s * s, 1e-13);
+  EXPECT_NEAR(turned[3], 7.0 * c * s, 1e-13);
+}
+
+TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
+  const Scene scene = synthetic::make_scene();
+  State state = synthetic::make_state(scene, Teuchos::DefaultComm<int>::getComm());
+  const Material& rock = scene.materials[1].material;
+  const std::vector<std::string> names = particle_field_names(rock);
+  EXPECT_EQ(names.back(), "equivalent_plastic_strain");
+  Particles& set = state.particles[1];
+  ASSERT_GT(set.count, 0);
+  set.stress(0, 0) = -6.0;
+  set.stress(0, 3) = 2.0;
+  set.deformation_gradient(0, 4) = 0.5;  // the hoop halves: half the volume
+  std::vector<double> values;
+  append_particle_fields(HostParticles(set), 0, rock.density, values);
+  ASSERT_EQ(values.size(), names.size());
+  const auto value = [&](const char* name) {
+    return values[static_cast<std::size_t>(
+        std::find(names.begin(), names.end(), name) - names.begin()
+    )];
+  };
+  EXPECT_EQ(value("status"), 1.0);
+  EXPECT_NEAR(value("pressure"), 2.0, 1e-14);
+  EXPECT_NEAR(value("shear_stress"), std::sqrt((16.0 + 4.0 + 4.0) / 2.0 + 4.0), 1e-14);
+  EXPECT_NEAR(
+      value("density"), 2.0 * 2000.0, 1e-9
+  );  // 2000: the mass that make_state gives to set 1
+  EXPECT_NEAR(value("volume_ratio"), rock.density / 4000.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace barreno

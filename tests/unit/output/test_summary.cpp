@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/summary.hpp"
+#include "state/balance.hpp"
+#include "synthetic_run.hpp"
+
+#include <Teuchos_DefaultComm.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace barreno {
+namespace {
+
+TEST(Summary, ComparesTheLaunchedJetWithItsTable) {
+  const Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  State state = synthetic::make_state(scene, comm);
+  synthetic::move_to(scene, state, 2.5e-6);
+  RunTotals totals = sum_totals(state);
+  totals.ledger.launched_mass = 1.5 * jet_table_totals(scene, 3).mass;
+  const RunSummary summary = summarise(state, 2.0);
+  EXPECT_GT(summary.bytes_per_particle, 100.0);
+  EXPECT_GE(summary.peak_resident_bytes, summary.largest_rank_peak_bytes);
+  const std::string text = summary_text(
+      scene,
+      state,
+      {"out", "deck.xml", "", "1.0", {}},
+      totals,
+      {},
+      summary,
+      {false, "a \"reason\"", 3}
+  );
+  for (const char* word :
+       {"\"slugs_launched\": 3",
+        "\"difference\": 0.5",
+        "\"reason\": \"a \\\"reason\\\"\"",
+        "\"exit_code\": 3",
+        "\"finished\": false",
+        "\"mode\": \"axisymmetric\"",
+        "\"wall_seconds\": 2"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+}
+
+TEST(History, HasAHeaderAndARowThatMatch) {
+  const Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const synthetic::TemporaryFolder folder(*comm);
+  const State state = synthetic::make_state(scene, comm);
+  const RunTotals totals = sum_totals(state);
+  EXPECT_EQ(totals.particles, 800.0);
+  HistoryWriter writer(*comm, folder.path() / "history.csv");
+  writer.write(*comm, state.clock, totals);
+  comm->barrier();
+  std::istringstream text(synthetic::read_text(folder.path() / "history.csv"));
+  std::string comment, header, row;
+  std::getline(text, comment);
+  std::getline(text, header);
+  std::getline(text, row);
+  EXPECT_EQ(comment.substr(0, 1), "#");
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
+}
+
+}  // namespace
+}  // namespace barreno

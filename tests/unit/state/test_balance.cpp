@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "state/balance.hpp"
+
+#include <Teuchos_DefaultComm.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+/// Numbers that close: every term is there and no two are alike.
+Ledger closed_ledger() {
+  Ledger l;
+  l.initial_mass = 4.0;
+  l.launched_mass = 2.0;
+  l.removed[0].mass = 0.25;
+  l.removed[1].mass = 0.5;
+  l.mass = 5.25;
+  l.initial_momentum = 1.0;
+  l.launched_momentum = -8.0;
+  l.condition_impulse = 3.0;
+  l.load_impulse = -0.5;
+  l.removed[2].momentum = -1.5;
+  l.momentum = -3.0;
+  l.initial_kinetic = 16.0;
+  l.launched_kinetic = 32.0;
+  l.prestress = 8.0;
+  l.boundary_work = -4.0;
+  l.transfer = -2.0;
+  l.stress_integration = 1.0;
+  l.removed[0].kinetic = 5.0;
+  l.elastic = 9.0;
+  l.plastic = 11.0;
+  l.viscous = 6.0;
+  l.kinetic = 20.0;
+  return l;
+}
+
+TEST(Balance, ClosesOnALedgerThatCloses) {
+  const Ledger l = closed_ledger();
+  EXPECT_EQ(mass_balance(l).error(), 0.0);
+  EXPECT_EQ(momentum_balance(l).error(), 0.0);
+  EXPECT_EQ(energy_balance(l).error(), 0.0);
+}
+
+TEST(Balance, IsRelativeToWhatCameIn) {
+  Ledger l = closed_ledger();
+  l.mass += 0.6;
+  l.momentum += 1.0;
+  l.kinetic += 0.6;
+  EXPECT_NEAR(mass_balance(l).error(), 0.1, 1e-15);
+  EXPECT_NEAR(energy_balance(l).error(), 0.6 / 60.0, 1e-15);
+  EXPECT_NEAR(
+      momentum_balance(l).error(),
+      1.0 / (std::sqrt(2.0 * 4.0 * 16.0) + std::sqrt(2.0 * 2.0 * 32.0) + 3.5),
+      1e-15
+  );
+}
+
+TEST(Balance, OfNothingIsZeroAndSomethingFromNothingIsInfinite) {
+  Ledger l;
+  EXPECT_EQ(energy_balance(l).error(), 0.0);
+  l.kinetic = 1.0;
+  EXPECT_TRUE(std::isinf(energy_balance(l).error()));
+}
+
+TEST(Balance, AddsTheRanksButNotTheSharedStepCount) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  Ledger mine = closed_ledger();
+  mine.removed[1].count = 1.0 + comm->getRank();
+  mine.retried_steps = 7.0;
+  const Ledger sum = sum_over_ranks(*comm, mine);
+  const double ranks = comm->getSize();
+  EXPECT_EQ(sum.kinetic, 20.0 * ranks);
+  EXPECT_EQ(total_removed(sum).count, 0.5 * ranks * (ranks + 1.0));
+  EXPECT_EQ(sum.retried_steps, 7.0);
+}
+
+TEST(JetTableTotals, AreThoseOfCylindersOrOfTheSlabInsideTheGrid) {
+  Scene scene;
+  scene.grid.lower = {0.0, -1.0, 0.0};
+  scene.grid.upper = {1.0, 1.0, 0.0};
+  scene.jet.direction = -1.0;
+  scene.jet.slugs = {{0.0, 10.0, 0.5, 0.25, 8.0}, {1.0, 5.0, 0.5, 0.25, 8.0}};
+  const double pi = std::acos(-1.0);
+  const JetTotals one = jet_table_totals(scene, 1);
+  EXPECT_NEAR(one.mass, 8.0 * pi * 0.25 * 0.25, 1e-15);
+  EXPECT_NEAR(one.momentum, -10.0 * one.mass, 1e-14);
+  EXPECT_NEAR(one.kinetic, 50.0 * one.mass, 1e-13);
+  EXPECT_NEAR(jet_table_totals(scene, 99).mass, 2.0 * one.mass, 1e-15);
+  scene.grid.mode = Mode::plane_strain;
+  EXPECT_NEAR(jet_table_totals(scene, 1).mass, 8.0 * 0.5 * 0.25, 1e-15);
+}
+
+}  // namespace
+}  // namespace barreno

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Balances of whole steps, on any number of ranks.
+#include "state/balance.hpp"
+#include "support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+using testing::add_box;
+using testing::add_symmetry;
+using testing::advance_to;
+using testing::box_scene;
+using testing::start;
+
+/// Two elastic disks (plane strain) or blunt rods (axisymmetry) that meet.
+Scene collision(Mode mode) {
+  Scene scene = box_scene(mode, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::elastic(70e9, 0.3, 2700.0));
+  add_box(scene, "lower", {0.0, 0.006, 0.0}, {0.0083, 0.0179, 0.0}, 2).velocity = {0.0, 120.0, 0.0};
+  add_box(scene, "upper", {0.0, 0.020, 0.0}, {0.0061, 0.0307, 0.0}, 3).velocity = {0.0, -80.0, 0.0};
+  add_symmetry(scene, Face::x_lower);
+  return scene;
+}
+
+class Conservation : public ::testing::TestWithParam<Mode> {};
+
+TEST_P(Conservation, CollisionKeepsMassAndAxialMomentumAndItsEnergyLedgerCloses) {
+  const Scene scene = collision(GetParam());
+  State state = start(scene);
+  advance_to(scene, 2.0e-5, state);
+  const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
+  EXPECT_GT(state.clock.step, 50);
+  EXPECT_NEAR(mass_balance(ledger).error(), 0.0, 1e-14);
+  EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-13);
+  EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-4);
+  // The bodies did meet: they stored energy and lost some between particles and grid.
+  EXPECT_GT(ledger.elastic, 0.01 * ledger.initial_kinetic);
+  EXPECT_LT(ledger.transfer, 0.0);
+}
+
+TEST_P(Conservation, PicGivesAwayEnergyAndSaysSo) {
+  Scene scene = collision(GetParam());
+  scene.step.pic_fraction = 0.1;
+  State state = start(scene);
+  advance_to(scene, 2.0e-5, state);
+  const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
+  EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-13);
+  EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-4);
+  EXPECT_LT(ledger.transfer, -0.02 * ledger.initial_kinetic);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Conservation, ::testing::Values(Mode::axisymmetric, Mode::plane_strain));
+
+TEST(Conservation, ImpulseOfAWallIsCounted) {
+  Scene scene = box_scene(Mode::axisymmetric, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::copper());
+  add_box(scene, "rod", {0.0, 0.0, 0.0}, {0.0032, 0.0200, 0.0}, 2).velocity = {0.0, -200.0, 0.0};
+  add_symmetry(scene, Face::y_lower);
+  State state = start(scene);
+  advance_to(scene, 1.0e-5, state);
+  const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
+  EXPECT_GT(ledger.condition_impulse, 0.1 * std::abs(ledger.initial_momentum));
+  EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-13);
+  EXPECT_GT(ledger.plastic, 0.1 * ledger.initial_kinetic);
+  EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 2e-3);
+}
+
+/// A body under pressure, stress and loads consistent, does not move: the discrete equilibrium is exact.
+TEST(Conservation, ConfinedBodyStaysAtRest) {
+  for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain}) {
+    Scene scene = box_scene(mode, 1e-3, {0.0, 0.0, 0.0}, {0.020, 0.040, 0.0}, testing::elastic(20e9, 0.25, 2300.0));
+    add_box(scene, "core", {0.0, 0.0052, 0.0}, {0.0117, 0.0277, 0.0}, 2).initial_pressure = 70e6;
+    PressureLoadSpec load;
+    load.faces[static_cast<std::size_t>(Face::x_upper)] = true;
+    load.faces[static_cast<std::size_t>(Face::y_lower)] = true;
+    load.faces[static_cast<std::size_t>(Face::y_upper)] = true;
+    load.pressure = {{0.0}, {70e6}};
+    scene.loads.push_back(load);
+    add_symmetry(scene, Face::x_lower);
+    State state = start(scene);
+    advance_to(scene, 2e-5, state);
+    // Speed of the free surface if the pressure were missing: p / (rho c).
+    const double free_speed = 70e6 / (2300.0 * std::sqrt(24e9 / 2300.0));
+    for (const auto& row : testing::all_rows(state)) EXPECT_LT(std::hypot(row[2], row[3]), 1e-9 * free_speed);
+  }
+}
+
+}  // namespace
+}  // namespace barreno

@@ -1,0 +1,248 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures and numbers of a run: report.py RUN_DIR writes RUN_DIR/report/index.md and its PNG files.
+
+The field picture shows the last state as deformed particles, pressure at the left and plastic strain at the
+right; in axisymmetry the left half is the mirror image.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PolyCollection
+from netCDF4 import Dataset, chartostring
+
+PLASTIC_STRAIN = ("equivalent_plastic_strain", "plastic_strain")
+MILLI, MICRO, MEGA = 1e-3, 1e-6, 1e6
+
+
+class Fields:
+    """The last step of particles.e: corners of the particles that exist, and their variables."""
+
+    def __init__(self, file):
+        data = Dataset(file)
+        data.set_auto_mask(False)
+        self.time = float(data.variables["time_whole"][-1])
+        elements = len(data.dimensions["num_elem"])
+        x = data.variables["coordx"][:] + data.variables["vals_nod_var1"][-1]
+        y = data.variables["coordy"][:] + data.variables["vals_nod_var2"][-1]
+        corners = np.stack([x, y], axis=1).reshape(elements, -1, 2)
+        self.names = [
+            str(t).strip("\0 ")
+            for t in np.atleast_1d(chartostring(data.variables["name_elem_var"][:]))
+        ]
+        self.sizes = [
+            len(data.dimensions[f"num_el_in_blk{b + 1}"])
+            if f"num_el_in_blk{b + 1}" in data.dimensions
+            else 0
+            for b in range(len(data.dimensions["num_el_blk"]))
+        ]
+        self.data = data
+        self.alive = self.variable("status") > 0.5
+        self.corners = corners[self.alive]
+
+    def variable(self, name):
+        """Values of all elements; nan in blocks that do not carry it."""
+        parts = []
+        for b, size in enumerate(self.sizes):
+            key = f"vals_elem_var{self.names.index(name) + 1}eb{b + 1}" if name in self.names else ""
+            has = size > 0 and key in self.data.variables
+            parts.append(self.data.variables[key][-1] if has else np.full(size, np.nan))
+        return np.concatenate(parts)
+
+    def of_alive(self, names):
+        """The first of the names that each block has."""
+        values = np.full(len(self.alive), np.nan)
+        for name in names:
+            found = self.variable(name)
+            values = np.where(np.isnan(values), found, values)
+        return values[self.alive]
+
+
+def read_csv(file):
+    with open(file, encoding="utf-8") as lines:
+        rows = [line.strip() for line in lines if not line.startswith("#")]
+    header = rows[0].split(",")
+    # A run that was killed may have left half a line.
+    cells = [row.split(",") for row in rows[1:]]
+    table = np.array([row for row in cells if len(row) == len(header)], float)
+    return {name: table[:, i] for i, name in enumerate(header)}
+
+
+def draw_half(axes, corners, values, colours, limits):
+    if corners.shape[1] == 1:
+        return axes.scatter(
+            corners[:, 0, 0], corners[:, 0, 1], c=values, s=1, cmap=colours,
+            vmin=limits[0], vmax=limits[1],
+        )
+    shapes = PolyCollection(corners, array=values, cmap=colours, edgecolors="none", linewidths=0)
+    shapes.set_clim(*limits)
+    # Lines between neighbours would show through the gaps of antialiasing.
+    shapes.set_antialiased(False)
+    axes.add_collection(shapes)
+    return shapes
+
+
+def limits_of(values, percent):
+    finite = values[np.isfinite(values)]
+    if finite.size == 0:
+        return 0.0, 1.0
+    lower, upper = min(0.0, np.percentile(finite, 100.0 - percent)), np.percentile(finite, percent)
+    return lower, upper if upper > lower else lower + 1.0
+
+
+def draw_fields(run, summary, folder):
+    fields = Fields(run / "particles.e")
+    mirrored = summary.get("mode", "axisymmetric") == "axisymmetric"
+    corners = fields.corners / MILLI
+    pressure = fields.of_alive(["pressure"]) / MEGA
+    plastic = fields.of_alive(PLASTIC_STRAIN)
+    width = np.ptp(corners[:, :, 0]) * (2.0 if mirrored else 1.0)
+    height = max(np.ptp(corners[:, :, 1]), 1e-12)
+    tall = 9.0
+    panels = 1 if mirrored else 2
+    size = (panels * min(14.0, max(3.5, tall * width / height)) + 3.0, tall)
+    figure, axes = plt.subplots(1, panels, figsize=size, squeeze=False, layout="constrained")
+    left, right = axes[0, 0], axes[0, -1]
+    for one in {left, right}:
+        one.set_facecolor("0.85")
+        one.set_aspect("equal")
+        one.set_xlabel("r [mm]" if mirrored else "x [mm]")
+        one.set_ylabel("y [mm]")
+    mirror = np.array([-1.0, 1.0]) if mirrored else np.ones(2)
+    a = draw_half(left, corners * mirror, pressure, "viridis", limits_of(pressure, 99.0))
+    # A block without plastic strain (elastic material) is drawn as zero.
+    b = draw_half(right, corners, np.nan_to_num(plastic), "inferno", limits_of(plastic, 98.0))
+    for one in {left, right}:
+        one.autoscale_view()
+        if summary.get("jet", {}).get("direction", -1.0) > 0.0:
+            one.invert_yaxis()  # a jet is drawn going down
+    for bar, one, side, label in (
+        (a, left, "left", "pressure [MPa]"),
+        (b, right, "right", "plastic strain [-]"),
+    ):
+        scale = figure.colorbar(bar, ax=one, location=side, label=label, shrink=0.5, pad=0.1)
+        scale.solids.set_edgecolor("face")
+    left.set_title(f"t = {fields.time / MICRO:.4g} µs")
+    figure.savefig(folder / "fields.png", dpi=130, bbox_inches="tight")
+    plt.close(figure)
+
+
+def draw_depth(run, folder):
+    """Returns the last row of depth.csv, or nothing for a run without a jet."""
+    if not (run / "depth.csv").exists():
+        return {}
+    table = read_csv(run / "depth.csv")
+    time = table["time"] / MICRO
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4))
+    axes[0].plot(time, table["depth"] / MILLI, label="deepest jet material")
+    axes[0].plot(time, table["channel_depth"] / MILLI, label="open channel")
+    axes[0].set_ylabel("depth [mm]")
+    axes[0].legend()
+    axes[1].plot(time, table["tip_velocity"], label="velocity of the deepest jet material")
+    axes[1].set_ylabel("velocity [m/s]")
+    axes[1].legend()
+    for one in axes:
+        one.set_xlabel("time [µs]")
+        one.grid(alpha=0.3)
+    figure.savefig(folder / "depth.png", dpi=130, bbox_inches="tight")
+    plt.close(figure)
+    return {name: values[-1] for name, values in table.items()}
+
+
+def draw_energy(run, summary, folder):
+    """What was put in went into these; the rest is the error of the balance."""
+    table = read_csv(run / "history.csv")
+    time = table["time"] / MICRO
+    energy = summary.get("balances", {}).get("energy", {})
+    kept = ("kinetic", "elastic", "plastic", "viscous", "removed_kinetic")
+    # Lost between particles and grid, and by stress integration: drawn as the loss that it is.
+    numerical = -(table["transfer"] + table["stress_integration"])
+    parts = [table[name] for name in kept] + [numerical]
+    labels = [name.replace("_", " ") for name in kept] + ["numerical loss"]
+    start = energy.get("initial_kinetic", table["kinetic"][0]) + energy.get("prestress", 0.0)
+    put_in = start + table["launched_kinetic"] + table["boundary_work"]
+    figure, axes = plt.subplots(2, 1, figsize=(8, 7), sharex=True, height_ratios=(3, 1))
+    axes[0].stackplot(time, np.clip(parts, 0.0, None), labels=labels, alpha=0.85)
+    axes[0].plot(time, put_in, "k--", label="put in")
+    axes[0].set_ylabel("energy [J]")
+    axes[0].legend(loc="upper left", fontsize=8)
+    axes[1].plot(time, 100.0 * table["energy_error"], "k")
+    axes[1].set_ylabel("energy error [%]")
+    axes[1].set_xlabel("time [µs]")
+    axes[1].grid(alpha=0.3)
+    figure.savefig(folder / "energy.png", dpi=130, bbox_inches="tight")
+    plt.close(figure)
+    return {name: values[-1] for name, values in table.items()}
+
+
+def table_lines(rows):
+    lines = ["| | |", "|---|---|"]
+    lines += [f"| {name} | {value} |" for name, value in rows]
+    return lines + [""]
+
+
+def index_text(run, summary, history, depth):
+    title = summary.get("title") or run.name
+    state = "finished" if summary.get("finished") else summary.get("reason", "not finished")
+    rows = [("deck", summary.get("deck", "")), ("result", state)]
+    rows += [("time", f"{history['time'] / MICRO:.4g} µs"), ("steps", f"{history['step']:.0f}")]
+    rows += [("particles", f"{history['particles']:.0f}")]
+    if depth:
+        rows += [
+            ("depth", f"{depth['depth'] / MILLI:.2f} mm"),
+            ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm"),
+            ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
+            ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),
+        ]
+    for name in ("energy", "mass", "momentum"):
+        rows.append((f"{name} error", f"{history[name + '_error']:.2e}"))
+    removed = sum(value for name, value in history.items() if name.startswith("removed_"))
+    removed -= history["removed_kinetic"]
+    rows += [("particles removed", f"{removed:.0f}"), ("held", f"{history['held']:.0f}")]
+    if "wall_seconds" in summary:
+        rows.append(("wall time", f"{summary['wall_seconds']:.1f} s on {summary['ranks']} ranks"))
+        rows.append(("per particle-step", f"{summary['ns_per_particle_step']:.0f} ns"))
+        rows.append(("state per particle", f"{summary['bytes_per_particle']:.0f} bytes"))
+    lines = [f"# {title}", ""] + table_lines(rows) + ["![fields](fields.png)", ""]
+    if depth:
+        lines += ["![depth](depth.png)", ""]
+    lines += ["![energy](energy.png)", ""]
+    if summary.get("phases"):
+        lines += ["## Phases", ""]
+        lines += table_lines((n, f"{p['seconds']:.2f} s") for n, p in summary["phases"].items())
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Pictures and numbers of a run.")
+    parser.add_argument("run", type=pathlib.Path, help="run folder")
+    run = parser.parse_args().run
+    try:
+        summary = {}
+        if (run / "summary.json").exists():
+            summary = json.loads((run / "summary.json").read_text(encoding="utf-8"))
+        folder = run / "report"
+        if not (run / "particles.e").exists() or not (run / "history.csv").exists():
+            raise OSError("it holds no particles.e and history.csv; give the folder of a run")
+        folder.mkdir(exist_ok=True)
+        draw_fields(run, summary, folder)
+        depth = draw_depth(run, folder)
+        history = draw_energy(run, summary, folder)
+        text = index_text(run, summary, history, depth)
+        (folder / "index.md").write_text(text, encoding="utf-8")
+    except OSError as error:
+        print(f"cannot report on '{run}' ({error}).", file=sys.stderr)
+        return 2
+    print(f"{folder / 'index.md'} and its pictures")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
