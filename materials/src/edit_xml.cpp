@@ -3,6 +3,8 @@
 #include "barreno/input/scan_xml.hpp"
 #include "text.hpp"
 
+#include <charconv>
+
 namespace barreno::input {
 
 using Teuchos::XMLObject;
@@ -52,7 +54,7 @@ UnitSystem units_of(const XMLObject& root, const std::string& source) {
   }
 }
 
-void override_value(XMLObject root, const std::string& assignment) {
+void override_value(const XMLObject& root, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const auto names = split(assignment.substr(0, equals), '/');
   bool sound = equals != std::string::npos && !names.empty();
@@ -75,13 +77,15 @@ std::string join(const std::string& path, const std::string& name) {
   return path.empty() ? name : path + "/" + name;
 }
 
+std::string exact_text(double value) {
+  char buffer[40];
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return {buffer, result.ptr};
+}
+
 std::string shown(const std::string& text) {
   constexpr std::size_t longest = 60;
   std::string cut = text.size() > longest ? text.substr(0, longest - 3) + "..." : text;
-  // A sentence stays on one line.
-  for (char& c : cut) {
-    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-  }
   const bool plain =
       !cut.empty() && std::string("0123456789+-.{").find(cut.front()) != std::string::npos;
   return plain ? cut : "\"" + cut + "\"";
@@ -91,6 +95,11 @@ void refuse(const std::string& source, const std::string& path, const std::strin
   std::string sentence =
       source + (path.empty() ? "" : ": " + path) + (problem.empty() ? "" : " " + problem);
   if (sentence.back() != '.' && sentence.back() != '?') sentence += '.';
+  // Names and values of the user may hold line ends and control characters; a sentence stays on one
+  // line.
+  for (char& c : sentence) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
   throw InputError(sentence);
 }
 

@@ -45,13 +45,13 @@ double number_of(
 int integer_of(const std::string& text, const Entry& entry) {
   const double value = number_of(text, entry, dimension::none, {});
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
-    throw InputError("is not a whole number of moderate size; write for example \"4\"");
+    throw InputError("is not a whole number of moderate size; write for example 4");
   }
   return static_cast<int>(value);
 }
 
 std::string word_of(const std::string& text, const Entry& entry) {
-  const std::string word(trim(text));
+  std::string word(trim(text));
   if (std::find(entry.words.begin(), entry.words.end(), word) == entry.words.end()) {
     throw InputError("is not a word that is known here; " + suggest_name(word, entry.words));
   }
@@ -61,7 +61,7 @@ std::string word_of(const std::string& text, const Entry& entry) {
 bool flag_of(const std::string& text) {
   const std::string_view word = trim(text);
   if (word != "true" && word != "false") {
-    throw InputError("is neither true nor false; write \"true\" or \"false\"");
+    throw InputError("is neither true nor false; write one of the two");
   }
   return word == "true";
 }

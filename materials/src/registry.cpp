@@ -6,9 +6,7 @@
 #include "barreno/input/scan_xml.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
-#include <functional>
 #include <sstream>
 #include <utility>
 
@@ -18,23 +16,13 @@ namespace {
 using input::Entry;
 using Teuchos::ParameterList;
 
-/// Shortest decimal text that reads back as the same double.
-std::string exact(double x) {
-  char buffer[40];
-  for (const int digits : {15, 17}) {
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, x);
-    if (std::stod(buffer) == x) break;
-  }
-  return buffer;
-}
-
 template <class Model>
 std::vector<Entry> entries_of() {
   std::vector<Entry> entries;
   const auto table = Model::parameter_table();
   for (const auto& p : table.numbers) {
     const Entry entry = input::number(p.name, p.dimension, p.bounds, p.meaning);
-    entries.push_back(p.required ? entry : entry.by_default(exact(p.default_value)));
+    entries.push_back(p.required ? entry : entry.by_default(input::exact_text(p.default_value)));
   }
   for (const auto& c : table.choices) {
     const auto index = static_cast<std::size_t>(c.default_index);
@@ -78,7 +66,7 @@ std::vector<Builder> builders_of(const std::variant<Models...>* /*list*/) {
 
 /// A value of a list as it would stand in a deck, so that one reader checks lists and texts alike.
 std::string text_of(const Teuchos::ParameterEntry& entry) {
-  if (entry.isType<double>()) return exact(Teuchos::getValue<double>(entry));
+  if (entry.isType<double>()) return input::exact_text(Teuchos::getValue<double>(entry));
   if (entry.isType<int>()) return std::to_string(Teuchos::getValue<int>(entry));
   if (entry.isType<std::string>()) return Teuchos::getValue<std::string>(entry);
   return "a value of another type";

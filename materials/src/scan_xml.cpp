@@ -55,7 +55,7 @@ std::string example_value(const Entry& entry) {
 }
 
 std::string name_of(const XMLObject& xml, const std::string& path, const std::string& source) {
-  const std::string name = xml.hasAttribute("name") ? xml.getAttribute("name") : "";
+  std::string name = xml.hasAttribute("name") ? xml.getAttribute("name") : "";
   if (trim(name).empty()) {
     refuse(
         source,

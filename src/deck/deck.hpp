@@ -15,8 +15,8 @@ namespace barreno {
 /// jet table included. Paths are "Sub List/Parameter".
 class Deck {
 public:
-  Deck(std::string name, Teuchos::ParameterList values, Teuchos::XMLObject xml)
-      : name_(std::move(name)), values_(std::move(values)), xml_(std::move(xml)) {}
+  Deck(std::string name, const Teuchos::ParameterList& values, Teuchos::XMLObject xml)
+      : name_(std::move(name)), values_(values), xml_(std::move(xml)) {}
 
   const std::string& name() const { return name_; }
   const Teuchos::ParameterList& values() const { return values_; }

@@ -148,7 +148,7 @@ Section step_section() {
       Presence::defaulted,
       {word("Shape Function", {"GIMP"}, "support of a particle").by_default("GIMP"),
        number("Courant Fraction", dim::none, above_up_to(0.0, 1.0), "of the critical step")
-           .by_default("0.5"),
+           .by_default("0.8"),
        number("Growth Limit", dim::none, above(1.0), "largest ratio of successive steps")
            .by_default("1.1"),
        number(
@@ -157,7 +157,7 @@ Section step_section() {
            above_up_to(0.0, 1.0),
            "of one step; beyond it the step is retried smaller"
        )
-           .by_default("0.1"),
+           .by_default("0.5"),
        number("PIC Fraction", dim::none, between(0.0, 1.0), "0: FLIP, 1: PIC").by_default("0"),
        number(
            "Linear Viscosity",
@@ -165,7 +165,7 @@ Section step_section() {
            at_least(0.0),
            "A1 in q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)"
        )
-           .by_default("0.2"),
+           .by_default("0.3"),
        number("Quadratic Viscosity", dim::none, at_least(0.0), "A2 in the same").by_default("2"),
        number("Initial Step", dim::time, at_least(0.0), "first step; 0: the stable one")
            .by_default("0"),

@@ -3,6 +3,7 @@
 
 #include <Teuchos_TwoDArray.hpp>
 
+#include <barreno/input/scan_xml.hpp>
 #include <charconv>
 #include <sstream>
 #include <stdexcept>
@@ -12,11 +13,8 @@ namespace {
 
 using Teuchos::getValue;
 
-/// Shortest text that reads back as the same double.
 std::string text_of(double x) {
-  char buffer[40];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, x);
-  return {buffer, result.ptr};
+  return input::exact_text(x);
 }
 const std::string& text_of(const std::string& x) {
   return x;

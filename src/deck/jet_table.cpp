@@ -15,7 +15,7 @@ using input::refuse;
 using input::refuse_value;
 
 struct Column {
-  const char* name;
+  const char* name = "";
   Dimension dimension;
 };
 constexpr std::array<Column, 5> columns = {

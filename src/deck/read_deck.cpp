@@ -123,7 +123,7 @@ std::string include_jet_table(const Reading& reading, ParameterList& values) {
     );
   }
   if (!jet.isParameter("Table")) return {};
-  const auto table = jet.get<std::string>("Table");
+  auto table = jet.get<std::string>("Table");
   const auto read = [&] {
     const auto path = std::filesystem::path(reading.directory) / table;
     if (!std::filesystem::exists(path)) {

@@ -58,7 +58,7 @@ void follow_jet_particle(
 ) {
   const Corners corners = particles.corners(p);
   double depth = -infinity;
-  for (int a = 0; a < 4; ++a) depth = std::max(depth, path.depth(corners[2 * a + 1]));
+  for (std::size_t a = 0; a < 4; ++a) depth = std::max(depth, path.depth(corners[2 * a + 1]));
   const ParticleId id = particles.id(p);
   if (depth > deepest.depth || (depth == deepest.depth && id < deepest.id)) {
     deepest.depth = depth;
@@ -172,8 +172,8 @@ double nearest_to_axis(const Corners& corners, const JetPath& path, double above
   const double upper = above + margin, lower = below - margin;
   double nearest = infinity;
   bool left = false, right = false;
-  for (int a = 0; a < 4; ++a) {
-    const int b = (a + 1) % 4;
+  for (std::size_t a = 0; a < 4; ++a) {
+    const std::size_t b = (a + 1) % 4;
     const double d_a = path.depth(corners[2 * a + 1]), d_b = path.depth(corners[2 * b + 1]);
     if (std::max(d_a, d_b) < upper || std::min(d_a, d_b) > lower) continue;
     for (const double bound : {upper, lower}) {

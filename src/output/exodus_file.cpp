@@ -216,8 +216,8 @@ void ExodusFile::define_variables(const ExodusLayout& layout) {
     check(ex_put_variable_names(file_, type, list.size(), list.data()), "ex_put_variable_names");
   };
   put_names(EX_GLOBAL, layout.global_variables);
-  if (!layout.coordinates[0].empty(
-      )) {  // names of nodal variables are an error in a file without nodes
+  // Names of nodal variables are an error in a file without nodes.
+  if (!layout.coordinates[0].empty()) {
     std::vector<std::string> displacements;
     for (std::size_t d = 0; d < layout.coordinates.size(); ++d)
       displacements.push_back(std::string("displacement_") + directions[d]);

@@ -29,7 +29,7 @@ Stretch stretch(const HostParticles::Values& F, int p) {
 Corners domain_corners(const double x[2], const double F[4], const double h[2]) {
   constexpr double sign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   Corners corners{};
-  for (int a = 0; a < 4; ++a) {
+  for (std::size_t a = 0; a < 4; ++a) {
     const double X = sign[a][0] * h[0], Y = sign[a][1] * h[1];
     corners[2 * a] = x[0] + F[0] * X + F[1] * Y;
     corners[2 * a + 1] = x[1] + F[2] * X + F[3] * Y;

@@ -73,7 +73,7 @@ fs::path create_numbered(const std::string& deck_name) {
   fs::create_directories(parent, error);
   if (error) refuse(parent, error.message());
   for (int counter = 1;; ++counter) {
-    const fs::path folder = parent / (deck_name + "-" + std::to_string(counter));
+    fs::path folder = parent / (deck_name + "-" + std::to_string(counter));
     // Creating it is one indivisible operation: two runs that start together get different folders.
     if (fs::create_directory(folder, error)) return folder;
     if (error && !fs::exists(folder)) refuse(folder, error.message());

@@ -64,7 +64,8 @@ std::vector<JetSlug> discrete_slugs(
     const std::string number = std::to_string(slugs.size() + 1);
     const std::string wrong = problem_of(slug, material_density);
     if (!wrong.empty()) {
-      problem = "gives slug " + number + " " + wrong;
+      problem = "gives slug ";
+      problem += number + " " + wrong;
       return {};
     }
     if (!slugs.empty() && slug.time < slugs.back().time) {

@@ -100,12 +100,11 @@ enum class ShapeFunction { gimp };
 
 struct StepSpec {
   ShapeFunction shape = ShapeFunction::gimp;
-  double courant_fraction =
-      0.5;                      ///< of the critical Courant number of shape and particles per cell
+  double courant_fraction = 0.8;                      ///< of the critical Courant number of shape and particles per cell
   double growth_limit = 1.1;    ///< largest ratio of successive steps
-  double largest_strain = 0.1;  ///< per step: |D| dt stays below, the step is retried smaller [-]
+  double largest_strain = 0.5;  ///< per step: |D| dt stays below, the step is retried smaller [-]
   double pic_fraction = 0.0;    ///< 0 = FLIP, 1 = PIC
-  double linear_viscosity = 0.2;     ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
+  double linear_viscosity = 0.3;     ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
   double quadratic_viscosity = 2.0;  ///< A2
   double initial_step = 0.0;         ///< 0: the stable step [time]
   double largest_step = 0.0;         ///< 0: no limit [time]

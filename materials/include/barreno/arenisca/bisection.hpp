@@ -9,8 +9,9 @@ namespace barreno::arenisca {
 
 /// Meridian of a fixed surface as a curve with one parameter, for the nested bisection.
 ///
-/// s in [0, pi/2]: the cap by its angle, x = kappa - (kappa - X) cos s, q = Ff sin s (the angle resolves the
-/// tip, where x alone does not); s > pi/2: the limit surface, x = kappa + (s - pi/2) width.
+/// s in [0, pi/2]: the cap by its angle, x = kappa - (kappa - X) cos s, q = Ff sin s (the angle
+/// resolves the tip, where x alone does not); s > pi/2: the limit surface, x = kappa + (s - pi/2)
+/// width.
 template <class Counter>
 struct MeridianCurve {
   const YieldSurface& surface;
@@ -54,13 +55,14 @@ struct Fall {
   BARRENO_FUNCTION double operator()(double s) { return -curve.at(s).dq; }
 };
 
-/// Non-hardening return: closest point of the surface with this cap, by bisection along the meridian.
+/// Non-hardening return: closest point of the surface with this cap, by bisection along the
+/// meridian.
 ///
-/// The paper turns a search line about the trial point and tests which side of the surface a rotated point
-/// falls on. That test compares distances, which are flat at the closest point, so it resolves the angle to
-/// sqrt(round-off) = 1e-8 only, too coarse for an oracle; here the sign of the distance's derivative is
-/// bisected instead, which is exact to round-off. The bracket is the arc that the trial point sees: from its
-/// own x to the top of the meridian.
+/// The paper turns a search line about the trial point and tests which side of the surface a
+/// rotated point falls on. That test compares distances, which are flat at the closest point, so it
+/// resolves the angle to sqrt(round-off) = 1e-8 only, too coarse for an oracle; here the sign of
+/// the distance's derivative is bisected instead, which is exact to round-off. The bracket is the
+/// arc that the trial point sees: from its own x to the top of the meridian.
 template <class Counter>
 BARRENO_FUNCTION Returned return_without_hardening(
     const YieldSurface& surface, const Trial& trial, const Cap& cap, Counter& count
@@ -94,8 +96,8 @@ BARRENO_FUNCTION Returned return_without_hardening(
   return {p.x, q, trial.evp + (trial.x - p.x) / trial.triple_bulk};
 }
 
-/// Isotropic part of the return to the surface hardened by a fraction eta of the non-hardening return, less
-/// that fraction: the quantity whose sign the paper bisects.
+/// Isotropic part of the return to the surface hardened by a fraction eta of the non-hardening
+/// return, less that fraction: the quantity whose sign the paper bisects.
 template <class Counter>
 struct ConsistencyOfEta {
   const YieldSurface& surface;
@@ -117,13 +119,14 @@ struct ConsistencyOfEta {
     if (closed) return -1.0;
     // Hardening may swallow the trial point: then the surface has moved too far.
     const Cap cap = crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
-    if (surface.contains(trial.x, trial.q, cap, count)) return 1.0;
+    if (surface.contains(trial.x, trial.q * trial.q, cap, count)) return 1.0;
     const double devp = return_without_hardening(surface, trial, cap, count).evp - trial.evp;
     return devp0 > 0.0 ? eta * devp0 - devp : devp - eta * devp0;
   }
 };
 
-/// The paper's return: non-hardening return, then eta by bisection. Slow; the oracle of return_fast().
+/// The paper's return: non-hardening return, then eta by bisection. Slow; the oracle of
+/// return_fast().
 template <class Counter>
 BARRENO_FUNCTION Returned return_bisection(
     const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
@@ -136,8 +139,16 @@ BARRENO_FUNCTION Returned return_bisection(
     return trial.cap.present ? first : return_with_closed_pores(surface, crush, trial);
   }
   ConsistencyOfEta<Counter> consistency{surface, crush, trial, devp0, count};
-  // Steep retraction of the cap: the paper's eta <= 1 does not hold; the first root beyond is taken.
+  // Steep retraction of the cap: the paper's eta <= 1 does not hold, and there may be several
+  // roots; the same places are tried as in return_fast(), so that both take the same one.
   double above = 1.0;
+  if (devp0 > 0.0) {
+    const double x_limit = return_to_limit(surface, trial, count);
+    above = (trial.x - x_limit) / (trial.triple_bulk * devp0);
+  }
+  if (devp0 > 0.0 && trial.cap.present && trial.x < trial.cap.kappa) {
+    above = dilation_guess(trial, surface.at(trial.x, trial.cap, count)) / devp0;
+  }
   const double start = larger(trial.evp, crush.last_open());
   if (!trial.cap.present && consistency((start - trial.evp) / devp0) >= 0.0) {
     return return_with_closed_pores(surface, crush, trial);

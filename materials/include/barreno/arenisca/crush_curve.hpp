@@ -7,22 +7,24 @@
 
 namespace barreno::arenisca {
 
-/// Hydrostatic strength X (value of I1 < 0 at which the rock crushes) against the volumetric plastic
-/// strain evp:
+/// Hydrostatic strength X (value of I1 < 0 at which the rock crushes) against the volumetric
+/// plastic strain evp:
 ///
 ///   evp <= 0:  X = p0 + ln(1 + evp/p3) / p1                compaction, X -> -infinity at evp = -p3
-///   evp >  0:  X = p0 (1 + evp)^(1/(p0 p1 p3))             dilation retracts the cap; C1 at evp = 0
+///   evp >  0:  X = p0 (1 + evp)^(1/(p0 p1 p3))             dilation retracts the cap; C1 at evp =
+///   0
 ///
-/// p3 = 0 is nonporous rock without cap, its own case: the dilation branch has no limit for p3 -> 0.
+/// p3 = 0 is nonporous rock without cap, its own case: the dilation branch has no limit for p3 ->
+/// 0.
 struct CrushCurve {
   double p0, p1, p3;
 
-  /// Fraction of the pore strain below which the pores count as closed. The stored evp fixes ln(1 + evp/p3)
-  /// to eps/fraction only: at 1e-6 the cap's place still has 10 digits, and the strain left out, 1e-6 p3, is
-  /// far below the tolerance.
-  static constexpr double closed_fraction = 1e-6;
-  /// The cap retracts no further than this fraction of p0, so that rock without strength keeps an elastic
-  /// domain with an interior.
+  /// Fraction of the pore strain below which the pores count as closed. The stored evp fixes ln(1 +
+  /// evp/p3) to eps/fraction only: at 1e-5 the cap's place still has 11 digits, and the strain left
+  /// out, 1e-5 p3, is far below the tolerance.
+  static constexpr double closed_fraction = 1e-5;
+  /// The cap retracts no further than this fraction of p0, so that rock without strength keeps an
+  /// elastic domain with an interior.
   static constexpr double retraction_limit = 1e-12;
 
   BARRENO_FUNCTION double open_fraction(double evp) const { return 1.0 + evp / p3; }

@@ -14,27 +14,33 @@ struct Moduli {
 
 /// Nonlinear isotropic elasticity of the drained rock, I1 = tr(sigma), tension positive.
 ///
-///   I1 >= 0:  K = B0, G = G0
-///   I1 <  0:  K = B0 + B1 exp(B2/I1) - B3 exp(B4/evp)   (last term for evp < 0 only)
-///             nu = G1 + G2 exp(B2/I1), G = 1.5 K (1 - 2 nu)/(1 + nu)   if G1 and G2 are both set
+///   I1 >= 0 or evp > 0:    K = B0, G = G0
+///   I1 < 0 and evp <= 0:   K = B0 + B1 exp(B2/I1) - B3 exp(B4/evp)   (last term for evp < 0)
+///                          nu = G1 + G2 exp(B2/I1), G = 1.5 K (1 - 2 nu)/(1 + nu)   if G1 and G2
+///                          are both set
+///
+/// Dilated rock (evp > 0) keeps the low-pressure moduli until it is compacted again. The published
+/// benchmark 08 depends on it (I1 = -1481 with it, -1527 without, at the seventh way point).
 struct Elasticity {
   double B0, B1, B2, B3, B4, G0, G1, G2;
 
   BARRENO_FUNCTION bool variable_ratio() const { return G1 != 0.0 && G2 != 0.0; }
 
-  /// exp(B2/I1) and its derivative by I1: all pressure dependence enters through this one number, so a
-  /// second-order step needs one exponential only.
+  /// exp(B2/I1) and its two derivatives by I1: all pressure dependence enters through this one
+  /// number, so a second-order step needs one exponential only.
   struct PressureTerm {
-    double value, slope;
+    double value, slope, curvature;
   };
-  BARRENO_FUNCTION PressureTerm pressure_term(double I1) const {
-    if (I1 >= 0.0 || (B1 == 0.0 && !variable_ratio())) return {0.0, 0.0};
+  BARRENO_FUNCTION PressureTerm pressure_term(double I1, double evp) const {
+    if (I1 >= 0.0 || evp > 0.0 || (B1 == 0.0 && !variable_ratio())) return {0.0, 0.0, 0.0};
     const double inverse = 1.0 / I1, ratio = B2 * inverse;
     const double value = std::exp(ratio);
-    return {value, -ratio * inverse * value};
+    const double slope = -ratio * inverse * value;
+    return {value, slope, -slope * inverse * (ratio + 2.0)};
   }
 
-  /// Elastic-plastic coupling B3 exp(B4/evp): crushed rock is softer than its pressure says [stress].
+  /// Elastic-plastic coupling B3 exp(B4/evp): crushed rock is softer than its pressure says
+  /// [stress].
   BARRENO_FUNCTION double coupling(double I1, double evp) const {
     if (B3 == 0.0 || I1 >= 0.0 || evp >= 0.0) return 0.0;
     return B3 * std::exp(B4 / evp);
@@ -46,7 +52,7 @@ struct Elasticity {
     return {bulk, shear_from_ratio(bulk, G1 + G2 * pressure_value)};
   }
   BARRENO_FUNCTION Moduli moduli_at(double I1, double evp) const {
-    return moduli(pressure_term(I1).value, coupling(I1, evp));
+    return moduli(pressure_term(I1, evp).value, coupling(I1, evp));
   }
 
   BARRENO_FUNCTION static double shear_from_ratio(double bulk, double nu) {

@@ -9,8 +9,8 @@
 
 namespace barreno::arenisca {
 
-/// Fraction of an elastic path from inside the surface at which it is crossed; roughly, since it only weighs
-/// work and the flow direction.
+/// Fraction of an elastic path from inside the surface at which it is crossed; roughly, since it
+/// only weighs work and the flow direction.
 template <class Counter>
 BARRENO_FUNCTION double crossing(
     const Rock& rock, const Cap& cap, const PointState& n, const Prediction& p, Counter& count
@@ -21,15 +21,16 @@ BARRENO_FUNCTION double crossing(
     const double t = 0.5 * (inside + outside);
     const Sym3 s = n.s + t * (p.s - n.s);
     const double x = n.x + t * (p.x - n.x);
-    (rock.surface.contains(x, std::sqrt(second_invariant(s)), cap, count) ? inside : outside) = t;
+    (rock.surface.contains(x, second_invariant(s), cap, count) ? inside : outside) = t;
   }
   return inside;
 }
 
-/// Where plastic flow began within the substep, and the surface's normal there in the transformed space.
+/// Where plastic flow began within the substep, and the surface's normal there in the transformed
+/// space.
 struct FlowStart {
   double x;
-  Sym3 s;    ///< direction of shear, and after multiplication by `scale` the stress deviator [stress]
+  Sym3 s;  ///< direction of shear, and after multiplication by `scale` the stress deviator [stress]
   double q;  ///< sqrt(J2) of s
   double scale = 1.0;
   double normal_x = 0.0, normal_q = 0.0;
@@ -65,14 +66,15 @@ BARRENO_FUNCTION FlowStart find_flow_start(
   // As near the vertex as this, in terms of the trial shear, the shear direction is noise.
   constexpr double near_vertex = 1e-6;
   const double reach = larger(f.q, rock.surface.steepest * (rock.surface.vertex - f.x));
-  if (reach <= near_vertex * p.q || length == 0.0) {
-    // Flow that leaves the vertex does so along the steepest generator of the cone, in its own direction.
+  if (reach <= near_vertex * p.q() || length == 0.0) {
+    // Flow that leaves the vertex does so along the steepest generator of the cone, in its own
+    // direction.
     const double side = std::sqrt(metric) * rock.surface.steepest;
     const double hypotenuse = std::sqrt(side * side + 1.0);
     f.normal_x = side / hypotenuse;
     f.normal_q = 1.0 / hypotenuse;
     f.s = p.s;
-    f.q = p.q;
+    f.q = p.q();
     f.scale = 0.0;
     return f;
   }
@@ -85,19 +87,22 @@ BARRENO_FUNCTION FlowStart find_flow_start(
 struct Correction {
   double distance, normal_x, normal_q;
 };
-BARRENO_FUNCTION Correction correction_of(const Prediction& p, const Returned& r, double root_metric) {
-  const double back_x = p.x - r.x, back_q = root_metric * (p.q - r.q);
+BARRENO_FUNCTION Correction
+correction_of(const Prediction& p, const Returned& r, double root_metric) {
+  const double back_x = p.x - r.x, back_q = root_metric * (p.q() - r.q);
   const double distance = std::sqrt(back_x * back_x + back_q * back_q);
   if (distance == 0.0) return {0.0, 0.0, 0.0};
   return {distance, back_x / distance, back_q / distance};
 }
 
-/// Error of the backward (closest-point) return: half the plastic correction times the turn of the flow
-/// direction over the substep, i.e. half the difference between the forward and the backward step.
-BARRENO_FUNCTION double
-direction_error(const Prediction& p, const Correction& c, const FlowStart& f) {
+/// Error of the backward (closest-point) return: half the plastic correction times the turn of the
+/// flow direction over the substep, i.e. half the difference between the forward and the backward
+/// step.
+BARRENO_FUNCTION double direction_error(
+    const Prediction& p, const Correction& c, const FlowStart& f
+) {
   double cosine = 1.0;
-  if (f.q > 0.0 && p.q > 0.0) cosine = contract(f.s, p.s) / (2.0 * f.q * p.q);
+  if (f.q > 0.0 && p.q() > 0.0) cosine = contract(f.s, p.s) / (2.0 * f.q * p.q());
   const double turn_x = c.normal_x - f.normal_x;
   const double turn = turn_x * turn_x + c.normal_q * c.normal_q + f.normal_q * f.normal_q -
                       2.0 * c.normal_q * f.normal_q * cosine;
@@ -122,7 +127,7 @@ BARRENO_FUNCTION void finish(
     const Sym3& de,
     Attempt& a
 ) {
-  const double kept = returned_from.q > 0.0 ? r.q / returned_from.q : 0.0;
+  const double kept = returned_from.q() > 0.0 ? r.q / returned_from.q() : 0.0;
   a.end = {r.x, kept * returned_from.s, r.evp, n.shear_strain};
   // Plastic strain = increment - C^-1 : stress increment, split in volume and deviator.
   const double devp = r.evp - n.evp;
@@ -137,9 +142,10 @@ BARRENO_FUNCTION void finish(
   a.moduli = rock.elasticity.moduli_at(r.x, r.evp);
 }
 
-/// Second pass of a substep: mean moduli of both ends, and the trial point moved by half the turn of the flow
-/// direction, so that the closest-point return corrects along the mean direction. Second-order accurate, and
-/// still on the hardened surface: evp starts where the moved trial point keeps x = x_tr - 3K (evp - evp_n).
+/// Second pass of a substep: mean moduli of both ends, and the trial point moved by half the turn
+/// of the flow direction, so that the closest-point return corrects along the mean direction.
+/// Second-order accurate, and still on the hardened surface: evp starts where the moved trial point
+/// keeps x = x_tr - 3K (evp - evp_n).
 template <class Counter>
 BARRENO_FUNCTION void refine(
     const Rock& rock,
@@ -159,23 +165,35 @@ BARRENO_FUNCTION void refine(
   Prediction moved = p;
   moved.x += 0.5 * c.distance * (c.normal_x - f.normal_x);
   const double half = 0.5 * c.distance / std::sqrt(metric);
-  if (p.q > 0.0) moved.s = moved.s + (half * c.normal_q / p.q) * p.s;
+  if (p.q() > 0.0) moved.s = moved.s + (half * c.normal_q / p.q()) * p.s;
   if (f.q > 0.0) moved.s = moved.s - (half * f.normal_q / f.q) * f.s;
-  moved.q = std::sqrt(second_invariant(moved.s));
+  moved.J2 = second_invariant(moved.s);
   const double triple_bulk = 3.0 * mean.bulk;
   const double evp = n.evp + (p.x - moved.x) / triple_bulk;
   const bool still_open = rock.crush.p3 == 0.0 || evp > rock.crush.last_open();
   if (!still_open) return;
   const Cap cap = rock.cap_at(evp);
-  if (rock.surface.contains(moved.x, moved.q, cap, count)) return;
-  const Trial trial{moved.x, moved.q, metric, triple_bulk, evp, cap};
+  Returned r = {moved.x, moved.q(), evp};
+  if (!rock.surface.contains(moved.x, moved.J2, cap, count)) {
+    r = return_with(rock, Trial{moved.x, moved.q(), metric, triple_bulk, evp, cap}, count);
+  }
   Attempt b = a;
-  finish(rock, n, p, moved, return_with(rock, trial, count), f, dv, de, b);
-  // Where the flow is too short to have a mean direction, the first pass dissipates and is kept. Rock without
-  // strength dissipates nothing: round-off must not decide.
+  finish(rock, n, p, moved, r, f, dv, de, b);
+  // Where the flow is too short to have a mean direction, the first pass dissipates and is kept.
+  // Rock without strength dissipates nothing: round-off must not decide.
   constexpr double round_off = 1e-9;
   const double flow = b.end.shear_strain - n.shear_strain;
-  if (b.plastic_work >= -round_off * flow * stress_size(b.end.x, moved.q)) a = b;
+  if (b.plastic_work >= -round_off * flow * stress_size(b.end.x, moved.q())) a = b;
+}
+
+/// How far the cap retracted onto the returned point, in parts of its length; 0 when it stayed out
+/// of the way.
+BARRENO_FUNCTION double retraction(
+    const Rock& rock, const PointState& n, const Cap& cap, const Returned& r
+) {
+  if (r.evp <= n.evp || !cap.present) return 0.0;
+  const Cap end = rock.cap_at(r.evp);
+  return r.x < end.kappa ? (end.X - cap.X) / (cap.kappa - cap.X) : 0.0;
 }
 
 /// Plastic substep: closest-point return, its error, and the second pass where that is worth it.
@@ -190,7 +208,7 @@ BARRENO_FUNCTION Attempt flow_plastically(
     Counter& count
 ) {
   const double metric = 9.0 * rock.beta * rock.beta * p.used.bulk / p.used.shear;
-  const Trial trial{p.x, p.q, metric, 3.0 * p.used.bulk, n.evp, cap};
+  const Trial trial{p.x, p.q(), metric, 3.0 * p.used.bulk, n.evp, cap};
   const Returned r = return_with(rock, trial, count);
   const FlowStart f = find_flow_start(rock, cap, n, p, metric, count);
   Attempt a;
@@ -201,7 +219,11 @@ BARRENO_FUNCTION Attempt flow_plastically(
   if (r.x >= rock.surface.vertex) return a;  // the normals form a cone: the return is exact
   const Correction c = correction_of(p, r, std::sqrt(metric));
   a.error += direction_error(p, c, f);
-  constexpr double negligible = 0.01;
+  // A cap that retracts softens, and in a long substep the consistency equation then has several
+  // roots.
+  constexpr double largest_retraction = 0.1;
+  a.error = larger(a.error, a.allowed * retraction(rock, n, cap, r) / largest_retraction);
+  constexpr double negligible = 1e-3;
   if (a.error > negligible * a.allowed && a.error <= a.allowed) {
     refine(rock, n, p, c, f, dv, de, a, count);
   }

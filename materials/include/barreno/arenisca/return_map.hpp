@@ -12,15 +12,15 @@ namespace barreno::arenisca {
 
 /// Trial state outside the surface, in x = I1 and q = sqrt(J2) at constant Lode angle.
 ///
-/// Returned is the point closest to the trial point in z = I1/sqrt(3), r = beta sqrt(3K/G) sqrt(J2). Three
-/// times that distance squared is (x_tr - x)^2 + metric (q_tr - q)^2 with metric = 9 beta^2 K/G, which is
-/// why beta acts squared on the dilatancy.
+/// Returned is the point closest to the trial point in z = I1/sqrt(3), r = beta sqrt(3K/G)
+/// sqrt(J2). Three times that distance squared is (x_tr - x)^2 + metric (q_tr - q)^2 with metric =
+/// 9 beta^2 K/G, which is why beta acts squared on the dilatancy.
 struct Trial {
   double x, q;
-  double metric;        ///< 9 beta^2 K/G
-  double triple_bulk;   ///< 3K, so that d(evp) = (x_tr - x)/3K [stress]
-  double evp;           ///< volumetric plastic strain at the start of the substep
-  Cap cap;              ///< cap at that evp
+  double metric;       ///< 9 beta^2 K/G
+  double triple_bulk;  ///< 3K, so that d(evp) = (x_tr - x)/3K [stress]
+  double evp;          ///< volumetric plastic strain at the start of the substep
+  Cap cap;             ///< cap at that evp
 };
 
 /// Where the trial state comes back to: on the surface hardened to `evp`.
@@ -29,8 +29,8 @@ struct Returned {
 };
 
 /// The return is one scalar equation, because evp fixes everything: x = x_tr - 3K (evp - evp_n) by
-/// elasticity, the cap by the crush curve, q = Ff fc by the surface; what is left is that the line to the
-/// trial point is normal to the surface,
+/// elasticity, the cap by the crush curve, q = Ff fc by the surface; what is left is that the line
+/// to the trial point is normal to the surface,
 ///
 ///   (x - x_tr) fc = metric (q_tr - Ff fc) A,   A = fc d(Ff fc)/dx.
 ///
@@ -38,8 +38,8 @@ struct Returned {
 ///
 ///   fc^2 = (metric q_tr A / D)^2,   D = (x - x_tr) + metric Ff A,
 ///
-/// which is smooth through the tip (hydrostatic crushing is no special case), while the first form is smooth
-/// where A changes sign. q = q_tr metric Ff A / D is what is left of the trial shear.
+/// which is smooth through the tip (hydrostatic crushing is no special case), while the first form
+/// is smooth where A changes sign. q = q_tr metric Ff A / D is what is left of the trial shear.
 template <class Counter>
 struct CompactingSide {
   const YieldSurface& surface;
@@ -59,7 +59,8 @@ struct CompactingSide {
   }
 };
 
-/// The same condition on the dilating side (A <= 0), where the cap retracts; positive at too little dilation.
+/// The same condition on the dilating side (A <= 0), where the cap retracts; positive at too little
+/// dilation.
 template <class Counter>
 struct DilatingSide {
   const YieldSurface& surface;
@@ -78,22 +79,23 @@ struct DilatingSide {
 
 /// I1 of the point of the limit surface (no cap) closest to the trial point; the vertex included.
 template <class Counter>
-BARRENO_FUNCTION double
-return_to_limit(const YieldSurface& surface, const Trial& trial, Counter& count) {
+BARRENO_FUNCTION double return_to_limit(
+    const YieldSurface& surface, const Trial& trial, Counter& count
+) {
   if (trial.x - surface.vertex >= trial.metric * trial.q * surface.steepest) return surface.vertex;
   double x = smaller(trial.x, surface.vertex);
   const Cap none;
   const MeridianPoint start = surface.at(x, none, count);
   if (trial.x <= surface.vertex && trial.q <= start.limit) return trial.x;
-  // Newton on the monotone condition (x - x_tr) - metric (q_tr - Ff) Ff'; Ff'' <= 0 keeps its slope >= 1.
+  // Newton on the monotone condition (x - x_tr) - metric (q_tr - Ff) Ff'; Ff'' <= 0 keeps its slope
+  // >= 1.
   double lower = trial.x - trial.metric * trial.q * surface.steepest, upper = x;
   MeridianPoint m = start;
   constexpr int most_iterations = 60;
   for (int i = 0; i < most_iterations; ++i) {
     const double curvature = surface.linear() ? 0.0 : surface.a2 * (m.slope + surface.a4);
     const double residual = (x - trial.x) - trial.metric * (trial.q - m.limit) * m.slope;
-    const double slope =
-        1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
+    const double slope = 1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
     (residual > 0.0 ? upper : lower) = x;
     double next = x - residual / slope;
     if (surface.linear()) return next;
@@ -106,8 +108,9 @@ return_to_limit(const YieldSurface& surface, const Trial& trial, Counter& count)
   return x;
 }
 
-/// All pores closed: evp stops at -p3 (or where it was, if they were closed before) and the flow is isochoric; what porosity shear would open at this
-/// pressure crushes at once, so the shear limit without cap holds.
+/// All pores closed: evp stops at -p3 (or where it was, if they were closed before) and the flow is
+/// isochoric; what porosity shear would open at this pressure crushes at once, so the shear limit
+/// without cap holds.
 BARRENO_FUNCTION Returned
 return_with_closed_pores(const YieldSurface& surface, const CrushCurve& crush, const Trial& trial) {
   const double evp = trial.cap.present ? -crush.p3 : trial.evp;
@@ -115,11 +118,16 @@ return_with_closed_pores(const YieldSurface& surface, const CrushCurve& crush, c
   return {x, smaller(trial.q, larger(surface.limit(x), 0.0)), evp};
 }
 
-/// Point of the hardened surface at a solved evp; towards the tip q comes from the smooth form, since
-/// Ff fc would turn the last digit of evp into the eighth of q (and the smooth form is 0/0 at the top).
+/// Point of the hardened surface at a solved evp; towards the tip q comes from the smooth form,
+/// since Ff fc would turn the last digit of evp into the eighth of q (and the smooth form is 0/0 at
+/// the top).
 template <class Counter>
 BARRENO_FUNCTION Returned point_on_cap(
-    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, double evp, Counter& count
+    const YieldSurface& surface,
+    const CrushCurve& crush,
+    const Trial& trial,
+    double evp,
+    Counter& count
 ) {
   constexpr double near_tip = 0.1;
   const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
@@ -132,16 +140,18 @@ BARRENO_FUNCTION Returned point_on_cap(
   return {x, smaller(q, trial.q), evp};
 }
 
-/// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it opens.
-BARRENO_FUNCTION bool
-clears_cap(const YieldSurface& surface, const CrushCurve& crush, double x, double evp) {
+/// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it
+/// opens.
+BARRENO_FUNCTION bool clears_cap(
+    const YieldSurface& surface, const CrushCurve& crush, double x, double evp
+) {
   if (crush.p3 == 0.0) return true;
   const double open_evp = larger(evp, crush.last_open());
   return x >= surface.cap_at(crush.strength(open_evp)).kappa;
 }
 
-/// Function values that count as zero, relative to the solution's own scale: five digits beyond the 1e-9 to
-/// which the solvers agree.
+/// Function values that count as zero, relative to the solution's own scale: five digits beyond the
+/// 1e-9 to which the solvers agree.
 constexpr double solved = 1e-14;
 
 /// Return to the compacting side of the hardening cap.
@@ -162,12 +172,12 @@ BARRENO_FUNCTION Returned return_by_compaction(
   return point_on_cap(surface, crush, trial, evp, count);
 }
 
-/// Bracket end with enough dilation, from the first step whose doublings get there, so that of several roots
-/// (steep retraction of the cap softens) the first is taken; at x = X there is always enough.
+/// Bracket end with enough dilation, from the first step whose doublings get there, so that of
+/// several roots (steep retraction of the cap softens) the first is taken; at x = X there is always
+/// enough.
 template <class Counter>
-BARRENO_FUNCTION BracketEnd enough_dilation(
-    DilatingSide<Counter>& side, const Trial& trial, double start, double step
-) {
+BARRENO_FUNCTION BracketEnd
+enough_dilation(DilatingSide<Counter>& side, const Trial& trial, double start, double step) {
   const double X = trial.cap.present ? trial.cap.X : side.crush.strength(start);
   const double farthest = trial.evp + (trial.x - X) / trial.triple_bulk;
   for (; step > 0.0 && trial.evp + step < farthest; step *= 2.0) {
@@ -176,6 +186,16 @@ BARRENO_FUNCTION BracketEnd enough_dilation(
     if (end.f < 0.0) return end;
   }
   return {farthest, side(farthest)};
+}
+
+/// First guess of enough dilation onto the cap: half more than the non-hardening return to the
+/// tangent of the surface straight below the trial point.
+BARRENO_FUNCTION double dilation_guess(const Trial& trial, const MeridianPoint& below) {
+  constexpr double margin = 1.5;
+  const double fc = std::sqrt(larger(below.cap_squared, 0.0));
+  const double slope = below.slope / fc;
+  return -margin * trial.metric * (trial.q - below.limit * fc) * slope /
+         ((1.0 + trial.metric * slope * slope) * trial.triple_bulk);
 }
 
 /// Return to the cap as it retracts.
@@ -190,15 +210,9 @@ BARRENO_FUNCTION Returned return_to_retracting_cap(
 ) {
   DilatingSide<Counter> side{surface, crush, trial, count};
   const double fc = std::sqrt(larger(below.cap_squared, 0.0));
-  const double residual = -trial.metric * (trial.q - below.limit * fc) * below.slope;
-  if (residual <= 0.0) return point_on_cap(surface, crush, trial, trial.evp, count);
-  // First guess: half more than the non-hardening return to the tangent at that point.
-  constexpr double margin = 1.5;
-  const double slope = below.slope / fc;
-  const double step =
-      margin * residual / (fc * (1.0 + trial.metric * slope * slope) * trial.triple_bulk);
-  const BracketEnd a = {trial.evp, residual};
-  const BracketEnd b = enough_dilation(side, trial, trial.evp, step);
+  const BracketEnd a = {trial.evp, -trial.metric * (trial.q - below.limit * fc) * below.slope};
+  if (a.f <= 0.0) return point_on_cap(surface, crush, trial, trial.evp, count);
+  const BracketEnd b = enough_dilation(side, trial, trial.evp, dilation_guess(trial, below));
   const double small = solved * (trial.cap.kappa - trial.cap.X);
   const double evp = find_root(side, a, b, 1e-15 * (b.x - a.x), small);
   return point_on_cap(surface, crush, trial, evp, count);
@@ -227,7 +241,8 @@ BARRENO_FUNCTION Returned return_by_dilation(
   return point_on_cap(surface, crush, trial, evp, count);
 }
 
-/// Fast return of a trial point outside the surface (consistency and closest point in one equation).
+/// Fast return of a trial point outside the surface (consistency and closest point in one
+/// equation).
 template <class Counter>
 BARRENO_FUNCTION Returned return_fast(
     const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
@@ -236,8 +251,8 @@ BARRENO_FUNCTION Returned return_fast(
     return return_by_dilation(surface, crush, trial, count);
   }
   if (trial.x <= trial.cap.X) return return_by_compaction(surface, crush, trial, count);
-  // Straight below the trial point the surface's slope decides the sign of the plastic volume change, with or
-  // without hardening.
+  // Straight below the trial point the surface's slope decides the sign of the plastic volume
+  // change, with or without hardening.
   const MeridianPoint below = surface.at(trial.x, trial.cap, count);
   if (below.slope > 0.0) return return_by_compaction(surface, crush, trial, count);
   return return_to_retracting_cap(surface, crush, trial, below, count);

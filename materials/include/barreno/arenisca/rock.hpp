@@ -38,24 +38,31 @@ struct PointState {
 struct Prediction {
   double x;
   Sym3 s;
-  double q;
+  double J2;
   Moduli start, used;
+  Elasticity::PressureTerm term{};  ///< pressure dependence at the start
+  double coupling = 0.0;            ///< elastic-plastic coupling at the start [stress]
+  BARRENO_FUNCTION double q() const { return std::sqrt(J2); }
 };
 
 /// Result of one attempt at a substep.
 struct Attempt {
   PointState end{};
-  double error = 0.0;    ///< estimated local error [stress]
-  double allowed = 0.0;  ///< what it may be [stress]
-  int order = 2;         ///< power of the step size in `error`
+  double error = 0.0;                             ///< estimated local error [stress]
+  double allowed = 0.0;                           ///< what it may be [stress]
+  int order = 2;                                  ///< power of the step size in `error`
   double elastic_work = 0.0, plastic_work = 0.0;  ///< per current volume [stress]
-  Moduli moduli{};       ///< tangent moduli at the end
+  Moduli moduli{};                                ///< tangent moduli at the end
 };
 
 /// Size of a stress: sqrt(sigma : sigma).
-BARRENO_FUNCTION double stress_size(double x, double q) { return std::sqrt(x * x / 3.0 + 2.0 * q * q); }
+BARRENO_FUNCTION double stress_size(double x, double q) {
+  return std::sqrt(x * x / 3.0 + 2.0 * q * q);
+}
 
-BARRENO_FUNCTION double allowed_error(const Rock& rock, const PointState& n, double x_end, double q_end) {
+BARRENO_FUNCTION double allowed_error(
+    const Rock& rock, const PointState& n, double x_end, double q_end
+) {
   const double start = stress_size(n.x, std::sqrt(second_invariant(n.s)));
   return rock.tolerance * larger(larger(start, stress_size(x_end, q_end)), rock.stress_floor);
 }
@@ -64,7 +71,7 @@ BARRENO_FUNCTION Prediction predict_with(
     const PointState& n, const Moduli& start, const Moduli& used, double dv, const Sym3& de
 ) {
   Prediction p{n.x + 3.0 * used.bulk * dv, n.s + (2.0 * used.shear) * de, 0.0, start, used};
-  p.q = std::sqrt(second_invariant(p.s));
+  p.J2 = second_invariant(p.s);
   return p;
 }
 

@@ -8,21 +8,26 @@
 namespace barreno::arenisca {
 
 /// Inline minimum and maximum; std::fmin and std::fmax are library calls for the sake of NaN.
-BARRENO_FUNCTION double smaller(double a, double b) { return a < b ? a : b; }
-BARRENO_FUNCTION double larger(double a, double b) { return a > b ? a : b; }
+BARRENO_FUNCTION double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+BARRENO_FUNCTION double larger(double a, double b) {
+  return a > b ? a : b;
+}
 
 /// End of a bracket: argument and function value.
 struct BracketEnd {
   double x, f;
 };
 
-/// Root of f in a bracket whose ends differ in sign: Chandrupatla's method (Adv. Eng. Software 28, 1997,
-/// 145-149), inverse quadratic interpolation where it is safe and bisection where not.
+/// Root of f in a bracket whose ends differ in sign: Chandrupatla's method (Adv. Eng. Software 28,
+/// 1997, 145-149), inverse quadratic interpolation where it is safe and bisection where not.
 /// @param tolerance absolute, on the argument; the best point seen is returned
 /// @param small     a function value that counts as zero
 template <class Function>
-BARRENO_FUNCTION double
-find_root(Function& f, BracketEnd a, BracketEnd b, double tolerance, double small) {
+BARRENO_FUNCTION double find_root(
+    Function& f, BracketEnd a, BracketEnd b, double tolerance, double small
+) {
   constexpr double round_off = 2.3e-16;
   constexpr int most_iterations = 120;  // bisection alone needs 60 to exhaust a double
   BracketEnd c = a;

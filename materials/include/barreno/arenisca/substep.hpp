@@ -11,12 +11,12 @@
 
 namespace barreno::arenisca {
 
-/// Elastic prediction with the moduli at the middle of the substep (second-order Taylor of exp(B2/I1)), I1
-/// held within what the surface admits.
+/// Elastic prediction with the moduli at the middle of the substep (second-order Taylor of
+/// exp(B2/I1)), I1 held within what the surface admits.
 BARRENO_FUNCTION Prediction
 predict(const Rock& rock, const PointState& n, const Cap& cap, double dv, const Sym3& de) {
   const Elasticity& e = rock.elasticity;
-  const Elasticity::PressureTerm term = e.pressure_term(n.x);
+  const Elasticity::PressureTerm term = e.pressure_term(n.x, n.evp);
   const double coupling = e.coupling(n.x, n.evp);
   const Moduli start = e.moduli(term.value, coupling);
   Moduli used = start;
@@ -26,22 +26,52 @@ predict(const Rock& rock, const PointState& n, const Cap& cap, double dv, const 
     const double middle = term.value + 0.5 * term.slope * (x - n.x);
     used = e.moduli(smaller(larger(middle, 0.0), 1.0), coupling);
   }
-  return predict_with(n, start, used, dv, de);
+  Prediction p = predict_with(n, start, used, dv, de);
+  p.term = term;
+  p.coupling = coupling;
+  return p;
 }
 
-BARRENO_FUNCTION Attempt
-accept_elastic(const Rock& rock, const PointState& n, const Prediction& p, double dv, const Sym3& de) {
+/// Moduli at the end of an elastic substep: a parabola in I1 for short steps in compression (its
+/// relative error in exp(B2/I1) is below (B2/I1 dI1/I1)^3, here 1e-6), else the exponential.
+BARRENO_FUNCTION Moduli moduli_after(const Rock& rock, const PointState& n, const Prediction& p) {
+  constexpr double short_step = 0.01;
+  const double change = p.x - n.x;
+  const bool is_short =
+      std::fabs(change) * (std::fabs(n.x) + rock.elasticity.B2) <= short_step * n.x * n.x;
+  if (n.x >= 0.0 || n.evp > 0.0 || !is_short) return rock.elasticity.moduli_at(p.x, n.evp);
+  const double value = p.term.value + change * (p.term.slope + 0.5 * change * p.term.curvature);
+  return rock.elasticity.moduli(value, p.coupling);
+}
+
+/// Whole step at once if it is elastic, well inside and the moduli hardly change: most points of a
+/// run. Inside the virgin rock's surface is inside that of compacted rock: no logarithm is needed.
+template <class Counter>
+BARRENO_FUNCTION bool step_elastically(
+    const Rock& rock, PointState& n, double dv, const Sym3& de, Outcome& outcome, Counter& count
+) {
+  if (n.evp > 0.0) return false;
+  const Prediction p = predict(rock, n, rock.first_cap, dv, de);
+  if (!rock.surface.contains(p.x, p.J2, rock.first_cap, count)) return false;
+  const Moduli end = moduli_after(rock, n, p);
+  // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
+  if (2.0 * moduli_mismatch(p, end) > rock.tolerance) return false;
+  outcome.elastic_work = 0.5 * ((n.x + p.x) * dv / 3.0 + contract(n.s + p.s, de));
+  outcome.longitudinal_modulus = end.bulk + 4.0 / 3.0 * end.shear;
+  n.x = p.x;
+  n.s = p.s;
+  return true;
+}
+
+BARRENO_FUNCTION Attempt accept_elastic(
+    const Rock& rock, const PointState& n, const Prediction& p, double dv, const Sym3& de
+) {
   Attempt a;
   a.end = {p.x, p.s, n.evp, n.shear_strain};
-  a.moduli = rock.elasticity.moduli_at(p.x, n.evp);
-  const double mismatch = moduli_mismatch(p, a.moduli);
-  // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): most elastic steps pass without measuring the stresses.
-  a.error = 2.0 * mismatch;
-  a.allowed = rock.tolerance;
-  if (a.error > a.allowed) {
-    a.error = mismatch * stress_size(p.x - n.x, std::sqrt(second_invariant(p.s - n.s)));
-    a.allowed = allowed_error(rock, n, p.x, p.q);
-  }
+  a.moduli = moduli_after(rock, n, p);
+  a.error =
+      moduli_mismatch(p, a.moduli) * stress_size(p.x - n.x, std::sqrt(second_invariant(p.s - n.s)));
+  a.allowed = allowed_error(rock, n, p.x, p.q());
   a.order = 3;
   a.elastic_work = 0.5 * ((n.x + p.x) * dv / 3.0 + contract(n.s + p.s, de));
   return a;
@@ -50,21 +80,14 @@ accept_elastic(const Rock& rock, const PointState& n, const Prediction& p, doubl
 template <class Counter>
 BARRENO_FUNCTION Attempt
 attempt_substep(const Rock& rock, const PointState& n, double dv, const Sym3& de, Counter& count) {
-  // Inside the virgin rock's surface is inside that of compacted rock: no logarithm for most elastic points.
-  if (n.evp < 0.0) {
-    const Prediction p = predict(rock, n, rock.first_cap, dv, de);
-    if (rock.surface.contains(p.x, p.q, rock.first_cap, count)) {
-      return accept_elastic(rock, n, p, dv, de);
-    }
-  }
   const Cap cap = rock.cap_at(n.evp);
   const Prediction p = predict(rock, n, cap, dv, de);
-  if (rock.surface.contains(p.x, p.q, cap, count)) return accept_elastic(rock, n, p, dv, de);
+  if (rock.surface.contains(p.x, p.J2, cap, count)) return accept_elastic(rock, n, p, dv, de);
   return flow_plastically(rock, n, cap, p, dv, de, count);
 }
 
-/// Factor for the next substep, in sixteenths: then round-off does not reach the choice of substeps, and both
-/// solvers, or two machines, take the same ones.
+/// Factor for the next substep, in sixteenths: then round-off does not reach the choice of
+/// substeps, and both solvers, or two machines, take the same ones.
 BARRENO_FUNCTION double step_factor(const Attempt& a) {
   constexpr double safety = 0.9, smallest = 0.125, largest = 4.0, grain = 16.0;
   if (a.error <= 0.0) return largest;
@@ -73,8 +96,8 @@ BARRENO_FUNCTION double step_factor(const Attempt& a) {
   return smaller(larger(std::floor(grain * factor) / grain, smallest), largest);
 }
 
-/// Fraction of a step below which a substep is taken as it is: where the law itself jumps (K at I1 = 0 with
-/// coupling, the cap's return when closed pores open) none is small enough.
+/// Fraction of a step below which a substep is taken as it is: where the law itself jumps (K at I1
+/// = 0 with coupling, the cap's return when closed pores open) none is small enough.
 BARRENO_FUNCTION double smallest_fraction(const Sym3& strain) {
   constexpr double fraction = 1.0 / 1024.0, smallest_strain = 1e-5;
   const double size = norm(strain);
@@ -86,11 +109,13 @@ BARRENO_FUNCTION double smallest_fraction(const Sym3& strain) {
 template <class Counter>
 BARRENO_FUNCTION Outcome
 integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& count) {
-  constexpr int most_attempts = 2000;  // bounds the cost of any input; 100 % strain needs some hundred
+  constexpr int most_attempts =
+      2000;  // bounds the cost of any input; 100 % strain needs some hundred
   Outcome outcome;
-  outcome.substeps = 0;
   const double volume = trace(strain);
   const Sym3 shape = deviator(strain);
+  if (step_elastically(rock, state, volume, shape, outcome, count)) return outcome;
+  outcome.substeps = 0;
   double done = 0.0, fraction = 1.0;
   for (int i = 0; i < most_attempts; ++i) {
     const bool last = done + fraction >= 1.0;

@@ -75,10 +75,13 @@ std::vector<Teuchos::XMLObject> sub_lists(
 UnitSystem units_of(const Teuchos::XMLObject& root, const std::string& source);
 
 /// Set or add the parameter of "Sub List/Parameter=value"; sub-lists are made as needed.
-void override_value(Teuchos::XMLObject root, const std::string& assignment);
+void override_value(const Teuchos::XMLObject& root, const std::string& assignment);
 
 /// "a/b", or "b" when the path is empty.
 std::string join(const std::string& path, const std::string& name);
+
+/// Shortest decimal text that reads back as the same double.
+std::string exact_text(double value);
 
 /// A value inside a sentence: numbers and arrays as written, words in quotes, long ones cut.
 std::string shown(const std::string& text);

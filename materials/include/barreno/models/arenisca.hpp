@@ -15,12 +15,12 @@ namespace barreno {
 
 using Increment = IncrementOf<Sym3>;
 
-/// Arenisca, drained: nonlinear Drucker-Prager with a cap that follows the crush curve, nonlinear elasticity
-/// with elastic-plastic coupling, nonassociated flow, error-controlled substeps.
+/// Arenisca, drained: nonlinear Drucker-Prager with a cap that follows the crush curve, nonlinear
+/// elasticity with elastic-plastic coupling, nonassociated flow, error-controlled substeps.
 ///
-/// Source: Homel, Guilkey, Brannon, "Continuum effective-stress approach for high-rate plastic deformation
-/// of fluid-saturated geomaterials with application to shaped-charge jet penetration", Acta Mech. 227
-/// (2016). Parameter names are the published ones. Read next: arenisca/substep.hpp.
+/// Source: Homel, Guilkey, Brannon, "Continuum effective-stress approach for high-rate plastic
+/// deformation of fluid-saturated geomaterials with application to shaped-charge jet penetration",
+/// Acta Mech. 227 (2016). Parameter names are the published ones. Read next: arenisca/substep.hpp.
 struct Arenisca {
   static constexpr const char* name = "Arenisca";
   static constexpr const char* summary =
@@ -43,7 +43,9 @@ struct Arenisca {
   static ParameterTable<Parameters> parameter_table();
   static std::vector<HistoryField> history_table() {
     return {
-        {"plastic_volume_strain", dimension::none, "volumetric plastic strain, negative in compaction"},
+        {"plastic_volume_strain",
+         dimension::none,
+         "volumetric plastic strain, negative in compaction"},
         {"equivalent_plastic_strain",
          dimension::none,
          "accumulated sqrt(2/3 de_p : de_p) of the plastic deviator"}};
@@ -65,7 +67,8 @@ struct Arenisca {
 
   /// Advances a point by a strain increment.
   /// @param[in]     increment strain and volume ratios of the step
-  /// @param[in,out] stress    unrotated Cauchy stress [stress]; as it was when the outcome has failed
+  /// @param[in,out] stress    unrotated Cauchy stress [stress]; as it was when the outcome has
+  /// failed
   BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& h) const {
     arenisca::NoCounter none;
     return update_counted(increment, stress, h, none);
@@ -107,7 +110,7 @@ struct Arenisca {
   const Parameters& parameters() const { return p_; }
   const arenisca::Rock& rock() const { return rock_; }
 
- private:
+private:
   static arenisca::Rock make_rock(const Parameters& p);
 
   BARRENO_FUNCTION static double plane_wave_modulus(const arenisca::Moduli& m) {
@@ -120,7 +123,9 @@ struct Arenisca {
     return outcome;
   }
   /// NaN, infinite or absurd input: a strain increment beyond exp(10) has no meaning.
-  BARRENO_FUNCTION static bool sound_input(const Increment& i, const Sym3& stress, const History& h) {
+  BARRENO_FUNCTION static bool sound_input(
+      const Increment& i, const Sym3& stress, const History& h
+  ) {
     constexpr double largest_increment = 10.0;
     const double strain_squared = contract(i.strain, i.strain);
     return strain_squared <= largest_increment * largest_increment &&
@@ -150,8 +155,12 @@ inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
   namespace d = dimension;
   return {
       {required(&P::PEAKI1, "PEAKI1", d::stress, at_least(0.0), "I1 at the tensile vertex"),
-       required(&P::FSLOPE, "FSLOPE", d::none, at_least(0.0), "slope of the limit surface at the vertex"),
-       optional(&P::STREN, "STREN", d::stress, at_least(0.0), 0.0, "shear strength at high pressure"),
+       required(
+           &P::FSLOPE, "FSLOPE", d::none, at_least(0.0), "slope of the limit surface at the vertex"
+       ),
+       optional(
+           &P::STREN, "STREN", d::stress, at_least(0.0), 0.0, "shear strength at high pressure"
+       ),
        optional(&P::YSLOPE, "YSLOPE", d::none, at_least(0.0), 0.0, "slope at high pressure"),
        optional(
            &P::BETA_nonassociativity,
@@ -161,18 +170,35 @@ inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
            1.0,
            "beta: dilatancy slope / friction slope = beta^2; above 1 plastic work could be negative"
        ),
-       required(&P::B0, "B0", d::stress, above(0.0), "bulk modulus at zero pressure and in tension"),
-       optional(&P::B1, "B1", d::stress, at_least(0.0), 0.0, "rise of the bulk modulus under pressure"),
+       required(
+           &P::B0, "B0", d::stress, above(0.0), "bulk modulus at zero pressure and in tension"
+       ),
+       optional(
+           &P::B1, "B1", d::stress, at_least(0.0), 0.0, "rise of the bulk modulus under pressure"
+       ),
        optional(&P::B2, "B2", d::stress, at_least(0.0), 0.0, "I1 scale of that rise"),
        optional(&P::B3, "B3", d::stress, at_least(0.0), 0.0, "elastic-plastic coupling: fall of K"),
-       optional(&P::B4, "B4", d::none, at_least(0.0), 0.0, "plastic volume strain scale of that fall"),
+       optional(
+           &P::B4, "B4", d::none, at_least(0.0), 0.0, "plastic volume strain scale of that fall"
+       ),
        required(&P::G0, "G0", d::stress, above(0.0), "shear modulus"),
-       optional(&P::G1, "G1", d::none, any(), 0.0, "Poisson's ratio at zero pressure; 0 = constant G"),
+       optional(
+           &P::G1, "G1", d::none, any(), 0.0, "Poisson's ratio at zero pressure; 0 = constant G"
+       ),
        optional(&P::G2, "G2", d::none, any(), 0.0, "rise of Poisson's ratio under pressure"),
        optional(&P::G3, "G3", d::none, any(), 0.0, "published name without effect: must be 0"),
        optional(&P::G4, "G4", d::none, any(), 0.0, "published name without effect: must be 0"),
-       optional(&P::p0_crush_curve, "p0_crush_curve", d::stress, any(), 0.0, "I1 at which crushing begins"),
-       optional(&P::p1_crush_curve, "p1_crush_curve", d::compliance, any(), 0.0, "p1 of the crush curve"),
+       optional(
+           &P::p0_crush_curve,
+           "p0_crush_curve",
+           d::stress,
+           any(),
+           0.0,
+           "I1 at which crushing begins"
+       ),
+       optional(
+           &P::p1_crush_curve, "p1_crush_curve", d::compliance, any(), 0.0, "p1 of the crush curve"
+       ),
        required(&P::p3_crush_curve, "p3_crush_curve", d::none, at_least(0.0), "-ln(1 - porosity)"),
        optional(&P::CR, "CR", d::none, Bounds{0.0, 1.0, false, true}, 0.5, "shape of the cap"),
        optional(
@@ -180,8 +206,9 @@ inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
            "Tolerance",
            d::none,
            Bounds{0.0, 1.0, true, true},
-           1e-3,
-           "relative local error of a substep"
+           1e-2,
+           "relative local error of a substep, estimated to first order (the result is second "
+           "order)"
        )},
       {{&P::return_solver,
         "Return solver",
@@ -198,8 +225,8 @@ inline arenisca::Rock Arenisca::make_rock(const Parameters& p) {
   rock.first_cap = rock.cap_at(0.0);
   rock.beta = p.BETA_nonassociativity;
   rock.tolerance = p.tolerance;
-  // An elastic strain of 1e-4 or the shear strength at zero pressure: errors below tolerance times this
-  // do not matter however small the stress is.
+  // An elastic strain of 1e-4 or the shear strength at zero pressure: errors below tolerance times
+  // this do not matter however small the stress is.
   constexpr double small_strain = 1e-4;
   rock.stress_floor = std::fmax(small_strain * p.B0, rock.surface.limit(0.0));
   rock.bisection = p.return_solver == 1;
@@ -219,23 +246,30 @@ inline std::string check_surface(const Arenisca::Parameters& p) {
   const std::string FSLOPE = named("FSLOPE", p.FSLOPE), STREN = named("STREN", p.STREN);
   const std::string PEAKI1 = named("PEAKI1", p.PEAKI1), YSLOPE = named("YSLOPE", p.YSLOPE);
   if (p.FSLOPE == 0.0 && p.STREN == 0.0) {
-    return FSLOPE + " and " + STREN + " leave the rock without any shear strength (the yield surface is "
+    return FSLOPE + " and " + STREN +
+           " leave the rock without any shear strength (the yield surface is "
            "empty). Set FSLOPE, STREN or both.";
   }
   if (p.FSLOPE == 0.0 && p.PEAKI1 != 0.0) {
-    return PEAKI1 + " needs a slope, but FSLOPE = 0 (STREN alone is the von Mises surface, which has no "
+    return PEAKI1 +
+           " needs a slope, but FSLOPE = 0 (STREN alone is the von Mises surface, which has no "
            "vertex). Set FSLOPE, or PEAKI1 = 0.";
   }
   if (p.FSLOPE == 0.0 && p.YSLOPE != 0.0) {
-    return YSLOPE + " exceeds FSLOPE = 0 (the limit surface would open backwards). Set FSLOPE, or YSLOPE = 0 "
+    return YSLOPE +
+           " exceeds FSLOPE = 0 (the limit surface would open backwards). Set FSLOPE, or YSLOPE = "
+           "0 "
            "for von Mises.";
   }
   if (p.STREN == 0.0 && p.YSLOPE != 0.0) {
-    return YSLOPE + " is the slope at high pressure of the nonlinear surface, which needs STREN (now 0). Set "
+    return YSLOPE +
+           " is the slope at high pressure of the nonlinear surface, which needs STREN (now 0). "
+           "Set "
            "STREN, or YSLOPE = 0 for linear Drucker-Prager.";
   }
   if (p.FSLOPE != 0.0 && p.STREN != 0.0 && !(p.FSLOPE > p.YSLOPE)) {
-    return YSLOPE + " is not below " + FSLOPE + " (the limit surface would open backwards). Swap them?";
+    return YSLOPE + " is not below " + FSLOPE +
+           " (the limit surface would open backwards). Swap them?";
   }
   if (p.FSLOPE != 0.0 && p.STREN != 0.0 && !(p.STREN > p.YSLOPE * p.PEAKI1)) {
     return STREN + " must exceed YSLOPE*PEAKI1 = " + named("", p.YSLOPE * p.PEAKI1).substr(3) +
@@ -248,12 +282,14 @@ inline std::string check_crush_curve(const Arenisca::Parameters& p) {
   if (p.p3_crush_curve == 0.0) return {};  // nonporous: no cap, p0 and p1 are not read
   if (!(p.p0_crush_curve < 0.0)) {
     return named("p0_crush_curve", p.p0_crush_curve) +
-           " must be negative (it is the I1 at which crushing begins, tension positive). Change its sign, or "
+           " must be negative (it is the I1 at which crushing begins, tension positive). Change "
+           "its sign, or "
            "set p3_crush_curve = 0 for nonporous rock.";
   }
   if (!(p.p1_crush_curve > 0.0)) {
     return named("p1_crush_curve", p.p1_crush_curve) +
-           " must be positive (else crushing softens the rock). Change its sign, or set p3_crush_curve = 0 for "
+           " must be positive (else crushing softens the rock). Change its sign, or set "
+           "p3_crush_curve = 0 for "
            "nonporous rock.";
   }
   return {};
@@ -261,11 +297,13 @@ inline std::string check_crush_curve(const Arenisca::Parameters& p) {
 
 inline std::string check_bulk_modulus(const Arenisca::Parameters& p) {
   if (p.B1 > 0.0 && p.B2 == 0.0) {
-    return named("B1", p.B1) + " with B2 = 0 makes the bulk modulus jump at zero pressure. Set B2, the I1 over "
+    return named("B1", p.B1) +
+           " with B2 = 0 makes the bulk modulus jump at zero pressure. Set B2, the I1 over "
            "which it rises, or B1 = 0.";
   }
   if (p.B3 > 0.0 && p.B4 == 0.0) {
-    return named("B3", p.B3) + " with B4 = 0 makes the bulk modulus jump at the first crushing. Set B4, the "
+    return named("B3", p.B3) +
+           " with B4 = 0 makes the bulk modulus jump at the first crushing. Set B4, the "
            "plastic strain over which it falls, or B3 = 0.";
   }
   const double fall = p.p3_crush_curve > 0.0 ? p.B3 * std::exp(-p.B4 / p.p3_crush_curve) : 0.0;
@@ -285,20 +323,22 @@ inline std::string check_shear_modulus(const Arenisca::Parameters& p) {
   }
   if ((p.G1 != 0.0) != (p.G2 != 0.0)) {
     return named("G1", p.G1) + " and " + named("G2", p.G2) +
-           " have no effect unless both are set (else the shear modulus is G0). Set both, or both to 0.";
+           " have no effect unless both are set (else the shear modulus is G0). Set both, or both "
+           "to 0.";
   }
   if (p.G1 == 0.0) return {};
   for (const double nu : {p.G1, p.G1 + p.G2}) {
     if (nu > -1.0 && nu < 0.5) continue;
     return named("G1", p.G1) + " and " + named("G2", p.G2) + " give a Poisson's ratio of " +
-           named("", nu).substr(3) + ", outside -1 to 0.5 (negative shear modulus). Change G1 or G2.";
+           named("", nu).substr(3) +
+           ", outside -1 to 0.5 (negative shear modulus). Change G1 or G2.";
   }
   // Cards carry few digits; a jump of 1e-3 in G at I1 = 0 is below what calibrations resolve.
   constexpr double digits = 1e-3;
   const double continuous = Elasticity::shear_from_ratio(p.B0, p.G1);
   if (!(std::fabs(p.G0 - continuous) <= digits * continuous)) {
-    return named("G0", p.G0) + " must equal 1.5 B0 (1 - 2 G1)/(1 + G1) = " +
-           named("", continuous).substr(3) +
+    return named("G0", p.G0) +
+           " must equal 1.5 B0 (1 - 2 G1)/(1 + G1) = " + named("", continuous).substr(3) +
            " (the shear modulus would jump at zero pressure). Set G0 to that.";
   }
   return {};

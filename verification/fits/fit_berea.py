@@ -1,0 +1,210 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fits materials/cards/berea_sandstone.xml to published data of Berea sandstone.
+
+Prints the misfit table and the parameters; with a file name as argument writes a picture of the fit.
+
+Every datum says where it comes from and how sure it is:
+  looked up   the number was read in a stored copy of the source, or of a text that quotes it
+  recalled    from memory of the source, not checked against it for this fit
+  assumed     no measurement: an engineering choice
+`sigma` is the relative uncertainty that weighs the datum; it holds the scatter between blocks of Berea.
+Tension positive, I1 = tr(sigma), pressures in MPa and moduli in GPa as in the sources.
+"""
+
+import sys
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import least_squares
+
+POROSITY = 0.20  # between the 19 % and 21 % of the blocks below
+GRAIN_DENSITY = 2650.0  # quartz [kg/m3]
+
+
+class Datum(NamedTuple):
+    at: float  # pressure or confining pressure [MPa]
+    value: float
+    sigma: float  # relative
+    source: str
+
+
+BULK_MODULUS = [  # drained tangent K [GPa] at a hydrostatic pressure
+    Datum(10, 6.6, 0.20, "Hart & Wang 1995 JGR 100:17741, abstract, static; looked up"),
+    Datum(60, 11.0, 0.25, "Zimmerman 1991, compressibility of dry Berea, static; recalled"),
+    Datum(50, 15.0, 0.25, "dry ultrasonic Vp 3.85, Vs 2.4 km/s; recalled"),
+    Datum(300, 18.0, 0.35, "stiff frame of 18 % porosity quartz rock before crushing; assumed"),
+    Datum(5000, 36.0, 0.10, "grain modulus, Detournay & Cheng 1993 table; recalled"),
+]
+POISSON_RATIO = [
+    Datum(10, 0.17, 0.10, "Hart & Wang 1995, abstract; looked up"),
+    Datum(5000, 0.20, 0.25, "Detournay & Cheng 1993 table; recalled"),
+]
+CRUSH_PRESSURE = [  # P* [MPa] at porosity `at` [%]
+    Datum(19, 440.0, 0.05, "Zhang, Wong & Davis 1990 JGR 95:341, as quoted in a rock physics text; looked up"),
+    Datum(21, 380.0, 0.05, "Wong, David & Zhu 1997 JGR 102:3009; recalled"),
+]
+POROSITY_UNDER_CRUSHING = [  # part of the pore strain left at a pressure [MPa]
+    Datum(600, 0.70, 0.15, "Zhang, Wong & Davis 1990, figure of the porosity drop; recalled"),
+    Datum(3000, 0.01, 0.70, "shocked sandstones: pores closed at 3 to 5.5 GPa (Kieffer 1971); recalled"),
+]
+# Coulomb line of triaxial compression, 27.2 MPa and 27.8 degrees for confinement 0 to 200 MPa, 18.2 % porosity:
+# Goodman, Introduction to Rock Mechanics, table 3.3; looked up (quoted).
+COHESION, FRICTION = 27.2, np.radians(27.8)
+FLOW = (1 + np.sin(FRICTION)) / (1 - np.sin(FRICTION))
+
+
+def coulomb(confinement):
+    return 2 * COHESION * np.sqrt(FLOW) + (FLOW - 1) * confinement
+
+
+STRENGTH_INITIAL = [Datum(0, 73.8, 0.15, "unconfined strength, Goodman table 3.1; recalled")] + [
+    Datum(p, coulomb(p), 0.10, "Coulomb line, Goodman table 3.3; looked up") for p in (10.0, 25.0, 50.0)
+]
+STRENGTH_HARDENED = [  # reached after the cap has moved away: the limit surface alone
+    Datum(p, coulomb(p), 0.10, "Coulomb line, Goodman table 3.3; looked up") for p in (100.0, 150.0, 200.0)
+]
+TENSION = Datum(0, 3.0, 0.30, "uniaxial tensile strength 2 to 4 MPa; recalled")
+# Onset of shear-enhanced compaction: differential stress over P* at mean stress over P*.
+COMPACTION = [
+    Datum(0.50, 0.58, 0.12, "common yield envelope of porous sandstones, Wong et al. 1997; recalled"),
+    Datum(0.75, 0.45, 0.12, "same"),
+    Datum(0.90, 0.28, 0.15, "same"),
+]
+YSLOPE_ASSUMED = Datum(
+    0, 0.10, 0.30, "no data above 0.5 GPa: between the Coulomb line (0.21) and a nearly constant strength (0.05); assumed"
+)
+
+
+def pressure_term(scale, pressure):
+    return np.exp(-scale / (3 * pressure))
+
+
+def fit_moduli():
+    def model(v, p):
+        return v[0] + v[1] * pressure_term(v[2], p)
+
+    def residual(v):
+        return [np.log(model(v, d.at) / d.value) / d.sigma for d in BULK_MODULUS]
+
+    v = least_squares(residual, [6.0, 30.0, 300.0], bounds=([1, 1, 10], [20, 60, 2000])).x
+    nu0, nu1 = (d.value for d in POISSON_RATIO)
+    return v, (nu0, nu1 - nu0), [(f"K at {d.at:.0f} MPa [GPa]", d, model(v, d.at)) for d in BULK_MODULUS]
+
+
+def fit_crushing():
+    p3 = -np.log(1 - POROSITY)
+    # P* falls as (porosity times grain size)^-3/2 (Zhang et al. 1990): both blocks at this porosity.
+    scaled = [d.value * (d.at / (100 * POROSITY)) ** 1.5 for d in CRUSH_PRESSURE]
+    crush = float(np.exp(np.mean(np.log(scaled))))
+    rows = [(f"P* at {d.at:.0f} % [MPa]", d, crush * (100 * POROSITY / d.at) ** 1.5) for d in CRUSH_PRESSURE]
+
+    def left(p1, p):
+        return np.exp(-p1 * 3 * (p - crush))
+
+    def residual(v):
+        return [np.log(left(v[0], d.at) / d.value) / d.sigma for d in POROSITY_UNDER_CRUSHING]
+
+    p1 = least_squares(residual, [6e-4]).x[0]
+    rows += [(f"pore strain left at {d.at:.0f} MPa", d, left(p1, d.at)) for d in POROSITY_UNDER_CRUSHING]
+    return p3, crush, p1, rows
+
+
+def limit(v, x):
+    peak, slope, strength, far_slope = v[:4]
+    a2 = (slope - far_slope) / (strength - far_slope * peak)
+    a3 = (strength - far_slope * peak) * np.exp(-a2 * peak)
+    return strength - a3 * np.exp(a2 * x) - far_slope * x
+
+
+def meridian(v, x, crush):
+    peak, cr, X = v[0], v[4], -3 * crush
+    kappa = peak - cr * (peak - X)
+    c = np.where(x < kappa, (kappa - x) / (kappa - X), 0.0)
+    return limit(v, x) * np.sqrt(np.maximum(1 - c * c, 0.0))
+
+
+def triaxial(surface, confinement):
+    """Differential stress at which triaxial compression meets sqrt(J2) = surface(I1)."""
+    low, high = 0.0, 5000.0
+    for _ in range(60):
+        q = 0.5 * (low + high)
+        low, high = (q, high) if q / np.sqrt(3) < surface(-(q + 3 * confinement)) else (low, q)
+    return low
+
+
+def tensile(v):
+    low, high = 0.0, 100.0
+    for _ in range(60):
+        t = 0.5 * (low + high)
+        low, high = (t, high) if t <= v[0] and t / np.sqrt(3) < limit(v, t) else (low, t)
+    return low
+
+
+def strength_rows(v, crush):
+    rows = [(f"TXC onset at {d.at:.0f} MPa [MPa]", d, triaxial(lambda x: meridian(v, x, crush), d.at))
+            for d in STRENGTH_INITIAL]
+    rows += [(f"TXC hardened at {d.at:.0f} MPa [MPa]", d, triaxial(lambda x: limit(v, x), d.at))
+             for d in STRENGTH_HARDENED]
+    rows.append(("uniaxial tension [MPa]", TENSION, tensile(v)))
+    for d in COMPACTION:
+        x = -3 * crush * d.at
+        rows.append((f"Q/P* at P/P* = {d.at}", d, np.sqrt(3) * float(meridian(v, x, crush)) / crush))
+    rows.append(("YSLOPE", YSLOPE_ASSUMED, v[3]))
+    return rows
+
+
+def fit_strength(crush):
+    def residual(v):
+        return [np.log(max(value, 1e-6) / d.value) / d.sigma for _, d, value in strength_rows(v, crush)]
+
+    start = [6.0, 0.5, 250.0, 0.05, 0.2]
+    fit = least_squares(residual, start, bounds=([1, 0.1, 50, 0.0, 0.05], [80, 1.5, 2000, 0.2, 0.9]),
+                        x_scale=[10, 0.5, 200, 0.05, 0.3])
+    return fit.x, strength_rows(fit.x, crush)
+
+
+def print_rows(rows):
+    squares = []
+    for label, d, value in rows:
+        misfit = value / d.value - 1
+        squares.append((np.log(value / d.value) / d.sigma) ** 2)
+        print(f"| {label} | {d.value:.4g} | {value:.4g} | {100 * misfit:+.0f} % | {100 * d.sigma:.0f} % | {d.source} |")
+    return squares
+
+
+def draw(name, v, crush):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    x = np.linspace(-3 * crush, v[0], 400)
+    plt.plot(-x, meridian(v, x, crush), label="initial surface")
+    plt.plot(-x, limit(v, x), "--", label="limit surface")
+    for d in STRENGTH_INITIAL + STRENGTH_HARDENED:
+        plt.plot(d.value + 3 * d.at, d.value / np.sqrt(3), "ko")
+    for d in COMPACTION:
+        plt.plot(3 * crush * d.at, d.value * crush / np.sqrt(3), "s", color="tab:red")
+    plt.xlabel("-I1 [MPa]"), plt.ylabel("sqrt(J2) [MPa]"), plt.legend(), plt.savefig(name, dpi=120)
+
+
+def main():
+    (B0, B1, B2), (G1, G2), moduli = fit_moduli()
+    p3, crush, p1, crushing = fit_crushing()
+    v, strength = fit_strength(crush)
+    print("| quantity | data | model | misfit | uncertainty | source |\n|---|---|---|---|---|---|")
+    squares = print_rows(moduli) + print_rows(crushing) + print_rows(strength)
+    print(f"\nroot mean square of misfit over uncertainty: {np.sqrt(np.mean(squares)):.2f} ({len(squares)} data)\n")
+    G0 = 1.5 * B0 * (1 - 2 * G1) / (1 + G1)
+    for name, value in [
+        ("Density", GRAIN_DENSITY * (1 - POROSITY)), ("PEAKI1", v[0] * 1e6), ("FSLOPE", v[1]),
+        ("STREN", v[2] * 1e6), ("YSLOPE", v[3]), ("CR", v[4]), ("B0", B0 * 1e9), ("B1", B1 * 1e9),
+        ("B2", B2 * 1e6), ("G0", G0 * 1e9), ("G1", G1), ("G2", G2), ("p0_crush_curve", -3 * crush * 1e6),
+        ("p1_crush_curve", p1 * 1e-6), ("p3_crush_curve", p3),
+    ]:
+        print(f"{name:16s} {value:.6g}")
+    if len(sys.argv) > 1:
+        draw(sys.argv[1], v, crush)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run a deck and read what it left: the one way in which verification cases use the code."""
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DECKS = ROOT / "input_xml"
+
+
+def mpi_environment():
+    """Open MPI as root, unbound, more ranks than cores allowed."""
+    environment = dict(os.environ)
+    environment.update(
+        OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        OMPI_MCA_rmaps_base_oversubscribe="1",
+        OMPI_MCA_hwloc_base_binding_policy="none",
+        OMPI_MCA_btl_vader_single_copy_mechanism="none",
+    )
+    return environment
+
+
+class Run:
+    """A finished run: its tables, its summary and its particles."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.summary = json.loads((self.folder / "summary.json").read_text())
+
+    def table(self, name):
+        """Columns of a CSV file as arrays."""
+        with open(self.folder / name, newline="") as stream:
+            rows = list(csv.reader(line for line in stream if not line.startswith("#")))
+        values = np.array([[float(x) for x in row] for row in rows[1:]])
+        return {column: values[:, i] for i, column in enumerate(rows[0])}
+
+    def particles(self, step=-1):
+        """Element variables of all blocks at a time step, and corners as (particle, corner, xy)."""
+        from netCDF4 import Dataset, chartostring
+
+        with Dataset(self.folder / "particles.e") as data:
+            names = [str(name) for name in chartostring(data.variables["name_elem_var"][:])]
+            blocks = range(1, len(data.dimensions["num_el_blk"]) + 1)
+            out = {"time": float(data.variables["time_whole"][step])}
+            for i, name in enumerate(names, 1):
+                parts = []
+                for block in blocks:
+                    variable = data.variables.get(f"vals_elem_var{i}eb{block}")
+                    count = len(data.dimensions[f"num_el_in_blk{block}"])
+                    parts.append(np.asarray(variable[step]) if variable is not None else np.full(count, np.nan))
+                out[name] = np.concatenate(parts)
+            nodal = [str(name) for name in chartostring(data.variables["name_nod_var"][:])]
+            x = np.asarray(data.variables["coordx"][:])
+            y = np.asarray(data.variables["coordy"][:])
+            x = x + np.asarray(data.variables[f"vals_nod_var{nodal.index('displacement_x') + 1}"][step])
+            y = y + np.asarray(data.variables[f"vals_nod_var{nodal.index('displacement_y') + 1}"][step])
+            connect = np.concatenate([np.asarray(data.variables[f"connect{b}"][:]) for b in blocks]) - 1
+        out["corners"] = np.stack([x[connect], y[connect]], axis=-1)
+        out["x"], out["y"] = out["corners"].mean(axis=1).T
+        return out
+
+
+def run_deck(barreno, deck, settings=None, ranks=1, folder=None):
+    """Run input_xml/DECK with --set overrides; an error of the code is an error here."""
+    folder = folder or os.path.join(tempfile.mkdtemp(prefix="verification-"), "run")
+    command = [str(barreno), "run", str(DECKS / deck), "--out", str(folder)]
+    for path, value in (settings or {}).items():
+        command += ["--set", f"{path}={value}"]
+    if ranks > 1:
+        command = ["mpirun", "--quiet", "-n", str(ranks)] + command
+    result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True)
+    if result.returncode != 0:
+        raise RuntimeError(f"{' '.join(command)} ended with {result.returncode}: {result.stderr.strip()}")
+    return Run(folder)
+
+
+def order(errors, ratio=2.0):
+    """Observed orders of successive errors."""
+    return [float(np.log(a / b) / np.log(ratio)) for a, b in zip(errors, errors[1:])]
