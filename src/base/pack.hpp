@@ -5,12 +5,14 @@
 
 namespace barreno {
 
-/// N doubles that are added and scaled together: the values of one node. Compilers left to themselves split
-/// such short loops when some entries are known zeros, which doubled the time of the projection.
+/// N doubles that are added and scaled together: the values of one node. Compilers left to
+/// themselves split such short loops when some entries are known zeros, which doubled the time of
+/// the projection.
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__) && !defined(__HIP__)
 template <int N>
 struct PackOf {
-  typedef double type __attribute__((vector_size(N * sizeof(double))));  // NOLINT(modernize-use-using)
+  typedef double type
+      __attribute__((vector_size(N * sizeof(double))));  // NOLINT(modernize-use-using)
 };
 template <int N>
 using Pack = typename PackOf<N>::type;

@@ -18,7 +18,8 @@ using ArrayView = Kokkos::View<T*, MemorySpace>;
 using ParticleId = long long;
 
 /// Rows or tiles [0, count) for a kernel.
-inline Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>> range(int count) {
+using RowPolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>>;
+inline RowPolicy range(int count) {
   return {0, count};
 }
 

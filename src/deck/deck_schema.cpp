@@ -158,6 +158,13 @@ Section step_section() {
            "of one step; beyond it the step is retried smaller"
        )
            .by_default("0.5"),
+       number(
+           "Largest Expansion",
+           dim::none,
+           above(1.0),
+           "volume over reference volume beyond which a particle is rubble and its policy acts"
+       )
+           .by_default("10"),
        number("PIC Fraction", dim::none, between(0.0, 1.0), "0: FLIP, 1: PIC").by_default("0"),
        number(
            "Linear Viscosity",

@@ -56,9 +56,9 @@ void follow_jet_particle(
     const MassCounter& masses,
     JetReach& deepest
 ) {
-  const Corners corners = particles.corners(p);
-  double depth = -infinity;
-  for (std::size_t a = 0; a < 4; ++a) depth = std::max(depth, path.depth(corners[2 * a + 1]));
+  // The undeformed box, which is what the shape function sees: the corner of a particle that was
+  // drawn out into a needle says nothing about where the jet is.
+  const double depth = path.depth(particles.position(p, 1)) + particles.half_size(p, 1);
   const ParticleId id = particles.id(p);
   if (depth > deepest.depth || (depth == deepest.depth && id < deepest.id)) {
     deepest.depth = depth;
@@ -69,58 +69,54 @@ void follow_jet_particle(
     deepest.mass += masses.count(particles.mass(p, 0));
 }
 
-/// Bins that an interval of depths touches; none if first > last.
-struct Bins {
-  int first = 0, last = -1;
-};
-Bins bins_between(const JetPath& path, double shallow, double deep) {
-  if (!(deep > 0.0) || !(shallow < path.bins * path.bin)) return {};  // not finite: none
-  const double last_bin = path.bins - 1.0;
-  return {
-      static_cast<int>(std::clamp(std::floor(shallow / path.bin), 0.0, last_bin)),
-      static_cast<int>(std::clamp(std::floor(deep / path.bin), 0.0, last_bin))};
-}
+/// Whole numbers add up the same in every order: parts of a cell that are filled.
+constexpr double fill_quantum = 1.0 / 1099511627776.0;
 
-/// The centre lies in the domain: a first bound that spares most particles the exact look.
-void bound_channel(
-    const HostParticles& particles, int p, const JetPath& path, std::vector<double>& nearest
+/// Filled part of the cells along the path (rows) by distance from the axis (columns), of this
+/// rank.
+std::vector<long long> fill_cells(
+    const std::vector<HostParticles>& sets, const Scene& scene, const JetPath& path, int columns
 ) {
-  const double depth = path.depth(particles.position(p, 1));
-  const Bins bins = bins_between(path, depth, depth);
-  if (bins.first > bins.last) return;
-  double& bin = nearest[static_cast<std::size_t>(bins.first)];
-  bin = std::min(bin, std::abs(particles.position(p, 0)));
-}
-
-void narrow_channel(
-    const HostParticles& particles, int p, const JetPath& path, std::vector<double>& nearest
-) {
-  const auto& F = particles.deformation_gradient;
-  const double h_x = particles.half_size(p, 0), h_y = particles.half_size(p, 1);
-  const double reach_x = std::abs(F(p, 0)) * h_x + std::abs(F(p, 1)) * h_y;
-  const double reach_y = std::abs(F(p, 2)) * h_x + std::abs(F(p, 3)) * h_y;
-  const double depth = path.depth(particles.position(p, 1));
-  const Bins bins = bins_between(path, depth - reach_y, depth + reach_y);
-  const double inner = std::abs(particles.position(p, 0)) - reach_x;
-  for (int b = bins.first; b <= bins.last; ++b) {
-    double& bin = nearest[static_cast<std::size_t>(b)];
-    if (!(inner < bin)) continue;
-    const Corners corners = particles.corners(p);
-    bin = std::min(bin, nearest_to_axis(corners, path, b * path.bin, (b + 1) * path.bin));
+  const bool ring = scene.grid.mode == Mode::axisymmetric;
+  const double h = path.bin;
+  const double sides = !ring && scene.grid.lower[0] < 0.0 ? 2.0 : 1.0;
+  std::vector<long long> fill(
+      static_cast<std::size_t>(path.bins) * static_cast<std::size_t>(columns), 0
+  );
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const HostParticles& particles = sets[set];
+    const double density = scene.materials[set].material.density;
+    for (int p = 0; p < particles.count; ++p) {
+      if ((particles.body(p) & ~held_bit) == scene.bodies.size()) continue;  // the jet itself
+      const double bin = std::floor(path.depth(particles.position(p, 1)) / h);
+      const double column = std::floor(std::abs(particles.position(p, 0)) / h);
+      if (!(bin >= 0.0 && bin < path.bins && column < columns)) continue;
+      const double cell = h * h * (ring ? 2.0 * std::acos(-1.0) * (column + 0.5) * h : sides);
+      // Expanded debris fills no more than it did as rock.
+      const double filled = std::min(particles.volume(p, 0), particles.mass(p, 0) / density) / cell;
+      fill
+          [static_cast<std::size_t>(bin) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column)] += std::llround(filled / fill_quantum);
+    }
   }
+  return fill;
 }
 
-/// Smallest distance of target domains to the axis in every bin, of this rank.
-std::vector<double> nearest_in_bins(
-    const std::vector<HostParticles>& sets, std::size_t jet, const JetPath& path
+/// Distance from the axis to the first cell that target fills by half, in every bin.
+std::vector<double> open_radii(
+    const std::vector<long long>& fill, const JetPath& path, int columns
 ) {
-  std::vector<double> nearest(static_cast<std::size_t>(path.bins), infinity);
-  if (nearest.empty()) return nearest;
-  for (auto* visit : {&bound_channel, &narrow_channel})
-    for (const HostParticles& particles : sets)
-      for (int p = 0; p < particles.count; ++p)
-        if (particles.body(p) != jet) visit(particles, p, path, nearest);
-  return nearest;
+  constexpr double half = 0.5 / fill_quantum;
+  std::vector<double> radii(static_cast<std::size_t>(path.bins), columns * path.bin);
+  for (std::size_t b = 0; b < radii.size(); ++b)
+    for (int c = 0; c < columns; ++c)
+      if (static_cast<double>(
+              fill[b * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)]
+          ) >= half) {
+        radii[b] = c * path.bin;
+        break;
+      }
+  return radii;
 }
 
 /// Depth and velocity of the deepest particle of all ranks, on the root.
@@ -166,39 +162,13 @@ JetPath jet_path(const Scene& scene) {
   return path;
 }
 
-double nearest_to_axis(const Corners& corners, const JetPath& path, double above, double below) {
-  // Domains that only touch a bin, up to round-off, are not in it.
-  const double margin = 1e-9 * path.bin;
-  const double upper = above + margin, lower = below - margin;
-  double nearest = infinity;
-  bool left = false, right = false;
-  for (std::size_t a = 0; a < 4; ++a) {
-    const std::size_t b = (a + 1) % 4;
-    const double d_a = path.depth(corners[2 * a + 1]), d_b = path.depth(corners[2 * b + 1]);
-    if (std::max(d_a, d_b) < upper || std::min(d_a, d_b) > lower) continue;
-    for (const double bound : {upper, lower}) {
-      // Where the edge enters and leaves the strip; an edge along the strip keeps its own ends.
-      const double depth = std::clamp(bound, std::min(d_a, d_b), std::max(d_a, d_b));
-      const bool level = d_a == d_b;
-      const double weight = level ? (bound == upper ? 0.0 : 1.0) : (depth - d_a) / (d_b - d_a);
-      const double x = corners[2 * a] + weight * (corners[2 * b] - corners[2 * a]);
-      (x < 0.0 ? left : right) = true;
-      nearest = std::min(nearest, std::abs(x));
-    }
-  }
-  return left && right ? 0.0 : nearest;
-}
-
-void measure_channel(
-    const std::vector<double>& nearest, const JetPath& path, double grid_width, Penetration& result
-) {
-  const auto closed = std::find_if(nearest.begin(), nearest.end(), [&](double distance) {
-    return distance < 0.5 * path.bin;
-  });
-  const auto open = static_cast<std::size_t>(closed - nearest.begin());
+void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result) {
+  const auto closed =
+      std::find_if(radii.begin(), radii.end(), [](double radius) { return radius <= 0.0; });
+  const auto open = static_cast<std::size_t>(closed - radii.begin());
   result.channel_depth =
       std::min(static_cast<double>(open) * path.bin, path.direction * (path.end - path.face));
-  result.channel_radius_mid = open == 0 ? 0.0 : std::min(nearest[open / 2], grid_width);
+  result.channel_radius_mid = open == 0 ? 0.0 : radii[open / 2];
 }
 
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path) {
@@ -209,17 +179,18 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
   for (const HostParticles& particles : sets)
     for (int p = 0; p < particles.count; ++p)
       if (particles.body(p) == jet) follow_jet_particle(particles, p, path, masses, deepest);
-  std::vector<double> nearest = nearest_in_bins(sets, jet, path);
+  const double width = std::max(std::abs(scene.grid.lower[0]), std::abs(scene.grid.upper[0]));
+  const int columns = static_cast<int>(std::ceil(width / path.bin));
+  std::vector<long long> fill = fill_cells(sets, scene, path, columns);
   const Comm& comm = *state.grid.comm;
-  min_over_ranks(comm, nearest);
+  sum_over_ranks(comm, fill);
   std::vector<long long> mass{deepest.mass};
   sum_over_ranks(comm, mass);
 
   Penetration result;
   combine_reach(comm, deepest, result);
   result.jet_mass_inside = masses.mass(mass[0]);
-  const double width = std::max(std::abs(scene.grid.lower[0]), std::abs(scene.grid.upper[0]));
-  measure_channel(nearest, path, width, result);
+  measure_channel(open_radii(fill, path, columns), path, result);
   return result;
 }
 

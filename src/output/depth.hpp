@@ -26,21 +26,18 @@ struct JetPath {
 };
 JetPath jet_path(const Scene& scene);
 
-/// Smallest |x| of the part of a convex domain that lies strictly between two depths; infinite if
-/// none does.
-double nearest_to_axis(const Corners& corners, const JetPath& path, double above, double below);
-
 /// How far the jet has come. None of the numbers depends on the rank count or on the order of
 /// particles.
 struct Penetration {
-  /// Depth of the deepest corner of a jet particle's domain; 0 before the jet arrives [length].
+  /// Depth of the leading edge of the deepest jet particle, its box undeformed; 0 before the jet
+  /// arrives [length].
   double depth = 0.0;
   /// Length of the channel that is open from the outer face on: whole bins of one cell along the
-  /// axis, open while no target particle's domain comes closer to the axis than half a cell
-  /// [length].
+  /// axis, open while target fills less than half of the cell at the axis, so that single particles
+  /// in the channel do not close it [length].
   double channel_depth = 0.0;
-  /// Distance from the axis to the nearest target domain in the bin at half the channel depth; 0
-  /// without a channel, the width of the grid if the bin holds no target [length].
+  /// Distance from the axis to the first cell that target fills by half, in the bin at half the
+  /// channel depth; 0 without a channel, the width of the grid if there is no target [length].
   double channel_radius_mid = 0.0;
   /// Mass of the jet particles whose centre is beyond the outer face [mass].
   double jet_mass_inside = 0.0;
@@ -52,11 +49,8 @@ struct Penetration {
 /// Collective; the result is valid on the root.
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path);
 
-/// Open channel from the nearest distance of the target to the axis in each bin: depth and radius
-/// in the middle.
-void measure_channel(
-    const std::vector<double>& nearest, const JetPath& path, double grid_width, Penetration& result
-);
+/// Open channel from the open radius of every bin: depth, and radius in the middle.
+void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result);
 
 /// depth.csv, a row per call; for scenes with a jet.
 class DepthWriter {

@@ -60,7 +60,7 @@ HostParticles::HostParticles(const Particles& particles)
       deformation_gradient(on_host(particles.deformation_gradient.values)),
       stress(on_host(particles.stress.values)),
       mass(on_host(particles.mass.values)),
-      initial_volume(on_host(particles.initial_volume.values)),
+      volume(on_host(particles.volume.values)),
       half_size(on_host(particles.half_size.values)),
       viscous_pressure(on_host(particles.viscous_pressure.values)),
       history(on_host(particles.history.values)) {}
@@ -69,10 +69,6 @@ Corners HostParticles::corners(int p) const {
   const double x[2] = {position(p, 0), position(p, 1)};
   const double h[2] = {half_size(p, 0), half_size(p, 1)};
   return domain_corners(x, stretch(deformation_gradient, p).plane, h);
-}
-
-double HostParticles::volume(int p) const {
-  return initial_volume(p, 0) * stretch(deformation_gradient, p).determinant;
 }
 
 std::vector<std::string> particle_field_names(const Material& material) {
@@ -109,7 +105,7 @@ void append_particle_fields(
   const double pressure = -(s[0] + s[1] + s[2]) / 3.0;
   const double xx = s[0] + pressure, yy = s[1] + pressure, zz = s[2] + pressure;
   const double second_invariant = 0.5 * (xx * xx + yy * yy + zz * zz) + s[3] * s[3];
-  const double density = particles.mass(p, 0) / particles.volume(p);
+  const double density = particles.mass(p, 0) / particles.volume(p, 0);
   const double alive = 1.0;
   values.insert(
       values.end(),

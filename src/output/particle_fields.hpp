@@ -32,11 +32,10 @@ struct HostParticles {
   int count = 0;
   ArrayView<ParticleId>::HostMirror id;
   ArrayView<unsigned char>::HostMirror body;
-  Values position, velocity, deformation_gradient, stress, mass, initial_volume, half_size;
+  Values position, velocity, deformation_gradient, stress, mass, volume, half_size;
   Values viscous_pressure, history;
 
   Corners corners(int p) const;
-  double volume(int p) const;  ///< initial_volume det F [length^3]
 };
 
 /// Element variables of a material in files: the common ones, then the model's history by its own

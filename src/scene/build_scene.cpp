@@ -81,6 +81,7 @@ StepSpec read_step(const Deck& deck) {
   step.courant_fraction = deck.number("Step/Courant Fraction");
   step.growth_limit = deck.number("Step/Growth Limit");
   step.largest_strain = deck.number("Step/Largest Strain");
+  step.largest_expansion = deck.number("Step/Largest Expansion");
   step.pic_fraction = deck.number("Step/PIC Fraction");
   step.linear_viscosity = deck.number("Step/Linear Viscosity");
   step.quadratic_viscosity = deck.number("Step/Quadratic Viscosity");

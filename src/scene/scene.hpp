@@ -100,10 +100,12 @@ enum class ShapeFunction { gimp };
 
 struct StepSpec {
   ShapeFunction shape = ShapeFunction::gimp;
-  double courant_fraction = 0.8;                      ///< of the critical Courant number of shape and particles per cell
+  double courant_fraction =
+      0.8;                      ///< of the critical Courant number of shape and particles per cell
   double growth_limit = 1.1;    ///< largest ratio of successive steps
   double largest_strain = 0.5;  ///< per step: |D| dt stays below, the step is retried smaller [-]
-  double pic_fraction = 0.0;    ///< 0 = FLIP, 1 = PIC
+  double largest_expansion = 10.0;   ///< V / V_ref beyond which the particle policy acts [-]
+  double pic_fraction = 0.0;         ///< 0 = FLIP, 1 = PIC
   double linear_viscosity = 0.3;     ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
   double quadratic_viscosity = 2.0;  ///< A2
   double initial_step = 0.0;         ///< 0: the stable step [time]

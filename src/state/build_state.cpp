@@ -103,7 +103,7 @@ int add_particle(
   particles.velocity(p, 1) = velocity[1];
   particles.half_size(p, 0) = made.half_x;
   particles.half_size(p, 1) = made.half_y;
-  particles.initial_volume(p) = made.volume;
+  particles.volume(p) = made.volume;
   for (const int diagonal : {0, 3, 4})
     if (diagonal < particles.deformation_gradient.components)
       particles.deformation_gradient(p, diagonal) = 1.0;

@@ -6,10 +6,10 @@
 namespace barreno {
 
 /// Why a particle was taken out of the run or held.
-enum class RemovalCause { left_grid, not_finite, material_failure };
-inline constexpr int removal_causes = 3;
+enum class RemovalCause { left_grid, not_finite, material_failure, expanded };
+inline constexpr int removal_causes = 4;
 inline constexpr std::array<const char*, removal_causes> removal_names{
-    "left_grid", "not_finite", "material_failure"};
+    "left_grid", "not_finite", "material_failure", "expanded"};
 
 struct RemovalTally {
   double count = 0.0;

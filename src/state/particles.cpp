@@ -37,7 +37,7 @@ Particles make_particles(const Scene& scene, int material) {
   p.deformation_gradient = {"deformation_gradient", dim::none, axisymmetric ? 5 : 4, {}};
   p.stress = {"stress", dim::stress, 4, {}};
   p.mass = {"mass", dim::mass, 1, {}};
-  p.initial_volume = {"initial_volume", {3, 0, 0, 0}, 1, {}};
+  p.volume = {"volume", {3, 0, 0, 0}, 1, {}};
   p.half_size = {"half_size", dim::length, 2, {}};
   p.viscous_pressure = {"viscous_pressure", dim::stress, 1, {}};
   p.longitudinal_modulus = {"longitudinal_modulus", dim::stress, 1, {}};

@@ -24,6 +24,7 @@ inline constexpr int most_bodies = held_bit - 1;
 /// failed.
 inline constexpr int unplaced_key = -1;
 inline constexpr int failed_key = -2;
+inline constexpr int expanded_key = -3;
 
 /// All particles of one material: structure of arrays, `count` rows used of `capacity`.
 /// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
@@ -44,7 +45,7 @@ struct Particles {
   Field deformation_gradient;  ///< F_p, identity at the start (prestressed states included) [-]
   Field stress;                ///< unrotated Cauchy stress [stress]
   Field mass;                  ///< m_p [mass]
-  Field initial_volume;        ///< V_p at the start; V_p = initial_volume det F [length^3]
+  Field volume;  ///< V_p; kept beside F, whose determinant cancels when it is drawn out [length^3]
   Field half_size;             ///< half edge lengths of the undeformed particle [length]
   Field viscous_pressure;      ///< q_p, artificial viscosity, positive in compression [stress]
   Field longitudinal_modulus;  ///< K + 4G/3 of the last update [stress]
@@ -53,12 +54,12 @@ struct Particles {
 
   /// Scratch of the step, not state: what the grid says to the particle.
   Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]
-  Field increment;    ///< dt L, then the unrotated strain increment and the old volume ratio [-]
+  Field increment;    ///< dt L, then the unrotated strain increment and the old volume
 
   ArrayView<int> key;    ///< tile * cells per tile + cell in tile, of the last sort
   ArrayView<int> spare;  ///< scratch of the sort
   ArrayView<ParticleId> spare_id;
-  ArrayView<int> order;       ///< rows sorted by (key, id)
+  ArrayView<int> order;                 ///< rows sorted by (key, id)
   ArrayView<int> cell_begin, cell_end;  ///< scratch of the sort
   ArrayView<int> tile_begin;  ///< order[tile_begin[t] .. tile_begin[t+1]) are the rows in tile t
 
@@ -71,7 +72,7 @@ struct Particles {
     f(deformation_gradient);
     f(stress);
     f(mass);
-    f(initial_volume);
+    f(volume);
     f(half_size);
     f(viscous_pressure);
     f(longitudinal_modulus);

@@ -43,31 +43,42 @@ GridTally find_motion(const Scene& scene, State& state, double& dt) {
   }
 }
 
+void add(const ParticleTally& part, ParticleTally& sum) {
+  sum.kinetic_before += part.kinetic_before;
+  sum.kinetic_after += part.kinetic_after;
+  sum.mass += part.mass;
+  sum.momentum += part.momentum;
+}
+
+void add(const StressTally& part, StressTally& sum) {
+  sum.elastic += part.elastic;
+  sum.plastic += part.plastic;
+  sum.viscous += part.viscous;
+  sum.stress_work += part.stress_work;
+  sum.stable_step = std::min(sum.stable_step, part.stable_step);
+  sum.failures += part.failures;
+  if (part.first_failed >= 0 && (sum.first_failed < 0 || part.first_failed < sum.first_failed))
+    sum.first_failed = part.first_failed;
+}
+
 /// Everything of the step that changes particles; returns what their materials said.
 StressTally update_particles(
     const Scene& scene, double dt, State& state, ParticleTally& moved, StepResult& result
 ) {
   StressTally total;
   for (Particles& particles : state.particles) {
-    const ParticleTally set = move_particles(scene, dt, particles);
-    moved.kinetic_before += set.kinetic_before;
-    moved.kinetic_after += set.kinetic_after;
-    moved.mass += set.mass;
-    moved.momentum += set.momentum;
-    update_deformation(scene, particles);
-    const StressTally stress = update_stress(scene, dt, particles);
-    total.elastic += stress.elastic;
-    total.plastic += stress.plastic;
-    total.viscous += stress.viscous;
-    total.stress_work += stress.stress_work;
-    total.stable_step = std::min(total.stable_step, stress.stable_step);
-    total.failures += stress.failures;
+    StressTally set;
+    for_each_block(particles.count, [&](Rows rows) {
+      add(move_particles(scene, dt, rows, particles), moved);
+      update_deformation(scene, rows, particles);
+      add(update_stress(scene, dt, rows, particles), set);
+    });
     const bool stops =
         scene.materials[static_cast<std::size_t>(particles.material)].bad_particles ==
         BadParticlePolicy::stop;
-    if (stress.failures > 0.0 && stops &&
-        (result.failed < 0 || stress.first_failed < result.failed))
-      result = {true, stress.first_failed, particles.material, result.interrupt};
+    if (set.failures > 0.0 && stops && (result.failed < 0 || set.first_failed < result.failed))
+      result = {true, set.first_failed, particles.material, result.interrupt};
+    add(set, total);
     state.particle_steps += particles.count;
   }
   return total;

@@ -6,7 +6,7 @@
 
 namespace barreno {
 
-ParticleTally move_particles(const Scene& scene, double dt, Particles& particles) {
+ParticleTally move_particles(const Scene& scene, double dt, Rows rows, Particles& particles) {
   const Region region("move_particles");
   const double pic = scene.step.pic_fraction;
   const double flip = 1.0 - pic;
@@ -16,7 +16,7 @@ ParticleTally move_particles(const Scene& scene, double dt, Particles& particles
     using M = decltype(mode);
     Kokkos::parallel_reduce(
         "move_particles",
-        range(particles.count),
+        range(rows),
         KOKKOS_LAMBDA(const int p, double& before, double& after, double& mass, double& momentum) {
           const double m = p_.mass(p);
           const double vx = p_.velocity(p, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/rows.hpp"
 #include "state/state.hpp"
 
 namespace barreno {
@@ -19,6 +20,6 @@ struct ParticleTally {
 /// stays the radius at the start exactly, and no particle crosses the axis. (The r-weighted average
 /// velocity belongs to the centre of mass of the ring, not to r_p, and would drift from F near the
 /// axis.)
-ParticleTally move_particles(const Scene& scene, double dt, Particles& particles);
+ParticleTally move_particles(const Scene& scene, double dt, Rows rows, Particles& particles);
 
 }  // namespace barreno

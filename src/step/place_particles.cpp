@@ -41,6 +41,7 @@ int removal_cause(const Grid& grid, const Particles& particles, int p) {
   const double sum = x + y + particles.velocity(p, 0) + particles.velocity(p, 1);
   if (!std::isfinite(sum)) return static_cast<int>(RemovalCause::not_finite);
   if (particles.key(p) == failed_key) return static_cast<int>(RemovalCause::material_failure);
+  if (particles.key(p) == expanded_key) return static_cast<int>(RemovalCause::expanded);
   if (!grid.holds(x, y)) return static_cast<int>(RemovalCause::left_grid);
   return -1;
 }
@@ -64,7 +65,7 @@ bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
   for (int p = 0; p < particles.count; ++p) {
     const double x = particles.position(p, 0);
     const double y = particles.position(p, 1);
-    if (particles.key(p) == failed_key || !grid.holds(x, y)) {
+    if (particles.key(p) <= failed_key || !grid.holds(x, y)) {
       all_inside = false;
       continue;
     }

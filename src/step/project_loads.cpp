@@ -25,11 +25,11 @@ template <class M>
 Force face_force(const Particles& particles, int p, int face, double pressure) {
   const double half_x = particles.half_size(p, 0);
   const double half_y = particles.half_size(p, 1);
-  const double volume = particles.initial_volume(p);
   const double side = face % 2 == 0 ? -1.0 : 1.0;
+  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
+  const double volume = particles.volume(p) / determinant(f);
   double area = volume / (face < 2 ? 2.0 * half_x : 2.0 * half_y);
   if (M::hoop && face < 2) area += side * two_pi * half_x * 2.0 * half_y;
-  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
   const double scale = -pressure * area * side * f.zz;
   return face < 2 ? Force{scale * f.yy, -scale * f.xy} : Force{-scale * f.yx, scale * f.xx};
 }

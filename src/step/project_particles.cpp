@@ -29,7 +29,7 @@ KOKKOS_INLINE_FUNCTION Contribution contribution(const Particles& particles, int
       0.0};
   const Sym3 stress = rotate(polar_rotation(f), unrotated);
   const double q = particles.viscous_pressure(p);
-  const double volume = particles.initial_volume(p) * determinant(f);
+  const double volume = particles.volume(p);
   const double m = particles.mass(p);
   const double pressed_xx = -volume * (stress.xx - q);
   const double pressed_yy = -volume * (stress.yy - q);

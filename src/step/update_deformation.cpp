@@ -5,37 +5,71 @@
 #include "shape/kinematics.hpp"
 
 namespace barreno {
+namespace {
 
-void update_deformation(const Scene& scene, Particles& particles) {
+/// Largest entry of dt L for which the short series of the exponential is exact to round-off.
+constexpr double short_series = 0.1;
+
+/// New F, volume and unrotated strain of one row; `Exponential` is the short or the general one.
+template <class M, bool Short>
+struct UpdateDeformation {
+  FieldView increment, deformation, volume;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const {
+    const PlaneTensor dt_l{
+        increment(p, 0),
+        increment(p, 1),
+        increment(p, 2),
+        increment(p, 3),
+        M::hoop ? increment(p, 4) : 0.0};
+    const PlaneTensor f_n = load_plane_tensor<M>(deformation, p);
+    const PlaneTensor f = Short ? short_exponential(dt_l) : exponential(dt_l);
+    const PlaneTensor f_n1 = multiply(f, f_n);
+    const PlaneRotation r_m = mean_rotation(polar_rotation(f_n), polar_rotation(f_n1));
+    const Sym3 strain =
+        unrotate(r_m, {dt_l.xx, dt_l.yy, dt_l.zz, 0.5 * (dt_l.xy + dt_l.yx), 0.0, 0.0});
+    deformation(p, 0) = f_n1.xx;
+    deformation(p, 1) = f_n1.xy;
+    deformation(p, 2) = f_n1.yx;
+    deformation(p, 3) = f_n1.yy;
+    if constexpr (M::hoop) deformation(p, 4) = f_n1.zz;
+    const double old_volume = volume(p, 0);
+    volume(p, 0) = old_volume * determinant(f);
+    increment(p, 0) = strain.xx;
+    increment(p, 1) = strain.yy;
+    increment(p, 2) = strain.zz;
+    increment(p, 3) = strain.xy;
+    increment(p, 4) = old_volume;
+  }
+};
+
+double largest_entry(const FieldView& increment, Rows rows, int components) {
+  double largest = 0.0;
+  for (int c = 0; c < components; ++c)
+    for (int p = rows.begin; p < rows.end; ++p)
+      largest = std::fmax(largest, std::abs(increment(p, c)));
+  return largest;
+}
+
+}  // namespace
+
+void update_deformation(const Scene& scene, Rows rows, Particles& particles) {
   const Region region("update_deformation");
-  const Particles p_ = particles;
+  const FieldView& increment = particles.increment.values;
+  const FieldView& deformation = particles.deformation_gradient.values;
+  const FieldView& volume = particles.volume.values;
   visit_mode(scene.grid.mode, [&](auto mode) {
     using M = decltype(mode);
-    Kokkos::parallel_for(
-        "update_deformation",
-        range(particles.count),
-        KOKKOS_LAMBDA(const int p) {
-          const FieldView& inc = p_.increment.values;
-          const FieldView& deformation = p_.deformation_gradient.values;
-          const PlaneTensor dt_l{
-              inc(p, 0), inc(p, 1), inc(p, 2), inc(p, 3), M::hoop ? inc(p, 4) : 0.0};
-          const PlaneTensor f_n = load_plane_tensor<M>(deformation, p);
-          const PlaneTensor f_n1 = multiply(exponential(dt_l), f_n);
-          const PlaneRotation r_m = mean_rotation(polar_rotation(f_n), polar_rotation(f_n1));
-          const Sym3 strain =
-              unrotate(r_m, {dt_l.xx, dt_l.yy, dt_l.zz, 0.5 * (dt_l.xy + dt_l.yx), 0.0, 0.0});
-          deformation(p, 0) = f_n1.xx;
-          deformation(p, 1) = f_n1.xy;
-          deformation(p, 2) = f_n1.yx;
-          deformation(p, 3) = f_n1.yy;
-          if constexpr (M::hoop) deformation(p, 4) = f_n1.zz;
-          inc(p, 0) = strain.xx;
-          inc(p, 1) = strain.yy;
-          inc(p, 2) = strain.zz;
-          inc(p, 3) = strain.xy;
-          inc(p, 4) = determinant(f_n);
-        }
-    );
+    // The general form takes the short one where that holds, row by row: the answer does not depend
+    // on which rows share a block.
+    if (largest_entry(increment, rows, M::hoop ? 5 : 4) <= short_series)
+      for_each_row(
+          "update_deformation", rows, UpdateDeformation<M, true>{increment, deformation, volume}
+      );
+    else
+      for_each_row(
+          "update_deformation", rows, UpdateDeformation<M, false>{increment, deformation, volume}
+      );
   });
 }
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/rows.hpp"
 #include "state/state.hpp"
 
 namespace barreno {
 
 /// Deformation gradient and the strain increment that the materials see. docs/method.md (2.8)
 ///
-///   F <- exp(dt L) F,   d_eps = R_m^T sym(dt L) R_m,   R_m half-way between the rotations of old
-///   and new F
+///   F <- exp(dt L) F,   V <- det(exp(dt L)) V,   d_eps = R_m^T sym(dt L) R_m,   R_m half-way
+///   between the rotations of old and new F
 ///
 /// @pre  particles.increment holds dt L
-/// @post particles.increment holds the unrotated strain increment xx yy zz xy and the old det F
-void update_deformation(const Scene& scene, Particles& particles);
+/// @post particles.increment holds the unrotated strain increment xx yy zz xy and the old volume
+void update_deformation(const Scene& scene, Rows rows, Particles& particles);
 
 }  // namespace barreno

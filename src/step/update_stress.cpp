@@ -70,12 +70,13 @@ struct UpdateStress {
   StepRule rule;
   BadParticlePolicy policy;
   double reference_density;
+  double largest_expansion;
   double dt;
 
   /// Volume ratios, strain and viscosity of the step at one particle.
   KOKKOS_INLINE_FUNCTION Increment
   increment(int p, double volume, double reference_volume, double q) const {
-    const double old_volume = particles.initial_volume(p) * particles.increment(p, 4);
+    const double old_volume = particles.increment(p, 4);
     Increment out;
     out.strain = {
         particles.increment(p, 0),
@@ -91,7 +92,7 @@ struct UpdateStress {
     return out;
   }
 
-  KOKKOS_INLINE_FUNCTION void treat_failure(int p, StressTally& sums) const {
+  KOKKOS_INLINE_FUNCTION void treat_failure(int p, int key, StressTally& sums) const {
     sums.failures += 1.0;
     const ParticleId id = particles.id(p);
     if (sums.first_failed < 0 || id < sums.first_failed) sums.first_failed = id;
@@ -100,7 +101,7 @@ struct UpdateStress {
       for (int c = 0; c < 4; ++c) particles.stress(p, c) = 0.0;
       particles.body(p) = static_cast<unsigned char>(particles.body(p) | held_bit);
     } else {
-      particles.key(p) = failed_key;
+      particles.key(p) = key;
     }
   }
 
@@ -108,13 +109,13 @@ struct UpdateStress {
     if (particles.body(p) & held_bit) return;
     const double mass = particles.mass(p);
     const double reference_volume = mass / reference_density;
-    const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
-    const double volume = particles.initial_volume(p) * determinant(f);
+    const double volume = particles.volume(p);
     const double density = mass / volume;
     const double rate =
         (particles.increment(p, 0) + particles.increment(p, 1) + particles.increment(p, 2)) / dt;
     const double q = rule.viscous_pressure(density, particles.longitudinal_modulus(p), rate);
     const Increment inc = increment(p, volume, reference_volume, q);
+    if (inc.volume_ratio_end > largest_expansion) return treat_failure(p, expanded_key, sums);
 
     Sym3 stress{
         particles.stress(p, 0),
@@ -126,7 +127,7 @@ struct UpdateStress {
     const Sym3 old_stress = stress;
     auto history = load_history<Model>(particles.history.values, p);
     const Outcome outcome = model.update(inc, stress, history);
-    if (outcome.failed()) return treat_failure(p, sums);
+    if (outcome.failed()) return treat_failure(p, failed_key, sums);
 
     store_history<Model>(history, particles.history.values, p);
     particles.stress(p, 0) = stress.xx;
@@ -167,7 +168,7 @@ const char* stress_label(const AnyModel& any) {
 
 }  // namespace
 
-StressTally update_stress(const Scene& scene, double dt, Particles& particles) {
+StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& particles) {
   const MaterialSpec& spec = scene.materials[static_cast<std::size_t>(particles.material)];
   const Region region(stress_label(spec.material.model));
   StressTally sums;
@@ -177,13 +178,14 @@ StressTally update_stress(const Scene& scene, double dt, Particles& particles) {
           using Kernel = UpdateStress<decltype(mode), std::decay_t<decltype(model)>>;
           Kokkos::parallel_reduce(
               "update_stress",
-              range(particles.count),
+              range(rows),
               Kernel{
                   model,
                   particles,
                   StepRule(scene, particles.critical_courant),
                   spec.bad_particles,
                   spec.material.density,
+                  scene.step.largest_expansion,
                   dt},
               StressReducer(sums)
           );

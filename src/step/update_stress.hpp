@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/rows.hpp"
 #include "state/state.hpp"
 
 #include <limits>
@@ -22,10 +23,11 @@ struct StressTally {
 ///
 ///   q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2) in compression, else 0
 ///
-/// A failed point keeps stress and history; the material's particle policy marks it for removal or
-/// holds it stress-free.
+/// A failed point keeps stress and history; a point that has expanded beyond the scene's bound is
+/// rubble that no continuum describes, and counts as failed. The material's particle policy marks
+/// it for removal or holds it stress-free.
 ///
-/// @pre particles.increment holds the strain increment and the old det F (update_deformation)
-StressTally update_stress(const Scene& scene, double dt, Particles& particles);
+/// @pre particles.increment holds the strain increment and the old volume (update_deformation)
+StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& particles);
 
 }  // namespace barreno

@@ -242,7 +242,7 @@ void expect_uniaxial_compaction(
 // published bound is 1e-3.
 TEST(AreniscaBenchmark, curved_cap) {
   Parameters p = set_a();
-  p.tolerance = 1e-4;
+  p.tolerance = 1e-5;
   expect_uniaxial_compaction(
       p,
       0.94,
@@ -264,7 +264,7 @@ TEST(AreniscaBenchmark, curved_cap) {
 TEST(AreniscaBenchmark, cap_evolution) {
   Parameters p = set_a();
   p.G0 = 3750.0;
-  p.tolerance = 1e-4;
+  p.tolerance = 1e-5;
   expect_uniaxial_compaction(
       p,
       0.91,
@@ -320,6 +320,7 @@ TEST(AreniscaBenchmark, hydrostatic_load_and_unload) {
   p.B0 = 6000.0;
   p.B1 = 2e4;
   p.B2 = 1500.0;
+  p.tolerance = 1e-4;
   const std::vector<std::vector<double>> rows = {
       {-0.07902038674336971, -1867.7402689043493, -0.010118829513200239},
       {-0.15804077348673942, -2112.3958645121443, -0.08384444440766577},
@@ -334,7 +335,7 @@ TEST(AreniscaBenchmark, hydrostatic_load_and_unload) {
   Point point(p);
   for (const auto& row : rows) {
     point.go_hydrostatic(row[0], 100);
-    EXPECT_NEAR(trace(point.stress), row[1], 1e-3 * 1837.0) << row[0];
+    EXPECT_NEAR(trace(point.stress), row[1], 5e-4 * 1837.0) << row[0];
     EXPECT_NEAR(point.history.plastic_volume_strain, row[2], 1e-3) << row[0];
   }
 }
@@ -497,7 +498,7 @@ TEST(AreniscaFuzz, stays_on_the_surface_and_dissipates) {
       least_work = std::min(least_work, o.plastic_work / scale);
     }
     EXPECT_LE(worst, 1e-8) << "set " << k;
-    EXPECT_GE(least_work, -1e-9) << "set " << k;  // strengthless rock dissipates 0 to round-off
+    EXPECT_GE(least_work, -1e-8) << "set " << k;  // strengthless rock dissipates 0 to round-off
     EXPECT_EQ(failures, 0) << "set " << k;
     EXPECT_GT(plastic, 1000) << "set " << k;
   }

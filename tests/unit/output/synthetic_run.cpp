@@ -71,8 +71,8 @@ void add_particle(
   for (const int c : {0, 3}) p.deformation_gradient(row, c) = 1.0;
   if (p.deformation_gradient.components > 4) p.deformation_gradient(row, 4) = 1.0;
   p.half_size(row, 0) = p.half_size(row, 1) = half;
-  p.initial_volume(row) = 4.0 * half * half * 2.0 * std::acos(-1.0) * x;
-  p.mass(row) = p.initial_volume(row) * 1000.0 * (set + 1);
+  p.volume(row) = 4.0 * half * half * 2.0 * std::acos(-1.0) * x;
+  p.mass(row) = p.volume(row) * 1000.0 * (set + 1);
   state.ledger.mass += p.mass(row);
 }
 

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace barreno {
 namespace {
@@ -47,36 +46,19 @@ TEST(JetPath, PassesBodiesBesideTheAxisAndBehindTheLaunchPlane) {
   EXPECT_EQ(jet_path(scene).bins, 0);
 }
 
-TEST(NearestToAxis, LooksOnlyAtThePartWithinTheStrip) {
-  JetPath path;
-  path.bin = 1.0;
-  // A slanted domain: its inner edge goes from x = 1 at depth 0 to x = 3 at depth 2.
-  const Corners slanted{1.0, 0.0, 5.0, 0.0, 7.0, 2.0, 3.0, 2.0};
-  EXPECT_NEAR(nearest_to_axis(slanted, path, 0.0, 1.0), 1.0, 1e-8);
-  EXPECT_NEAR(nearest_to_axis(slanted, path, 1.0, 2.0), 2.0, 1e-8);
-  EXPECT_NEAR(nearest_to_axis(slanted, path, 1.5, 9.0), 2.5, 1e-8);
-  EXPECT_TRUE(std::isinf(nearest_to_axis(slanted, path, 2.0, 3.0)));  // it only touches
-  const Corners across{-1.0, 0.2, 1.0, 0.2, 1.0, 0.4, -1.0, 0.4};
-  EXPECT_EQ(nearest_to_axis(across, path, 0.0, 1.0), 0.0);
-  const Corners left{-3.0, 0.2, -2.0, 0.2, -2.0, 0.4, -3.0, 0.4};
-  EXPECT_EQ(nearest_to_axis(left, path, 0.0, 1.0), 2.0);
-}
-
 TEST(Channel, EndsAtTheFirstClosedBin) {
   JetPath path;
   path.bin = 1.0;
   path.end = 4.0;
   path.bins = 4;
   Penetration result;
-  measure_channel({3.0, 2.0, 0.4, 5.0}, path, 9.0, result);
+  measure_channel({3.0, 2.0, 0.0, 5.0}, path, result);
   EXPECT_EQ(result.channel_depth, 2.0);
   EXPECT_EQ(result.channel_radius_mid, 2.0);
-  measure_channel({0.0, 2.0, 2.0, 2.0}, path, 9.0, result);
+  measure_channel({0.0, 2.0, 2.0, 2.0}, path, result);
   EXPECT_EQ(result.channel_depth, 0.0);
   EXPECT_EQ(result.channel_radius_mid, 0.0);
-  measure_channel(
-      std::vector<double>(4, std::numeric_limits<double>::infinity()), path, 9.0, result
-  );
+  measure_channel({9.0, 9.0, 9.0, 9.0}, path, result);
   EXPECT_EQ(result.channel_depth, 4.0);
   EXPECT_EQ(result.channel_radius_mid, 9.0);
 }

@@ -24,6 +24,24 @@ struct Moduli {
 struct Elasticity {
   double B0, B1, B2, B3, B4, G0, G1, G2;
 
+  /// The moduli jump where rock becomes dilated; |evp| below this counts as at the jump (round-off
+  /// of an isochoric flow is not dilation).
+  static constexpr double at_jump = 1e-12;
+  BARRENO_FUNCTION static bool dilated(double evp) { return evp > at_jump; }
+  /// Plastic strain at which to take the moduli when the way to `evp_end` began at `evp_begin`: at
+  /// the jump itself those of the side it came from.
+  BARRENO_FUNCTION static double seen_from(double evp_begin, double evp_end) {
+    return dilated(evp_begin) && std::fabs(evp_end) <= at_jump ? 2.0 * at_jump : evp_end;
+  }
+  /// Part of the way from one evp to the other at which the jump lies; 1 if it does not lie
+  /// between.
+  BARRENO_FUNCTION double way_to_jump(double evp_begin, double evp_end) const {
+    const bool between =
+        (evp_begin < -at_jump && evp_end > at_jump) || (evp_begin > at_jump && evp_end < -at_jump);
+    if (!between || (B1 == 0.0 && B3 == 0.0 && !variable_ratio())) return 1.0;
+    return evp_begin / (evp_begin - evp_end);
+  }
+
   BARRENO_FUNCTION bool variable_ratio() const { return G1 != 0.0 && G2 != 0.0; }
 
   /// exp(B2/I1) and its two derivatives by I1: all pressure dependence enters through this one
@@ -32,7 +50,7 @@ struct Elasticity {
     double value, slope, curvature;
   };
   BARRENO_FUNCTION PressureTerm pressure_term(double I1, double evp) const {
-    if (I1 >= 0.0 || evp > 0.0 || (B1 == 0.0 && !variable_ratio())) return {0.0, 0.0, 0.0};
+    if (I1 >= 0.0 || dilated(evp) || (B1 == 0.0 && !variable_ratio())) return {0.0, 0.0, 0.0};
     const double inverse = 1.0 / I1, ratio = B2 * inverse;
     const double value = std::exp(ratio);
     const double slope = -ratio * inverse * value;

@@ -42,6 +42,7 @@ struct Prediction {
   Moduli start, used;
   Elasticity::PressureTerm term{};  ///< pressure dependence at the start
   double coupling = 0.0;            ///< elastic-plastic coupling at the start [stress]
+  double evp = 0.0;                 ///< plastic strain the moduli were taken at
   BARRENO_FUNCTION double q() const { return std::sqrt(J2); }
 };
 

@@ -13,11 +13,13 @@ namespace barreno::arenisca {
 
 /// Elastic prediction with the moduli at the middle of the substep (second-order Taylor of
 /// exp(B2/I1)), I1 held within what the surface admits.
-BARRENO_FUNCTION Prediction
-predict(const Rock& rock, const PointState& n, const Cap& cap, double dv, const Sym3& de) {
+/// @param evp plastic strain to take the moduli at
+BARRENO_FUNCTION Prediction predict(
+    const Rock& rock, const PointState& n, const Cap& cap, double dv, const Sym3& de, double evp
+) {
   const Elasticity& e = rock.elasticity;
-  const Elasticity::PressureTerm term = e.pressure_term(n.x, n.evp);
-  const double coupling = e.coupling(n.x, n.evp);
+  const Elasticity::PressureTerm term = e.pressure_term(n.x, evp);
+  const double coupling = e.coupling(n.x, evp);
   const Moduli start = e.moduli(term.value, coupling);
   Moduli used = start;
   if (term.slope != 0.0) {
@@ -29,6 +31,7 @@ predict(const Rock& rock, const PointState& n, const Cap& cap, double dv, const 
   Prediction p = predict_with(n, start, used, dv, de);
   p.term = term;
   p.coupling = coupling;
+  p.evp = evp;
   return p;
 }
 
@@ -39,7 +42,8 @@ BARRENO_FUNCTION Moduli moduli_after(const Rock& rock, const PointState& n, cons
   const double change = p.x - n.x;
   const bool is_short =
       std::fabs(change) * (std::fabs(n.x) + rock.elasticity.B2) <= short_step * n.x * n.x;
-  if (n.x >= 0.0 || n.evp > 0.0 || !is_short) return rock.elasticity.moduli_at(p.x, n.evp);
+  if (n.x >= 0.0 || Elasticity::dilated(n.evp) || !is_short)
+    return rock.elasticity.moduli_at(p.x, n.evp);
   const double value = p.term.value + change * (p.term.slope + 0.5 * change * p.term.curvature);
   return rock.elasticity.moduli(value, p.coupling);
 }
@@ -51,7 +55,7 @@ BARRENO_FUNCTION bool step_elastically(
     const Rock& rock, PointState& n, double dv, const Sym3& de, Outcome& outcome, Counter& count
 ) {
   if (n.evp > 0.0) return false;
-  const Prediction p = predict(rock, n, rock.first_cap, dv, de);
+  const Prediction p = predict(rock, n, rock.first_cap, dv, de, n.evp);
   if (!rock.surface.contains(p.x, p.J2, rock.first_cap, count)) return false;
   const Moduli end = moduli_after(rock, n, p);
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
@@ -77,13 +81,55 @@ BARRENO_FUNCTION Attempt accept_elastic(
   return a;
 }
 
+/// Flow that dilates from the jump of the moduli: those of dilated rock hold from where it begins
+/// to flow.
+template <class Counter>
+BARRENO_FUNCTION Attempt begin_to_dilate(
+    const Rock& rock,
+    const PointState& n,
+    const Cap& cap,
+    const Prediction& p,
+    double dv,
+    const Sym3& de,
+    Counter& count
+) {
+  constexpr int halvings = 30;
+  constexpr double other_side = 2.0 * Elasticity::at_jump;
+  const double t = crossing(rock, cap, n, p, halvings, count);
+  const Moduli soft = predict(rock, n, cap, dv, de, other_side).used;
+  const Moduli used = {
+      t * p.used.bulk + (1.0 - t) * soft.bulk, t * p.used.shear + (1.0 - t) * soft.shear};
+  // Such a start that the mean of both ends is what was used.
+  const Moduli start = {2.0 * used.bulk - soft.bulk, 2.0 * used.shear - soft.shear};
+  Prediction mixed = predict_with(n, start, used, dv, de);
+  mixed.evp = other_side;
+  Attempt a;
+  if (rock.surface.contains(mixed.x, mixed.J2, cap, count)) {
+    // A trace of dilation, and the softer rock no longer reaches the surface.
+    a.end = {mixed.x, mixed.s, other_side, n.shear_strain};
+    a.moduli = soft;
+    a.elastic_work = 0.5 * ((n.x + mixed.x) * dv / 3.0 + contract(n.s + mixed.s, de));
+    a.allowed = allowed_error(rock, n, mixed.x, mixed.q());
+  } else {
+    a = flow_plastically(rock, n, cap, mixed, dv, de, count);
+  }
+  // The elastic part has its own error, that of its moduli on the way to the surface.
+  const double x_flow = n.x + t * (p.x - n.x);
+  const Moduli at_flow = rock.elasticity.moduli_at(x_flow, n.evp);
+  a.error += moduli_mismatch(p, at_flow) * t *
+             stress_size(p.x - n.x, std::sqrt(second_invariant(p.s - n.s)));
+  return a;
+}
+
 template <class Counter>
 BARRENO_FUNCTION Attempt
 attempt_substep(const Rock& rock, const PointState& n, double dv, const Sym3& de, Counter& count) {
   const Cap cap = rock.cap_at(n.evp);
-  const Prediction p = predict(rock, n, cap, dv, de);
+  const Prediction p = predict(rock, n, cap, dv, de, n.evp);
   if (rock.surface.contains(p.x, p.J2, cap, count)) return accept_elastic(rock, n, p, dv, de);
-  return flow_plastically(rock, n, cap, p, dv, de, count);
+  const Attempt a = flow_plastically(rock, n, cap, p, dv, de, count);
+  if (std::fabs(n.evp) > Elasticity::at_jump || !Elasticity::dilated(a.end.evp)) return a;
+  return begin_to_dilate(rock, n, cap, p, dv, de, count);
 }
 
 /// Factor for the next substep, in sixteenths: then round-off does not reach the choice of
@@ -122,6 +168,11 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
     if (last) fraction = 1.0 - done;
     const Attempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, count);
     if (!std::isfinite(a.error)) break;
+    const double way = rock.elasticity.way_to_jump(state.evp, a.end.evp);
+    if (way < 1.0 && fraction > smallest_fraction(strain)) {
+      fraction *= way;
+      continue;
+    }
     if (a.error > a.allowed && fraction > smallest_fraction(strain)) {
       fraction *= step_factor(a);
       continue;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/types.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace barreno {
+
+/// Rows [begin, end) of a particle set.
+struct Rows {
+  int begin = 0, end = 0;
+};
+
+inline RowPolicy range(Rows rows) {
+  return {rows.begin, rows.end};
+}
+
+/// Rows that pass through all particle updates before the next ones do: their fields stay in the
+/// cache. A device wants them all at once.
+inline constexpr int rows_per_block =
+    std::is_same<MemorySpace, Kokkos::HostSpace>::value ? 2048 : 1 << 30;
+
+/// update(rows) for block after block of [0, count).
+template <class Update>
+void for_each_block(int count, Update&& update) {
+  for (int begin = 0; begin < count; begin += std::min(rows_per_block, count - begin))
+    update(Rows{begin, begin + std::min(rows_per_block, count - begin)});
+}
+
+#if defined(__GNUC__) && !defined(__clang__)
+#define BARRENO_IVDEP _Pragma("GCC ivdep")
+#elif defined(__clang__)
+#define BARRENO_IVDEP _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define BARRENO_IVDEP
+#endif
+
+/// Short runs of rows, each of which the compiler may vectorise: body(row) must touch its own row
+/// only.
+template <class Body>
+void for_each_row(const char* label, Rows rows, const Body& body) {
+  constexpr int run = 64;
+  const int runs = (rows.end - rows.begin + run - 1) / run;
+  Kokkos::parallel_for(
+      label,
+      range(runs),
+      KOKKOS_LAMBDA(const int r) {
+        const int begin = rows.begin + r * run;
+        const int end = begin + run < rows.end ? begin + run : rows.end;
+        BARRENO_IVDEP
+        for (int p = begin; p < end; ++p) body(p);
+      }
+  );
+}
+
+}  // namespace barreno
