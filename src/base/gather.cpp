@@ -19,11 +19,12 @@ std::vector<T> gather(const Comm& comm, const std::vector<T>& mine, MPI_Datatype
   if (mpi == nullptr) return mine;  // a communicator of one process without MPI
   MPI_Comm raw = *mpi->getRawMpiComm();
   const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(comm.getSize()), begins(comm.getSize(), 0);
+  const auto ranks = static_cast<std::size_t>(comm.getSize());
+  std::vector<int> counts(ranks), begins(ranks, 0);
   MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, root, raw);
   for (std::size_t r = 1; r < counts.size(); ++r) begins[r] = begins[r - 1] + counts[r - 1];
   std::vector<T> all;
-  if (is_root(comm)) all.resize(static_cast<std::size_t>(begins.back()) + counts.back());
+  if (is_root(comm)) all.resize(static_cast<std::size_t>(begins.back() + counts.back()));
   MPI_Gatherv(mine.data(), count, type, all.data(), counts.data(), begins.data(), type, root, raw);
   return all;
 }

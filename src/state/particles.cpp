@@ -75,6 +75,7 @@ void keep_rows(Particles& particles, const std::vector<char>& keep) {
     if (kept != p) {
       particles.id(kept) = particles.id(p);
       particles.body(kept) = particles.body(p);
+      particles.key(kept) = particles.key(p);
       particles.for_each_field([=](Field& field) {
         for (int c = 0; c < field.components; ++c) field(kept, c) = field(p, c);
       });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/fast_math.hpp"
 #include "barreno/portability.hpp"
 
 #include <cmath>
@@ -39,17 +38,17 @@ struct JohnsonCookFlow {
     const double t = homologous(temperature);
     if (t >= 1.0) return 0.0;
     if (t == 0.0) return 1.0;
-    return m == 1.0 ? 1.0 - t : 1.0 - fast_pow(t, m);
+    return m == 1.0 ? 1.0 - t : 1.0 - std::pow(t, m);
   }
   /// ln max(rate / rate0, 1) of a plastic increment [-]; dt = 0 switches rate terms off.
   BARRENO_FUNCTION double log_rate(double plastic_increment, double dt) const {
     const double ratio = plastic_increment / (dt * reference_rate);
-    return dt > 0.0 && ratio > 1.0 ? fast_log(ratio) : 0.0;
+    return dt > 0.0 && ratio > 1.0 ? std::log(ratio) : 0.0;
   }
   /// Y [stress].
   BARRENO_FUNCTION double stress(double plastic_strain, double rate, double temperature) const {
-    return (a + b * fast_pow(plastic_strain, n)) *
-           (1.0 + c * (rate > reference_rate ? fast_log(rate / reference_rate) : 0.0)) *
+    return (a + b * std::pow(plastic_strain, n)) *
+           (1.0 + c * (rate > reference_rate ? std::log(rate / reference_rate) : 0.0)) *
            softening(temperature);
   }
   /// A stress that Y never falls below, without pow and log, to recognise clearly elastic points
@@ -88,11 +87,11 @@ private:
     y.inverse_ep = 1.0 / (plastic_strain + x);
     const double change = x - near.x, w = change * near.inverse_ep, v = change * near.inverse_x;
     y.power =
-        std::fabs(w) <= 0.002 ? near.power * power_near_one(w) : fast_pow(plastic_strain + x, n);
+        std::fabs(w) <= 0.002 ? near.power * power_near_one(w) : std::pow(plastic_strain + x, n);
     if (near.logarithm > 0.0 && std::fabs(v) <= 0.005) {
       y.logarithm = near.logarithm + log_near_one(v);
     } else if (inverse_reference > 0.0) {
-      y.logarithm = fast_log(x * inverse_reference);
+      y.logarithm = std::log(x * inverse_reference);
     }
     if (!(y.logarithm > 0.0)) y.logarithm = 0.0;
     y.rate_factor = 1.0 + c * y.logarithm;
@@ -134,7 +133,7 @@ BARRENO_FUNCTION JohnsonCookFlow::Return JohnsonCookFlow::return_to_flow_stress(
 ) const {
   const double theta = softening(temperature);
   if (theta == 0.0) return {0.0, trial / stiffness, start > 0.0 ? 0.5 * start : 0.0, true};
-  const double power_start = fast_pow(plastic_strain, n);
+  const double power_start = std::pow(plastic_strain, n);
   const double static_stress = (a + b * power_start) * theta;
   if (trial <= static_stress) return {trial, 0.0, 0.0, true};
 
