@@ -112,6 +112,9 @@ Scene make_scene(Mode mode) {
       {linear_material("steel", 7800.0)},
       {rock_material()},
       {linear_material("tungsten", 17600.0)}};
+  // add_particle gives set m this density.
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    scene.materials[m].material.density = 1000.0 * static_cast<double>(m + 1);
   BodySpec casing, rock;
   casing.name = "casing";
   casing.material = 0;

@@ -27,10 +27,18 @@ struct LinearElastic {
   static ParameterTable<Parameters> parameter_table() {
     return {
         {required(
-             &Parameters::bulk_modulus, "Bulk Modulus", dimension::stress, above(0.0), "bulk modulus K"
+             &Parameters::bulk_modulus,
+             "Bulk Modulus",
+             dimension::stress,
+             above(0.0),
+             "bulk modulus K"
          ),
          required(
-             &Parameters::shear_modulus, "Shear Modulus", dimension::stress, at_least(0.0), "shear modulus G"
+             &Parameters::shear_modulus,
+             "Shear Modulus",
+             dimension::stress,
+             at_least(0.0),
+             "shear modulus G"
          )},
         {}};
   }
@@ -53,16 +61,22 @@ struct LinearElastic {
   /// @param[in,out] stress    unrotated Cauchy stress [stress]
   BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& /*h*/) const {
     const Sym3 old = stress;
-    if (!(is_finite(old) && is_finite(increment.strain) &&
-          std::isfinite(increment.volume_ratio_begin + increment.volume_ratio_end)))
-      return {Status::bad_input};
     const double volume_strain = trace(increment.strain);
-    stress = stress + isotropic((p_.bulk_modulus - 2.0 / 3.0 * p_.shear_modulus) * volume_strain) +
-             (2.0 * p_.shear_modulus) * increment.strain;
+    const Sym3 end = old +
+                     isotropic((p_.bulk_modulus - 2.0 / 3.0 * p_.shear_modulus) * volume_strain) +
+                     (2.0 * p_.shear_modulus) * increment.strain;
     Outcome outcome;
     const double mean_ratio = 0.5 * (increment.volume_ratio_begin + increment.volume_ratio_end);
-    outcome.elastic_work = 0.5 * mean_ratio * contract(old + stress, increment.strain);
+    outcome.elastic_work = 0.5 * mean_ratio * contract(old + end, increment.strain);
     outcome.longitudinal_modulus = longitudinal_modulus();
+    // Finite work means that strain, stresses and volume ratios are finite; otherwise nothing
+    // changes.
+    if (!std::isfinite(outcome.elastic_work) || !is_finite(end)) {
+      outcome = Outcome{};
+      outcome.status = Status::bad_input;
+      return outcome;
+    }
+    stress = end;
     return outcome;
   }
 
@@ -78,7 +92,7 @@ struct LinearElastic {
   }
   const Parameters& parameters() const { return p_; }
 
- private:
+private:
   Parameters p_;
 };
 
