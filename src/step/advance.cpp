@@ -50,17 +50,6 @@ void add(const ParticleTally& part, ParticleTally& sum) {
   sum.momentum += part.momentum;
 }
 
-void add(const StressTally& part, StressTally& sum) {
-  sum.elastic += part.elastic;
-  sum.plastic += part.plastic;
-  sum.viscous += part.viscous;
-  sum.stress_work += part.stress_work;
-  sum.stable_step = std::min(sum.stable_step, part.stable_step);
-  sum.failures += part.failures;
-  if (part.first_failed >= 0 && (sum.first_failed < 0 || part.first_failed < sum.first_failed))
-    sum.first_failed = part.first_failed;
-}
-
 /// Everything of the step that changes particles; returns what their materials said.
 StressTally update_particles(
     const Scene& scene, double dt, State& state, ParticleTally& moved, StepResult& result

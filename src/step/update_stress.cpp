@@ -41,16 +41,7 @@ struct StressReducer {
   using value_type = StressTally;
   using result_view_type = Kokkos::View<value_type, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
   explicit StressReducer(value_type& value) : value_(&value) {}
-  KOKKOS_INLINE_FUNCTION void join(value_type& to, const value_type& from) const {
-    to.elastic += from.elastic;
-    to.plastic += from.plastic;
-    to.viscous += from.viscous;
-    to.stress_work += from.stress_work;
-    to.stable_step = std::fmin(to.stable_step, from.stable_step);
-    to.failures += from.failures;
-    if (from.first_failed >= 0 && (to.first_failed < 0 || from.first_failed < to.first_failed))
-      to.first_failed = from.first_failed;
-  }
+  KOKKOS_INLINE_FUNCTION void join(value_type& to, const value_type& from) const { add(from, to); }
   KOKKOS_INLINE_FUNCTION void join(volatile value_type& to, const volatile value_type& from) const {
     join(const_cast<value_type&>(to), const_cast<const value_type&>(from));
   }

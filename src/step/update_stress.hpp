@@ -4,6 +4,7 @@
 #include "base/rows.hpp"
 #include "state/state.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace barreno {
@@ -18,6 +19,18 @@ struct StressTally {
   double failures = 0.0;                                         ///< points whose update failed
   ParticleId first_failed = -1;                                  ///< smallest id among them
 };
+
+/// Add one part of a set or of a scene to the sum of the others.
+KOKKOS_INLINE_FUNCTION void add(const StressTally& part, StressTally& sum) {
+  sum.elastic += part.elastic;
+  sum.plastic += part.plastic;
+  sum.viscous += part.viscous;
+  sum.stress_work += part.stress_work;
+  sum.stable_step = std::fmin(sum.stable_step, part.stable_step);
+  sum.failures += part.failures;
+  if (part.first_failed >= 0 && (sum.first_failed < 0 || part.first_failed < sum.first_failed))
+    sum.first_failed = part.first_failed;
+}
 
 /// Stress, history and artificial viscosity of one set, by its own material. docs/method.md (2.9)
 ///
