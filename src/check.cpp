@@ -38,7 +38,8 @@ const char* model_name(const Material& material) {
 double fastest(const Scene& scene, int material) {
   double speed = 0.0;
   for (const BodySpec& body : scene.bodies)
-    if (body.material == material) speed = std::max(speed, std::hypot(body.velocity[0], body.velocity[1]));
+    if (body.material == material)
+      speed = std::max(speed, std::hypot(body.velocity[0], body.velocity[1]));
   if (scene.jet.present && scene.jet.material == material)
     for (const JetSlug& slug : scene.jet.slugs) speed = std::max(speed, slug.velocity);
   return speed;
@@ -53,11 +54,14 @@ double first_stable_step(const Scene& scene) {
       return decltype(shape)::critical_courant(smallest_half_size(scene, static_cast<int>(m)));
     });
     const double modulus = std::visit(
-        [](const auto& model) { return model.longitudinal_modulus({}, model.initial_history(), 1.0); },
+        [](const auto& model) {
+          return model.longitudinal_modulus({}, model.initial_history(), 1.0);
+        },
         material.model
     );
     const double speed = fastest(scene, static_cast<int>(m));
-    step = std::min(step, StepRule(scene, courant).stable_step(material.density, modulus, 0.0, speed));
+    step =
+        std::min(step, StepRule(scene, courant).stable_step(material.density, modulus, 0.0, speed));
   }
   return step;
 }
@@ -68,26 +72,47 @@ std::string material_lines(const Scene& scene) {
     const Material& material = scene.materials[m].material;
     const std::size_t bytes = bytes_per_particle(make_particles(scene, static_cast<int>(m)));
     text += format(
-        "  %-22s %s, %.6g kg/m3, %zu bytes per particle\n", material.name.c_str(), model_name(material),
-        material.density, bytes
+        "  %-22s %s, %.6g kg/m3, %zu bytes per particle\n",
+        material.name.c_str(),
+        model_name(material),
+        material.density,
+        bytes
     );
   }
   return text;
 }
 
 std::string feature_lines(const Scene& scene) {
-  const bool confined = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) {
-    return body.initial_pressure > 0.0;
-  });
-  return feature("jet", scene.jet.present, scene.jet.present ? "the deck has a Jet list" : "no Jet list") +
-         feature("initial confinement", confined, confined ? "bodies start in equilibrium" : "no Confinement list") +
-         feature("pressure loads", !scene.loads.empty(), std::to_string(scene.loads.size()) + " asked for") +
+  const bool confined =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) {
+        return body.initial_pressure > 0.0;
+      });
+  return feature(
+             "jet", scene.jet.present, scene.jet.present ? "the deck has a Jet list" : "no Jet list"
+         ) +
          feature(
-             "artificial viscosity", scene.step.linear_viscosity + scene.step.quadratic_viscosity > 0.0,
+             "initial confinement",
+             confined,
+             confined ? "bodies start in equilibrium" : "no Confinement list"
+         ) +
+         feature(
+             "pressure loads",
+             !scene.loads.empty(),
+             std::to_string(scene.loads.size()) + " asked for"
+         ) +
+         feature(
+             "artificial viscosity",
+             scene.step.linear_viscosity + scene.step.quadratic_viscosity > 0.0,
              format("A1 = %g, A2 = %g", scene.step.linear_viscosity, scene.step.quadratic_viscosity)
          ) +
-         feature("PIC share", scene.step.pic_fraction > 0.0, format("PIC Fraction = %g", scene.step.pic_fraction)) +
-         feature("third dimension", false, "the mode is two-dimensional: 2D data, 9 nodes per particle") +
+         feature(
+             "PIC share",
+             scene.step.pic_fraction > 0.0,
+             format("PIC Fraction = %g", scene.step.pic_fraction)
+         ) +
+         feature(
+             "third dimension", false, "the mode is two-dimensional: 2D data, 9 nodes per particle"
+         ) +
          feature("pore fluid", false, "no material of the scene has one") +
          feature("contact with friction", false, "all bodies share one velocity field");
 }
@@ -98,15 +123,26 @@ std::string plan_text(const Scene& scene, const std::vector<std::string>& notes)
   const double particles = static_cast<double>(first_ids(scene).back() - 1);
   const double step = first_stable_step(scene);
   const bool axisymmetric = scene.grid.mode == Mode::axisymmetric;
-  std::string text = scene.title.empty() ? std::string("The deck is sound.\n") : scene.title + "\nThe deck is sound.\n";
+  std::string text = scene.title.empty() ? std::string("The deck is sound.\n")
+                                         : scene.title + "\nThe deck is sound.\n";
   text += format(
-      "Grid      %s, %g x %g m, cells of %g m\n", axisymmetric ? "axisymmetric" : "plane strain",
-      scene.grid.upper[0] - scene.grid.lower[0], scene.grid.upper[1] - scene.grid.lower[1], scene.grid.cell_size
+      "Grid      %s, %g x %g m, cells of %g m\n",
+      axisymmetric ? "axisymmetric" : "plane strain",
+      scene.grid.upper[0] - scene.grid.lower[0],
+      scene.grid.upper[1] - scene.grid.lower[1],
+      scene.grid.cell_size
   );
-  text += format("Particles %.0f, the whole jet included; about %.0f MB in all\n", particles, memory_estimate(scene) * 1e-6);
   text += format(
-      "Time      to %g s, first steps of %.3g s: about %.0f steps, %.3g particle-steps\n", scene.end_time, step,
-      scene.end_time / step, particles * scene.end_time / step
+      "Particles %.0f, the whole jet included; about %.0f MB in all\n",
+      particles,
+      memory_estimate(scene) * 1e-6
+  );
+  text += format(
+      "Time      to %g s, first steps of %.3g s: about %.0f steps, %.3g particle-steps\n",
+      scene.end_time,
+      step,
+      scene.end_time / step,
+      particles * scene.end_time / step
   );
   text += "Materials\n" + material_lines(scene) + "Features\n" + feature_lines(scene);
   for (const std::string& note : notes) text += "Note: " + note + "\n";

@@ -30,7 +30,9 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
   Output output(
-      scene, state, {folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, deck.notes}
+      scene,
+      state,
+      {folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, deck.notes}
   );
   output.write_if_due(scene, state);
   const RunVerdict verdict = run(scene, state, output);
@@ -49,10 +51,13 @@ int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
   const Options options = parse_command_line(argc, argv);
   const bool root = is_root(*comm);
   switch (options.command) {
-    case Command::run: return run_deck(options, comm);
-    case Command::check: return check_deck(options, comm);
+    case Command::run:
+      return run_deck(options, comm);
+    case Command::check:
+      return check_deck(options, comm);
     case Command::describe:
-      if (root) std::cout << (options.markdown ? describe_markdown() : describe_text(options.section));
+      if (root)
+        std::cout << (options.markdown ? describe_markdown() : describe_text(options.section));
       break;
     case Command::version:
       if (root) std::cout << "barreno " << BARRENO_VERSION << '\n';
@@ -64,8 +69,8 @@ int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
   return static_cast<int>(ExitCode::finished);
 }
 
-/// An error that every rank meets is said once and ends the run in order; one that only this rank can know of
-/// must not leave the others waiting.
+/// An error that every rank meets is said once and ends the run in order; one that only this rank
+/// can know of must not leave the others waiting.
 int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
   try {
     return execute(argc, argv, comm);
@@ -74,7 +79,8 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
     if (code != ExitCode::internal) {
       if (is_root(*comm)) std::cerr << "barreno: " << error.what() << std::endl;
     } else {
-      std::cerr << "barreno: internal error on rank " << comm->getRank() << ": " << error.what() << std::endl;
+      std::cerr << "barreno: internal error on rank " << comm->getRank() << ": " << error.what()
+                << std::endl;
       if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
     }
     return static_cast<int>(code);

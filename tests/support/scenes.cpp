@@ -42,7 +42,9 @@ Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const Material&
   return scene;
 }
 
-BodySpec& add_box(Scene& scene, const std::string& name, Vector lower, Vector upper, int particles_per_cell) {
+BodySpec& add_box(
+    Scene& scene, const std::string& name, Vector lower, Vector upper, int particles_per_cell
+) {
   BodySpec body;
   body.name = name;
   body.shape = Box{lower, upper};
@@ -66,7 +68,9 @@ State start_on(const Scene& scene, const Teuchos::RCP<const Comm>& comm) {
 
 }  // namespace
 
-State start(const Scene& scene) { return start_on(scene, Tpetra::getDefaultComm()); }
+State start(const Scene& scene) {
+  return start_on(scene, Tpetra::getDefaultComm());
+}
 
 State start_alone(const Scene& scene) {
   return start_on(scene, Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF)));
@@ -89,8 +93,16 @@ std::vector<std::vector<double>> all_rows(const State& state) {
                           p.deformation_gradient(i, 1) * p.deformation_gradient(i, 2)) *
                          (hoop ? p.deformation_gradient(i, 4) : 1.0);
       for (const double value :
-           {static_cast<double>(p.id(static_cast<std::size_t>(i))), p.position(i, 0), p.position(i, 1),
-            p.velocity(i, 0), p.velocity(i, 1), p.stress(i, 0), p.stress(i, 1), p.stress(i, 2), p.stress(i, 3), det})
+           {static_cast<double>(p.id(static_cast<std::size_t>(i))),
+            p.position(i, 0),
+            p.position(i, 1),
+            p.velocity(i, 0),
+            p.velocity(i, 1),
+            p.stress(i, 0),
+            p.stress(i, 1),
+            p.stress(i, 2),
+            p.stress(i, 3),
+            det})
         mine.push_back(value);
     }
   std::vector<double> size{static_cast<double>(mine.size())};
@@ -101,7 +113,9 @@ std::vector<std::vector<double>> all_rows(const State& state) {
   sum_over_ranks(comm, all);  // only the root holds values
   std::map<long long, std::vector<double>> rows;
   for (std::size_t i = 0; i < all.size(); i += 10)
-    rows[static_cast<long long>(all[i])].assign(all.begin() + static_cast<long>(i) + 1, all.begin() + static_cast<long>(i) + 10);
+    rows[static_cast<long long>(all[i])].assign(
+        all.begin() + static_cast<long>(i) + 1, all.begin() + static_cast<long>(i) + 10
+    );
   std::vector<std::vector<double>> sorted;
   sorted.reserve(rows.size());
   for (auto& row : rows) sorted.push_back(row.second);

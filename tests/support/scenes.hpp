@@ -20,7 +20,9 @@ Material elastic(double young, double poisson, double density);
 Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const Material& material);
 
 /// Adds a box body of material 0.
-BodySpec& add_box(Scene& scene, const std::string& name, Vector lower, Vector upper, int particles_per_cell);
+BodySpec& add_box(
+    Scene& scene, const std::string& name, Vector lower, Vector upper, int particles_per_cell
+);
 void add_symmetry(Scene& scene, Face face);
 
 /// State at t = 0 on all ranks, or on this rank alone.

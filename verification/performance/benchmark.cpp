@@ -19,7 +19,11 @@ namespace {
 /// An axisymmetric copper cylinder that flows everywhere: a converging velocity field in all of it.
 Scene copper_cylinder(double empty) {
   Scene scene = testing::box_scene(
-      Mode::axisymmetric, 1e-3, {0.0, -0.004, 0.0}, {0.128 * empty + 0.004, 0.260 * empty, 0.0}, testing::copper()
+      Mode::axisymmetric,
+      1e-3,
+      {0.0, -0.004, 0.0},
+      {0.128 * empty + 0.004, 0.260 * empty, 0.0},
+      testing::copper()
   );
   testing::add_box(scene, "cylinder", {0.0, 0.0, 0.0}, {0.128, 0.256, 0.0}, 2);
   scene.bodies[0].velocity = {60.0, 60.0, 0.0};
@@ -41,12 +45,15 @@ Cost time_steps(const Scene& scene, int steps) {
   for (int block = 0; block < 5; ++block) {
     const auto start = std::chrono::steady_clock::now();
     testing::advance_to(scene, 1.0, state, steps);
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()
+    );
   }
   std::sort(seconds.begin(), seconds.end());
   const double particle_steps = (state.particle_steps - before) / 5.0;
   return {
-      seconds[2] / particle_steps * 1e9, static_cast<double>(bytes_per_particle(state.particles.front()))};
+      seconds[2] / particle_steps * 1e9,
+      static_cast<double>(bytes_per_particle(state.particles.front()))};
 }
 
 void print_phases(double particle_steps) {
@@ -65,9 +72,17 @@ int main(int argc, char** argv) {
   std::printf("triad %.1f GB/s\n", triad * 1e-9);
   const Scene scene = copper_cylinder(1.0);
   const Cost cost = time_steps(scene, steps);
-  std::printf("axisymmetric GIMP, Johnson-Cook: %.0f ns per particle-step, %.0f bytes per particle\n", cost.nanoseconds, cost.bytes);
+  std::printf(
+      "axisymmetric GIMP, Johnson-Cook: %.0f ns per particle-step, %.0f bytes per particle\n",
+      cost.nanoseconds,
+      cost.bytes
+  );
   print_phases(131072.0 * 5.0 * steps);
   const Cost wide = time_steps(copper_cylinder(3.2), steps);
-  std::printf("the same in a ten times larger domain: %.0f ns (%+.1f %%)\n", wide.nanoseconds, 100.0 * (wide.nanoseconds / cost.nanoseconds - 1.0));
+  std::printf(
+      "the same in a ten times larger domain: %.0f ns (%+.1f %%)\n",
+      wide.nanoseconds,
+      100.0 * (wide.nanoseconds / cost.nanoseconds - 1.0)
+  );
   return 0;
 }

@@ -17,7 +17,8 @@ double measure_triad() {
     for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     // The first pass meets cold pages. Reading a result keeps the loop from being dropped.
-    if (repeat > 0 && a[n / 2] > 0.0) best = std::max(best, 24.0 * static_cast<double>(n) / seconds.count());
+    if (repeat > 0 && a[n / 2] > 0.0)
+      best = std::max(best, 24.0 * static_cast<double>(n) / seconds.count());
   }
   return best;
 }

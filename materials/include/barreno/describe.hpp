@@ -12,7 +12,8 @@ struct Dimension {
   int length = 0, time = 0, mass = 0, temperature = 0;
 };
 inline bool operator==(const Dimension& a, const Dimension& b) {
-  return a.length == b.length && a.time == b.time && a.mass == b.mass && a.temperature == b.temperature;
+  return a.length == b.length && a.time == b.time && a.mass == b.mass &&
+         a.temperature == b.temperature;
 }
 
 namespace dimension {
@@ -39,11 +40,21 @@ struct Bounds {
     return (lower_open ? x > lower : x >= lower) && (upper_open ? x < upper : x <= upper);
   }
 };
-inline Bounds any() { return {}; }
-inline Bounds above(double a) { return {a, std::numeric_limits<double>::infinity(), true, true}; }
-inline Bounds at_least(double a) { return {a, std::numeric_limits<double>::infinity(), false, true}; }
-inline Bounds at_most(double b) { return {-std::numeric_limits<double>::infinity(), b, true, false}; }
-inline Bounds between(double a, double b) { return {a, b, false, false}; }
+inline Bounds any() {
+  return {};
+}
+inline Bounds above(double a) {
+  return {a, std::numeric_limits<double>::infinity(), true, true};
+}
+inline Bounds at_least(double a) {
+  return {a, std::numeric_limits<double>::infinity(), false, true};
+}
+inline Bounds at_most(double b) {
+  return {-std::numeric_limits<double>::infinity(), b, true, false};
+}
+inline Bounds between(double a, double b) {
+  return {a, b, false, false};
+}
 
 /// One numeric parameter of a model: the single source for validation, manual, C interface order.
 template <class P>
@@ -64,7 +75,12 @@ ParameterEntry<P> required(
 }
 template <class P>
 ParameterEntry<P> optional(
-    double P::*member, const char* name, Dimension dimension, Bounds bounds, double value, const char* meaning
+    double P::*member,
+    const char* name,
+    Dimension dimension,
+    Bounds bounds,
+    double value,
+    const char* meaning
 ) {
   return {member, name, dimension, bounds, meaning, false, value};
 }

@@ -10,8 +10,8 @@
 
 namespace barreno {
 
-/// The list of models: the one line that a new model adds. Dispatch, registry, manual, restart and output
-/// names, host interfaces and contract tests all follow from it.
+/// The list of models: the one line that a new model adds. Dispatch, registry, manual, restart and
+/// output names, host interfaces and contract tests all follow from it.
 using AnyModel = std::variant<LinearElastic, JohnsonCook, Arenisca>;
 
 /// A model with its parameters, as a deck or a host asked for it.

@@ -3,7 +3,8 @@
 
 namespace barreno {
 
-/// Verdict of one point update. A failed update leaves stress and history as they were; the host decides.
+/// Verdict of one point update. A failed update leaves stress and history as they were; the host
+/// decides.
 enum class Status { ok = 0, substep_limit = 1, not_converged = 2, bad_input = 3 };
 
 /// What a point update reports beside the new stress and history.
@@ -12,21 +13,23 @@ struct [[nodiscard]] Outcome {
   int substeps = 1;
   double elastic_work = 0.0;  ///< recoverable work of this step per reference volume [stress]
   double plastic_work = 0.0;  ///< dissipated work of this step per reference volume [stress]
-  double longitudinal_modulus = 0.0;  ///< K + 4G/3 at the end of the step, bounds the wave speed [stress]
+  double longitudinal_modulus =
+      0.0;  ///< K + 4G/3 at the end of the step, bounds the wave speed [stress]
   bool failed() const { return status != Status::ok; }
 };
 
 /// What the host knows about a step at one point.
 ///
-/// The strain increment is unrotated (corotational), logarithmic and finite; volume ratios are V / V_ref
-/// with V_ref = mass / reference density, so that an equation of state sees the true density.
+/// The strain increment is unrotated (corotational), logarithmic and finite; volume ratios are V /
+/// V_ref with V_ref = mass / reference density, so that an equation of state sees the true density.
 template <class Tensor>
 struct IncrementOf {
-  Tensor strain;                     ///< d_eps, tension positive [-]
-  double dt = 0.0;                   ///< [time]; 0 is allowed (rate terms off)
-  double volume_ratio_begin = 1.0;   ///< V_n / V_ref [-]
-  double volume_ratio_end = 1.0;     ///< V_n+1 / V_ref [-]
-  double viscous_pressure = 0.0;     ///< mean artificial viscosity of the step, heats the material [stress]
+  Tensor strain;                    ///< d_eps, tension positive [-]
+  double dt = 0.0;                  ///< [time]; 0 is allowed (rate terms off)
+  double volume_ratio_begin = 1.0;  ///< V_n / V_ref [-]
+  double volume_ratio_end = 1.0;    ///< V_n+1 / V_ref [-]
+  double viscous_pressure =
+      0.0;  ///< mean artificial viscosity of the step, heats the material [stress]
 };
 
 /// Start of a scene under hydrostatic pressure p >= 0: stress, history and density in equilibrium.
@@ -36,7 +39,7 @@ struct InitialStateOf {
   History history;
   double volume_ratio = 1.0;   ///< V / V_ref under that pressure; 1 for laws given in rate form
   double stored_energy = 0.0;  ///< elastic energy of that state per reference volume [stress]
-  bool possible = true;        ///< false: the pressure is beyond what the material can hold elastically
+  bool possible = true;  ///< false: the pressure is beyond what the material can hold elastically
 };
 
 }  // namespace barreno

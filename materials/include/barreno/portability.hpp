@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// BARRENO_FUNCTION marks point functions that run on the host and, when Kokkos is included first, on
-/// the device. Without Kokkos it is empty, so the models compile as plain C++17.
+/// BARRENO_FUNCTION marks point functions that run on the host and, when Kokkos is included first,
+/// on the device. Without Kokkos it is empty, so the models compile as plain C++17.
 #if __has_include(<Kokkos_Macros.hpp>)
 #include <Kokkos_Macros.hpp>
 #define BARRENO_FUNCTION KOKKOS_INLINE_FUNCTION

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every shape function owes, at 1 to 4 particles per cell, everywhere in a cell and at the axis.
+// What every shape function owes, at 1 to 4 particles per cell, everywhere in a cell and at the
+// axis.
 #include "shape/visit_kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,8 @@ namespace barreno {
 namespace {
 
 constexpr double cell = 0.37;
-constexpr double axis_in_patch = -1.0;  ///< the first node of a patch at the axis is one cell outside
+constexpr double axis_in_patch =
+    -1.0;  ///< the first node of a patch at the axis is one cell outside
 
 using NodeField = std::function<double(double r, double z)>;
 
@@ -24,7 +26,8 @@ struct Averages {
 template <class M, class S>
 Averages average(const ParticlePlace& place, const NodeField& field) {
   Averages out;
-  S::template support<M>(place).for_each_node([&](int slot, double s, double gx, double gy, double t) {
+  S::template support<M>(place).for_each_node([&](int slot, double s, double gx, double gy, double t
+                                              ) {
     const double r = (place.axis + slot % patch_nodes) * cell;
     const double z = slot / patch_nodes * cell;
     const double v = field(r, z);
@@ -43,10 +46,18 @@ std::vector<ParticlePlace> places(double first) {
     for (const double shift : {0.0, 0.13, 0.5, 0.77})
       for (int i = 0; i < 2 * per_cell; ++i) {
         const double half = 0.5 / per_cell;
-        out.push_back({1.0 + half + i / static_cast<double>(per_cell) + shift, 3.0 + shift, half, half, first, 1.0 / cell});
+        out.push_back(
+            {1.0 + half + i / static_cast<double>(per_cell) + shift,
+             3.0 + shift,
+             half,
+             half,
+             first,
+             1.0 / cell}
+        );
       }
   // Cut by the axis, and barely off it.
-  for (const double r : {0.01, 0.1, 0.24}) out.push_back({1.0 + r, 2.5, 0.25, 0.25, axis_in_patch, 1.0 / cell});
+  for (const double r : {0.01, 0.1, 0.24})
+    out.push_back({1.0 + r, 2.5, 0.25, 0.25, axis_in_patch, 1.0 / cell});
   return out;
 }
 
@@ -57,11 +68,13 @@ TYPED_TEST_SUITE(ShapeFunctionContract, AllShapes);
 
 TYPED_TEST(ShapeFunctionContract, SumsToOneAndGradientsToZero) {
   for (const ParticlePlace& place : places(axis_in_patch)) {
-    const Averages axisymmetric = average<Axisymmetric, TypeParam>(place, [](double, double) { return 1.0; });
+    const Averages axisymmetric =
+        average<Axisymmetric, TypeParam>(place, [](double, double) { return 1.0; });
     EXPECT_NEAR(axisymmetric.value, 1.0, 1e-14);
     EXPECT_NEAR(axisymmetric.d_r * cell, 0.0, 1e-14);
     EXPECT_NEAR(axisymmetric.d_z * cell, 0.0, 1e-14);
-    const Averages plane = average<PlaneStrain, TypeParam>(place, [](double, double) { return 1.0; });
+    const Averages plane =
+        average<PlaneStrain, TypeParam>(place, [](double, double) { return 1.0; });
     EXPECT_NEAR(plane.value, 1.0, 1e-14);
     EXPECT_NEAR(plane.d_r * cell, 0.0, 1e-14);
     EXPECT_NEAR(plane.d_z * cell, 0.0, 1e-14);
@@ -73,19 +86,21 @@ TYPED_TEST(ShapeFunctionContract, UniformStrainIsExact) {
   constexpr double b = -0.4;
   for (const double first : {axis_in_patch, 31.0})
     for (const ParticlePlace& place : places(first)) {
-      const Averages radial = average<Axisymmetric, TypeParam>(place, [=](double r, double) { return a * r; });
+      const Averages radial =
+          average<Axisymmetric, TypeParam>(place, [=](double r, double) { return a * r; });
       EXPECT_NEAR(radial.d_r, a, 1e-12);
       EXPECT_NEAR(radial.hoop, a, 1e-12);
       EXPECT_NEAR(radial.d_z, 0.0, 1e-12);
-      const Averages axial = average<Axisymmetric, TypeParam>(place, [=](double, double z) { return b * z; });
+      const Averages axial =
+          average<Axisymmetric, TypeParam>(place, [=](double, double z) { return b * z; });
       EXPECT_NEAR(axial.d_z, b, 1e-12);
       EXPECT_NEAR(axial.d_r, 0.0, 1e-12);
       EXPECT_NEAR(axial.value, b * place.y * cell, 1e-12);
     }
 }
 
-/// v_z = r z sees a gradient without its radial weighting, which linear fields cannot: the averages are those of
-/// the r-weighted box, r_bar = int r^2 dr / int r dr.
+/// v_z = r z sees a gradient without its radial weighting, which linear fields cannot: the averages
+/// are those of the r-weighted box, r_bar = int r^2 dr / int r dr.
 TYPED_TEST(ShapeFunctionContract, BilinearFieldIsWeightedWithTheRadius) {
   for (const double first : {axis_in_patch, 31.0})
     for (const ParticlePlace& place : places(first)) {
@@ -94,7 +109,8 @@ TYPED_TEST(ShapeFunctionContract, BilinearFieldIsWeightedWithTheRadius) {
       const double r0 = std::max(0.0, r_p - place.half_x * cell);
       const double r_bar = 2.0 / 3.0 * (r1 * r1 * r1 - r0 * r0 * r0) / (r1 * r1 - r0 * r0);
       const double z = place.y * cell;
-      const Averages found = average<Axisymmetric, TypeParam>(place, [](double r, double y) { return r * y; });
+      const Averages found =
+          average<Axisymmetric, TypeParam>(place, [](double r, double y) { return r * y; });
       EXPECT_NEAR(found.value, r_bar * z, 1e-12 * r_bar * z);
       EXPECT_NEAR(found.d_z, r_bar, 1e-12 * r_bar);
       EXPECT_NEAR(found.d_r, z, 1e-12 * z);
@@ -102,8 +118,8 @@ TYPED_TEST(ShapeFunctionContract, BilinearFieldIsWeightedWithTheRadius) {
     }
 }
 
-/// V grad S_p = sum over the faces of n A S_face, node by node: the divergence theorem on one particle, which
-/// makes a body under uniform pressure an exact equilibrium.
+/// V grad S_p = sum over the faces of n A S_face, node by node: the divergence theorem on one
+/// particle, which makes a body under uniform pressure an exact equilibrium.
 TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
   const double two_pi = 2.0 * std::acos(-1.0);
   for (const ParticlePlace& place : places(axis_in_patch)) {
@@ -121,12 +137,12 @@ TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
     );
     for (int face = 0; face < 4; ++face) {
       const double side = face % 2 == 0 ? -1.0 : 1.0;
-      const double area = face < 2 ? two_pi * (r_p + side * lr) * 2.0 * lz : two_pi * r_p * 2.0 * lr;
-      TypeParam::template face_support<Axisymmetric>(place, face).for_each_node(
-          [&](int slot, double s, double, double, double) {
+      const double area =
+          face < 2 ? two_pi * (r_p + side * lr) * 2.0 * lz : two_pi * r_p * 2.0 * lr;
+      TypeParam::template face_support<Axisymmetric>(place, face)
+          .for_each_node([&](int slot, double s, double, double, double) {
             (face < 2 ? radial : axial)[static_cast<std::size_t>(slot)] -= side * area * s;
-          }
-      );
+          });
     }
     for (std::size_t i = 0; i < radial.size(); ++i) {
       EXPECT_NEAR(radial[i], 0.0, 1e-13 * volume / cell);

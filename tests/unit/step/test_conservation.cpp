@@ -18,7 +18,9 @@ using testing::start;
 
 /// Two elastic disks (plane strain) or blunt rods (axisymmetry) that meet.
 Scene collision(Mode mode) {
-  Scene scene = box_scene(mode, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::elastic(70e9, 0.3, 2700.0));
+  Scene scene = box_scene(
+      mode, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::elastic(70e9, 0.3, 2700.0)
+  );
   add_box(scene, "lower", {0.0, 0.006, 0.0}, {0.0083, 0.0179, 0.0}, 2).velocity = {0.0, 120.0, 0.0};
   add_box(scene, "upper", {0.0, 0.020, 0.0}, {0.0061, 0.0307, 0.0}, 3).velocity = {0.0, -80.0, 0.0};
   add_symmetry(scene, Face::x_lower);
@@ -52,10 +54,13 @@ TEST_P(Conservation, PicGivesAwayEnergyAndSaysSo) {
   EXPECT_LT(ledger.transfer, -0.02 * ledger.initial_kinetic);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, Conservation, ::testing::Values(Mode::axisymmetric, Mode::plane_strain));
+INSTANTIATE_TEST_SUITE_P(
+    Modes, Conservation, ::testing::Values(Mode::axisymmetric, Mode::plane_strain)
+);
 
 TEST(Conservation, ImpulseOfAWallIsCounted) {
-  Scene scene = box_scene(Mode::axisymmetric, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::copper());
+  Scene scene =
+      box_scene(Mode::axisymmetric, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::copper());
   add_box(scene, "rod", {0.0, 0.0, 0.0}, {0.0032, 0.0200, 0.0}, 2).velocity = {0.0, -200.0, 0.0};
   add_symmetry(scene, Face::y_lower);
   State state = start(scene);
@@ -67,10 +72,13 @@ TEST(Conservation, ImpulseOfAWallIsCounted) {
   EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 2e-3);
 }
 
-/// A body under pressure, stress and loads consistent, does not move: the discrete equilibrium is exact.
+/// A body under pressure, stress and loads consistent, does not move: the discrete equilibrium is
+/// exact.
 TEST(Conservation, ConfinedBodyStaysAtRest) {
   for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain}) {
-    Scene scene = box_scene(mode, 1e-3, {0.0, 0.0, 0.0}, {0.020, 0.040, 0.0}, testing::elastic(20e9, 0.25, 2300.0));
+    Scene scene = box_scene(
+        mode, 1e-3, {0.0, 0.0, 0.0}, {0.020, 0.040, 0.0}, testing::elastic(20e9, 0.25, 2300.0)
+    );
     add_box(scene, "core", {0.0, 0.0052, 0.0}, {0.0117, 0.0277, 0.0}, 2).initial_pressure = 70e6;
     PressureLoadSpec load;
     load.faces[static_cast<std::size_t>(Face::x_upper)] = true;
@@ -83,7 +91,8 @@ TEST(Conservation, ConfinedBodyStaysAtRest) {
     advance_to(scene, 2e-5, state);
     // Speed of the free surface if the pressure were missing: p / (rho c).
     const double free_speed = 70e6 / (2300.0 * std::sqrt(24e9 / 2300.0));
-    for (const auto& row : testing::all_rows(state)) EXPECT_LT(std::hypot(row[2], row[3]), 1e-9 * free_speed);
+    for (const auto& row : testing::all_rows(state))
+      EXPECT_LT(std::hypot(row[2], row[3]), 1e-9 * free_speed);
   }
 }
 

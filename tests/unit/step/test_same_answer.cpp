@@ -20,7 +20,8 @@ using testing::box_scene;
 using testing::start;
 using testing::start_alone;
 
-/// Copper rod into a copper block: shock, plastic flow, contact, particles that change tiles and ranks.
+/// Copper rod into a copper block: shock, plastic flow, contact, particles that change tiles and
+/// ranks.
 Scene impact(double length = 1.0, double time = 1.0, double mass = 1.0) {
   Material material = testing::copper();
   JohnsonCook::Parameters p = std::get<JohnsonCook>(material.model).parameters();
@@ -36,7 +37,11 @@ Scene impact(double length = 1.0, double time = 1.0, double mass = 1.0) {
   material = {"copper", density, JohnsonCook(p, density)};
 
   Scene scene = box_scene(
-      Mode::axisymmetric, 1e-3 * length, {0.0, 0.0, 0.0}, {0.024 * length, 0.040 * length, 0.0}, material
+      Mode::axisymmetric,
+      1e-3 * length,
+      {0.0, 0.0, 0.0},
+      {0.024 * length, 0.040 * length, 0.0},
+      material
   );
   const auto box = [&](const char* name, double r, double z0, double z1) -> BodySpec& {
     return add_box(scene, name, {0.0, z0 * length, 0.0}, {r * length, z1 * length, 0.0}, 2);
@@ -50,7 +55,9 @@ Scene impact(double length = 1.0, double time = 1.0, double mass = 1.0) {
 constexpr double end_time = 6e-6;
 
 /// Largest difference of two results, column by column relative to the column's own size.
-double difference(const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b) {
+double difference(
+    const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b
+) {
   EXPECT_EQ(a.size(), b.size());
   std::vector<double> size(9, 0.0);
   std::vector<double> worst(9, 0.0);
@@ -68,7 +75,8 @@ double difference(const std::vector<std::vector<double>>& a, const std::vector<s
 /// Reverse the rows of every set as they are stored.
 void reverse_rows(State& state) {
   for (Particles& particles : state.particles) {
-    for (int k = 0; k < particles.count; ++k) particles.order(static_cast<std::size_t>(k)) = particles.count - 1 - k;
+    for (int k = 0; k < particles.count; ++k)
+      particles.order(static_cast<std::size_t>(k)) = particles.count - 1 - k;
     permute_rows(particles);
     particles.sorted = false;
   }
@@ -108,8 +116,8 @@ TEST(SameAnswer, AnotherDecompositionGivesTheSameBits) {
   EXPECT_EQ(difference(all_rows(balanced), all_rows(moved)), 0.0);
 }
 
-/// The whole problem in other units, powers of two so that scaling itself rounds nothing: only the library
-/// functions of strain, rate and temperature, which are dimensionless, can differ.
+/// The whole problem in other units, powers of two so that scaling itself rounds nothing: only the
+/// library functions of strain, rate and temperature, which are dimensionless, can differ.
 TEST(SameAnswer, TwoUnitSystemsGiveTheSameDigits) {
   const double length = 1024.0;
   const double time = 1.0 / 4096.0;
@@ -123,7 +131,8 @@ TEST(SameAnswer, TwoUnitSystemsGiveTheSameDigits) {
   EXPECT_EQ(a.clock.step, b.clock.step);
   auto rows = all_rows(b);
   const double stress = mass / (length * time * time);
-  const double scale[9] = {length, length, length / time, length / time, stress, stress, stress, stress, 1.0};
+  const double scale[9] = {
+      length, length, length / time, length / time, stress, stress, stress, stress, 1.0};
   for (auto& row : rows)
     for (std::size_t c = 0; c < 9; ++c) row[c] /= scale[c];
   EXPECT_LT(difference(all_rows(a), rows), 1e-9);
