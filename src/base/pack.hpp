@@ -16,6 +16,12 @@ struct PackOf {
 };
 template <int N>
 using Pack = typename PackOf<N>::type;
+
+/// The listed entries of a pack, in the order of the list.
+template <int... Entries>
+inline Pack<sizeof...(Entries)> select(const Pack<sizeof...(Entries)>& pack) {
+  return __builtin_shufflevector(pack, pack, Entries...);
+}
 #else
 template <int N>
 struct Pack {
@@ -35,6 +41,10 @@ template <int N>
 KOKKOS_INLINE_FUNCTION Pack<N> operator*(double s, Pack<N> a) {
   for (int i = 0; i < N; ++i) a.value[i] *= s;
   return a;
+}
+template <int... Entries>
+KOKKOS_INLINE_FUNCTION Pack<sizeof...(Entries)> select(const Pack<sizeof...(Entries)>& pack) {
+  return {{pack.value[Entries]...}};
 }
 #endif
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "grid/grid.hpp"
+#include "shape/tensor_support.hpp"
 
 #include <cmath>
 
@@ -45,12 +45,13 @@ struct Gimp {
   ) {
     double a = x - half;
     double b = x + half;
-    if constexpr (Radial) a = std::fmax(a, -axis);
+    // Selections instead of fmin and fmax, which do not vectorise.
+    if constexpr (Radial) a = a > -axis ? a : -axis;
     const double base = std::floor(a);
     a -= base;
     b -= base;
-    const double c = std::fmin(b, 1.0);
-    const double e = std::fmax(b, 1.0);
+    const double c = b < 1.0 ? b : 1.0;
+    const double e = b < 1.0 ? 1.0 : b;
     const double w1 = c - a;
     const double w2 = e - 1.0;
     const double m1 = 0.5 * (a + c);
@@ -91,44 +92,41 @@ struct Gimp {
     return out;
   }
 
-  Axis x, y;
+  using Support = TensorSupport<3>;
+
+  KOKKOS_INLINE_FUNCTION static Support product(const Axis& x, const Axis& y) {
+    return {
+        y.first * patch_nodes + x.first,
+        {x.s[0], x.s[1], x.s[2]},
+        {x.g[0], x.g[1], x.g[2]},
+        {x.t[0], x.t[1], x.t[2]},
+        {y.s[0], y.s[1], y.s[2]},
+        {y.g[0], y.g[1], y.g[2]}};
+  }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Gimp support(const ParticlePlace& place) {
-    return {
+  KOKKOS_INLINE_FUNCTION static Support support(const ParticlePlace& place) {
+    return product(
         axis_weights<M::hoop>(place.x, place.half_x, place.axis, place.per_cell),
-        axis_weights<false>(place.y, place.half_y, 0.0, place.per_cell)};
+        axis_weights<false>(place.y, place.half_y, 0.0, place.per_cell)
+    );
   }
 
   /// Average of N over one face of the particle (0: x_lower, 1: x_upper, 2: y_lower, 3: y_upper),
   /// the weight of a pressure on it. sum_p V_p grad S_p of a body is then exactly the sum over its
   /// outer faces, and a body under uniform pressure is in exact equilibrium.
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Gimp face_support(const ParticlePlace& place, int face) {
-    Gimp out = support<M>(place);
+  KOKKOS_INLINE_FUNCTION static Support face_support(const ParticlePlace& place, int face) {
     const double side = face % 2 == 0 ? -1.0 : 1.0;
     if (face < 2)
-      out.x = point_weights(place.x + side * place.half_x);
-    else
-      out.y = point_weights(place.y + side * place.half_y);
-    return out;
-  }
-
-  static constexpr int nodes = 9;
-
-  /// visit(slot, S, dS/dx, dS/dy, T) for every node of the support.
-  template <class Visitor>
-  KOKKOS_INLINE_FUNCTION void for_each_node(Visitor&& visit) const {
-    const int first = y.first * patch_nodes + x.first;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i)
-        visit(
-            first + j * patch_nodes + i,
-            x.s[i] * y.s[j],
-            x.g[i] * y.s[j],
-            x.s[i] * y.g[j],
-            x.t[i] * y.s[j]
-        );
+      return product(
+          point_weights(place.x + side * place.half_x),
+          axis_weights<false>(place.y, place.half_y, 0.0, place.per_cell)
+      );
+    return product(
+        axis_weights<M::hoop>(place.x, place.half_x, place.axis, place.per_cell),
+        point_weights(place.y + side * place.half_y)
+    );
   }
 
   /// Critical Courant number c dt / h of a free bar (docs/method.md), by the half size in cells:

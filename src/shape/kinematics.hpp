@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/rows.hpp"
 #include "base/types.hpp"
 #include "scene/scene.hpp"
 
@@ -48,19 +49,25 @@ struct PlaneRotation {
 
 /// R of F = R U in two dimensions, exact: the direction of (Fxx + Fyy, Fyx - Fxy). A matrix without
 /// a direction (both zero) has no rotation.
+KOKKOS_INLINE_FUNCTION PlaneRotation direction(double c, double s) {
+  const double n = std::sqrt(c * c + s * s);
+  const double inverse = n > 0.0 ? 1.0 / n : 0.0;
+  return {n > 0.0 ? c * inverse : 1.0, s * inverse};
+}
 KOKKOS_INLINE_FUNCTION PlaneRotation polar_rotation(const PlaneTensor& f) {
-  const double a = f.xx + f.yy;
-  const double b = f.yx - f.xy;
-  const double n = std::sqrt(a * a + b * b);
-  return n > 0.0 ? PlaneRotation{a / n, b / n} : PlaneRotation{};
+  return direction(f.xx + f.yy, f.yx - f.xy);
 }
 
-/// Half-way between two rotations less than half a turn apart.
-KOKKOS_INLINE_FUNCTION PlaneRotation mean_rotation(const PlaneRotation& q, const PlaneRotation& r) {
-  const double c = q.c + r.c;
-  const double s = q.s + r.s;
-  const double n = std::sqrt(c * c + s * s);
-  return n > 0.0 ? PlaneRotation{c / n, s / n} : q;
+/// Half-way between the polar rotations of two tensors, which are less than half a turn apart.
+KOKKOS_INLINE_FUNCTION PlaneRotation
+mean_polar_rotation(const PlaneTensor& f, const PlaneTensor& g) {
+  const double fc = f.xx + f.yy;
+  const double fs = f.yx - f.xy;
+  const double gc = g.xx + g.yy;
+  const double gs = g.yx - g.xy;
+  const double fn = std::sqrt(fc * fc + fs * fs);
+  const double gn = std::sqrt(gc * gc + gs * gs);
+  return direction(gn * fc + fn * gc, gn * fs + fn * gs);
 }
 
 /// R t R^T: from the unrotated to the space frame.
@@ -82,6 +89,18 @@ KOKKOS_INLINE_FUNCTION Sym3 unrotate(const PlaneRotation& r, const Sym3& t) {
   return rotate({r.c, -r.s}, t);
 }
 
+/// Largest entry of dt L for which the short series of the exponential are exact to round-off.
+inline constexpr double short_series = 0.1;
+
+/// Whether components [first, last) of dt L of all rows are within that.
+inline bool all_short(const FieldView& increment, Rows rows, int first, int last) {
+  int large = 0;
+  for (int c = first; c < last; ++c)
+    for (int p = rows.begin; p < rows.end; ++p)
+      large |= static_cast<int>(!(std::abs(increment(p, c)) <= short_series));
+  return large == 0;
+}
+
 /// e^x for |x| <= 0.1 by its power series to x^9: exact to round-off.
 KOKKOS_INLINE_FUNCTION double short_exp(double x) {
   return 1.0 +
@@ -93,6 +112,13 @@ KOKKOS_INLINE_FUNCTION double short_exp(double x) {
                                   x * (1.0 / 720 + x * (1.0 / 5040 +
                                                         x * (1.0 / 40320 + x * (1.0 / 362880))))))))
              );
+}
+
+/// e^x; with `Short` only for |x| <= 0.1, and then without a branch.
+template <bool Short>
+KOKKOS_INLINE_FUNCTION double exponential(double x) {
+  if constexpr (Short) return short_exp(x);
+  return std::abs(x) <= short_series ? short_exp(x) : std::exp(x);
 }
 
 /// exp(A) of a plane tensor whose entries are at most 0.1, in closed form: with t = tr A / 2, B = A
@@ -123,7 +149,7 @@ KOKKOS_INLINE_FUNCTION PlaneTensor exponential(const PlaneTensor& a) {
       std::fmax(std::abs(a.xx), std::abs(a.yy)),
       std::fmax(std::fmax(std::abs(a.xy), std::abs(a.yx)), std::abs(a.zz))
   );
-  if (largest <= 0.1) return short_exponential(a);
+  if (largest <= short_series) return short_exponential(a);
   const double t = 0.5 * (a.xx + a.yy);
   const double d = 0.5 * (a.xx - a.yy);
   const double z = d * d + a.xy * a.yx;

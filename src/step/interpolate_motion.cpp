@@ -3,7 +3,7 @@
 
 #include "base/pack.hpp"
 #include "base/region.hpp"
-#include "shape/place.hpp"
+#include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 
 namespace barreno {
@@ -15,6 +15,11 @@ KOKKOS_INLINE_FUNCTION double strain_squared(
 ) {
   const double shear = xy + yx;
   return xx * xx + yy * yy + zz * zz + 0.5 * shear * shear;
+}
+
+/// Without the call that fmax costs.
+KOKKOS_INLINE_FUNCTION double larger(double a, double b) {
+  return b > a ? b : a;
 }
 
 using Motion = Pack<motion_components>;
@@ -32,32 +37,38 @@ struct InterpolateMotion {
         &motion(static_cast<std::size_t>(tile) * patch_size * motion_components)
     );
     const int end = particles.tile_begin(tile + 1);
-    for (int k = particles.tile_begin(tile); k < end; ++k) {
-      const int p = particles.order(k);
-      const auto support = S::template support<M>(frame.place(
-          tile_x(tile),
-          tile_y(tile),
-          particles.position(p, 0),
-          particles.position(p, 1),
-          particles.half_size(p, 0),
-          particles.half_size(p, 1)
-      ));
-      Motion v{}, dx{}, dy{}, hoop{};
-      support.for_each_node([&](int slot, double s, double gx, double gy, double t) {
-        const Motion node = patch[slot];
-        v += s * node;
-        dx += gx * node;
-        dy += gy * node;
-        if constexpr (M::hoop) hoop += t * node;
-      });
-      for (int i = 0; i < motion_components; ++i) particles.grid_motion(p, i) = v[i];
-      particles.increment(p, 0) = dt * dx[0];
-      particles.increment(p, 1) = dt * dy[0];
-      particles.increment(p, 2) = dt * dx[1];
-      particles.increment(p, 3) = dt * dy[1];
-      particles.increment(p, 4) = dt * hoop[0];
-      largest = std::fmax(largest, dt * dt * strain_squared(dx[0], dy[0], dx[1], dy[1], hoop[0]));
+    for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
+      largest = larger(largest, batch(tile, BatchRows(particles.order, k, end), patch));
+  }
+
+  KOKKOS_INLINE_FUNCTION double batch(int tile, const BatchRows& rows, const Motion* patch) const {
+    SupportBatch<typename S::Support> supports;
+    find_supports<M, S>(
+        frame,
+        tile_x(tile),
+        tile_y(tile),
+        rows,
+        particles.position.values,
+        particles.half_size.values,
+        supports
+    );
+    const FieldView grid_motion = particles.grid_motion.values;
+    const FieldView increment = particles.increment.values;
+    double largest = 0.0;
+    for (int k = 0; k < rows.count; ++k) {
+      const int p = rows.row[k];
+      const auto at = supports.get(k).template interpolate<M::hoop>(patch);
+      for (int i = 0; i < motion_components; ++i) grid_motion(p, i) = at.value[i];
+      increment(p, 0) = dt * at.d_x[0];
+      increment(p, 1) = dt * at.d_y[0];
+      increment(p, 2) = dt * at.d_x[1];
+      increment(p, 3) = dt * at.d_y[1];
+      increment(p, 4) = dt * at.hoop[0];
+      largest = larger(
+          largest, dt * dt * strain_squared(at.d_x[0], at.d_y[0], at.d_x[1], at.d_y[1], at.hoop[0])
+      );
     }
+    return largest;
   }
 };
 
@@ -77,7 +88,7 @@ double interpolate_motion(
         Kokkos::Max<double>(largest)
     );
   });
-  return std::sqrt(std::fmax(largest, 0.0));
+  return std::sqrt(larger(largest, 0.0));
 }
 
 }  // namespace barreno

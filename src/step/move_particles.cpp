@@ -6,42 +6,94 @@
 
 namespace barreno {
 
+namespace {
+
+/// Particles that move together: their loop vectorises, the sums over them follow in storage order.
+constexpr int rows_per_run = 64;
+
+template <class M, bool Short>
+struct MoveParticles {
+  FieldView position, velocity, grid_motion, increment, mass;
+  double pic, dt;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int count, ParticleTally& tally) const {
+    double momentum[rows_per_run];
+    double before[rows_per_run];
+    double after[rows_per_run];
+    BARRENO_IVDEP
+    for (int k = 0; k < count; ++k) {
+      const int p = begin + k;
+      const double m = mass(p, 0);
+      const double vx = velocity(p, 0);
+      const double vy = velocity(p, 1);
+      const double wx = (1.0 - pic) * (vx + grid_motion(p, 2)) + pic * grid_motion(p, 0);
+      const double wy = (1.0 - pic) * (vy + grid_motion(p, 3)) + pic * grid_motion(p, 1);
+      before[k] = 0.5 * m * (vx * vx + vy * vy);
+      after[k] = 0.5 * m * (wx * wx + wy * wy);
+      momentum[k] = m * wy;
+      velocity(p, 0) = wx;
+      velocity(p, 1) = wy;
+      if constexpr (M::hoop)
+        position(p, 0) *= exponential<Short>(increment(p, 4));
+      else
+        position(p, 0) += dt * grid_motion(p, 0);
+      position(p, 1) += dt * grid_motion(p, 1);
+    }
+    for (int k = 0; k < count; ++k) {
+      tally.kinetic_before += before[k];
+      tally.kinetic_after += after[k];
+      tally.momentum += momentum[k];
+      tally.mass += mass(begin + k, 0);
+    }
+  }
+};
+
+template <class Kernel>
+ParticleTally move_rows(const Kernel& kernel, Rows rows) {
+  ParticleTally tally;
+  Kokkos::parallel_reduce(
+      "move_particles",
+      range((rows.end - rows.begin + rows_per_run - 1) / rows_per_run),
+      KOKKOS_LAMBDA(const int run, double& before, double& after, double& mass, double& momentum) {
+        const int begin = rows.begin + run * rows_per_run;
+        const int left = rows.end - begin;
+        ParticleTally part;
+        kernel(begin, left < rows_per_run ? left : rows_per_run, part);
+        before += part.kinetic_before;
+        after += part.kinetic_after;
+        mass += part.mass;
+        momentum += part.momentum;
+      },
+      tally.kinetic_before,
+      tally.kinetic_after,
+      tally.mass,
+      tally.momentum
+  );
+  return tally;
+}
+
+}  // namespace
+
 ParticleTally move_particles(const Scene& scene, double dt, Rows rows, Particles& particles) {
   const Region region("move_particles");
-  const double pic = scene.step.pic_fraction;
-  const double flip = 1.0 - pic;
-  const Particles p_ = particles;
-  ParticleTally tally;
-  visit_mode(scene.grid.mode, [&](auto mode) {
+  return visit_mode(scene.grid.mode, [&](auto mode) {
     using M = decltype(mode);
-    Kokkos::parallel_reduce(
-        "move_particles",
-        range(rows),
-        KOKKOS_LAMBDA(const int p, double& before, double& after, double& mass, double& momentum) {
-          const double m = p_.mass(p);
-          const double vx = p_.velocity(p, 0);
-          const double vy = p_.velocity(p, 1);
-          const double wx = flip * (vx + p_.grid_motion(p, 2)) + pic * p_.grid_motion(p, 0);
-          const double wy = flip * (vy + p_.grid_motion(p, 3)) + pic * p_.grid_motion(p, 1);
-          before += 0.5 * m * (vx * vx + vy * vy);
-          after += 0.5 * m * (wx * wx + wy * wy);
-          mass += m;
-          momentum += m * wy;
-          p_.velocity(p, 0) = wx;
-          p_.velocity(p, 1) = wy;
-          if (M::hoop)
-            p_.position(p, 0) *= std::exp(p_.increment(p, 4));
-          else
-            p_.position(p, 0) += dt * p_.grid_motion(p, 0);
-          p_.position(p, 1) += dt * p_.grid_motion(p, 1);
-        },
-        tally.kinetic_before,
-        tally.kinetic_after,
-        tally.mass,
-        tally.momentum
-    );
+    const auto move = [&](auto short_strain) {
+      return move_rows(
+          MoveParticles<M, decltype(short_strain)::value>{
+              particles.position.values,
+              particles.velocity.values,
+              particles.grid_motion.values,
+              particles.increment.values,
+              particles.mass.values,
+              scene.step.pic_fraction,
+              dt},
+          rows
+      );
+    };
+    if (all_short(particles.increment.values, rows, 4, 5)) return move(std::true_type{});
+    return move(std::false_type{});
   });
-  return tally;
 }
 
 }  // namespace barreno

@@ -4,7 +4,7 @@
 #include "base/pack.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
-#include "shape/place.hpp"
+#include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 
 namespace barreno {
@@ -12,13 +12,14 @@ namespace {
 
 using Sums = Pack<sum_components>;
 
-/// What one particle gives to its nodes: sums += S a + dS/dx b + dS/dy c + T d.
-struct Contribution {
-  Sums a, b, c, d;
-};
+/// What one particle gives to its nodes: S times mass and momentum, and the resultants of its
+/// stress, -V (sigma - q I), times the gradients of S.
+enum Give { mass, momentum_x, momentum_y, force_xx, force_xy, force_yy, force_hoop, nothing };
 
 template <class M>
-KOKKOS_INLINE_FUNCTION Contribution contribution(const Particles& particles, int p) {
+KOKKOS_INLINE_FUNCTION void find_given(
+    const Particles& particles, int p, double (&out)[sum_components]
+) {
   const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
   const Sym3 unrotated{
       particles.stress(p, 0),
@@ -31,16 +32,14 @@ KOKKOS_INLINE_FUNCTION Contribution contribution(const Particles& particles, int
   const double q = particles.viscous_pressure(p);
   const double volume = particles.volume(p);
   const double m = particles.mass(p);
-  const double pressed_xx = -volume * (stress.xx - q);
-  const double pressed_yy = -volume * (stress.yy - q);
-  const double shear = -volume * stress.xy;
-  const double hoop = M::hoop ? -volume * (stress.zz - q) : 0.0;
-  Contribution out;
-  out.a = Sums{m, m * particles.velocity(p, 0), m * particles.velocity(p, 1)};
-  out.b = Sums{0.0, 0.0, 0.0, pressed_xx, shear};
-  out.c = Sums{0.0, 0.0, 0.0, shear, pressed_yy};
-  out.d = Sums{0.0, 0.0, 0.0, hoop};
-  return out;
+  out[mass] = m;
+  out[momentum_x] = m * particles.velocity(p, 0);
+  out[momentum_y] = m * particles.velocity(p, 1);
+  out[force_xx] = -volume * (stress.xx - q);
+  out[force_xy] = -volume * stress.xy;
+  out[force_yy] = -volume * (stress.yy - q);
+  out[force_hoop] = M::hoop ? -volume * (stress.zz - q) : 0.0;
+  out[nothing] = 0.0;
 }
 
 template <class M, class S>
@@ -55,22 +54,34 @@ struct ProjectParticles {
         as_packs<sum_components>(&sums(static_cast<std::size_t>(tile) * patch_size * sum_components)
         );
     const int end = particles.tile_begin(tile + 1);
-    for (int k = particles.tile_begin(tile); k < end; ++k) {
-      const int p = particles.order(k);
-      const Contribution give = contribution<M>(particles, p);
-      const auto support = S::template support<M>(frame.place(
-          tile_x(tile),
-          tile_y(tile),
-          particles.position(p, 0),
-          particles.position(p, 1),
-          particles.half_size(p, 0),
-          particles.half_size(p, 1)
-      ));
-      support.for_each_node([&](int slot, double s, double gx, double gy, double t) {
-        Sums sum = patch[slot] + s * give.a + gx * give.b + gy * give.c;
-        if constexpr (M::hoop) sum += t * give.d;
-        patch[slot] = sum;
-      });
+    for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
+      batch(tile, BatchRows(particles.order, k, end), patch);
+  }
+
+  KOKKOS_INLINE_FUNCTION void batch(int tile, const BatchRows& rows, Sums* patch) const {
+    SupportBatch<typename S::Support> supports;
+    find_supports<M, S>(
+        frame,
+        tile_x(tile),
+        tile_y(tile),
+        rows,
+        particles.position.values,
+        particles.half_size.values,
+        supports
+    );
+    alignas(sizeof(Sums)) double given[rows_per_batch][sum_components];
+    BARRENO_IVDEP
+    for (int k = 0; k < rows_per_batch; ++k) find_given<M>(particles, rows.row[k], given[k]);
+    for (int k = 0; k < rows.count; ++k) {
+      constexpr int o = nothing;
+      const Sums& g = *as_packs<sum_components>(given[k]);
+      supports.get(k).template add_to<M::hoop>(
+          patch,
+          select<mass, momentum_x, momentum_y, o, o, o, o, o>(g),
+          select<o, o, o, force_xx, force_xy, o, o, o>(g),
+          select<o, o, o, force_xy, force_yy, o, o, o>(g),
+          select<o, o, o, force_hoop, o, o, o, o>(g)
+      );
     }
   }
 };

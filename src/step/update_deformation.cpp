@@ -7,9 +7,6 @@
 namespace barreno {
 namespace {
 
-/// Largest entry of dt L for which the short series of the exponential is exact to round-off.
-constexpr double short_series = 0.1;
-
 /// New F, volume and unrotated strain of one row; `Exponential` is the short or the general one.
 template <class M, bool Short>
 struct UpdateDeformation {
@@ -25,7 +22,7 @@ struct UpdateDeformation {
     const PlaneTensor f_n = load_plane_tensor<M>(deformation, p);
     const PlaneTensor f = Short ? short_exponential(dt_l) : exponential(dt_l);
     const PlaneTensor f_n1 = multiply(f, f_n);
-    const PlaneRotation r_m = mean_rotation(polar_rotation(f_n), polar_rotation(f_n1));
+    const PlaneRotation r_m = mean_polar_rotation(f_n, f_n1);
     const Sym3 strain =
         unrotate(r_m, {dt_l.xx, dt_l.yy, dt_l.zz, 0.5 * (dt_l.xy + dt_l.yx), 0.0, 0.0});
     deformation(p, 0) = f_n1.xx;
@@ -43,14 +40,6 @@ struct UpdateDeformation {
   }
 };
 
-double largest_entry(const FieldView& increment, Rows rows, int components) {
-  double largest = 0.0;
-  for (int c = 0; c < components; ++c)
-    for (int p = rows.begin; p < rows.end; ++p)
-      largest = std::fmax(largest, std::abs(increment(p, c)));
-  return largest;
-}
-
 }  // namespace
 
 void update_deformation(const Scene& scene, Rows rows, Particles& particles) {
@@ -62,7 +51,7 @@ void update_deformation(const Scene& scene, Rows rows, Particles& particles) {
     using M = decltype(mode);
     // The general form takes the short one where that holds, row by row: the answer does not depend
     // on which rows share a block.
-    if (largest_entry(increment, rows, M::hoop ? 5 : 4) <= short_series)
+    if (all_short(increment, rows, 0, M::hoop ? 5 : 4))
       for_each_row(
           "update_deformation", rows, UpdateDeformation<M, true>{increment, deformation, volume}
       );

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/rows.hpp"
+#include "base/types.hpp"
+#include "shape/place.hpp"
+
+namespace barreno {
+
+/// Particles of a tile that are prepared together, in loops that the compiler vectorises.
+inline constexpr int rows_per_batch = 32;
+
+/// Rows of one batch: the k-th is order[begin + k], and the last one again where the batch is not
+/// full. All batches then take the same path, and the answer does not depend on their filling.
+struct BatchRows {
+  int row[rows_per_batch];
+  int count = 0;
+
+  KOKKOS_INLINE_FUNCTION BatchRows(const ArrayView<int>& order, int begin, int end)
+      : count(end - begin < rows_per_batch ? end - begin : rows_per_batch) {
+    for (int k = 0; k < rows_per_batch; ++k) row[k] = order(begin + (k < count ? k : count - 1));
+  }
+};
+
+/// Nodes and weights of a batch, one array per weight.
+template <class Support>
+struct SupportBatch {
+  alignas(64) double value[Support::values][rows_per_batch];
+  alignas(64) int first[rows_per_batch];
+
+  KOKKOS_INLINE_FUNCTION void put(int k, Support support) {
+    first[k] = support.first;
+    int c = 0;
+    support.for_each_value([&](double v) { value[c++][k] = v; });
+  }
+  KOKKOS_INLINE_FUNCTION Support get(int k) const {
+    Support out;
+    out.first = first[k];
+    int c = 0;
+    out.for_each_value([&](double& v) { v = value[c++][k]; });
+    return out;
+  }
+};
+
+/// Supports of the rows of a batch, all in one tile.
+template <class M, class S>
+KOKKOS_INLINE_FUNCTION void find_supports(
+    const PatchFrame& frame,
+    int tile_x,
+    int tile_y,
+    const BatchRows& rows,
+    const FieldView& position,
+    const FieldView& half_size,
+    SupportBatch<typename S::Support>& out
+) {
+  BARRENO_IVDEP
+  for (int k = 0; k < rows_per_batch; ++k) {
+    const int p = rows.row[k];
+    out.put(
+        k,
+        S::template support<M>(frame.place(
+            tile_x, tile_y, position(p, 0), position(p, 1), half_size(p, 0), half_size(p, 1)
+        ))
+    );
+  }
+}
+
+}  // namespace barreno

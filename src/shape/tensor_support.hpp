@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "grid/grid.hpp"
+
+namespace barreno {
+
+/// What the nodes say to a particle: sums over its support of S v, dS/dx v, dS/dy v and T v.
+template <class Value>
+struct Interpolated {
+  Value value{}, d_x{}, d_y{}, hoop{};
+};
+
+/// Nodes and weights of a shape function that is a product of one function along each axis, with N
+/// nodes along each:
+///
+///   S = s_i s_j,   dS/dx = g_i s_j,   dS/dy = s_i g_j,   T = t_i s_j
+///
+/// Sums over the nodes use the product form: two multiplications per node instead of eight.
+template <unsigned N>
+struct TensorSupport {
+  static constexpr int n = N;
+  static constexpr unsigned values = 5 * N;
+
+  int first = 0;   ///< slot of the lowest node in the patch
+  double sx[N]{};  ///< averages of N along x
+  double gx[N]{};  ///< averages of dN/dx [1/length]
+  double tx[N]{};  ///< hoop weights; axisymmetry only [1/length]
+  double sy[N]{}, gy[N]{};
+
+  /// f(weight) for every weight, in the order in which batches store them.
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void for_each_value(F&& f) {
+    for (int i = 0; i < n; ++i) {
+      f(sx[i]);
+      f(gx[i]);
+      f(tx[i]);
+      f(sy[i]);
+      f(gy[i]);
+    }
+  }
+
+  /// visit(slot, S, dS/dx, dS/dy, T) for every node of the support.
+  template <class Visitor>
+  KOKKOS_INLINE_FUNCTION void for_each_node(Visitor&& visit) const {
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        visit(
+            first + j * patch_nodes + i, sx[i] * sy[j], gx[i] * sy[j], sx[i] * gy[j], tx[i] * sy[j]
+        );
+  }
+
+  /// patch += S a + dS/dx b + dS/dy c + T d.
+  template <bool Hoop, class Value>
+  KOKKOS_INLINE_FUNCTION void add_to(
+      Value* patch, const Value& a, const Value& b, const Value& c, const Value& d
+  ) const {
+    Value along_x[N];
+    for (int i = 0; i < n; ++i) along_x[i] = Hoop ? gx[i] * b + tx[i] * d : gx[i] * b;
+    for (int j = 0; j < n; ++j) {
+      const Value along_y = sy[j] * a + gy[j] * c;
+      Value* const row = patch + first + j * patch_nodes;
+      for (int i = 0; i < n; ++i) row[i] = row[i] + sx[i] * along_y + sy[j] * along_x[i];
+    }
+  }
+
+  template <bool Hoop, class Value>
+  KOKKOS_INLINE_FUNCTION Interpolated<Value> interpolate(const Value* patch) const {
+    Interpolated<Value> out;
+    for (int i = 0; i < n; ++i) {
+      Value mean{};
+      Value slope{};
+      for (int j = 0; j < n; ++j) {
+        const Value& node = patch[first + j * patch_nodes + i];
+        mean += sy[j] * node;
+        slope += gy[j] * node;
+      }
+      out.value += sx[i] * mean;
+      out.d_x += gx[i] * mean;
+      out.d_y += sx[i] * slope;
+      if constexpr (Hoop) out.hoop += tx[i] * mean;
+    }
+    return out;
+  }
+};
+
+}  // namespace barreno
