@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grid/grid.hpp"
+#include "state/effort.hpp"
 #include "state/ledger.hpp"
 #include "state/nodes.hpp"
 #include "state/particles.hpp"
@@ -29,6 +30,7 @@ struct State {
   double stable_step =
       std::numeric_limits<double>::infinity();  ///< of this rank, by the last stress update [time]
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
+  Effort effort;
 };
 
 }  // namespace barreno

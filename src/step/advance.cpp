@@ -4,6 +4,7 @@
 #include "base/gather.hpp"
 #include "base/region.hpp"
 #include "grid/halo.hpp"
+#include "step/balance_load.hpp"
 #include "step/interpolate_motion.hpp"
 #include "step/launch_jet.hpp"
 #include "step/move_particles.hpp"
@@ -26,6 +27,14 @@ namespace {
 /// A step is taken again at most this often; then the particle policy acts.
 constexpr int most_retries = 3;
 
+void project_sets(const Scene& scene, State& state) {
+  const Stopwatch watch;
+  clear_nodes(state.grid, state.nodes);
+  for (const Particles& particles : state.particles)
+    project_particles(scene, state.grid, particles, state.nodes);
+  state.effort.node_seconds += watch.seconds();
+}
+
 /// Grid velocity and what it does to the particles, with a smaller step if a strain increment is
 /// too large.
 GridTally find_motion(const Scene& scene, State& state, double& dt) {
@@ -33,9 +42,11 @@ GridTally find_motion(const Scene& scene, State& state, double& dt) {
   for (int retry = 0;; ++retry) {
     tally = solve_velocity(scene, state.grid, dt, state.nodes);
     std::vector<double> strain{0.0};
+    const Stopwatch watch;
     for (Particles& particles : state.particles)
       strain[0] =
           std::max(strain[0], interpolate_motion(scene, state.grid, state.nodes, dt, particles));
+    state.effort.node_seconds += watch.seconds();
     max_over_ranks(*state.grid.comm, strain);
     if (!(strain[0] > scene.step.largest_strain) || retry == most_retries) return tally;
     dt *= std::max(0.25, 0.8 * scene.step.largest_strain / strain[0]);
@@ -55,12 +66,16 @@ StressTally update_particles(
     const Scene& scene, double dt, State& state, ParticleTally& moved, StepResult& result
 ) {
   StressTally total;
-  for (Particles& particles : state.particles) {
+  for (std::size_t s = 0; s < state.particles.size(); ++s) {
+    Particles& particles = state.particles[s];
     StressTally set;
+    std::size_t block = 0;
     for_each_block(particles.count, [&](Rows rows) {
+      const Stopwatch watch;
       add(move_particles(scene, dt, rows, particles), moved);
       update_deformation(scene, rows, particles);
       add(update_stress(scene, dt, rows, particles), set);
+      state.effort.add(s, block++, watch.seconds());
     });
     const bool stops =
         scene.materials[static_cast<std::size_t>(particles.material)].bad_particles ==
@@ -119,18 +134,17 @@ void agree_on_failure(const Scene& scene, const State& state, StepResult& result
 
 StepResult advance(const Scene& scene, double next_time, State& state) {
   const Region region("advance");
-  auto& [grid, particles, nodes, clock, ledger, next_slug, slug_ids, stable, particle_steps] =
+  auto& [grid, particles, nodes, clock, ledger, next_slug, slug_ids, stable, particle_steps, effort] =
       state;
 
+  balance_load(scene, state);                            // tiles to ranks by measured cost
   launch_jet(scene, state);                              // slugs whose time has come
   Placement placement = locate_particles(scene, state);  // cell of each; the lost are tallied
   double dt = agree_on_step(scene, next_time, placement, state);  // the one reduction
   place_particles(scene, placement, state);                       // ranks, tiles, order
 
-  clear_nodes(grid, nodes);
-  for (const Particles& set : particles)
-    project_particles(scene, grid, set, nodes);  // m, p, f  (2.1-2.3)
-  project_loads(scene, state);                   // pressure on faces                 (2.4)
+  project_sets(scene, state);   // m, p, f                           (2.1-2.3)
+  project_loads(scene, state);  // pressure on faces                 (2.4)
   exchange_halo(grid, nodes.sums, patch_size * sum_components);
   const GridTally motion =
       find_motion(scene, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)

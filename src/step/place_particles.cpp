@@ -4,7 +4,6 @@
 #include "base/gather.hpp"
 #include "base/region.hpp"
 #include "grid/migrate.hpp"
-#include "grid/partition.hpp"
 #include "grid/tiles.hpp"
 
 #include <algorithm>
@@ -210,21 +209,11 @@ void place_particles(const Scene& scene, const Placement& agreed, State& state) 
   }
 }
 
-void partition_particles(
-    const Scene& scene, const std::vector<double>& cost_of_particle, State& state
-) {
-  const Region region("partition_particles");
-  Grid& grid = state.grid;
-  std::vector<double> weights(grid.owner.size(), 0.0);
-  for (const Particles& particles : state.particles)
-    for (int p = 0; p < particles.count; ++p)
-      weights[static_cast<std::size_t>(
-          cell_of(grid, particles.position(p, 0), particles.position(p, 1)).tile
-      )] += cost_of_particle[static_cast<std::size_t>(particles.material)];
-  sum_over_ranks(*grid.comm, weights);
-  grid.owner = bisect_tiles(grid.tiles, weights, grid.comm->getSize());
+void give_tiles(const Scene& scene, const std::vector<int>& owner, State& state) {
+  const Region region("give_tiles");
+  state.grid.owner = owner;
   // No tile is active in the new partition: everybody is looked for afresh.
-  activate_tiles(grid, {});
+  activate_tiles(state.grid, {});
   locate_particles(scene, state);
   place_particles(scene, {true, true}, state);
 }

@@ -22,12 +22,7 @@ Placement locate_particles(const Scene& scene, State& state);
 /// @param placement  agreed between the ranks
 void place_particles(const Scene& scene, const Placement& placement, State& state);
 
-/// Owners of all tiles by the cost of the particles in them, measured or counted; then every
-/// particle goes home. Collective.
-///
-/// @param cost_of_particle  one number per particle set, its share of the time per particle
-void partition_particles(
-    const Scene& scene, const std::vector<double>& cost_of_particle, State& state
-);
+/// Give the tiles of the box to other ranks, `owner` by tile; every particle goes home. Collective.
+void give_tiles(const Scene& scene, const std::vector<int>& owner, State& state);
 
 }  // namespace barreno

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer does not depend on the order of particles, the decomposition or the units.
+#include "grid/partition.hpp"
 #include "step/place_particles.hpp"
 #include "support/scenes.hpp"
 
@@ -111,7 +112,9 @@ TEST(SameAnswer, AnotherDecompositionGivesTheSameBits) {
   advance_to(scene, end_time, balanced);
   State moved = start(scene);
   advance_to(scene, end_time, moved, 20);
-  partition_particles(scene, {1.0}, moved);
+  std::vector<double> weights(moved.grid.owner.size(), 1.0);
+  for (std::size_t t = 0; t < weights.size(); t += 3) weights[t] = 5.0;
+  give_tiles(scene, bisect_tiles(moved.grid.tiles, weights, moved.grid.comm->getSize()), moved);
   advance_to(scene, end_time, moved);
   EXPECT_EQ(difference(all_rows(balanced), all_rows(moved)), 0.0);
 }
