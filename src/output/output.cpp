@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <unistd.h>
 
 namespace barreno {
@@ -107,6 +108,14 @@ struct Output::Parts {
   long fields_step = -1, rows_step = -1;
 };
 
+/// Whether somebody watches a terminal. mpirun gives its ranks terminals of its own: there the
+/// launcher, which knows, says so in BARRENO_TERMINAL.
+bool has_reader() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return isatty(STDOUT_FILENO) == 1;
+  const char* const said = std::getenv("BARRENO_TERMINAL");
+  return said != nullptr && std::string(said) == "1";
+}
+
 Output::Parts::Parts(const Scene& scene, const State& state, const RunDescription& description)
     : run(description),
       comm(state.grid.comm),
@@ -117,8 +126,7 @@ Output::Parts::Parts(const Scene& scene, const State& state, const RunDescriptio
   totals = sum_totals(state);
   RootWork work(*comm);
   work.run([&] {
-    const bool terminal = isatty(STDOUT_FILENO) == 1;
-    progress = std::make_unique<Progress>(run.folder / "run.log", scene.end_time, terminal);
+    progress = std::make_unique<Progress>(run.folder / "run.log", scene.end_time, has_reader());
     for (const std::string& line : scene_lines(scene, run, comm->getSize(), totals.particles))
       progress->say(line);
     write_whole_file(run.folder / "deck.xml", run.deck_text);

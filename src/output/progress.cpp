@@ -11,6 +11,7 @@ namespace {
 
 using Clock_ = std::chrono::steady_clock;
 constexpr double redraw_seconds = 0.1;
+constexpr double line_seconds = 60.0;  ///< between two lines where no line can be redrawn
 
 /// printf into a string; for the few places where columns must line up.
 template <class... Values>
@@ -80,11 +81,13 @@ void Progress::show(const ProgressNow& now) {
   tenths_ = std::max(tenths_, tenth);
   const std::string text = line(now);
   if (passed) log_.append(text);
+  const auto clock = Clock_::now();
   if (!terminal_) {
-    if (passed) std::cout << text << std::endl;
+    if (!passed && seconds_between(drawn_, clock) < line_seconds) return;
+    drawn_ = clock;
+    std::cout << text << std::endl;
     return;
   }
-  const auto clock = Clock_::now();
   if (!passed && seconds_between(drawn_, clock) < redraw_seconds) return;
   drawn_ = clock;
   drawing_ = true;
