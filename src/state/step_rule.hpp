@@ -5,6 +5,7 @@
 
 #include <Kokkos_Core.hpp>
 
+#include <barreno/real.hpp>
 #include <cmath>
 
 namespace barreno {
@@ -24,11 +25,11 @@ struct StepRule {
         ) {}
 
   /// q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2) in compression, else 0 [stress].
-  KOKKOS_INLINE_FUNCTION double viscous_pressure(double density, double modulus, double rate)
-      const {
-    if (!(rate < 0.0)) return 0.0;
-    const double h_rate = cell_size * -rate;
-    return density * h_rate * (linear * std::sqrt(modulus / density) + quadratic * h_rate);
+  template <class R>
+  KOKKOS_INLINE_FUNCTION R
+  viscous_pressure(const R& density, const R& modulus, const R& rate) const {
+    const R h_rate = cell_size * real::larger(R(-rate), 0.0);
+    return density * h_rate * (linear * real::sqrt(R(modulus / density)) + quadratic * h_rate);
   }
 
   /// dt = C h / (Q + sqrt(Q^2 + c^2) + |v|), Q = A1 c + A2 h |tr D| the viscosity as a speed
@@ -36,12 +37,14 @@ struct StepRule {
   ///
   /// Source of the form: viscous term of a damped oscillator's limit, J. Hallquist, LS-DYNA Theory
   /// (2006), "Time step control".
-  KOKKOS_INLINE_FUNCTION double stable_step(
-      double density, double modulus, double rate, double speed
-  ) const {
-    const double c = std::sqrt(modulus / density);
-    const double q = rate < 0.0 ? linear * c - quadratic * cell_size * rate : 0.0;
-    return courant * cell_size / (q + std::sqrt(q * q + c * c) + speed);
+  template <class R>
+  KOKKOS_INLINE_FUNCTION R
+  stable_step(const R& density, const R& modulus, const R& rate, const R& speed) const {
+    const R c_squared = modulus / density;
+    const R q = real::select(
+        rate < 0.0, linear * real::sqrt(c_squared) - quadratic * cell_size * rate, 0.0
+    );
+    return courant * cell_size / (q + real::sqrt(R(q * q + c_squared)) + speed);
   }
 };
 

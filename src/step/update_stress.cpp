@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/update_stress.hpp"
 
+#include "base/points.hpp"
 #include "base/region.hpp"
-#include "shape/kinematics.hpp"
 #include "state/step_rule.hpp"
 
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -12,27 +13,85 @@
 namespace barreno {
 namespace {
 
+/// A model's history of one or several points, and the R that it is updated with: Lanes where the
+/// model has update_points().
+template <class Model, class R>
+struct HistoryFor {
+  using type = typename Model::template HistoryOf<R>;
+};
 template <class Model>
-KOKKOS_INLINE_FUNCTION typename Model::History load_history(const FieldView& values, int p) {
-  typename Model::History history{};
-  if constexpr (Model::history_count > 0) {
-    static_assert(
-        sizeof(history) == sizeof(double) * Model::history_count, "a History holds doubles only"
-    );
-    auto* const h = reinterpret_cast<double*>(&history);
-    for (int c = 0; c < Model::history_count; ++c) h[c] = values(p, c);
-  }
-  return history;
-}
+struct HistoryFor<Model, double> {
+  using type = typename Model::History;
+};
+template <class Model, class = void>
+struct RealFor {
+  using type = double;
+};
+#if BARRENO_HAS_LANES
+template <class Model>
+struct RealFor<Model, std::void_t<typename Model::template HistoryOf<Lanes>>> {
+  using type = Lanes;
+};
+#endif
 
-template <class Model>
-KOKKOS_INLINE_FUNCTION void store_history(
-    const typename Model::History& history, const FieldView& values, int p
-) {
-  if constexpr (Model::history_count > 0) {
-    const auto* const h = reinterpret_cast<const double*>(&history);
-    for (int c = 0; c < Model::history_count; ++c) values(p, c) = h[c];
+/// Points that go through the update together.
+template <class Model, class R>
+struct Points {
+  using History = typename HistoryFor<Model, R>::type;
+  static_assert(
+      Model::history_count == 0 || sizeof(History) == sizeof(R) * Model::history_count,
+      "a History holds reals only"
+  );
+  int first, count;
+
+  KOKKOS_INLINE_FUNCTION R get(const Field& field, int c = 0) const {
+    return load<R>(field.values, c, first, count);
   }
+  KOKKOS_INLINE_FUNCTION void put(const R& value, const Field& field, int c = 0) const {
+    store(value, field.values, c, first, count);
+  }
+  KOKKOS_INLINE_FUNCTION Sym3Of<R> get_plane(const Field& field) const {
+    return {get(field, 0), get(field, 1), get(field, 2), get(field, 3), R{}, R{}};
+  }
+  KOKKOS_INLINE_FUNCTION void put_plane(const Sym3Of<R>& t, const Field& field) const {
+    put(t.xx, field, 0);
+    put(t.yy, field, 1);
+    put(t.zz, field, 2);
+    put(t.xy, field, 3);
+  }
+  KOKKOS_INLINE_FUNCTION History get_history(const Field& field) const {
+    History history{};
+    for (int c = 0; c < Model::history_count; ++c)
+      reinterpret_cast<R*>(&history)[c] = get(field, c);
+    return history;
+  }
+  /// Only where `good`.
+  KOKKOS_INLINE_FUNCTION void put_history(
+      const MaskOf<R>& good, const History& history, const Field& field
+  ) const {
+    for (int c = 0; c < Model::history_count; ++c)
+      put(real::select(good, reinterpret_cast<const R*>(&history)[c], get(field, c)), field, c);
+  }
+};
+
+#if BARRENO_HAS_LANES
+template <class Model>
+PointsOutcome<Lanes> update_points(
+    const Model& model,
+    const IncrementOf<Sym3Of<Lanes>>& increment,
+    Sym3Of<Lanes>& stress,
+    typename Model::template HistoryOf<Lanes>& history
+) {
+  return model.update_points(increment, stress, history);
+}
+#endif
+template <class Model>
+KOKKOS_INLINE_FUNCTION PointsOutcome<double> update_points(
+    const Model& model, const Increment& increment, Sym3& stress, typename Model::History& history
+) {
+  const Outcome outcome = model.update(increment, stress, history);
+  return {
+      !outcome.failed(), outcome.elastic_work, outcome.plastic_work, outcome.longitudinal_modulus};
 }
 
 /// Sums of a launch; joins are never needed on one thread but other backends use them.
@@ -54,8 +113,11 @@ private:
   value_type* value_;
 };
 
-template <class M, class Model>
+template <class Model, class R>
 struct UpdateStress {
+  using Group = Points<Model, R>;
+  using Mask = MaskOf<R>;
+
   Model model;
   Particles particles;
   StepRule rule;
@@ -64,24 +126,11 @@ struct UpdateStress {
   double largest_expansion;
   double dt;
 
-  /// Volume ratios, strain and viscosity of the step at one particle.
-  KOKKOS_INLINE_FUNCTION Increment
-  increment(int p, double volume, double reference_volume, double q) const {
-    const double old_volume = particles.increment(p, 4);
-    Increment out;
-    out.strain = {
-        particles.increment(p, 0),
-        particles.increment(p, 1),
-        particles.increment(p, 2),
-        particles.increment(p, 3),
-        0.0,
-        0.0};
-    out.dt = dt;
-    out.volume_ratio_begin = old_volume / reference_volume;
-    out.volume_ratio_end = volume / reference_volume;
-    out.viscous_pressure = 0.5 * (particles.viscous_pressure(p) + q);
-    return out;
-  }
+  /// Sums over the lanes' own rows.
+  struct Tally {
+    R elastic{}, plastic{}, viscous{}, stress_work{};
+    R stable_step = R{} + std::numeric_limits<double>::infinity();
+  };
 
   KOKKOS_INLINE_FUNCTION void treat_failure(int p, int key, StressTally& sums) const {
     sums.failures += 1.0;
@@ -95,53 +144,88 @@ struct UpdateStress {
       particles.key(p) = key;
     }
   }
+  KOKKOS_INLINE_FUNCTION void treat_failures(
+      const Group& group, const Mask& failed, int key, StressTally& sums
+  ) const {
+    if (!real::any(failed)) return;
+    for (int i = 0; i < group.count; ++i)
+      if (entry(failed, i) != 0) treat_failure(group.first + i, key, sums);
+  }
 
-  KOKKOS_INLINE_FUNCTION void operator()(int p, StressTally& sums) const {
-    if (particles.body(p) & held_bit) return;
-    const double mass = particles.mass(p);
-    const double reference_volume = mass / reference_density;
-    const double volume = particles.volume(p);
-    const double density = mass / volume;
-    const double rate =
-        (particles.increment(p, 0) + particles.increment(p, 1) + particles.increment(p, 2)) / dt;
-    const double q = rule.viscous_pressure(density, particles.longitudinal_modulus(p), rate);
-    const Increment inc = increment(p, volume, reference_volume, q);
-    if (inc.volume_ratio_end > largest_expansion) return treat_failure(p, expanded_key, sums);
+  /// Rows that are there and not held as debris.
+  KOKKOS_INLINE_FUNCTION Mask alive(const Group& group) const {
+    const bool may_hold = policy == BadParticlePolicy::hold;
+    if (!may_hold && group.count == width<R>) return R{} <= 0.0;
+    return mask_of<R>([&](int i) {
+      return i < group.count && !(may_hold && (particles.body(group.first + i) & held_bit));
+    });
+  }
 
-    Sym3 stress{
-        particles.stress(p, 0),
-        particles.stress(p, 1),
-        particles.stress(p, 2),
-        particles.stress(p, 3),
-        0.0,
-        0.0};
-    const Sym3 old_stress = stress;
-    auto history = load_history<Model>(particles.history.values, p);
-    const Outcome outcome = model.update(inc, stress, history);
-    if (outcome.failed()) return treat_failure(p, failed_key, sums);
+  KOKKOS_INLINE_FUNCTION void update(const Group& group, Tally& tally, StressTally& sums) const {
+    const R mass = group.get(particles.mass);
+    const R volume = group.get(particles.volume);
+    const R old_volume = group.get(particles.increment, 4);
+    const R old_q = group.get(particles.viscous_pressure);
+    const R old_modulus = group.get(particles.longitudinal_modulus);
+    const R density = mass / volume;
+    const R reference_volume = mass * (1.0 / reference_density);
+    const R per_reference = 1.0 / reference_volume;
+    IncrementOf<Sym3Of<R>> increment;
+    increment.strain = group.get_plane(particles.increment);
+    increment.dt = dt;
+    increment.volume_ratio_begin = old_volume * per_reference;
+    increment.volume_ratio_end = volume * per_reference;
+    const R rate = trace(increment.strain) * (1.0 / dt);
+    const R q = rule.viscous_pressure(density, old_modulus, rate);
+    increment.viscous_pressure = 0.5 * (old_q + q);
 
-    store_history<Model>(history, particles.history.values, p);
-    particles.stress(p, 0) = stress.xx;
-    particles.stress(p, 1) = stress.yy;
-    particles.stress(p, 2) = stress.zz;
-    particles.stress(p, 3) = stress.xy;
-    particles.viscous_pressure(p) = q;
-    particles.longitudinal_modulus(p) = outcome.longitudinal_modulus;
+    const Mask here = alive(group);
+    const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
+    const Sym3Of<R> old_stress = group.get_plane(particles.stress);
+    Sym3Of<R> stress = old_stress;
+    auto history = group.get_history(particles.history);
+    const PointsOutcome<R> outcome = update_points(model, increment, stress, history);
+    const Mask good = here & (!expanded) & outcome.sound;
 
-    const double mean_volume =
-        0.5 * (inc.volume_ratio_begin + inc.volume_ratio_end) * reference_volume;
-    const double viscous =
-        inc.viscous_pressure * (inc.volume_ratio_begin - inc.volume_ratio_end) * reference_volume;
-    sums.elastic += reference_volume * outcome.elastic_work;
-    sums.plastic += reference_volume * outcome.plastic_work;
-    sums.viscous += viscous;
-    sums.stress_work += mean_volume * 0.5 * contract(old_stress + stress, inc.strain) -
-                        mean_volume * inc.viscous_pressure * trace(inc.strain);
-    const double vx = particles.velocity(p, 0);
-    const double vy = particles.velocity(p, 1);
-    const double step =
-        rule.stable_step(density, outcome.longitudinal_modulus, rate, std::sqrt(vx * vx + vy * vy));
-    sums.stable_step = std::fmin(sums.stable_step, step);
+    group.put_plane(select_points(good, stress, old_stress), particles.stress);
+    group.put_history(good, history, particles.history);
+    group.put(real::select(good, q, old_q), particles.viscous_pressure);
+    group.put(
+        real::select(good, outcome.longitudinal_modulus, old_modulus),
+        particles.longitudinal_modulus
+    );
+    treat_failures(group, expanded, expanded_key, sums);
+    treat_failures(group, here & (!expanded) & (!outcome.sound), failed_key, sums);
+
+    const R mean_volume = 0.5 * (old_volume + volume);
+    const R viscous = increment.viscous_pressure * (old_volume - volume);
+    const R stress_work = mean_volume * (0.5 * contract(old_stress + stress, increment.strain) -
+                                         increment.viscous_pressure * trace(increment.strain));
+    tally.elastic += real::select(good, reference_volume * outcome.elastic_work, 0.0);
+    tally.plastic += real::select(good, reference_volume * outcome.plastic_work, 0.0);
+    tally.viscous += real::select(good, viscous, 0.0);
+    tally.stress_work += real::select(good, stress_work, 0.0);
+    const R vx = group.get(particles.velocity, 0);
+    const R vy = group.get(particles.velocity, 1);
+    const R step = rule.stable_step(
+        density, outcome.longitudinal_modulus, rate, real::sqrt(R(vx * vx + vy * vy))
+    );
+    tally.stable_step = real::select(good & (step < tally.stable_step), step, tally.stable_step);
+  }
+
+  /// A run of rows, so that the lanes' sums meet rarely.
+  KOKKOS_INLINE_FUNCTION void operator()(Rows rows, StressTally& sums) const {
+    Tally tally;
+    for (int p = rows.begin; p < rows.end; p += width<R>)
+      update({p, rows.end - p < width<R> ? rows.end - p : width<R>}, tally, sums);
+    for (int i = 0; i < width<R>; ++i) {
+      sums.elastic += entry(tally.elastic, i);
+      sums.plastic += entry(tally.plastic, i);
+      sums.viscous += entry(tally.viscous, i);
+      sums.stress_work += entry(tally.stress_work, i);
+      const double step = entry(tally.stable_step, i);
+      if (step < sums.stable_step) sums.stable_step = step;
+    }
   }
 };
 
@@ -163,27 +247,30 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
   const MaterialSpec& spec = scene.materials[static_cast<std::size_t>(particles.material)];
   const Region region(stress_label(spec.material.model));
   StressTally sums;
-  visit_mode(scene.grid.mode, [&](auto mode) {
-    std::visit(
-        [&](const auto& model) {
-          using Kernel = UpdateStress<decltype(mode), std::decay_t<decltype(model)>>;
-          Kokkos::parallel_reduce(
-              "update_stress",
-              range(rows),
-              Kernel{
-                  model,
-                  particles,
-                  StepRule(scene, particles.critical_courant),
-                  spec.bad_particles,
-                  spec.material.density,
-                  scene.step.largest_expansion,
-                  dt},
-              StressReducer(sums)
-          );
-        },
-        spec.material.model
-    );
-  });
+  std::visit(
+      [&](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        const UpdateStress<Model, typename RealFor<Model>::type> kernel{
+            model,
+            particles,
+            StepRule(scene, particles.critical_courant),
+            spec.bad_particles,
+            spec.material.density,
+            scene.step.largest_expansion,
+            dt};
+        constexpr int run = 64;
+        Kokkos::parallel_reduce(
+            "update_stress",
+            range((rows.end - rows.begin + run - 1) / run),
+            KOKKOS_LAMBDA(const int r, StressTally& part) {
+              const int begin = rows.begin + r * run;
+              kernel(Rows{begin, rows.end - begin < run ? rows.end : begin + run}, part);
+            },
+            StressReducer(sums)
+        );
+      },
+      spec.material.model
+  );
   return sums;
 }
 

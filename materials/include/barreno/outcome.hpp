@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/real.hpp"
+
 namespace barreno {
 
 /// Verdict of one point update. A failed update leaves stress and history as they were; the host
@@ -18,18 +20,26 @@ struct [[nodiscard]] Outcome {
   bool failed() const { return status != Status::ok; }
 };
 
+/// The same for several points at once (real.hpp): `sound` where the point took its step, else its
+/// stress and history are as they were, and update() says why.
+template <class R>
+struct PointsOutcome {
+  MaskOf<R> sound;
+  R elastic_work, plastic_work, longitudinal_modulus;
+};
+
 /// What the host knows about a step at one point.
 ///
 /// The strain increment is unrotated (corotational), logarithmic and finite; volume ratios are V /
 /// V_ref with V_ref = mass / reference density, so that an equation of state sees the true density.
 template <class Tensor>
 struct IncrementOf {
-  Tensor strain;                    ///< d_eps, tension positive [-]
-  double dt = 0.0;                  ///< [time]; 0 is allowed (rate terms off)
-  double volume_ratio_begin = 1.0;  ///< V_n / V_ref [-]
-  double volume_ratio_end = 1.0;    ///< V_n+1 / V_ref [-]
-  double viscous_pressure =
-      0.0;  ///< mean artificial viscosity of the step, heats the material [stress]
+  using Real = typename Tensor::Real;
+  Tensor strain;                           ///< d_eps, tension positive [-]
+  double dt = 0.0;                         ///< [time]; 0 is allowed (rate terms off)
+  Real volume_ratio_begin = Real{} + 1.0;  ///< V_n / V_ref [-]
+  Real volume_ratio_end = Real{} + 1.0;    ///< V_n+1 / V_ref [-]
+  Real viscous_pressure{};  ///< mean artificial viscosity of the step, heats the material [stress]
 };
 
 /// Start of a scene under hydrostatic pressure p >= 0: stress, history and density in equilibrium.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/portability.hpp"
+#include "barreno/real.hpp"
 
 #include <cmath>
 
@@ -9,9 +10,12 @@ namespace barreno {
 
 /// Symmetric tensor, components in the order of files and interfaces: xx yy zz xy yz zx (tensor
 /// shear).
-struct Sym3 {
-  double xx{}, yy{}, zz{}, xy{}, yz{}, zx{};
+template <class R>
+struct Sym3Of {
+  using Real = R;
+  R xx{}, yy{}, zz{}, xy{}, yz{}, zx{};
 };
+using Sym3 = Sym3Of<double>;
 
 /// General 3x3 tensor, a(i, j) = row i, column j.
 struct Mat3 {
@@ -20,28 +24,48 @@ struct Mat3 {
   BARRENO_FUNCTION double operator()(int i, int j) const { return a[i][j]; }
 };
 
-BARRENO_FUNCTION Sym3 operator+(const Sym3& s, const Sym3& t) {
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> operator+(const Sym3Of<R>& s, const Sym3Of<R>& t) {
   return {s.xx + t.xx, s.yy + t.yy, s.zz + t.zz, s.xy + t.xy, s.yz + t.yz, s.zx + t.zx};
 }
-BARRENO_FUNCTION Sym3 operator-(const Sym3& s, const Sym3& t) {
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> operator-(const Sym3Of<R>& s, const Sym3Of<R>& t) {
   return {s.xx - t.xx, s.yy - t.yy, s.zz - t.zz, s.xy - t.xy, s.yz - t.yz, s.zx - t.zx};
 }
-BARRENO_FUNCTION Sym3 operator*(double c, const Sym3& s) {
+template <class C, class R>
+BARRENO_FUNCTION Sym3Of<R> operator*(const C& c, const Sym3Of<R>& s) {
   return {c * s.xx, c * s.yy, c * s.zz, c * s.xy, c * s.yz, c * s.zx};
 }
-BARRENO_FUNCTION double trace(const Sym3& s) {
+template <class R>
+BARRENO_FUNCTION R trace(const Sym3Of<R>& s) {
   return s.xx + s.yy + s.zz;
 }
 
 /// s : t, shear components counted twice.
-BARRENO_FUNCTION double contract(const Sym3& s, const Sym3& t) {
+template <class R>
+BARRENO_FUNCTION R contract(const Sym3Of<R>& s, const Sym3Of<R>& t) {
   return s.xx * t.xx + s.yy * t.yy + s.zz * t.zz + 2.0 * (s.xy * t.xy + s.yz * t.yz + s.zx * t.zx);
 }
-BARRENO_FUNCTION Sym3 isotropic(double c) {
-  return {c, c, c, 0.0, 0.0, 0.0};
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> isotropic(const R& c) {
+  return {c, c, c, R{}, R{}, R{}};
 }
-BARRENO_FUNCTION Sym3 deviator(const Sym3& s) {
-  return s - isotropic(trace(s) / 3.0);
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> deviator(const Sym3Of<R>& s) {
+  return s - isotropic(R(trace(s) / 3.0));
+}
+/// Those of `yes` where `choice` holds, else those of `no`.
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> select_points(
+    const MaskOf<R>& choice, const Sym3Of<R>& yes, const Sym3Of<R>& no
+) {
+  return {
+      real::select(choice, yes.xx, no.xx),
+      real::select(choice, yes.yy, no.yy),
+      real::select(choice, yes.zz, no.zz),
+      real::select(choice, yes.xy, no.xy),
+      real::select(choice, yes.yz, no.yz),
+      real::select(choice, yes.zx, no.zx)};
 }
 BARRENO_FUNCTION double norm(const Sym3& s) {
   return std::sqrt(contract(s, s));

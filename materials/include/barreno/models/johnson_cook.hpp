@@ -67,12 +67,14 @@ struct JohnsonCook {
     double spall_stress = 0.0;
     double d1 = 0.0, d2 = 0.0, d3 = 0.0, d4 = 0.0, d5 = 0.0;
   };
-  struct History {
-    double plastic_strain = 0.0;
-    double temperature = 0.0;
-    double internal_energy = 0.0;
-    double damage = 0.0;
+  template <class R>
+  struct HistoryOf {
+    R plastic_strain{};
+    R temperature{};
+    R internal_energy{};
+    R damage{};
   };
+  using History = HistoryOf<double>;
   static constexpr int history_count = 4;
 
   static ParameterTable<Parameters> parameter_table() {
@@ -226,63 +228,91 @@ struct JohnsonCook {
   ///         the compression limit of the equation of state
   BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& history) const;
 
+  /// update() of one point or of several at once (real.hpp).
+  template <class R>
+  BARRENO_FUNCTION PointsOutcome<R> update_points(
+      const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
+  ) const;
+
   /// Bound on K_s + 4G/3 of a point in this state, K_s = rho c^2 isentropic at the current density
   /// [stress].
   BARRENO_FUNCTION double longitudinal_modulus(
       const Sym3& stress, const History& history, double volume_ratio
   ) const {
     const double derivative = eos_.reference(1.0 - volume_ratio).derivative;
-    return modulus(-trace(stress) / 3.0, volume_ratio, derivative, history.damage >= 1.0);
+    return modulus(
+        -trace(stress) / 3.0, volume_ratio, derivative, MaskOf<double>(history.damage >= 1.0)
+    );
   }
   const Parameters& parameters() const { return p_; }
   const MieGruneisen& equation_of_state() const { return eos_; }
   const JohnsonCookFlow& flow() const { return flow_; }
 
 private:
-  using Return = JohnsonCookFlow::Return;
+  template <class R>
+  using Return = JohnsonCookFlow::ReturnOf<R>;
 
   /// What the volume change and the deviator of one step leave to the energy and the breaking.
+  template <class R>
   struct Step {
-    double dt, change, mean_ratio;  ///< change of V / V_ref and its mean
-    bool broken;                    ///< at the start
-    double elastic_work = 0.0, plastic_work = 0.0;
+    double dt;
+    R change, mean_ratio;  ///< change of V / V_ref and its mean
+    MaskOf<R> broken;      ///< at the start
+    R elastic_work{}, plastic_work{};
   };
 
   static bool has_damage(const Parameters& p) {
     return p.d1 != 0.0 || p.d2 != 0.0 || p.d3 != 0.0 || p.d4 != 0.0 || p.d5 != 0.0;
   }
-  BARRENO_FUNCTION double modulus(
-      double pressure, double volume_ratio, double reference_derivative, bool broken
+  template <class R>
+  BARRENO_FUNCTION R modulus(
+      const R& pressure,
+      const R& volume_ratio,
+      const R& reference_derivative,
+      const MaskOf<R>& broken
   ) const {
     const double bulk = eos_.bulk_modulus();
     const double shear_part = 4.0 / 3.0 * p_.shear_modulus;
-    // An open broken point bears nothing; the modulus it will have when it closes keeps the step
-    // safe.
-    if (broken && pressure <= 0.0) {
-      return bulk * (volume_ratio < 1.0 ? volume_ratio : 1.0) + shear_part;
-    }
     // The isentropic modulus falls to zero at a tension of order K / Gamma0: keep a positive speed.
     constexpr double floor_fraction = 0.01;
-    const double isentropic =
-        eos_.isentropic_modulus(1.0 - volume_ratio, reference_derivative, pressure);
-    const double least = floor_fraction * bulk;
-    return (isentropic > least ? isentropic : least) + shear_part;
+    const R isentropic =
+        eos_.isentropic_modulus(R(1.0 - volume_ratio), reference_derivative, pressure);
+    // An open broken point bears nothing; the modulus it will have when it closes keeps the step
+    // safe.
+    const R closing = bulk * real::smaller(volume_ratio, 1.0);
+    return shear_part +
+           real::select(
+               broken & (pressure <= 0.0), closing, real::larger(isentropic, floor_fraction * bulk)
+           );
   }
   BARRENO_FUNCTION static Outcome failure(Status status) {
     Outcome outcome;
     outcome.status = status;
     return outcome;
   }
-  BARRENO_FUNCTION bool admissible(const Increment& i, const Sym3& stress, const History& h) const;
-  BARRENO_FUNCTION bool return_deviator(
-      const Sym3& s_n, double limit, Step& step, History& end, Sym3& s, Return& flow
+  template <class R>
+  BARRENO_FUNCTION MaskOf<R> admissible(
+      const IncrementOf<Sym3Of<R>>& i, const Sym3Of<R>& stress, const HistoryOf<R>& h
   ) const;
-  BARRENO_FUNCTION double release(double limit, Sym3& s, double& plastic_strain) const;
-  BARRENO_FUNCTION void break_point(
-      const Return& flow, Step& step, History& end, Sym3& s, double& p
+  template <class R>
+  BARRENO_FUNCTION MaskOf<R> return_deviator(
+      const Sym3Of<R>& s_n,
+      const R& limit,
+      Step<R>& step,
+      HistoryOf<R>& end,
+      Sym3Of<R>& s,
+      Return<R>& flow
   ) const;
-  BARRENO_FUNCTION void grow_damage(const Return& flow, double pressure, double dt, History& end)
-      const;
+  template <class R>
+  BARRENO_FUNCTION R release(const R& limit, Sym3Of<R>& s, R& plastic_strain) const;
+  template <class R>
+  BARRENO_FUNCTION void break_points(
+      const Return<R>& flow, Step<R>& step, HistoryOf<R>& end, Sym3Of<R>& s, R& p
+  ) const;
+  template <class R>
+  BARRENO_FUNCTION void grow_damage(
+      const Return<R>& flow, const R& pressure, const Step<R>& step, HistoryOf<R>& end
+  ) const;
 
   Parameters p_;
   MieGruneisen eos_;
@@ -321,18 +351,20 @@ inline InitialStateOf<Sym3, JohnsonCook::History> JohnsonCook::initial_state(dou
   return state;
 }
 
-BARRENO_FUNCTION bool JohnsonCook::admissible(
-    const Increment& i, const Sym3& stress, const History& h
+template <class R>
+BARRENO_FUNCTION MaskOf<R> JohnsonCook::admissible(
+    const IncrementOf<Sym3Of<R>>& i, const Sym3Of<R>& stress, const HistoryOf<R>& h
 ) const {
-  const double change = i.volume_ratio_end - i.volume_ratio_begin;
+  const R change = i.volume_ratio_end - i.volume_ratio_begin;
   // One sum for all: it is finite only if every term is.
-  const double sum = i.strain.xx + i.strain.yy + i.strain.zz + i.strain.xy + i.strain.yz +
-                     i.strain.zx + stress.xx + stress.yy + stress.zz + stress.xy + stress.yz +
-                     stress.zx + i.viscous_pressure + i.dt + change + h.plastic_strain +
-                     h.temperature + h.internal_energy + h.damage;
-  return std::isfinite(sum) && i.dt >= 0.0 && i.volume_ratio_begin > 0.0 &&
-         i.volume_ratio_end > 0.0 && 1.0 - i.volume_ratio_end < eos_.compression_limit() &&
-         1.0 + 0.5 * eos_.gamma * change > 0.0;
+  const R sum = i.strain.xx + i.strain.yy + i.strain.zz + i.strain.xy + i.strain.yz + i.strain.zx +
+                stress.xx + stress.yy + stress.zz + stress.xy + stress.yz + stress.zx +
+                i.viscous_pressure + i.dt + change + h.plastic_strain + h.temperature +
+                h.internal_energy + h.damage;
+  const R compression = 1.0 - i.volume_ratio_end;
+  return real::is_finite(sum) & (R{} + i.dt >= 0.0) & (i.volume_ratio_begin > 0.0) &
+         (i.volume_ratio_end > 0.0) & (compression < eos_.compression_limit()) &
+         (1.0 + 0.5 * eos_.gamma * change > 0.0);
 }
 
 /// Radial return: s is the trial deviator on entry and the deviator at the end of the step on
@@ -340,130 +372,165 @@ BARRENO_FUNCTION bool JohnsonCook::admissible(
 /// @param s_n   deviator at the start of the step [stress]
 /// @param limit equivalent stress a broken point can hold [stress]
 /// @return false if the trial is too large for a double or the return has not converged
-BARRENO_FUNCTION bool JohnsonCook::return_deviator(
-    const Sym3& s_n, double limit, Step& step, History& end, Sym3& s, Return& flow
+template <class R>
+BARRENO_FUNCTION MaskOf<R> JohnsonCook::return_deviator(
+    const Sym3Of<R>& s_n,
+    const R& limit,
+    Step<R>& step,
+    HistoryOf<R>& end,
+    Sym3Of<R>& s,
+    Return<R>& flow
 ) const {
-  const double trial_squared = 1.5 * contract(s, s);
-  if (!std::isfinite(trial_squared)) return false;
-  const double bound = flow_.lower_bound(end.plastic_strain, end.temperature);
-  const double least = bound < limit ? bound : limit;
-  if (trial_squared <= least * least) return true;
-  const double trial = std::sqrt(trial_squared);
-  const double start = 1.5 * contract(s_n, s) / trial;
+  const R trial_squared = 1.5 * contract(s, s);
+  const MaskOf<R> finite = real::is_finite(trial_squared);
+  const R bound = flow_.lower_bound(end.plastic_strain, end.temperature);
+  const R least = real::select(bound < limit, bound, limit);
+  const MaskOf<R> may_flow = finite & (trial_squared > least * least);
+  if (!real::any(may_flow)) return finite;
+  const R trial = real::select(may_flow, real::sqrt(trial_squared), 0.0);
+  const R safe_trial = real::select(may_flow, trial, 1.0);
+  const R start = 1.5 * contract(s_n, s) / safe_trial;
   flow = flow_.return_to_flow_stress(trial, start, step.dt, end.temperature, end.plastic_strain);
-  if (flow.stress > limit) {
-    flow.plastic_increment = (trial - limit) / flow_.stiffness;
-    flow.mean_stress = limit + (start > limit ? 0.5 * (start - limit) : 0.0);
-    flow.stress = limit;
-  }
-  if (flow.plastic_increment > 0.0) s = (flow.stress / trial) * s;
-  end.plastic_strain += flow.plastic_increment;
+  const MaskOf<R> limited = flow.stress > limit;
+  flow.plastic_increment =
+      real::select(limited, (trial - limit) * (1.0 / flow_.stiffness), flow.plastic_increment);
+  flow.mean_stress = real::select(
+      limited, limit + real::select(start > limit, 0.5 * (start - limit), 0.0), flow.mean_stress
+  );
+  flow.stress = real::select(limited, limit, flow.stress);
+  s = R(real::select(flow.plastic_increment > 0.0, flow.stress / safe_trial, 1.0)) * s;
+  end.plastic_strain = end.plastic_strain + flow.plastic_increment;
   step.plastic_work = step.mean_ratio * flow.mean_stress * flow.plastic_increment;
-  return flow.converged;
+  return finite & flow.converged;
 }
 
 /// Lower the equivalent stress to the limit at constant strain.
 /// @return the elastic energy set free, all of it dissipated, per current volume [stress]
-BARRENO_FUNCTION double JohnsonCook::release(double limit, Sym3& s, double& plastic_strain) const {
-  const double equivalent = std::sqrt(1.5 * contract(s, s));
-  if (equivalent <= limit) return 0.0;
-  const double increment = (equivalent - limit) / flow_.stiffness;
-  plastic_strain += increment;
-  s = (limit / equivalent) * s;
+template <class R>
+BARRENO_FUNCTION R JohnsonCook::release(const R& limit, Sym3Of<R>& s, R& plastic_strain) const {
+  const R equivalent = real::sqrt(R(1.5 * contract(s, s)));
+  const MaskOf<R> above = equivalent > limit;
+  const R increment = real::select(above, (equivalent - limit) * (1.0 / flow_.stiffness), 0.0);
+  plastic_strain = plastic_strain + increment;
+  s = R(real::select(above, limit / equivalent, 1.0)) * s;
   return 0.5 * (equivalent + limit) * increment;
 }
 
+template <class R>
 BARRENO_FUNCTION void JohnsonCook::grow_damage(
-    const Return& flow, double pressure, double dt, History& end
+    const Return<R>& flow, const R& pressure, const Step<R>& step, HistoryOf<R>& end
 ) const {
-  if (flow.stress <= 0.0) return;  // molten: no ductile fracture to count
-  const double ratio = -pressure / flow.stress, triaxiality = ratio < 1.5 ? ratio : 1.5;
-  const double fracture_strain = (p_.d1 + p_.d2 * std::exp(p_.d3 * triaxiality)) *
-                                 (1.0 + p_.d4 * flow_.log_rate(flow.plastic_increment, dt)) *
-                                 (1.0 + p_.d5 * flow_.homologous(end.temperature));
+  // Molten points have no ductile fracture to count.
+  const MaskOf<R> grows = (!step.broken) & (flow.plastic_increment > 0.0) & (flow.stress > 0.0);
+  if (!real::any(grows)) return;
+  const R triaxiality = real::smaller(R(-pressure / real::select(grows, flow.stress, 1.0)), 1.5);
+  const R fracture_strain = (p_.d1 + p_.d2 * real::exp(R(p_.d3 * triaxiality))) *
+                            (1.0 + p_.d4 * flow_.log_rate(flow.plastic_increment, step.dt)) *
+                            (1.0 + p_.d5 * flow_.homologous(end.temperature));
   // Published sets with D1 < 0 give no fracture strain at high tension: the point breaks at once.
-  end.damage = flow.plastic_increment >= (1.0 - end.damage) * fracture_strain
-                   ? 1.0
-                   : end.damage + flow.plastic_increment / fracture_strain;
+  const R grown = real::select(
+      flow.plastic_increment >= (1.0 - end.damage) * fracture_strain,
+      1.0,
+      end.damage + flow.plastic_increment / fracture_strain
+  );
+  end.damage = real::select(grows, grown, end.damage);
 }
 
 /// Damage and spall at the end of a step, where tension is let go and does no work on the way; and
 /// the stress limit of a point that was broken before.
-BARRENO_FUNCTION void JohnsonCook::break_point(
-    const Return& flow, Step& step, History& end, Sym3& s, double& p
+template <class R>
+BARRENO_FUNCTION void JohnsonCook::break_points(
+    const Return<R>& flow, Step<R>& step, HistoryOf<R>& end, Sym3Of<R>& s, R& p
 ) const {
-  if (!step.broken && has_damage_ && flow.plastic_increment > 0.0) {
-    grow_damage(flow, p, step.dt, end);
-  }
-  const bool spalls = !step.broken && p_.spall_stress > 0.0 && p < -p_.spall_stress;
-  if (!step.broken && !spalls) return;
-  if (spalls) {
-    p = 0.0;
-    end.damage = 1.0;
-  }
-  const double freed = step.mean_ratio * release(1.5 * p, s, end.plastic_strain);
-  step.plastic_work += freed;
-  step.elastic_work -= freed;
+  if (has_damage_) grow_damage(flow, p, step, end);
+  const double strength = p_.spall_stress > 0.0 ? p_.spall_stress : HUGE_VAL;
+  const MaskOf<R> spalls = (!step.broken) & (p < -strength);
+  if (!real::any(step.broken | spalls)) return;
+  p = real::select(spalls, 0.0, p);
+  end.damage = real::select(spalls, 1.0, end.damage);
+  const R limit = real::select(step.broken | spalls, 1.5 * p, HUGE_VAL);
+  const R freed = step.mean_ratio * release(limit, s, end.plastic_strain);
+  step.plastic_work = step.plastic_work + freed;
+  step.elastic_work = step.elastic_work - freed;
 }
 
-BARRENO_FUNCTION Outcome
-JohnsonCook::update(const Increment& increment, Sym3& stress, History& history) const {
-  if (!admissible(increment, stress, history)) return failure(Status::bad_input);
-  const double density = eos_.density, ratio = increment.volume_ratio_end;
-  const double change = ratio - increment.volume_ratio_begin;
-  Step step{increment.dt, change, ratio - 0.5 * change, history.damage >= 1.0};
-  const double viscous_work = -increment.viscous_pressure * change;
-  const double implicit = 1.0 / (1.0 + 0.5 * eos_.gamma * change);
-  History end = history;
+template <class R>
+BARRENO_FUNCTION PointsOutcome<R> JohnsonCook::update_points(
+    const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
+) const {
+  const double density = eos_.density;
+  const R ratio = increment.volume_ratio_end;
+  const R change = ratio - increment.volume_ratio_begin;
+  Step<R> step{increment.dt, change, ratio - 0.5 * change, history.damage >= 1.0};
+  const R viscous_work = -increment.viscous_pressure * change;
+  const R implicit = 1.0 / (1.0 + 0.5 * eos_.gamma * change);
+  HistoryOf<R> end = history;
   end.temperature = history.temperature * eos_.isentropic_temperature_ratio(change, implicit) +
                     viscous_work * heat_per_work_ * implicit;
 
   // 1. Energy at the end as far as known. The trapezoidal p dV contains P(end), which is linear in
   //    the thermal energy: that is implicit * (known + deviatoric work - shear energy).
-  const double p_n = -trace(stress) / 3.0;
-  const Sym3 s_n = stress + isotropic(p_n);
-  const double squares_n = contract(s_n, s_n);
-  const MieGruneisen::Reference reference = eos_.reference(1.0 - ratio);
-  const double known =
+  const R p_n = trace(stress) * (-1.0 / 3.0);
+  const Sym3Of<R> s_n = stress + isotropic(p_n);
+  const R squares_n = contract(s_n, s_n);
+  const auto reference = eos_.reference(R(1.0 - ratio));
+  const R known =
       history.internal_energy * density + viscous_work - 0.5 * (p_n + reference.pressure) * change;
 
   // 2. Deviator. The limit of a broken point takes the pressure without this step's plastic heat.
-  const Sym3 strain = deviator(increment.strain);
-  Sym3 s = s_n + (2.0 * p_.shear_modulus) * strain;
-  const double shear_per_square = ratio * energy_per_square_;
-  const double p_known =
+  const Sym3Of<R> strain = deviator(increment.strain);
+  Sym3Of<R> s = s_n + (2.0 * p_.shear_modulus) * strain;
+  const R shear_per_square = ratio * energy_per_square_;
+  const R p_known =
       reference.pressure + eos_.gamma * implicit * (known - shear_per_square * squares_n);
-  const double limit = step.broken ? (p_known > 0.0 ? 1.5 * p_known : 0.0) : HUGE_VAL;
-  Return flow;
-  if (!return_deviator(s_n, limit, step, end, s, flow)) return failure(Status::not_converged);
+  const R limit = real::select(step.broken, 1.5 * real::larger(p_known, 0.0), HUGE_VAL);
+  Return<R> flow;
+  const MaskOf<R> solved = return_deviator(s_n, limit, step, end, s, flow);
 
   // 3. Pressure and energy, per reference volume.
-  const double squares = contract(s, s), shear_energy = shear_per_square * squares;
-  const double deviatoric_work = 0.5 * step.mean_ratio * contract(s_n + s, strain);
-  const double thermal = implicit * (known + deviatoric_work - shear_energy);
-  double p = reference.pressure + eos_.gamma * thermal;
-  double energy = thermal + shear_energy;
-  if (step.broken && p < 0.0) {
-    p = 0.0;
-    energy = known + 0.5 * reference.pressure * change + deviatoric_work;
-  }
+  const R squares = contract(s, s);
+  const R shear_energy = shear_per_square * squares;
+  const R deviatoric_work = 0.5 * step.mean_ratio * contract(s_n + s, strain);
+  const R thermal = implicit * (known + deviatoric_work - shear_energy);
+  R p = reference.pressure + eos_.gamma * thermal;
+  const MaskOf<R> open = step.broken & (p < 0.0);
+  const R energy = real::select(
+      open, known + 0.5 * reference.pressure * change + deviatoric_work, thermal + shear_energy
+  );
+  p = real::select(open, 0.0, p);
   end.internal_energy = energy * inverse_density_;
   step.elastic_work =
       step.mean_ratio * energy_per_square_ * (squares - squares_n) - 0.5 * (p_n + p) * change;
 
   // 4. Breaking, plastic heat, and what is reported.
-  break_point(flow, step, end, s, p);
-  end.temperature += p_.taylor_quinney * step.plastic_work * heat_per_work_ * implicit;
-  Outcome outcome;
-  outcome.elastic_work = step.elastic_work;
-  outcome.plastic_work = step.plastic_work;
-  outcome.longitudinal_modulus = modulus(p, ratio, reference.derivative, end.damage >= 1.0);
+  break_points(flow, step, end, s, p);
+  end.temperature =
+      end.temperature + p_.taylor_quinney * step.plastic_work * heat_per_work_ * implicit;
   s = s - isotropic(p);
-  if (!is_finite(s) || !std::isfinite(end.temperature + end.internal_energy)) {
-    return failure(Status::not_converged);
-  }
-  stress = s;
-  history = end;
+  const R all = s.xx + s.yy + s.zz + s.xy + s.yz + s.zx + end.temperature + end.internal_energy;
+  const MaskOf<R> sound = admissible(increment, stress, history) & solved & real::is_finite(all);
+  stress = select_points(sound, s, stress);
+  history = {
+      real::select(sound, end.plastic_strain, history.plastic_strain),
+      real::select(sound, end.temperature, history.temperature),
+      real::select(sound, end.internal_energy, history.internal_energy),
+      real::select(sound, end.damage, history.damage)};
+  return {
+      sound,
+      step.elastic_work,
+      step.plastic_work,
+      modulus(p, ratio, reference.derivative, MaskOf<R>(end.damage >= 1.0))};
+}
+
+BARRENO_FUNCTION Outcome
+JohnsonCook::update(const Increment& increment, Sym3& stress, History& history) const {
+  if (!admissible(increment, stress, history)) return failure(Status::bad_input);
+  const PointsOutcome<double> points = update_points(increment, stress, history);
+  if (!points.sound) return failure(Status::not_converged);
+  Outcome outcome;
+  outcome.elastic_work = points.elastic_work;
+  outcome.plastic_work = points.plastic_work;
+  outcome.longitudinal_modulus = points.longitudinal_modulus;
   return outcome;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/portability.hpp"
+#include "barreno/real.hpp"
 
 #include <cmath>
 
@@ -21,29 +22,31 @@ struct JohnsonCookFlow {
   double stiffness;              ///< 3G [stress]
 
   /// Result of a return.
-  struct Return {
-    double stress = 0.0;             ///< equivalent stress at the end [stress]
-    double plastic_increment = 0.0;  ///< of the equivalent plastic strain [-]
-    double mean_stress = 0.0;        ///< mean flow stress over plastic_increment [stress]
-    bool converged = true;
+  template <class R>
+  struct ReturnOf {
+    R stress{};             ///< equivalent stress at the end [stress]
+    R plastic_increment{};  ///< of the equivalent plastic strain [-]
+    R mean_stress{};        ///< mean flow stress over plastic_increment [stress]
+    MaskOf<R> converged{};
   };
+  using Return = ReturnOf<double>;
 
   /// T* [-].
-  BARRENO_FUNCTION double homologous(double temperature) const {
-    const double t = (temperature - room_temperature) * inverse_melting_range;
-    return t > 0.0 ? t : 0.0;
+  template <class R>
+  BARRENO_FUNCTION R homologous(const R& temperature) const {
+    return real::larger(R((temperature - room_temperature) * inverse_melting_range), 0.0);
   }
   /// 1 - T*^m [-].
-  BARRENO_FUNCTION double softening(double temperature) const {
-    const double t = homologous(temperature);
-    if (t >= 1.0) return 0.0;
-    if (t == 0.0) return 1.0;
-    return m == 1.0 ? 1.0 - t : 1.0 - std::pow(t, m);
+  template <class R>
+  BARRENO_FUNCTION R softening(const R& temperature) const {
+    const R t = homologous(temperature);
+    return real::select(t < 1.0, 1.0 - (m == 1.0 ? t : real::pow(t, m)), 0.0);
   }
   /// ln max(rate / rate0, 1) of a plastic increment [-]; dt = 0 switches rate terms off.
-  BARRENO_FUNCTION double log_rate(double plastic_increment, double dt) const {
-    const double ratio = plastic_increment / (dt * reference_rate);
-    return dt > 0.0 && ratio > 1.0 ? std::log(ratio) : 0.0;
+  template <class R>
+  BARRENO_FUNCTION R log_rate(const R& plastic_increment, double dt) const {
+    if (!(dt > 0.0)) return R{};
+    return real::log(real::larger(R(plastic_increment / (dt * reference_rate)), 1.0));
   }
   /// Y [stress].
   BARRENO_FUNCTION double stress(double plastic_strain, double rate, double temperature) const {
@@ -53,67 +56,90 @@ struct JohnsonCookFlow {
   }
   /// A stress that Y never falls below, without pow and log, to recognise clearly elastic points
   /// [stress]: ep^n >= min(ep, 1) for n <= 1, and 1 - T*^m >= min(1, m) (1 - T*).
-  BARRENO_FUNCTION double lower_bound(double plastic_strain, double temperature) const {
-    const double t = homologous(temperature);
-    if (t >= 1.0) return 0.0;
-    const double hardening = n <= 1.0 ? b * (plastic_strain < 1.0 ? plastic_strain : 1.0) : 0.0;
-    const double softened = t > 0.0 ? (m < 1.0 ? m : 1.0) * (1.0 - t) : 1.0;
-    return (a + hardening) * softened;
+  template <class R>
+  BARRENO_FUNCTION R lower_bound(const R& plastic_strain, const R& temperature) const {
+    const R t = homologous(temperature);
+    const R hardening = n <= 1.0 ? b * real::smaller(plastic_strain, 1.0) : R{};
+    const R softened = real::select(t > 0.0, (m < 1.0 ? m : 1.0) * (1.0 - t), R{} + 1.0);
+    return real::select(t < 1.0, (a + hardening) * softened, 0.0);
   }
 
-  BARRENO_FUNCTION Return return_to_flow_stress(
-      double trial, double start, double dt, double temperature, double plastic_strain
+  template <class R>
+  BARRENO_FUNCTION ReturnOf<R> return_to_flow_stress(
+      const R& trial, const R& start, double dt, const R& temperature, const R& plastic_strain
   ) const;
 
 private:
   /// Y and its derivatives in the plastic increment, at one x.
+  template <class R>
   struct Evaluation {
-    double x, inverse_x, inverse_ep;    ///< ep is that at the end, plastic_strain + x
-    double power, logarithm;            ///< ep^n, ln max(rate / rate0, 1) [-]
-    double static_stress, rate_factor;  ///< Y is their product
-    double slope, curvature;            ///< dY/dx and -d2Y/dx2
+    R x, inverse_x, inverse_end;   ///< end: plastic_strain + x
+    R power, logarithm;            ///< end^n, ln max(rate / rate0, 1) [-]
+    R static_stress, rate_factor;  ///< Y is their product
+    R slope, curvature;            ///< dY/dx and -d2Y/dx2
   };
-  /// @param near an evaluation at another x, made use of if it is close
-  BARRENO_FUNCTION Evaluation evaluate(
-      double x,
-      double plastic_strain,
-      double inverse_reference,
-      double theta,
-      const Evaluation& near
+  /// @param near an evaluation at another x, made use of where it is close
+  template <class R>
+  BARRENO_FUNCTION Evaluation<R> evaluate(
+      const R& x, const R& plastic_strain, double dt, const R& theta, const Evaluation<R>& near
   ) const {
-    Evaluation y{};
+    Evaluation<R> y;
+    const R end = plastic_strain + x;
+    const R inverse = 1.0 / (x * end);
     y.x = x;
-    y.inverse_x = 1.0 / x;
-    y.inverse_ep = 1.0 / (plastic_strain + x);
-    const double change = x - near.x, w = change * near.inverse_ep, v = change * near.inverse_x;
-    y.power =
-        std::fabs(w) <= 0.002 ? near.power * power_near_one(w) : std::pow(plastic_strain + x, n);
-    if (near.logarithm > 0.0 && std::fabs(v) <= 0.005) {
-      y.logarithm = near.logarithm + log_near_one(v);
-    } else if (inverse_reference > 0.0) {
-      y.logarithm = std::log(x * inverse_reference);
-    }
-    if (!(y.logarithm > 0.0)) y.logarithm = 0.0;
+    y.inverse_x = end * inverse;
+    y.inverse_end = x * inverse;
+    const R change = x - near.x;
+    const R w = change * near.inverse_end;
+    const MaskOf<R> far_end = !(real::abs(w) <= 0.002);
+    y.power = near.power * power_near_one(w);
+    if (real::any(far_end)) y.power = real::select(far_end, real::pow(end, n), y.power);
+    const R v = change * near.inverse_x;
+    const MaskOf<R> far_rate = !((near.logarithm > 0.0) & (real::abs(v) <= 0.005));
+    y.logarithm = real::larger(R(near.logarithm + log_near_one(v)), 0.0);
+    if (real::any(far_rate)) y.logarithm = real::select(far_rate, log_rate(x, dt), y.logarithm);
     y.rate_factor = 1.0 + c * y.logarithm;
     y.static_stress = theta * (a + b * y.power);
-    const double hardening = theta * b * n * y.power * y.inverse_ep;
-    const double rating = y.logarithm > 0.0 ? c * y.inverse_x : 0.0;
+    const R hardening = theta * b * n * y.power * y.inverse_end;
+    const R rating = real::select(y.logarithm > 0.0, c * y.inverse_x, 0.0);
     y.slope = hardening * y.rate_factor + y.static_stress * rating;
-    y.curvature = hardening * ((1.0 - n) * y.inverse_ep * y.rate_factor - 2.0 * rating) +
+    y.curvature = hardening * ((1.0 - n) * y.inverse_end * y.rate_factor - 2.0 * rating) +
                   y.static_stress * rating * y.inverse_x;
     return y;
   }
   /// (1 + w)^n for |w| <= 0.002: the binomial series to w^5, exact to round-off.
-  BARRENO_FUNCTION double power_near_one(double w) const {
-    double sum = 1.0 + (n - 4.0) * 0.2 * w;
+  template <class R>
+  BARRENO_FUNCTION R power_near_one(const R& w) const {
+    R sum = 1.0 + (n - 4.0) * 0.2 * w;
     sum = 1.0 + (n - 3.0) * 0.25 * w * sum;
     sum = 1.0 + (n - 2.0) * (1.0 / 3.0) * w * sum;
     sum = 1.0 + (n - 1.0) * 0.5 * w * sum;
     return 1.0 + n * w * sum;
   }
   /// ln(1 + y) for |y| <= 0.005: the power series to y^6, exact to round-off.
-  BARRENO_FUNCTION static double log_near_one(double y) {
+  template <class R>
+  BARRENO_FUNCTION static R log_near_one(const R& y) {
     return y * (1.0 - y * (0.5 - y * (1.0 / 3.0 - y * (0.25 - y * (0.2 - y * (1.0 / 6.0))))));
+  }
+  /// Mean of Y over the increment.
+  template <class R>
+  BARRENO_FUNCTION R mean_flow_stress(
+      const R& x,
+      const R& plastic_strain,
+      const R& power_start,
+      const R& power,
+      const R& theta,
+      const R& rate_factor
+  ) const {
+    // ep^n integrates exactly; the trapezoid serves where the exact mean would cancel.
+    const R end = plastic_strain + x;
+    const MaskOf<R> is_long = !(x < 0.1 * end);
+    R mean_power = 0.5 * (power_start + power);
+    if (real::any(is_long))
+      mean_power = real::select(
+          is_long, (end * power - plastic_strain * power_start) / ((n + 1.0) * x), mean_power
+      );
+    return (a + b * mean_power) * theta * rate_factor;
   }
 };
 
@@ -123,65 +149,70 @@ private:
 /// (trial - Y(x = 0)) / 3G. Halley steps (third order); a step that leaves the bracket or does not
 /// shrink is replaced by bisection in the logarithm of x, since with a small n or a large C the
 /// root may be many decades below the upper end, and since steps may jump to and fro over the kink
-/// of Y at rate0. Powers and logarithms next to known ones come from short series: they would be
-/// most of the cost otherwise.
+/// of Y at rate0. From 1e-3 of x on a step leaves C / 3 of its relative size to the third power:
+/// less than 1e-10 of the stress.
 /// @param trial equivalent stress of the elastic trial [stress]
 /// @param start equivalent stress at the start of the step in the direction of flow [stress]
 /// @param plastic_strain at the start of the step [-]
-BARRENO_FUNCTION JohnsonCookFlow::Return JohnsonCookFlow::return_to_flow_stress(
-    double trial, double start, double dt, double temperature, double plastic_strain
+template <class R>
+BARRENO_FUNCTION JohnsonCookFlow::ReturnOf<R> JohnsonCookFlow::return_to_flow_stress(
+    const R& trial, const R& start, double dt, const R& temperature, const R& plastic_strain
 ) const {
-  const double theta = softening(temperature);
-  if (theta == 0.0) return {0.0, trial / stiffness, start > 0.0 ? 0.5 * start : 0.0, true};
-  const double power_start = std::pow(plastic_strain, n);
-  const double static_stress = (a + b * power_start) * theta;
-  if (trial <= static_stress) return {trial, 0.0, 0.0, true};
+  const R theta = softening(temperature);
+  const R power_start = real::pow(plastic_strain, n);
+  const R static_stress = (a + b * power_start) * theta;
+  const MaskOf<R> elastic = !(trial > static_stress);
 
   // Width of the bracket that ends the search, as a fraction of the trial stress.
   constexpr double tolerance = 1e-14;
   const double compliance = 1.0 / stiffness;
-  const double inverse_reference = dt > 0.0 ? 1.0 / (dt * reference_rate) : 0.0;
-  double low = 0.0, high = (trial - static_stress) * compliance;
-  Evaluation y{};
-  y.power = power_start;
-  y.inverse_ep = plastic_strain > 0.0 ? 1.0 / plastic_strain : HUGE_VAL;
+  R low{};
+  R high = (trial - static_stress) * compliance;
   // While flow continues the point starts at the flow stress, and all of the step's strain is
   // plastic but for hardening.
-  const double hardening = plastic_strain > 0.0 ? theta * b * n * power_start * y.inverse_ep : 0.0;
-  double x = (trial - start) / (stiffness + hardening);
-  if (!(x > 0.0 && x < high)) x = high;
-  double last_step = HUGE_VAL;
-  bool converged = false;
-  for (int i = 0; i < 80 && !converged; ++i) {
-    y = evaluate(x, plastic_strain, inverse_reference, theta, y);
-    const double residual = trial - stiffness * x - y.static_stress * y.rate_factor;
-    (residual > 0.0 ? low : high) = x;
-    const double slope = stiffness + y.slope;
-    const double step = residual * slope / (slope * slope - 0.5 * residual * y.curvature);
-    const double next = x + step;
-    const bool sound = next >= low && next <= high && std::fabs(step) < 0.5 * last_step;
-    // A step leaves C / 3 of its relative size to the third power: less than 1e-10 of the stress.
-    converged =
-        (sound && std::fabs(step) <= 1e-3 * x) || high - low <= tolerance * trial * compliance;
-    if (sound) {
-      last_step = std::fabs(step);
-      x = next;
-    } else if (!converged) {
-      last_step = high - low;
-      x = low > 0.0 ? std::sqrt(low * high) : 1e-3 * high;
-    }
+  const R hardening = theta * b * n * power_start;  // times the plastic strain
+  R x = (trial - start) * plastic_strain / (stiffness * plastic_strain + hardening);
+  x = real::select((x > 0.0) & (x < high), x, high);
+  R last_step = R{} + HUGE_VAL;
+  R power = power_start;
+  R rate_factor = R{} + 1.0;
+  MaskOf<R> done = elastic;
+  Evaluation<R> y{};
+  y.power = power_start;
+  y.inverse_end = 1.0 / plastic_strain;
+  constexpr int most_iterations = 80;
+  for (int i = 0; i < most_iterations && !real::all(done); ++i) {
+    y = evaluate(x, plastic_strain, dt, theta, y);
+    // What a point that is done had; its lane goes on with the others.
+    power = real::select(done, power, y.power);
+    rate_factor = real::select(done, rate_factor, y.rate_factor);
+    const R residual = trial - stiffness * x - y.static_stress * y.rate_factor;
+    low = real::select((!done) & (residual > 0.0), x, low);
+    high = real::select((!done) & !(residual > 0.0), x, high);
+    const R slope = stiffness + y.slope;
+    const R step = residual * slope / (slope * slope - 0.5 * residual * y.curvature);
+    const R next = x + step;
+    const R size = real::abs(step);
+    const MaskOf<R> sound = (next >= low) & (next <= high) & (size < 0.5 * last_step);
+    const R middle = real::select(low > 0.0, real::sqrt(R(low * high)), 1e-3 * high);
+    const MaskOf<R> ends =
+        (sound & (size <= 1e-3 * x)) | (high - low <= tolerance * compliance * trial);
+    last_step = real::select(sound, size, high - low);
+    const R improved = real::select(sound, next, real::select(ends, x, middle));
+    x = real::select(done, x, improved);
+    done = done | ends;
   }
-  // ep^n integrates exactly; the trapezoid serves where the exact mean would cancel.
-  const double end = plastic_strain + x;
-  const double mean_power = x < 0.1 * end
-                                ? 0.5 * (power_start + y.power)
-                                : (end * y.power - plastic_strain * power_start) / ((n + 1.0) * x);
   // A point that was flowing starts at its old flow stress, not at that of the new rate and heat; a
   // tenth tells it from a point that was elastic and yields within the step.
-  const double start_stress = static_stress * y.rate_factor, excess = start - start_stress;
-  const double mean = (a + b * mean_power) * theta * y.rate_factor +
-                      (excess > -0.1 * start_stress ? 0.5 * excess : 0.0);
-  return {trial - stiffness * x, x, mean, converged};
+  const R start_stress = static_stress * rate_factor;
+  const R excess = start - start_stress;
+  const R mean = mean_flow_stress(x, plastic_strain, power_start, power, theta, rate_factor) +
+                 real::select(excess > -0.1 * start_stress, 0.5 * excess, 0.0);
+  return {
+      real::select(elastic, trial, trial - stiffness * x),
+      real::select(elastic, 0.0, x),
+      real::select(elastic, 0.0, mean),
+      done};
 }
 
 }  // namespace barreno

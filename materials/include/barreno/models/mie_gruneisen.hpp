@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/portability.hpp"
+#include "barreno/real.hpp"
 
 #include <cmath>
 
@@ -33,18 +34,23 @@ struct MieGruneisen {
   BARRENO_FUNCTION double compression_limit() const { return slope > 1.0 ? 0.99 / slope : 0.99; }
 
   /// a(eta) and its derivative.
-  struct Reference {
-    double pressure;    ///< a(eta), the pressure at zero internal energy [stress]
-    double derivative;  ///< d a / d eta [stress]
+  template <class R>
+  struct ReferenceOf {
+    R pressure;    ///< a(eta), the pressure at zero internal energy [stress]
+    R derivative;  ///< d a / d eta [stress]
   };
-  BARRENO_FUNCTION Reference reference(double eta) const {
+  using Reference = ReferenceOf<double>;
+  template <class R>
+  BARRENO_FUNCTION ReferenceOf<R> reference(const R& eta) const {
     const double bulk = bulk_modulus();
-    if (eta <= 0.0) return {bulk * eta, bulk};
-    const double closure = 1.0 / (1.0 - slope * eta);
-    const double factor = 1.0 - 0.5 * gamma * eta;
-    const double hugoniot = bulk * closure * closure;  // P_H / eta
-    const double growth = (1.0 + slope * eta) * closure;
-    return {hugoniot * eta * factor, hugoniot * (growth * factor - 0.5 * gamma * eta)};
+    const R closure = 1.0 / (1.0 - slope * eta);
+    const R factor = 1.0 - 0.5 * gamma * eta;
+    const R hugoniot = bulk * closure * closure;  // P_H / eta
+    const R growth = (1.0 + slope * eta) * closure;
+    const MaskOf<R> expanded = eta <= 0.0;
+    return {
+        real::select(expanded, bulk * eta, hugoniot * eta * factor),
+        real::select(expanded, R{} + bulk, hugoniot * (growth * factor - 0.5 * gamma * eta))};
   }
 
   /// P(eta, e) [stress]; energy is the specific internal energy [energy/mass].
@@ -54,9 +60,9 @@ struct MieGruneisen {
 
   /// Isentropic bulk modulus -V (dP/dV)_s = rho c^2 with the current density rho [stress]. It
   /// follows from de = -P dV / m on an isentrope; it may become negative in strong tension.
-  BARRENO_FUNCTION double isentropic_modulus(
-      double eta, double reference_derivative, double pressure_now
-  ) const {
+  template <class R>
+  BARRENO_FUNCTION R
+  isentropic_modulus(const R& eta, const R& reference_derivative, const R& pressure_now) const {
     return (1.0 - eta) * (reference_derivative + gamma * pressure_now);
   }
 
@@ -65,9 +71,13 @@ struct MieGruneisen {
   /// is far below a step's others.
   /// @param change   of V / V_ref
   /// @param implicit 1 / (1 + Gamma0 change / 2), which a caller has at hand
-  BARRENO_FUNCTION double isentropic_temperature_ratio(double change, double implicit) const {
-    const double x = gamma * change;
-    return std::fabs(x) < 0.02 ? (1.0 - 0.5 * x) * implicit : std::exp(-x);
+  template <class R>
+  BARRENO_FUNCTION R isentropic_temperature_ratio(const R& change, const R& implicit) const {
+    const R x = gamma * change;
+    const R short_step = (1.0 - 0.5 * x) * implicit;
+    const MaskOf<R> is_long = !(real::abs(x) < 0.02);
+    if (!real::any(is_long)) return short_step;
+    return real::select(is_long, real::exp(R(-x)), short_step);
   }
 
   /// Internal energy per reference volume on the isentrope through the unstrained cold state
