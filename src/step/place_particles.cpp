@@ -3,6 +3,7 @@
 
 #include "base/gather.hpp"
 #include "base/region.hpp"
+#include "base/rows.hpp"
 #include "grid/migrate.hpp"
 #include "grid/tiles.hpp"
 
@@ -56,32 +57,63 @@ void remove_lost(const Grid& grid, Particles& particles, Ledger& ledger) {
   keep_rows(particles, keep);
 }
 
-/// Keys of a set's rows from their cells; false if one is outside the grid or lost otherwise.
-bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
+/// What a look at every particle's cell has found.
+struct Found {
+  int outside = 0, moved = 0, new_tile = 0, left = 0;
+};
+
+/// Keys of a set's rows from their cells, without branches for the compiler to vectorise; rows
+/// outside the grid or lost otherwise keep theirs.
+Found find_keys(const Grid& grid, const Particles& particles) {
+  const double lower_x = grid.lower[0];
+  const double lower_y = grid.lower[1];
+  const double upper_x = grid.upper[0];
+  const double upper_y = grid.upper[1];
+  const double per_cell = 1.0 / grid.cell_size;
+  const int row_length = grid.tiles[0];
+  const int active = grid.active;
+  const int count = particles.count;
   const int me = grid.comm->getRank();
-  bool all_inside = true;
-  bool moved = false;
-  for (int p = 0; p < particles.count; ++p) {
-    const double x = particles.position(p, 0);
-    const double y = particles.position(p, 1);
-    if (particles.key(p) <= failed_key || !grid.holds(x, y)) {
-      all_inside = false;
-      continue;
-    }
-    const Cell cell = cell_of(grid, x, y);
-    const int tile = grid.directory(static_cast<std::size_t>(cell.tile));
-    int key = unplaced_key;
-    if (tile >= 0 && tile < grid.active)
-      key = tile * cells_per_tile + cell.inside;
-    else if (grid.owner[static_cast<std::size_t>(cell.tile)] == me)
-      placement.new_tile = true;
-    else
-      placement.someone_left = true;
-    moved = moved || key != particles.key(p);
-    particles.key(p) = key;
+  const int* const owner = grid.owner.data();
+  const int* const directory = grid.directory.data();
+  const double* const position_x = &particles.position(0, 0);
+  const double* const position_y = &particles.position(0, 1);
+  int* const keys = particles.key.data();
+  Found found;
+  BARRENO_IVDEP
+  for (int p = 0; p < count; ++p) {
+    const double x = position_x[p];
+    const double y = position_y[p];
+    const int old_key = keys[p];
+    const int lost = static_cast<int>(old_key <= failed_key) | static_cast<int>(!(x >= lower_x)) |
+                     static_cast<int>(!(x < upper_x)) | static_cast<int>(!(y >= lower_y)) |
+                     static_cast<int>(!(y < upper_y));
+    const auto cx = static_cast<unsigned>(static_cast<int>(lost ? 0.0 : (x - lower_x) * per_cell));
+    const auto cy = static_cast<unsigned>(static_cast<int>(lost ? 0.0 : (y - lower_y) * per_cell));
+    constexpr unsigned side = tile_cells;
+    const int box = static_cast<int>(cy / side) * row_length + static_cast<int>(cx / side);
+    const int inside = static_cast<int>(cy % side * side + cx % side);
+    const int tile = directory[box];
+    const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
+    const int mine = static_cast<int>(owner[box] == me);
+    const int key = here ? tile * cells_per_tile + inside : unplaced_key;
+    found.outside |= lost;
+    found.moved |= static_cast<int>(key != old_key);
+    found.new_tile |= (1 - lost) & (1 - here) & mine;
+    found.left |= (1 - lost) & (1 - here) & (1 - mine);
+    keys[p] = lost ? old_key : key;
   }
-  if (moved) particles.sorted = false;
-  return all_inside;
+  return found;
+}
+
+/// Keys of a set's rows; false if one is outside the grid or lost otherwise.
+bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
+  if (particles.count == 0) return true;
+  const Found found = find_keys(grid, particles);
+  placement.new_tile = placement.new_tile || found.new_tile != 0;
+  placement.someone_left = placement.someone_left || found.left != 0;
+  if (found.moved != 0) particles.sorted = false;
+  return found.outside == 0;
 }
 
 /// A particle as doubles on its way to another rank: set, id, body, then its fields.

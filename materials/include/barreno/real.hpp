@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <cstring>
+#if defined(__AVX512F__) && !defined(__CUDACC__) && !defined(__HIP__)
+#include <immintrin.h>
+#endif
 
 /// One source for one point and for several at once: templates over R, which is double or Lanes.
 ///
@@ -58,25 +61,6 @@ BARRENO_FUNCTION double pow(double x, double y) {
 }
 
 #if BARRENO_HAS_LANES
-template <class Yes, class No>
-inline Lanes select(const LaneMask& choice, const Yes& yes, const No& no) {
-  return choice ? Lanes{} + yes : Lanes{} + no;
-}
-inline bool any(const LaneMask& choice) {
-  long long sum = 0;
-  for (int i = 0; i < lane_count; ++i) sum |= choice[i];
-  return sum != 0;
-}
-inline bool all(const LaneMask& choice) {
-  return !any(!choice);
-}
-
-inline Lanes sqrt(const Lanes& x) {
-  Lanes root{};
-  for (int i = 0; i < lane_count; ++i) root[i] = std::sqrt(x[i]);
-  return root;
-}
-
 /// The same bits as another type.
 template <class To, class From>
 inline To bits_as(const From& from) {
@@ -84,6 +68,34 @@ inline To bits_as(const From& from) {
   To to;
   std::memcpy(&to, &from, sizeof to);
   return to;
+}
+
+template <class Yes, class No>
+inline Lanes select(const LaneMask& choice, const Yes& yes, const No& no) {
+  return choice ? Lanes{} + yes : Lanes{} + no;
+}
+inline bool any(const LaneMask& choice) {
+#ifdef __AVX512F__
+  // Compilers do not find this instruction in the general form.
+  return _mm512_test_epi64_mask(bits_as<__m512i>(choice), bits_as<__m512i>(choice)) != 0;
+#else
+  long long sum = 0;
+  for (int i = 0; i < lane_count; ++i) sum |= choice[i];
+  return sum != 0;
+#endif
+}
+inline bool all(const LaneMask& choice) {
+  return !any(!choice);
+}
+
+inline Lanes sqrt(const Lanes& x) {
+#ifdef __AVX512F__
+  return bits_as<Lanes>(_mm512_maskz_sqrt_pd(0xff, bits_as<__m512d>(x)));
+#else
+  Lanes root{};
+  for (int i = 0; i < lane_count; ++i) root[i] = std::sqrt(x[i]);
+  return root;
+#endif
 }
 
 /// ln x for normal x > 0: x = 2^k m with m in [sqrt(1/2), sqrt(2)), and ln m = 2 artanh s,
