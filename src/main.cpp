@@ -91,7 +91,10 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
 }  // namespace barreno
 
 int main(int argc, char** argv) {
-  const Tpetra::ScopeGuard mpi_and_kokkos(&argc, &argv);
+  // Kokkos would answer --help itself and take other words away: it sees the program's name alone.
+  int words = 1;
+  char** first_word = argv;
+  const Tpetra::ScopeGuard mpi_and_kokkos(&words, &first_word);
   barreno::note_signals();
   return barreno::report_errors(argc, argv, Tpetra::getDefaultComm());
 }

@@ -57,7 +57,7 @@ def main():
     parser.add_argument("cases", nargs="*", metavar="CASE")
     parser.add_argument("--full", action="store_true")
     parser.add_argument("--document", action="store_true")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     unknown = set(options.cases) - set(CASES)
     if unknown:
         parser.error(f"no case {sorted(unknown)}; there are {CASES}")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/particle_fields.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace barreno {
@@ -28,11 +29,12 @@ Stretch stretch(const HostParticles::Values& F, int p) {
 
 Corners domain_corners(const double x[2], const double F[4], const double h[2]) {
   constexpr double sign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const double X = h[0] / std::max(1.0, std::hypot(F[0], F[2]) / longest_stretch_drawn);
+  const double Y = h[1] / std::max(1.0, std::hypot(F[1], F[3]) / longest_stretch_drawn);
   Corners corners{};
   for (std::size_t a = 0; a < 4; ++a) {
-    const double X = sign[a][0] * h[0], Y = sign[a][1] * h[1];
-    corners[2 * a] = x[0] + F[0] * X + F[1] * Y;
-    corners[2 * a + 1] = x[1] + F[2] * X + F[3] * Y;
+    corners[2 * a] = x[0] + sign[a][0] * X * F[0] + sign[a][1] * Y * F[1];
+    corners[2 * a + 1] = x[1] + sign[a][0] * X * F[2] + sign[a][1] * Y * F[3];
   }
   return corners;
 }

@@ -13,7 +13,10 @@ namespace barreno {
 /// Corners of a particle's domain, counter-clockwise as QUAD4 wants them: x y of each.
 using Corners = std::array<double, 8>;
 
-/// x_p + F_p (+-h_x, +-h_y), corners (-,-) (+,-) (+,+) (-,+).
+/// x_p + F_p (+-h_x, +-h_y), corners (-,-) (+,-) (+,+) (-,+). Edges that are stretched further are
+/// drawn with this stretch: neighbours of a torn particle are then seen apart, and needles a
+/// thousand times the particle do not fill the picture. The files' volume_ratio is that of F.
+inline constexpr double longest_stretch_drawn = 4.0;
 Corners domain_corners(
     const double position[2], const double deformation_gradient[4], const double half_size[2]
 );

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every deck of input_xml takes its first steps on one and on two ranks, with sound files that agree bit for bit.
+
+    test_shipped_decks.py BARRENO
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
+from runs import DECKS, run_deck  # noqa: E402
+
+
+def early(deck):
+    """The first hundredth of a deck's time."""
+    value, unit = re.search(r'name="End Time"[^>]*value="([\d.e+-]+) *(\w*)"', (DECKS / deck).read_text()).groups()
+    return {"Time/End Time": f"{0.01 * float(value)} {unit}".strip()}
+
+
+def script(name, *arguments):
+    result = subprocess.run([sys.executable, TESTS / "scripts" / name, *arguments], capture_output=True, text=True)
+    assert result.returncode == 0, f"{name}: {result.stdout}{result.stderr}"
+
+
+def check_deck(barreno, deck, folder):
+    runs = [run_deck(barreno, deck, early(deck), ranks=ranks, folder=folder / f"{deck}-{ranks}") for ranks in (1, 2)]
+    for run in runs:
+        assert run.summary["finished"], run.summary["reason"]
+        assert run.summary["steps"] >= 3, f"only {run.summary['steps']} steps"
+        for name, bound in (("mass", 1e-12), ("momentum", 1e-12), ("energy", 1e-2)):
+            error = run.summary["balances"][name]["error"]
+            assert abs(error) <= bound, f"{name} balance is off by {error:g}"
+        for name in ("history.csv", "deck.xml", "run.log"):
+            assert (run.folder / name).stat().st_size > 0, f"{name} is empty"
+        script("check_exodus.py", run.folder / "particles.e")
+    script("exodiff_lite.py", "-f", TESTS / "scripts" / "same.exodiff", *[r.folder / "particles.e" for r in runs])
+    print(f"{deck}: {runs[0].summary['steps']} steps")
+
+
+def main():
+    decks = sorted(path.name for path in DECKS.glob("*.xml"))
+    assert decks, f"no decks in {DECKS}"
+    with tempfile.TemporaryDirectory() as folder:
+        for deck in decks:
+            check_deck(sys.argv[1], deck, pathlib.Path(folder))
+
+
+if __name__ == "__main__":
+    main()
