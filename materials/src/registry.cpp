@@ -160,7 +160,7 @@ Material make_material(
   std::string problem;
   AnyModel built = builders[index](values, density, problem);
   if (!problem.empty()) input::refuse(source, input::join(path, problem), "");
-  return {name, density, std::move(built)};
+  return {name, density, built};
 }
 
 ParameterList scan_card(const std::string& text, const std::string& source) {

@@ -24,7 +24,8 @@ std::vector<T> gather(const Comm& comm, const std::vector<T>& mine, MPI_Datatype
   MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, root, raw);
   for (std::size_t r = 1; r < counts.size(); ++r) begins[r] = begins[r - 1] + counts[r - 1];
   std::vector<T> all;
-  if (is_root(comm)) all.resize(static_cast<std::size_t>(begins.back() + counts.back()));
+  if (is_root(comm))
+    all.resize(static_cast<std::size_t>(begins.back()) + static_cast<std::size_t>(counts.back()));
   MPI_Gatherv(mine.data(), count, type, all.data(), counts.data(), begins.data(), type, root, raw);
   return all;
 }

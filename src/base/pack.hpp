@@ -11,8 +11,8 @@ namespace barreno {
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__) && !defined(__HIP__)
 template <int N>
 struct PackOf {
-  typedef double type
-      __attribute__((vector_size(N * sizeof(double))));  // NOLINT(modernize-use-using)
+  // NOLINTNEXTLINE(modernize-use-using): the attribute needs it
+  typedef double type __attribute__((vector_size(N * sizeof(double))));
 };
 template <int N>
 using Pack = typename PackOf<N>::type;

@@ -8,13 +8,13 @@
 namespace barreno {
 namespace {
 
-std::vector<PhaseTime>& table() {
+std::vector<PhaseTime>& all_phases() {
   static std::vector<PhaseTime> phases;
   return phases;
 }
 
 std::size_t find_or_add(const char* label) {
-  auto& phases = table();
+  auto& phases = all_phases();
   for (std::size_t i = 0; i < phases.size(); ++i)
     if (phases[i].label == label) return i;
   phases.push_back({label, 0.0, 0});
@@ -28,10 +28,10 @@ double now() {
 }  // namespace
 
 const std::vector<PhaseTime>& phase_times() {
-  return table();
+  return all_phases();
 }
 void clear_phase_times() {
-  table().clear();
+  all_phases().clear();
 }
 
 Region::Region(const char* label) : index_(find_or_add(label)), start_(now()) {
@@ -40,8 +40,8 @@ Region::Region(const char* label) : index_(find_or_add(label)), start_(now()) {
 
 Region::~Region() {
   Kokkos::Profiling::popRegion();
-  table()[index_].seconds += now() - start_;
-  ++table()[index_].calls;
+  all_phases()[index_].seconds += now() - start_;
+  ++all_phases()[index_].calls;
 }
 
 }  // namespace barreno

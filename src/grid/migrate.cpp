@@ -10,7 +10,7 @@ namespace barreno {
 std::vector<double> exchange_rows(
     const Teuchos::Comm<int>& comm, const std::vector<std::vector<double>>& outgoing
 ) {
-  const MPI_Comm mpi = *dynamic_cast<const Teuchos::MpiComm<int>&>(comm).getRawMpiComm();
+  MPI_Comm mpi = *dynamic_cast<const Teuchos::MpiComm<int>&>(comm).getRawMpiComm();
   const auto ranks = outgoing.size();
   std::vector<int> send_counts(ranks), receive_counts(ranks), send_starts(ranks),
       receive_starts(ranks);

@@ -10,6 +10,11 @@ struct Block {
   int lower[2], upper[2];  ///< tiles [lower, upper)
 };
 
+std::size_t place_of(int x, int y, int row_length) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(row_length) +
+         static_cast<std::size_t>(x);
+}
+
 /// Weight of each row (axis 1) or column (axis 0) of a block.
 std::vector<double> slice_weights(
     const Block& block, int axis, int row_length, const std::vector<double>& weights
@@ -18,7 +23,7 @@ std::vector<double> slice_weights(
   for (int y = block.lower[1]; y < block.upper[1]; ++y)
     for (int x = block.lower[0]; x < block.upper[0]; ++x)
       sums[static_cast<std::size_t>((axis == 0 ? x : y) - block.lower[axis])] +=
-          weights[static_cast<std::size_t>(y * row_length + x)];
+          weights[place_of(x, y, row_length)];
   return sums;
 }
 
@@ -55,7 +60,7 @@ void bisect(
   if (ranks == 1 || width * height == 1) {
     for (int y = block.lower[1]; y < block.upper[1]; ++y)
       for (int x = block.lower[0]; x < block.upper[0]; ++x)
-        owner[static_cast<std::size_t>(y * row_length + x)] = first_rank;
+        owner[place_of(x, y, row_length)] = first_rank;
     return;
   }
   const int axis = width >= height ? 0 : 1;

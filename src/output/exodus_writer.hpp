@@ -61,7 +61,9 @@ private:
   void move_nodes(const Rows& rows);
   void put_block(const Scene& scene, std::size_t set, const Rows& rows);
   std::size_t element(const Block& block, ParticleId id) const;
-  std::size_t node_values() const { return static_cast<std::size_t>(dimensions_ * nodes_); }
+  std::size_t node_values() const {
+    return static_cast<std::size_t>(dimensions_) * static_cast<std::size_t>(nodes_);
+  }
 
   int dimensions_ = 2;
   int nodes_ = 4;  ///< per element

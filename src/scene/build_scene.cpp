@@ -15,7 +15,8 @@ namespace {
 
 constexpr int tile_cells = 8;           ///< per direction; the grid keeps a directory of tiles
 constexpr double bytes_per_tile = 8.0;  ///< owner and local index of every tile of the box
-constexpr double bytes_per_particle = 250.0;  ///< state arrays and their share of active tiles
+constexpr double estimated_particle_bytes =
+    250.0;  ///< state arrays and their share of active tiles
 
 std::string text_of(const char* format, double x) {
   char buffer[64];
@@ -133,7 +134,8 @@ double particle_estimate(const Scene& scene) {
 }
 
 double memory_estimate(const Scene& scene) {
-  return bytes_per_tile * tiles_of(scene.grid) + bytes_per_particle * particle_estimate(scene);
+  return bytes_per_tile * tiles_of(scene.grid) +
+         estimated_particle_bytes * particle_estimate(scene);
 }
 
 Scene build_scene(const Deck& deck) {

@@ -65,7 +65,7 @@ std::vector<JetSlug> discrete_slugs(
     const std::string wrong = problem_of(slug, material_density);
     if (!wrong.empty()) {
       problem = "gives slug ";
-      problem += number + " " + wrong;
+      problem.append(number).append(" ").append(wrong);
       return {};
     }
     if (!slugs.empty() && slug.time < slugs.back().time) {

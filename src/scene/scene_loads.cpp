@@ -23,7 +23,9 @@ double coordinate(const Box& box, Face face) {
 
 std::vector<Face> faces_of(Mode mode) {
   std::vector<Face> faces;
-  for (int i = 0; i < 2 * dimensions(mode); ++i) faces.push_back(static_cast<Face>(i));
+  const int count = 2 * dimensions(mode);
+  faces.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) faces.push_back(static_cast<Face>(i));
   return faces;
 }
 
@@ -68,7 +70,7 @@ Table read_pressure(const Deck& deck, const std::string& path) {
     );
   }
   if (constant) return {{0.0}, {deck.number(path + "/Pressure")}};
-  const Table table{deck.vector(path + "/Times"), deck.vector(path + "/Pressures")};
+  Table table{deck.vector(path + "/Times"), deck.vector(path + "/Pressures")};
   if (table.time.empty() || table.time.size() != table.value.size()) {
     deck.refuse_value(
         path + "/Pressures",

@@ -10,29 +10,17 @@ Beside each bad/NAME.xml stands NAME.expected: a line "exit CODE", then the sent
 
 import argparse
 import concurrent.futures
-import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
+from runs import mpi_environment  # noqa: E402
+
 BAD = pathlib.Path(__file__).resolve().parent / "bad"
 GOOD = BAD / "good.deck"
-
-
-def mpi_environment():
-    """Open MPI as root, without binding: other tests run beside this one."""
-    environment = dict(os.environ)
-    environment.update(
-        OMPI_ALLOW_RUN_AS_ROOT="1",
-        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-        OMPI_MCA_rmaps_base_oversubscribe="1",
-        OMPI_MCA_hwloc_base_binding_policy="none",
-        OMPI_MCA_btl_vader_single_copy_mechanism="none",
-        BARRENO_MATERIALS="",
-    )
-    return environment
 
 
 def prepare(folder):
@@ -52,7 +40,7 @@ def run(barreno, ranks, folder, arguments):
     if ranks > 1:
         command = ["mpirun", "--quiet", "-n", str(ranks), *command]
     result = subprocess.run(
-        command, cwd=folder, env=mpi_environment(), capture_output=True, text=True, timeout=120
+        command, cwd=folder, env={**mpi_environment(), "BARRENO_MATERIALS": ""}, capture_output=True, text=True, timeout=120
     )
     return f"exit {result.returncode}\n{result.stderr}"
 

@@ -29,7 +29,8 @@ class Contract : public ::testing::Test {};
 using AllModels = TypesOf<AnyModel>::type;
 struct ModelName {
   template <class Model>
-  static std::string GetName(int) {
+  static std::string GetName(int
+  ) {  // NOLINT(readability-identifier-naming): the name that GoogleTest asks for
     return Model::name;
   }
 };
@@ -252,7 +253,7 @@ TYPED_TEST(Contract, TwoUnitSystemsGiveTheSameDigits) {
   for (const auto& entry : Model::parameter_table().numbers) {
     parameters.*entry.member *= factor(entry.dimension, length, time, mass);
   }
-  const Model model = sample_model<Model>();
+  const auto model = sample_model<Model>();
   const Model other(
       parameters, Sample<Model>::density * factor(dimension::density, length, time, mass)
   );
@@ -390,7 +391,7 @@ TYPED_TEST(Contract, ValuesThatAreNotFiniteFailAndChangeNothing) {
 
 TYPED_TEST(Contract, HistoryIsDoublesAsInItsTable) {
   using History = typename TypeParam::History;
-  constexpr std::size_t count = static_cast<std::size_t>(TypeParam::history_count);
+  constexpr auto count = static_cast<std::size_t>(TypeParam::history_count);
   EXPECT_TRUE(
       count == 0 ? std::is_empty<History>::value : sizeof(History) == count * sizeof(double)
   );

@@ -27,9 +27,11 @@ def run(barreno, full):
         radius = corners[..., 0].max()
         remainder = finished.summary["balances"]["energy"]["error"]
         result.rows.append([h, per_cell, length, length / LENGTH, radius, radius / RADIUS, remainder])
-    at = next(row for row in result.rows if row[:2] == [0.4, 1])
-    result.demand("length against the published one, 0.4 mm", abs(at[3] - 1.0), 0.015)
-    result.demand("foot radius against the published one, 0.4 mm", abs(at[5] - 1.0), 0.03)
+    # The foot's edge is a particle's corner: its radius needs the finer cells.
+    finest = 0.2 if full else 0.4
+    at = next(row for row in result.rows if row[:2] == [finest, 1])
+    result.demand(f"length against the published one, {finest} mm", abs(at[3] - 1.0), 0.015)
+    result.demand(f"foot radius against the published one, {finest} mm", abs(at[5] - 1.0), 0.015 if full else 0.03)
     result.notes = (
         "With two particles per cell and direction GIMP locks volumetrically under isochoric plastic flow: the "
         "elastic energy left is too high and the foot too slender. One particle per cell integrates once and does not."

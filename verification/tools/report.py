@@ -89,11 +89,23 @@ def draw_half(axes, corners, values, colours, limits):
     return shapes
 
 
-def limits_of(values, percent):
-    finite = values[np.isfinite(values)]
-    if finite.size == 0:
+def areas_of(corners):
+    if corners.shape[1] < 4:
+        return np.ones(len(corners))
+    first, second = corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
+    return 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+
+
+def limits_of(values, areas, percent):
+    """Colour range that leaves out 100 - percent of the picture at each end: a jet in pieces has single particles
+    under thousands of times the pressure of the rock."""
+    finite = np.isfinite(values)
+    if not finite.any():
         return 0.0, 1.0
-    lower, upper = min(0.0, np.percentile(finite, 100.0 - percent)), np.percentile(finite, percent)
+    order = np.argsort(values[finite])
+    share = np.cumsum(areas[finite][order]) / areas[finite].sum()
+    at = lambda part: values[finite][order][min(np.searchsorted(share, part), len(order) - 1)]
+    lower, upper = min(0.0, at(1.0 - 0.01 * percent)), at(0.01 * percent)
     return lower, upper if upper > lower else lower + 1.0
 
 
@@ -116,9 +128,9 @@ def draw_fields(run, summary, folder):
         one.set_xlabel("r [mm]" if mirrored else "x [mm]")
         one.set_ylabel("y [mm]")
     mirror = np.array([-1.0, 1.0]) if mirrored else np.ones(2)
-    a = draw_half(left, corners * mirror, pressure, "viridis", limits_of(pressure, 99.0))
+    a = draw_half(left, corners * mirror, pressure, "viridis", limits_of(pressure, areas_of(corners), 99.0))
     # A block without plastic strain (elastic material) is drawn as zero.
-    b = draw_half(right, corners, np.nan_to_num(plastic), "inferno", limits_of(plastic, 98.0))
+    b = draw_half(right, corners, np.nan_to_num(plastic), "inferno", limits_of(plastic, areas_of(corners), 98.0))
     for one in {left, right}:
         one.autoscale_view()
         if summary.get("jet", {}).get("direction", -1.0) > 0.0:
@@ -127,7 +139,7 @@ def draw_fields(run, summary, folder):
         (a, left, "left", "pressure [MPa]"),
         (b, right, "right", "plastic strain [-]"),
     ):
-        scale = figure.colorbar(bar, ax=one, location=side, label=label, shrink=0.5, pad=0.1)
+        scale = figure.colorbar(bar, ax=one, location=side, label=label, shrink=0.5, pad=0.1, extend="both")
         scale.solids.set_edgecolor("face")
     left.set_title(f"t = {fields.time / MICRO:.4g} µs")
     figure.savefig(folder / "fields.png", dpi=130, bbox_inches="tight")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Run a deck and read what it left: the one way in which verification cases use the code."""
+import atexit
 import csv
 import json
 import os
@@ -14,7 +15,7 @@ DECKS = ROOT / "input_xml"
 
 
 def mpi_environment():
-    """Open MPI as root, unbound, more ranks than cores allowed."""
+    """Open MPI as root, unbound, more ranks than cores allowed, waiting ranks giving way."""
     environment = dict(os.environ)
     environment.update(
         OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -22,6 +23,7 @@ def mpi_environment():
         OMPI_MCA_rmaps_base_oversubscribe="1",
         OMPI_MCA_hwloc_base_binding_policy="none",
         OMPI_MCA_btl_vader_single_copy_mechanism="none",
+        OMPI_MCA_mpi_yield_when_idle="1",
     )
     return environment
 
@@ -66,9 +68,16 @@ class Run:
         return out
 
 
+def scratch_folder():
+    """A folder that goes when the script ends."""
+    folder = tempfile.TemporaryDirectory(prefix="verification-")
+    atexit.register(folder.cleanup)
+    return folder.name
+
+
 def run_deck(barreno, deck, settings=None, ranks=1, folder=None):
     """Run input_xml/DECK with --set overrides; an error of the code is an error here."""
-    folder = folder or os.path.join(tempfile.mkdtemp(prefix="verification-"), "run")
+    folder = folder or os.path.join(scratch_folder(), "run")
     command = [str(barreno), "run", str(DECKS / deck), "--out", str(folder)]
     for path, value in (settings or {}).items():
         command += ["--set", f"{path}={value}"]

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #if defined(__AVX512F__) && !defined(__CUDACC__) && !defined(__HIP__)
 #include <immintrin.h>
 #endif
@@ -19,8 +20,8 @@ namespace barreno {
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__) && !defined(__HIP__)
 #define BARRENO_HAS_LANES 1
 inline constexpr int lane_count = 8;
-typedef double Lanes  // NOLINT(modernize-use-using): the attribute needs it
-    __attribute__((vector_size(lane_count * sizeof(double))));
+// NOLINTNEXTLINE(modernize-use-using): the attribute needs it
+typedef double Lanes __attribute__((vector_size(lane_count * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});
 #else
 #define BARRENO_HAS_LANES 0
@@ -180,7 +181,7 @@ BARRENO_FUNCTION R smaller(const R& a, double b) {
 /// False for infinities and NaN.
 template <class R>
 BARRENO_FUNCTION MaskOf<R> is_finite(const R& x) {
-  return x - x == 0.0;
+  return abs(x) <= std::numeric_limits<double>::max();
 }
 
 }  // namespace real

@@ -69,8 +69,6 @@ protected:
       </ParameterList>)xml");
   }
   ~ReadDeck() override { std::filesystem::remove_all(folder_); }
-  ReadDeck(const ReadDeck&) = delete;
-  ReadDeck& operator=(const ReadDeck&) = delete;
 
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;

@@ -81,7 +81,8 @@ void launch_slug(const Scene& scene, State& state, std::size_t slug) {
   const long long first = make_slots(scene).back().first;
   for (int i = 0; i < slug_particles; ++i) {
     const auto number = static_cast<long long>(slug) * slug_particles + i;
-    const double x = (i % 2 + 0.5) * spacing, y = launch_plane - (i / 2 + 0.5) * spacing;
+    const int row = i / 2;
+    const double x = (i % 2 + 0.5) * spacing, y = launch_plane - (row + 0.5) * spacing;
     add_particle(
         state, scene.jet.material, first + number, scene.bodies.size(), x, y, 0.5 * spacing
     );
@@ -159,7 +160,8 @@ State make_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>
     const Vector& corner = std::get<Box>(scene.bodies[b].shape).lower;
     for (long long i = l.count() - 1; i >= 0; --i) {  // ids fall in storage: the files sort
       const double x = corner[0] + (static_cast<double>(i % l.columns) + 0.5) * l.spacing;
-      const double y = corner[1] + (static_cast<double>(i / l.columns) + 0.5) * l.spacing;
+      const auto row = i / l.columns;
+      const double y = corner[1] + (static_cast<double>(row) + 0.5) * l.spacing;
       add_particle(state, scene.bodies[b].material, slots[b].first + i, b, x, y, 0.5 * l.spacing);
     }
   }
@@ -183,8 +185,8 @@ void move_to(const Scene& scene, State& state, double time) {
       if (body == scene.bodies.size()) {
         const JetSlug& slug = scene.jet.slugs[static_cast<std::size_t>(i / slug_particles)];
         const double spacing = scene.grid.cell_size / scene.jet.particles_per_cell;
-        const double start =
-            launch_plane - (static_cast<double>(i % slug_particles / 2) + 0.5) * spacing;
+        const auto pair = i % slug_particles / 2;
+        const double start = launch_plane - (static_cast<double>(pair) + 0.5) * spacing;
         p.position(row, 1) = start + slug.velocity * (time - slug.time);
         p.velocity(row, 1) = slug.velocity;
         continue;
@@ -192,7 +194,8 @@ void move_to(const Scene& scene, State& state, double time) {
       const Lattice l = lattice(scene, scene.bodies[body]);
       const Vector& corner = std::get<Box>(scene.bodies[body].shape).lower;
       const double x = corner[0] + (static_cast<double>(i % l.columns) + 0.5) * l.spacing;
-      const double y = corner[1] + (static_cast<double>(i / l.columns) + 0.5) * l.spacing;
+      const auto row = i / l.columns;
+      const double y = corner[1] + (static_cast<double>(row) + 0.5) * l.spacing;
       open_channel(scene, p, row, x, y, depth);
     }
     state.particle_steps += p.count;

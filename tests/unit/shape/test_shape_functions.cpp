@@ -29,7 +29,8 @@ Averages average(const ParticlePlace& place, const NodeField& field) {
   S::template support<M>(place).for_each_node([&](int slot, double s, double gx, double gy, double t
                                               ) {
     const double r = (place.axis + slot % patch_nodes) * cell;
-    const double z = slot / patch_nodes * cell;
+    const int row = slot / patch_nodes;
+    const double z = row * cell;
     const double v = field(r, z);
     out.value += s * v;
     out.d_r += gx * v;

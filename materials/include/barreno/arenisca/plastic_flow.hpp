@@ -123,15 +123,14 @@ BARRENO_FUNCTION Returned return_with(const Rock& rock, const Trial& trial, Coun
 /// End of a substep from the return of the point (x, s) with q = sqrt(J2(s)): state, moduli, work.
 BARRENO_FUNCTION void finish(
     const Rock& rock,
-    const PointState& n,
+    const Substep& step,
     const Prediction& p,
     const Prediction& returned_from,
     const Returned& r,
     const FlowStart& f,
-    double dv,
-    const Sym3& de,
     Attempt& a
 ) {
+  const PointState& n = step.n;
   const double kept = returned_from.q() > 0.0 ? r.q / returned_from.q() : 0.0;
   a.end = {r.x, kept * returned_from.s, r.evp, n.shear_strain};
   // Plastic strain = increment - C^-1 : stress increment, split in volume and deviator.
@@ -143,7 +142,8 @@ BARRENO_FUNCTION void finish(
   const double start_work = f.x * devp / 3.0 + f.scale * contract(f.s, dep);
   const double mean_work = 0.5 * (start_work + end_work);
   a.plastic_work = mean_work >= 0.0 ? mean_work : end_work;
-  a.elastic_work = 0.5 * ((n.x + r.x) * (dv - devp) / 3.0 + contract(n.s + a.end.s, de - dep));
+  a.elastic_work =
+      0.5 * ((n.x + r.x) * (step.dv - devp) / 3.0 + contract(n.s + a.end.s, step.de - dep));
   a.moduli = rock.elasticity.moduli_at(r.x, Elasticity::seen_from(p.evp, r.evp));
 }
 
@@ -154,18 +154,17 @@ BARRENO_FUNCTION void finish(
 template <class Counter>
 BARRENO_FUNCTION void refine(
     const Rock& rock,
-    const PointState& n,
+    const Substep& step,
     const Prediction& first,
     const Correction& c,
     const FlowStart& f,
-    double dv,
-    const Sym3& de,
     Attempt& a,
     Counter& count
 ) {
+  const PointState& n = step.n;
   const Moduli mean = {
       0.5 * (first.start.bulk + a.moduli.bulk), 0.5 * (first.start.shear + a.moduli.shear)};
-  const Prediction p = predict_with(n, first.start, mean, dv, de);
+  const Prediction p = predict_with(n, first.start, mean, step.dv, step.de);
   const double metric = 9.0 * rock.beta * rock.beta * mean.bulk / mean.shear;
   Prediction moved = p;
   moved.x += 0.5 * c.distance * (c.normal_x - f.normal_x);
@@ -183,7 +182,7 @@ BARRENO_FUNCTION void refine(
     r = return_with(rock, Trial{moved.x, moved.q(), metric, triple_bulk, evp, cap}, count);
   }
   Attempt b = a;
-  finish(rock, n, p, moved, r, f, dv, de, b);
+  finish(rock, step, p, moved, r, f, b);
   // Where the flow is too short to have a mean direction, the first pass dissipates and is kept.
   // Rock without strength dissipates nothing: round-off must not decide.
   constexpr double round_off = 1e-9;
@@ -203,21 +202,16 @@ BARRENO_FUNCTION double retraction(
 
 /// Plastic substep: closest-point return, its error, and the second pass where that is worth it.
 template <class Counter>
-BARRENO_FUNCTION Attempt flow_plastically(
-    const Rock& rock,
-    const PointState& n,
-    const Cap& cap,
-    const Prediction& p,
-    double dv,
-    const Sym3& de,
-    Counter& count
-) {
+BARRENO_FUNCTION Attempt
+flow_plastically(const Rock& rock, const Substep& step, const Prediction& p, Counter& count) {
+  const PointState& n = step.n;
+  const Cap& cap = step.cap;
   const double metric = 9.0 * rock.beta * rock.beta * p.used.bulk / p.used.shear;
   const Trial trial{p.x, p.q(), metric, 3.0 * p.used.bulk, n.evp, cap};
   const Returned r = return_with(rock, trial, count);
   const FlowStart f = find_flow_start(rock, cap, n, p, metric, count);
   Attempt a;
-  finish(rock, n, p, p, r, f, dv, de, a);
+  finish(rock, step, p, p, r, f, a);
   a.error = moduli_mismatch(p, a.moduli) *
             stress_size(r.x - n.x, std::sqrt(second_invariant(a.end.s - n.s)));
   a.allowed = allowed_error(rock, n, r.x, r.q);
@@ -236,7 +230,7 @@ BARRENO_FUNCTION Attempt flow_plastically(
   a.error = larger(a.error, a.allowed * retraction(rock, n, cap, r) / largest_retraction);
   constexpr double negligible = 0.01;
   if (a.error > negligible * a.allowed && a.error <= a.allowed) {
-    refine(rock, n, p, c, f, dv, de, a, count);
+    refine(rock, step, p, c, f, a, count);
   }
   return a;
 }

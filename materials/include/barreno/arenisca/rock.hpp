@@ -34,6 +34,14 @@ struct PointState {
   double evp, shear_strain;
 };
 
+/// What a substep starts from and what it is asked: strain increment in volume and deviator.
+struct Substep {
+  const PointState& n;
+  const Cap& cap;  ///< of the start
+  double dv;
+  const Sym3& de;
+};
+
 /// Elastic predictor of a substep and the moduli at its start and as used.
 struct Prediction {
   double x;

@@ -14,21 +14,21 @@ namespace barreno::arenisca {
 /// Elastic prediction with the moduli at the middle of the substep (second-order Taylor of
 /// exp(B2/I1)), I1 held within what the surface admits.
 /// @param evp plastic strain to take the moduli at
-BARRENO_FUNCTION Prediction predict(
-    const Rock& rock, const PointState& n, const Cap& cap, double dv, const Sym3& de, double evp
-) {
+BARRENO_FUNCTION Prediction predict(const Rock& rock, const Substep& step, double evp) {
+  const PointState& n = step.n;
+  const Cap& cap = step.cap;
   const Elasticity& e = rock.elasticity;
   const Elasticity::PressureTerm term = e.pressure_term(n.x, evp);
   const double coupling = e.coupling(n.x, evp);
   const Moduli start = e.moduli(term.value, coupling);
   Moduli used = start;
   if (term.slope != 0.0) {
-    double x = smaller(n.x + 3.0 * start.bulk * dv, rock.surface.vertex);
+    double x = smaller(n.x + 3.0 * start.bulk * step.dv, rock.surface.vertex);
     if (cap.present) x = larger(x, cap.X);
     const double middle = term.value + 0.5 * term.slope * (x - n.x);
     used = e.moduli(smaller(larger(middle, 0.0), 1.0), coupling);
   }
-  Prediction p = predict_with(n, start, used, dv, de);
+  Prediction p = predict_with(n, start, used, step.dv, step.de);
   p.term = term;
   p.coupling = coupling;
   p.evp = evp;
@@ -55,7 +55,7 @@ BARRENO_FUNCTION bool step_elastically(
     const Rock& rock, PointState& n, double dv, const Sym3& de, Outcome& outcome, Counter& count
 ) {
   if (n.evp > 0.0) return false;
-  const Prediction p = predict(rock, n, rock.first_cap, dv, de, n.evp);
+  const Prediction p = predict(rock, {n, rock.first_cap, dv, de}, n.evp);
   if (!rock.surface.contains(p.x, p.J2, rock.first_cap, count)) return false;
   const Moduli end = moduli_after(rock, n, p);
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
@@ -67,9 +67,9 @@ BARRENO_FUNCTION bool step_elastically(
   return true;
 }
 
-BARRENO_FUNCTION Attempt accept_elastic(
-    const Rock& rock, const PointState& n, const Prediction& p, double dv, const Sym3& de
-) {
+BARRENO_FUNCTION Attempt
+accept_elastic(const Rock& rock, const Substep& step, const Prediction& p) {
+  const PointState& n = step.n;
   Attempt a;
   a.end = {p.x, p.s, n.evp, n.shear_strain};
   a.moduli = moduli_after(rock, n, p);
@@ -77,41 +77,36 @@ BARRENO_FUNCTION Attempt accept_elastic(
       moduli_mismatch(p, a.moduli) * stress_size(p.x - n.x, std::sqrt(second_invariant(p.s - n.s)));
   a.allowed = allowed_error(rock, n, p.x, p.q());
   a.order = 3;
-  a.elastic_work = 0.5 * ((n.x + p.x) * dv / 3.0 + contract(n.s + p.s, de));
+  a.elastic_work = 0.5 * ((n.x + p.x) * step.dv / 3.0 + contract(n.s + p.s, step.de));
   return a;
 }
 
 /// Flow that dilates from the jump of the moduli: those of dilated rock hold from where it begins
 /// to flow.
 template <class Counter>
-BARRENO_FUNCTION Attempt begin_to_dilate(
-    const Rock& rock,
-    const PointState& n,
-    const Cap& cap,
-    const Prediction& p,
-    double dv,
-    const Sym3& de,
-    Counter& count
-) {
+BARRENO_FUNCTION Attempt
+begin_to_dilate(const Rock& rock, const Substep& step, const Prediction& p, Counter& count) {
+  const PointState& n = step.n;
+  const Cap& cap = step.cap;
   constexpr int halvings = 30;
   constexpr double other_side = 2.0 * Elasticity::at_jump;
   const double t = crossing(rock, cap, n, p, halvings, count);
-  const Moduli soft = predict(rock, n, cap, dv, de, other_side).used;
+  const Moduli soft = predict(rock, step, other_side).used;
   const Moduli used = {
       t * p.used.bulk + (1.0 - t) * soft.bulk, t * p.used.shear + (1.0 - t) * soft.shear};
   // Such a start that the mean of both ends is what was used.
   const Moduli start = {2.0 * used.bulk - soft.bulk, 2.0 * used.shear - soft.shear};
-  Prediction mixed = predict_with(n, start, used, dv, de);
+  Prediction mixed = predict_with(n, start, used, step.dv, step.de);
   mixed.evp = other_side;
   Attempt a;
   if (rock.surface.contains(mixed.x, mixed.J2, cap, count)) {
     // A trace of dilation, and the softer rock no longer reaches the surface.
     a.end = {mixed.x, mixed.s, other_side, n.shear_strain};
     a.moduli = soft;
-    a.elastic_work = 0.5 * ((n.x + mixed.x) * dv / 3.0 + contract(n.s + mixed.s, de));
+    a.elastic_work = 0.5 * ((n.x + mixed.x) * step.dv / 3.0 + contract(n.s + mixed.s, step.de));
     a.allowed = allowed_error(rock, n, mixed.x, mixed.q());
   } else {
-    a = flow_plastically(rock, n, cap, mixed, dv, de, count);
+    a = flow_plastically(rock, step, mixed, count);
   }
   // The elastic part has its own error, that of its moduli on the way to the surface.
   const double x_flow = n.x + t * (p.x - n.x);
@@ -125,11 +120,12 @@ template <class Counter>
 BARRENO_FUNCTION Attempt
 attempt_substep(const Rock& rock, const PointState& n, double dv, const Sym3& de, Counter& count) {
   const Cap cap = rock.cap_at(n.evp);
-  const Prediction p = predict(rock, n, cap, dv, de, n.evp);
-  if (rock.surface.contains(p.x, p.J2, cap, count)) return accept_elastic(rock, n, p, dv, de);
-  const Attempt a = flow_plastically(rock, n, cap, p, dv, de, count);
+  const Substep step{n, cap, dv, de};
+  const Prediction p = predict(rock, step, n.evp);
+  if (rock.surface.contains(p.x, p.J2, cap, count)) return accept_elastic(rock, step, p);
+  const Attempt a = flow_plastically(rock, step, p, count);
   if (std::fabs(n.evp) > Elasticity::at_jump || !Elasticity::dilated(a.end.evp)) return a;
-  return begin_to_dilate(rock, n, cap, p, dv, de, count);
+  return begin_to_dilate(rock, step, p, count);
 }
 
 /// Factor for the next substep, in sixteenths: then round-off does not reach the choice of

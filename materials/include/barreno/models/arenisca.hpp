@@ -391,7 +391,7 @@ inline std::string Arenisca::check(const Parameters& p, double /*density*/) {
         arenisca::check_crush_curve,
         arenisca::check_bulk_modulus,
         arenisca::check_shear_modulus}) {
-    const std::string problem = rule(p);
+    std::string problem = rule(p);
     if (!problem.empty()) return problem;
   }
   return {};

@@ -77,7 +77,7 @@ struct JohnsonCook {
   using History = HistoryOf<double>;
   static constexpr int history_count = 4;
 
-  static ParameterTable<Parameters> parameter_table() {
+  static std::vector<ParameterEntry<Parameters>> strength_entries() {
     using P = Parameters;
     namespace dim = dimension;
     return {
@@ -109,8 +109,13 @@ struct JohnsonCook {
              dim::temperature,
              above(0.0),
              "no strength from here"
-         ),
-         required(
+         )}};
+  }
+  static std::vector<ParameterEntry<Parameters>> heat_and_pressure_entries() {
+    using P = Parameters;
+    namespace dim = dimension;
+    return {
+        {required(
              &P::specific_heat, "Specific Heat", dim::heat_capacity, above(0.0), "heat capacity"
          ),
          required(
@@ -132,8 +137,13 @@ struct JohnsonCook {
              0.9,
              "share of plastic work that becomes heat; the usual measured value, the rest stays in "
              "the lattice"
-         ),
-         optional(
+         )}};
+  }
+  static std::vector<ParameterEntry<Parameters>> damage_entries() {
+    using P = Parameters;
+    namespace dim = dimension;
+    return {
+        {optional(
              &P::spall_stress,
              "Spall Stress",
              dim::stress,
@@ -156,8 +166,15 @@ struct JohnsonCook {
              "Johnson-Cook damage, triaxiality (tension positive)"
          ),
          optional(&P::d4, "D4", dim::none, any(), 0.0, "Johnson-Cook damage, rate"),
-         optional(&P::d5, "D5", dim::none, any(), 0.0, "Johnson-Cook damage, temperature")},
-        {}};
+         optional(&P::d5, "D5", dim::none, any(), 0.0, "Johnson-Cook damage, temperature")}};
+  }
+  static ParameterTable<Parameters> parameter_table() {
+    ParameterTable<Parameters> table;
+    for (const auto& entries :
+         {strength_entries(), heat_and_pressure_entries(), damage_entries()}) {
+      table.numbers.insert(table.numbers.end(), entries.begin(), entries.end());
+    }
+    return table;
   }
   static std::vector<HistoryField> history_table() {
     return {
@@ -305,6 +322,10 @@ private:
   ) const;
   template <class R>
   BARRENO_FUNCTION R release(const R& limit, Sym3Of<R>& s, R& plastic_strain) const;
+  template <class R>
+  BARRENO_FUNCTION static void keep_sound(
+      const MaskOf<R>& sound, const HistoryOf<R>& end, HistoryOf<R>& history
+  );
   template <class R>
   BARRENO_FUNCTION void break_points(
       const Return<R>& flow, Step<R>& step, HistoryOf<R>& end, Sym3Of<R>& s, R& p

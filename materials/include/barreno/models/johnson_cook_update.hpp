@@ -110,6 +110,18 @@ BARRENO_FUNCTION void JohnsonCook::break_points(
   step.elastic_work = step.elastic_work - freed;
 }
 
+/// The new history where the step was sound.
+template <class R>
+BARRENO_FUNCTION void JohnsonCook::keep_sound(
+    const MaskOf<R>& sound, const HistoryOf<R>& end, HistoryOf<R>& history
+) {
+  history = {
+      real::select(sound, end.plastic_strain, history.plastic_strain),
+      real::select(sound, end.temperature, history.temperature),
+      real::select(sound, end.internal_energy, history.internal_energy),
+      real::select(sound, end.damage, history.damage)};
+}
+
 template <class R>
 BARRENO_FUNCTION PointsOutcome<R> JohnsonCook::update_points(
     const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
@@ -166,11 +178,7 @@ BARRENO_FUNCTION PointsOutcome<R> JohnsonCook::update_points(
   const R all = s.xx + s.yy + s.zz + s.xy + s.yz + s.zx + end.temperature + end.internal_energy;
   const MaskOf<R> sound = admissible(increment, stress, history) & solved & real::is_finite(all);
   stress = select_points(sound, s, stress);
-  history = {
-      real::select(sound, end.plastic_strain, history.plastic_strain),
-      real::select(sound, end.temperature, history.temperature),
-      real::select(sound, end.internal_energy, history.internal_energy),
-      real::select(sound, end.damage, history.damage)};
+  keep_sound(sound, end, history);
   return {
       sound,
       step.elastic_work,

@@ -1,0 +1,32 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""docs/deck.md is what the program says about its decks, and every section of it can be asked for.
+
+    test_manual.py BARRENO
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "deck.md"
+
+
+def describe(*words):
+    result = subprocess.run([sys.argv[1], "describe", *words], capture_output=True, text=True)
+    assert result.returncode == 0, f"describe {words}: {result.stderr}"
+    return result.stdout
+
+
+def main():
+    manual = describe("--markdown")
+    assert PAGE.read_text() == manual, "docs/deck.md is old; write it with: barreno describe --markdown > docs/deck.md"
+    # A list of free name has its entries under "NAME/*"; a model is asked for by its name.
+    sections = re.findall(r"^## (?:Model )?([A-Z][A-Za-z -]*)$", manual, re.MULTILINE)
+    assert len(sections) > 10, f"only the sections {sections}"
+    for section in set(sections) - {"Top of the deck"}:
+        assert describe(section).strip(), f"describe {section} says nothing"
+
+
+if __name__ == "__main__":
+    main()

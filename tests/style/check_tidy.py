@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every compiled file passes clang-tidy (.clang-tidy).
+
+    check_tidy.py BUILD [FILE ...]
+
+Most of clang-tidy's time goes into the headers of the libraries, so files of one folder with the same compiler
+options are looked at together, in one translation unit that includes them; a group whose files cannot stand together (the same name in
+two unnamed namespaces) is looked at file by file. A group whose text, headers and rules are those of its last clean
+pass is skipped: what passed is kept in BUILD/tidy.
+"""
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SKIPPED = 77  # what ctest counts as skipped
+RULES = ROOT / ".clang-tidy"
+TOGETHER = 8  # files
+
+
+def options_of(entry):
+    """Compiler options without the file itself."""
+    words = shlex.split(entry["command"])[1:]
+    for option in ("-o", "-c"):
+        where = words.index(option)
+        del words[where : where + 2]
+    return tuple(words)
+
+
+def groups_of(entries):
+    by_options = {}
+    for entry in entries:
+        key = pathlib.Path(entry["file"]).parent, options_of(entry)
+        by_options.setdefault(key, []).append(entry["file"])
+    for (_, options), files in by_options.items():
+        files.sort()
+        for start in range(0, len(files), TOGETHER):
+            yield list(options), files[start : start + TOGETHER]
+
+
+def own_files(options, files):
+    """The files of this repository that a compilation reads, as the compiler lists them."""
+    listing = subprocess.run(["c++", *options, "-M", *files], capture_output=True, text=True, check=True)
+    words = listing.stdout.replace("\\\n", " ").split()
+    return sorted({word for word in words if word.startswith(str(ROOT) + "/") and not word.endswith(":")})
+
+
+def fingerprint(options, files):
+    digest = hashlib.sha256(RULES.read_bytes() + " ".join(options).encode())
+    for name in own_files(options, files):
+        digest.update(name.encode() + pathlib.Path(name).read_bytes())
+    return digest.hexdigest()
+
+
+def tidy(options, path):
+    # GCC's warnings that clang does not know must not count as findings.
+    command = ["clang-tidy", "--quiet", str(path), "--", *options, "-Wno-unknown-warning-option"]
+    result = subprocess.run(command, capture_output=True, text=True)
+    return "" if result.returncode == 0 else result.stdout + result.stderr
+
+
+def findings_of(options, files, folder):
+    """Findings of a group; an empty text if there are none."""
+    if len(files) == 1:
+        return tidy(options, files[0])
+    unit = folder / (files[0].replace("/", "_") + f".{len(files)}.cpp")
+    unit.write_text("".join(f'#include "{file}"  // NOLINT\n' for file in files))
+    findings = tidy(options, unit)
+    if "clang-diagnostic-error" not in findings:
+        return findings
+    half = len(files) // 2
+    return findings_of(options, files[:half], folder) + findings_of(options, files[half:], folder)
+
+
+def check(options, files, folder):
+    """True if the group is clean."""
+    start = time.time()
+    stamp = folder / (hashlib.sha256(" ".join(options + files).encode()).hexdigest()[:16] + ".passed")
+    now = fingerprint(options, files)
+    if stamp.exists() and stamp.read_text() == now:
+        return True
+    findings = findings_of(options, files, folder)
+    if not findings:
+        stamp.write_text(now)
+    names = ", ".join(pathlib.Path(file).name for file in files)
+    print(f"{findings}{time.time() - start:.1f} s: {names}", flush=True)
+    return not findings
+
+
+def main():
+    if shutil.which("clang-tidy") is None:
+        print("clang-tidy is missing: install the package clang-tidy.")
+        return SKIPPED
+    build = pathlib.Path(sys.argv[1]).resolve()
+    entries = json.loads((build / "compile_commands.json").read_text())
+    entries = [e for e in entries if not sys.argv[2:] or any(word in e["file"] for word in sys.argv[2:])]
+    assert entries, f"no compilation in {build} matches {sys.argv[2:]}"
+    folder = build / "tidy"
+    folder.mkdir(exist_ok=True)
+
+    with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        clean = list(pool.map(lambda group: check(*group, folder), groups_of(entries)))
+    print(f"{len(entries)} files, {len(clean) - sum(clean)} of {len(clean)} groups with findings")
+    return 0 if all(clean) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
