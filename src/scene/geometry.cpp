@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/geometry.hpp"
 
+#include "base/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace barreno {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// The axis halves a ball that is centred on it.
 bool on_axis(const Ball& ball, const GridSpec& grid) {

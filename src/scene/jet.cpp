@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/jet.hpp"
 
+#include "base/numbers.hpp"
+
 #include <cstdio>
 
 namespace barreno {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::string text_of(double x) {
   char buffer[40];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/balance.hpp"
 
+#include "base/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -65,7 +67,6 @@ Balance energy_balance(const Ledger& l) {
 }
 
 JetTotals jet_table_totals(const Scene& scene, std::size_t slugs) {
-  const double pi = std::acos(-1.0);
   JetTotals totals;
   for (std::size_t s = 0; s < std::min(slugs, scene.jet.slugs.size()); ++s) {
     const JetSlug& slug = scene.jet.slugs[s];

@@ -29,8 +29,8 @@ class Contract : public ::testing::Test {};
 using AllModels = TypesOf<AnyModel>::type;
 struct ModelName {
   template <class Model>
-  static std::string GetName(int
-  ) {  // NOLINT(readability-identifier-naming): the name that GoogleTest asks for
+  // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest asks for
+  static std::string GetName(int) {
     return Model::name;
   }
 };

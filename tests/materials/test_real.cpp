@@ -80,7 +80,7 @@ TEST(Real, SelectionsAndChecksGoByLane) {
   EXPECT_FALSE(real::any(Lanes{} > 0.0));
 }
 
-struct Point {
+struct CopperPoint {
   Increment increment;
   Sym3 stress;
   JohnsonCook::History history;
@@ -88,11 +88,11 @@ struct Point {
 
 /// States and steps of all kinds: elastic, yielding, flowing on, hot, molten, broken, in tension
 /// beyond spall, refused.
-std::vector<Point> draw_points(std::size_t count) {
+std::vector<CopperPoint> draw_points(std::size_t count) {
   std::mt19937_64 engine(11);
   std::uniform_real_distribution<double> u(-1.0, 1.0);
-  std::vector<Point> points(count);
-  for (Point& p : points) {
+  std::vector<CopperPoint> points(count);
+  for (CopperPoint& p : points) {
     const double size = std::pow(10.0, -4.0 + 3.0 * std::fabs(u(engine)));
     auto tensor = [&](double s) {
       return Sym3{s * u(engine), s * u(engine), s * u(engine), s * u(engine), 0.0, 0.0};
@@ -136,11 +136,13 @@ void put(T& lanes, int lane, const double* values, std::size_t count) {
   for (std::size_t c = 0; c < count; ++c) out[c][lane] = values[c];
 }
 
-LanePoints gather(const std::vector<Point>& points, const std::array<std::size_t, lane_count>& of) {
+LanePoints gather(
+    const std::vector<CopperPoint>& points, const std::array<std::size_t, lane_count>& of
+) {
   LanePoints out{};
   out.increment.dt = points[of[0]].increment.dt;
   for (int i = 0; i < lane_count; ++i) {
-    const Point& p = points[of[static_cast<std::size_t>(i)]];
+    const CopperPoint& p = points[of[static_cast<std::size_t>(i)]];
     put(out.increment.strain, i, &p.increment.strain.xx, 6);
     out.increment.volume_ratio_begin[i] = p.increment.volume_ratio_begin;
     out.increment.volume_ratio_end[i] = p.increment.volume_ratio_end;
@@ -158,7 +160,7 @@ double away(double a, double b, double scale) {
 
 TEST(JohnsonCookLanes, GiveWhatSinglePointsGive) {
   const JohnsonCook model = breaking_copper();
-  const std::vector<Point> points = draw_points(80000);
+  const std::vector<CopperPoint> points = draw_points(80000);
   std::size_t refused = 0;
   for (std::size_t first = 0; first < points.size(); first += lane_count) {
     std::array<std::size_t, lane_count> of{};
@@ -166,7 +168,7 @@ TEST(JohnsonCookLanes, GiveWhatSinglePointsGive) {
     LanePoints lanes = gather(points, of);
     const auto outcome = model.update_points(lanes.increment, lanes.stress, lanes.history);
     for (int i = 0; i < lane_count; ++i) {
-      Point p = points[first + static_cast<std::size_t>(i)];
+      CopperPoint p = points[first + static_cast<std::size_t>(i)];
       const Outcome one = model.update(p.increment, p.stress, p.history);
       ASSERT_EQ(outcome.sound[i] != 0, !one.failed());
       refused += static_cast<std::size_t>(one.failed());
@@ -190,7 +192,7 @@ TEST(JohnsonCookLanes, GiveWhatSinglePointsGive) {
 /// runs rests.
 TEST(JohnsonCookLanes, NoLaneDependsOnAnother) {
   const JohnsonCook model = breaking_copper();
-  const std::vector<Point> points = draw_points(16000);
+  const std::vector<CopperPoint> points = draw_points(16000);
   std::mt19937_64 engine(3);
   std::uniform_int_distribution<std::size_t> any(0, points.size() - 1);
   for (std::size_t trial = 0; trial < 4000; ++trial) {
