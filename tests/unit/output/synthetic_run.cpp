@@ -194,8 +194,8 @@ void move_to(const Scene& scene, State& state, double time) {
       const Lattice l = lattice(scene, scene.bodies[body]);
       const Vector& corner = std::get<Box>(scene.bodies[body].shape).lower;
       const double x = corner[0] + (static_cast<double>(i % l.columns) + 0.5) * l.spacing;
-      const auto row = i / l.columns;
-      const double y = corner[1] + (static_cast<double>(row) + 0.5) * l.spacing;
+      const auto line = i / l.columns;
+      const double y = corner[1] + (static_cast<double>(line) + 0.5) * l.spacing;
       open_channel(scene, p, row, x, y, depth);
     }
     state.particle_steps += p.count;
