@@ -10,9 +10,9 @@
 namespace barreno {
 namespace {
 
-const std::vector<std::string> commands = {"run", "check", "describe"};
+const std::vector<std::string> commands = {"run", "check", "drive", "describe"};
 /// Part of the contract with users, but not built yet.
-const std::vector<std::string> later_commands = {"drive", "resume", "report"};
+const std::vector<std::string> later_commands = {"resume", "report"};
 
 /// The arguments, with a cursor that knows what an option still needs.
 class Arguments {
@@ -35,16 +35,17 @@ private:
   std::size_t at_ = 0;
 };
 
-int ranks_of(const std::string& text) {
-  int ranks = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ranks);
-  if (error != std::errc{} || end != text.data() + text.size() || ranks < 1) {
+/// @param what  "number of ranks", for the sentence
+int count_of(const std::string& option, const std::string& text, const std::string& what) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc{} || end != text.data() + text.size() || count < 1) {
     throw DeckError(
-        "--ranks " + input::shown(text) +
-        " is no number of ranks (1 or more); write for example --ranks 2."
+        option + " " + input::shown(text) + " is no " + what + " (1 or more); write for example " +
+        option + " 2."
     );
   }
-  return ranks;
+  return count;
 }
 
 Command command_of(const std::string& word) {
@@ -52,12 +53,13 @@ Command command_of(const std::string& word) {
   if (word == "--version") return Command::version;
   if (word == "run") return Command::run;
   if (word == "check") return Command::check;
+  if (word == "drive") return Command::drive;
   if (word == "describe") return Command::describe;
   for (const auto& later : later_commands) {
     if (word == later) {
       throw DeckError(
           "barreno " + word +
-          " is not built yet (this version has run, check and describe); use one of those."
+          " is not built yet (this version has run, check, drive and describe); use one of those."
       );
     }
   }
@@ -66,6 +68,8 @@ Command command_of(const std::string& word) {
 
 std::vector<std::string> known_options(Command command) {
   if (command == Command::describe) return {"--markdown", "--help"};
+  if (command == Command::drive)
+    return {"--material", "--path", "--out", "--steps-per-row", "--set", "--help"};
   if (command == Command::check) return {"--set", "--ranks", "--help"};
   return {"--out", "--ranks", "--set", "--overwrite", "--help"};
 }
@@ -80,16 +84,45 @@ std::vector<std::string> known_options(Command command) {
   );
 }
 
+/// The options that have another meaning for `drive`, or none elsewhere.
+void parse_drive_option(const std::string& word, Arguments& arguments, DriveRequest& request) {
+  if (word == "--material") request.material = arguments.value_of(word, "berea_sandstone.xml");
+  if (word == "--path")
+    request.path = arguments.value_of(word, "input_xml/paths/uniaxial_berea.csv");
+  if (word == "--out") request.out = arguments.value_of(word, "answer.csv");
+  if (word == "--set") request.overrides.push_back(arguments.value_of(word, "\"PEAKI1=20 MPa\""));
+  if (word == "--steps-per-row") {
+    const std::string text = arguments.value_of(word, "10");
+    request.steps_per_row = count_of(word, text, "number of steps");
+  }
+}
+
+void check_drive(const DriveRequest& request) {
+  const std::pair<const char*, const std::string&> needed[] = {
+      {"--material", request.material}, {"--path", request.path}, {"--out", request.out}};
+  for (const auto& [option, value] : needed) {
+    if (!value.empty()) continue;
+    throw DeckError(
+        std::string(option) +
+        " is missing (drive needs a card, a path and a file for the answer); write for example "
+        "barreno drive --material berea_sandstone.xml --path input_xml/paths/uniaxial_berea.csv "
+        "--out answer.csv."
+    );
+  }
+}
+
 void parse_option(const std::string& word, Arguments& arguments, Options& options) {
   const Command command = options.command;
   bool known = false;
   for (const auto& option : known_options(command)) known = known || word == option;
   if (!known) refuse_option(word, command);
   if (word == "--help") options.command = Command::help;
+  if (command == Command::drive) return parse_drive_option(word, arguments, options.drive);
   if (word == "--markdown") options.markdown = true;
   if (word == "--overwrite") options.overwrite = true;
   if (word == "--out") options.out = arguments.value_of(word, "results");
-  if (word == "--ranks") options.ranks = ranks_of(arguments.value_of(word, "2"));
+  if (word == "--ranks")
+    options.ranks = count_of(word, arguments.value_of(word, "2"), "number of ranks");
   if (word == "--set")
     options.overrides.push_back(arguments.value_of(word, "\"Time/End Time=50 us\""));
 }
@@ -109,6 +142,12 @@ Options parse_command_line(int argc, const char* const* argv) {
     if (word.size() > 1 && word.front() == '-') {
       parse_option(word, arguments, options);
       if (options.command == Command::help) return options;
+    } else if (options.command == Command::drive) {
+      throw DeckError(
+          input::shown(word) +
+          " stands alone (drive takes every file by its option); write --material, --path or --out "
+          "before it."
+      );
     } else if (given) {
       throw DeckError(
           input::shown(word) + " comes after " + input::shown(operand) +
@@ -118,6 +157,10 @@ Options parse_command_line(int argc, const char* const* argv) {
       operand = word;
       given = true;
     }
+  }
+  if (options.command == Command::drive) {
+    check_drive(options.drive);
+    return options;
   }
   if (!given && options.command != Command::describe) {
     throw DeckError(
@@ -134,6 +177,9 @@ std::string help_text() {
          "    compute; without --out into runs/<deck name>-<counter>\n"
          "barreno check DECK [--set \"Sub List/Parameter=value\"]...\n"
          "    validate, print the plan, write nothing\n"
+         "barreno drive --material CARD.xml --path PATH.csv --out OUT.csv\n"
+         "        [--steps-per-row N] [--set PARAMETER=value]...\n"
+         "    one material point along a path of the deformation gradient (docs/drive.md)\n"
          "barreno describe [SECTION or MODEL] [--markdown]\n"
          "    the deck reference\n"
          "\n"

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "drive/drive.hpp"
+
 #include <string>
 #include <vector>
 
 namespace barreno {
 
-enum class Command { help, version, run, check, describe };
+enum class Command { help, version, run, check, drive, describe };
 
 /// What was typed after `barreno`.
 struct Options {
   Command command = Command::help;
   std::string deck_file;               ///< run, check
   std::vector<std::string> overrides;  ///< --set, in order
-  std::string out;                     ///< empty: a new folder below runs/
+  DriveRequest drive;
+  std::string out;  ///< empty: a new folder below runs/
   bool overwrite = false;
   int ranks = 0;  ///< --ranks; 0: not given. The launcher starts that many; the code only compares.
   std::string section;    ///< describe; empty: overview

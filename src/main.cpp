@@ -6,6 +6,7 @@
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
 #include "deck/read_deck.hpp"
+#include "drive/drive.hpp"
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
 #include "run.hpp"
@@ -55,6 +56,11 @@ int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
       return run_deck(options, comm);
     case Command::check:
       return check_deck(options, comm);
+    case Command::drive: {
+      const std::string screen = drive(options.drive, *comm);
+      if (root) std::cout << screen;
+      break;
+    }
     case Command::describe:
       if (root)
         std::cout << (options.markdown ? describe_markdown() : describe_text(options.section));

@@ -54,7 +54,9 @@ UnitSystem units_of(const XMLObject& root, const std::string& source) {
   }
 }
 
-void override_value(const XMLObject& root, const std::string& assignment) {
+void override_value(
+    const XMLObject& root, const std::string& assignment, const std::string& example
+) {
   const std::size_t equals = assignment.find('=');
   const auto names = split(assignment.substr(0, equals), '/');
   bool sound = equals != std::string::npos && !names.empty();
@@ -62,8 +64,8 @@ void override_value(const XMLObject& root, const std::string& assignment) {
   if (!sound) {
     throw InputError(
         "--set " + shown(assignment) +
-        " assigns nothing (a path, '=' and a value belong here); write for example --set "
-        "\"Time/End Time=50 us\"."
+        " assigns nothing (a path, '=' and a value belong here); write for example --set " +
+        example + "."
     );
   }
   XMLObject list = root;

@@ -164,7 +164,10 @@ Material make_material(
 }
 
 ParameterList scan_card(const std::string& text, const std::string& source) {
-  const Teuchos::XMLObject xml = input::parse_xml(text, source);
+  return scan_card(input::parse_xml(text, source), source);
+}
+
+ParameterList scan_card(const Teuchos::XMLObject& xml, const std::string& source) {
   const std::string word = input::find_text(xml, "Model").value_or("");
   const input::UnitSystem units = input::units_of(xml, source);
   ParameterList list =

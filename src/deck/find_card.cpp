@@ -28,7 +28,9 @@ std::vector<fs::path> directories(const std::string& deck_directory) {
 
 }  // namespace
 
-std::string find_card(const std::string& card, const std::string& deck_directory) {
+std::string find_card(
+    const std::string& card, const std::string& deck_directory, const std::string& beside
+) {
   std::vector<std::string> known;
   std::error_code ignored;  // a directory that cannot be listed holds no card
   for (const fs::path& directory : directories(deck_directory)) {
@@ -41,8 +43,8 @@ std::string find_card(const std::string& card, const std::string& deck_directory
   }
   const std::string nearest = input::nearest_name(card, known);
   throw FileError(
-      "names no file (it is neither beside the deck, nor in materials/cards, nor in "
-      "BARRENO_MATERIALS); " +
+      "names no file (it is neither " + beside +
+      ", nor in materials/cards, nor in BARRENO_MATERIALS); " +
       (nearest.empty() ? "give the name of a card." : "did you mean '" + nearest + "'?")
   );
 }

@@ -5,6 +5,7 @@
 #include "deck/deck_schema.hpp"
 #include "deck/find_card.hpp"
 #include "deck/jet_table.hpp"
+#include "deck/load_material.hpp"
 #include "deck/read_once.hpp"
 
 #include <barreno/input/scan_xml.hpp>
@@ -65,12 +66,8 @@ ParameterList read_card_material(
   const std::string text = load_card(card, path, reading);
   const std::string source = included(reading, join(path, "Card"), card);
   const XMLObject card_xml = input::parse_xml(text, source);
-  for (const char* expected : {"Units", "Schema Version"}) {
-    if (!input::find_text(card_xml, expected)) {
-      reading.notes.push_back(card + " does not state its " + expected + "; the default is used.");
-    }
-  }
-  ParameterList list = scan_card(text, source);
+  for (const std::string& note : assumptions_of(card_xml, card)) reading.notes.push_back(note);
+  ParameterList list = scan_card(card_xml, source);
   const auto model = list.get<std::string>("Model");
   const input::Section section = material_section(find_model(model));
   ParameterList overrides =

@@ -95,7 +95,7 @@ void ExodusFile::check(int code, const char* what) const {
   const std::string words = number > 0 ? std::strerror(number) : message == nullptr ? "" : message;
   throw FileError(
       "cannot write '" + path_.string() + "' (" + what + ": " + words +
-      "). Free the disk or give another folder with --out."
+      "). Free the disk or give another place with --out."
   );
 }
 

@@ -16,7 +16,7 @@ namespace {
   const std::string why = errno == 0 ? "the disk may be full" : std::strerror(errno);
   throw FileError(
       std::string("cannot ") + verb + " '" + path.string() + "' (" + why +
-      "). Free the disk or give another folder with --out."
+      "). Free the disk or give another place with --out."
   );
 }
 

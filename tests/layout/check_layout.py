@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = ["base", "deck", "scene", "grid", "shape", "state", "step", "output", "."]
+ORDER = ["base", "deck", "scene", "grid", "shape", "state", "step", "output", "drive", "."]
 ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "exodusII": {"output"},
     "hdf5": {"output"},

@@ -5,6 +5,7 @@
 #include "barreno/models.hpp"
 
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_XMLObject.hpp>
 
 #include <string>
 #include <vector>
@@ -46,8 +47,9 @@ Material make_material(
     const std::string& path = ""
 );
 
-/// A card's text, scanned and checked against its model's table; values in SI.
+/// A card's text or tree, scanned and checked against its model's table; values in SI.
 Teuchos::ParameterList scan_card(const std::string& text, const std::string& source);
+Teuchos::ParameterList scan_card(const Teuchos::XMLObject& card, const std::string& source);
 
 /// A material from a card file. Throws FileError or InputError.
 Material read_card(const std::string& file);

@@ -75,7 +75,12 @@ std::vector<Teuchos::XMLObject> sub_lists(
 UnitSystem units_of(const Teuchos::XMLObject& root, const std::string& source);
 
 /// Set or add the parameter of "Sub List/Parameter=value"; sub-lists are made as needed.
-void override_value(const Teuchos::XMLObject& root, const std::string& assignment);
+/// @param example  what could be written instead of an assignment without sense, for sentences
+void override_value(
+    const Teuchos::XMLObject& root,
+    const std::string& assignment,
+    const std::string& example = "\"Time/End Time=50 us\""
+);
 
 /// "a/b", or "b" when the path is empty.
 std::string join(const std::string& path, const std::string& name);

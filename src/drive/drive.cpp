@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drive/drive.hpp"
+
+#include "base/error.hpp"
+#include "deck/load_material.hpp"
+#include "deck/read_once.hpp"
+#include "drive/drive_point.hpp"
+#include "output/text_file.hpp"
+
+#include <barreno/input/scan_xml.hpp>
+#include <filesystem>
+#include <sstream>
+
+namespace barreno {
+namespace {
+
+/// The model's own table; find_model() would look its name up.
+const ModelDescription& description_of(const Material& material) {
+  return describe_models().at(material.model.index());
+}
+
+std::string units_line(const Material& material) {
+  std::string line =
+      "# SI units: time s; F -; stress Pa, Cauchy, tension positive, in the space frame";
+  for (const HistoryField& field : description_of(material).history) {
+    const std::string unit = input::si_unit_of(field.dimension);
+    line += std::string("; ") + field.name + " " + (unit.empty() ? "-" : unit);
+  }
+  return line;
+}
+
+std::string column_line(const Material& material) {
+  std::string line =
+      "time,F11,F12,F13,F21,F22,F23,F31,F32,F33,"
+      "stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx";
+  for (const HistoryField& field : description_of(material).history)
+    line += std::string(",") + field.name;
+  return line;
+}
+
+std::string row_line(const PathRow& instant, const DrivenRow& row) {
+  std::vector<double> values{instant.time};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) values.push_back(instant.deformation_gradient(i, j));
+  const Sym3& s = row.stress;
+  values.insert(values.end(), {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx});
+  values.insert(values.end(), row.history.begin(), row.history.end());
+  return csv_line(values);
+}
+
+std::string table_text(
+    const Material& material, const std::vector<PathRow>& path, const std::vector<DrivenRow>& rows
+) {
+  std::string text = units_line(material) + "\n" + column_line(material) + "\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) text += row_line(path[i], rows[i]) + "\n";
+  return text;
+}
+
+/// An answer must not replace what was asked.
+void check_out(const DriveRequest& request) {
+  std::error_code ignored;  // a file that is not there is no input
+  for (const std::string& input : {request.path, request.material}) {
+    if (!std::filesystem::equivalent(request.out, input, ignored)) continue;
+    throw DeckError(
+        "--out " + input::shown(request.out) +
+        " is an input of this command (it would be overwritten); give another file."
+    );
+  }
+}
+
+void write(const DriveRequest& request, const std::string& text, const Comm& comm) {
+  RootWork work(comm);
+  work.run([&] { write_whole_file(request.out, text); });
+  work.agree();
+}
+
+}  // namespace
+
+std::string drive(const DriveRequest& request, const Comm& comm) {
+  check_out(request);
+  const auto [material, notes] = load_material(request.material, request.overrides, comm);
+  const auto read = [&] { return read_file(request.path, input::largest_text, "a path"); };
+  const std::string name = std::filesystem::path(request.path).filename().string();
+  const std::vector<PathRow> path = read_path(read_once(read, comm), name);
+  const auto rows = drive_point(material, path, request.steps_per_row, name);
+  write(request, table_text(material, path, rows), comm);
+
+  std::ostringstream screen;
+  for (const std::string& note : notes) screen << "note: " << note << '\n';
+  screen << description_of(material).name << " of '" << material.name << "': " << rows.size()
+         << " rows, " << request.steps_per_row << " steps between two, in " << request.out << '\n';
+  return screen.str();
+}
+
+}  // namespace barreno

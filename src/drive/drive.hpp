@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/gather.hpp"
+
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// What `barreno drive` was asked for.
+struct DriveRequest {
+  std::string material, path, out;  ///< card, path file, answer file
+  int steps_per_row = 1;
+  std::vector<std::string> overrides;  ///< "PARAMETER=value"
+};
+
+/// Drives one material point along a path and writes what it became at every row; the answer file
+/// appears whole or not at all. Collective; every rank computes the same, the root writes.
+/// Throws DeckError, FileError, NumericalError.
+/// @return what the screen shows, several lines
+std::string drive(const DriveRequest& request, const Comm& comm);
+
+}  // namespace barreno

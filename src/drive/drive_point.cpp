@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drive/drive_point.hpp"
+
+#include "base/error.hpp"
+#include "drive/matrix.hpp"
+
+#include <barreno/input/scan_xml.hpp>
+#include <cmath>
+#include <type_traits>
+
+namespace barreno {
+namespace {
+
+using input::exact_text;
+
+/// Why a model refused a step, for sentences.
+const char* words_of(Status status) {
+  switch (status) {
+    case Status::substep_limit:
+      return "it needs more substeps than it may take";
+    case Status::not_converged:
+      return "its equations did not converge";
+    case Status::bad_input:
+      return "the strain of one step is beyond what it can take";
+    case Status::ok:
+      break;
+  }
+  return "it gives no reason";
+}
+
+/// L dt of one of `steps` equal steps from `before` to `row`.
+Mat3 step_gradient(
+    const PathRow& before, const PathRow& row, int steps, const std::string& source
+) {
+  const Mat3& start = before.deformation_gradient;
+  const auto log = logarithm_1p((row.deformation_gradient - start) * inverse(start));
+  if (log) return (1.0 / steps) * *log;
+  input::refuse(
+      source,
+      "line " + std::to_string(row.line),
+      "is half a turn or more from line " + std::to_string(before.line) +
+          " (no constant velocity gradient leads there the short way); add rows between them"
+  );
+}
+
+template <class Model>
+class Point {
+public:
+  Point(const Model& model, const Mat3& start)
+      : model_(model),
+        from_reference_(inverse(start)),
+        rotation_(identity()),
+        history_(model.initial_history()) {}
+
+  /// One step to the deformation gradient `end`.
+  Outcome step(const Mat3& gradient, const Mat3& end, double dt) {
+    const Mat3 rotation = polar_rotation(end * from_reference_);
+    const Mat3 mean_rotation = polar_rotation(rotation_ + rotation);
+    Increment increment;
+    increment.strain = unrotate(mean_rotation, symmetric_part(gradient));
+    increment.dt = dt;
+    increment.volume_ratio_begin = std::exp(volume_strain_);
+    volume_strain_ += trace(increment.strain);
+    increment.volume_ratio_end = std::exp(volume_strain_);
+    rotation_ = rotation;
+    return model_.update(increment, stress_, history_);
+  }
+
+  DrivenRow row() const {
+    DrivenRow row{rotate(rotation_, stress_), {}};
+    // A History struct holds doubles only (describe.hpp); one without any has a size all the same.
+    const auto* values = reinterpret_cast<const double*>(&history_);
+    if constexpr (Model::history_count > 0)
+      row.history.assign(values, values + Model::history_count);
+    return row;
+  }
+
+private:
+  const Model& model_;
+  Mat3 from_reference_, rotation_;
+  Sym3 stress_{};
+  double volume_strain_ = 0.0;
+  typename Model::History history_;
+};
+
+[[noreturn]] void refuse_step(
+    const Material& material,
+    const char* model,
+    const PathRow& row,
+    double time,
+    Status status,
+    const std::string& source
+) {
+  throw NumericalError(
+      source + ": line " + std::to_string(row.line) + " cannot be reached: at time " +
+      exact_text(time) + " s the " + model + " of '" + material.name + "' fails (" +
+      words_of(status) + "); check F of that row, or take smaller steps with --steps-per-row."
+  );
+}
+
+template <class Model>
+std::vector<DrivenRow> drive_model(
+    const Model& model,
+    const Material& material,
+    const std::vector<PathRow>& path,
+    int steps,
+    const std::string& source
+) {
+  Point<Model> point(model, path.front().deformation_gradient);
+  std::vector<DrivenRow> rows{point.row()};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const PathRow &before = path[i - 1], &row = path[i];
+    const Mat3 gradient = step_gradient(before, row, steps, source);
+    const Mat3 growth = exponential(gradient);
+    const double dt = (row.time - before.time) / steps;
+    Mat3 f = before.deformation_gradient;
+    for (int k = 1; k <= steps; ++k) {
+      f = k == steps ? row.deformation_gradient : growth * f;
+      const Outcome outcome = point.step(gradient, f, dt);
+      if (outcome.failed())
+        refuse_step(material, Model::name, row, before.time + k * dt, outcome.status, source);
+    }
+    rows.push_back(point.row());
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<DrivenRow> drive_point(
+    const Material& material,
+    const std::vector<PathRow>& path,
+    int steps_per_row,
+    const std::string& source
+) {
+  return std::visit(
+      [&](const auto& model) { return drive_model(model, material, path, steps_per_row, source); },
+      material.model
+  );
+}
+
+}  // namespace barreno

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drive/path_table.hpp"
+
+#include "deck/read_table.hpp"
+#include "drive/matrix.hpp"
+
+#include <barreno/input/scan_xml.hpp>
+
+namespace barreno {
+namespace {
+
+using input::exact_text;
+
+const std::vector<TableColumn>& columns() {
+  static const std::vector<TableColumn> all = [] {
+    std::vector<TableColumn> list = {{"time", dimension::time}};
+    for (const char* name : {"F11", "F12", "F13", "F21", "F22", "F23", "F31", "F32", "F33"})
+      list.push_back({name, dimension::none});
+    return list;
+  }();
+  return all;
+}
+
+std::string line_of(const PathRow& row) {
+  return "line " + std::to_string(row.line);
+}
+
+PathRow row_of(const TableRows& table, std::size_t index) {
+  const double* cells = table.values.data() + index * columns().size();
+  PathRow row;
+  row.time = cells[0];
+  row.line = table.lines[index];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) row.deformation_gradient(i, j) = cells[1 + 3 * i + j];
+  return row;
+}
+
+void check_time(const PathRow& before, const PathRow& row, const std::string& source) {
+  if (row.time > before.time) return;
+  input::refuse_value(
+      source,
+      line_of(row) + ", time",
+      exact_text(row.time),
+      "is not after " + exact_text(before.time) + " of " + line_of(before) +
+          " (times must increase); sort the rows or correct the time"
+  );
+}
+
+void check_volume(const PathRow& row, const std::string& source) {
+  const double volume = determinant(row.deformation_gradient);
+  if (volume > 0.0) return;
+  input::refuse(
+      source,
+      line_of(row),
+      "has det F = " + exact_text(volume) +
+          " (a body keeps a volume above 0); correct F11 to F33 of that row"
+  );
+}
+
+}  // namespace
+
+std::vector<PathRow> read_path(const std::string& text, const std::string& source) {
+  const TableRows table = read_table(text, columns(), "a path", source);
+  if (table.lines.size() < 2) {
+    input::refuse(
+        source,
+        "",
+        "has " + std::to_string(table.lines.size()) +
+            " rows below its header (a path leads from one instant to another); give at least two"
+    );
+  }
+  std::vector<PathRow> path;
+  for (std::size_t i = 0; i < table.lines.size(); ++i) {
+    const PathRow row = row_of(table, i);
+    if (!path.empty()) check_time(path.back(), row, source);
+    check_volume(row, source);
+    path.push_back(row);
+  }
+  return path;
+}
+
+}  // namespace barreno
