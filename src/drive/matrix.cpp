@@ -32,6 +32,19 @@ Mat3 square_root(const Mat3& a) {
   return x;
 }
 
+/// Imaginary part of the complex eigenvalues of a, 0 when all are real: Cardano's formula for
+/// l^3 + p l + q of the traceless part.
+double spin(const Mat3& a) {
+  const Mat3 b = a - ((a(0, 0) + a(1, 1) + a(2, 2)) / 3.0) * identity();
+  const Mat3 square = b * b;
+  const double p = -0.5 * (square(0, 0) + square(1, 1) + square(2, 2));
+  const double q = -determinant(b);
+  const double discriminant = 0.25 * q * q + p * p * p / 27.0;
+  if (!(discriminant > 0.0)) return 0.0;
+  const double root = std::sqrt(discriminant);
+  return 0.5 * std::sqrt(3.0) * (std::cbrt(root - 0.5 * q) + std::cbrt(root + 0.5 * q));
+}
+
 }  // namespace
 
 Mat3 identity() {
@@ -93,6 +106,9 @@ std::optional<Mat3> logarithm_1p(const Mat3& g) {
   Mat3 sum = (1.0 / (2 * terms + 1)) * identity();
   for (int k = terms - 1; k >= 0; --k) sum = (1.0 / (2 * k + 1)) * identity() + square * sum;
   const Mat3 log = factor * (z * sum);
+  // Nearer to half a turn round-off decides which way it went.
+  constexpr double half_turn = 3.14159265358979323846 - 1e-5;
+  if (!(spin(log) < half_turn)) return std::nullopt;
   // A root that was not found shows here, whatever came of it.
   const Mat3 target = identity() + g;
   constexpr double lost = 1e-9;

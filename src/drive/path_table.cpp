@@ -64,9 +64,8 @@ std::vector<PathRow> read_path(const std::string& text, const std::string& sourc
   if (table.lines.size() < 2) {
     input::refuse(
         source,
-        "",
-        "has " + std::to_string(table.lines.size()) +
-            " rows below its header (a path leads from one instant to another); give at least two"
+        "too few rows: " + std::to_string(table.lines.size()),
+        "below the header (a path leads from one instant to another); give at least two"
     );
   }
   std::vector<PathRow> path;

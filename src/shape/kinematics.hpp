@@ -86,7 +86,7 @@ KOKKOS_INLINE_FUNCTION Sym3 rotate(const PlaneRotation& r, const Sym3& t) {
 
 /// R^T t R: from the space to the unrotated frame.
 KOKKOS_INLINE_FUNCTION Sym3 unrotate(const PlaneRotation& r, const Sym3& t) {
-  return rotate({r.c, -r.s}, t);
+  return rotate(PlaneRotation{r.c, -r.s}, t);
 }
 
 /// Largest entry of dt L for which the short series of the exponential are exact to round-off.

@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""`barreno drive` from the outside: every shipped card answers, every bad input has its own sentence and exit code and
+leaves nothing behind.
+
+    test_drive.py BARRENO
+"""
+import csv
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CARDS = sorted((ROOT / "materials" / "cards").glob("*.xml"))
+EXAMPLE = ROOT / "input_xml" / "paths" / "uniaxial_berea.csv"
+HEADER = "time,F11,F12,F13,F21,F22,F23,F31,F32,F33"
+START = "0,1,0,0,0,1,0,0,0,1"
+SQUEEZE = "1e-6,0.99,0,0,0,1,0,0,0,1"
+GLASS = """<ParameterList name="Glass">
+  <Parameter name="Model" type="string" value="Linear Elastic"/>
+  <Parameter name="Density" type="double" value="2500"/>
+  <Parameter name="Bulk Modulus" type="string" value="40 GPa"/>
+  <Parameter name="Shear Modulus" type="string" value="30 GPa"/>
+</ParameterList>
+"""
+EXPECTED_HEADER = (
+    HEADER.split(",") + ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx"]
+)
+
+CARD, PATH, OUT = ["--material", "glass.xml"], ["--path", "good.csv"], ["--out", "answer.csv"]
+GOOD = CARD + PATH + OUT
+EXAMPLE_LINE = (
+    "write for example barreno drive --material berea_sandstone.xml --path input_xml/paths/uniaxial_berea.csv "
+    "--out answer.csv."
+)
+PATH_FILES = {
+    "good.csv": [HEADER, START, SQUEEZE],
+    "header.csv": ["time,F11,F22", START, SQUEEZE],
+    "text.csv": [HEADER, START, "1e-6,0.99,0,0,0,one,0,0,0,1"],
+    "infinite.csv": [HEADER, START, "1e-6,inf,0,0,0,1,0,0,0,1"],
+    "short_row.csv": [HEADER, START, "1e-6,0.99"],
+    "one_row.csv": [HEADER, START],
+    "no_row.csv": ["# nothing"],
+    "times.csv": [HEADER, START, SQUEEZE, "0.5e-6,1,0,0,0,1,0,0,0,1"],
+    "inverted.csv": [HEADER, START, "1e-6,1,0,0,0,-0.5,0,0,0,1"],
+    "first_inverted.csv": [HEADER, "0,0,0,0,0,1,0,0,0,1", SQUEEZE],
+    "half_turn.csv": [HEADER, START, "1e-6,-1,0,0,0,-1,0,0,0,1"],
+    "too_far.csv": [HEADER, START, SQUEEZE, "2e-6,1e-6,0,0,0,1,0,0,0,1"],
+}
+BAD = {  # name: (arguments, exit code, sentence)
+    "missing path file": (
+        CARD + ["--path", "nowhere.csv"] + OUT, 2,
+        "nowhere.csv does not exist (it was to be a path); check the path."),
+    "path is a directory": (
+        CARD + ["--path", "folder"] + OUT, 2,
+        "folder is a directory (it was to be a path); give the path of a file."),
+    "header": (
+        CARD + ["--path", "header.csv"] + OUT, 1,
+        f'header.csv: line 1 = "time,F11,F22" is not the header of a path (columns go by it); write "{HEADER}".'),
+    "text in a number": (
+        CARD + ["--path", "text.csv"] + OUT, 1,
+        'text.csv: line 3, F22 = "one" is not a number (a number without unit belongs here); write for example "0.5".'),
+    "infinite": (
+        CARD + ["--path", "infinite.csv"] + OUT, 1,
+        'infinite.csv: line 3, F11 = "inf" is not a number (a number without unit belongs here); write for example '
+        '"0.5".'),
+    "short row": (
+        CARD + ["--path", "short_row.csv"] + OUT, 1,
+        f"short_row.csv: line 3 has 2 values (10 belong there); write a row as {HEADER}."),
+    "one row": (
+        CARD + ["--path", "one_row.csv"] + OUT, 1,
+        "one_row.csv: too few rows: 1 below the header (a path leads from one instant to another); give at least two."),
+    "no row": (
+        CARD + ["--path", "no_row.csv"] + OUT, 1,
+        "no_row.csv: too few rows: 0 below the header (a path leads from one instant to another); give at least two."),
+    "times": (
+        CARD + ["--path", "times.csv"] + OUT, 1,
+        "times.csv: line 4, time = 5e-07 is not after 1e-06 of line 3 (times must increase); sort the rows or correct "
+        "the time."),
+    "inverted": (
+        CARD + ["--path", "inverted.csv"] + OUT, 1,
+        "inverted.csv: line 3 has det F = -0.5 (a body keeps a volume above 0); correct F11 to F33 of that row."),
+    "first row without volume": (
+        CARD + ["--path", "first_inverted.csv"] + OUT, 1,
+        "first_inverted.csv: line 2 has det F = 0 (a body keeps a volume above 0); correct F11 to F33 of that row."),
+    "half a turn": (
+        CARD + ["--path", "half_turn.csv"] + OUT, 1,
+        "half_turn.csv: line 3 is half a turn or more from line 2 (no constant velocity gradient leads there the short "
+        "way); add rows between them."),
+    "the model fails": (
+        ["--material", "berea_sandstone.xml", "--path", "too_far.csv"] + OUT, 3,
+        "too_far.csv: line 4 cannot be reached: at time 2e-06 s the Arenisca of 'berea_sandstone' fails (the strain of "
+        "one step is beyond what it can take); check F of that row, or take smaller steps with --steps-per-row."),
+    "missing card": (
+        ["--material", "berea_sandstome.xml"] + PATH + OUT, 2,
+        '--material "berea_sandstome.xml" names no file (it is neither in this directory, nor in materials/cards, nor '
+        "in BARRENO_MATERIALS); did you mean 'berea_sandstone.xml'?"),
+    "unknown parameter": (
+        GOOD + ["--set", "Bulk Modulis=1 GPa"], 1,
+        "glass.xml: Bulk Modulis is not a parameter that is known here; did you mean 'Bulk Modulus'?"),
+    "wrong dimension": (
+        GOOD + ["--set", "Bulk Modulus=1 m"], 1,
+        "glass.xml: Bulk Modulus = 1 m has the unit of a length ('m'), but a stress belongs here; write for example "
+        '"10 ksi".'),
+    "out of bounds": (
+        GOOD + ["--set", "Bulk Modulus=-1"], 1,
+        "glass.xml: Bulk Modulus = -1 is out of bounds (it must be above 0 Pa); choose a value in that range."),
+    "set without value": (
+        GOOD + ["--set", "Bulk Modulus"], 1,
+        "--set \"Bulk Modulus\" assigns nothing (a path, '=' and a value belong here); write for example --set "
+        '"PEAKI1=20 MPa".'),
+    "unknown option": (
+        GOOD + ["--step-per-row", "3"], 1,
+        "--step-per-row is not an option of this command; did you mean '--steps-per-row'?"),
+    "no steps": (
+        GOOD + ["--steps-per-row", "0"], 1,
+        "--steps-per-row 0 is no number of steps (1 or more); write for example --steps-per-row 2."),
+    "option without value": (
+        CARD + PATH + ["--out"], 1, "--out has no value after it (it needs one); write for example --out answer.csv."),
+    "no card": (
+        PATH + OUT, 1,
+        f"--material is missing (drive needs a card, a path and a file for the answer); {EXAMPLE_LINE}"),
+    "no path": (
+        CARD + OUT, 1, f"--path is missing (drive needs a card, a path and a file for the answer); {EXAMPLE_LINE}"),
+    "no out": (
+        CARD + PATH, 1, f"--out is missing (drive needs a card, a path and a file for the answer); {EXAMPLE_LINE}"),
+    "a file without option": (
+        ["good.csv"] + GOOD, 1,
+        '"good.csv" stands alone (drive takes every file by its option); write --material, --path or --out before it.'),
+    "out is an input": (
+        CARD + PATH + ["--out", "good.csv"], 1,
+        '--out "good.csv" is an input of this command (it would be overwritten); give another file.'),
+    "out below a file": (
+        CARD + PATH + ["--out", "good.csv/answer.csv"], 2,
+        "cannot write 'good.csv/answer.csv' (Not a directory). Free the disk or give another place with --out."),
+    "out in no folder": (
+        CARD + PATH + ["--out", "nowhere/answer.csv"], 2,
+        "cannot write 'nowhere/answer.csv' (No such file or directory). Free the disk or give another place with "
+        "--out."),
+    "out is a directory": (
+        CARD + PATH + ["--out", "folder"], 2,
+        "cannot write 'folder' (Is a directory). Free the disk or give another place with --out."),
+}  # fmt: skip
+
+
+def drive(barreno, folder, arguments):
+    environment = dict(os.environ, BARRENO_MATERIALS="")
+    command = [barreno, "drive", *arguments]
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
+
+
+def prepare(folder):
+    (folder / "glass.xml").write_text(GLASS)
+    (folder / "folder").mkdir()
+    for name, lines in PATH_FILES.items():
+        (folder / name).write_text("\n".join(lines) + "\n")
+
+
+def listing(folder):
+    return {str(path.relative_to(folder)): path.is_file() and path.read_bytes() for path in folder.rglob("*")}
+
+
+def table(file):
+    with open(file, newline="") as stream:
+        rows = list(csv.reader(line for line in stream if not line.startswith("#")))
+    return rows[0], [[float(value) for value in row] for row in rows[1:]]
+
+
+def check_bad_inputs(barreno, folder):
+    before = listing(folder)
+    for name, (arguments, code, sentence) in BAD.items():
+        result = drive(barreno, folder, arguments)
+        if (result.returncode, result.stderr) != (code, f"barreno: {sentence}\n"):
+            yield f"{name}: expected exit {code}\n{sentence}\nbut got exit {result.returncode}\n{result.stderr}"
+        if listing(folder) != before:
+            yield f"{name}: left behind or changed {set(listing(folder)) ^ set(before)}"
+
+
+def check_failure_keeps_old_answer(barreno, folder):
+    (folder / "answer.csv").write_text("old\n")
+    result = drive(barreno, folder, ["--material", "berea_sandstone.xml", "--path", "too_far.csv"] + OUT)
+    if result.returncode != 3 or (folder / "answer.csv").read_text() != "old\n":
+        yield "a failed drive touched the answer that was there"
+
+
+def check_elastic(barreno, folder):
+    """K and G of the card, then of --set with a unit: uniaxial log strain in closed form."""
+    softer = ["--set", "Bulk Modulus=22 GPa", "--set", "Shear Modulus=1e10"]
+    for settings, bulk, shear in (([], 40e9, 30e9), (softer, 22e9, 10e9)):
+        result = drive(barreno, folder, GOOD + ["--steps-per-row", "3"] + settings)
+        header, rows = table(folder / "answer.csv")
+        strain = math.log(0.99)
+        exact = [0.0] * 6
+        exact[0], exact[1] = (bulk + 4 / 3 * shear) * strain, (bulk - 2 / 3 * shear) * strain
+        exact[2] = exact[1]
+        worst = max(abs(a - b) for a, b in zip(rows[1][10:], exact)) / abs(exact[0])
+        if result.returncode != 0 or header != EXPECTED_HEADER or not worst <= 1e-12:
+            yield f"elastic, {settings}: exit {result.returncode}, error {worst}, header {header}"
+        if rows[1][:10] != [1e-6, 0.99, 0, 0, 0, 1, 0, 0, 0, 1]:
+            yield f"time and F are not those of the path: {rows[1][:10]}"
+        for note in ("glass.xml does not state its Units", "glass.xml does not state its Schema Version"):
+            if note not in result.stdout:
+                yield f"no note '{note}' in {result.stdout}"
+
+
+def check_cards(barreno, folder):
+    """Every shipped card along the example: by name, a row per row, all numbers."""
+    count = sum(1 for line in EXAMPLE.read_text().splitlines() if line and not line.startswith("#")) - 1
+    for card in CARDS:
+        arguments = ["--material", card.name, "--path", str(EXAMPLE), "--steps-per-row", "4"] + OUT
+        result = drive(barreno, folder, arguments)
+        if result.returncode != 0:
+            yield f"{card.name}: {result.stderr}"
+            continue
+        header, rows = table(folder / "answer.csv")
+        if len(rows) != count or header[:16] != EXPECTED_HEADER or "note" in result.stdout:
+            yield f"{card.name}: {len(rows)} rows of {count}, header {header}, screen {result.stdout}"
+        if not all(len(row) == len(header) and all(map(math.isfinite, row)) for row in rows):
+            yield f"{card.name}: a row is not whole"
+        if not rows[20][10] < -1e8:
+            yield f"{card.name}: no stress at 10 % of shortening: {rows[20]}"
+
+
+def check_place_of_cards(barreno, folder):
+    """A full path, and a folder of BARRENO_MATERIALS."""
+    other = folder / "folder" / "brick.xml"
+    other.write_text(GLASS)
+    result = drive(barreno, folder, ["--material", str(other)] + PATH + OUT)
+    if result.returncode != 0:
+        yield f"full path of a card: {result.stderr}"
+    environment = dict(os.environ, BARRENO_MATERIALS=str(other.parent))
+    command = [barreno, "drive", "--material", "brick.xml"] + PATH + OUT
+    result = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
+    if result.returncode != 0:
+        yield f"a card of BARRENO_MATERIALS: {result.stderr}"
+
+
+def main():
+    barreno = str(pathlib.Path(sys.argv[1]).resolve())
+    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_place_of_cards]
+    failed = 0
+    for check in checks:
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            prepare(folder)
+            for problem in check(barreno, folder):
+                failed += 1
+                print(f"{check.__name__}: {problem}")
+    print(f"{len(BAD)} bad inputs, {len(CARDS)} cards: {failed} problems")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
