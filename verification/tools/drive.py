@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drive one material point with `barreno drive`: the way in which verification cases use a model without a grid."""
+import csv
+import pathlib
+import subprocess
+import tempfile
+
+import numpy as np
+from runs import mpi_environment
+
+HEADER = "time,F11,F12,F13,F21,F22,F23,F31,F32,F33"
+
+
+def write_card(file, model, density, parameters):
+    entries = {"Model": model, "Density": density, **parameters}
+    lines = [f'  <Parameter name="{name}" type="string" value="{value}"/>' for name, value in entries.items()]
+    file.write_text("\n".join(['<ParameterList name="Card">', *lines, "</ParameterList>"]) + "\n")
+
+
+def write_path(file, rows):
+    """Rows of (time, 3x3 deformation gradient)."""
+    lines = [",".join([repr(float(t))] + [repr(float(x)) for x in np.asarray(f, float).ravel()]) for t, f in rows]
+    file.write_text("\n".join([HEADER, *lines]) + "\n")
+
+
+def read_table(file):
+    with open(file, newline="") as stream:
+        rows = list(csv.reader(line for line in stream if not line.startswith("#")))
+    values = np.array([[float(x) for x in row] for row in rows[1:]])
+    return {column: values[:, i] for i, column in enumerate(rows[0])}
+
+
+def drive(barreno, model, parameters, rows, steps=1, density=1000.0):
+    """Columns of the answer as arrays; SI. An error of the code is an error here."""
+    with tempfile.TemporaryDirectory(prefix="drive-") as scratch:
+        card, path, out = (pathlib.Path(scratch) / name for name in ("card.xml", "path.csv", "answer.csv"))
+        write_card(card, model, density, parameters)
+        write_path(path, rows)
+        command = [str(barreno), "drive", "--material", str(card), "--path", str(path), "--out", str(out)]
+        command += ["--steps-per-row", str(steps)]
+        result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True)
+        if result.returncode != 0:
+            raise RuntimeError(f"{' '.join(command)} ended with {result.returncode}: {result.stderr.strip()}")
+        return read_table(out)
+
+
+def knows(barreno, model, parameter):
+    """Whether this build's model has a parameter of that name."""
+    command = [str(barreno), "describe", model]
+    text = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, check=True).stdout
+    return parameter in (line.strip() for line in text.splitlines())
