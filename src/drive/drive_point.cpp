@@ -50,7 +50,10 @@ public:
       : model_(model),
         from_reference_(inverse(start)),
         rotation_(identity()),
-        history_(model.initial_history()) {}
+        start_(model.initial_state(0.0)),
+        stress_(start_.stress),
+        volume_strain_(std::log(start_.volume_ratio)),
+        history_(start_.history) {}
 
   /// One step to the deformation gradient `end`.
   Outcome step(const Mat3& gradient, const Mat3& end, double dt) {
@@ -78,8 +81,10 @@ public:
 private:
   const Model& model_;
   Mat3 from_reference_, rotation_;
-  Sym3 stress_{};
-  double volume_strain_ = 0.0;
+  InitialStateOf<Sym3, typename Model::History>
+      start_;  // as a body of a scene, without confinement
+  Sym3 stress_;
+  double volume_strain_;  // ln(V / V_ref)
   typename Model::History history_;
 };
 

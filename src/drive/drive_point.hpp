@@ -17,8 +17,9 @@ struct DrivenRow {
 
 /// One material point along a path: a row of the answer for each row of the path.
 ///
-/// The point is unstressed and virgin at the first row, whatever F is there: that is the reference
-/// configuration of the model (V_ref, polar rotation). Between two rows the velocity gradient is
+/// At the first row the point is what a body of a scene is without confinement, initial_state(0):
+/// unstressed and virgin, whatever F is there. That row is the reference configuration of the model
+/// (V_ref, polar rotation). Between two rows the velocity gradient is
 /// constant,
 ///   L dt = log(F1 F0^-1) / steps,   F <- exp(L dt) F,
 /// and each step is that of a particle of the MPM (step/update_deformation.cpp): the model gets

@@ -238,9 +238,27 @@ def check_place_of_cards(barreno, folder):
         yield f"a card of BARRENO_MATERIALS: {result.stderr}"
 
 
+def check_ranks(barreno, folder):
+    """Two ranks give the bytes of one, and say an error once."""
+    example = ["--material", "copper.xml", "--path", str(EXAMPLE)]
+    drive(barreno, folder, example + ["--out", "one.csv"])
+    both = ["mpirun", "--quiet", "-n", "2", barreno, "drive"]
+    options = {"cwd": folder, "capture_output": True, "text": True, "timeout": 120}
+    result = subprocess.run(both + example + ["--out", "two.csv"], **options)
+    if result.returncode != 0 or result.stdout.count("\n") != 1:
+        yield f"two ranks: exit {result.returncode}, {result.stdout}{result.stderr}"
+    elif (folder / "one.csv").read_bytes() != (folder / "two.csv").read_bytes():
+        yield "two ranks give other numbers than one"
+    for arguments, code, sentence in (BAD["text in a number"], BAD["out in no folder"], BAD["the model fails"]):
+        result = subprocess.run(both + arguments, **options)
+        if (result.returncode, result.stderr) != (code, f"barreno: {sentence}\n"):
+            yield f"two ranks: expected exit {code}\n{sentence}\nbut got exit {result.returncode}\n{result.stderr}"
+
+
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
-    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_place_of_cards]
+    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_place_of_cards,
+              check_ranks]  # fmt: skip
     failed = 0
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
