@@ -87,6 +87,8 @@ TableRows read_table(
     const std::string& source
 ) {
   const std::string header = header_of(columns);
+  const std::string not_a_header =
+      "is not the header of " + what + " (columns go by it); write \"" + header + "\"";
   std::istringstream stream(text);
   TableRows rows;
   input::UnitSystem units;
@@ -100,12 +102,7 @@ TableRows read_table(
       read_comment(line, where, source, units);
     } else if (!header_read) {
       if (packed != header) {
-        refuse_value(
-            source,
-            where,
-            line,
-            "is not the header of " + what + " (columns go by it); write \"" + header + "\""
-        );
+        refuse_value(source, where, line, not_a_header);
       }
       header_read = true;
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Contract tests: what every model in barreno/models.hpp must do, whatever it is.
 
+#include "every_model.hpp"
 #include "sample_models.hpp"
 
 #include <gtest/gtest.h>
@@ -17,23 +18,8 @@
 namespace barreno::test {
 namespace {
 
-template <class Variant>
-struct TypesOf;
-template <class... Model>
-struct TypesOf<std::variant<Model...>> {
-  using type = ::testing::Types<Model...>;
-};
-
 template <class Model>
 class Contract : public ::testing::Test {};
-using AllModels = TypesOf<AnyModel>::type;
-struct ModelName {
-  template <class Model>
-  // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest asks for
-  static std::string GetName(int) {
-    return Model::name;
-  }
-};
 TYPED_TEST_SUITE(Contract, AllModels, ModelName);
 
 constexpr double step_time = 1e-8;  // s; of the order of a penetration run's

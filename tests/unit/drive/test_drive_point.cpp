@@ -4,13 +4,13 @@
 #include "base/error.hpp"
 #include "drive/drive_point.hpp"
 #include "drive/matrix.hpp"
+#include "materials/every_model.hpp"
 #include "materials/sample_models.hpp"
 #include "shape/kinematics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <type_traits>
 
 namespace barreno::test {
 namespace {
@@ -123,19 +123,6 @@ TEST(DriveElastic, HalfATurnBetweenRowsIsRefused) {
   }
 }
 
-template <class Variant>
-struct TypesOf;
-template <class... Model>
-struct TypesOf<std::variant<Model...>> {
-  using type = ::testing::Types<Model...>;
-};
-struct ModelName {
-  template <class Model>
-  static std::string GetName(int) {
-    return Model::name;
-  }
-};
-
 template <class Model>
 class Drive : public ::testing::Test {
 public:
@@ -156,7 +143,7 @@ public:
     return drive_point(material, path_of(rows, 1e-7), steps, "path");
   }
 };
-TYPED_TEST_SUITE(Drive, TypesOf<AnyModel>::type, ModelName);
+TYPED_TEST_SUITE(Drive, AllModels, ModelName);
 
 TYPED_TEST(Drive, EveryRowHasStressAndHistory) {
   const auto rows = this->run(this->path(), 3);
