@@ -45,9 +45,19 @@ Section bodies_section() {
            .by_default("box"),
        vector("Lower", dim::length, any(), "lower corner of a box").if_given(),
        vector("Upper", dim::length, any(), "upper corner of a box").if_given(),
-       vector("Centre", dim::length, any(), "centre of a ball; on the axis in axisymmetry")
+       vector(
+           "Centre",
+           dim::length,
+           any(),
+           "centre of a ball; on the axis in axisymmetry; on a face of the grid the ball is cut "
+           "there"
+       )
            .if_given(),
        number("Radius", dim::length, above(0.0), "radius of a ball").if_given(),
+       number(
+           "Inner Radius", dim::length, above(0.0), "radius of a ball's hollow; solid without it"
+       )
+           .if_given(),
        integer("Particles Per Cell", between(1, 16), "per direction").by_default("2"),
        vector("Velocity", dim::velocity, any(), "initial velocity; zero without it").if_given(),
        vector(
@@ -55,6 +65,14 @@ Section bodies_section() {
            wave_number,
            any(),
            "k of an initial velocity Velocity * sin(k . x); uniform without it"
+       )
+           .if_given(),
+       number(
+           "Radial Velocity",
+           dim::velocity,
+           any(),
+           "of a hollow ball's inner surface, outward; falls with the distance as (Inner Radius / "
+           "r)^2, in plane strain (Inner Radius / r), so that no volume changes"
        )
            .if_given()},
       {},

@@ -6,6 +6,7 @@
 #include "output/exodus_writer.hpp"
 #include "output/history_writer.hpp"
 #include "output/progress.hpp"
+#include "output/radii.hpp"
 #include "output/summary.hpp"
 #include "state/balance.hpp"
 
@@ -102,6 +103,7 @@ struct Output::Parts {
   std::unique_ptr<ExodusWriter> fields;
   std::unique_ptr<HistoryWriter> history;
   std::unique_ptr<DepthWriter> depth;  ///< scenes with a jet only
+  std::unique_ptr<RadiiWriter> radii;  ///< scenes with hollow balls only
   Schedule field_schedule, history_schedule, progress_schedule;
   RunTotals totals;  ///< of the last row
   Ledger watched;    ///< tallies that were warned about
@@ -143,12 +145,15 @@ Output::Parts::Parts(const Scene& scene, const State& state, const RunDescriptio
   history = std::make_unique<HistoryWriter>(*comm, run.folder / "history.csv");
   if (scene.jet.present)
     depth = std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv");
+  if (!hollow_balls(scene).empty())
+    radii = std::make_unique<RadiiWriter>(scene, state, run.folder / "radii.csv");
 }
 
 void Output::Parts::write_rows(const Scene& scene, const State& state) {
   totals = sum_totals(state);
   history->write(*comm, state.clock, totals);
   if (depth) depth->write(scene, state);
+  if (radii) radii->write(scene, state);
   rows_step = state.clock.step;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/progress.hpp"
 
+#include "output/radii.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -189,7 +191,9 @@ std::vector<std::string> result_lines(
   const std::string folder = run.folder.string();
   lines.push_back(
       "Files in " + folder + ": summary.json, history.csv" +
-      (scene.jet.present ? ", depth.csv" : "") + ", particles.e (ParaView), deck.xml, run.log"
+      (scene.jet.present ? ", depth.csv" : "") +
+      (hollow_balls(scene).empty() ? "" : ", radii.csv") +
+      ", particles.e (ParaView), deck.xml, run.log"
   );
   lines.push_back("Next: ./barreno report " + folder);
   return lines;

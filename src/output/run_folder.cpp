@@ -15,11 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Everything that a run writes; a folder with one of these holds a result.
-constexpr std::array<const char*, 9> result_files{
+constexpr std::array<const char*, 10> result_files{
     "run.log",
     "deck.xml",
     "history.csv",
     "depth.csv",
+    "radii.csv",
     "particles.e",
     "particles.e.tmp",
     "checkpoint.h5",

@@ -9,11 +9,6 @@
 namespace barreno {
 namespace {
 
-/// The axis halves a ball that is centred on it.
-bool on_axis(const Ball& ball, const GridSpec& grid) {
-  return grid.mode == Mode::axisymmetric && ball.centre[0] == 0.0;
-}
-
 double distance(const Vector& a, const Vector& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
@@ -29,19 +24,42 @@ bool overlap(const Box& box, const Ball& ball, double tolerance) {
   Vector nearest{};
   for (std::size_t i = 0; i < 2; ++i)
     nearest[i] = std::clamp(ball.centre[i], box.lower[i], box.upper[i]);
-  return distance(nearest, ball.centre) < ball.radius - tolerance;
+  Vector farthest{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool lower = ball.centre[i] - box.lower[i] > box.upper[i] - ball.centre[i];
+    farthest[i] = lower ? box.lower[i] : box.upper[i];
+  }
+  const bool in_hollow = distance(farthest, ball.centre) <= ball.inner_radius + tolerance;
+  return distance(nearest, ball.centre) < ball.radius - tolerance && !in_hollow;
 }
 bool overlap(const Ball& ball, const Box& box, double tolerance) {
   return overlap(box, ball, tolerance);
 }
+/// One is in the other's hollow.
+bool in_hollow(const Ball& inner, const Ball& outer, double tolerance) {
+  return distance(inner.centre, outer.centre) + inner.radius <= outer.inner_radius + tolerance;
+}
 bool overlap(const Ball& a, const Ball& b, double tolerance) {
-  return distance(a.centre, b.centre) < a.radius + b.radius - tolerance;
+  return distance(a.centre, b.centre) < a.radius + b.radius - tolerance &&
+         !in_hollow(a, b, tolerance) && !in_hollow(b, a, tolerance);
 }
 
 }  // namespace
 
 double touching(const GridSpec& grid) {
   return 1e-6 * grid.cell_size;
+}
+
+std::vector<Face> cutting_faces(const Ball& ball, const GridSpec& grid) {
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const bool upper : {false, true}) {
+      const double place = (upper ? grid.upper : grid.lower)[i];
+      if (std::abs(ball.centre[i] - place) <= touching(grid))
+        faces.push_back(static_cast<Face>(2 * i + (upper ? 1 : 0)));
+    }
+  }
+  return faces;
 }
 
 Box box_around(const Shape& shape, const GridSpec& grid) {
@@ -52,7 +70,11 @@ Box box_around(const Shape& shape, const GridSpec& grid) {
     box.lower[i] = ball.centre[i] - ball.radius;
     box.upper[i] = ball.centre[i] + ball.radius;
   }
-  if (on_axis(ball, grid)) box.lower[0] = 0.0;
+  for (const Face face : cutting_faces(ball, grid)) {
+    const auto i = static_cast<std::size_t>(face) / 2;
+    const bool upper = static_cast<std::size_t>(face) % 2 == 1;
+    (upper ? box.upper : box.lower)[i] = (upper ? grid.upper : grid.lower)[i];
+  }
   return box;
 }
 
@@ -61,7 +83,8 @@ double area_of(const Shape& shape, const GridSpec& grid) {
     return (box->upper[0] - box->lower[0]) * (box->upper[1] - box->lower[1]);
   }
   const auto& ball = std::get<Ball>(shape);
-  return (on_axis(ball, grid) ? 0.5 : 1.0) * pi * ball.radius * ball.radius;
+  const double whole = pi * (ball.radius * ball.radius - ball.inner_radius * ball.inner_radius);
+  return std::ldexp(whole, -static_cast<int>(cutting_faces(ball, grid).size()));
 }
 
 bool overlap(const Shape& a, const Shape& b, const GridSpec& grid) {

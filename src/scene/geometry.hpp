@@ -5,13 +5,17 @@
 
 namespace barreno {
 
-/// The smallest box around a shape; a ball of axisymmetry counts from the axis outwards.
+/// Faces of the grid that go through a ball's centre: only the part inside is filled.
+std::vector<Face> cutting_faces(const Ball& ball, const GridSpec& grid);
+
+/// The smallest box around the part of a shape that is filled.
 Box box_around(const Shape& shape, const GridSpec& grid);
 
 /// Area in the plane that particles fill [length^2].
 double area_of(const Shape& shape, const GridSpec& grid);
 
-/// The shapes share more than a boundary; what is closer than a millionth of a cell touches.
+/// The shapes share more than a boundary (a ball's hollow is not part of it); what is closer than a
+/// millionth of a cell touches.
 bool overlap(const Shape& a, const Shape& b, const GridSpec& grid);
 
 /// The shape is inside the box of the grid, to a millionth of a cell.

@@ -36,9 +36,12 @@ struct MaterialSpec {
 struct Box {
   Vector lower{}, upper{};
 };
-struct Ball {  ///< a sphere in axisymmetry (centre on the axis), a disk in plane strain
+/// A sphere in axisymmetry (centre on the axis), a disk in plane strain. Faces of the grid that go
+/// through its centre cut it.
+struct Ball {
   Vector centre{};
   double radius = 0.0;
+  double inner_radius = 0.0;  ///< of its hollow; 0: solid
 };
 using Shape = std::variant<Box, Ball>;
 
@@ -51,6 +54,8 @@ struct BodySpec {
   double initial_pressure = 0.0;  ///< the body starts in equilibrium under this pressure [stress]
   /// Initial velocity v = amplitude * sin(wave_number . x): the standing wave of the bar tests.
   Vector velocity_wave_number{};  ///< all zero: uniform velocity [1/length]
+  /// Of a hollow ball's inner surface, outward; the field keeps every volume [length/time].
+  double radial_velocity = 0.0;
 };
 
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };

@@ -33,7 +33,7 @@ void check_shape_entries(
 }
 
 Box read_box(const Deck& deck, const std::string& path, Mode mode) {
-  check_shape_entries(deck, path, "box", {"Lower", "Upper"}, {"Centre", "Radius"});
+  check_shape_entries(deck, path, "box", {"Lower", "Upper"}, {"Centre", "Radius", "Inner Radius"});
   const Box box{vector_at(deck, path + "/Lower", mode), vector_at(deck, path + "/Upper", mode)};
   for (std::size_t i = 0; i < 2; ++i) {
     if (!(box.upper[i] > box.lower[i])) {
@@ -49,13 +49,41 @@ Box read_box(const Deck& deck, const std::string& path, Mode mode) {
 
 Ball read_ball(const Deck& deck, const std::string& path, Mode mode) {
   check_shape_entries(deck, path, "ball", {"Centre", "Radius"}, {"Lower", "Upper"});
-  const Ball ball{vector_at(deck, path + "/Centre", mode), deck.number(path + "/Radius")};
+  Ball ball{vector_at(deck, path + "/Centre", mode), deck.number(path + "/Radius")};
+  if (deck.has(path + "/Inner Radius")) ball.inner_radius = deck.number(path + "/Inner Radius");
+  if (!(ball.inner_radius < ball.radius)) {
+    deck.refuse_value(
+        path + "/Inner Radius", "is not below Radius (the body is empty); exchange the two"
+    );
+  }
   if (mode == Mode::axisymmetric && ball.centre[0] != 0.0) {
     deck.refuse_value(
         path + "/Centre", "is off the axis (the ball would be a ring); put it at x = 0"
     );
   }
   return ball;
+}
+
+/// The radial field is infinite at the centre: only a hollow ball can have it.
+void read_radial_velocity(const Deck& deck, const std::string& path, BodySpec& body) {
+  const std::string entry = path + "/Radial Velocity";
+  if (!deck.has(entry)) return;
+  const auto* ball = std::get_if<Ball>(&body.shape);
+  if (ball == nullptr || ball->inner_radius == 0.0) {
+    deck.refuse_value(
+        entry,
+        "has no meaning without Inner Radius (it is the velocity of a hollow ball's inner "
+        "surface); "
+        "remove it or make the body a ball with Inner Radius"
+    );
+  }
+  if (deck.has(path + "/Velocity Wave Number")) {
+    deck.refuse_value(
+        entry,
+        "cannot be joined with Velocity Wave Number (two fields of velocity); remove one of the two"
+    );
+  }
+  body.radial_velocity = deck.number(entry);
 }
 
 BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& grid) {
@@ -73,6 +101,7 @@ BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& gr
   if (deck.has(path + "/Velocity Wave Number")) {
     body.velocity_wave_number = vector_at(deck, path + "/Velocity Wave Number", grid.mode);
   }
+  read_radial_velocity(deck, path, body);
   if (!inside(body.shape, grid)) {
     deck.refuse(
         path,

@@ -60,6 +60,26 @@ void check_axis(const Deck& deck, const Scene& scene) {
   }
 }
 
+/// A face of the grid that cuts a ball mirrors it.
+void check_cut_balls(const Deck& deck, const Scene& scene) {
+  for (const BodySpec& body : scene.bodies) {
+    const auto* ball = std::get_if<Ball>(&body.shape);
+    if (ball == nullptr) continue;
+    for (const Face face : cutting_faces(*ball, scene.grid)) {
+      const ConditionSpec* condition = condition_on(scene, face);
+      if (condition != nullptr && condition->kind == ConditionKind::symmetry) continue;
+      const std::string& name = face_names[static_cast<std::size_t>(face)];
+      deck.refuse_value(
+          "Bodies/" + body.name + "/Centre",
+          "lies on " + name +
+              " of the grid, which cuts the ball (its other part can only be a "
+              "mirror image); add a condition of Kind symmetry on " +
+              name + " or enlarge Grid"
+      );
+    }
+  }
+}
+
 Table read_pressure(const Deck& deck, const std::string& path) {
   const bool constant = deck.has(path + "/Pressure");
   const bool times = deck.has(path + "/Times"), pressures = deck.has(path + "/Pressures");
@@ -183,6 +203,7 @@ void add_conditions(const Deck& deck, Scene& scene) {
     scene.conditions.push_back(condition);
   }
   check_axis(deck, scene);
+  check_cut_balls(deck, scene);
 }
 
 void add_loads(const Deck& deck, Scene& scene) {

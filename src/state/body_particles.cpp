@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/body_particles.hpp"
 
+#include "scene/geometry.hpp"
+#include "state/ball_piece.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -41,11 +44,7 @@ NewParticle make(
 
 struct Divisions {
   Division x, y;
-  double radius = -1.0;  ///< keep particles within this distance of the centre; < 0: all
-  double centre_x = 0.0, centre_y = 0.0;
-  bool holds(double px, double py) const {
-    return radius < 0.0 || std::hypot(px - centre_x, py - centre_y) < radius;
-  }
+  const Ball* ball = nullptr;  ///< fill only what is inside it
 };
 
 Divisions divide_body(const GridSpec& grid, const BodySpec& body) {
@@ -54,23 +53,33 @@ Divisions divide_body(const GridSpec& grid, const BodySpec& body) {
     return {
         divide(box->lower[0], box->upper[0], wanted, grid.cell_size),
         divide(box->lower[1], box->upper[1], wanted, grid.cell_size)};
-  const Ball& ball = std::get<Ball>(body.shape);
-  Divisions out;
-  out.radius = ball.radius;
-  out.centre_x = ball.centre[0];
-  out.centre_y = ball.centre[1];
-  // The lattice is the grid's own, so that particles sit in their cells alike everywhere.
-  const auto lattice = [&](int d, double centre) {
-    const auto axis = static_cast<std::size_t>(d);
-    const double from = std::max(centre - ball.radius, grid.lower[axis]);
-    const auto first = static_cast<long long>(std::floor((from - grid.lower[axis]) / wanted));
-    const auto last =
-        static_cast<long long>(std::ceil((centre + ball.radius - grid.lower[axis]) / wanted));
+  const Box around = box_around(body.shape, grid);
+  // The lattice is the grid's own, so that particles sit in their cells alike everywhere. A
+  // millionth of a particle is round-off of the deck's numbers.
+  const auto lattice = [&](std::size_t axis) {
+    const double from = (around.lower[axis] - grid.lower[axis]) / wanted;
+    const double to = (around.upper[axis] - grid.lower[axis]) / wanted;
+    const auto first = static_cast<long long>(std::floor(from + 1e-6));
+    const auto last = static_cast<long long>(std::ceil(to - 1e-6));
     return Division{grid.lower[axis] + static_cast<double>(first) * wanted, wanted, last - first};
   };
-  out.x = lattice(0, ball.centre[0]);
-  out.y = lattice(1, ball.centre[1]);
-  return out;
+  return {lattice(0), lattice(1), &std::get<Ball>(body.shape)};
+}
+
+/// The particle of one square of a ball's lattice; false if there is none. It stays a box of the
+/// whole square, at the centroid of what it holds: a smaller one would cost time steps.
+bool fill(
+    const GridSpec& grid, const Divisions& divisions, long long i, long long j, NewParticle& p
+) {
+  const Division &x = divisions.x, &y = divisions.y;
+  const Lattice lattice{{x.lower, y.lower}, x.size, {x.count, y.count}};
+  const Piece piece = ball_particle(*divisions.ball, lattice, i, j);
+  if (!(piece.area > 0.0)) return false;
+  p.x = piece.x;
+  p.y = piece.y;
+  p.volume = piece.area * (grid.mode == Mode::axisymmetric ? two_pi * piece.x : 1.0);
+  p.loaded_sides = 0;
+  return true;
 }
 
 /// Length of a slug at the material's own density.
@@ -100,7 +109,7 @@ void for_each_particle(
   for (long long j = 0; j < divisions.y.count; ++j)
     for (long long i = 0; i < divisions.x.count; ++i) {
       NewParticle p = make(grid, divisions.x, divisions.y, i, j);
-      if (!divisions.holds(p.x, p.y)) continue;
+      if (divisions.ball != nullptr && !fill(grid, divisions, i, j, p)) continue;
       p.id = id++;
       visit(p);
     }
@@ -119,7 +128,7 @@ void for_each_body_particle(
 
 long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
   const Divisions divisions = divide_body(grid, body);
-  if (divisions.radius < 0.0) return divisions.x.count * divisions.y.count;
+  if (divisions.ball == nullptr) return divisions.x.count * divisions.y.count;
   long long count = 0;
   for_each_particle(grid, divisions, 0, [&](const NewParticle&) { ++count; });
   return count;

@@ -27,12 +27,25 @@ double loaded_faces(const Scene& scene, int body, unsigned sides) {
   return bits;
 }
 
-void velocity_at(const BodySpec& body, double x, double y, double (&velocity)[2]) {
+/// v (a / r)^2 outwards, v (a / r) in plane strain: div v = 0.
+void add_radial_velocity(
+    Mode mode, const BodySpec& body, double x, double y, double (&velocity)[2]
+) {
+  const Ball& ball = std::get<Ball>(body.shape);
+  const double dx = x - ball.centre[0], dy = y - ball.centre[1];
+  const double r = std::hypot(dx, dy), ratio = ball.inner_radius / r;
+  const double speed = body.radial_velocity * (mode == Mode::axisymmetric ? ratio * ratio : ratio);
+  velocity[0] += speed * dx / r;
+  velocity[1] += speed * dy / r;
+}
+
+void velocity_at(Mode mode, const BodySpec& body, double x, double y, double (&velocity)[2]) {
   const Vector& k = body.velocity_wave_number;
   const bool wave = k[0] != 0.0 || k[1] != 0.0;
   const double shape = wave ? std::sin(k[0] * x + k[1] * y) : 1.0;
   velocity[0] = body.velocity[0] * shape;
   velocity[1] = body.velocity[1] * shape;
+  if (body.radial_velocity != 0.0) add_radial_velocity(mode, body, x, y, velocity);
 }
 
 /// Particles per tile of the box, found by every rank for itself.
@@ -161,7 +174,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     for_each_body_particle(scene.grid, body, first[b], [&](const NewParticle& made) {
       if (owner_of(state.grid, made.x, made.y) != comm->getRank()) return;
       double velocity[2] = {};
-      velocity_at(body, made.x, made.y, velocity);
+      velocity_at(scene.grid.mode, body, made.x, made.y, velocity);
       add_particle(
           scene, particles, made, static_cast<unsigned>(b), body.initial_pressure, velocity
       );

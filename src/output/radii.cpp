@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/radii.hpp"
+
+#include "base/region.hpp"
+#include "output/particle_fields.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+const Ball& ball_of(const Scene& scene, int body) {
+  return std::get<Ball>(scene.bodies[static_cast<std::size_t>(body)].shape);
+}
+
+double power_of(Mode mode, double r) {
+  return mode == Mode::axisymmetric ? r * r * r : r * r;
+}
+double root_of(Mode mode, double power) {
+  const double positive = std::max(0.0, power);
+  return mode == Mode::axisymmetric ? std::cbrt(positive) : std::sqrt(positive);
+}
+
+/// A body's name as part of a column's.
+std::string column_of(std::string name) {
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+}
+
+}  // namespace
+
+std::vector<int> hollow_balls(const Scene& scene) {
+  std::vector<int> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto* ball = std::get_if<Ball>(&scene.bodies[b].shape);
+    if (ball != nullptr && ball->inner_radius > 0.0) bodies.push_back(static_cast<int>(b));
+  }
+  return bodies;
+}
+
+std::vector<RadialMoment> radial_moments(
+    const Scene& scene, const State& state, const std::vector<int>& bodies
+) {
+  std::vector<double> sums(3 * bodies.size(), 0.0);
+  for (const Particles& set : state.particles) {
+    const HostParticles particles(set);
+    for (int p = 0; p < particles.count; ++p) {
+      const int body = particles.body(p) & ~held_bit;
+      const auto found = std::find(bodies.begin(), bodies.end(), body);
+      if (found == bodies.end()) continue;
+      const Vector& centre = ball_of(scene, body).centre;
+      const double r =
+          std::hypot(particles.position(p, 0) - centre[0], particles.position(p, 1) - centre[1]);
+      double* const sum = &sums[3 * static_cast<std::size_t>(found - bodies.begin())];
+      sum[0] += particles.mass(p, 0);
+      sum[1] += particles.mass(p, 0) * power_of(scene.grid.mode, r);
+      sum[2] += particles.volume(p, 0);
+    }
+  }
+  sum_over_ranks(*state.grid.comm, sums);
+  std::vector<RadialMoment> moments;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    moments.push_back({sums[3 * i], sums[3 * i + 1] / sums[3 * i], sums[3 * i + 2]});
+  return moments;
+}
+
+RadiiWriter::RadiiWriter(const Scene& scene, const State& state, const std::filesystem::path& path)
+    : bodies_(hollow_balls(scene)), start_(radial_moments(scene, state, bodies_)) {
+  std::string header = "time";
+  for (const int body : bodies_) {
+    const std::string name = column_of(scene.bodies[static_cast<std::size_t>(body)].name);
+    header += "," + name + "_inner_radius," + name + "_outer_radius";
+  }
+  RootWork work(*state.grid.comm);
+  work.run([&] {
+    file_ = std::make_unique<LineFile>(path);
+    file_->append(
+        "# SI units: time s; radii m, of hollow balls, from the mass average of r^3 (plane strain: "
+        "r^2) and the volume of their particles"
+    );
+    file_->append(header);
+  });
+  work.agree();
+}
+
+void RadiiWriter::write(const Scene& scene, const State& state) {
+  const Region region("write_radii");
+  const std::vector<RadialMoment> now = radial_moments(scene, state, bodies_);
+  const Mode mode = scene.grid.mode;
+  std::vector<double> row{state.clock.time};
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Ball& ball = ball_of(scene, bodies_[i]);
+    const double inner = power_of(mode, ball.inner_radius), outer = power_of(mode, ball.radius);
+    const double moved = now[i].mean_power - start_[i].mean_power;
+    const double swollen = 0.5 * (outer - inner) * (now[i].volume / start_[i].volume - 1.0);
+    row.push_back(root_of(mode, inner + moved - swollen));
+    row.push_back(root_of(mode, outer + moved + swollen));
+  }
+  RootWork work(*state.grid.comm);
+  work.run([&] { file_->append(csv_line(row)); });
+  work.agree();
+}
+
+}  // namespace barreno

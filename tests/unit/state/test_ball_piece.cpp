@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "state/ball_piece.hpp"
+#include "state/body_particles.hpp"
+#include "support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace barreno {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Counted on a fine raster of points.
+Piece counted(const Ball& ball, const Box& box) {
+  constexpr int n = 2000;
+  Piece sum;
+  const double dx = (box.upper[0] - box.lower[0]) / n, dy = (box.upper[1] - box.lower[1]) / n;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double x = box.lower[0] + (i + 0.5) * dx, y = box.lower[1] + (j + 0.5) * dy;
+      const double r = std::hypot(x - ball.centre[0], y - ball.centre[1]);
+      if (r >= ball.radius || r <= ball.inner_radius) continue;
+      sum.area += dx * dy;
+      sum.x += x * dx * dy;
+      sum.y += y * dx * dy;
+    }
+  if (sum.area > 0.0) sum = {sum.area, sum.x / sum.area, sum.y / sum.area};
+  return sum;
+}
+
+TEST(PieceOfBall, IsWhatACountOfPointsFinds) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-2.0, 2.0), edge(0.1, 3.0);
+  int cut = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Ball ball{{0.3, -0.2, 0.0}, 1.5, 0.7};
+    const Vector lower{place(random), place(random), 0.0};
+    const Box box{lower, {lower[0] + edge(random), lower[1] + edge(random), 0.0}};
+    const Piece exact = piece_of_ball(ball, box), count = counted(ball, box);
+    const double whole = (box.upper[0] - lower[0]) * (box.upper[1] - lower[1]);
+    EXPECT_NEAR(exact.area, count.area, 1e-3 * whole);
+    if (!(count.area > 0.01 * whole)) continue;
+    ++cut;
+    EXPECT_NEAR(exact.x, count.x, 3e-3);
+    EXPECT_NEAR(exact.y, count.y, 3e-3);
+  }
+  EXPECT_GT(cut, 15);
+}
+
+TEST(PieceOfBall, OfABoxAroundIsTheWholeAndOfOneBesideIsNothing) {
+  const Ball ball{{1.0, 2.0, 0.0}, 0.5, 0.2};
+  const Piece whole = piece_of_ball(ball, {{0.0, 0.0, 0.0}, {3.0, 3.0, 0.0}});
+  EXPECT_NEAR(whole.area, pi * (0.25 - 0.04), 1e-14);
+  EXPECT_NEAR(whole.x, 1.0, 1e-14);
+  EXPECT_NEAR(whole.y, 2.0, 1e-14);
+  EXPECT_EQ(piece_of_ball(ball, {{2.0, 2.0, 0.0}, {3.0, 3.0, 0.0}}).area, 0.0);
+  EXPECT_EQ(piece_of_ball(ball, {{0.95, 1.95, 0.0}, {1.05, 2.05, 0.0}}).area, 0.0);
+}
+
+/// A quarter of a hollow ball in cells of size h, centre in the corner of the grid.
+Scene quarter(Mode mode, double h, int particles_per_cell) {
+  Scene scene =
+      testing::box_scene(mode, h, {}, {40.0 * h, 40.0 * h, 0.0}, testing::elastic(1e9, 0.3, 1e3));
+  BodySpec body;
+  body.name = "Shell";
+  body.shape = Ball{{}, 34.2 * h, 19.7 * h};
+  body.particles_per_cell = particles_per_cell;
+  body.radial_velocity = -3.0;
+  scene.bodies.push_back(body);
+  return scene;
+}
+
+TEST(HollowBall, HasTheVolumeOfTheSphereExactlyAndNoSlivers) {
+  for (const int per_cell : {1, 2, 3}) {
+    constexpr double h = 1e-3;
+    const Scene scene = quarter(Mode::axisymmetric, h, per_cell);
+    double volume = 0.0, smallest = 1.0;
+    long long count = 0;
+    for_each_body_particle(scene.grid, scene.bodies[0], 1, [&](const NewParticle& p) {
+      volume += p.volume;
+      smallest = std::min(smallest, p.volume / (8.0 * pi * p.x * p.half_x * p.half_y));
+      ++count;
+    });
+    const double exact = 2.0 * pi / 3.0 * (std::pow(34.2 * h, 3) - std::pow(19.7 * h, 3));
+    EXPECT_NEAR(volume / exact, 1.0, 1e-12);
+    EXPECT_GE(smallest, 0.24);
+    EXPECT_EQ(count, count_body_particles(scene.grid, scene.bodies[0]));
+  }
+}
+
+TEST(HollowBall, HasTheAreaOfTheDiskInPlaneStrain) {
+  const Scene scene = quarter(Mode::plane_strain, 1e-3, 2);
+  double area = 0.0;
+  for_each_body_particle(scene.grid, scene.bodies[0], 1, [&](const NewParticle& p) {
+    area += p.volume;
+  });
+  EXPECT_NEAR(area / (0.25 * pi * (34.2 * 34.2 - 19.7 * 19.7) * 1e-6), 1.0, 1e-12);
+}
+
+TEST(HollowBall, StartsWithTheVelocityThatKeepsVolumes) {
+  for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain}) {
+    const Scene scene = quarter(mode, 1e-3, 2);
+    for (const auto& row : testing::all_rows(testing::start_alone(scene))) {
+      const double r = std::hypot(row[0], row[1]), ratio = 19.7e-3 / r;
+      const double speed = -3.0 * (mode == Mode::axisymmetric ? ratio * ratio : ratio);
+      EXPECT_NEAR(row[2], speed * row[0] / r, 1e-12);
+      EXPECT_NEAR(row[3], speed * row[1] / r, 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace barreno
