@@ -39,7 +39,9 @@ double fastest(const Scene& scene, int material) {
   double speed = 0.0;
   for (const BodySpec& body : scene.bodies)
     if (body.material == material)
-      speed = std::max(speed, std::hypot(body.velocity[0], body.velocity[1]));
+      speed = std::max(
+          speed, std::hypot(body.velocity[0], body.velocity[1]) + std::abs(body.radial_velocity)
+      );
   if (scene.jet.present && scene.jet.material == material)
     for (const JetSlug& slug : scene.jet.slugs) speed = std::max(speed, slug.velocity);
   return speed;

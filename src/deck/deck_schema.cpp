@@ -71,7 +71,8 @@ Section bodies_section() {
            "Radial Velocity",
            dim::velocity,
            any(),
-           "of a hollow ball's inner surface, outward; falls with the distance as (Inner Radius / "
+           "of a hollow ball's inner surface, outward, added to Velocity; falls with the distance "
+           "as (Inner Radius / "
            "r)^2, in plane strain (Inner Radius / r), so that no volume changes"
        )
            .if_given()},

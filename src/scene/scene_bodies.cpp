@@ -53,7 +53,7 @@ Ball read_ball(const Deck& deck, const std::string& path, Mode mode) {
   if (deck.has(path + "/Inner Radius")) ball.inner_radius = deck.number(path + "/Inner Radius");
   if (!(ball.inner_radius < ball.radius)) {
     deck.refuse_value(
-        path + "/Inner Radius", "is not below Radius (the body is empty); exchange the two"
+        path + "/Inner Radius", "is not below Radius (the body is empty); make it smaller"
     );
   }
   if (mode == Mode::axisymmetric && ball.centre[0] != 0.0) {
