@@ -144,7 +144,7 @@ def compressible():
 
     def inner(ratio, cells):
         history = CompressibleShell(coasting, ratio * 15e9, cells).history(coasting.stop_time)
-        return np.interp(times, history[0], history[3])
+        return np.interp(times, history[0], history[1])
 
     coarse, middle, fine = (inner(20.0, cells) for cells in (50, 100, 200))
     order = math.log2(np.max(np.abs(coarse - middle)) / np.max(np.abs(middle - fine)))

@@ -89,6 +89,7 @@ class CompressibleShell:
         speed = math.sqrt((bulk_modulus + 4.0 / 3.0 * self.shell.shear_modulus) / coasting.density)
         self.dt = 0.4 * (coasting.b0 - coasting.a0) / cells / speed
         self.time = 0.0
+        self.a0, self.matrix, self.mean_cube0 = coasting.a0, coasting.matrix, self.mean_cube()
 
     def volumes(self):
         return 4.0 * math.pi / 3.0 * np.diff(self.r**3)
@@ -115,19 +116,29 @@ class CompressibleShell:
         self.r = self.r + self.dt * self.v
         self.time += self.dt
 
+    def profile(self):
+        """(radius, pressure) of the cells."""
+        radius = np.cbrt(0.5 * (self.r[1:] ** 3 + self.r[:-1] ** 3))
+        return radius, -self.bulk * np.log(self.volumes() / self.volume0)
+
+    def mean_radius(self):
+        """Inner radius from the mean of r^3 and the volume, as radii.csv has it (src/output/radii.hpp)."""
+        volume = float(self.r[-1] ** 3 - self.r[0] ** 3)
+        return np.cbrt(self.a0**3 + self.mean_cube() - self.mean_cube0 - 0.5 * (volume - self.matrix))
+
     def mean_cube(self):
-        """Mass average of r^3: its change is that of a^3 in an incompressible shell, up to G/K in this one."""
+        """Mass average of r^3."""
         cube = 0.5 * (self.r[1:] ** 3 + self.r[:-1] ** 3)
         return float(np.sum(self.cell_mass * cube) / np.sum(self.cell_mass))
 
+    def kinetic(self):
+        """Of the last half step [J]."""
+        return 0.5 * float(np.sum(self.mass * self.v**2))
+
     def history(self, end):
-        """Columns time, change of the mean of r^3, kinetic energy, inner and outer radius; a row per step."""
-        rows, start = [], self.mean_cube()
-        rows.append((0.0, 0.0, 0.5 * float(np.sum(self.mass * self.v**2)), self.r[0], self.r[-1]))
+        """Columns time, inner radius, the same from the mean of r^3, kinetic energy; a row per step."""
+        rows = [(self.time, self.r[0], self.mean_radius(), self.kinetic())]
         while self.time < end:
-            before = self.v
             self.step()
-            # Kinetic energy belongs to the half step; the mean of two half steps' velocities would be that of n.
-            kinetic = 0.5 * float(np.sum(self.mass * self.v**2))
-            rows.append((self.time, self.mean_cube() - start, kinetic, self.r[0], self.r[-1]))
+            rows.append((self.time, self.r[0], self.mean_radius(), self.kinetic()))
         return np.array(rows).T
