@@ -1,0 +1,201 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arenisca under hydrostatic load against the thick spherical shell whose matrix and pores it stands for.
+
+    shell_material.py [PNG]     draw load and unload of both, and Arenisca's meridian (docs/pictures/shell_and_arenisca.png)
+
+Nothing is fitted. With y = p3 + ev_p the fully plastic shell has I1 = 2Y ln(1 - exp(-y)), Arenisca's crush curve
+I1 = p0 + ln(y/p3)/p1; they agree to first order in the porosity for p3 = -ln(1 - phi0), p1 = 1/2Y, p0 = 2Y ln p3, and
+at the start for p0 = 2Y ln phi0. B0 is the shell's first elastic modulus, the solid is incompressible. What is left is a
+figure of the model, not an error of the code: the code and the oracle must both find it.
+"""
+import dataclasses
+import math
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / "tools"), str(HERE.parent / "oracles")]
+import carroll_holt as ch  # noqa: E402
+from arenisca_paths import hydrostatic  # noqa: E402
+from arenisca_reference import Arenisca  # noqa: E402
+from case import Result  # noqa: E402
+from drive import drive, knows  # noqa: E402
+from runs import mpi_environment  # noqa: E402
+from scipy.special import lambertw  # noqa: E402
+
+PICTURE = HERE.parents[1] / "docs" / "pictures" / "shell_and_arenisca.png"
+STRENGTH, SHEAR, FLUID, DEEPEST = 300e6, 15e9, 2.2e9, -0.12
+STIFF = 1e16  # modulus of the solid: incompressible
+
+
+@dataclasses.dataclass(frozen=True)
+class Variant:
+    """A form of the model; the published figures are of a third program (event-driven integration)."""
+
+    name: str
+    fluid: float  # bulk modulus [Pa]
+    backstress: str  # the strain that the backstress counts from
+    published: dict  # by crush curve: pressure error at the deepest strain over the shell's
+
+
+VARIANTS = [
+    Variant("drained", 0.0, "", {"2Y ln p3": -0.0445684, "2Y ln phi0": 0.0015142}),
+    Variant("undrained", FLUID, "elastic centre", {"2Y ln p3": -0.0156, "2Y ln phi0": -0.0067}),
+    Variant("undrained, published form", FLUID, "plastic", {"2Y ln p3": -0.1611107, "2Y ln phi0": -0.1516217}),
+]
+CRUSH_CURVES = ("2Y ln p3", "2Y ln phi0")
+
+
+def parameters(curve, variant, porosity=0.2, shear=SHEAR):
+    """Arenisca's parameters for a shell; PEAKI1 and FSLOPE do not matter under hydrostatic compression."""
+    p3 = -math.log1p(-porosity)
+    p0 = 2.0 * STRENGTH * math.log(p3 if curve == "2Y ln p3" else porosity)
+    modulus = 4.0 / 3.0 * shear * (1.0 - porosity) / porosity
+    card = {"PEAKI1": -p0, "FSLOPE": 0.3, "B0": modulus, "G0": shear, "p0_crush_curve": p0,
+            "p1_crush_curve": 1.0 / (2.0 * STRENGTH), "p3_crush_curve": p3}  # fmt: skip
+    if variant.fluid > 0.0:
+        card.update({"fluid_B0": variant.fluid, "Matrix bulk modulus": STIFF, "Backstress strain": variant.backstress})
+    return card
+
+
+def strains(deepest=DEEPEST):
+    return deepest * (np.arange(1, 241) / 240.0)
+
+
+def shell_pressure(variant, at, porosity=0.2, shear=SHEAR):
+    shell = ch.Shell(porosity=porosity, shear_modulus=shear, strength=STRENGTH, fluid_modulus=variant.fluid)
+    rows = ch.curve(shell, list(at), float(at[-1]) - 1.0)
+    return np.array([effective + fluid for _, _, _, effective, fluid in rows])
+
+
+def drained_pressure(card, at):
+    """Arenisca's own answer in closed form: I1 = 3 K (e - p3 (exp(p1 (I1 - p0)) - 1)) beyond crushing at p0."""
+    modulus, p0, p1, p3 = (card[n] for n in ("B0", "p0_crush_curve", "p1_crush_curve", "p3_crush_curve"))
+    a = 3.0 * modulus * p1 * (at + p3 - p0 / (3.0 * modulus))
+    crushed = p0 + (a - lambertw(3.0 * modulus * p1 * p3 * np.exp(a)).real) / p1
+    return -np.where(3.0 * modulus * at > p0, 3.0 * modulus * at, crushed) / 3.0
+
+
+def oracle_pressure(card, at):
+    states = hydrostatic(Arenisca(card), list(at), 1)
+    return np.array([-float(state.stress[:3].sum()) / 3.0 for state in states])
+
+
+def code_pressure(barreno, card, at):
+    """The library's answer; None if this build has no `drive`, or no such parameter."""
+    commands = subprocess.run([barreno, "--help"], env=mpi_environment(), capture_output=True, text=True).stdout
+    if "barreno drive" not in commands or not all(knows(barreno, "Arenisca", name) for name in card):
+        return None
+    rows = [(float(i), np.eye(3) * math.exp(e / 3.0)) for i, e in enumerate([0.0, *at])]
+    table = drive(barreno, "Arenisca", card, rows, steps=2)
+    return -(table["stress_xx"] + table["stress_yy"] + table["stress_zz"])[1:] / 3.0
+
+
+def compare(barreno, curve, variant, result):
+    at, card = strains(), parameters(curve, variant)
+    exact, oracle = shell_pressure(variant, at), oracle_pressure(card, at)
+    error = (oracle - exact) / exact[-1]
+    code = code_pressure(barreno, card, at)
+    apart = "not in this build" if code is None else float(np.max(np.abs(code - oracle)) / exact[-1])
+    worst = int(np.argmax(np.abs(error)))
+    l2 = float(np.linalg.norm(oracle - exact) / np.linalg.norm(exact))
+    result.rows.append([variant.name, curve, abs(error[worst]), at[worst], l2, error[-1], apart])
+    name = f"{variant.name}, p0 = {curve}"
+    result.demand(f"{name}: oracle against the published figure", abs(error[-1] - variant.published[curve]), 1e-3)
+    if code is not None:
+        result.demand(f"{name}: code against oracle, over the largest pressure", apart, 1e-3)
+    if variant.fluid == 0.0:
+        closed = drained_pressure(card, at)
+        result.demand(f"{name}: oracle against the closed form", float(np.max(np.abs(oracle - closed))) / exact[-1], 1e-6)
+        if code is not None:
+            result.demand(f"{name}: code against the closed form", float(np.max(np.abs(code - closed))) / exact[-1], 1e-6)
+
+
+def porosity_order(result):
+    """The calibration is of first order in the porosity; loads to 0.54 of full collapse, all but rigid before yield."""
+    variant, errors, rigid = VARIANTS[0], [], 1e4 * SHEAR
+    for porosity in (0.1, 0.05, 0.025):
+        at = strains(0.54 * math.log1p(-porosity))
+        oracle = oracle_pressure(parameters("2Y ln p3", variant, porosity, rigid), at)
+        errors.append(abs(oracle[-1] - shell_pressure(variant, at, porosity, rigid)[-1]) / STRENGTH)
+    rate = math.log2(errors[-2] / errors[-1])
+    result.demand("drained, p0 = 2Y ln p3: order in the porosity less 1", abs(rate - 1.0), 0.1)
+
+
+def run(barreno, full):
+    result = Result(
+        "Arenisca against the spherical shell, material point",
+        "A porous rock with the shell's own parameters, nothing fitted: what the continuum model makes of the shell.",
+        "Carroll and Holt's shell (`verification/oracles/carroll_holt.py`), load to a volume strain of -0.12; Y = 300 MPa, "
+        "G = 15 GPa, porosity 0.2, fluid 2.2 GPa. Errors over the shell's largest pressure.",
+        ["form", "p0", "largest error", "at strain", "L2 error", "error at -0.12", "code against oracle"],
+        [],
+    )  # fmt: skip
+    for variant in VARIANTS:
+        for curve in CRUSH_CURVES:
+            compare(barreno, curve, variant, result)
+    porosity_order(result)
+    result.notes = "![load and unload](pictures/shell_and_arenisca.png)"
+    return result
+
+
+def draw_response(axes):
+    """The paper's figure 4, left: the shell's load and unload, and Arenisca's with the same parameters."""
+    variant, shell = VARIANTS[1], ch.Shell(fluid_modulus=FLUID)
+    back = np.linspace(DEEPEST, -0.02, 201)[1:]
+    at = [0.0, *strains(), *back]
+    rows = ch.curve(shell, at, DEEPEST)
+    effective, fluid = (np.array([row[k] for row in rows]) / 1e6 for k in (3, 4))
+    x = -np.array(at)
+    axes.plot(x, effective + fluid, "k", label="shell with fluid")
+    axes.plot(x, effective, "0.55", label="shell, drained")
+    axes.plot(x, fluid, "C0:", label="fluid in its pore")
+    axes.plot(x, np.append(0.0, oracle_pressure(parameters("2Y ln phi0", variant), at[1:])) / 1e6, "C3--", label="Arenisca with fluid")
+    centre = ch.elastic_centre(shell, ch.distension(shell, DEEPEST))
+    place, pressure = -ch.strain_of(shell, centre), ch.fluid_pressure(shell, centre) / 1e6
+    axes.plot(place, pressure, "ko", ms=5)
+    axes.annotate("elastic centre,\n$P = -\\zeta/3$", (place, pressure), (0.066, 1750), arrowprops={"arrowstyle": "-", "lw": 0.6})
+    axes.axhline(0.0, color="k", lw=0.5)
+    axes.set_xlabel("volume strain, compression")
+    axes.set_ylabel("pressure [MPa]")
+    axes.legend(fontsize=8, loc="upper left")
+    axes.set_title("Hydrostatic load and unload", fontsize=10)
+
+
+def draw_meridian(axes):
+    """The same, right: Arenisca's yield surface before and after."""
+    model = Arenisca(parameters("2Y ln phi0", VARIANTS[1]))
+    before, after = model.initial(), hydrostatic(model, list(strains()), 1)[-1]
+    for state, colour, name in ((before, "0.5", "initial"), (after, "C3", "compressed to $-0.12$")):
+        surface, zeta = model.laws.surface(state.e), model.zeta(state)
+        x = surface.X + (surface.P - surface.X) * 0.5 * (1.0 - np.cos(np.linspace(0.0, math.pi, 400)))
+        axes.plot((x + zeta) / 1e9, [max(0.0, surface.strength(v)) / 1e9 for v in x], color=colour, label=name)
+        axes.plot(zeta / 1e9, 0.0, "o", color=colour, ms=5)
+        axes.annotate("$\\zeta$", (zeta / 1e9, 0.0), (0, 6), textcoords="offset points", ha="center")
+        axes.annotate("$\\zeta + X$", ((zeta + surface.X) / 1e9, 0.0), (6, 6), textcoords="offset points", ha="left")
+    axes.set_xlabel("$I_1$ [GPa], tension positive")
+    axes.set_ylabel("$\\sqrt{J_2}$ [GPa]")
+    axes.set_ylim(bottom=0.0)
+    axes.legend(fontsize=8)
+    axes.set_title("Arenisca's meridian", fontsize=10)
+
+
+def draw(file):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 3.8), layout="constrained")
+    draw_response(left)
+    draw_meridian(right)
+    pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(file, dpi=100)
+
+
+if __name__ == "__main__":
+    draw(sys.argv[1] if len(sys.argv) > 1 else PICTURE)
