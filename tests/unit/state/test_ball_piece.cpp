@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scene/geometry.hpp"
 #include "state/ball_piece.hpp"
 #include "state/body_particles.hpp"
 #include "support/scenes.hpp"
@@ -89,6 +90,18 @@ TEST(HollowBall, HasTheVolumeOfTheSphereExactlyAndNoSlivers) {
     EXPECT_GE(smallest, 0.24);
     EXPECT_EQ(count, count_body_particles(scene.grid, scene.bodies[0]));
   }
+}
+
+TEST(HollowBall, LeavesRoomInItsHollow) {
+  const GridSpec grid{Mode::plane_strain, {-10.0, -10.0, 0.0}, {10.0, 10.0, 0.0}, 1.0};
+  const Shape shell = Ball{{0.0, 0.0, 0.0}, 5.0, 3.0};
+  EXPECT_FALSE(overlap(shell, Ball{{0.0, 0.0, 0.0}, 3.0}, grid));
+  EXPECT_FALSE(overlap(Ball{{1.0, 0.0, 0.0}, 1.9}, shell, grid));
+  EXPECT_TRUE(overlap(shell, Ball{{1.5, 0.0, 0.0}, 1.9}, grid));
+  EXPECT_FALSE(overlap(shell, Box{{-2.0, -2.0, 0.0}, {2.0, 2.0, 0.0}}, grid));
+  EXPECT_TRUE(overlap(shell, Box{{-2.0, -2.0, 0.0}, {2.5, 2.0, 0.0}}, grid));
+  EXPECT_TRUE(overlap(shell, Box{{2.0, -1.0, 0.0}, {4.0, 1.0, 0.0}}, grid));
+  EXPECT_TRUE(overlap(Ball{{0.0, 0.0, 0.0}, 3.0}, Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}}, grid));
 }
 
 TEST(HollowBall, HasTheAreaOfTheDiskInPlaneStrain) {
