@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
 #include "scene/geometry.hpp"
 #include "state/ball_piece.hpp"
 #include "state/body_particles.hpp"
@@ -11,8 +12,6 @@
 
 namespace barreno {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Counted on a fine raster of points.
 Piece counted(const Ball& ball, const Box& box) {
