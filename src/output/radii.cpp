@@ -72,7 +72,8 @@ RadiiWriter::RadiiWriter(const Scene& scene, const State& state, const std::file
   std::string header = "time";
   for (const int body : bodies_) {
     const std::string name = column_of(scene.bodies[static_cast<std::size_t>(body)].name);
-    header += "," + name + "_inner_radius," + name + "_outer_radius";
+    for (const char* radius : {"_inner_radius", "_outer_radius"})
+      header.append(",").append(name).append(radius);
   }
   RootWork work(*state.grid.comm);
   work.run([&] {

@@ -69,13 +69,13 @@ void check_cut_balls(const Deck& deck, const Scene& scene) {
       const ConditionSpec* condition = condition_on(scene, face);
       if (condition != nullptr && condition->kind == ConditionKind::symmetry) continue;
       const std::string& name = face_names[static_cast<std::size_t>(face)];
-      deck.refuse_value(
-          "Bodies/" + body.name + "/Centre",
-          "lies on " + name +
-              " of the grid, which cuts the ball (its other part can only be a "
-              "mirror image); add a condition of Kind symmetry on " +
-              name + " or enlarge Grid"
-      );
+      std::string problem = "lies on ";
+      problem.append(name)
+          .append(" of the grid, which cuts the ball (its other part can only be a mirror image); ")
+          .append("add a condition of Kind symmetry on ")
+          .append(name)
+          .append(" or enlarge Grid");
+      deck.refuse_value("Bodies/" + body.name + "/Centre", problem);
     }
   }
 }
