@@ -171,6 +171,7 @@ void Output::Parts::watch_ledger(const Ledger& ledger, double time) {
         ledger.removed[cause].count
     );
   warn("particles held as debris", watched.held, ledger.held);
+  warn("particles torn off loaded surfaces", watched.unloaded, ledger.unloaded);
   warn("steps retried with a smaller dt", watched.retried_steps, ledger.retried_steps);
   watched = ledger;
 }

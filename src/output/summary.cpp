@@ -201,6 +201,7 @@ std::string summary_text(
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
   put_removed(json, totals.ledger);
   json.number("held_particles", totals.ledger.held);
+  json.number("unloaded_particles", totals.ledger.unloaded);
   json.number("retried_steps", totals.ledger.retried_steps);
   json.begin_object("warnings");
   for (const auto& [kind, count] : summary.warnings) json.integer(kind, count);

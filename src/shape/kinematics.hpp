@@ -42,6 +42,15 @@ KOKKOS_INLINE_FUNCTION PlaneTensor load_plane_tensor(const FieldView& v, int p) 
   return f;
 }
 
+/// Largest singular value of F: by how much the most stretched direction has grown.
+KOKKOS_INLINE_FUNCTION double largest_stretch(const PlaneTensor& f) {
+  const double sum = 0.5 * (f.xx * f.xx + f.xy * f.xy + f.yx * f.yx + f.yy * f.yy);
+  const double det = f.xx * f.yy - f.xy * f.yx;
+  const double root = std::sqrt(std::fabs(sum * sum - det * det));  // >= 0 but for round-off
+  const double in_plane = std::sqrt(sum + root);
+  return in_plane > f.zz ? in_plane : f.zz;
+}
+
 /// Rotation of a plane, stored as cosine and sine.
 struct PlaneRotation {
   double c = 1.0, s = 0.0;

@@ -41,6 +41,7 @@ struct Ledger {
   double load_impulse = 0.0;       ///< axial impulse of the loads
   std::array<RemovalTally, removal_causes> removed{};
   double held = 0.0;           ///< particles that became stress-free debris
+  double unloaded = 0.0;       ///< particles whose loaded faces were torn off
   double retried_steps = 0.0;  ///< the same on every rank
 };
 
