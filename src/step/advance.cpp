@@ -143,7 +143,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   double dt = agree_on_step(scene, next_time, placement, state);  // the one reduction
   place_particles(scene, placement, state);                       // ranks, tiles, order
 
-  project_sets(scene, state);   // m, p, f                           (2.1-2.3)
+  project_sets(scene, state);  // m, p, f                           (2.1-2.3)
   release_torn_faces(scene, state);
   project_loads(scene, state);  // pressure on faces                 (2.4)
   exchange_halo(grid, nodes.sums, patch_size * sum_components);

@@ -14,8 +14,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECKS = ROOT / "input_xml"
 
 
-def mpi_environment():
-    """Open MPI as root, unbound, more ranks than cores allowed, waiting ranks giving way."""
+def mpi_environment(ranks=1):
+    """Open MPI as root, unbound, more ranks than cores allowed; waiting ranks give way (unless told otherwise, if there are
+    cores for all)."""
     environment = dict(os.environ)
     environment.update(
         OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -23,8 +24,10 @@ def mpi_environment():
         OMPI_MCA_rmaps_base_oversubscribe="1",
         OMPI_MCA_hwloc_base_binding_policy="none",
         OMPI_MCA_btl_vader_single_copy_mechanism="none",
-        OMPI_MCA_mpi_yield_when_idle="1",
     )
+    if ranks > os.cpu_count():
+        environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
+    environment.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
     return environment
 
 
@@ -83,7 +86,7 @@ def run_deck(barreno, deck, settings=None, ranks=1, folder=None):
         command += ["--set", f"{path}={value}"]
     if ranks > 1:
         command = ["mpirun", "--quiet", "-n", str(ranks)] + command
-    result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True)
+    result = subprocess.run(command, env=mpi_environment(ranks), capture_output=True, text=True)
     if result.returncode != 0:
         raise RuntimeError(f"{' '.join(command)} ended with {result.returncode}: {result.stderr.strip()}")
     return Run(folder)
