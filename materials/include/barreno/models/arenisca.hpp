@@ -35,9 +35,11 @@ struct Arenisca {
     int return_solver;
   };
   /// The cap's place X is a function of plastic_volume_strain and not stored.
-  struct History {
-    double plastic_volume_strain = 0.0, equivalent_plastic_strain = 0.0;
+  template <class R>
+  struct HistoryOf {
+    R plastic_volume_strain{}, equivalent_plastic_strain{};
   };
+  using History = HistoryOf<double>;
   static constexpr int history_count = 2;
 
   static ParameterTable<Parameters> parameter_table();
@@ -97,6 +99,13 @@ struct Arenisca {
     outcome.plastic_work *= mean_ratio;
     return outcome;
   }
+
+  /// update() of one or several points at once, by the fast return; agrees with it to 1e-9 of the
+  /// larger of strength and trial stress. Defined in arenisca_update.hpp.
+  template <class R>
+  BARRENO_FUNCTION PointsOutcome<R> update_points(
+      const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
+  ) const;
 
   /// Bound on K + 4G/3 over all reachable states [stress].
   BARRENO_FUNCTION double longitudinal_modulus() const {
@@ -398,3 +407,5 @@ inline std::string Arenisca::check(const Parameters& p, double /*density*/) {
 }
 
 }  // namespace barreno
+
+#include "barreno/models/arenisca_update.hpp"

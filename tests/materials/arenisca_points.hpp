@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/models/arenisca.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+/// Points of Arenisca and steps for them, for the tests of lanes and the benchmark.
+namespace barreno::test {
+
+struct RockPoint {
+  Increment increment{};
+  Sym3 stress;
+  Arenisca::History history;
+};
+
+/// As materials/cards/berea_sandstone.xml.
+inline Arenisca::Parameters berea() {
+  Arenisca::Parameters p{};
+  const auto table = Arenisca::parameter_table();
+  for (const auto& entry : table.numbers) p.*entry.member = entry.default_value;
+  for (const auto& entry : table.choices) p.*entry.member = entry.default_index;
+  p.PEAKI1 = 9.36e6;
+  p.FSLOPE = 0.549;
+  p.STREN = 128.5e6;
+  p.YSLOPE = 0.0724;
+  p.CR = 0.593;
+  p.B0 = 6.74e9;
+  p.B1 = 28.6e9;
+  p.B2 = 264e6;
+  p.G0 = 5.703e9;
+  p.G1 = 0.17;
+  p.G2 = 0.03;
+  p.p0_crush_curve = -1.2244e9;
+  p.p1_crush_curve = 5.95e-10;
+  p.p3_crush_curve = 0.2231;
+  return p;
+}
+
+/// Random states and increments: on the surface, inside it and at its special places.
+class RockSampler {
+public:
+  RockSampler(const Arenisca& model, unsigned seed) : rock_(model.rock()), random_(seed) {}
+
+  double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
+
+  /// Any state, also at vertex and tip, with hardly any pores left, and increments of 10^least to
+  /// 10^most.
+  RockPoint anywhere(double least, double most) {
+    const double evp = any_plastic_strain();
+    const arenisca::Cap cap = rock_.cap_at(evp);
+    const double top = std::isfinite(rock_.surface.vertex) ? rock_.surface.vertex
+                                                           : 0.1 * rock_.elasticity.B0;
+    const double X = cap.present ? cap.X : -rock_.elasticity.B0;
+    const double places[] = {top, X, X + (top - X) * std::pow(10.0, -12.0 * unit())};
+    const auto place = random_() % 6;
+    const double x = place < 3 ? places[place] : X + (top - X) * unit();
+    const double shares[] = {0.0, unit(), 1.0, 1.0};
+    const double volume[] = {2.0 * unit() - 1.0, 0.0};
+    const double shear[] = {1.0, 0.0, 1e-9};
+    const Sym3 step = shear[random_() % 3] * direction() + isotropic(volume[random_() % 2] + 1e-12);
+    return point(x, shares[random_() % 4], evp, (std::pow(10.0, least + (most - least) * unit()) / norm(step)) * step);
+  }
+
+  /// As in rock that a jet penetrates, plane and with the steps of such a run: crushed, sheared and
+  /// dilated rock, most of it on the surface.
+  RockPoint flowing() {
+    const double kind = unit();
+    const double evp = kind < 0.5 ? -rock_.crush.p3 * std::pow(unit(), 2.0) : 0.05 * std::pow(unit(), 2.0);
+    const double X = rock_.cap_at(evp).X;
+    const double x = X * std::pow(unit(), 1.5);
+    const double size = std::pow(10.0, -4.5 + 2.0 * unit());
+    return point(x, unit() < 0.8 ? 1.0 : unit(), evp, (size / std::sqrt(2.0)) * (direction(true) + isotropic(0.6 * (2.0 * unit() - 1.0))));
+  }
+
+  /// Well inside the surface, with steps of a stress wave.
+  RockPoint elastic() {
+    const double evp = unit() < 0.8 ? 0.0 : -0.05 * unit();
+    const double x = -3.0 * 68.95e6 * (0.5 + unit());
+    return point(x, 0.5 * unit(), evp, 1e-5 * (direction(true) + isotropic(2.0 * unit() - 1.0)));
+  }
+
+private:
+  Sym3 direction(bool plane = false) {
+    std::normal_distribution<double> n;
+    Sym3 s{n(random_), n(random_), n(random_), n(random_), n(random_), n(random_)};
+    if (plane) s.yz = s.zx = 0.0;
+    if (!plane && random_() % 4 == 0) s = {s.xx, s.yy, s.yy, 0.0, 0.0, 0.0};
+    s = deviator(s);
+    return (1.0 / std::sqrt(second_invariant(s))) * s;
+  }
+  double any_plastic_strain() {
+    const double p3 = rock_.crush.p3;
+    if (p3 == 0.0) return 0.0;
+    switch (random_() % 8) {
+      case 0:
+        return 0.0;
+      case 1:
+        return -p3;
+      case 2:
+        return -p3 * (1.0 - std::pow(10.0, -9.0 * unit()));
+      case 3:
+        return 0.3 * std::pow(unit(), 3.0);
+      default:
+        return -p3 * unit();
+    }
+  }
+  /// @param share of the shear strength at I1 = x
+  RockPoint point(double x, double share, double evp, const Sym3& strain) {
+    arenisca::NoCounter none;
+    const auto m = rock_.surface.at(x, rock_.cap_at(evp), none);
+    const double limit = std::max(m.limit, 0.0) * std::sqrt(std::max(m.cap_squared, 0.0));
+    const bool plane = strain.yz == 0.0 && strain.zx == 0.0;
+    RockPoint p;
+    p.increment.strain = strain;
+    p.increment.dt = 1e-8;
+    p.increment.volume_ratio_end = std::exp(trace(strain));
+    p.stress = isotropic(x / 3.0) + (share * limit) * direction(plane);
+    p.history = {evp, 0.1};
+    return p;
+  }
+
+  const arenisca::Rock& rock_;
+  std::mt19937_64 random_;
+};
+
+struct RockLanes {
+  IncrementOf<Sym3Of<Lanes>> increment;
+  Sym3Of<Lanes> stress;
+  Arenisca::HistoryOf<Lanes> history;
+};
+inline RockLanes gather(const std::vector<RockPoint>& points, const std::size_t* of) {
+  RockLanes out{};
+  for (int i = 0; i < lane_count; ++i) {
+    const RockPoint& p = points[of[i]];
+    set_lane(p.increment.strain, i, out.increment.strain);
+    set_lane(p.stress, i, out.stress);
+    set_lane(p.history, i, out.history);
+    out.increment.volume_ratio_begin[i] = p.increment.volume_ratio_begin;
+    out.increment.volume_ratio_end[i] = p.increment.volume_ratio_end;
+  }
+  out.increment.dt = points[of[0]].increment.dt;
+  return out;
+}
+
+}  // namespace barreno::test
