@@ -23,19 +23,26 @@ struct ReturnedOf {
   MaskOf<R> refused;
 };
 
-/// The equation of the return at evp + gain, its derivative by the gain, and what was met on the way.
+/// The equation of the return at evp + gain, and the point of the surface there, with derivatives by
+/// the gain.
 template <class R>
 struct ReturnEquation {
-  R gain, x, f{}, df{};
+  R gain, x;
   CapOf<R> cap{};
   MeridianOf<R> m{};
+  R f{}, df{};
+  R q{}, dq{};
 };
 
-/// f and df from the meridian.
+/// CompactingSide or DilatingSide (return_map.hpp) from the meridian; without the cap the second is
+/// the return to the limit surface. Both are positive below the solution, and have the same sign on
+/// the compacting side: there the form is taken that is the smoother one.
+/// @param compact where the compacting side is meant
 template <class R>
 BARRENO_FUNCTION void close_equation(
     const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& compact, ReturnEquation<R>& e
 ) {
+  constexpr double near_tip = 0.3;
   const MeridianOf<R>& m = e.m;
   const R dx = -trial.triple_bulk;
   const R dX = real::select(m.on_cap, e.cap.slope, 0.0);
@@ -46,34 +53,38 @@ BARRENO_FUNCTION void close_equation(
   const R dcap_squared = -2.0 * m.c * dc;
   const R dlimit = m.limit_slope * dx;
   const R curvature = -(rock.surface.a2 * rock.surface.a2) * m.curved;
-  const R dslope = curvature * dx * m.cap_squared + m.limit_slope * dcap_squared +
-                   (dlimit * m.c + m.limit * (dc - m.c * dlength * m.inverse_length)) *
-                       m.inverse_length;
+  const R dslope =
+      curvature * dx * m.cap_squared + m.limit_slope * dcap_squared +
+      (dlimit * m.c + m.limit * (dc - m.c * dlength * m.inverse_length)) * m.inverse_length;
   const R back = e.x - trial.x;
-  const R fc_squared = real::larger(m.cap_squared, 0.0);
-  const R fc = real::sqrt(fc_squared);
+  const R fc = real::sqrt(real::larger(m.cap_squared, 0.0));
   const R dfc = real::select(fc > 0.0, 0.5 * dcap_squared / fc, 0.0);
-  const R over = trial.q - m.limit * fc;
+  e.q = m.limit * fc;
+  e.dq = dlimit * fc + m.limit * dfc;
+  const R over = trial.q - e.q;
   e.f = back * fc - trial.metric * over * m.slope;
-  e.df = dx * fc + back * dfc -
-         trial.metric * (over * dslope - (dlimit * fc + m.limit * dfc) * m.slope);
+  e.df = dx * fc + back * dfc - trial.metric * (over * dslope - e.dq * m.slope);
   if (!real::any(compact)) return;
+  // Past the top of the meridian: enough compaction, by no matter how much.
+  const MaskOf<R> past_top = compact & !(m.slope > 0.0);
+  e.f = real::select(past_top, 1.0, e.f);
+  e.df = real::select(past_top, 0.0, e.df);
+  const MaskOf<R> at_tip = compact & (m.cap_squared < near_tip) & (m.slope > 0.0);
+  if (!real::any(at_tip)) return;
   const R whole = back + trial.metric * m.limit * m.slope;
   const R dwhole = dx + trial.metric * (dlimit * m.slope + m.limit * dslope);
-  const MaskOf<R> rising = m.slope > 0.0;
-  const R inverse = 1.0 / real::select(rising, whole, 1.0);
-  const R ratio = real::select(rising, trial.metric * trial.q * m.slope * inverse, 0.0);
-  const R dratio =
-      real::select(rising, (trial.metric * trial.q * dslope - ratio * dwhole) * inverse, 0.0);
-  e.f = real::select(compact, m.cap_squared - ratio * ratio, e.f);
-  e.df = real::select(compact, dcap_squared - 2.0 * ratio * dratio, e.df);
+  const R inverse = 1.0 / whole;
+  const R shear = trial.metric * trial.q;
+  const R ratio = shear * m.slope * inverse;
+  const R dratio = (shear * dslope - ratio * dwhole) * inverse;
+  e.f = real::select(at_tip, m.cap_squared - ratio * ratio, e.f);
+  e.df = real::select(at_tip, dcap_squared - 2.0 * ratio * dratio, e.df);
+  // At the solution fc = ratio; towards the tip that form of q is the smooth one.
+  e.q = real::select(at_tip, m.limit * ratio, e.q);
+  e.dq = real::select(at_tip, dlimit * ratio + m.limit * dratio, e.dq);
 }
 
-/// CompactingSide or DilatingSide (return_map.hpp) and their derivatives, by one pass over the
-/// meridian; without the cap the second is the return to the limit surface. Both are positive below
-/// the solution.
 /// @param capped  where the cap plays a part
-/// @param compact where the compacting side is meant
 template <class R>
 BARRENO_FUNCTION ReturnEquation<R> return_equation(
     const Rock& rock,
@@ -83,7 +94,6 @@ BARRENO_FUNCTION ReturnEquation<R> return_equation(
     const R& gain
 ) {
   ReturnEquation<R> e{gain, trial.x - trial.triple_bulk * gain};
-  e.cap = CapOf<R>{none_of<R>()};
   if (real::any(capped)) e.cap = cap_of(rock, R(trial.evp + gain));
   e.cap.present = e.cap.present & capped;
   e.m = meridian_at(rock.surface, e.x, e.cap);
@@ -101,19 +111,18 @@ BARRENO_FUNCTION CapOf<R> select_points(
       real::select(choice, yes.kappa, no.kappa),
       real::select(choice, yes.slope, no.slope)};
 }
-/// What a solution needs of the equation; a point that is done keeps its own while others go on.
+/// A point that is done keeps its own while others go on.
 template <class R>
 BARRENO_FUNCTION void advance_points(
     const MaskOf<R>& open, const ReturnEquation<R>& next, ReturnEquation<R>& e
 ) {
   e.gain = real::select(open, next.gain, e.gain);
   e.x = real::select(open, next.x, e.x);
+  e.cap = select_points<R>(open, next.cap, e.cap);
   e.f = real::select(open, next.f, e.f);
   e.df = real::select(open, next.df, e.df);
-  e.cap = select_points<R>(open, next.cap, e.cap);
-  e.m.limit = real::select(open, next.m.limit, e.m.limit);
-  e.m.cap_squared = real::select(open, next.m.cap_squared, e.m.cap_squared);
-  e.m.slope = real::select(open, next.m.slope, e.m.slope);
+  e.q = real::select(open, next.q, e.q);
+  e.dq = real::select(open, next.dq, e.dq);
 }
 
 /// Bracket of the gain: f > 0 at `low` and f < 0 at `high`.
@@ -123,8 +132,11 @@ struct GainBracket {
 };
 
 /// Newton's method in a bracket; a step that leaves it or does not shrink is replaced by bisection.
+///
+/// The error of a small step is its square: such a step ends the search, and takes the point of the
+/// surface along by its derivatives, without another evaluation.
 /// @param open where a root is asked for
-/// @param[in,out] e the equation at the first guess, and at the root
+/// @param[in,out] e the equation at the first guess; at the root gain, x, q and cap
 /// @return where it has not converged
 template <class R>
 BARRENO_FUNCTION MaskOf<R> solve_return(
@@ -136,46 +148,66 @@ BARRENO_FUNCTION MaskOf<R> solve_return(
     GainBracket<R> bracket,
     ReturnEquation<R>& e
 ) {
-  // The last step is smaller than this and is left out: three digits beyond the 1e-9 to which the
-  // solvers agree.
-  constexpr double accuracy = 1e-12, round_off = 1e-15;
+  constexpr double small_step = 1e-8, round_off = 1e-15;
   constexpr int most_iterations = 30;
-  const R tolerance =
-      (accuracy * (real::abs(trial.x) + trial.q + rock.stress_floor)) / trial.triple_bulk;
+  const R per_bulk = 1.0 / trial.triple_bulk;
+  const R size = real::abs(trial.x) + trial.q + rock.stress_floor;
   R last_step = bracket.high - bracket.low;
+  const MaskOf<R> asked = open;
+  R final_step{};
   for (int i = 0; i < most_iterations; ++i) {
     const MaskOf<R> below = e.f > 0.0;
     bracket.low = real::select(below, e.gain, bracket.low);
     bracket.high = real::select(below, bracket.high, e.gain);
     const R width = bracket.high - bracket.low;
     const R step = -e.f / e.df;
-    const R size = real::abs(step);
-    const R enough = tolerance + round_off * real::abs(R(trial.evp + e.gain));
-    open = open & !((size <= enough) | (e.f == 0.0) | (width <= enough));
-    if (!real::any(open)) break;
+    const R length = real::abs(step);
     const R newton = e.gain + step;
-    const MaskOf<R> sound =
-        (newton > bracket.low) & (newton < bracket.high) & (size < 0.6 * last_step);
+    const MaskOf<R> inside = (newton >= bracket.low) & (newton <= bracket.high);
+    const MaskOf<R> is_small = inside & (length <= small_step * (size * per_bulk));
+    const MaskOf<R> exhausted =
+        (e.f == 0.0) | (width <= round_off * (size * per_bulk + real::abs(trial.evp)));
+    final_step = real::select(open & is_small, step, final_step);
+    open = open & !(is_small | exhausted);
+    if (!real::any(open)) break;
+    const MaskOf<R> sound = inside & (length < 0.6 * last_step);
     const R next = real::select(sound, newton, 0.5 * (bracket.low + bracket.high));
-    last_step = real::select(sound, size, width);
+    last_step = real::select(sound, length, width);
     advance_points<R>(open, return_equation(rock, trial, capped, compact, next), e);
   }
+  final_step = real::select(asked, final_step, 0.0);
+  e.gain = e.gain + final_step;
+  e.x = e.x - trial.triple_bulk * final_step;
+  e.q = e.q + e.dq * final_step;
+  e.cap.X = e.cap.X + e.cap.slope * final_step;
+  e.cap.kappa = e.cap.kappa + rock.surface.CR * e.cap.slope * final_step;
   return open;
 }
 
-/// Stress at a solved gain, see point_on_cap().
 template <class R>
 BARRENO_FUNCTION ReturnedOf<R> returned_at(
     const TrialOf<R>& trial, const ReturnEquation<R>& e, const MaskOf<R>& refused
 ) {
-  constexpr double near_tip = 0.1;
-  const MeridianOf<R>& m = e.m;
-  const R kept = trial.metric * m.limit * m.slope;
-  const MaskOf<R> at_tip = (m.cap_squared < near_tip) & (m.slope > 0.0);
-  const R whole = real::select(at_tip, (e.x - trial.x) + kept, 1.0);
-  const R limit = m.limit * real::sqrt(real::larger(m.cap_squared, 0.0));
-  const R q = real::larger(R(real::select(at_tip, trial.q * kept / whole, limit)), 0.0);
+  const R q = real::larger(e.q, 0.0);
   return {e.x, smaller_of(q, trial.q), trial.evp + e.gain, e.cap, refused};
+}
+
+/// return_with_closed_pores(), where `closed`.
+template <class R>
+BARRENO_FUNCTION void close_pores(
+    const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& closed, ReturnedOf<R>& r
+) {
+  if (!real::any(closed)) return;
+  const R evp = real::select(trial.cap.present, -rock.crush.p3, trial.evp);
+  const R x = real::smaller(
+      R(trial.x - trial.triple_bulk * (evp - trial.evp)), rock.surface.vertex
+  );
+  const R limit = real::larger(meridian_at(rock.surface, x, CapOf<R>{}).limit, 0.0);
+  r.x = real::select(closed, x, r.x);
+  r.q = real::select(closed, smaller_of(trial.q, limit), r.q);
+  r.evp = real::select(closed, evp, r.evp);
+  r.cap.present = r.cap.present & !closed;
+  r.refused = r.refused & !closed;
 }
 
 /// Where a return to the limit surface or the vertex finds that the cap has retracted into the way:
@@ -191,24 +223,32 @@ BARRENO_FUNCTION void return_to_retracted_cap(
   end.present = r.evp > last_open;
   r.cap = select_points<R>(limited, end, r.cap);
   if (!real::any(caught)) return;
+  // First guess: where the cap's branch point meets the elastic path; closed pores begin to open.
+  const R to_branch = (trial.x - trial.cap.kappa) /
+                      (trial.triple_bulk + rock.surface.CR * trial.cap.slope);
+  const R least = real::larger(R(last_open - trial.evp), 0.0);
+  const R start = real::select(trial.cap.present, to_branch, least);
   const MaskOf<R> compact = none_of<R>();
-  ReturnEquation<R> e = return_equation(rock, trial, caught, compact, R(r.evp - trial.evp));
-  const R farthest = (trial.x - trial.cap.X) / trial.triple_bulk;
-  const MaskOf<R> failed =
-      solve_return(rock, trial, caught, compact, caught, GainBracket<R>{R{}, farthest}, e);
-  const ReturnedOf<R> onto = returned_at(trial, e, failed | (caught & !trial.cap.present));
-  r.x = real::select(caught, onto.x, r.x);
-  r.q = real::select(caught, onto.q, r.q);
-  r.evp = real::select(caught, onto.evp, r.evp);
-  r.cap = select_points<R>(caught, onto.cap, r.cap);
-  r.refused = r.refused | (caught & onto.refused);
+  ReturnEquation<R> e = return_equation(rock, trial, caught, compact, start);
+  const MaskOf<R> opening = caught & !trial.cap.present;
+  const MaskOf<R> closed = opening & (e.f <= 0.0);
+  const MaskOf<R> open = caught & !opening;
+  const GainBracket<R> bracket{R{}, (trial.x - trial.cap.X) / trial.triple_bulk};
+  const MaskOf<R> failed = solve_return(rock, trial, caught, compact, open, bracket, e);
+  const ReturnedOf<R> onto = returned_at(trial, e, failed);
+  r.x = real::select(open, onto.x, r.x);
+  r.q = real::select(open, onto.q, r.q);
+  r.evp = real::select(open, onto.evp, r.evp);
+  r.cap = select_points<R>(open, onto.cap, r.cap);
+  r.refused = r.refused | failed | opening;
+  close_pores(rock, trial, closed, r);
 }
 
 /// return_fast() where it takes its common branches: compaction, retracting cap, limit surface,
-/// vertex.
+/// vertex, closed pores.
 /// @param outside  where a return is asked for
 /// @param at_trial the meridian at the trial state
-/// @param guess    gain of evp near the solution, as of a return nearby; NaN: none
+/// @param guess    gain of evp near the solution, as of a return nearby; infinity: none
 template <class R>
 BARRENO_FUNCTION ReturnedOf<R> return_points(
     const Rock& rock,
@@ -220,43 +260,53 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
   const YieldSurface& surface = rock.surface;
   const R per_bulk = 1.0 / trial.triple_bulk;
   const MaskOf<R> capped = trial.cap.present & (trial.x < trial.cap.kappa);
-  const MaskOf<R> compact = capped & ((trial.x <= trial.cap.X) | (at_trial.slope > 0.0));
+  const MaskOf<R> beyond_tip = capped & (trial.x <= trial.cap.X);
+  const MaskOf<R> compact = beyond_tip | (capped & (at_trial.slope > 0.0));
   const R reach = trial.metric * trial.q * surface.steepest;
   const MaskOf<R> to_vertex = (!capped) & (trial.x - surface.vertex >= reach);
+  const MaskOf<R> wanted = outside & !to_vertex;
 
   // Bracket: at x = kappa_n the hardened cap's branch point is passed; at x = X there is always
   // enough dilation; the limit surface is nowhere steeper than at its vertex.
   const R last_open = rock.crush.last_open() - trial.evp;
   const R to_kappa = (trial.x - trial.cap.kappa) * per_bulk;
-  const R to_X = (trial.x - trial.cap.X) * per_bulk;
+  const R to_X = trial.x - trial.cap.X;
   const MaskOf<R> beyond_vertex = (!capped) & (trial.x > surface.vertex);
   const R least = real::select(beyond_vertex, (trial.x - surface.vertex) * per_bulk, 0.0);
   const GainBracket<R> bracket = {
       real::select(compact, larger_of(to_kappa, last_open), least),
-      real::select(compact, 0.0, real::select(capped, to_X, reach * per_bulk))};
+      real::select(compact, 0.0, real::select(capped, to_X, reach) * per_bulk)};
 
-  ReturnEquation<R> e{R{}, trial.x, R{}, R{}, trial.cap, at_trial};
+  ReturnEquation<R> e{R{}, trial.x, trial.cap, at_trial};
   e.cap.present = capped;
   close_equation(rock, trial, compact, e);
-  const MaskOf<R> guessed = (guess > bracket.low) & (guess < bracket.high);
-  const MaskOf<R> wanted = outside & !to_vertex;
-  const MaskOf<R> elsewhere = wanted & (guessed | beyond_vertex);
   // A trial state that is past its own solution stays where it is.
-  const MaskOf<R> at_once = (!elsewhere) & ((e.f == 0.0) | ((e.f > 0.0) == compact));
-  if (real::any(elsewhere)) {
-    const R start = real::select(guessed, guess, least);
+  const MaskOf<R> at_once =
+      (!beyond_vertex) & (!beyond_tip) & ((e.f == 0.0) | ((e.f > 0.0) == compact));
+  // Beyond the tip the hydrostatic solution, to first order, is the better start.
+  const R hydrostatic = to_X / (trial.triple_bulk + trial.cap.slope);
+  const R known = real::select(beyond_tip, larger_of(hydrostatic, bracket.low), least);
+  const R start = real::select((guess > bracket.low) & (guess < bracket.high), guess, known);
+  const MaskOf<R> elsewhere = wanted & (!at_once) & (start != 0.0);
+  if (real::any(elsewhere))
     advance_points<R>(elsewhere, return_equation(rock, trial, capped, compact, start), e);
-  }
-  MaskOf<R> refused =
-      solve_return(rock, trial, capped, compact, MaskOf<R>(wanted & !at_once), bracket, e);
+
   // Pores that close altogether.
-  refused = refused | (wanted & compact & (e.gain <= last_open + 1e-6 * rock.crush.p3));
-  ReturnedOf<R> r = returned_at(trial, e, refused);
+  MaskOf<R> closed = none_of<R>();
+  const MaskOf<R> may_close = wanted & compact & (to_kappa < last_open);
+  if (real::any(may_close)) {
+    const ReturnEquation<R> nearly = return_equation(rock, trial, capped, compact, last_open);
+    closed = may_close & (nearly.f <= 0.0);
+  }
+  const MaskOf<R> open = wanted & !(at_once | closed);
+  const MaskOf<R> failed = solve_return(rock, trial, capped, compact, open, bracket, e);
+  ReturnedOf<R> r = returned_at(trial, e, failed);
   r.x = real::select(to_vertex, surface.vertex, r.x);
   r.q = real::select(to_vertex, 0.0, r.q);
   r.evp = real::select(to_vertex, trial.evp + least, r.evp);
-  if (rock.crush.p3 > 0.0)
-    return_to_retracted_cap(rock, trial, MaskOf<R>(outside & !capped), r);
+  if (rock.crush.p3 == 0.0) return r;
+  return_to_retracted_cap(rock, trial, MaskOf<R>(outside & !capped), r);
+  close_pores(rock, trial, closed, r);
   return r;
 }
 
