@@ -42,6 +42,22 @@ struct IncrementOf {
   Real viscous_pressure{};  ///< mean artificial viscosity of the step, heats the material [stress]
 };
 
+/// Points with a step to take. Where hardly any point needs more than a quick look, a model may offer
+/// its update in two parts:
+///
+///   MaskOf<R> start_points(PointsOf&) const    updates what is quick, returns where more is to do
+///   void finish_points(PointsOf* groups, const MaskOf<R>* rest, int count) const
+///
+/// count is at most the model's groups_together: the work left in several groups is shared out over
+/// the lanes. A point's result depends on the point alone.
+template <class Tensor, class History>
+struct PointsOf {
+  IncrementOf<Tensor> increment;
+  Tensor stress;  ///< [stress]
+  History history;
+  PointsOutcome<typename Tensor::Real> outcome;
+};
+
 /// Start of a scene under hydrostatic pressure p >= 0: stress, history and density in equilibrium.
 template <class Tensor, class History>
 struct InitialStateOf {

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/arenisca/points_step.hpp"
+#include "barreno/outcome.hpp"
+
+namespace barreno::arenisca {
+
+// Start of a step of one or several points: elastic steps, which need no more, and what the others
+// start from.
+
+/// NaN, infinite or absurd input, see Arenisca::sound_input().
+template <class R>
+BARRENO_FUNCTION MaskOf<R> sound_points(
+    const IncrementOf<Sym3Of<R>>& i, const Sym3Of<R>& stress, const R& evp, const R& shear_strain
+) {
+  constexpr double largest_increment = 10.0;
+  const R sum = contract(stress, stress) + evp + shear_strain + i.volume_ratio_begin +
+                i.volume_ratio_end;
+  return (contract(i.strain, i.strain) <= largest_increment * largest_increment) &
+         real::is_finite(sum);
+}
+
+/// Elastic prediction of whole steps.
+template <class R>
+struct WholeStepOf {
+  MaskOf<R> inside;
+  R x;
+  Sym3Of<R> s;
+  ModuliOf<R> used;
+};
+/// Start of a step in invariants.
+template <class R>
+struct StartOf {
+  R x;
+  Sym3Of<R> s;
+  R evp;
+  R dv;
+  Sym3Of<R> de;
+  PressureTermOf<R> term{};
+  R coupling{};
+  ModuliOf<R> moduli{};
+};
+
+template <class R>
+BARRENO_FUNCTION WholeStepOf<R> predict_whole_step(
+    const Rock& rock, const StartOf<R>& n, const CapOf<R>& cap, const MaskOf<R>& asked
+) {
+  WholeStepOf<R> p;
+  p.used = used_moduli(rock, n.x, R(3.0 * n.dv), cap, n.term, n.coupling, n.moduli);
+  p.x = n.x + 3.0 * p.used.bulk * n.dv;
+  p.s = n.s + R(2.0 * p.used.shear) * n.de;
+  p.inside = contains(rock.surface, asked, p.x, R(0.5 * contract(p.s, p.s)), cap);
+  return p;
+}
+
+/// Whole steps that are elastic with moduli that hardly change: step_elastically(), and the first
+/// substep of integrate() where the virgin cap does not decide.
+/// @param[out] outcome of those
+/// @return where it is so
+template <class R>
+BARRENO_FUNCTION MaskOf<R> step_elastically(
+    const Rock& rock,
+    const StartOf<R>& n,
+    const MaskOf<R>& asked,
+    WholeStepOf<R>& p,
+    PointsOutcome<R>& outcome
+) {
+  // Inside the virgin rock's surface is inside that of compacted rock: no logarithm is needed.
+  p = predict_whole_step(
+      rock, n, same_cap<R>(rock.first_cap), MaskOf<R>(asked & (n.evp <= 0.0))
+  );
+  const MaskOf<R> open = asked & !p.inside;
+  if (real::any(open)) {
+    const WholeStepOf<R> own = predict_whole_step(rock, n, cap_of(rock, n.evp), open);
+    p.x = real::select(open, own.x, p.x);
+    p.s = select_points<R>(open, own.s, p.s);
+    p.used = {
+        real::select(open, own.used.bulk, p.used.bulk),
+        real::select(open, own.used.shear, p.used.shear)};
+    p.inside = p.inside | own.inside;
+  }
+  const ModuliOf<R> end =
+      moduli_after_points(rock, p.inside, n.x, n.evp, p.x, n.term, n.coupling);
+  outcome.elastic_work =
+      0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
+  outcome.plastic_work = R{};
+  outcome.longitudinal_modulus = end.bulk + (4.0 / 3.0) * end.shear;
+  // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
+  return p.inside & (2.0 * mismatch_of(n.moduli, p.used, end) <= rock.tolerance);
+}
+
+/// Basis of the plane of stress deviator and strain increment: s + t * along is orthogonal to s.
+template <class R>
+struct PlaneOf {
+  Sym3Of<R> s, across;  ///< the stress deviator, and the increment's part orthogonal to it
+  R s_size, across_size;
+  R along;  ///< the increment's part along s, as a multiple of s
+
+  BARRENO_FUNCTION Sym3Of<R> tensor(const ShearOf<R>& t) const {
+    return R(ratio(t.a, s_size)) * s + R(ratio(t.b, across_size)) * across;
+  }
+  BARRENO_FUNCTION static R ratio(const R& part, const R& whole) {
+    return real::select(whole > 0.0, part / whole, 0.0);
+  }
+};
+template <class R>
+BARRENO_FUNCTION PlaneOf<R> plane_of(const Sym3Of<R>& s, const Sym3Of<R>& de) {
+  PlaneOf<R> plane;
+  const R squares = contract(s, s);
+  plane.along = real::select(squares > 0.0, contract(s, de) / squares, 0.0);
+  plane.s = s;
+  plane.across = de - plane.along * s;
+  plane.s_size = real::sqrt(R(0.5 * squares));
+  plane.across_size = real::sqrt(R(0.5 * contract(plane.across, plane.across)));
+  return plane;
+}
+
+/// First state of the steps asked for, in their planes.
+template <class R>
+BARRENO_FUNCTION StepOf<R> begin_step(
+    const Rock& rock,
+    const StartOf<R>& n,
+    const PlaneOf<R>& plane,
+    const R& shear_strain,
+    const MaskOf<R>& asked
+) {
+  constexpr double least_fraction = 1.0 / 1024.0, smallest_strain = 1e-5;
+  StepOf<R> step;
+  step.state = {n.x, ShearOf<R>{plane.s_size, R{}}, n.evp, shear_strain};
+  step.cap = cap_of(rock, n.evp);
+  step.dv = n.dv;
+  step.de = {plane.along * plane.s_size, plane.across_size};
+  const R size = size_of_stress(n.dv, squared(step.de));
+  const MaskOf<R> large = size * least_fraction > smallest_strain;
+  step.smallest = real::select(large, smallest_strain / size, least_fraction);
+  step.active = asked;
+  return step;
+}
+
+}  // namespace barreno::arenisca
