@@ -1,98 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/update_stress.hpp"
 
-#include "base/points.hpp"
 #include "base/region.hpp"
 #include "state/step_rule.hpp"
+#include "step/point_group.hpp"
 
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <variant>
 
 namespace barreno {
 namespace {
-
-/// A model's history of one or several points, and the R that it is updated with: Lanes where the
-/// model has update_points().
-template <class Model, class R>
-struct HistoryFor {
-  using type = typename Model::template HistoryOf<R>;
-};
-template <class Model>
-struct HistoryFor<Model, double> {
-  using type = typename Model::History;
-};
-template <class Model, class = void>
-struct RealFor {
-  using type = double;
-};
-#if BARRENO_HAS_LANES
-template <class Model>
-struct RealFor<Model, std::void_t<typename Model::template HistoryOf<Lanes>>> {
-  using type = Lanes;
-};
-#endif
-
-/// Points that go through the update together.
-template <class Model, class R>
-struct Points {
-  using History = typename HistoryFor<Model, R>::type;
-  static_assert(
-      Model::history_count == 0 || sizeof(History) == sizeof(R) * Model::history_count,
-      "a History holds reals only"
-  );
-  int first, count;
-
-  KOKKOS_INLINE_FUNCTION R get(const Field& field, int c = 0) const {
-    return load<R>(field.values, c, first, count);
-  }
-  KOKKOS_INLINE_FUNCTION void put(const R& value, const Field& field, int c = 0) const {
-    store(value, field.values, c, first, count);
-  }
-  KOKKOS_INLINE_FUNCTION Sym3Of<R> get_plane(const Field& field) const {
-    return {get(field, 0), get(field, 1), get(field, 2), get(field, 3), R{}, R{}};
-  }
-  KOKKOS_INLINE_FUNCTION void put_plane(const Sym3Of<R>& t, const Field& field) const {
-    put(t.xx, field, 0);
-    put(t.yy, field, 1);
-    put(t.zz, field, 2);
-    put(t.xy, field, 3);
-  }
-  KOKKOS_INLINE_FUNCTION History get_history(const Field& field) const {
-    History history{};
-    for (int c = 0; c < Model::history_count; ++c)
-      reinterpret_cast<R*>(&history)[c] = get(field, c);
-    return history;
-  }
-  /// Only where `good`.
-  KOKKOS_INLINE_FUNCTION void put_history(
-      const MaskOf<R>& good, const History& history, const Field& field
-  ) const {
-    for (int c = 0; c < Model::history_count; ++c)
-      put(real::select(good, reinterpret_cast<const R*>(&history)[c], get(field, c)), field, c);
-  }
-};
-
-#if BARRENO_HAS_LANES
-template <class Model>
-PointsOutcome<Lanes> update_points(
-    const Model& model,
-    const IncrementOf<Sym3Of<Lanes>>& increment,
-    Sym3Of<Lanes>& stress,
-    typename Model::template HistoryOf<Lanes>& history
-) {
-  return model.update_points(increment, stress, history);
-}
-#endif
-template <class Model>
-KOKKOS_INLINE_FUNCTION PointsOutcome<double> update_points(
-    const Model& model, const Increment& increment, Sym3& stress, typename Model::History& history
-) {
-  const Outcome outcome = model.update(increment, stress, history);
-  return {
-      !outcome.failed(), outcome.elastic_work, outcome.plastic_work, outcome.longitudinal_modulus};
-}
 
 /// Sums of a launch; joins are never needed on one thread but other backends use them.
 struct StressReducer {
@@ -115,7 +33,7 @@ private:
 
 template <class Model, class R>
 struct UpdateStress {
-  using Group = Points<Model, R>;
+  using Group = PointGroup<Model, R>;
   using Mask = MaskOf<R>;
 
   Model model;
@@ -161,34 +79,50 @@ struct UpdateStress {
     });
   }
 
-  KOKKOS_INLINE_FUNCTION void update(const Group& group, Tally& tally, StressTally& sums) const {
+  using Update = PointsOf<Sym3Of<R>, typename Group::History>;
+
+  /// State and increment of a group.
+  KOKKOS_INLINE_FUNCTION Update begin(const Group& group) const {
     const R mass = group.get(particles.mass);
     const R volume = group.get(particles.volume);
     const R old_volume = group.get(particles.increment, 4);
-    const R old_q = group.get(particles.viscous_pressure);
-    const R old_modulus = group.get(particles.longitudinal_modulus);
-    const R density = mass / volume;
-    const R reference_volume = mass * (1.0 / reference_density);
-    const R per_reference = 1.0 / reference_volume;
-    IncrementOf<Sym3Of<R>> increment;
+    const R per_reference = 1.0 / (mass * (1.0 / reference_density));
+    Update update{};
+    auto& increment = update.increment;
     increment.strain = group.get_plane(particles.increment);
     increment.dt = dt;
     increment.volume_ratio_begin = old_volume * per_reference;
     increment.volume_ratio_end = volume * per_reference;
-    const R rate = trace(increment.strain) * (1.0 / dt);
-    const R q = rule.viscous_pressure(density, old_modulus, rate);
-    increment.viscous_pressure = 0.5 * (old_q + q);
+    const R old_q = group.get(particles.viscous_pressure);
+    increment.viscous_pressure = 0.5 * (old_q + new_viscous_pressure(group, increment));
+    update.stress = group.get_plane(particles.stress);
+    update.history = group.get_history(particles.history);
+    return update;
+  }
+  /// q at the end of the step; begin() and end() both find it from the old state.
+  KOKKOS_INLINE_FUNCTION R
+  new_viscous_pressure(const Group& group, const IncrementOf<Sym3Of<R>>& increment) const {
+    const R density = group.get(particles.mass) / group.get(particles.volume);
+    const R old_modulus = group.get(particles.longitudinal_modulus);
+    return rule.viscous_pressure(density, old_modulus, R(trace(increment.strain) * (1.0 / dt)));
+  }
 
+  /// What becomes of a group whose update is done.
+  KOKKOS_INLINE_FUNCTION void end(
+      const Group& group, const Update& update, Tally& tally, StressTally& sums
+  ) const {
+    const auto& increment = update.increment;
+    const PointsOutcome<R>& outcome = update.outcome;
+    const R q = new_viscous_pressure(group, increment);
     const Mask here = alive(group);
     const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
-    const Sym3Of<R> old_stress = group.get_plane(particles.stress);
-    Sym3Of<R> stress = old_stress;
-    auto history = group.get_history(particles.history);
-    const PointsOutcome<R> outcome = update_points(model, increment, stress, history);
     const Mask good = here & (!expanded) & outcome.sound;
+    const Sym3Of<R> old_stress = group.get_plane(particles.stress);
+    const R old_q = group.get(particles.viscous_pressure);
+    const R old_modulus = group.get(particles.longitudinal_modulus);
 
-    group.put_plane(select_points(good, stress, old_stress), particles.stress);
-    group.put_history(good, history, particles.history);
+    group.put_plane(select_points(good, update.stress, old_stress), particles.stress);
+    group.put_history(good, update.history, particles.history);
     group.put(real::select(good, q, old_q), particles.viscous_pressure);
     group.put(
         real::select(good, outcome.longitudinal_modulus, old_modulus),
@@ -197,10 +131,15 @@ struct UpdateStress {
     treat_failures(group, expanded, expanded_key, sums);
     treat_failures(group, here & (!expanded) & (!outcome.sound), failed_key, sums);
 
+    const R mass = group.get(particles.mass);
+    const R volume = group.get(particles.volume);
+    const R old_volume = group.get(particles.increment, 4);
+    const R reference_volume = mass * (1.0 / reference_density);
     const R mean_volume = 0.5 * (old_volume + volume);
     const R viscous = increment.viscous_pressure * (old_volume - volume);
-    const R stress_work = mean_volume * (0.5 * contract(old_stress + stress, increment.strain) -
-                                         increment.viscous_pressure * trace(increment.strain));
+    const R stress_work =
+        mean_volume * (0.5 * contract(old_stress + update.stress, increment.strain) -
+                       increment.viscous_pressure * trace(increment.strain));
     tally.elastic += real::select(good, reference_volume * outcome.elastic_work, 0.0);
     tally.plastic += real::select(good, reference_volume * outcome.plastic_work, 0.0);
     tally.viscous += real::select(good, viscous, 0.0);
@@ -208,16 +147,63 @@ struct UpdateStress {
     const R vx = group.get(particles.velocity, 0);
     const R vy = group.get(particles.velocity, 1);
     const R step = rule.stable_step(
-        density, outcome.longitudinal_modulus, rate, real::sqrt(R(vx * vx + vy * vy))
+        mass / volume,
+        outcome.longitudinal_modulus,
+        trace(increment.strain) * (1.0 / dt),
+        real::sqrt(R(vx * vx + vy * vy))
     );
     tally.stable_step = real::select(good & (step < tally.stable_step), step, tally.stable_step);
+  }
+
+  KOKKOS_INLINE_FUNCTION static Group group_at(int row, Rows rows) {
+    return {row, rows.end - row < width<R> ? rows.end - row : width<R>};
+  }
+  /// Rows by groups, each through all of the update.
+  KOKKOS_INLINE_FUNCTION void update_groups(Rows rows, Tally& tally, StressTally& sums) const {
+    for (int row = rows.begin; row < rows.end; row += width<R>) {
+      const Group group = group_at(row, rows);
+      Update update = begin(group);
+      update.outcome = update_points(model, update.increment, update.stress, update.history);
+      end(group, update, tally, sums);
+    }
+  }
+  /// The same with a model whose update has two parts: what the first leaves waits for other groups
+  /// to share the lanes with.
+  KOKKOS_INLINE_FUNCTION void update_in_parts(Rows rows, Tally& tally, StressTally& sums) const {
+    constexpr int most = Model::groups_together;
+    constexpr std::size_t room = most;
+    Group groups[room];
+    Update waiting[room];
+    Mask rest[room];
+    int count = 0;
+    for (int row = rows.begin; row < rows.end; row += width<R>) {
+      const Group group = group_at(row, rows);
+      Update update = begin(group);
+      // Points that are held or have expanded too far need no end of their update.
+      const Mask left = model.start_points(update) & alive(group) &
+                        (update.increment.volume_ratio_end <= largest_expansion);
+      if (real::any(left)) {
+        groups[count] = group;
+        rest[count] = left;
+        waiting[count++] = update;
+      } else {
+        end(group, update, tally, sums);
+      }
+      const bool last = row + width<R> >= rows.end;
+      if (count == 0 || (count < most && !last)) continue;
+      model.finish_points(waiting, rest, count);
+      for (int g = 0; g < count; ++g) end(groups[g], waiting[g], tally, sums);
+      count = 0;
+    }
   }
 
   /// A run of rows, so that the lanes' sums meet rarely.
   KOKKOS_INLINE_FUNCTION void operator()(Rows rows, StressTally& sums) const {
     Tally tally;
-    for (int p = rows.begin; p < rows.end; p += width<R>)
-      update({p, rows.end - p < width<R> ? rows.end - p : width<R>}, tally, sums);
+    if constexpr (updates_in_parts<Model, R>)
+      update_in_parts(rows, tally, sums);
+    else
+      update_groups(rows, tally, sums);
     for (int i = 0; i < width<R>; ++i) {
       sums.elastic += entry(tally.elastic, i);
       sums.plastic += entry(tally.plastic, i);
@@ -258,7 +244,7 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
             spec.material.density,
             scene.step.largest_expansion,
             dt};
-        constexpr int run = 64;
+        constexpr int run = updates_in_parts<Model, typename RealFor<Model>::type> ? 256 : 64;
         Kokkos::parallel_reduce(
             "update_stress",
             range((rows.end - rows.begin + run - 1) / run),

@@ -52,8 +52,8 @@ public:
   RockPoint anywhere(double least, double most) {
     const double evp = any_plastic_strain();
     const arenisca::Cap cap = rock_.cap_at(evp);
-    const double top = std::isfinite(rock_.surface.vertex) ? rock_.surface.vertex
-                                                           : 0.1 * rock_.elasticity.B0;
+    const double top =
+        std::isfinite(rock_.surface.vertex) ? rock_.surface.vertex : 0.1 * rock_.elasticity.B0;
     const double X = cap.present ? cap.X : -rock_.elasticity.B0;
     const double places[] = {top, X, X + (top - X) * std::pow(10.0, -12.0 * unit())};
     const auto place = random_() % 6;
@@ -62,18 +62,29 @@ public:
     const double volume[] = {2.0 * unit() - 1.0, 0.0};
     const double shear[] = {1.0, 0.0, 1e-9};
     const Sym3 step = shear[random_() % 3] * direction() + isotropic(volume[random_() % 2] + 1e-12);
-    return point(x, shares[random_() % 4], evp, (std::pow(10.0, least + (most - least) * unit()) / norm(step)) * step);
+    return point(
+        x,
+        shares[random_() % 4],
+        evp,
+        (std::pow(10.0, least + (most - least) * unit()) / norm(step)) * step
+    );
   }
 
   /// As in rock that a jet penetrates, plane and with the steps of such a run: crushed, sheared and
   /// dilated rock, most of it on the surface.
   RockPoint flowing() {
     const double kind = unit();
-    const double evp = kind < 0.5 ? -rock_.crush.p3 * std::pow(unit(), 2.0) : 0.05 * std::pow(unit(), 2.0);
+    const double evp =
+        kind < 0.5 ? -rock_.crush.p3 * std::pow(unit(), 2.0) : 0.05 * std::pow(unit(), 2.0);
     const double X = rock_.cap_at(evp).X;
     const double x = X * std::pow(unit(), 1.5);
     const double size = std::pow(10.0, -4.5 + 2.0 * unit());
-    return point(x, unit() < 0.8 ? 1.0 : unit(), evp, (size / std::sqrt(2.0)) * (direction(true) + isotropic(0.6 * (2.0 * unit() - 1.0))));
+    return point(
+        x,
+        unit() < 0.8 ? 1.0 : unit(),
+        evp,
+        (size / std::sqrt(2.0)) * (direction(true) + isotropic(0.6 * (2.0 * unit() - 1.0)))
+    );
   }
 
   /// Well inside the surface, with steps of a stress wave.

@@ -42,8 +42,8 @@ struct IncrementOf {
   Real viscous_pressure{};  ///< mean artificial viscosity of the step, heats the material [stress]
 };
 
-/// Points with a step to take. Where hardly any point needs more than a quick look, a model may offer
-/// its update in two parts:
+/// Points with a step to take. Where hardly any point needs more than a quick look, a model may
+/// offer its update in two parts:
 ///
 ///   MaskOf<R> start_points(PointsOf&) const    updates what is quick, returns where more is to do
 ///   void finish_points(PointsOf* groups, const MaskOf<R>* rest, int count) const

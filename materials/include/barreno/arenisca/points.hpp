@@ -6,8 +6,9 @@
 
 namespace barreno::arenisca {
 
-// The drained rock for one point or several at once (real.hpp): what elasticity.hpp, crush_curve.hpp
-// and yield_surface.hpp give for one point, with the derivatives that Newton's method asks for.
+// The drained rock for one point or several at once (real.hpp): what elasticity.hpp,
+// crush_curve.hpp and yield_surface.hpp give for one point, with the derivatives that Newton's
+// method asks for.
 
 /// A deviator in the plane that the stress deviator and the strain increment of a step span, in an
 /// orthogonal basis of it, scaled so that sqrt(J2) is the length: a step never leaves that plane.
@@ -84,8 +85,9 @@ BARRENO_FUNCTION CapOf<R> cap_of(const Rock& rock, const R& evp) {
   cap.X = crush.p0 + inverse_p1 * logarithm;
   cap.slope = per_pores / argument;
   if (real::any(dilated)) {
-    const R ratio =
-        real::larger(real::exp(R((per_pores / crush.p0) * logarithm)), CrushCurve::retraction_limit);
+    const R ratio = real::larger(
+        real::exp(R((per_pores / crush.p0) * logarithm)), CrushCurve::retraction_limit
+    );
     cap.X = real::select(dilated, crush.p0 * ratio, cap.X);
     cap.slope = real::select(dilated, ratio * cap.slope, cap.slope);
   }
@@ -119,8 +121,7 @@ BARRENO_FUNCTION MeridianOf<R> meridian_at(
   m.on_cap = cap.present & (x < cap.kappa);
   m.inverse_length = 1.0 / real::select(cap.present, cap.kappa - cap.X, 1.0);
   m.c = real::select(m.on_cap, (cap.kappa - x) * m.inverse_length, 0.0);
-  m.cap_squared =
-      real::select(m.on_cap, (x - cap.X) * m.inverse_length * (1.0 + m.c), 1.0);
+  m.cap_squared = real::select(m.on_cap, (x - cap.X) * m.inverse_length * (1.0 + m.c), 1.0);
   m.slope = m.limit_slope * m.cap_squared + m.limit * m.c * m.inverse_length;
   return m;
 }
@@ -154,7 +155,8 @@ BARRENO_FUNCTION MaskOf<R> contains(
   const R cap_squared = 1.0 - c * c;
   const R y = surface.a2 * x;
   const R bound = surface.a1 - surface.a3 / (1.0 - y + 0.5 * y * y) - surface.a4 * x;
-  const MaskOf<R> surely = in_range & (x <= 0.0) & (bound > 0.0) & (J2 <= bound * bound * cap_squared);
+  const MaskOf<R> surely =
+      in_range & (x <= 0.0) & (bound > 0.0) & (J2 <= bound * bound * cap_squared);
   const MaskOf<R> open = in_range & !surely;
   if (!real::any(open)) return surely;
   const R curved = surface.linear() ? R{} : R(surface.a3 * real::exp(y));

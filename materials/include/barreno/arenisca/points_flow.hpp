@@ -68,18 +68,16 @@ BARRENO_FUNCTION void predict_with(
 
 /// Relative difference of the moduli used from the mean of both ends, see moduli_mismatch().
 template <class R>
-BARRENO_FUNCTION R mismatch_of(
-    const ModuliOf<R>& start, const ModuliOf<R>& used, const ModuliOf<R>& end
-) {
+BARRENO_FUNCTION R
+mismatch_of(const ModuliOf<R>& start, const ModuliOf<R>& used, const ModuliOf<R>& end) {
   const R bulk = real::abs(R(0.5 * (start.bulk + end.bulk) / used.bulk - 1.0));
   const R shear = real::abs(R(0.5 * (start.shear + end.shear) / used.shear - 1.0));
   return larger_of(bulk, shear);
 }
 
 template <class R>
-BARRENO_FUNCTION R allowed_error_of(
-    const Rock& rock, const StateOf<R>& n, const R& x_end, const R& J2_end
-) {
+BARRENO_FUNCTION R
+allowed_error_of(const Rock& rock, const StateOf<R>& n, const R& x_end, const R& J2_end) {
   const R start = size_of_stress(n.x, squared(n.s)), end = size_of_stress(x_end, J2_end);
   return rock.tolerance * real::larger(larger_of(start, end), rock.stress_floor);
 }
@@ -200,14 +198,13 @@ BARRENO_FUNCTION void finish_points(
   const R start_work = f.x * third + 2.0 * f.scale * dot(f.s, dep);
   const R mean_work = 0.5 * (start_work + end_work);
   a.plastic_work = real::select(mean_work >= 0.0, mean_work, end_work);
-  a.elastic_work = 0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) +
-                   dot(n.s + a.end.s, step.de - dep);
+  a.elastic_work =
+      0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de - dep);
   // At the jump of the moduli itself those of the side it came from, see Elasticity::seen_from().
   constexpr double at_jump = Elasticity::at_jump;
   const MaskOf<R> from_dilated = (n.evp > at_jump) & (real::abs(r.evp) <= at_jump);
-  a.moduli = moduli_of_state(
-      rock.elasticity, r.x, R(real::select(from_dilated, 2.0 * at_jump, r.evp))
-  );
+  a.moduli =
+      moduli_of_state(rock.elasticity, r.x, R(real::select(from_dilated, 2.0 * at_jump, r.evp)));
 }
 
 /// refine() of plastic_flow.hpp.
@@ -243,8 +240,9 @@ BARRENO_FUNCTION void refine_points(
   const CapOf<R> cap = cap_of(rock, evp);
   const MeridianOf<R> m = meridian_at(rock.surface, moved_x, cap);
   const MaskOf<R> outside = asked & !contained(rock.surface, moved_x, J2, cap, m);
-  ReturnedOf<R> r =
-      return_points(rock, TrialOf<R>{moved_x, q, metric, triple_bulk, evp, cap}, outside, m, R(a.end.evp - evp));
+  ReturnedOf<R> r = return_points(
+      rock, TrialOf<R>{moved_x, q, metric, triple_bulk, evp, cap}, outside, m, R(a.end.evp - evp)
+  );
   r.x = real::select(outside, r.x, moved_x);
   r.q = real::select(outside, r.q, q);
   r.evp = real::select(outside, r.evp, evp);
@@ -282,7 +280,11 @@ BARRENO_FUNCTION AttemptOf<R> flow_points(
   const R metric = (9.0 * rock.beta * rock.beta) * p.used.bulk / p.used.shear;
   const R no_guess = R{} + HUGE_VAL;
   const ReturnedOf<R> r = return_points(
-      rock, TrialOf<R>{p.x, p.q, metric, 3.0 * p.used.bulk, n.evp, step.cap}, flows, at_trial, no_guess
+      rock,
+      TrialOf<R>{p.x, p.q, metric, 3.0 * p.used.bulk, n.evp, step.cap},
+      flows,
+      at_trial,
+      no_guess
   );
   const FlowStartOf<R> f = flow_start_of(rock, flows, step, p, metric);
   AttemptOf<R> a;
@@ -291,8 +293,8 @@ BARRENO_FUNCTION AttemptOf<R> flow_points(
   a.refused = flows & r.refused;
   a.allowed = allowed_error_of(rock, n, r.x, R(r.q * r.q));
   const TurnOf<R> turn = turn_of(p, r, f, metric);
-  const R of_moduli = mismatch_of(p.start, p.used, a.moduli) *
-                      size_of_stress(R(r.x - n.x), squared(a.end.s - n.s));
+  const R of_moduli =
+      mismatch_of(p.start, p.used, a.moduli) * size_of_stress(R(r.x - n.x), squared(a.end.s - n.s));
   const MaskOf<R> at_vertex = r.x >= rock.surface.vertex;
   const R way = f.scale * size_of_stress(R(f.x - r.x), R(f.q * f.q));
   a.error = of_moduli + real::select(at_vertex & (way < turn.error), way, turn.error);
@@ -300,8 +302,9 @@ BARRENO_FUNCTION AttemptOf<R> flow_points(
   const MaskOf<R> retracts =
       (!at_vertex) & (r.evp > n.evp) & step.cap.present & r.cap.present & (r.x < r.cap.kappa);
   const R length = real::select(retracts, step.cap.kappa - step.cap.X, 1.0);
-  const R retraction =
-      real::select(retracts, a.allowed * (r.cap.X - step.cap.X) / (largest_retraction * length), 0.0);
+  const R retraction = real::select(
+      retracts, a.allowed * (r.cap.X - step.cap.X) / (largest_retraction * length), 0.0
+  );
   a.error = larger_of(a.error, retraction);
   const MaskOf<R> worth =
       flows & (!at_vertex) & (a.error > negligible * a.allowed) & (a.error <= a.allowed);

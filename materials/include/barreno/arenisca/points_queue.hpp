@@ -3,18 +3,22 @@
 
 #include "barreno/arenisca/points_step.hpp"
 
+#include <cstddef>
+#include <cstring>
+
 namespace barreno::arenisca {
 
 /// As in integrate(): bounds the cost of any input.
 constexpr int most_attempts_together = 2000;
 
 /// Carries the steps of one point to their end.
-template <int most_groups>
+template <std::size_t most_groups>
 BARRENO_FUNCTION void finish_steps(
     const Rock& rock, StepOf<double> (&steps)[most_groups], int count
 ) {
   for (int g = 0; g < count; ++g) {
-    for (int i = 0; i < most_attempts_together && steps[g].active; ++i) advance_step(rock, steps[g]);
+    for (int i = 0; i < most_attempts_together && steps[g].active; ++i)
+      advance_step(rock, steps[g]);
     steps[g].refused = steps[g].refused || steps[g].active;
   }
 }
@@ -22,7 +26,7 @@ BARRENO_FUNCTION void finish_steps(
 #if BARRENO_HAS_LANES
 /// Points that need more attempts than their group, packed into lanes so that few lanes are idle.
 /// Which lanes they share changes nothing for a point.
-template <int most_groups>
+template <std::size_t most_groups>
 struct LaneQueue {
   struct Place {
     int group, lane;
@@ -66,9 +70,9 @@ struct LaneQueue {
   }
 };
 
-/// Carries the steps of groups to their end: the first attempt of a group that is mostly active where
-/// it is, the rest packed.
-template <int most_groups>
+/// Carries the steps of groups to their end: the first attempt of a group that is mostly active
+/// where it is, the rest packed.
+template <std::size_t most_groups>
 inline void finish_steps(const Rock& rock, StepOf<Lanes> (&steps)[most_groups], int count) {
   LaneQueue<most_groups> queue;
   for (int g = 0; g < count; ++g) {

@@ -23,8 +23,8 @@ struct ReturnedOf {
   MaskOf<R> refused;
 };
 
-/// The equation of the return at evp + gain, and the point of the surface there, with derivatives by
-/// the gain.
+/// The equation of the return at evp + gain, and the point of the surface there, with derivatives
+/// by the gain.
 template <class R>
 struct ReturnEquation {
   R gain, x;
@@ -47,9 +47,8 @@ BARRENO_FUNCTION void close_equation(
   const R dx = -trial.triple_bulk;
   const R dX = real::select(m.on_cap, e.cap.slope, 0.0);
   const R dlength = (rock.surface.CR - 1.0) * dX;
-  const R dc = real::select(
-      m.on_cap, (rock.surface.CR * dX - dx - m.c * dlength) * m.inverse_length, 0.0
-  );
+  const R dc =
+      real::select(m.on_cap, (rock.surface.CR * dX - dx - m.c * dlength) * m.inverse_length, 0.0);
   const R dcap_squared = -2.0 * m.c * dc;
   const R dlimit = m.limit_slope * dx;
   const R curvature = -(rock.surface.a2 * rock.surface.a2) * m.curved;
@@ -199,9 +198,8 @@ BARRENO_FUNCTION void close_pores(
 ) {
   if (!real::any(closed)) return;
   const R evp = real::select(trial.cap.present, -rock.crush.p3, trial.evp);
-  const R x = real::smaller(
-      R(trial.x - trial.triple_bulk * (evp - trial.evp)), rock.surface.vertex
-  );
+  const R x =
+      real::smaller(R(trial.x - trial.triple_bulk * (evp - trial.evp)), rock.surface.vertex);
   const R limit = real::larger(meridian_at(rock.surface, x, CapOf<R>{}).limit, 0.0);
   r.x = real::select(closed, x, r.x);
   r.q = real::select(closed, smaller_of(trial.q, limit), r.q);
@@ -224,8 +222,8 @@ BARRENO_FUNCTION void return_to_retracted_cap(
   r.cap = select_points<R>(limited, end, r.cap);
   if (!real::any(caught)) return;
   // First guess: where the cap's branch point meets the elastic path; closed pores begin to open.
-  const R to_branch = (trial.x - trial.cap.kappa) /
-                      (trial.triple_bulk + rock.surface.CR * trial.cap.slope);
+  const R to_branch =
+      (trial.x - trial.cap.kappa) / (trial.triple_bulk + rock.surface.CR * trial.cap.slope);
   const R least = real::larger(R(last_open - trial.evp), 0.0);
   const R start = real::select(trial.cap.present, to_branch, least);
   const MaskOf<R> compact = none_of<R>();

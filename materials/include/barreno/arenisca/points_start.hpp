@@ -15,8 +15,8 @@ BARRENO_FUNCTION MaskOf<R> sound_points(
     const IncrementOf<Sym3Of<R>>& i, const Sym3Of<R>& stress, const R& evp, const R& shear_strain
 ) {
   constexpr double largest_increment = 10.0;
-  const R sum = contract(stress, stress) + evp + shear_strain + i.volume_ratio_begin +
-                i.volume_ratio_end;
+  const R sum =
+      contract(stress, stress) + evp + shear_strain + i.volume_ratio_begin + i.volume_ratio_end;
   return (contract(i.strain, i.strain) <= largest_increment * largest_increment) &
          real::is_finite(sum);
 }
@@ -67,9 +67,7 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
     PointsOutcome<R>& outcome
 ) {
   // Inside the virgin rock's surface is inside that of compacted rock: no logarithm is needed.
-  p = predict_whole_step(
-      rock, n, same_cap<R>(rock.first_cap), MaskOf<R>(asked & (n.evp <= 0.0))
-  );
+  p = predict_whole_step(rock, n, same_cap<R>(rock.first_cap), MaskOf<R>(asked & (n.evp <= 0.0)));
   const MaskOf<R> open = asked & !p.inside;
   if (real::any(open)) {
     const WholeStepOf<R> own = predict_whole_step(rock, n, cap_of(rock, n.evp), open);
@@ -80,10 +78,8 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
         real::select(open, own.used.shear, p.used.shear)};
     p.inside = p.inside | own.inside;
   }
-  const ModuliOf<R> end =
-      moduli_after_points(rock, p.inside, n.x, n.evp, p.x, n.term, n.coupling);
-  outcome.elastic_work =
-      0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
+  const ModuliOf<R> end = moduli_after_points(rock, p.inside, n.x, n.evp, p.x, n.term, n.coupling);
+  outcome.elastic_work = 0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
   outcome.plastic_work = R{};
   outcome.longitudinal_modulus = end.bulk + (4.0 / 3.0) * end.shear;
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.

@@ -16,7 +16,9 @@ BARRENO_FUNCTION PredictionOf<R> predict_points(const Rock& rock, const SubstepO
   p.term = pressure_term_of(e, n.x, n.evp);
   p.coupling = coupling_of(e, n.x, n.evp);
   p.start = moduli_of(e, p.term.value, p.coupling);
-  predict_with(step, used_moduli(rock, n.x, R(3.0 * step.dv), step.cap, p.term, p.coupling, p.start), p);
+  predict_with(
+      step, used_moduli(rock, n.x, R(3.0 * step.dv), step.cap, p.term, p.coupling, p.start), p
+  );
   return p;
 }
 
@@ -52,8 +54,9 @@ BARRENO_FUNCTION ModuliOf<R> moduli_after_points(
   constexpr double short_step = 0.01;
   const Elasticity& e = rock.elasticity;
   const R change = x_end - x_n;
-  const MaskOf<R> is_short = (x_n < 0.0) & (evp <= Elasticity::at_jump) &
-                             (real::abs(change) * (real::abs(x_n) + e.B2) <= short_step * x_n * x_n);
+  const MaskOf<R> is_short =
+      (x_n < 0.0) & (evp <= Elasticity::at_jump) &
+      (real::abs(change) * (real::abs(x_n) + e.B2) <= short_step * x_n * x_n);
   R value = term.value + change * (term.slope + 0.5 * change * term.curvature);
   R coupled = coupling;
   if (real::any(asked & !is_short)) {
@@ -94,9 +97,7 @@ BARRENO_FUNCTION AttemptOf<R> attempt_points(
   a.error = real::select(inside, mismatch_of(p.start, p.used, moduli) * change, a.error);
   a.allowed = real::select(inside, allowed_error_of(rock, n, p.x, p.J2), a.allowed);
   a.elastic_work = real::select(
-      inside,
-      0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de),
-      a.elastic_work
+      inside, 0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de), a.elastic_work
   );
   a.plastic_work = real::select(inside, 0.0, a.plastic_work);
   return a;
@@ -122,9 +123,7 @@ BARRENO_FUNCTION R step_factor_of(const AttemptOf<R>& a) {
   R root = real::sqrt(ratio);
   if (real::any(a.elastic)) root = real::select(a.elastic, real::pow(ratio, 1.0 / 3.0), root);
   const R factor = whole_part(R(grain * safety * root)) * (1.0 / grain);
-  return real::select(
-      exact, largest, real::smaller(real::larger(factor, smallest), largest)
-  );
+  return real::select(exact, largest, real::smaller(real::larger(factor, smallest), largest));
 }
 
 /// A step of points in progress.
@@ -137,7 +136,7 @@ struct StepOf {
   R smallest;  ///< fraction below which a substep is taken as it is
   R done{}, fraction = R{} + 1.0;
   R elastic_work{}, plastic_work{}, modulus{};
-  MaskOf<R> active;                   ///< still under way
+  MaskOf<R> active;                  ///< still under way
   MaskOf<R> refused = none_of<R>();  ///< left to the update of single points
 };
 
@@ -147,9 +146,7 @@ BARRENO_FUNCTION void advance_step(const Rock& rock, StepOf<R>& step) {
   const MaskOf<R> last = step.done + step.fraction >= 1.0;
   const R fraction = real::select(last, 1.0 - step.done, step.fraction);
   const AttemptOf<R> a = attempt_points(
-      rock,
-      step.active,
-      SubstepOf<R>{step.state, step.cap, fraction * step.dv, fraction * step.de}
+      rock, step.active, SubstepOf<R>{step.state, step.cap, fraction * step.dv, fraction * step.de}
   );
   const MaskOf<R> refused = step.active & (a.refused | !real::is_finite(a.error));
   step.refused = step.refused | refused;
@@ -172,8 +169,7 @@ BARRENO_FUNCTION void advance_step(const Rock& rock, StepOf<R>& step) {
   step.cap = select_points<R>(takes, a.cap, step.cap);
   step.elastic_work = step.elastic_work + real::select(takes, a.elastic_work, 0.0);
   step.plastic_work = step.plastic_work + real::select(takes, a.plastic_work, 0.0);
-  step.modulus =
-      real::select(takes, a.moduli.bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
+  step.modulus = real::select(takes, a.moduli.bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
   step.active = step.active & !(takes & last);
   if (!real::any(step.active)) return;
   step.done = step.done + real::select(takes, fraction, 0.0);

@@ -100,8 +100,8 @@ struct Arenisca {
     return outcome;
   }
 
-  /// update() of one or several points at once (outcome.hpp, arenisca_update.hpp); agrees with it to
-  /// 1e-9 of the larger of strength and trial stress.
+  /// update() of one or several points at once (outcome.hpp, arenisca_update.hpp); agrees with it
+  /// to 1e-9 of the larger of strength and trial stress.
   template <class R>
   using Points = PointsOf<Sym3Of<R>, HistoryOf<R>>;
   static constexpr int groups_together = 16;

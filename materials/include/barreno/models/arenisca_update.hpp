@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The point update of Arenisca for several points at once (real.hpp). Read first: arenisca.hpp, which
-// includes this, and arenisca/substep.hpp, which is the same for one point.
+// The point update of Arenisca for several points at once (real.hpp). Read first: arenisca.hpp,
+// which includes this, and arenisca/substep.hpp, which is the same for one point.
 #include "barreno/arenisca/points_queue.hpp"
 #include "barreno/arenisca/points_start.hpp"
 #include "barreno/models/arenisca.hpp"
@@ -115,11 +115,11 @@ BARRENO_FUNCTION MaskOf<R> Arenisca::start_points(Points<R>& p) const {
 }
 
 template <class R>
-BARRENO_FUNCTION void Arenisca::finish_points(
-    Points<R>* groups, const MaskOf<R>* flows, int count
-) const {
+BARRENO_FUNCTION void Arenisca::finish_points(Points<R>* groups, const MaskOf<R>* flows, int count)
+    const {
   using namespace arenisca;
-  StepOf<R> steps[groups_together];
+  constexpr std::size_t room = groups_together;
+  StepOf<R> steps[room];
   for (int g = 0; g < count; ++g) {
     const StartOf<R> n = start_of<R>(rock_, groups[g]);
     const R shear_strain = groups[g].history.equivalent_plastic_strain;
