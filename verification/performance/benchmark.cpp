@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cost of a step, phase by phase, beside the memory bandwidth of the same process.
 #include "base/region.hpp"
+#include "rock_points.hpp"
 #include "support/scenes.hpp"
 #include "triad.hpp"
 
@@ -70,6 +71,7 @@ int main(int argc, char** argv) {
   const double triad = measure_triad();
   const int steps = argc > 1 ? std::atoi(argv[1]) : 20;
   std::printf("triad %.1f GB/s\n", triad * 1e-9);
+  print_cost_of_rock();
   const Scene scene = copper_cylinder(1.0);
   const Cost cost = time_steps(scene, steps);
   std::printf(

@@ -132,8 +132,9 @@ struct GainBracket {
 
 /// Newton's method in a bracket; a step that leaves it or does not shrink is replaced by bisection.
 ///
-/// The error of a small step is its square: such a step ends the search, and takes the point of the
-/// surface along by its derivatives, without another evaluation.
+/// Errors fall as e' = C e^2, and two steps tell C: a step l after a step L leaves l^3/L^2. The step
+/// that leaves nothing ends the search, and takes the point of the surface along by its derivatives,
+/// without another evaluation.
 /// @param open where a root is asked for
 /// @param[in,out] e the equation at the first guess; at the root gain, x, q and cap
 /// @return where it has not converged
@@ -147,12 +148,11 @@ BARRENO_FUNCTION MaskOf<R> solve_return(
     GainBracket<R> bracket,
     ReturnEquation<R>& e
 ) {
-  constexpr double small_step = 1e-8, round_off = 1e-15;
-  constexpr int most_iterations = 30;
-  const R per_bulk = 1.0 / trial.triple_bulk;
-  const R size = real::abs(trial.x) + trial.q + rock.stress_floor;
+  constexpr double nothing = 1e-15, small_step = 1e-12;
+  constexpr int most_iterations = 40;
+  const R size = (real::abs(trial.x) + trial.q + rock.stress_floor) / trial.triple_bulk;
   R last_step = bracket.high - bracket.low;
-  const MaskOf<R> asked = open;
+  R last_newton{};
   R final_step{};
   for (int i = 0; i < most_iterations; ++i) {
     const MaskOf<R> below = e.f > 0.0;
@@ -163,18 +163,20 @@ BARRENO_FUNCTION MaskOf<R> solve_return(
     const R length = real::abs(step);
     const R newton = e.gain + step;
     const MaskOf<R> inside = (newton >= bracket.low) & (newton <= bracket.high);
-    const MaskOf<R> is_small = inside & (length <= small_step * (size * per_bulk));
+    const MaskOf<R> converged =
+        inside & ((length <= small_step * size) |
+                  (length * length * length <= nothing * size * last_newton * last_newton));
     const MaskOf<R> exhausted =
-        (e.f == 0.0) | (width <= round_off * (size * per_bulk + real::abs(trial.evp)));
-    final_step = real::select(open & is_small, step, final_step);
-    open = open & !(is_small | exhausted);
+        (e.f == 0.0) | (width <= nothing * (size + real::abs(trial.evp)));
+    final_step = real::select(open & converged, step, final_step);
+    open = open & !(converged | exhausted);
     if (!real::any(open)) break;
     const MaskOf<R> sound = inside & (length < 0.6 * last_step);
     const R next = real::select(sound, newton, 0.5 * (bracket.low + bracket.high));
     last_step = real::select(sound, length, width);
+    last_newton = real::select(sound, length, 0.0);
     advance_points<R>(open, return_equation(rock, trial, capped, compact, next), e);
   }
-  final_step = real::select(asked, final_step, 0.0);
   e.gain = e.gain + final_step;
   e.x = e.x - trial.triple_bulk * final_step;
   e.q = e.q + e.dq * final_step;

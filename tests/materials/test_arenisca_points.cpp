@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Arenisca's points in lanes: against update(), and each independent of the others.
+#include "materials/arenisca_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+namespace barreno::test {
+namespace {
+
+#if BARRENO_HAS_LANES
+
+using Parameters = Arenisca::Parameters;
+
+struct Result {
+  Sym3 stress;
+  Arenisca::History history;
+  bool sound;
+  double elastic_work, plastic_work, modulus;
+};
+
+Result by_one(const Arenisca& model, const RockPoint& point) {
+  Result r{point.stress, point.history, false, 0.0, 0.0, 0.0};
+  const Outcome o = model.update(point.increment, r.stress, r.history);
+  return {r.stress, r.history, !o.failed(), o.elastic_work, o.plastic_work, o.longitudinal_modulus};
+}
+Result lane_result(const Arenisca::Points<Lanes>& p, int i) {
+  const PointsOutcome<Lanes>& o = p.outcome;
+  return {
+      lane_of<Sym3>(p.stress, i),
+      lane_of<Arenisca::History>(p.history, i),
+      o.sound[i] != 0,
+      o.elastic_work[i],
+      o.plastic_work[i],
+      o.longitudinal_modulus[i]};
+}
+
+/// Through the two parts of the update, as the host does it.
+std::vector<Result> by_lanes(const Arenisca& model, const std::vector<RockPoint>& points) {
+  std::vector<Result> results;
+  std::array<Arenisca::Points<Lanes>, Arenisca::groups_together> groups;
+  std::array<LaneMask, Arenisca::groups_together> rest;
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < points.size(); first += lane_count) {
+    std::array<std::size_t, lane_count> of{};
+    for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::min(first + i, points.size() - 1);
+    const RockLanes lanes = gather(points, of.data());
+    groups[count] = Arenisca::Points<Lanes>{lanes.increment, lanes.stress, lanes.history, {}};
+    rest[count] = model.start_points(groups[count]);
+    if (++count < groups.size() && first + lane_count < points.size()) continue;
+    model.finish_points(groups.data(), rest.data(), static_cast<int>(count));
+    for (std::size_t g = 0; g < count; ++g)
+      for (int i = 0; i < lane_count && results.size() < points.size(); ++i)
+        results.push_back(lane_result(groups[g], i));
+    count = 0;
+  }
+  return results;
+}
+
+/// Largest differences, relative to the larger of strength and trial stress.
+struct Difference {
+  double stress = 0.0, plastic_strain = 0.0, work = 0.0, modulus = 0.0;
+  double largest() const { return std::max({stress, work, modulus}); }
+};
+Difference difference(
+    const Arenisca& model, const RockPoint& point, const Result& a, const Result& b
+) {
+  const double bulk = model.rock().elasticity.upper_bound().bulk;
+  const double strain = norm(point.increment.strain);
+  const double scale =
+      std::max(model.rock().stress_floor, norm(point.stress) + 3.0 * bulk * strain);
+  return {
+      norm(a.stress - b.stress) / scale,
+      std::fabs(a.history.plastic_volume_strain - b.history.plastic_volume_strain),
+      (std::fabs(a.plastic_work - b.plastic_work) + std::fabs(a.elastic_work - b.elastic_work)) /
+          (scale * strain),
+      std::fabs(a.modulus / b.modulus - 1.0)};
+}
+
+/// How much update() itself makes of round-off: where a point sits at a knife's edge (the tip of
+/// the cap, pores that are all but closed, a substep that is just accepted), its neighbours go
+/// other ways.
+double own_noise(const Arenisca& model, const RockPoint& point, const Result& result) {
+  double noise = 0.0;
+  for (const double change : {-1e-13, -1e-14, -1e-15, 1e-15, 1e-14, 1e-13}) {
+    for (const int what : {0, 1, 2}) {
+      RockPoint near = point;
+      if (what == 0) near.stress = (1.0 + change) * near.stress;
+      if (what == 1) near.increment.strain = (1.0 + change) * near.increment.strain;
+      if (what == 2) near.history.plastic_volume_strain *= 1.0 + 0.1 * change;
+      const Result other = by_one(model, near);
+      noise = std::max(noise, difference(model, point, other, result).largest());
+    }
+  }
+  return noise;
+}
+
+/// Pores all but closed that open: the cap retracts a hundred times faster than the stress changes,
+/// a long substep has several solutions, and the two solvers may choose others on their way.
+bool opens_closed_pores(const Arenisca& model, const RockPoint& point, const Result& result) {
+  const double p3 = model.rock().crush.p3;
+  constexpr double nearly_closed = 0.005;
+  return p3 > 0.0 && 1.0 + point.history.plastic_volume_strain / p3 < nearly_closed &&
+         result.plastic_work > 0.0;
+}
+
+struct Tally {
+  std::size_t points = 0, plastic = 0, edges = 0;
+  Difference worst, worst_edge;
+};
+void keep_larger(const Difference& d, Difference& worst) {
+  worst.stress = std::max(worst.stress, d.stress);
+  worst.plastic_strain = std::max(worst.plastic_strain, d.plastic_strain);
+  worst.work = std::max(worst.work, d.work);
+  worst.modulus = std::max(worst.modulus, d.modulus);
+}
+Tally compare(const Arenisca& model, const std::vector<RockPoint>& points) {
+  const std::vector<Result> lanes = by_lanes(model, points);
+  Tally tally;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Result one = by_one(model, points[i]);
+    EXPECT_EQ(one.sound, lanes[i].sound) << i;
+    EXPECT_TRUE(is_finite(lanes[i].stress)) << i;
+    EXPECT_TRUE(std::isfinite(lanes[i].elastic_work + lanes[i].plastic_work)) << i;
+    if (!one.sound) continue;
+    ++tally.points;
+    tally.plastic += one.plastic_work > 0.0 ? 1U : 0U;
+    const Difference d = difference(model, points[i], lanes[i], one);
+    const bool edge = d.largest() > 1e-9 && (opens_closed_pores(model, points[i], one) ||
+                                             own_noise(model, points[i], one) > 0.1 * d.largest());
+    tally.edges += edge ? 1U : 0U;
+    keep_larger(d, edge ? tally.worst_edge : tally.worst);
+  }
+  return tally;
+}
+
+template <class Draw>
+std::vector<RockPoint> draw_points(std::size_t count, const Draw& draw) {
+  std::vector<RockPoint> points;
+  for (std::size_t i = 0; i < count; ++i) points.push_back(draw());
+  return points;
+}
+
+/// Sets with every kind of surface, elasticity and cap.
+std::vector<Parameters> sets_of_all_kinds() {
+  std::vector<Parameters> sets(8, Sample<Arenisca>::parameters());
+  sets[0] = berea();
+  sets[1].PEAKI1 = sets[1].STREN = sets[1].YSLOPE = 0.0;   // no strength at zero pressure
+  sets[2].PEAKI1 = sets[2].YSLOPE = 0.0;                   // zero vertex to von Mises
+  sets[3].p3_crush_curve = 0.0;                            // no porosity
+  sets[4].PEAKI1 = sets[4].FSLOPE = sets[4].YSLOPE = 0.0;  // von Mises with cap
+  sets[5].BETA_nonassociativity = 0.5;
+  sets[5].CR = 0.0;
+  sets[6].STREN = sets[6].YSLOPE = 0.0;  // linear
+  sets[7].B3 = 4e9;
+  sets[7].B4 = 0.01;
+  return sets;
+}
+
+void expect_agreement(const Arenisca& model, const std::vector<RockPoint>& points) {
+  const Tally tally = compare(model, points);
+  EXPECT_EQ(tally.points, points.size());
+  EXPECT_GT(tally.plastic, points.size() / 10);
+  EXPECT_LE(tally.worst.stress, 1e-9);
+  EXPECT_LE(tally.worst.modulus, 1e-9);
+  EXPECT_LE(tally.worst.plastic_strain, 1e-10);
+  // Of stress times strain, which is small beside the stress that round-off is measured by.
+  EXPECT_LE(tally.worst.work, 1e-8);
+  // At the edges both are answers within the model's own tolerance.
+  EXPECT_LT(tally.edges, points.size() / 300);
+  EXPECT_LE(tally.worst_edge.stress, model.rock().tolerance);
+}
+
+// A million updates: half as in a penetration run, half over every state of every kind of rock.
+TEST(AreniscaLanes, GiveWhatSinglePointsGive) {
+  const auto sets = sets_of_all_kinds();
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    SCOPED_TRACE(k);
+    ASSERT_EQ(Arenisca::check(sets[k], 1.0), "");
+    const Arenisca model(sets[k], 1.0);
+    RockSampler sampler(model, static_cast<unsigned>(k));
+    constexpr std::size_t count = 62500;
+    if (sets[k].p3_crush_curve > 0.0)
+      expect_agreement(model, draw_points(count, [&] { return sampler.flowing(); }));
+    expect_agreement(model, draw_points(count, [&] { return sampler.anywhere(-6.0, -3.0); }));
+  }
+}
+
+// Long steps: many substeps, which in both forms are many roundings and choices.
+TEST(AreniscaLanes, TakeLongSteps) {
+  for (const Parameters& set : sets_of_all_kinds()) {
+    const Arenisca model(set, 1.0);
+    RockSampler sampler(model, 77);
+    const auto points = draw_points(2000, [&] { return sampler.anywhere(-3.0, 0.0); });
+    const std::vector<Result> lanes = by_lanes(model, points);
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_TRUE(lanes[i].sound && is_finite(lanes[i].stress));
+      const Result one = by_one(model, points[i]);
+      ASSERT_TRUE(one.sound);
+      differences.push_back(difference(model, points[i], lanes[i], one).stress);
+    }
+    std::sort(differences.begin(), differences.end());
+    EXPECT_LE(differences[differences.size() * 98 / 100], 1e-9);
+    EXPECT_LE(differences.back(), model.rock().tolerance);
+  }
+}
+
+// The published return goes point by point.
+TEST(AreniscaLanes, LeaveBisectionToSinglePoints) {
+  Parameters p = berea();
+  p.return_solver = 1;
+  const Arenisca model(p, 1.0);
+  RockSampler sampler(model, 5);
+  const auto points = draw_points(200, [&] { return sampler.flowing(); });
+  const std::vector<Result> lanes = by_lanes(model, points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_LE(difference(model, points[i], lanes[i], by_one(model, points[i])).stress, 1e-14);
+}
+
+TEST(AreniscaLanes, RefuseWhatIsNotFinite) {
+  const Arenisca model(berea(), 1.0);
+  RockSampler sampler(model, 6);
+  auto points = draw_points(lane_count, [&] { return sampler.flowing(); });
+  points[1].stress.xy = NAN;
+  points[2].increment.strain.zz = HUGE_VAL;
+  points[3].history.plastic_volume_strain = NAN;
+  points[5].increment.strain = {20.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  const std::vector<Result> lanes = by_lanes(model, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(lanes[i].sound, by_one(model, points[i]).sound) << i;
+    if (lanes[i].sound) continue;
+    EXPECT_EQ(lanes[i].stress.xx, points[i].stress.xx) << i;
+    EXPECT_EQ(lanes[i].history.equivalent_plastic_strain, 0.1) << i;
+  }
+}
+
+/// A point's bits depend neither on its lane nor on its neighbours nor on their number: on that the
+/// reproducibility of runs rests.
+TEST(AreniscaLanes, NoPointDependsOnAnother) {
+  for (const Parameters& set : sets_of_all_kinds()) {
+    const Arenisca model(set, 1.0);
+    RockSampler sampler(model, 21);
+    auto points = draw_points(4000, [&] { return sampler.anywhere(-6.0, -1.0); });
+    const std::vector<Result> lanes = by_lanes(model, points);
+    std::vector<std::size_t> order(points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::shuffle(order.begin(), order.end(), std::mt19937_64(4));
+    std::vector<RockPoint> shuffled;
+    for (const std::size_t i : order) shuffled.push_back(points[i]);
+    const std::vector<Result> others = by_lanes(model, shuffled);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Result& a = lanes[order[i]];
+      ASSERT_EQ(0, std::memcmp(&a.stress, &others[i].stress, sizeof a.stress)) << i;
+      ASSERT_EQ(0, std::memcmp(&a.history, &others[i].history, sizeof a.history)) << i;
+      ASSERT_EQ(a.plastic_work, others[i].plastic_work) << i;
+      ASSERT_EQ(a.elastic_work, others[i].elastic_work) << i;
+      ASSERT_EQ(a.modulus, others[i].modulus) << i;
+    }
+    for (std::size_t i = 0; i < 200; ++i) {
+      const Result alone = by_lanes(model, {points[i]}).front();
+      ASSERT_EQ(0, std::memcmp(&alone.stress, &lanes[i].stress, sizeof alone.stress)) << i;
+      ASSERT_EQ(0, std::memcmp(&alone.history, &lanes[i].history, sizeof alone.history)) << i;
+    }
+  }
+}
+
+#endif
+
+}  // namespace
+}  // namespace barreno::test
