@@ -60,34 +60,37 @@ public:
     const auto place = random_() % 6;
     const double x = place < 3 ? places[place] : X + (top - X) * unit();
     const double shares[] = {0.0, unit(), 1.0, 1.0};
-    const double volume[] = {2.0 * unit() - 1.0, 0.0};
-    const double shear[] = {1.0, 0.0, 1e-9};
-    const Sym3 step = shear[random_() % 3] * direction() + isotropic(volume[random_() % 2] + 1e-12);
-    return point(
-        x,
-        shares[random_() % 4],
-        evp,
-        (std::pow(10.0, least + (most - least) * unit()) / norm(step)) * step
-    );
+    const double share = shares[random_() % 4];
+    const double volumes[] = {2.0 * unit() - 1.0, 0.0}, shears[] = {1.0, 0.0, 1e-9};
+    const double volume = volumes[random_() % 2] + 1e-12;
+    const Sym3 step = shears[random_() % 3] * direction() + isotropic(volume);
+    const double size = std::pow(10.0, least + (most - least) * unit());
+    return point(x, (share * shear_limit(x, evp)) * direction(), evp, (size / norm(step)) * step);
   }
 
   /// As in rock that a jet penetrates, in plane strain: two thirds dilated, up to twice its volume,
-  /// the others crushed; most on the surface; strain increments from 2e-5, half of them below 1e-4,
-  /// few above 1e-2.
+  /// the others crushed; most on the surface and sheared on in about the same direction; strain
+  /// increments from 2e-5, half of them below 1e-4, few above 1e-2.
   RockPoint flowing() {
     const bool dilated = unit() < 0.64;
     const double evp = dilated ? std::pow(unit(), 3.0) : -rock_.crush.p3 * std::pow(unit(), 2.0);
     const double x = rock_.cap_at(evp).X * std::pow(unit(), 1.5);
+    const double share = unit() < 0.9 ? 1.0 : unit();
     const double power = std::min(-4.7 - 0.8 * std::log(1.0 - unit()), -1.5);
-    const Sym3 step = direction(true) + isotropic(0.6 * (2.0 * unit() - 1.0));
-    return point(x, unit() < 0.9 ? 1.0 : unit(), evp, (std::pow(10.0, power) / norm(step)) * step);
+    const Sym3 shear = direction(true);
+    const Sym3 step = shear + isotropic(0.6 * (2.0 * unit() - 1.0));
+    const Sym3 turned = shear + 0.3 * direction(true);
+    const double stress = share * shear_limit(x, evp) / std::sqrt(second_invariant(turned));
+    return point(x, stress * turned, evp, (std::pow(10.0, power) / norm(step)) * step);
   }
 
   /// Well inside the surface, with steps of a stress wave.
   RockPoint elastic() {
     const double evp = unit() < 0.8 ? 0.0 : -0.05 * unit();
     const double x = -3.0 * 68.95e6 * (0.5 + unit());
-    return point(x, 0.5 * unit(), evp, 1e-5 * (direction(true) + isotropic(2.0 * unit() - 1.0)));
+    const Sym3 stress = (0.5 * unit() * shear_limit(x, evp)) * direction(true);
+    const Sym3 step = direction(true) + isotropic(2.0 * unit() - 1.0);
+    return point(x, stress, evp, 1e-5 * step);
   }
 
 private:
@@ -115,17 +118,18 @@ private:
         return -p3 * unit();
     }
   }
-  /// @param share of the shear strength at I1 = x
-  RockPoint point(double x, double share, double evp, const Sym3& strain) {
+  /// sqrt(J2) of the surface [stress]
+  double shear_limit(double x, double evp) const {
     arenisca::NoCounter none;
     const auto m = rock_.surface.at(x, rock_.cap_at(evp), none);
-    const double limit = std::max(m.limit, 0.0) * std::sqrt(std::max(m.cap_squared, 0.0));
-    const bool plane = strain.yz == 0.0 && strain.zx == 0.0;
+    return std::max(m.limit, 0.0) * std::sqrt(std::max(m.cap_squared, 0.0));
+  }
+  static RockPoint point(double x, const Sym3& shear, double evp, const Sym3& strain) {
     RockPoint p;
     p.increment.strain = strain;
     p.increment.dt = 1e-8;
     p.increment.volume_ratio_end = std::exp(trace(strain));
-    p.stress = isotropic(x / 3.0) + (share * limit) * direction(plane);
+    p.stress = isotropic(x / 3.0) + shear;
     p.history = {evp, 0.1};
     return p;
   }
