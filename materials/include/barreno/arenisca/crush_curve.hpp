@@ -52,4 +52,16 @@ struct CrushCurve {
   BARRENO_FUNCTION double last_open() const { return -p3 * (1.0 - 1.001 * closed_fraction); }
 };
 
+/// Quotients of a curve's parameters, for updates that would divide often; meaningless for p3 = 0.
+struct CrushRates {
+  double per_p1 = 0.0;     ///< 1/p1 [stress]
+  double per_p3 = 0.0;     ///< 1/p3
+  double power = 0.0;      ///< 1/(p0 p1 p3)
+  double at_start = 0.0;   ///< dX/d(evp) at evp = 0: 1/(p1 p3) [stress]
+};
+BARRENO_FUNCTION CrushRates crush_rates(const CrushCurve& c) {
+  if (c.p3 == 0.0) return {};
+  return {1.0 / c.p1, 1.0 / c.p3, 1.0 / (c.p0 * c.p1 * c.p3), 1.0 / (c.p1 * c.p3)};
+}
+
 }  // namespace barreno::arenisca

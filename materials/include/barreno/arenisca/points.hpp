@@ -75,19 +75,18 @@ BARRENO_FUNCTION CapOf<R> cap_of(const Rock& rock, const R& evp) {
   const CrushCurve& crush = rock.crush;
   CapOf<R> cap{none_of<R>()};
   if (crush.p3 == 0.0) return cap;
-  const double inverse_p1 = 1.0 / crush.p1, per_pores = 1.0 / (crush.p1 * crush.p3);
-  const R open_fraction = 1.0 + evp / crush.p3;
+  const CrushRates& rates = rock.rates;
+  const R open_fraction = 1.0 + rates.per_p3 * evp;
   cap.present = open_fraction > CrushCurve::closed_fraction;
   const MaskOf<R> dilated = evp > 0.0;
   const R argument =
       real::select(dilated, 1.0 + evp, real::select(cap.present, open_fraction, 1.0));
   const R logarithm = real::log(argument);
-  cap.X = crush.p0 + inverse_p1 * logarithm;
-  cap.slope = per_pores / argument;
+  cap.X = crush.p0 + rates.per_p1 * logarithm;
+  cap.slope = rates.at_start / argument;
   if (real::any(dilated)) {
-    const R ratio = real::larger(
-        real::exp(R((per_pores / crush.p0) * logarithm)), CrushCurve::retraction_limit
-    );
+    const R ratio =
+        real::larger(real::exp(R(rates.power * logarithm)), CrushCurve::retraction_limit);
     cap.X = real::select(dilated, crush.p0 * ratio, cap.X);
     cap.slope = real::select(dilated, ratio * cap.slope, cap.slope);
   }

@@ -40,7 +40,6 @@ struct PredictionOf {
 template <class R>
 struct AttemptOf {
   StateOf<R> end;
-  CapOf<R> cap;  ///< at the end
   R error, allowed;
   MaskOf<R> elastic, refused;
   R elastic_work, plastic_work;
@@ -189,7 +188,6 @@ BARRENO_FUNCTION void finish_points(
   const MaskOf<R> sheared = from_q > 0.0;
   const R kept = real::select(sheared, r.q / real::select(sheared, from_q, 1.0), 0.0);
   a.end = {r.x, kept * from, r.evp, n.shear_strain};
-  a.cap = r.cap;
   const R devp = r.evp - n.evp;
   const ShearOf<R> dep = R(0.5 / p.used.shear) * (p.s - a.end.s);
   a.end.shear_strain = n.shear_strain + real::sqrt(R((4.0 / 3.0) * squared(dep)));
@@ -246,7 +244,6 @@ BARRENO_FUNCTION void refine_points(
   r.x = real::select(outside, r.x, moved_x);
   r.q = real::select(outside, r.q, q);
   r.evp = real::select(outside, r.evp, evp);
-  r.cap = select_points<R>(outside, r.cap, cap);
   AttemptOf<R> b = a;
   finish_points(rock, step, p, moved, q, r, f, b);
   constexpr double round_off = 1e-9;
@@ -258,7 +255,6 @@ BARRENO_FUNCTION void refine_points(
   a.end.s = select_points<R>(better, b.end.s, a.end.s);
   a.end.evp = real::select(better, b.end.evp, a.end.evp);
   a.end.shear_strain = real::select(better, b.end.shear_strain, a.end.shear_strain);
-  a.cap = select_points<R>(better, b.cap, a.cap);
   a.elastic_work = real::select(better, b.elastic_work, a.elastic_work);
   a.plastic_work = real::select(better, b.plastic_work, a.plastic_work);
   a.moduli.bulk = real::select(better, b.moduli.bulk, a.moduli.bulk);

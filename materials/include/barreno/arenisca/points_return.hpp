@@ -19,7 +19,7 @@ struct TrialOf {
 template <class R>
 struct ReturnedOf {
   R x, q, evp;
-  CapOf<R> cap;  ///< at the new evp
+  CapOf<R> cap;  ///< at the new evp, where the return met it
   MaskOf<R> refused;
 };
 
@@ -217,11 +217,13 @@ template <class R>
 BARRENO_FUNCTION void return_to_retracted_cap(
     const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& limited, ReturnedOf<R>& r
 ) {
+  // The crush curve is concave: its tangent tells most that clear the cap.
   const double last_open = rock.crush.last_open();
-  CapOf<R> end = cap_of(rock, R(real::larger(r.evp, last_open)));
-  const MaskOf<R> caught = limited & (r.x < end.kappa);
-  end.present = r.evp > last_open;
-  r.cap = select_points<R>(limited, end, r.cap);
+  const R bound = trial.cap.kappa + rock.surface.CR * trial.cap.slope * (r.evp - trial.evp);
+  const MaskOf<R> unclear = limited & !(trial.cap.present & (r.x >= bound));
+  if (!real::any(unclear)) return;
+  const CapOf<R> end = cap_of(rock, R(real::larger(r.evp, last_open)));
+  const MaskOf<R> caught = unclear & (r.x < end.kappa);
   if (!real::any(caught)) return;
   // First guess: where the cap's branch point meets the elastic path; closed pores begin to open.
   const R to_branch =
@@ -277,17 +279,14 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
       real::select(compact, larger_of(to_kappa, last_open), least),
       real::select(compact, 0.0, real::select(capped, to_X, reach) * per_bulk)};
 
-  ReturnEquation<R> e{R{}, trial.x, trial.cap, at_trial};
-  e.cap.present = capped;
-  close_equation(rock, trial, compact, e);
-  // A trial state that is past its own solution stays where it is.
-  const MaskOf<R> at_once =
-      (!beyond_vertex) & (!beyond_tip) & ((e.f == 0.0) | ((e.f > 0.0) == compact));
   // Beyond the tip the hydrostatic solution, to first order, is the better start.
   const R hydrostatic = to_X / (trial.triple_bulk + trial.cap.slope);
   const R known = real::select(beyond_tip, larger_of(hydrostatic, bracket.low), least);
   const R start = real::select((guess > bracket.low) & (guess < bracket.high), guess, known);
-  const MaskOf<R> elsewhere = wanted & (!at_once) & (start != 0.0);
+  const MaskOf<R> elsewhere = wanted & (start != 0.0);
+  ReturnEquation<R> e{R{}, trial.x, trial.cap, at_trial};
+  e.cap.present = capped;
+  if (real::any(wanted & !elsewhere)) close_equation(rock, trial, compact, e);
   if (real::any(elsewhere))
     advance_points<R>(elsewhere, return_equation(rock, trial, capped, compact, start), e);
 
@@ -298,7 +297,7 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
     const ReturnEquation<R> nearly = return_equation(rock, trial, capped, compact, last_open);
     closed = may_close & (nearly.f <= 0.0);
   }
-  const MaskOf<R> open = wanted & !(at_once | closed);
+  const MaskOf<R> open = wanted & !closed;
   const MaskOf<R> failed = solve_return(rock, trial, capped, compact, open, bracket, e);
   ReturnedOf<R> r = returned_at(trial, e, failed);
   r.x = real::select(to_vertex, surface.vertex, r.x);

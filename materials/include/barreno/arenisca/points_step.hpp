@@ -89,7 +89,6 @@ BARRENO_FUNCTION AttemptOf<R> attempt_points(
       select_points<R>(inside, p.s, a.end.s),
       real::select(inside, n.evp, a.end.evp),
       real::select(inside, n.shear_strain, a.end.shear_strain)};
-  a.cap = select_points<R>(inside, step.cap, a.cap);
   a.moduli = {
       real::select(inside, moduli.bulk, a.moduli.bulk),
       real::select(inside, moduli.shear, a.moduli.shear)};
@@ -166,12 +165,13 @@ BARRENO_FUNCTION void advance_step(const Rock& rock, StepOf<R>& step) {
   step.state.s = select_points<R>(takes, a.end.s, step.state.s);
   step.state.evp = real::select(takes, end, begin);
   step.state.shear_strain = real::select(takes, a.end.shear_strain, step.state.shear_strain);
-  step.cap = select_points<R>(takes, a.cap, step.cap);
   step.elastic_work = step.elastic_work + real::select(takes, a.elastic_work, 0.0);
   step.plastic_work = step.plastic_work + real::select(takes, a.plastic_work, 0.0);
   step.modulus = real::select(takes, a.moduli.bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
   step.active = step.active & !(takes & last);
   if (!real::any(step.active)) return;
+  if (real::any(step.active & takes))
+    step.cap = select_points<R>(takes, cap_of(rock, step.state.evp), step.cap);
   step.done = step.done + real::select(takes, fraction, 0.0);
   const R to_jump = begin / real::select(crosses, begin - end, 1.0);
   step.fraction = fraction * real::select(crosses, to_jump, step_factor_of(a));

@@ -16,6 +16,7 @@ struct Rock {
   Elasticity elasticity;
   YieldSurface surface;
   CrushCurve crush;
+  CrushRates rates;     ///< of the crush curve
   Cap first_cap;        ///< cap of the virgin rock; compaction only widens it
   double beta;          ///< nonassociativity: scales r in the transformed space
   double tolerance;     ///< relative local error of a substep
