@@ -244,7 +244,7 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
             spec.material.density,
             scene.step.largest_expansion,
             dt};
-        constexpr int run = updates_in_parts<Model, typename RealFor<Model>::type> ? 256 : 64;
+        constexpr int run = updates_in_parts<Model, typename RealFor<Model>::type> ? 512 : 64;
         Kokkos::parallel_reduce(
             "update_stress",
             range((rows.end - rows.begin + run - 1) / run),

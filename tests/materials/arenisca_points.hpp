@@ -76,7 +76,7 @@ public:
     const double evp = dilated ? std::pow(unit(), 3.0) : -rock_.crush.p3 * std::pow(unit(), 2.0);
     const double x = rock_.cap_at(evp).X * std::pow(unit(), 1.5);
     const double share = unit() < 0.9 ? 1.0 : unit();
-    const double power = std::min(-4.7 - 0.8 * std::log(1.0 - unit()), -1.5);
+    const double power = std::min(-4.7 - 0.65 * std::log(1.0 - unit()), -1.5);
     const Sym3 shear = direction(true);
     const Sym3 step = shear + isotropic(0.6 * (2.0 * unit() - 1.0));
     const Sym3 turned = shear + 0.3 * direction(true);

@@ -54,10 +54,10 @@ struct CrushCurve {
 
 /// Quotients of a curve's parameters, for updates that would divide often; meaningless for p3 = 0.
 struct CrushRates {
-  double per_p1 = 0.0;     ///< 1/p1 [stress]
-  double per_p3 = 0.0;     ///< 1/p3
-  double power = 0.0;      ///< 1/(p0 p1 p3)
-  double at_start = 0.0;   ///< dX/d(evp) at evp = 0: 1/(p1 p3) [stress]
+  double per_p1 = 0.0;    ///< 1/p1 [stress]
+  double per_p3 = 0.0;    ///< 1/p3
+  double power = 0.0;     ///< 1/(p0 p1 p3)
+  double at_start = 0.0;  ///< dX/d(evp) at evp = 0: 1/(p1 p3) [stress]
 };
 BARRENO_FUNCTION CrushRates crush_rates(const CrushCurve& c) {
   if (c.p3 == 0.0) return {};

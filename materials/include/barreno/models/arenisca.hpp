@@ -104,7 +104,7 @@ struct Arenisca {
   /// to 1e-9 of the larger of strength and trial stress.
   template <class R>
   using Points = PointsOf<Sym3Of<R>, HistoryOf<R>>;
-  static constexpr int groups_together = 16;
+  static constexpr int groups_together = 32;
   template <class R>
   BARRENO_FUNCTION PointsOutcome<R> update_points(
       const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
