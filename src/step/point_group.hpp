@@ -9,7 +9,7 @@
 namespace barreno {
 
 /// A model's history of one or several points, and the R that it is updated with: Lanes where the
-/// model has update_points().
+/// model takes them, as update_points() or in parts.
 template <class Model, class R>
 struct HistoryFor {
   using type = typename Model::template HistoryOf<R>;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <random>
 #include <vector>
@@ -168,6 +169,14 @@ std::vector<Parameters> sets_of_all_kinds() {
 
 void expect_agreement(const Arenisca& model, const std::vector<RockPoint>& points) {
   const Tally tally = compare(model, points);
+  std::printf(
+      "%zu points, %zu flow: worst stress %.1e; %zu at edges, worst stress %.1e\n",
+      tally.points,
+      tally.plastic,
+      tally.worst.stress,
+      tally.edges,
+      tally.worst_edge.stress
+  );
   EXPECT_EQ(tally.points, points.size());
   EXPECT_GT(tally.plastic, points.size() / 10);
   EXPECT_LE(tally.worst.stress, 1e-9);

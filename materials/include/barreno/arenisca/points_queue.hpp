@@ -11,19 +11,6 @@ namespace barreno::arenisca {
 /// As in integrate(): bounds the cost of any input.
 constexpr int most_attempts_together = 2000;
 
-/// Carries the steps of one point to their end.
-template <std::size_t most_groups>
-BARRENO_FUNCTION void finish_steps(
-    const Rock& rock, StepOf<double> (&steps)[most_groups], int count
-) {
-  for (int g = 0; g < count; ++g) {
-    for (int i = 0; i < most_attempts_together && steps[g].active; ++i)
-      advance_step(rock, steps[g]);
-    steps[g].refused = steps[g].refused || steps[g].active;
-  }
-}
-
-#if BARRENO_HAS_LANES
 /// Points that need more attempts than their group, packed into lanes so that few lanes are idle.
 /// Which lanes they share changes nothing for a point.
 template <std::size_t most_groups>
@@ -87,6 +74,5 @@ inline void finish_steps(const Rock& rock, StepOf<Lanes> (&steps)[most_groups], 
   for (int i = 0; i < queue.count; ++i)
     steps[queue.places[i].group].refused[queue.places[i].lane] = -1;
 }
-#endif
 
 }  // namespace barreno::arenisca

@@ -102,15 +102,10 @@ BARRENO_FUNCTION AttemptOf<R> attempt_points(
   return a;
 }
 
-BARRENO_FUNCTION double whole_part(double x) {
-  return std::floor(x);
-}
-#if BARRENO_HAS_LANES
 /// Largest integer not above x, for 0 <= x < 2^52.
 inline Lanes whole_part(const Lanes& x) {
   return __builtin_convertvector(__builtin_convertvector(x, LaneMask), Lanes);
 }
-#endif
 
 /// step_factor().
 template <class R>

@@ -100,15 +100,11 @@ struct Arenisca {
     return outcome;
   }
 
-  /// update() of one or several points at once (outcome.hpp, arenisca_update.hpp); agrees with it
+  /// update() of points in lanes, in two parts (outcome.hpp, arenisca_update.hpp); agrees with it
   /// to 1e-9 of the larger of strength and trial stress.
   template <class R>
   using Points = PointsOf<Sym3Of<R>, HistoryOf<R>>;
   static constexpr int groups_together = 32;
-  template <class R>
-  BARRENO_FUNCTION PointsOutcome<R> update_points(
-      const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
-  ) const;
   template <class R>
   BARRENO_FUNCTION MaskOf<R> start_points(Points<R>& p) const;
   template <class R>

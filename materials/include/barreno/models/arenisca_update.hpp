@@ -3,22 +3,16 @@
 
 // The point update of Arenisca for several points at once (real.hpp). Read first: arenisca.hpp,
 // which includes this, and arenisca/substep.hpp, which is the same for one point.
+#include "barreno/models/arenisca.hpp"
+#include "barreno/real.hpp"
+
+#if BARRENO_HAS_LANES
+
 #include "barreno/arenisca/points_queue.hpp"
 #include "barreno/arenisca/points_start.hpp"
-#include "barreno/models/arenisca.hpp"
 
 namespace barreno {
 
-/// update() for the points asked for, one after the other.
-BARRENO_FUNCTION void update_one_by_one(
-    const Arenisca& model, bool asked, Arenisca::Points<double>& p
-) {
-  if (!asked) return;
-  const Outcome one = model.update(p.increment, p.stress, p.history);
-  p.outcome = {!one.failed(), one.elastic_work, one.plastic_work, one.longitudinal_modulus};
-}
-
-#if BARRENO_HAS_LANES
 /// One lane of a structure that consists of reals, and back.
 template <class One, class Several>
 inline One lane_of(const Several& from, int lane) {
@@ -35,6 +29,7 @@ inline void set_lane(const One& from, int lane, Several& to) {
     reinterpret_cast<Lanes*>(&to)[c][lane] = reinterpret_cast<const double*>(&from)[c];
 }
 
+/// update() for the points asked for, one after the other.
 inline void update_one_by_one(
     const Arenisca& model, const LaneMask& asked, Arenisca::Points<Lanes>& p
 ) {
@@ -57,7 +52,6 @@ inline void update_one_by_one(
     p.outcome.longitudinal_modulus[i] = one.longitudinal_modulus;
   }
 }
-#endif
 
 namespace arenisca {
 
@@ -134,16 +128,6 @@ BARRENO_FUNCTION void Arenisca::finish_points(Points<R>* groups, const MaskOf<R>
   }
 }
 
-template <class R>
-BARRENO_FUNCTION PointsOutcome<R> Arenisca::update_points(
-    const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
-) const {
-  Points<R> points{increment, stress, history, {}};
-  const MaskOf<R> flows = start_points(points);
-  if (real::any(flows)) finish_points(&points, &flows, 1);
-  stress = points.stress;
-  history = points.history;
-  return points.outcome;
-}
-
 }  // namespace barreno
+
+#endif
