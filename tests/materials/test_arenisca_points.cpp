@@ -268,6 +268,7 @@ TEST(AreniscaLanes, NoPointDependsOnAnother) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::shuffle(order.begin(), order.end(), std::mt19937_64(4));
     std::vector<RockPoint> shuffled;
+    shuffled.reserve(order.size());
     for (const std::size_t i : order) shuffled.push_back(points[i]);
     const std::vector<Result> others = by_lanes(model, shuffled);
     for (std::size_t i = 0; i < order.size(); ++i) {

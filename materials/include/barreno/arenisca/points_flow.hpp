@@ -107,23 +107,27 @@ BARRENO_FUNCTION TurnOf<R> turn_of(
   return c;
 }
 
-/// finish() of plastic_flow.hpp.
-/// @param from shear stress that was returned, and its size
+/// A shear stress of the given size made as long as `wanted`.
 template <class R>
-BARRENO_FUNCTION void finish_points(
+BARRENO_FUNCTION ShearOf<R> lengthened(const ShearOf<R>& s, const R& size, const R& wanted) {
+  const MaskOf<R> sheared = size > 0.0;
+  return R(real::select(sheared, wanted / real::select(sheared, size, 1.0), 0.0)) * s;
+}
+
+/// finish() of plastic_flow.hpp.
+/// @param end shear stress that the return leaves
+template <class R>
+BARRENO_FUNCTION void finish_flow(
     const Rock& rock,
     const SubstepOf<R>& step,
     const PredictionOf<R>& p,
-    const ShearOf<R>& from,
-    const R& from_q,
+    const ShearOf<R>& end,
     const ReturnedOf<R>& r,
     const FlowStartOf<R>& f,
     AttemptOf<R>& a
 ) {
   const StateOf<R>& n = step.n;
-  const MaskOf<R> sheared = from_q > 0.0;
-  const R kept = real::select(sheared, r.q / real::select(sheared, from_q, 1.0), 0.0);
-  a.end = {r.x, kept * from, r.evp, n.shear_strain};
+  a.end = {r.x, end, r.evp, n.shear_strain};
   const R devp = r.evp - n.evp;
   const ShearOf<R> dep = R(0.5 / p.used.shear) * (p.s - a.end.s);
   a.end.shear_strain = n.shear_strain + real::sqrt(R((4.0 / 3.0) * squared(dep)));
@@ -181,7 +185,7 @@ BARRENO_FUNCTION void refine_points(
   r.q = real::select(outside, r.q, q);
   r.evp = real::select(outside, r.evp, evp);
   AttemptOf<R> b = a;
-  finish_points(rock, step, p, moved, q, r, f, b);
+  finish_flow(rock, step, p, lengthened(moved, q, r.q), r, f, b);
   constexpr double round_off = 1e-9;
   const R flow = b.end.shear_strain - n.shear_strain;
   const MaskOf<R> better =
@@ -220,7 +224,7 @@ BARRENO_FUNCTION AttemptOf<R> flow_points(
   );
   const FlowStartOf<R> f = flow_start_of(rock, flows, step, p, metric);
   AttemptOf<R> a;
-  finish_points(rock, step, p, p.s, p.q, r, f, a);
+  finish_flow(rock, step, p, lengthened(p.s, p.q, r.q), r, f, a);
   a.elastic = none_of<R>();
   a.refused = flows & r.refused;
   a.allowed = allowed_error_of(rock, n, r.x, R(r.q * r.q));
