@@ -174,6 +174,7 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
       continue;
     }
     state = a.end;
+    count.took(fraction);
     outcome.elastic_work += a.elastic_work;
     outcome.plastic_work += a.plastic_work;
     outcome.longitudinal_modulus = a.moduli.bulk + 4.0 / 3.0 * a.moduli.shear;
@@ -187,3 +188,5 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
 }
 
 }  // namespace barreno::arenisca
+
+#include "barreno/arenisca/frozen_substeps.hpp"

@@ -9,12 +9,15 @@
 namespace barreno::arenisca {
 
 /// Counts yield-function evaluations for benchmarks; the default counts nothing and costs nothing.
+/// Every counter also hears of the substeps that were taken (frozen_substeps.hpp).
 struct NoCounter {
   BARRENO_FUNCTION void add() {}
+  BARRENO_FUNCTION void took(double /*fraction*/) {}
 };
 struct EvaluationCounter {
   long evaluations = 0;
   BARRENO_FUNCTION void add() { ++evaluations; }
+  BARRENO_FUNCTION void took(double /*fraction*/) {}
 };
 
 /// Cap of the surface: hydrostatic strength X and branch point kappa [stress]; absent when not

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/models.hpp"
+
+#include <cmath>
+
+namespace barreno {
+
+/// Stiffness of a point as the components C_ijkl, pairs in the order of Sym3 (xx yy zz xy yz zx):
+/// c[i][j] = d sigma_i / d gamma_j, where gamma_j is the strain, twice the tensor's for shears.
+/// Nonassociated flow makes it unsymmetric.
+struct Tangent {
+  double c[6][6]{};
+};
+
+/// G of a point in this state [stress]. A model with another G than a parameter of that name adds
+/// its own.
+template <class Model>
+double shear_modulus(
+    const Model& model, const Sym3& /*stress*/, const typename Model::History& /*h*/
+) {
+  return model.parameters().shear_modulus;
+}
+inline double shear_modulus(const Arenisca& model, const Sym3& stress, const Arenisca::History& h) {
+  return model.rock().elasticity.moduli_at(trace(stress), h.plastic_volume_strain).shear;
+}
+
+/// Isotropic stiffness of an unloading point in this state.
+template <class Model>
+Tangent elastic_tangent(
+    const Model& model, const Sym3& stress, const typename Model::History& h, double volume_ratio
+) {
+  const double shear = shear_modulus(model, stress, h);
+  const double axial = model.longitudinal_modulus(stress, h, volume_ratio);
+  Tangent tangent;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) tangent.c[i][j] = i == j ? axial : axial - 2.0 * shear;
+    tangent.c[i + 3][i + 3] = shear;
+  }
+  return tangent;
+}
+
+/// A model's update and the same again for a strain close by, smooth in that strain.
+template <class Model>
+struct SmoothUpdate {
+  const Model& model;
+  Outcome first(const Increment& i, Sym3& stress, typename Model::History& h) {
+    return model.update(i, stress, h);
+  }
+  Outcome again(const Increment& i, Sym3& stress, typename Model::History& h) const {
+    return model.update(i, stress, h);
+  }
+};
+template <>
+struct SmoothUpdate<Arenisca> {
+  const Arenisca& model;
+  arenisca::SubstepRecord record{};
+  Outcome first(const Increment& i, Sym3& stress, Arenisca::History& h) {
+    return model.update_counted(i, stress, h, record);
+  }
+  Outcome again(const Increment& i, Sym3& stress, Arenisca::History& h) const {
+    arenisca::SubstepReplay replay{record};
+    return model.update_counted(i, stress, h, replay);
+  }
+};
+
+namespace tangent {
+
+inline double* components(Sym3& s) {
+  static_assert(sizeof(Sym3) == 6 * sizeof(double), "six components, nothing else");
+  return &s.xx;
+}
+
+/// Strain to either side over which the stress is differenced: large against the round-off of the
+/// solvers, small against the step.
+inline double difference_step(Sym3 strain) {
+  constexpr double smallest = 1e-7, largest = 1e-6, of_step = 1e-4;
+  double size = 0.0;
+  for (int i = 0; i < 6; ++i) size = std::fmax(size, std::fabs(components(strain)[i]));
+  return std::fmin(std::fmax(smallest, of_step * size), largest);
+}
+
+/// The increment with a strain component changed by h; the volume follows.
+inline Increment shifted(const Increment& increment, int component, double h) {
+  Increment shifted = increment;
+  components(shifted.strain)[component] += h;
+  if (component < 3) shifted.volume_ratio_end *= std::exp(h);
+  return shifted;
+}
+
+}  // namespace tangent
+
+/// update() and the tangent of what it did: d sigma(end) / d strain increment by central
+/// differences of the whole update, as accurate as its solvers (Arenisca: 1e-6 and better away from
+/// kinks). A zero increment, or one whose neighbours fail, gets the elastic tangent at the end of
+/// the step; a failed update that at its start.
+template <class Model>
+Outcome update_with_tangent(
+    const Model& model,
+    const Increment& increment,
+    Sym3& stress,
+    typename Model::History& history,
+    Tangent& result
+) {
+  const Sym3 stress_begin = stress;
+  const typename Model::History begin = history;
+  SmoothUpdate<Model> update{model};
+  const Outcome outcome = update.first(increment, stress, history);
+  result = elastic_tangent(
+      model,
+      stress,
+      history,
+      outcome.failed() ? increment.volume_ratio_begin : increment.volume_ratio_end
+  );
+  if (outcome.failed() || contract(increment.strain, increment.strain) == 0.0) return outcome;
+  const double h = tangent::difference_step(increment.strain);
+  Tangent differences;
+  for (int j = 0; j < 6; ++j) {
+    Sym3 side[2] = {stress_begin, stress_begin};
+    for (int k = 0; k < 2; ++k) {
+      typename Model::History end = begin;
+      const Increment near = tangent::shifted(increment, j, k == 0 ? -h : h);
+      if (update.again(near, side[k], end).failed()) return outcome;
+    }
+    const double width = (j < 3 ? 2.0 : 4.0) * h;  // a shear component counts twice in gamma
+    for (int i = 0; i < 6; ++i) {
+      differences.c[i][j] =
+          (tangent::components(side[1])[i] - tangent::components(side[0])[i]) / width;
+    }
+  }
+  result = differences;
+  return outcome;
+}
+
+}  // namespace barreno
