@@ -89,6 +89,22 @@ inline Increment shifted(const Increment& increment, int component, double h) {
   return shifted;
 }
 
+inline double largest(Sym3 s) {
+  double size = 0.0;
+  for (int i = 0; i < 6; ++i) size = std::fmax(size, std::fabs(components(s)[i]));
+  return size;
+}
+
+/// Slope of the stress from three of its values, h apart. Centred, unless the stress jumps on one
+/// side, which shows as a slope steeper than any material's (large steps can end on one branch of
+/// the return or another, and moduli jump where rock becomes dilated): then that of the other side.
+inline Sym3 slope(const Sym3& left, const Sym3& middle, const Sym3& right, double h, double steep) {
+  const Sym3 one = (1.0 / h) * (middle - left), other = (1.0 / h) * (right - middle);
+  if (largest(one) > steep && largest(other) <= steep) return other;
+  if (largest(other) > steep && largest(one) <= steep) return one;
+  return 0.5 * (one + other);
+}
+
 }  // namespace tangent
 
 /// update() and the tangent of what it did: d sigma(end) / d strain increment by central
@@ -115,6 +131,11 @@ Outcome update_with_tangent(
   );
   if (outcome.failed() || contract(increment.strain, increment.strain) == 0.0) return outcome;
   const double h = tangent::difference_step(increment.strain);
+  const double at_begin =
+      model.longitudinal_modulus(stress_begin, begin, increment.volume_ratio_begin);
+  constexpr double margin =
+      4.0;  // nonlinear elasticity and nonassociated flow go a little beyond 1
+  const double steep = margin * std::fmax(at_begin, result.c[0][0]);
   Tangent differences;
   for (int j = 0; j < 6; ++j) {
     Sym3 side[2] = {stress_begin, stress_begin};
@@ -123,11 +144,9 @@ Outcome update_with_tangent(
       const Increment near = tangent::shifted(increment, j, k == 0 ? -h : h);
       if (update.again(near, side[k], end).failed()) return outcome;
     }
-    const double width = (j < 3 ? 2.0 : 4.0) * h;  // a shear component counts twice in gamma
-    for (int i = 0; i < 6; ++i) {
-      differences.c[i][j] =
-          (tangent::components(side[1])[i] - tangent::components(side[0])[i]) / width;
-    }
+    // A shear component counts twice in gamma.
+    Sym3 column = tangent::slope(side[0], stress, side[1], j < 3 ? h : 2.0 * h, steep);
+    for (int i = 0; i < 6; ++i) differences.c[i][j] = tangent::components(column)[i];
   }
   result = differences;
   return outcome;
