@@ -26,7 +26,7 @@ extern "C" {
 
 /// The list of arguments of Abaqus/Standard. Stress, state and DDSDDE are updated; a point that
 /// fails keeps its stress and state, and asks for a quarter of the step by PNEWDT.
-void UMAT(  // NOLINT(readability-function-size)
+void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     double* stress,
     double* statev,
     double* ddsdde,

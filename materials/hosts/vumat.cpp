@@ -125,7 +125,7 @@ void add_energies(
 extern "C" {
 
 /// The list of arguments of Abaqus/Explicit in double precision; what is not used may be null.
-void VUMAT(  // NOLINT(readability-function-size)
+void VUMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     const int* nblock,
     const int* ndir,
     const int* nshr,

@@ -17,6 +17,8 @@
  *
  * Threads. A material may be updated by several threads at once. Texts of errors belong to the calling thread. */
 
+/* C has names and forms of its own: NOLINTBEGIN(modernize-use-using,readability-identifier-naming) */
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -100,5 +102,7 @@ const char* barreno_last_error(void);
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using,readability-identifier-naming) */
 
 #endif

@@ -2,7 +2,6 @@
 // A finite element code in C++ that takes the models themselves: the same point as in consumer.c.
 #include <barreno/registry.hpp>
 #include <barreno/tangent.hpp>
-
 #include <cmath>
 #include <cstdio>
 

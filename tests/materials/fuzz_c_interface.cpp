@@ -163,7 +163,6 @@ std::string one_call(Engine& engine, const barreno_material* m, Tally& tally) {
       c.work.data(),
       c.status.data()};
   if (chance(engine, 0.02)) {
-    const Call before = c;
     barreno_batch unusable = b;
     switch (engine() % 4) {
       case 0:

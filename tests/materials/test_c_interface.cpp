@@ -51,7 +51,9 @@ struct Arrays {
         tangent(size(36)),
         work(size(2)),
         status(size(1)) {}
-  std::size_t size(int each) const { return static_cast<std::size_t>(count * each); }
+  std::size_t size(int each) const {
+    return static_cast<std::size_t>(count) * static_cast<std::size_t>(each);
+  }
   barreno_batch batch(int want, double dt) {
     return {
         count,
