@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
+#include <set>
 #include <vector>
 
 namespace barreno::c_interface {
@@ -31,7 +32,7 @@ fs::path moved_cards() {
     return {};
   std::error_code ignored;
   const fs::path binary = fs::canonical(info.dli_fname, ignored);
-  return binary.parent_path() / BARRENO_CARDS_FROM_LIBRARY;
+  return (binary.parent_path() / BARRENO_CARDS_FROM_LIBRARY).lexically_normal();
 }
 
 std::vector<fs::path> directories() {
@@ -66,19 +67,19 @@ std::string card_file(const std::string& name) {
   std::string wanted = lower(name);
   if (wanted.size() > 4 && wanted.compare(wanted.size() - 4, 4, ".xml") == 0)
     wanted.resize(wanted.size() - 4);
-  std::vector<std::string> known;
+  std::set<std::string> known;
   for (const fs::path& directory : directories()) {
     for (const fs::path& card : cards_in(directory)) {
       if (lower(card.stem().string()) == wanted) return card.string();
-      known.push_back(card.stem().string());
+      known.insert(card.stem().string());
     }
   }
-  const std::string nearest = input::nearest_name(name, known);
   throw FileError(
       "'" + name +
       "' names no card (it is no file, and neither BARRENO_MATERIALS nor the installed cards hold "
       "it); " +
-      (nearest.empty() ? "give the path or the name of a card." : "did you mean '" + nearest + "'?")
+      (known.empty() ? "give the path of a card."
+                     : input::suggest_name(name, {known.begin(), known.end()}))
   );
 }
 

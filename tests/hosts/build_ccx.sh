@@ -40,7 +40,7 @@ download() {
   # An entry that holds no sources is no matter: what counts is whether the package comes.
   apt-get "${options[@]}" update >download.log 2>&1 || true
   apt-get "${options[@]}" source --download-only "calculix-ccx=$release" >>download.log 2>&1 ||
-    skip "apt found no source package calculix-ccx $release ($(tail -n 1 download.log)); see $folder/download.log."
+    skip "apt found no source package calculix-ccx $release ($(grep -m 1 '^[EW]:' download.log)); see $folder/download.log."
 }
 
 unpack() {
