@@ -2,6 +2,7 @@
 /// The tangent of a step against differences of another solver's steps, over the whole yield
 /// surface.
 
+#include "every_model.hpp"
 #include "sample_models.hpp"
 
 #include <gtest/gtest.h>
@@ -241,13 +242,7 @@ TEST(Tangent, DoesNotSeeTheChoiceOfSubsteps) {
 
 template <class Model>
 class EveryModel : public ::testing::Test {};
-template <class Variant>
-struct TypesOf;
-template <class... Model>
-struct TypesOf<std::variant<Model...>> {
-  using type = ::testing::Types<Model...>;
-};
-TYPED_TEST_SUITE(EveryModel, TypesOf<AnyModel>::type, );
+TYPED_TEST_SUITE(EveryModel, AllModels, ModelName);
 
 TYPED_TEST(EveryModel, HasATangentOfWhatItDoes) {
   const auto model = sample_model<TypeParam>();
