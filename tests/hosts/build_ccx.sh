@@ -6,8 +6,8 @@
 #
 # Debian's binary package is built without CALCULIX_EXTERNAL_BEHAVIOURS_SUPPORT: it opens no material library and
 # says nothing (zero stress, exit 0). Everything is written below FOLDER, and nothing needs root. Exit 77, with the
-# reason, when the packages or the archive cannot be had. CalculiX is under the GPL: it is built beside the project,
-# runs as a program of its own and is not part of the project.
+# reason, when the packages or the archive cannot be had (1 where BARRENO_HOSTS=required). CalculiX is under the GPL:
+# it is built beside the project, runs as a program of its own and is not part of the project.
 set -euo pipefail
 
 version=2.20
@@ -16,7 +16,11 @@ folder=$(realpath -m "${1:?give the folder to build in}")
 program=$folder/ccx
 packages=(gfortran make patch bzip2 xz-utils libspooles-dev libarpack2-dev liblapack-dev)
 
-skip() { echo "no CalculiX: $*" >&2; exit 77; }
+skip() {
+  echo "no CalculiX: $*" >&2
+  [[ ${BARRENO_HOSTS-} == required ]] && exit 1
+  exit 77
+}
 
 opens_libraries() { nm -D --undefined-only "$1" 2>/dev/null | grep -q dlopen; }
 
