@@ -13,19 +13,12 @@ import numpy
 import barreno_library
 import calculix
 import calculix_plug
+import getfem_box
 import getfem_plug
 import plug
 
 TOLERANCE = 1e-5
 MOST_ITERATIONS = 8  # Newton's, with a right tangent, also in the increment where most points begin to flow
-
-
-def getfem():
-    try:
-        import getfem as module
-    except ImportError:
-        calculix.skip("no GetFEM for Python (Debian package python3-getfem).")
-    return module
 
 
 def spread(stress):
@@ -34,7 +27,7 @@ def spread(stress):
 
 
 def main():
-    library, ccx, gf = sys.argv[1], calculix.program(sys.argv[2]), getfem()
+    library, ccx, gf = sys.argv[1], calculix.program(sys.argv[2]), getfem_box.module()
     with tempfile.TemporaryDirectory() as folder:
         material = barreno_library.Material(barreno_library.load(library), plug.write_card(folder))
     force, stresses, states = calculix_plug.solve(ccx, library, material.state_count)
