@@ -81,64 +81,62 @@ struct UpdateStress {
 
   using Update = PointsOf<Sym3Of<R>, typename Group::History>;
 
+  /// What end() needs of begin() beside the update itself.
+  struct Begun {
+    R mass, volume, old_volume, density, rate;  ///< rate: tr D
+    R old_modulus, old_q, q;                    ///< q: artificial viscosity at the end of the step
+    Sym3Of<R> old_stress;
+  };
+
   /// State and increment of a group.
-  KOKKOS_INLINE_FUNCTION Update begin(const Group& group) const {
-    const R mass = group.get(particles.mass);
-    const R volume = group.get(particles.volume);
-    const R old_volume = group.get(particles.increment, 4);
-    const R per_reference = 1.0 / (mass * (1.0 / reference_density));
-    Update update{};
+  KOKKOS_INLINE_FUNCTION Update begin(const Group& group, Begun& begun) const {
+    begun.mass = group.get(particles.mass);
+    begun.volume = group.get(particles.volume);
+    begun.old_volume = group.get(particles.increment, 4);
+    const R per_reference = 1.0 / (begun.mass * (1.0 / reference_density));
+    Update update;
     auto& increment = update.increment;
     increment.strain = group.get_plane(particles.increment);
     increment.dt = dt;
-    increment.volume_ratio_begin = old_volume * per_reference;
-    increment.volume_ratio_end = volume * per_reference;
-    const R old_q = group.get(particles.viscous_pressure);
-    increment.viscous_pressure = 0.5 * (old_q + new_viscous_pressure(group, increment));
-    update.stress = group.get_plane(particles.stress);
+    increment.volume_ratio_begin = begun.old_volume * per_reference;
+    increment.volume_ratio_end = begun.volume * per_reference;
+    begun.old_q = group.get(particles.viscous_pressure);
+    begun.old_modulus = group.get(particles.longitudinal_modulus);
+    begun.density = begun.mass / begun.volume;
+    begun.rate = trace(increment.strain) * (1.0 / dt);
+    begun.q = rule.viscous_pressure(begun.density, begun.old_modulus, begun.rate);
+    increment.viscous_pressure = 0.5 * (begun.old_q + begun.q);
+    begun.old_stress = group.get_plane(particles.stress);
+    update.stress = begun.old_stress;
     update.history = group.get_history(particles.history);
     return update;
-  }
-  /// q at the end of the step; begin() and end() both find it from the old state.
-  KOKKOS_INLINE_FUNCTION R
-  new_viscous_pressure(const Group& group, const IncrementOf<Sym3Of<R>>& increment) const {
-    const R density = group.get(particles.mass) / group.get(particles.volume);
-    const R old_modulus = group.get(particles.longitudinal_modulus);
-    return rule.viscous_pressure(density, old_modulus, R(trace(increment.strain) * (1.0 / dt)));
   }
 
   /// What becomes of a group whose update is done.
   KOKKOS_INLINE_FUNCTION void end(
-      const Group& group, const Update& update, Tally& tally, StressTally& sums
+      const Group& group, const Update& update, const Begun& begun, Tally& tally, StressTally& sums
   ) const {
     const auto& increment = update.increment;
     const PointsOutcome<R>& outcome = update.outcome;
-    const R q = new_viscous_pressure(group, increment);
     const Mask here = alive(group);
     const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
     const Mask good = here & (!expanded) & outcome.sound;
-    const Sym3Of<R> old_stress = group.get_plane(particles.stress);
-    const R old_q = group.get(particles.viscous_pressure);
-    const R old_modulus = group.get(particles.longitudinal_modulus);
 
-    group.put_plane(select_points(good, update.stress, old_stress), particles.stress);
+    group.put_plane(select_points(good, update.stress, begun.old_stress), particles.stress);
     group.put_history(good, update.history, particles.history);
-    group.put(real::select(good, q, old_q), particles.viscous_pressure);
+    group.put(real::select(good, begun.q, begun.old_q), particles.viscous_pressure);
     group.put(
-        real::select(good, outcome.longitudinal_modulus, old_modulus),
+        real::select(good, outcome.longitudinal_modulus, begun.old_modulus),
         particles.longitudinal_modulus
     );
     treat_failures(group, expanded, expanded_key, sums);
     treat_failures(group, here & (!expanded) & (!outcome.sound), failed_key, sums);
 
-    const R mass = group.get(particles.mass);
-    const R volume = group.get(particles.volume);
-    const R old_volume = group.get(particles.increment, 4);
-    const R reference_volume = mass * (1.0 / reference_density);
-    const R mean_volume = 0.5 * (old_volume + volume);
-    const R viscous = increment.viscous_pressure * (old_volume - volume);
+    const R reference_volume = begun.mass * (1.0 / reference_density);
+    const R mean_volume = 0.5 * (begun.old_volume + begun.volume);
+    const R viscous = increment.viscous_pressure * (begun.old_volume - begun.volume);
     const R stress_work =
-        mean_volume * (0.5 * contract(old_stress + update.stress, increment.strain) -
+        mean_volume * (0.5 * contract(begun.old_stress + update.stress, increment.strain) -
                        increment.viscous_pressure * trace(increment.strain));
     tally.elastic += real::select(good, reference_volume * outcome.elastic_work, 0.0);
     tally.plastic += real::select(good, reference_volume * outcome.plastic_work, 0.0);
@@ -147,10 +145,7 @@ struct UpdateStress {
     const R vx = group.get(particles.velocity, 0);
     const R vy = group.get(particles.velocity, 1);
     const R step = rule.stable_step(
-        mass / volume,
-        outcome.longitudinal_modulus,
-        trace(increment.strain) * (1.0 / dt),
-        real::sqrt(R(vx * vx + vy * vy))
+        begun.density, outcome.longitudinal_modulus, begun.rate, real::sqrt(R(vx * vx + vy * vy))
     );
     tally.stable_step = real::select(good & (step < tally.stable_step), step, tally.stable_step);
   }
@@ -162,9 +157,10 @@ struct UpdateStress {
   KOKKOS_INLINE_FUNCTION void update_groups(Rows rows, Tally& tally, StressTally& sums) const {
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
-      Update update = begin(group);
+      Begun begun;
+      Update update = begin(group, begun);
       update.outcome = update_points(model, update.increment, update.stress, update.history);
-      end(group, update, tally, sums);
+      end(group, update, begun, tally, sums);
     }
   }
   /// The same with a model whose update has two parts: what the first leaves waits for other groups
@@ -175,10 +171,11 @@ struct UpdateStress {
     Group groups[room];
     Update waiting[room];
     Mask rest[room];
+    Begun begun[room];
     int count = 0;
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
-      Update update = begin(group);
+      Update update = begin(group, begun[count]);
       // Points that are held or have expanded too far need no end of their update.
       const Mask left = model.start_points(update) & alive(group) &
                         (update.increment.volume_ratio_end <= largest_expansion);
@@ -187,12 +184,12 @@ struct UpdateStress {
         rest[count] = left;
         waiting[count++] = update;
       } else {
-        end(group, update, tally, sums);
+        end(group, update, begun[count], tally, sums);
       }
       const bool last = row + width<R> >= rows.end;
       if (count == 0 || (count < most && !last)) continue;
       model.finish_points(waiting, rest, count);
-      for (int g = 0; g < count; ++g) end(groups[g], waiting[g], tally, sums);
+      for (int g = 0; g < count; ++g) end(groups[g], waiting[g], begun[g], tally, sums);
       count = 0;
     }
   }
