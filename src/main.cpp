@@ -13,13 +13,17 @@
 #include "scene/build_scene.hpp"
 #include "state/build_state.hpp"
 
+#include <Kokkos_Core.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
 #include <Tpetra_Core.hpp>
 
 #include <mpi.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string>
 
 namespace barreno {
 namespace {
@@ -93,6 +97,14 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
   }
 }
 
+/// Only a run needs MPI, and whatever mpirun has started. A point, a plan or a page of text comes
+/// ten times sooner without.
+bool needs_mpi(int argc, char** argv) {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+    if (std::getenv(name)) return true;
+  return argc > 1 && std::string(argv[1]) == "run";
+}
+
 }  // namespace
 }  // namespace barreno
 
@@ -100,6 +112,10 @@ int main(int argc, char** argv) {
   // Kokkos would answer --help itself and take other words away: it sees the program's name alone.
   int words = 1;
   char** first_word = argv;
+  if (!barreno::needs_mpi(argc, argv)) {
+    const Kokkos::ScopeGuard kokkos(words, first_word);
+    return barreno::report_errors(argc, argv, Teuchos::rcp(new Teuchos::SerialComm<int>));
+  }
   const Tpetra::ScopeGuard mpi_and_kokkos(&words, &first_word);
   barreno::note_signals();
   return barreno::report_errors(argc, argv, Tpetra::getDefaultComm());
