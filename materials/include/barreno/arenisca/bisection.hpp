@@ -98,10 +98,10 @@ BARRENO_FUNCTION Returned return_without_hardening(
 
 /// Isotropic part of the return to the surface hardened by a fraction eta of the non-hardening
 /// return, less that fraction: the quantity whose sign the paper bisects.
-template <class Counter>
+template <class Crush, class Counter>
 struct ConsistencyOfEta {
   const YieldSurface& surface;
-  const CrushCurve& crush;
+  const Crush& crush;
   const Trial& trial;
   double devp0;
   Counter& count;
@@ -127,9 +127,9 @@ struct ConsistencyOfEta {
 
 /// The paper's return: non-hardening return, then eta by bisection. Slow; the oracle of
 /// return_fast().
-template <class Counter>
+template <class Crush, class Counter>
 BARRENO_FUNCTION Returned return_bisection(
-    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
+    const YieldSurface& surface, const Crush& crush, const Trial& trial, Counter& count
 ) {
   const Returned first = return_without_hardening(surface, trial, trial.cap, count);
   const double devp0 = first.evp - trial.evp;
@@ -138,7 +138,7 @@ BARRENO_FUNCTION Returned return_bisection(
   if (devp0 == 0.0) {
     return trial.cap.present ? first : return_with_closed_pores(surface, crush, trial);
   }
-  ConsistencyOfEta<Counter> consistency{surface, crush, trial, devp0, count};
+  ConsistencyOfEta<Crush, Counter> consistency{surface, crush, trial, devp0, count};
   // Steep retraction of the cap: the paper's eta <= 1 does not hold, and there may be several
   // roots; the same places are tried as in return_fast(), so that both take the same one.
   double above = 1.0;

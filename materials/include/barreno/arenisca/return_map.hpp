@@ -40,10 +40,10 @@ struct Returned {
 ///
 /// which is smooth through the tip (hydrostatic crushing is no special case), while the first form
 /// is smooth where A changes sign. q = q_tr metric Ff A / D is what is left of the trial shear.
-template <class Counter>
+template <class Crush, class Counter>
 struct CompactingSide {
   const YieldSurface& surface;
-  const CrushCurve& crush;
+  const Crush& crush;
   const Trial& trial;
   Counter& count;
 
@@ -61,10 +61,10 @@ struct CompactingSide {
 
 /// The same condition on the dilating side (A <= 0), where the cap retracts; positive at too little
 /// dilation.
-template <class Counter>
+template <class Crush, class Counter>
 struct DilatingSide {
   const YieldSurface& surface;
-  const CrushCurve& crush;
+  const Crush& crush;
   const Trial& trial;
   Counter& count;
 
@@ -111,8 +111,9 @@ BARRENO_FUNCTION double return_to_limit(
 /// All pores closed: evp stops at -p3 (or where it was, if they were closed before) and the flow is
 /// isochoric; what porosity shear would open at this pressure crushes at once, so the shear limit
 /// without cap holds.
+template <class Crush>
 BARRENO_FUNCTION Returned
-return_with_closed_pores(const YieldSurface& surface, const CrushCurve& crush, const Trial& trial) {
+return_with_closed_pores(const YieldSurface& surface, const Crush& crush, const Trial& trial) {
   const double evp = trial.cap.present ? -crush.p3 : trial.evp;
   const double x = smaller(trial.x - trial.triple_bulk * (evp - trial.evp), surface.vertex);
   return {x, smaller(trial.q, larger(surface.limit(x), 0.0)), evp};
@@ -121,13 +122,9 @@ return_with_closed_pores(const YieldSurface& surface, const CrushCurve& crush, c
 /// Point of the hardened surface at a solved evp; towards the tip q comes from the smooth form,
 /// since Ff fc would turn the last digit of evp into the eighth of q (and the smooth form is 0/0 at
 /// the top).
-template <class Counter>
+template <class Crush, class Counter>
 BARRENO_FUNCTION Returned point_on_cap(
-    const YieldSurface& surface,
-    const CrushCurve& crush,
-    const Trial& trial,
-    double evp,
-    Counter& count
+    const YieldSurface& surface, const Crush& crush, const Trial& trial, double evp, Counter& count
 ) {
   constexpr double near_tip = 0.1;
   const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
@@ -142,8 +139,9 @@ BARRENO_FUNCTION Returned point_on_cap(
 
 /// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it
 /// opens.
+template <class Crush>
 BARRENO_FUNCTION bool clears_cap(
-    const YieldSurface& surface, const CrushCurve& crush, double x, double evp
+    const YieldSurface& surface, const Crush& crush, double x, double evp
 ) {
   if (crush.p3 == 0.0) return true;
   const double open_evp = larger(evp, crush.last_open());
@@ -155,11 +153,11 @@ BARRENO_FUNCTION bool clears_cap(
 constexpr double solved = 1e-14;
 
 /// Return to the compacting side of the hardening cap.
-template <class Counter>
+template <class Crush, class Counter>
 BARRENO_FUNCTION Returned return_by_compaction(
-    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
+    const YieldSurface& surface, const Crush& crush, const Trial& trial, Counter& count
 ) {
-  CompactingSide<Counter> side{surface, crush, trial, count};
+  CompactingSide<Crush, Counter> side{surface, crush, trial, count};
   // At x = kappa_n the hardened cap's branch point is already passed: enough compaction there.
   BracketEnd a = {trial.evp + (trial.x - trial.cap.kappa) / trial.triple_bulk, 1.0};
   if (a.x < crush.last_open()) {
@@ -175,9 +173,9 @@ BARRENO_FUNCTION Returned return_by_compaction(
 /// Bracket end with enough dilation, from the first step whose doublings get there, so that of
 /// several roots (steep retraction of the cap softens) the first is taken; at x = X there is always
 /// enough.
-template <class Counter>
+template <class Crush, class Counter>
 BARRENO_FUNCTION BracketEnd
-enough_dilation(DilatingSide<Counter>& side, const Trial& trial, double start, double step) {
+enough_dilation(DilatingSide<Crush, Counter>& side, const Trial& trial, double start, double step) {
   const double X = trial.cap.present ? trial.cap.X : side.crush.strength(start);
   const double farthest = trial.evp + (trial.x - X) / trial.triple_bulk;
   for (; step > 0.0 && trial.evp + step < farthest; step *= 2.0) {
@@ -200,15 +198,15 @@ BARRENO_FUNCTION double dilation_guess(const Trial& trial, const MeridianPoint& 
 
 /// Return to the cap as it retracts.
 /// @param below point of the start surface straight below the trial point, dilating (slope <= 0)
-template <class Counter>
+template <class Crush, class Counter>
 BARRENO_FUNCTION Returned return_to_retracting_cap(
     const YieldSurface& surface,
-    const CrushCurve& crush,
+    const Crush& crush,
     const Trial& trial,
     const MeridianPoint& below,
     Counter& count
 ) {
-  DilatingSide<Counter> side{surface, crush, trial, count};
+  DilatingSide<Crush, Counter> side{surface, crush, trial, count};
   const double fc = std::sqrt(larger(below.cap_squared, 0.0));
   const BracketEnd a = {trial.evp, -trial.metric * (trial.q - below.limit * fc) * below.slope};
   if (a.f <= 0.0) return point_on_cap(surface, crush, trial, trial.evp, count);
@@ -219,9 +217,9 @@ BARRENO_FUNCTION Returned return_to_retracting_cap(
 }
 
 /// Return to the limit surface or the vertex; to the cap if that retracts into the way.
-template <class Counter>
+template <class Crush, class Counter>
 BARRENO_FUNCTION Returned return_by_dilation(
-    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
+    const YieldSurface& surface, const Crush& crush, const Trial& trial, Counter& count
 ) {
   const double x_limit = return_to_limit(surface, trial, count);
   const double evp_limit = trial.evp + (trial.x - x_limit) / trial.triple_bulk;
@@ -229,7 +227,7 @@ BARRENO_FUNCTION Returned return_by_dilation(
     const double limit = x_limit >= surface.vertex ? 0.0 : larger(surface.limit(x_limit), 0.0);
     return {x_limit, smaller(limit, trial.q), evp_limit};
   }
-  DilatingSide<Counter> side{surface, crush, trial, count};
+  DilatingSide<Crush, Counter> side{surface, crush, trial, count};
   const double start = larger(trial.evp, crush.last_open());
   const BracketEnd a = {start, side(start)};
   if (a.f <= 0.0) {
@@ -243,10 +241,9 @@ BARRENO_FUNCTION Returned return_by_dilation(
 
 /// Fast return of a trial point outside the surface (consistency and closest point in one
 /// equation).
-template <class Counter>
-BARRENO_FUNCTION Returned return_fast(
-    const YieldSurface& surface, const CrushCurve& crush, const Trial& trial, Counter& count
-) {
+template <class Crush, class Counter>
+BARRENO_FUNCTION Returned
+return_fast(const YieldSurface& surface, const Crush& crush, const Trial& trial, Counter& count) {
   if (!trial.cap.present || trial.x >= trial.cap.kappa) {
     return return_by_dilation(surface, crush, trial, count);
   }

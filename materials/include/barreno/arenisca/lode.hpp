@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/arenisca/root_finding.hpp"
+#include "barreno/portability.hpp"
+#include "barreno/tensor.hpp"
+
+#include <cmath>
+
+namespace barreno::arenisca {
+
+/// Dependence of the strength on the third invariant: sqrt(J2) <= Gamma(theta) Ff fc.
+///
+/// theta is 0 in triaxial extension and pi/3 in triaxial compression; Gamma(pi/3) = 1, Gamma(0) =
+/// psi. Convex for 7/9 <= psi <= 9/7 (Gudehus) and 1/2 <= psi <= 2 (others).
+struct Lode {
+  enum Kind { none = 0, gudehus = 1, willam_warnke = 2, mohr_coulomb = 3 };
+  int kind = none;
+  double psi = 1.0;
+
+  static constexpr double third_turn = 1.0471975511965976;  ///< pi/3
+
+  struct Value {
+    double gamma, slope;  ///< Gamma and dGamma/dtheta
+  };
+
+  BARRENO_FUNCTION bool active() const {
+    return kind == mohr_coulomb || (kind != none && psi != 1.0);
+  }
+
+  BARRENO_FUNCTION Value at(double theta) const {
+    if (!active()) return {1.0, 0.0};
+    if (kind == gudehus) return gudehus_at(theta);
+    if (kind == willam_warnke) return willam_warnke_at(theta);
+    return mohr_coulomb_at(theta);
+  }
+
+private:
+  BARRENO_FUNCTION Value gudehus_at(double theta) const {
+    const double c = std::cos(3.0 * theta), s = std::sin(3.0 * theta);
+    const double u = 0.5 * ((1.0 - c) + (1.0 + c) / psi);
+    const double slope = 1.5 * s * (1.0 - 1.0 / psi);
+    return {1.0 / u, -slope / (u * u)};
+  }
+  /// An ellipse in the octahedral plane.
+  BARRENO_FUNCTION Value willam_warnke_at(double theta) const {
+    const double c = std::cos(theta), s = std::sin(theta);
+    const double k = 1.0 - psi * psi, n = 2.0 * psi - 1.0;
+    const double square = 4.0 * k * c * c + 5.0 * psi * psi - 4.0 * psi;
+    const double root = std::sqrt(larger(square, 1e-300));
+    const double root_slope = -4.0 * k * c * s / root;
+    if (psi > 1.0) {
+      // The same value rationalised: the form below is 0/0 within the range.
+      const double bottom = 2.0 * k * c - n * root;
+      const double value = (k - n * n) / bottom;
+      return {value, -value * (-2.0 * k * s - n * root_slope) / bottom};
+    }
+    const double top = 2.0 * k * c + n * root, bottom = 4.0 * k * c * c + n * n;
+    const double value = top / bottom;
+    return {value, (-2.0 * k * s + n * root_slope + value * 8.0 * k * c * s) / bottom};
+  }
+  /// A straight line in the octahedral plane.
+  BARRENO_FUNCTION Value mohr_coulomb_at(double theta) const {
+    const double a = 1.0 / psi, b = (2.0 - 1.0 / psi) / std::sqrt(3.0);
+    const double u = a * std::cos(theta) + b * std::sin(theta);
+    return {1.0 / u, (a * std::sin(theta) - b * std::cos(theta)) / (u * u)};
+  }
+};
+
+/// theta in [0, pi/3] from cos 3 theta = (3 sqrt(3)/2) J3/J2^1.5.
+BARRENO_FUNCTION double lode_angle(const Sym3& s) {
+  const double J2 = second_invariant(s);
+  if (J2 == 0.0) return 0.0;
+  const double unit = 1.0 / std::sqrt(J2);
+  const Sym3 n = unit * s;
+  const double cosine = 1.5 * std::sqrt(3.0) * determinant(n);
+  // Near the ends the cosine is flat: the sine from the invariants' discriminant keeps the digits.
+  const double squared = 1.0 - cosine * cosine;
+  return std::atan2(std::sqrt(larger(squared, 0.0)), cosine) / 3.0;
+}
+
+/// Direction in the octahedral plane at a right angle to the unit deviator n (n : n = 2) towards
+/// larger theta, also with norm^2 = 2; needs theta inside (0, pi/3).
+///
+/// d s/d theta at constant J2: n2 = (2/sqrt(3)) [...] follows from the square of n less its trace
+/// and less its part along n.
+BARRENO_FUNCTION bool towards_larger_angle(const Sym3& n, Sym3& direction) {
+  const Sym3 square = {
+      n.xx * n.xx + n.xy * n.xy + n.zx * n.zx,
+      n.xy * n.xy + n.yy * n.yy + n.yz * n.yz,
+      n.zx * n.zx + n.yz * n.yz + n.zz * n.zz,
+      n.xx * n.xy + n.xy * n.yy + n.zx * n.yz,
+      n.xy * n.zx + n.yy * n.yz + n.yz * n.zz,
+      n.xx * n.zx + n.xy * n.yz + n.zx * n.zz};
+  Sym3 across = deviator(square);
+  across = across - (0.5 * contract(across, n)) * n;
+  const double length = std::sqrt(0.5 * contract(across, across));
+  constexpr double axis = 1e-7;
+  if (length < axis) return false;
+  // The square's deviator points to triaxial extension (theta = 0): larger theta is the other way.
+  direction = (-1.0 / length) * across;
+  return true;
+}
+
+/// The deviator of s turned within its own octahedral plane by `turn` towards larger theta and
+/// scaled to sqrt(J2) = q. On the axes of the plane (theta = 0 or pi/3) it cannot turn.
+BARRENO_FUNCTION Sym3 turned(const Sym3& s, double turn, double q) {
+  const double J2 = second_invariant(s);
+  if (J2 == 0.0) return 0.0 * s;
+  const Sym3 n = (1.0 / std::sqrt(J2)) * s;
+  Sym3 across;
+  if (turn == 0.0 || !towards_larger_angle(n, across)) return q * n;
+  return (q * std::cos(turn)) * n + (q * std::sin(turn)) * across;
+}
+
+}  // namespace barreno::arenisca
