@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 namespace barreno {
@@ -15,6 +16,11 @@ namespace {
 
 using input::Entry;
 using Teuchos::ParameterList;
+
+template <class T>
+struct TypeOf {
+  using type = T;
+};
 
 template <class Model>
 std::vector<Entry> entries_of() {
@@ -36,6 +42,36 @@ ModelDescription describe() {
   return {Model::name, Model::summary, entries_of<Model>(), Model::history_table()};
 }
 
+/// True for a model that stands in the list for some parameter sets of another.
+template <class Model, class = void>
+struct IsGeneralForm : std::false_type {};
+template <class Model>
+struct IsGeneralForm<Model, std::void_t<typename Model::SpecialForm>> : std::true_type {};
+
+template <class Model, class Special>
+bool serves(const typename Special::Parameters& p) {
+  if constexpr (IsGeneralForm<Model>::value) {
+    if constexpr (std::is_same_v<typename Model::SpecialForm, Special>) return Model::needed(p);
+  }
+  return false;
+}
+
+/// The model, or the general form that this parameter set needs.
+template <class Special, class... Models>
+AnyModel form_for(
+    const typename Special::Parameters& p, double density, const std::variant<Models...>* /*list*/
+) {
+  AnyModel built{Special(p, density)};
+  const auto take = [&](auto type) {
+    using Model = typename decltype(type)::type;
+    if constexpr (std::is_same_v<typename Model::Parameters, typename Special::Parameters>) {
+      if (serves<Model, Special>(p)) built = Model(p, density);
+    }
+  };
+  (take(TypeOf<Models>{}), ...);
+  return built;
+}
+
 template <class Model>
 AnyModel build(const ParameterList& list, double density, std::string& problem) {
   typename Model::Parameters p{};
@@ -49,7 +85,7 @@ AnyModel build(const ParameterList& list, double density, std::string& problem) 
   problem = Model::check(p, density);
   // A model may count on a sound set, so an unsound one is never built; any other stands in until
   // the throw.
-  return problem.empty() ? AnyModel(Model(p, density))
+  return problem.empty() ? form_for<Model>(p, density, static_cast<const AnyModel*>(nullptr))
                          : AnyModel(LinearElastic({1.0, 1.0}, density));
 }
 
@@ -57,11 +93,23 @@ using Builder = AnyModel (*)(const ParameterList&, double, std::string&);
 
 template <class... Models>
 std::vector<ModelDescription> describe_all(const std::variant<Models...>* /*list*/) {
-  return {describe<Models>()...};
+  std::vector<ModelDescription> all;
+  const auto add = [&](auto type) {
+    using Model = typename decltype(type)::type;
+    if (!IsGeneralForm<Model>::value) all.push_back(describe<Model>());
+  };
+  (add(TypeOf<Models>{}), ...);
+  return all;
 }
 template <class... Models>
 std::vector<Builder> builders_of(const std::variant<Models...>* /*list*/) {
-  return {&build<Models>...};
+  std::vector<Builder> all;
+  const auto add = [&](auto type) {
+    using Model = typename decltype(type)::type;
+    if constexpr (!IsGeneralForm<Model>::value) all.push_back(&build<Model>);
+  };
+  (add(TypeOf<Models>{}), ...);
+  return all;
 }
 
 /// A value of a list as it would stand in a deck, so that one reader checks lists and texts alike.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/models/arenisca.hpp"
+#include "barreno/models/general_arenisca.hpp"
 #include "barreno/models/johnson_cook.hpp"
 #include "barreno/models/linear_elastic.hpp"
 
@@ -12,7 +13,10 @@ namespace barreno {
 
 /// The list of models: the one line that a new model adds. Dispatch, registry, manual, restart and
 /// output names, host interfaces and contract tests all follow from it.
-using AnyModel = std::variant<LinearElastic, JohnsonCook, Arenisca>;
+///
+/// A model with a SpecialForm is not asked for by name: it serves those parameter sets of that
+/// other model for which its needed() says so.
+using AnyModel = std::variant<LinearElastic, JohnsonCook, Arenisca, GeneralArenisca>;
 
 /// A model with its parameters, as a deck or a host asked for it.
 struct Material {

@@ -3,6 +3,7 @@
 
 #include "barreno/arenisca/general_rock.hpp"
 #include "barreno/arenisca/rock.hpp"
+#include "barreno/arenisca/substep.hpp"
 #include "barreno/outcome.hpp"
 #include "barreno/tensor.hpp"
 

@@ -15,6 +15,19 @@ namespace barreno {
 
 using Increment = IncrementOf<Sym3>;
 
+namespace arenisca {
+
+/// False for NaN, infinite or absurd input: a strain increment beyond exp(10) has no meaning.
+BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
+  constexpr double largest_increment = 10.0;
+  const double strain_squared = contract(i.strain, i.strain);
+  return strain_squared <= largest_increment * largest_increment &&
+         std::isfinite(contract(stress, stress)) &&
+         std::isfinite(i.volume_ratio_begin + i.volume_ratio_end);
+}
+
+}  // namespace arenisca
+
 /// Arenisca, drained: nonlinear Drucker-Prager with a cap that follows the crush curve, nonlinear
 /// elasticity with elastic-plastic coupling, nonassociated flow, error-controlled substeps.
 ///
@@ -24,7 +37,8 @@ using Increment = IncrementOf<Sym3>;
 struct Arenisca {
   static constexpr const char* name = "Arenisca";
   static constexpr const char* summary =
-      "Porous rock: nonlinear Drucker-Prager with crush-curve cap, nonlinear elasticity (drained).";
+      "Porous rock: nonlinear Drucker-Prager with crush-curve cap, nonlinear elasticity, pore "
+      "fluid.";
 
   struct Parameters {
     double PEAKI1, FSLOPE, STREN, YSLOPE, BETA_nonassociativity;
@@ -32,8 +46,13 @@ struct Arenisca {
     double G0, G1, G2, G3, G4;
     double p0_crush_curve, p1_crush_curve, p3_crush_curve, CR;
     double tolerance;
-    int return_solver;
+    double fluid_B0, fluid_pressure_initial, matrix_bulk_modulus;
+    double T1_rate_dependence, T2_rate_dependence;
+    double J3_psi;
+    int return_solver, backstress_strain, undrained_moduli, J3_type;
   };
+  /// Indices of words.
+  static constexpr int plastic_backstress = 1, arenisca3_moduli = 1;
   /// The cap's place X is a function of plastic_volume_strain and not stored.
   template <class R>
   struct HistoryOf {
@@ -80,7 +99,7 @@ struct Arenisca {
   template <class Counter>
   BARRENO_FUNCTION Outcome
   update_counted(const Increment& increment, Sym3& stress, History& h, Counter& count) const {
-    if (!sound_input(increment, stress, h)) {
+    if (!arenisca::sound_increment(increment, stress) || !sound_history(h)) {
       Outcome refused;
       refused.status = Status::bad_input;
       refused.substeps = 0;
@@ -134,16 +153,8 @@ private:
     outcome.substeps = substeps;
     return outcome;
   }
-  /// NaN, infinite or absurd input: a strain increment beyond exp(10) has no meaning.
-  BARRENO_FUNCTION static bool sound_input(
-      const Increment& i, const Sym3& stress, const History& h
-  ) {
-    constexpr double largest_increment = 10.0;
-    const double strain_squared = contract(i.strain, i.strain);
-    return strain_squared <= largest_increment * largest_increment &&
-           std::isfinite(contract(stress, stress)) && std::isfinite(h.plastic_volume_strain) &&
-           std::isfinite(h.equivalent_plastic_strain) &&
-           std::isfinite(i.volume_ratio_begin + i.volume_ratio_end);
+  BARRENO_FUNCTION static bool sound_history(const History& h) {
+    return std::isfinite(h.plastic_volume_strain) && std::isfinite(h.equivalent_plastic_strain);
   }
   /// Elastic energy under hydrostatic pressure: integral of p dp / K(p), Simpson's rule.
   double stored_energy(double pressure) const {
@@ -244,6 +255,66 @@ inline Entries cap_and_solver_entries() {
       )};
 }
 
+inline Entries fluid_entries() {
+  using P = Arenisca::Parameters;
+  namespace d = dimension;
+  return {
+      optional(
+          &P::fluid_B0,
+          "fluid_B0",
+          d::stress,
+          at_least(0.0),
+          0.0,
+          "bulk modulus of the fluid; 0: dry"
+      ),
+      optional(
+          &P::fluid_pressure_initial,
+          "fluid_pressure_initial",
+          d::stress,
+          at_least(0.0),
+          0.0,
+          "pressure of the fluid at the start"
+      ),
+      optional(
+          &P::matrix_bulk_modulus,
+          "Matrix bulk modulus",
+          d::stress,
+          at_least(0.0),
+          0.0,
+          "bulk modulus of the grains; 0: B0 + B1"
+      )};
+}
+
+inline Entries rate_and_angle_entries() {
+  using P = Arenisca::Parameters;
+  namespace d = dimension;
+  return {
+      optional(
+          &P::T1_rate_dependence,
+          "T1_rate_dependence",
+          d::none,
+          at_least(0.0),
+          0.0,
+          "overstress relaxes in T1 |D|^-T2 (in seconds, D per second); 0: no rate dependence"
+      ),
+      optional(
+          &P::T2_rate_dependence,
+          "T2_rate_dependence",
+          d::none,
+          at_least(0.0),
+          0.0,
+          "exponent of the rate; 0: constant relaxation time T1"
+      ),
+      optional(
+          &P::J3_psi,
+          "J3_psi",
+          d::none,
+          Bounds{0.5, 2.0, false, false},
+          1.0,
+          "strength in triaxial extension over that in compression"
+      )};
+}
+
 }  // namespace arenisca
 
 inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
@@ -251,7 +322,9 @@ inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
   for (const auto& entries :
        {arenisca::strength_entries(),
         arenisca::elastic_entries(),
-        arenisca::cap_and_solver_entries()}) {
+        arenisca::cap_and_solver_entries(),
+        arenisca::fluid_entries(),
+        arenisca::rate_and_angle_entries()}) {
     table.numbers.insert(table.numbers.end(), entries.begin(), entries.end());
   }
   table.choices = {
@@ -259,7 +332,23 @@ inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
        "Return solver",
        {"fast", "bisection"},
        0,
-       "fast: one superlinear scalar solve; bisection: the published nested method, the oracle"}};
+       "fast: one superlinear scalar solve; bisection: the published nested method, the oracle"},
+      {&Parameters::backstress_strain,
+       "Backstress strain",
+       {"elastic centre", "plastic"},
+       0,
+       "strain that the fluid's backstress follows; plastic: the published form, for its "
+       "calibrations"},
+      {&Parameters::undrained_moduli,
+       "Undrained moduli",
+       {"biot", "arenisca3"},
+       0,
+       "arenisca3: those of the published code (2 to 5 % stiff, no B1), for its calibrations"},
+      {&Parameters::J3_type,
+       "J3_type",
+       {"none", "Gudehus", "Willam-Warnke", "Mohr-Coulomb"},
+       0,
+       "dependence of the strength on the Lode angle"}};
   return table;
 }
 
@@ -342,6 +431,52 @@ inline std::string check_crush_curve(const Arenisca::Parameters& p) {
   return {};
 }
 
+inline std::string check_fluid(const Arenisca::Parameters& p) {
+  if (p.fluid_B0 == 0.0) {
+    if (p.fluid_pressure_initial == 0.0) return {};
+    return named("fluid_pressure_initial", p.fluid_pressure_initial) +
+           " needs a fluid, but fluid_B0 = 0 (dry rock). Set fluid_B0, or the pressure to 0.";
+  }
+  const double matrix = p.matrix_bulk_modulus > 0.0 ? p.matrix_bulk_modulus : p.B0 + p.B1;
+  const double porosity = -std::expm1(-p.p3_crush_curve);
+  const std::string grains = named("Matrix bulk modulus", matrix);
+  if (p.fluid_B0 > matrix) {
+    return named("fluid_B0", p.fluid_B0) + " exceeds " + grains +
+           " (the fluid would be stiffer than the grains). Lower fluid_B0 or raise the other.";
+  }
+  if (p.B0 + p.B1 > matrix) {
+    return grains + " is below B0 + B1 = " + named("", p.B0 + p.B1).substr(3) +
+           " (the rock would be stiffer than its grains). Raise it.";
+  }
+  if (p.B0 > (1.0 - porosity) * matrix) {
+    return named("B0", p.B0) + " exceeds (1 - porosity) times " + grains + " = " +
+           named("", (1.0 - porosity) * matrix).substr(3) +
+           " (pores would not soften the rock). Lower B0 or p3_crush_curve, or raise the matrix "
+           "bulk modulus.";
+  }
+  if (p.undrained_moduli == Arenisca::arenisca3_moduli &&
+      p.backstress_strain != Arenisca::plastic_backstress) {
+    return "Undrained moduli = arenisca3 belongs to the published backstress (the two were "
+           "calibrated together). Set Backstress strain to plastic.";
+  }
+  return {};
+}
+
+inline std::string check_angle(const Arenisca::Parameters& p) {
+  constexpr double widest = 9.0 / 7.0;
+  const bool narrow = p.J3_type == 1;
+  if (narrow && !(p.J3_psi >= 1.0 / widest && p.J3_psi <= widest)) {
+    return named("J3_psi", p.J3_psi) +
+           " makes the Gudehus surface not convex (it is from 7/9 to 9/7). Change it, or take "
+           "Willam-Warnke, which is convex from 1/2 to 2.";
+  }
+  if (p.J3_type == 0 && p.J3_psi != 1.0) {
+    return named("J3_psi", p.J3_psi) +
+           " has no effect without a J3_type. Set J3_type, or J3_psi to 1.";
+  }
+  return {};
+}
+
 inline std::string check_bulk_modulus(const Arenisca::Parameters& p) {
   if (p.B1 > 0.0 && p.B2 == 0.0) {
     return named("B1", p.B1) +
@@ -401,6 +536,8 @@ inline std::string Arenisca::check(const Parameters& p, double /*density*/) {
   }
   for (const auto rule :
        {arenisca::check_surface,
+        arenisca::check_fluid,
+        arenisca::check_angle,
         arenisca::check_crush_curve,
         arenisca::check_bulk_modulus,
         arenisca::check_shear_modulus}) {
