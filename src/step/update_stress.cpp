@@ -212,12 +212,26 @@ struct UpdateStress {
   }
 };
 
+/// Models and their general forms are told apart in timings.
+template <class Model, class = void>
+struct FormName {
+  static constexpr const char* value = "";
+};
+template <class Model>
+struct FormName<Model, std::void_t<typename Model::SpecialForm>> {
+  static constexpr const char* value = " general";
+};
+template <class Model>
+std::string form_name() {
+  return std::string(Model::name) + FormName<Model>::value;
+}
+
 /// Timer label of a model's update.
 const char* stress_label(const AnyModel& any) {
   return std::visit(
       [](const auto& model) {
         using Model = std::decay_t<decltype(model)>;
-        static const std::string label = std::string("update_stress ") + Model::name;
+        static const std::string label = std::string("update_stress ") + form_name<Model>();
         return label.c_str();
       },
       any

@@ -100,6 +100,33 @@ struct Sample<Arenisca> {
   }
 };
 
+/// The same rock full of water, weaker in triaxial extension than in compression.
+template <>
+struct Sample<GeneralArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    Arenisca::Parameters p = Sample<Arenisca>::parameters();
+    p.fluid_B0 = 2.2e9;
+    p.J3_type = arenisca::Lode::gudehus;
+    p.J3_psi = 0.8;
+    return p;
+  }
+  static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
+    std::vector<std::pair<Arenisca::Parameters, std::string>> list(6, {parameters(), "J3_psi"});
+    list[0].first.J3_psi = 0.7;
+    list[1].first.J3_type = arenisca::Lode::none;
+    list[2].first.fluid_B0 = 0.0;
+    list[2].first.fluid_pressure_initial = 1e6;
+    list[2].second = "fluid_pressure_initial";
+    list[3].first.fluid_B0 = 40e9;
+    list[3].second = "fluid_B0";
+    list[4].first.matrix_bulk_modulus = 30e9;
+    list[4].second = "Matrix bulk modulus";
+    list[5].first.undrained_moduli = Arenisca::arenisca3_moduli;
+    list[5].second = "Undrained moduli";
+    return list;
+  }
+};
+
 template <class Model>
 Model sample_model() {
   return Model(Sample<Model>::parameters(), Sample<Model>::density);

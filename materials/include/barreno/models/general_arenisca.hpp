@@ -218,10 +218,12 @@ inline GeneralArenisca::History GeneralArenisca::initial_history() const {
   return h;
 }
 
-/// Rate-form law: the reference volume is that of the confined rock. A total pressure that is not
-/// the fluid's own loads the rock undrained.
-inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_state(double pressure
+/// Rate-form law: the reference volume is that of the confined rock. Without confinement the virgin
+/// stress is that of the fluid alone, -p_i I; any other total pressure loads the rock undrained.
+inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_state(
+    double confinement
 ) const {
+  const double pressure = confinement == 0.0 ? rock_.fluid.initial_pressure : confinement;
   History h = initial_history();
   const arenisca::PointRock point(rock_, h.coherence, h.fluid_mass_ratio);
   const double zeta = point.zeta(0.0), x = -3.0 * pressure - zeta;
