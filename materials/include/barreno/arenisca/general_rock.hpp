@@ -45,6 +45,15 @@ struct PointRock {
         mu(fluid_mass_ratio),
         p3(r.crush.p3) {}
 
+  /// The meridian at a Lode angle of which Gamma is this.
+  BARRENO_FUNCTION YieldSurface scaled_surface(double gamma) const {
+    YieldSurface s = surface;
+    s.a1 *= gamma;
+    s.a3 *= gamma;
+    s.a4 *= gamma;
+    s.steepest *= gamma;
+    return s;
+  }
   BARRENO_FUNCTION bool has_cap(double e) const { return rock.crush.has_cap(e); }
   BARRENO_FUNCTION double last_open() const { return rock.crush.last_open(); }
   BARRENO_FUNCTION double strength(double e) const {
@@ -163,18 +172,10 @@ struct ReturnOverAngles {
   double zeta;
   Counter& count;
 
-  BARRENO_FUNCTION YieldSurface scaled(double gamma) const {
-    YieldSurface s = point.surface;
-    s.a1 *= gamma;
-    s.a3 *= gamma;
-    s.a4 *= gamma;
-    s.steepest *= gamma;
-    return s;
-  }
   BARRENO_FUNCTION Returned at(double angle, double gamma) const {
     Trial part = trial;
     part.q = trial.q * std::cos(angle - theta);
-    return return_in_half_plane(point, scaled(gamma), part, zeta, count);
+    return return_in_half_plane(point, point.scaled_surface(gamma), part, zeta, count);
   }
   BARRENO_FUNCTION double operator()(double angle) const {
     const Lode::Value g = point.rock.lode.at(angle);

@@ -27,7 +27,39 @@ struct GeneralEnd {
   double elastic_work, plastic_work;  ///< per current volume [stress]
 };
 
-/// Elastic trial of a substep with given moduli, returned to the hardened surface.
+/// Elastic trial of a substep with given moduli, and where it lies.
+struct GeneralTrial {
+  Trial part;  ///< with the full sqrt(J2)
+  Sym3 s;      ///< stress deviator [stress]
+  double theta;
+  bool round;    ///< the Lode angle has no part in it
+  bool outside;  ///< of the surface at the start
+};
+
+template <class Counter>
+BARRENO_FUNCTION GeneralTrial make_trial(
+    const PointRock& point,
+    const GeneralState& n,
+    const Cap& cap,
+    double dv,
+    const Sym3& de,
+    const Moduli& used,
+    Counter& count
+) {
+  const Lode& lode = point.rock.lode;
+  const double beta = point.rock.beta, metric = 9.0 * beta * beta * used.bulk / used.shear;
+  GeneralTrial t{};
+  t.s = n.s + (2.0 * used.shear) * de;
+  const double J2 = second_invariant(t.s), q = std::sqrt(J2);
+  t.part = {n.x + 3.0 * used.bulk * dv, q, metric, 3.0 * used.bulk, n.e, cap};
+  t.round = !lode.active() || q == 0.0;
+  t.theta = t.round ? 0.0 : lode_angle(t.s);
+  const double gamma = t.round ? 1.0 : lode.at(t.theta).gamma;
+  t.outside = !point.scaled_surface(gamma).contains(t.part.x, J2, cap, count);
+  return t;
+}
+
+/// The trial with given moduli, returned to the hardened surface if it is outside.
 template <class Counter>
 BARRENO_FUNCTION GeneralEnd return_trial(
     const PointRock& point,
@@ -37,25 +69,15 @@ BARRENO_FUNCTION GeneralEnd return_trial(
     const Moduli& used,
     Counter& count
 ) {
-  const GeneralRock& rock = point.rock;
-  const Sym3 s = n.s + (2.0 * used.shear) * de;
-  const double q = std::sqrt(second_invariant(s));
-  const Cap cap = point.cap_at(n.e);
-  const double metric = 9.0 * rock.beta * rock.beta * used.bulk / used.shear;
-  const Trial trial{n.x + 3.0 * used.bulk * dv, q, metric, 3.0 * used.bulk, n.e, cap};
-  const double zeta = rock.plastic_backstress ? point.zeta(n.e) : 0.0;
-  const bool round = !rock.lode.active() || q == 0.0;
-  const double theta = round ? 0.0 : lode_angle(s);
-  ReturnOverAngles<Counter> over_angles{point, trial, theta, zeta, count};
-  const YieldSurface surface =
-      round ? point.surface : over_angles.scaled(rock.lode.at(theta).gamma);
-  GeneralEnd end{{trial.x, s, n.e, n.shear_strain}, used, false, 0.0, 0.0};
-  if (surface.contains(trial.x, q * q, cap, count)) return end;
-  end.plastic = true;
-  const double angle = round ? theta : over_angles.solve();
-  const Returned r = round ? return_in_half_plane(point, surface, trial, zeta, count)
-                           : over_angles.at(angle, rock.lode.at(angle).gamma);
-  const Sym3 s_end = q > 0.0 ? turned(s, angle - theta, r.q) : s;
+  const GeneralTrial t = make_trial(point, n, point.cap_at(n.e), dv, de, used, count);
+  GeneralEnd end{{t.part.x, t.s, n.e, n.shear_strain}, used, t.outside, 0.0, 0.0};
+  if (!t.outside) return end;
+  const double zeta = point.rock.plastic_backstress ? point.zeta(n.e) : 0.0;
+  ReturnOverAngles<Counter> over_angles{point, t.part, t.theta, zeta, count};
+  const double angle = t.round ? t.theta : over_angles.solve();
+  const Returned r = t.round ? return_in_half_plane(point, point.surface, t.part, zeta, count)
+                             : over_angles.at(angle, point.rock.lode.at(angle).gamma);
+  const Sym3 s_end = t.part.q > 0.0 ? turned(t.s, angle - t.theta, r.q) : t.s;
   end.state = {r.x, s_end, r.evp, n.shear_strain};
   return end;
 }
@@ -77,25 +99,110 @@ BARRENO_FUNCTION void measure_work(
   end.state.shear_strain = n.shear_strain + std::sqrt(2.0 / 3.0 * contract(dep, dep));
 }
 
-/// One substep: moduli at its middle (two passes), plastic variable and flow direction at its end.
+/// One plastic substep: moduli at its middle (two passes), plastic variable and flow direction at
+/// its end.
 template <class Counter>
 BARRENO_FUNCTION GeneralEnd take_substep(
     const PointRock& point, const GeneralState& n, double dv, const Sym3& de, Counter& count
 ) {
   GeneralEnd end = return_trial(point, n, dv, de, point.moduli(n.x, n.e), count);
-  const Moduli middle = point.moduli(0.5 * (n.x + end.state.x), 0.5 * (n.e + end.state.e));
+  const double middle_e = 0.5 * (n.e + end.state.e);
+  const Moduli middle = point.moduli(0.5 * (n.x + end.state.x), middle_e);
   if (middle.bulk != end.used.bulk || middle.shear != end.used.shear) {
     end = return_trial(point, n, dv, de, middle, count);
+    // A trace of dilation, and the softer rock no longer reaches the surface: dilated all the same.
+    if (!end.plastic && !Elasticity::dilated(n.e) && Elasticity::dilated(middle_e)) {
+      end.state.e = 2.0 * Elasticity::at_jump;
+    }
   }
   measure_work(point, n, dv, de, end);
   return end;
 }
 
+/// A substep as if there were no surface (moduli at its middle, two passes); `plastic` where that
+/// leaves the surface.
+template <class Counter>
+BARRENO_FUNCTION GeneralEnd take_elastically(
+    const PointRock& point,
+    const GeneralState& n,
+    const Moduli& start,
+    double dv,
+    const Sym3& de,
+    Counter& count
+) {
+  const Moduli used = point.moduli(n.x + 1.5 * start.bulk * dv, n.e);
+  const GeneralTrial t = make_trial(point, n, point.cap_at(n.e), dv, de, used, count);
+  return {{t.part.x, t.s, n.e, n.shear_strain}, used, t.outside, 0.0, 0.0};
+}
+
 BARRENO_FUNCTION double distance(const GeneralState& a, const GeneralState& b) {
   return stress_size(a.x - b.x, std::sqrt(second_invariant(a.s - b.s)));
 }
+BARRENO_FUNCTION double size_of(const GeneralState& n) {
+  return stress_size(n.x, std::sqrt(second_invariant(n.s)));
+}
 
-/// Substep whose error is known: two halves against the whole; an elastic one by its moduli.
+/// The elastic part of a substep that ends outside: its fraction, and its end. Without it two half
+/// substeps, the first of them elastic, would be the whole one exactly and show no error.
+/// @return 0 where the surface is left at once
+template <class Counter>
+BARRENO_FUNCTION double elastic_part(
+    const PointRock& point,
+    const GeneralState& n,
+    const Moduli& start,
+    double dv,
+    const Sym3& de,
+    GeneralEnd& end,
+    Counter& count
+) {
+  constexpr double at_once = 1.0 / 1024.0;
+  constexpr int halvings = 40;
+  const auto at = [&](double t) {
+    return take_elastically(point, n, start, t * dv, t * de, count);
+  };
+  GeneralEnd e = at(at_once);
+  if (e.plastic) return 0.0;
+  double inside = at_once, outside = 1.0;
+  end = e;
+  for (int i = 0; i < halvings; ++i) {
+    const double t = 0.5 * (inside + outside);
+    e = at(t);
+    if (e.plastic) {
+      outside = t;
+    } else {
+      inside = t;
+      end = e;
+    }
+  }
+  return inside;
+}
+
+/// Two halves and the whole of a plastic substep, extrapolated to second order and back on the
+/// surface. Left as the halves are where a regime changes within.
+template <class Counter>
+BARRENO_FUNCTION void extrapolate(
+    const PointRock& point, const GeneralEnd& whole, GeneralEnd& end, Counter& count
+) {
+  const GeneralState &m = whole.state, &n = end.state;
+  GeneralEnd b = end;
+  b.state = {
+      2.0 * n.x - m.x, 2.0 * n.s - m.s, 2.0 * n.e - m.e, 2.0 * n.shear_strain - m.shear_strain};
+  b.elastic_work = 2.0 * end.elastic_work - whole.elastic_work;
+  b.plastic_work = 2.0 * end.plastic_work - whole.plastic_work;
+  const auto regime = [&](double e) {
+    return (Elasticity::dilated(e) ? 1 : 0) + (point.p3 > 0.0 && e <= point.last_open() ? 2 : 0);
+  };
+  if (b.plastic_work < 0.0 || regime(b.state.e) != regime(n.e)) return;
+  const GeneralEnd back = return_trial(point, b.state, 0.0, Sym3{}, end.used, count);
+  b.state.x = back.state.x;
+  b.state.s = back.state.s;
+  b.state.e = back.state.e;
+  end = b;
+}
+
+/// Substep whose error is known: an elastic one by its moduli, a plastic one by two halves against
+/// the whole.
+/// @param[out] taken  fraction that was taken: up to the surface, if that is crossed
 template <class Counter>
 BARRENO_FUNCTION Attempt attempt_general(
     const PointRock& point,
@@ -103,29 +210,36 @@ BARRENO_FUNCTION Attempt attempt_general(
     double dv,
     const Sym3& de,
     GeneralEnd& end,
+    double& taken,
     Counter& count
 ) {
   Attempt a;
-  const GeneralEnd whole = take_substep(point, n, dv, de, count);
-  const double start_size = stress_size(n.x, std::sqrt(second_invariant(n.s)));
-  const GeneralState& m = whole.state;
-  const double end_size = stress_size(m.x, std::sqrt(second_invariant(m.s)));
-  a.allowed = point.rock.tolerance * larger(larger(start_size, end_size), point.rock.stress_floor);
-  if (!whole.plastic) {
-    end = whole;
-    const Moduli first = point.moduli(n.x, n.e), last = point.moduli(m.x, m.e);
-    const double bulk = std::fabs(0.5 * (first.bulk + last.bulk) / whole.used.bulk - 1.0);
-    const double shear = std::fabs(0.5 * (first.shear + last.shear) / whole.used.shear - 1.0);
-    a.error = larger(bulk, shear) * distance(m, n);
-    a.order = 3;
-    return a;
+  taken = 1.0;
+  const Moduli first = point.moduli(n.x, n.e);
+  end = take_elastically(point, n, first, dv, de, count);
+  if (end.plastic) {
+    const double part = elastic_part(point, n, first, dv, de, end, count);
+    if (part > 0.0) taken = part;
   }
-  const GeneralEnd half = take_substep(point, n, 0.5 * dv, 0.5 * de, count);
-  end = take_substep(point, half.state, 0.5 * dv, 0.5 * de, count);
-  end.elastic_work += half.elastic_work;
-  end.plastic_work += half.plastic_work;
-  end.used = {0.5 * (end.used.bulk + half.used.bulk), 0.5 * (end.used.shear + half.used.shear)};
-  a.error = distance(end.state, m);
+  const double floor = larger(size_of(n), point.rock.stress_floor);
+  if (!end.plastic) {
+    measure_work(point, n, taken * dv, taken * de, end);
+    const Moduli last = point.moduli(end.state.x, n.e);
+    const double bulk = std::fabs(0.5 * (first.bulk + last.bulk) / end.used.bulk - 1.0);
+    const double shear = std::fabs(0.5 * (first.shear + last.shear) / end.used.shear - 1.0);
+    a.error = larger(bulk, shear) * distance(end.state, n);
+    a.order = 3;
+  } else {
+    const GeneralEnd whole = take_substep(point, n, dv, de, count);
+    const GeneralEnd half = take_substep(point, n, 0.5 * dv, 0.5 * de, count);
+    end = take_substep(point, half.state, 0.5 * dv, 0.5 * de, count);
+    end.elastic_work += half.elastic_work;
+    end.plastic_work += half.plastic_work;
+    end.used = {0.5 * (end.used.bulk + half.used.bulk), 0.5 * (end.used.shear + half.used.shear)};
+    a.error = distance(end.state, whole.state);
+    if (whole.plastic && half.plastic && end.plastic) extrapolate(point, whole, end, count);
+  }
+  a.allowed = point.rock.tolerance * larger(floor, size_of(end.state));
   return a;
 }
 
@@ -154,23 +268,30 @@ integrate_general(const PointRock& point, GeneralState& state, const Sym3& strai
     const bool last = done + fraction >= 1.0;
     if (last) fraction = 1.0 - done;
     GeneralEnd end;
+    double taken = 1.0;
     const Attempt a =
-        attempt_general(point, state, fraction * volume, fraction * shape, end, count);
+        attempt_general(point, state, fraction * volume, fraction * shape, end, taken, count);
     if (!std::isfinite(a.error)) break;
-    if (a.error > a.allowed && fraction > smallest_fraction) {
-      fraction *= step_factor(a);
+    const double way = point.rock.elasticity.way_to_jump(state.e, end.state.e);
+    if (way < 1.0 && fraction > smallest_fraction) {
+      fraction *= way;
+      continue;
+    }
+    if (a.error > a.allowed && taken * fraction > smallest_fraction) {
+      fraction *= taken * step_factor(a);
       continue;
     }
     state = end.state;
+    const double part = taken * fraction;
     step.outcome.elastic_work += end.elastic_work;
     step.outcome.plastic_work += end.plastic_work;
-    step.elastic_x += 3.0 * end.used.bulk * fraction * volume;
-    step.elastic_s = step.elastic_s + (2.0 * end.used.shear * fraction) * shape;
+    step.elastic_x += 3.0 * end.used.bulk * part * volume;
+    step.elastic_s = step.elastic_s + (2.0 * end.used.shear * part) * shape;
     step.last = end.used;
     ++step.outcome.substeps;
-    if (last) return step;
-    done += fraction;
-    fraction *= step_factor(a);
+    if (last && taken == 1.0) return step;
+    done += part;
+    fraction = taken < 1.0 ? fraction - part : fraction * step_factor(a);
   }
   step.outcome.status = Status::substep_limit;
   return step;
