@@ -117,6 +117,20 @@ TEST(GeneralArenisca, CentrePressureFulfilsTheBalanceOfVolumes) {
   }
 }
 
+/// A wet rock's strength is continuous and falls with dilation, also where the moduli jump.
+TEST(GeneralArenisca, StrengthFallsWithDilation) {
+  const GeneralArenisca model(wet(), 2300.0);
+  const PointRock point(model.rock(), 1.0, 1.0);
+  double before = point.strength(-0.2);
+  for (double e = -0.2; e < 0.1; e += 1e-4) {
+    const double X = point.strength(e);
+    EXPECT_GE(X, before);
+    EXPECT_NEAR(X / before, 1.0, 0.02);
+    before = X;
+  }
+  EXPECT_NEAR(point.strength(1e-10) / point.strength(0.0), 1.0, 1e-7);
+}
+
 /// The cap, the centre's pressure and the threshold of the fluid are continuous where a gap opens.
 TEST(GeneralArenisca, CavitationIsContinuous) {
   const GeneralArenisca model(wet(), 2300.0);
@@ -249,7 +263,8 @@ TEST(GeneralArenisca, SolversAgree) {
     const GeneralArenisca fast(p, 2300.0);
     p.return_solver = 1;
     const GeneralArenisca bisection(p, 2300.0);
-    for (const auto& path : random_paths(10, 10, 2e-3)) {
+    // The published one, for each Lode angle anew, is slow.
+    for (const auto& path : random_paths(kind == Lode::none ? 10 : 2, 10, 2e-3)) {
       EXPECT_LE(largest_difference(stresses(fast, path), stresses(bisection, path)), 1e-7);
     }
   }

@@ -336,7 +336,7 @@ class Laws:
         dry = self.cap_dry(e + shift)
         if not math.isfinite(dry):
             return dry
-        kd = self.drained(dry / 2, e)
+        kd = self.drained(dry / 2, min(e, 0.0))  # dilated rock too: the strength does not jump with its moduli
         ratio = self.saturate(kd, self.porosity(e, mu)) / kd
         if e <= self.filling_strain(mu):
             return dry * ratio

@@ -147,11 +147,12 @@ BARRENO_FUNCTION Moduli saturated_moduli(
 
 /// Hydrostatic strength from the centre: that of the crush curve, times Ks/Kd (both at half of it)
 /// where the fluid works, so that the cap stands still during elastic loading: Biot-scaled
-/// [stress].
+/// [stress]. Of dilated rock too the moduli are those of undilated rock: the strength must not jump
+/// where they do (surfaces that jump make several returns possible).
 BARRENO_FUNCTION double saturated_strength(
     const PoreFluid& fluid, const Elasticity& elasticity, const FluidState& at, double dry, double e
 ) {
-  const double drained = elasticity.moduli_at(0.5 * dry, e).bulk;
+  const double drained = elasticity.moduli_at(0.5 * dry, smaller(e, 0.0)).bulk;
   const double ratio = fluid.saturated(drained, at.porosity) / drained;
   if (!at.gap) return dry * ratio;
   return at.threshold <= dry ? dry : at.threshold + (dry - at.threshold) * ratio;
