@@ -39,7 +39,7 @@ std::vector<Entry> entries_of() {
 
 template <class Model>
 ModelDescription describe() {
-  return {Model::name, Model::summary, entries_of<Model>(), Model::history_table()};
+  return {Model::name, Model::summary, entries_of<Model>(), Model::history_table(), {}};
 }
 
 /// True for a model that stands in the list for some parameter sets of another.
@@ -89,6 +89,23 @@ AnyModel build(const ParameterList& list, double density, std::string& problem) 
                          : AnyModel(LinearElastic({1.0, 1.0}, density));
 }
 
+/// A general form's history stands in the description of the model that users ask for.
+template <class Model>
+void add_general_history(std::vector<ModelDescription>& all) {
+  if constexpr (IsGeneralForm<Model>::value) {
+    for (ModelDescription& special : all) {
+      if (special.name != Model::SpecialForm::name) continue;
+      const auto known = [&](const HistoryField& field) {
+        return std::any_of(special.history.begin(), special.history.end(), [&](const auto& f) {
+          return std::string(f.name) == field.name;
+        });
+      };
+      for (const HistoryField& field : Model::history_table())
+        if (!known(field)) special.more_history.push_back(field);
+    }
+  }
+}
+
 using Builder = AnyModel (*)(const ParameterList&, double, std::string&);
 
 template <class... Models>
@@ -99,6 +116,7 @@ std::vector<ModelDescription> describe_all(const std::variant<Models...>* /*list
     if (!IsGeneralForm<Model>::value) all.push_back(describe<Model>());
   };
   (add(TypeOf<Models>{}), ...);
+  (add_general_history<Models>(all), ...);
   return all;
 }
 template <class... Models>

@@ -96,15 +96,20 @@ void write_section(const Section& section, const std::string& path, std::ostream
   for (const Section& named : section.named) write_section(named, path + "/" + named.name, out);
 }
 
+void write_history(const HistoryField& field, std::ostream& out) {
+  const std::string unit = input::si_unit_of(field.dimension);
+  out << "      " << field.name << (unit.empty() ? "" : " [" + unit + "]") << ": " << field.meaning
+      << '\n';
+}
+
 void write_model(const ModelDescription& model, std::ostream& out) {
   out << "Model \"" << model.name << "\": " << model.summary << '\n';
   for (const Entry& entry : card_section(model).entries) write_entry(entry, out);
   if (!model.history.empty()) out << "  history of every particle:\n";
-  for (const HistoryField& field : model.history) {
-    const std::string unit = input::si_unit_of(field.dimension);
-    out << "      " << field.name << (unit.empty() ? "" : " [" + unit + "]") << ": "
-        << field.meaning << '\n';
-  }
+  for (const HistoryField& field : model.history) write_history(field, out);
+  if (model.more_history.empty()) return;
+  out << "  and where the parameters ask for more than the plain form:\n";
+  for (const HistoryField& field : model.more_history) write_history(field, out);
 }
 
 constexpr const char* how_to_write =
@@ -145,6 +150,17 @@ void write_rows(const std::vector<Entry>& entries, std::ostream& out) {
     out << "| " << cell(entry.name) << " | " << cell(type_text(entry)) << " | "
         << bounds_text(entry.bounds) << " | " << cell(value) << " | " << cell(entry.meaning)
         << " |\n";
+  }
+  out << '\n';
+}
+
+void write_history_rows(
+    const char* title, const std::vector<HistoryField>& fields, std::ostream& out
+) {
+  out << "| " << title << " | unit | meaning |\n|---|---|---|\n";
+  for (const HistoryField& field : fields) {
+    out << "| " << field.name << " | " << input::si_unit_of(field.dimension) << " | "
+        << cell(field.meaning) << " |\n";
   }
   out << '\n';
 }
@@ -195,12 +211,9 @@ std::string describe_markdown() {
     out << "## Model " << model.name << "\n\n" << model.summary << "\n\n";
     write_rows(card_section(model).entries, out);
     if (model.history.empty()) continue;
-    out << "| history | unit | meaning |\n|---|---|---|\n";
-    for (const HistoryField& field : model.history) {
-      out << "| " << field.name << " | " << input::si_unit_of(field.dimension) << " | "
-          << cell(field.meaning) << " |\n";
-    }
-    out << '\n';
+    write_history_rows("history", model.history, out);
+    if (model.more_history.empty()) continue;
+    write_history_rows("where the parameters ask for more", model.more_history, out);
   }
   std::string text = out.str();
   text.pop_back();  // one newline at the end, not two

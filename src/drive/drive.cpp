@@ -10,19 +10,24 @@
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
 #include <sstream>
+#include <variant>
+#include <vector>
 
 namespace barreno {
 namespace {
 
-/// The model's own table; find_model() would look its name up.
-const ModelDescription& description_of(const Material& material) {
-  return describe_models().at(material.model.index());
+const char* model_of(const Material& material) {
+  return std::visit([](const auto& model) { return model.name; }, material.model);
+}
+/// That of the form which the parameters need.
+std::vector<HistoryField> history_of(const Material& material) {
+  return std::visit([](const auto& model) { return model.history_table(); }, material.model);
 }
 
 std::string units_line(const Material& material) {
   std::string line =
       "# SI units: time s; F -; stress Pa, Cauchy, tension positive, in the space frame";
-  for (const HistoryField& field : description_of(material).history) {
+  for (const HistoryField& field : history_of(material)) {
     const std::string unit = input::si_unit_of(field.dimension);
     line += std::string("; ") + field.name + " " + (unit.empty() ? "-" : unit);
   }
@@ -33,8 +38,7 @@ std::string column_line(const Material& material) {
   std::string line =
       "time,F11,F12,F13,F21,F22,F23,F31,F32,F33,"
       "stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx";
-  for (const HistoryField& field : description_of(material).history)
-    line += std::string(",") + field.name;
+  for (const HistoryField& field : history_of(material)) line += std::string(",") + field.name;
   return line;
 }
 
@@ -87,8 +91,8 @@ std::string drive(const DriveRequest& request, const Comm& comm) {
 
   std::ostringstream screen;
   for (const std::string& note : notes) screen << "note: " << note << '\n';
-  screen << description_of(material).name << " of '" << material.name << "': " << rows.size()
-         << " rows, " << request.steps_per_row << " steps between two, in " << request.out << '\n';
+  screen << model_of(material) << " of '" << material.name << "': " << rows.size() << " rows, "
+         << request.steps_per_row << " steps between two, in " << request.out << '\n';
   return screen.str();
 }
 
