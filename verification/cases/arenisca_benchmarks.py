@@ -29,6 +29,7 @@ class Benchmark:
     order: float = None  # least order of the error in the refinement; None: no demand
     unit: float = 1e6  # of the benchmark's stress [Pa]
     needs: str = None  # parameter of the model
+    tight: float = 5e-5  # with TIGHT; the published tables are exact to 1e-6, paths and rotations are cut into steps
     refined: str = "steps"  # what a refinement multiplies: the steps between rows, or the rows
 
 
@@ -50,7 +51,7 @@ BENCHMARKS = [
     Benchmark("08", "hydrostatic load, unload, dilation", answers.hydrostatic_path("T08"), answers.hydrostat,
               answers.hydrostatic("T08"), [6815.0, 0.787], 40, 1e-2),
     Benchmark("09", "the same with pore fluid", answers.hydrostatic_path("T08"), answers.hydrostat,
-              answers.saturated, [18764.0, 0.787], 40, 1e-2, needs="fluid_B0"),
+              answers.saturated, [18764.0, 0.787], 40, 1e-2, needs="fluid_B0", tight=3e-4),
     Benchmark("10", "turning principal axes, von Mises", answers.corner_path, answers.deviator, answers.corner,
               [1.9e8] * 3, 100, 1e-3, unit=1.0),
     Benchmark("11", "von Mises, uniaxial cycle", answers.uniaxial_path("T11"), answers.axes, answers.uniaxial("T11"),
@@ -63,7 +64,6 @@ BENCHMARKS = [
 
 
 TIGHT = {"Tolerance": "1e-6"}  # of the solver; a card's default is for runs of a million points
-TIGHT_ERROR = 5e-5  # the published tables are exact to 1e-6, paths and rotations are cut into steps
 
 
 def error(barreno, benchmark, refinement, settings=None):
@@ -96,7 +96,7 @@ def run(barreno, full):
         tight = error(barreno, benchmark, 1, TIGHT)[0]
         row = [benchmark.number, benchmark.what, steps, first, tight, "", ""]
         result.demand(f"{benchmark.number} {benchmark.what}", first, benchmark.tolerance)
-        result.demand(f"{benchmark.number} with solver tolerance 1e-6", tight, min(TIGHT_ERROR, benchmark.tolerance))
+        result.demand(f"{benchmark.number} with solver tolerance 1e-6", tight, min(benchmark.tight, benchmark.tolerance))
         if full:
             errors = [first, error(barreno, benchmark, 4)[0], error(barreno, benchmark, 16)[0]]
             row[5:] = [errors[2], order(errors, 4.0)[1] if min(errors) > 1e-8 else ""]
