@@ -14,6 +14,7 @@ const std::vector<NamedDimension>& named_dimensions() {
   static const std::vector<NamedDimension> names = {
       {dimension::none, "a number without unit", "", "0.5"},
       {dimension::length, "a length", "m", "12.7 mm"},
+      {dimension::volume, "a volume", "m3", "1 cm3"},
       {dimension::time, "a time", "s", "100 us"},
       {dimension::mass, "a mass", "kg", "20 g"},
       {dimension::temperature, "a temperature", "K", "294 K"},

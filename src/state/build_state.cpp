@@ -9,11 +9,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
+#include <type_traits>
 #include <variant>
 
 namespace barreno {
 namespace {
+
+/// True for a model whose strength scatters.
+template <class Model, class = void>
+struct VariesByPiece : std::false_type {};
+template <class Model>
+struct VariesByPiece<Model, std::void_t<decltype(&Model::vary)>> : std::true_type {};
 
 /// Bits of the pressure loads on a particle's own faces: load * 6 + face.
 double loaded_faces(const Scene& scene, int body, unsigned sides) {
@@ -135,7 +143,12 @@ int add_particle(
   std::visit(
       [&](const auto& model) {
         using Model = std::decay_t<decltype(model)>;
-        const auto start = model.initial_state(pressure);
+        auto start = model.initial_state(pressure);
+        if constexpr (VariesByPiece<Model>::value)
+          model.vary(
+              start.history,
+              {static_cast<std::uint64_t>(made.id), made.volume, 4.0 * made.half_x * made.half_y}
+          );
         for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&start.stress.xx)[c];
         if constexpr (Model::history_count > 0) {
           const auto* const h = reinterpret_cast<const double*>(&start.history);

@@ -111,7 +111,7 @@ struct Sample<GeneralArenisca> : Sample<Arenisca> {
     return p;
   }
   static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
-    std::vector<std::pair<Arenisca::Parameters, std::string>> list(6, {parameters(), "J3_psi"});
+    std::vector<std::pair<Arenisca::Parameters, std::string>> list(10, {parameters(), "J3_psi"});
     list[0].first.J3_psi = 0.7;
     list[1].first.J3_type = arenisca::Lode::none;
     list[2].first.fluid_B0 = 0.0;
@@ -123,6 +123,16 @@ struct Sample<GeneralArenisca> : Sample<Arenisca> {
     list[4].second = "Matrix bulk modulus";
     list[5].first.undrained_moduli = Arenisca::arenisca3_moduli;
     list[5].second = "Undrained moduli";
+    list[6].first.weibull_modulus = 6.0;
+    list[6].second = "Weibull modulus";
+    list[7].first.weibull_reference_volume = 1e-6;
+    list[7].second = "Weibull reference volume";
+    list[8].first.weibull_seed = 0.5;
+    list[8].second = "Weibull seed";
+    list[9].first.weibull_modulus = 6.0;
+    list[9].first.weibull_reference_volume = 1e-6;
+    list[9].first.PEAKI1 = 0.0;
+    list[9].second = "Weibull modulus";
     return list;
   }
 };

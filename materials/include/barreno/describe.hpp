@@ -19,6 +19,7 @@ inline bool operator==(const Dimension& a, const Dimension& b) {
 namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension length{1, 0, 0, 0};
+inline constexpr Dimension volume{3, 0, 0, 0};
 inline constexpr Dimension time{0, 1, 0, 0};
 inline constexpr Dimension mass{0, 0, 1, 0};
 inline constexpr Dimension temperature{0, 0, 0, 1};

@@ -49,10 +49,13 @@ struct Arenisca {
     double fluid_B0, fluid_pressure_initial, matrix_bulk_modulus;
     double T1_rate_dependence, T2_rate_dependence;
     double J3_psi;
-    int return_solver, backstress_strain, undrained_moduli, J3_type;
+    double weibull_modulus, weibull_reference_volume, weibull_seed;
+    int return_solver, backstress_strain, undrained_moduli, J3_type, weibull_volume,
+        weibull_scatter;
   };
   /// Indices of words.
   static constexpr int plastic_backstress = 1, arenisca3_moduli = 1;
+  static constexpr int ring_volume = 1, scale_only = 1;
   /// The cap's place X is a function of plastic_volume_strain and not stored.
   template <class R>
   struct HistoryOf {
@@ -251,7 +254,8 @@ inline Entries cap_and_solver_entries() {
           // Measured over random updates like those of a penetration: mean error 2e-4 for 1.5
           // substeps; ten times tighter costs twice as much for a third of the error.
           1e-2,
-          "relative local error of a substep, estimated to first order (the result is second order)"
+          "relative local error of a substep; results are of second order in the step down to "
+          "errors of about a tenth of this, then of first order"
       )};
 }
 
@@ -315,6 +319,36 @@ inline Entries rate_and_angle_entries() {
       )};
 }
 
+inline Entries variability_entries() {
+  using P = Arenisca::Parameters;
+  namespace d = dimension;
+  return {
+      optional(
+          &P::weibull_modulus,
+          "Weibull modulus",
+          d::none,
+          at_least(0.0),
+          0.0,
+          "m: PEAKI1 varies from particle to particle, the less the larger m; 0: it does not"
+      ),
+      optional(
+          &P::weibull_reference_volume,
+          "Weibull reference volume",
+          d::volume,
+          at_least(0.0),
+          0.0,
+          "volume of the specimens whose mean strength is PEAKI1; smaller particles are stronger"
+      ),
+      optional(
+          &P::weibull_seed,
+          "Weibull seed",
+          d::none,
+          at_least(0.0),
+          0.0,
+          "whole number; another one is another specimen of the same rock"
+      )};
+}
+
 }  // namespace arenisca
 
 inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
@@ -324,7 +358,8 @@ inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
         arenisca::elastic_entries(),
         arenisca::cap_and_solver_entries(),
         arenisca::fluid_entries(),
-        arenisca::rate_and_angle_entries()}) {
+        arenisca::rate_and_angle_entries(),
+        arenisca::variability_entries()}) {
     table.numbers.insert(table.numbers.end(), entries.begin(), entries.end());
   }
   table.choices = {
@@ -348,7 +383,19 @@ inline ParameterTable<Arenisca::Parameters> Arenisca::parameter_table() {
        "J3_type",
        {"none", "Gudehus", "Willam-Warnke", "Mohr-Coulomb"},
        0,
-       "dependence of the strength on the Lode angle"}};
+       "dependence of the strength on the Lode angle"},
+      {&Parameters::weibull_volume,
+       "Weibull volume",
+       {"cube", "ring"},
+       0,
+       "volume of a particle for the scale effect: the cube over its face in the plane, the same "
+       "at "
+       "any distance from the axis; ring: its own (full circle, or per unit thickness)"},
+      {&Parameters::weibull_scatter,
+       "Weibull scatter",
+       {"random", "scale only"},
+       0,
+       "scale only: every particle has the mean of its size"}};
   return table;
 }
 
@@ -477,6 +524,30 @@ inline std::string check_angle(const Arenisca::Parameters& p) {
   return {};
 }
 
+inline std::string check_variability(const Arenisca::Parameters& p) {
+  constexpr double most_seeds = 9007199254740992.0;  // 2^53: whole numbers that a double holds
+  if (!(p.weibull_seed < most_seeds && p.weibull_seed == std::floor(p.weibull_seed))) {
+    return named("Weibull seed", p.weibull_seed) +
+           " is not a whole number below 2^53 (it numbers specimens). Take 0, 1, 2 and so on.";
+  }
+  if (p.weibull_modulus == 0.0) {
+    if (p.weibull_reference_volume == 0.0) return {};
+    return named("Weibull reference volume", p.weibull_reference_volume) +
+           " has no effect without a Weibull modulus. Set the modulus, or the volume to 0.";
+  }
+  if (p.weibull_reference_volume == 0.0) {
+    return named("Weibull modulus", p.weibull_modulus) +
+           " needs a Weibull reference volume (strength depends on size). Set that of the "
+           "specimens that PEAKI1 was measured on.";
+  }
+  if (p.PEAKI1 == 0.0) {
+    return named("Weibull modulus", p.weibull_modulus) +
+           " has no effect with PEAKI1 = 0 (it is PEAKI1 that varies). Set PEAKI1, or the modulus "
+           "to 0.";
+  }
+  return {};
+}
+
 inline std::string check_bulk_modulus(const Arenisca::Parameters& p) {
   if (p.B1 > 0.0 && p.B2 == 0.0) {
     return named("B1", p.B1) +
@@ -538,6 +609,7 @@ inline std::string Arenisca::check(const Parameters& p, double /*density*/) {
        {arenisca::check_surface,
         arenisca::check_fluid,
         arenisca::check_angle,
+        arenisca::check_variability,
         arenisca::check_crush_curve,
         arenisca::check_bulk_modulus,
         arenisca::check_shear_modulus}) {

@@ -3,6 +3,7 @@
 
 #include "barreno/arenisca/general_substep.hpp"
 #include "barreno/arenisca/rate.hpp"
+#include "barreno/arenisca/weibull.hpp"
 #include "barreno/models/arenisca.hpp"
 
 #include <cmath>
@@ -32,7 +33,8 @@ struct GeneralArenisca {
   static constexpr int history_count = 12;
 
   static bool needed(const Parameters& p) {
-    return p.fluid_B0 > 0.0 || p.T1_rate_dependence > 0.0 || p.J3_type != arenisca::Lode::none;
+    return p.fluid_B0 > 0.0 || p.T1_rate_dependence > 0.0 || p.J3_type != arenisca::Lode::none ||
+           p.weibull_modulus > 0.0;
   }
   static ParameterTable<Parameters> parameter_table() { return Arenisca::parameter_table(); }
   static std::vector<HistoryField> history_table();
@@ -40,7 +42,13 @@ struct GeneralArenisca {
     return Arenisca::check(p, density);
   }
 
-  GeneralArenisca(const Parameters& p, double /*density*/) : p_(p), rock_(make_rock(p)) {}
+  GeneralArenisca(const Parameters& p, double /*density*/)
+      : p_(p), rock_(make_rock(p)), weibull_(make_weibull(p)) {}
+
+  /// Gives a piece of rock the strength of its own; a host that makes pieces calls this once, one
+  /// that does not has the mean everywhere.
+  void vary(History& h, const Specimen& piece) const { h.coherence = weibull_.factor(piece); }
+  const arenisca::Weibull& weibull() const { return weibull_; }
 
   History initial_history() const;
   InitialStateOf<Sym3, History> initial_state(double pressure) const;
@@ -77,6 +85,7 @@ struct GeneralArenisca {
 
 private:
   static arenisca::GeneralRock make_rock(const Parameters& p);
+  static arenisca::Weibull make_weibull(const Parameters& p);
 
   BARRENO_FUNCTION static Sym3 overstress(const History& h) {
     return {
@@ -95,6 +104,7 @@ private:
 
   Parameters p_;
   arenisca::GeneralRock rock_;
+  arenisca::Weibull weibull_;
 };
 
 template <class Counter>
@@ -209,6 +219,20 @@ inline arenisca::GeneralRock GeneralArenisca::make_rock(const Parameters& p) {
         arenisca::make_published_fluid(p.fluid_B0, matrix, p.fluid_pressure_initial, porosity);
   }
   return rock;
+}
+
+inline arenisca::Weibull GeneralArenisca::make_weibull(const Parameters& p) {
+  constexpr double margin = 0.99;  // of STREN > YSLOPE PEAKI1
+  arenisca::Weibull w;
+  w.modulus = p.weibull_modulus;
+  w.reference_volume = p.weibull_reference_volume;
+  w.seed = static_cast<std::uint64_t>(p.weibull_seed);
+  w.ring = p.weibull_volume == Arenisca::ring_volume;
+  w.scale_only = p.weibull_scatter == Arenisca::scale_only;
+  if (p.STREN > 0.0 && p.YSLOPE * p.PEAKI1 > 0.0) {
+    w.bound = std::fmax(1.0, margin * p.STREN / (p.YSLOPE * p.PEAKI1));
+  }
+  return w;
 }
 
 inline GeneralArenisca::History GeneralArenisca::initial_history() const {

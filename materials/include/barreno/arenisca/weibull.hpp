@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace barreno {
+
+/// A piece of material as its host cuts it, for properties that vary from piece to piece.
+struct Specimen {
+  std::uint64_t id = 0;  ///< the same for any number of ranks and any order
+  double volume = 0.0;  ///< full circle in axisymmetry, per unit thickness in plane strain [volume]
+  double face = 0.0;    ///< area in the plane [area]
+};
+
+namespace arenisca {
+
+/// Scatter of the strength with its scale effect: the weakest flaw of a volume V decides,
+///
+///   PEAKI1 = mean / Gamma(1 + 1/m) (Vref/V)^(1/m) (-ln U)^(1/m),   U uniform in (0, 1)
+///
+/// with the mean that of pieces of the reference volume. U comes from the piece's id and the seed
+/// alone, not from a sequence of draws: the same specimen for any number of ranks and any order of
+/// particles. W. Weibull, J. Appl. Mech. 18 (1951).
+struct Weibull {
+  double modulus = 0.0;           ///< m; 0: every piece has the mean
+  double reference_volume = 0.0;  ///< Vref [volume]
+  std::uint64_t seed = 0;
+  bool ring = false;        ///< V is the piece's own volume; else the cube over its face
+  bool scale_only = false;  ///< the random part is replaced by its mean
+  double bound = HUGE_VAL;  ///< largest factor: the surface must not open backwards
+
+  bool present() const { return modulus > 0.0; }
+
+  /// Steele's, Lea's and Flood's mixing function (OOPSLA 2014): every bit of the result depends on
+  /// every bit of the argument.
+  static std::uint64_t mix(std::uint64_t z) {
+    z += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+  }
+  /// In (0, 1), both ends excluded.
+  double uniform(std::uint64_t id) const {
+    constexpr double step = 1.0 / 9007199254740992.0;  // 2^-53
+    return (static_cast<double>(mix(mix(seed) ^ id) >> 11U) + 0.5) * step;
+  }
+  /// A cube's volume for a particle of a plane: its strength must not depend on how far from the
+  /// axis it is.
+  double volume_of(const Specimen& piece) const {
+    return ring ? piece.volume : piece.face * std::sqrt(piece.face);
+  }
+  /// PEAKI1 of the piece over the mean.
+  double factor(const Specimen& piece) const {
+    if (!present()) return 1.0;
+    const double power = 1.0 / modulus;
+    const double scale = std::pow(reference_volume / volume_of(piece), power);
+    if (scale_only) return std::fmin(scale, bound);
+    const double random = std::pow(-std::log(uniform(piece.id)), power) / std::tgamma(1.0 + power);
+    return std::fmin(scale * random, bound);
+  }
+};
+
+}  // namespace arenisca
+}  // namespace barreno

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The library's Arenisca against the independent oracle: pore fluid, third invariant, rate, published forms.
+
+Principal strain paths through `barreno drive`; the oracle integrates the same polygons with many substeps, extrapolated
+(it is of first order where the stress turns).
+"""
+import math
+
+import numpy as np
+from case import Result
+from cases import arenisca_answers  # noqa: F401  (puts the oracles on the path)
+from arenisca_paths import strain_path
+from arenisca_reference import Arenisca
+from drive import drive
+from runs import order
+
+ROCK = {"PEAKI1": 21e6, "FSLOPE": 0.435, "STREN": 4e8, "YSLOPE": 0.02, "B0": 8e9, "B1": 28e9, "B2": 4e8, "G0": 8e9,
+        "p0_crush_curve": -6e8, "p1_crush_curve": 1.5e-9, "p3_crush_curve": 0.22, "CR": 0.5}  # fmt: skip
+WET = {**ROCK, "fluid_B0": 2.2e9}
+PUBLISHED = {"Backstress strain": "plastic", "Undrained moduli": "arenisca3"}
+# Choices that the equations leave open; the library's.
+CHOICES = {"Moduli when dilated": "B0", "Coupling in tension": "no"}
+
+ROCKS = {
+    "dry": ROCK,
+    "dry, variable Poisson's ratio, coupling": {**ROCK, "G1": 0.2, "G2": 0.05, "G0": 6e9, "B3": 1e9, "B4": 0.01},
+    "dry, Gudehus 0.8": {**ROCK, "J3_type": "Gudehus", "J3_psi": 0.8},
+    "dry, Willam-Warnke 0.7": {**ROCK, "J3_type": "Willam-Warnke", "J3_psi": 0.7},
+    "dry, Willam-Warnke 1.4": {**ROCK, "J3_type": "Willam-Warnke", "J3_psi": 1.4},
+    "dry, Mohr-Coulomb 0.75": {**ROCK, "J3_type": "Mohr-Coulomb", "J3_psi": 0.75},
+    "wet": WET,
+    "wet, stiff grains": {**WET, "Matrix bulk modulus": 60e9},
+    "wet, p_i = 30 MPa": {**WET, "fluid_pressure_initial": 3e7},
+    "wet, nonassociated, Willam-Warnke 0.8": {**WET, "BETA_nonassociativity": 0.7, "J3_type": "Willam-Warnke", "J3_psi": 0.8},
+    "wet, published form": {**WET, **PUBLISHED},
+    "wet, published form, p_i = 30 MPa": {**WET, **PUBLISHED, "fluid_pressure_initial": 3e7},
+    "wet, no cohesion": {**WET, "PEAKI1": 0.0},
+    "wet, rate": {**WET, "T1_rate_dependence": 1e-4, "T2_rate_dependence": 0.3},
+    "no pores, fluid asked for": {**WET, "p3_crush_curve": 0.0},
+}
+PATHS = {
+    "hydrostatic": [(v / 3.0,) * 3 for v in (-0.05, -0.1, -0.15, -0.12)],
+    "uniaxial": [(v, 0.0, 0.0) for v in (-0.02, -0.05, -0.1, -0.09)],
+    "turning": [(-0.03, -0.018, -0.012), (-0.05, -0.02, -0.01), (-0.04, -0.03, -0.03), (-0.08, -0.03, -0.05),
+                (-0.07, -0.025, -0.045)],
+}  # fmt: skip
+STEPS = 50  # between rows
+SUBSTEPS = 100  # of the oracle
+RESOLVED = {"Tolerance": "1e-6"}
+
+
+def oracle_stress(rock, points):
+    """Axial stresses at the rows, extrapolated to no substep."""
+    model = Arenisca({**rock, **CHOICES})
+    ends = [(p, k + 1.0) for k, p in enumerate(points)]
+    at = lambda n: np.array([s.dynamic[:3] for s in strain_path(model, ends, n)])
+    return 2.0 * at(2 * SUBSTEPS) - at(SUBSTEPS)
+
+
+def code_stress(barreno, rock, points, steps, settings):
+    card = {name: value if isinstance(value, str) else repr(value) for name, value in {**rock, **settings}.items()}
+    rows = [(0.0, np.eye(3))] + [(k + 1.0, np.diag([math.exp(e) for e in p])) for k, p in enumerate(points)]
+    table = drive(barreno, "Arenisca", card, rows, steps)
+    return np.stack([table[f"stress_{c}"] for c in ("xx", "yy", "zz")], axis=1)[1:]
+
+
+def apart(a, b):
+    return float(np.abs(a - b).max() / np.abs(b).max())
+
+
+def order_in_the_step(barreno, rock, result, name):
+    """One step against many: the error of the default tolerance's own substeps, then of fixed ones."""
+    points = [(-0.012, -0.008, -0.006), (-0.03, -0.012, -0.006)]
+    fine = code_stress(barreno, rock, points, 2048, {"Tolerance": "1e-8"})
+    errors = [apart(code_stress(barreno, rock, points, n, {"Tolerance": "0.5"}), fine) for n in (1, 8, 32, 128)]
+    rate = order(errors[1:], 4.0)[1]
+    result.demand(f"{name}: one step of 2 % strain against many", errors[0], 0.05)
+    result.demand(f"{name}: order in the step, loose tolerance", rate, 1.7, at_least=True)
+
+
+def run(barreno, full):
+    result = Result(
+        "Arenisca against the independent oracle",
+        "Fluid, third invariant, rate dependence and the published forms in the library are those of the equations.",
+        "`verification/oracles/arenisca_reference.py`, extrapolated in its substep. Differences over the largest stress of "
+        "the path.",
+        ["rock", "path", "card's tolerance", "tolerance 1e-6"],
+        [],
+    )
+    for name, rock in ROCKS.items():
+        for path, points in PATHS.items():
+            if not full and path == "uniaxial":
+                continue
+            exact = oracle_stress(rock, points)
+            plain = apart(code_stress(barreno, rock, points, STEPS, {}), exact)
+            resolved = apart(code_stress(barreno, rock, points, STEPS, RESOLVED), exact)
+            result.rows.append([name, path, plain, resolved])
+            result.demand(f"{name}, {path}", plain, 1e-2)
+            result.demand(f"{name}, {path}, tolerance 1e-6", resolved, 1e-3)
+    for name in ("dry, Willam-Warnke 0.7", "wet"):
+        order_in_the_step(barreno, ROCKS[name], result, name)
+    return result
