@@ -519,7 +519,8 @@ inline std::string check_angle(const Arenisca::Parameters& p) {
   }
   if (p.J3_type == 0 && p.J3_psi != 1.0) {
     return named("J3_psi", p.J3_psi) +
-           " has no effect without a J3_type. Set J3_type, or J3_psi to 1.";
+           " has no effect without a J3_type (which says how the strength goes from 1 to it). Set "
+           "J3_type, or J3_psi to 1.";
   }
   return {};
 }
@@ -533,7 +534,9 @@ inline std::string check_variability(const Arenisca::Parameters& p) {
   if (p.weibull_modulus == 0.0) {
     if (p.weibull_reference_volume == 0.0) return {};
     return named("Weibull reference volume", p.weibull_reference_volume) +
-           " has no effect without a Weibull modulus. Set the modulus, or the volume to 0.";
+           " has no effect without a Weibull modulus (0: no scatter). Set the modulus, or the "
+           "volume to "
+           "0.";
   }
   if (p.weibull_reference_volume == 0.0) {
     return named("Weibull modulus", p.weibull_modulus) +
