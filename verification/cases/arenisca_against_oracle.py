@@ -44,17 +44,19 @@ PATHS = {
     "turning": [(-0.03, -0.018, -0.012), (-0.05, -0.02, -0.01), (-0.04, -0.03, -0.03), (-0.08, -0.03, -0.05),
                 (-0.07, -0.025, -0.045)],
 }  # fmt: skip
+# The moduli jump where rock first dilates, and the oracle's steps fall on one side or the other: many, not extrapolated.
+JUMPS, MANY = {("no pores, fluid asked for", "uniaxial")}, 3200
 STEPS = 50  # between rows
 SUBSTEPS = 100  # of the oracle
 RESOLVED = {"Tolerance": "1e-6"}
 
 
-def oracle_stress(rock, points):
-    """Axial stresses at the rows, extrapolated to no substep."""
+def oracle_stress(rock, points, jumps):
+    """Axial stresses at the rows, extrapolated to no substep where there is no jump on the way."""
     model = Arenisca({**rock, **CHOICES})
     ends = [(p, k + 1.0) for k, p in enumerate(points)]
     at = lambda n: np.array([s.dynamic[:3] for s in strain_path(model, ends, n)])
-    return 2.0 * at(2 * SUBSTEPS) - at(SUBSTEPS)
+    return at(MANY) if jumps else 2.0 * at(2 * SUBSTEPS) - at(SUBSTEPS)
 
 
 def code_stress(barreno, rock, points, steps, settings):
@@ -89,9 +91,9 @@ def run(barreno, full):
     )
     for name, rock in ROCKS.items():
         for path, points in PATHS.items():
-            if not full and path == "uniaxial":
+            if not full and path != "turning":
                 continue
-            exact = oracle_stress(rock, points)
+            exact = oracle_stress(rock, points, (name, path) in JUMPS)
             plain = apart(code_stress(barreno, rock, points, STEPS, {}), exact)
             resolved = apart(code_stress(barreno, rock, points, STEPS, RESOLVED), exact)
             result.rows.append([name, path, plain, resolved])
