@@ -26,6 +26,12 @@ inline double shear_modulus(const Arenisca& model, const Sym3& stress, const Are
   return model.rock().elasticity.moduli_at(trace(stress), h.plastic_volume_strain).shear;
 }
 
+inline double shear_modulus(
+    const GeneralArenisca& model, const Sym3& stress, const GeneralArenisca::History& h
+) {
+  return model.moduli(stress, h).shear;
+}
+
 /// Isotropic stiffness of an unloading point in this state.
 template <class Model>
 Tangent elastic_tangent(

@@ -71,10 +71,14 @@ struct GeneralArenisca {
   /// K + 4G/3 of a point in this state [stress].
   BARRENO_FUNCTION double
   longitudinal_modulus(const Sym3& stress, const History& h, double /*volume_ratio*/) const {
+    const arenisca::Moduli m = moduli(stress, h);
+    return m.bulk + 4.0 / 3.0 * m.shear;
+  }
+  /// Tangent moduli of a point in this state.
+  BARRENO_FUNCTION arenisca::Moduli moduli(const Sym3& stress, const History& h) const {
     const arenisca::PointRock point(rock_, h.coherence, h.fluid_mass_ratio);
     const double x = trace(stress - overstress(h)) - point.zeta(h.plastic_volume_strain);
-    const arenisca::Moduli m = point.moduli(x, h.plastic_volume_strain);
-    return m.bulk + 4.0 / 3.0 * m.shear;
+    return point.moduli(x, h.plastic_volume_strain);
   }
   const Parameters& parameters() const { return p_; }
   const arenisca::GeneralRock& rock() const { return rock_; }
