@@ -9,8 +9,8 @@ import math
 import numpy as np
 from case import Result
 from cases import arenisca_answers  # noqa: F401  (puts the oracles on the path)
+from arenisca_model import Arenisca
 from arenisca_paths import strain_path
-from arenisca_reference import Arenisca
 from drive import drive
 from runs import order
 
@@ -84,7 +84,7 @@ def run(barreno, full):
     result = Result(
         "Arenisca against the independent oracle",
         "Fluid, third invariant, rate dependence and the published forms in the library are those of the equations.",
-        "`verification/oracles/arenisca_reference.py`, extrapolated in its substep. Differences over the largest stress of "
+        "`verification/oracles/arenisca_model.py`, extrapolated in its substep. Differences over the largest stress of "
         "the path.",
         ["rock", "path", "card's tolerance", "tolerance 1e-6"],
         [],

@@ -15,8 +15,8 @@ from case import Result
 from runs import order, run_deck
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-from carroll_holt import Shell  # noqa: E402
 from shell_motion import Coasting, CompressibleShell  # noqa: E402
+from shell_statics import Shell  # noqa: E402
 
 RATIOS = (10.0, 20.0, 40.0)
 MATRIX = Shell(porosity=0.2, shear_modulus=15e9, strength=300e6)

@@ -18,9 +18,9 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "tools"), str(HERE.parent / "oracles")]
-import carroll_holt as ch  # noqa: E402
+import shell_statics as statics  # noqa: E402
+from arenisca_model import Arenisca  # noqa: E402
 from arenisca_paths import hydrostatic  # noqa: E402
-from arenisca_reference import Arenisca  # noqa: E402
 from case import Result  # noqa: E402
 from drive import drive, knows  # noqa: E402
 from scipy.special import lambertw  # noqa: E402
@@ -65,8 +65,8 @@ def strains(deepest=DEEPEST):
 
 
 def shell_pressure(variant, at, porosity=0.2, shear=SHEAR):
-    shell = ch.Shell(porosity=porosity, shear_modulus=shear, strength=STRENGTH, fluid_modulus=variant.fluid)
-    rows = ch.curve(shell, list(at), float(at[-1]) - 1.0)
+    shell = statics.Shell(porosity=porosity, shear_modulus=shear, strength=STRENGTH, fluid_modulus=variant.fluid)
+    rows = statics.curve(shell, list(at), float(at[-1]) - 1.0)
     return np.array([effective + fluid for _, _, _, effective, fluid in rows])
 
 
@@ -126,7 +126,7 @@ def run(barreno, full):
     result = Result(
         "Arenisca against the spherical shell, material point",
         "A porous rock with the shell's own parameters, nothing fitted: what the continuum model makes of the shell.",
-        "Carroll and Holt's shell (`verification/oracles/carroll_holt.py`), load to a volume strain of -0.12; Y = 300 MPa, "
+        "Carroll and Holt's shell (`verification/oracles/shell_statics.py`), load to a volume strain of -0.12; Y = 300 MPa, "
         "G = 15 GPa, porosity 0.2, fluid 2.2 GPa. Errors over the shell's largest pressure.",
         ["form", "p0", "largest error", "at strain", "L2 error", "error at -0.12", "code against oracle"],
         [],
@@ -141,18 +141,18 @@ def run(barreno, full):
 
 def draw_response(axes):
     """The paper's figure 4, left: the shell's load and unload, and Arenisca's with the same parameters."""
-    variant, shell = VARIANTS[1], ch.Shell(fluid_modulus=FLUID)
+    variant, shell = VARIANTS[1], statics.Shell(fluid_modulus=FLUID)
     back = np.linspace(DEEPEST, -0.02, 201)[1:]
     at = [0.0, *strains(), *back]
-    rows = ch.curve(shell, at, DEEPEST)
+    rows = statics.curve(shell, at, DEEPEST)
     effective, fluid = (np.array([row[k] for row in rows]) / 1e6 for k in (3, 4))
     x = -np.array(at)
     axes.plot(x, effective + fluid, "k", label="shell with fluid")
     axes.plot(x, effective, "0.55", label="shell, drained")
     axes.plot(x, fluid, "C0:", label="fluid in its pore")
     axes.plot(x, np.append(0.0, oracle_pressure(parameters("2Y ln phi0", variant), at[1:])) / 1e6, "C3--", label="Arenisca with fluid")
-    centre = ch.elastic_centre(shell, ch.distension(shell, DEEPEST))
-    place, pressure = -ch.strain_of(shell, centre), ch.fluid_pressure(shell, centre) / 1e6
+    centre = statics.elastic_centre(shell, statics.distension(shell, DEEPEST))
+    place, pressure = -statics.strain_of(shell, centre), statics.fluid_pressure(shell, centre) / 1e6
     axes.plot(place, pressure, "ko", ms=5)
     axes.annotate("elastic centre,\n$P = -\\zeta/3$", (place, pressure), (0.066, 1750), arrowprops={"arrowstyle": "-", "lw": 0.6})
     axes.axhline(0.0, color="k", lw=0.5)

@@ -7,8 +7,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import minimize
 
 from arenisca_laws import lode_function
+from arenisca_model import Arenisca, UNIT, as_matrix, as_six, deviator, dot, invariants, lode_angle
 from arenisca_paths import hydrostatic, mixed_path, strain_path, triaxial_compression
-from arenisca_reference import Arenisca, UNIT, as_matrix, as_six, deviator, dot, invariants, lode_angle
 from arenisca_return import closest
 
 ROCK = dict(PEAKI1=21e6, FSLOPE=0.435, STREN=4e8, YSLOPE=0.02, B0=8e9, B1=28e9, B2=4e8, G0=8e9,

@@ -14,8 +14,8 @@ import numpy as np
 from scipy.integrate import quad, solve_ivp
 
 from arenisca_checks_mechanics import mechanics
+from arenisca_model import Arenisca, UNIT, invariants, weibull_coherence
 from arenisca_paths import BENCHMARKS, SET_08, benchmark, hydrostatic, strain_path, stretch_path, uniaxial
-from arenisca_reference import Arenisca, UNIT, invariants, weibull_coherence
 
 PUBLISHED = json.loads((pathlib.Path(__file__).parent / "arenisca_published.json").read_text())
 BENCH, HYDRO = PUBLISHED["bench"], PUBLISHED["hydro"]

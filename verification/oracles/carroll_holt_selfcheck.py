@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Self-check of carroll_holt.py and shell_motion.py: stored numbers of another program, a column of material points
+"""Self-check of shell_statics.py and shell_motion.py: stored numbers of another program, a column of material points
 that knows no closed form, identities and limits."""
 import json
 import math
@@ -8,7 +8,7 @@ import pathlib
 import numpy as np
 from scipy.optimize import brentq
 
-import carroll_holt as ch
+import shell_statics as statics
 from shell_motion import Coasting, CompressibleShell
 
 NUMBERS = json.loads((pathlib.Path(__file__).parent / "carroll_holt_numbers.json").read_text())
@@ -30,10 +30,10 @@ def stored_curves():
     standard = dict(NUMBERS["shell"])
     turn = standard.pop("turn_strain")
     for law, stored in NUMBERS["laws"].items():
-        shell = ch.Shell(law=law, **standard)
-        marks = ch.landmarks(shell, turn)
+        shell = statics.Shell(law=law, **standard)
+        marks = statics.landmarks(shell, turn)
         hold(f"law {law}: landmarks", max(relative(marks[n], v) for n, v in stored["landmarks"].items()), 1e-12)
-        rows = ch.curve(shell, [row[0] for row in stored["rows"]], turn)
+        rows = statics.curve(shell, [row[0] for row in stored["rows"]], turn)
         effective = max(abs(mine[3] - row[1]) for mine, row in zip(rows, stored["rows"]))
         fluid = max(abs(mine[4] - row[2]) for mine, row in zip(rows, stored["rows"]))
         hold(f"law {law}: {len(rows)} states of load and unload, error over Y", max(effective, fluid) / 300e6, 1e-12)
@@ -48,9 +48,9 @@ def column_pressure(shell, points, path, pieces):
     middle, s = 0.5 * (edges[1:] + edges[:-1]), np.zeros(points)
     old, strains, pressures, begin, limit = middle, [], [], 0.0, shell.strength
     for end in path:
-        s_turn, c_turn = s, shell.start - ch.distension(shell, begin)
+        s_turn, c_turn = s, shell.start - statics.distension(shell, begin)
         for strain in np.linspace(begin, end, pieces + 1)[1:]:
-            c = shell.start - ch.distension(shell, strain)
+            c = shell.start - statics.distension(shell, strain)
             x = middle - c
             trial = s + 2.0 * shell.shear_modulus * np.log(old / x)
             if shell.law == "S":
@@ -67,19 +67,20 @@ def column_errors(shell, turn, back):
     errors = []
     for points in (250, 500, 1000):
         strains, pressures = column_pressure(shell, points, [turn, back], 200)
-        rows = ch.curve(shell, strains[:200], turn)
-        alpha_turn = ch.distension(shell, turn)
-        exact = [row[3] for row in rows] + [ch.unloading(shell, ch.distension(shell, e), alpha_turn)[0] for e in strains[200:]]
+        rows = statics.curve(shell, strains[:200], turn)
+        alpha_turn = statics.distension(shell, turn)
+        unloaded = [statics.unloading(shell, statics.distension(shell, e), alpha_turn)[0] for e in strains[200:]]
+        exact = [row[3] for row in rows] + unloaded
         errors.append(float(np.max(np.abs(np.array(exact) - pressures))) / shell.strength)
     return errors
 
 
 def columns():
     for name, shell, turn, back in (
-        ("full yield, law H", ch.Shell(), -0.12, -0.09),
-        ("full yield, law S", ch.Shell(law="S"), -0.12, -0.09),
-        ("partial yield", ch.Shell(), -0.006, -0.004),
-        ("small porosity", ch.Shell(porosity=0.05), -0.03, -0.0225),
+        ("full yield, law H", statics.Shell(), -0.12, -0.09),
+        ("full yield, law S", statics.Shell(law="S"), -0.12, -0.09),
+        ("partial yield", statics.Shell(), -0.006, -0.004),
+        ("small porosity", statics.Shell(porosity=0.05), -0.03, -0.0225),
     ):
         errors = column_errors(shell, turn, back)
         hold(f"column of points, {name}: error over Y at 1000 points", errors[-1], 1e-5)
@@ -87,32 +88,32 @@ def columns():
 
 
 def identities():
-    shell = ch.Shell(porosity=0.17, shear_modulus=9e9, strength=250e6, fluid_modulus=1.9e9, fluid_pressure=20e6)
+    shell = statics.Shell(porosity=0.17, shear_modulus=9e9, strength=250e6, fluid_modulus=1.9e9, fluid_pressure=20e6)
     ratio = shell.strength / shell.shear_modulus
-    hold("strain at full yield = -Y/2G", relative(ch.strain_of(shell, ch.full_yield(shell)), -0.5 * ratio), 1e-12)
-    turn = ch.distension(shell, -0.1)
-    complete = ch.strain_of(shell, ch.reverse_yield_range(shell, turn)[1])
+    hold("strain at full yield = -Y/2G", relative(statics.strain_of(shell, statics.full_yield(shell)), -0.5 * ratio), 1e-12)
+    turn = statics.distension(shell, -0.1)
+    complete = statics.strain_of(shell, statics.reverse_yield_range(shell, turn)[1])
     hold("reverse yield complete after Y/G", relative(complete + 0.1, ratio), 1e-12)
-    modulus = -ch.loading(shell, ch.distension(shell, -1e-7))[0] / -1e-7
+    modulus = -statics.loading(shell, statics.distension(shell, -1e-7))[0] / -1e-7
     hold("first modulus 4G/3 (1-phi)/phi", relative(modulus, 4.0 / 3.0 * 9e9 * 0.83 / 0.17), 1e-5)
-    yielded = ch.loading(shell, ch.distension(shell, -0.1))[0]
+    yielded = statics.loading(shell, statics.distension(shell, -0.1))[0]
     porosity = 1.0 - 1.0 / turn
     hold("fully plastic P = 2Y/3 ln(1/phi)", relative(yielded, 2.0 / 3.0 * 250e6 * math.log(1.0 / porosity)), 1e-12)
-    centre = ch.elastic_centre(shell, turn)
-    zeta = -3.0 * ch.fluid_pressure(shell, centre)
+    centre = statics.elastic_centre(shell, turn)
+    zeta = -3.0 * statics.fluid_pressure(shell, centre)
     backstress = 0.83 + 0.17 * math.exp((zeta + 3.0 * 20e6) / (3.0 * 1.9e9))
-    hold("zeta law at the elastic centre", relative(math.exp(ch.strain_of(shell, centre)), backstress), 1e-12)
-    strong, weak = ch.Shell(strength=3e5), ch.Shell(strength=3e5, law="S")
-    alphas = [ch.distension(strong, e) for e in (-1e-6, -3e-6, -8e-6)]
-    laws = max(abs(ch.loading(strong, a)[0] - ch.loading(weak, a)[0]) for a in alphas) / 3e5
+    hold("zeta law at the elastic centre", relative(math.exp(statics.strain_of(shell, centre)), backstress), 1e-12)
+    strong, weak = statics.Shell(strength=3e5), statics.Shell(strength=3e5, law="S")
+    alphas = [statics.distension(strong, e) for e in (-1e-6, -3e-6, -8e-6)]
+    laws = max(abs(statics.loading(strong, a)[0] - statics.loading(weak, a)[0]) for a in alphas) / 3e5
     hold("laws H and S differ by O(Y/G), over Y", laws, 1e-5)
     hold("and are not the same, over Y", laws, 1e-8, at_least=True)
 
     def first_reverse_pressure(phi):
         """P_eff at first reverse yield after loading to porosity phi, small Y/G."""
-        tiny = ch.Shell(porosity=0.5, strength=15e3)
+        tiny = statics.Shell(porosity=0.5, strength=15e3)
         turned = 1.0 / (1.0 - phi)
-        return ch.unloading(tiny, ch.reverse_yield_range(tiny, turned)[0], turned)[0]
+        return statics.unloading(tiny, statics.reverse_yield_range(tiny, turned)[0], turned)[0]
 
     threshold = brentq(first_reverse_pressure, 0.05, 0.4, xtol=1e-12)
     hold("reverse yield begins at P = 0 for phi = 0.2031878700", abs(threshold - 0.2031878700), 1e-6)
@@ -120,7 +121,7 @@ def identities():
 
 def motion():
     for case in NUMBERS["coasting"]:
-        coasting = Coasting(ch.Shell(fluid_modulus=case["fluid_modulus"]), case["stop_strain"])
+        coasting = Coasting(statics.Shell(fluid_modulus=case["fluid_modulus"]), case["stop_strain"])
         name = f"coasting, K_f = {case['fluid_modulus']:.2g}, to {case['stop_strain']}"
         worst = max(relative(coasting.strength, case["D"]), relative(coasting.stop_time, case["stop_time"]))
         hold(f"{name}: D and time of arrest", worst, 1e-9)
@@ -137,7 +138,7 @@ def motion():
 
 def compressible():
     """The one-dimensional shell with a bulk modulus: second order in cells, and tends to the exact history."""
-    coasting = Coasting(ch.Shell(), -0.08)
+    coasting = Coasting(statics.Shell(), -0.08)
     times = np.linspace(0.0, 1.0, 21) * coasting.stop_time
     exact = np.array([coasting.at(t)[0] for t in times])
     travel = coasting.a0 - exact[-1]

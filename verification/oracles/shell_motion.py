@@ -3,7 +3,7 @@
 
 Coasting: no load; the shell starts with the divergence-free velocity v = -D / r^2 and is stopped by the plastic work of
 its matrix and the compression of the fluid in its pore. With an incompressible matrix the motion has one degree of
-freedom, c = a0^3 - a^3 (carroll_holt.py), now in units of length^3: r^2 v = a^2 a' = -c'/3 everywhere, so that
+freedom, c = a0^3 - a^3 (shell_statics.py), now in units of length^3: r^2 v = a^2 a' = -c'/3 everywhere, so that
 
     kinetic energy E = 2 pi rho D^2 (1/a - 1/b),  D = c'/3,      dE = -(P_eff + p_f) (4 pi / 3) dc
 """
@@ -12,7 +12,7 @@ import math
 import numpy as np
 from scipy.integrate import quad, solve_ivp
 
-from carroll_holt import distension, first_yield, fluid_pressure, full_yield, loading, strain_of
+from shell_statics import distension, first_yield, fluid_pressure, full_yield, loading, strain_of
 
 
 class Coasting:
