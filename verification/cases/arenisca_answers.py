@@ -194,7 +194,8 @@ def hydrostatic(name):
 
 def saturated():
     """No closed form for the elastic-centre form: the oracle. The path crosses jumps of the moduli (closing of the gas gap,
-    end of dilation), where its steps fall on one side or the other: 2e-5 of the scale with this many."""
+    end of dilation), where its steps fall on one side or the other: it wanders by 1e-4 of the scale (largest I1 -19304.7,
+    -19307.5, -19306.9, -19306.9 MPa with 800, 1600, 2400, 3200 substeps), without an order to extrapolate."""
     model = benchmark("T09", **{"Moduli when dilated": "B0"})
     strains = [row[0] for row in HYDRO["T08"]]
     return np.array([(s.stress[:3].sum(), s.e) for s in oracle_hydrostatic(model, strains, 1600)])
