@@ -2,6 +2,8 @@
 /// The C interface does what the models do, in its own order of components, and refuses what it
 /// must.
 
+#include "general_card.hpp"
+
 #include <gtest/gtest.h>
 
 #include <barreno/registry.hpp>
@@ -198,6 +200,27 @@ TEST(CInterface, DoesWhatTheModelDoes) {
   }
 }
 
+/// The registry takes the general form where a card asks for what only that has; the host sees its
+/// history, and the same bits.
+TEST(CInterface, DoesWhatTheGeneralFormDoes) {
+  for (const std::string& more : {water_in_quartz, everything_general}) {
+    const std::string file = berea_card_with(more, "general_c_interface");
+    const Opened card(file);
+    ASSERT_NE(card.m, nullptr) << error();
+    EXPECT_STREQ(barreno_material_model(card.m), "Arenisca");
+    const auto history = GeneralArenisca::history_table();
+    ASSERT_EQ(barreno_material_state_count(card.m), 2 + static_cast<int>(history.size()));
+    for (int i = 0; i < static_cast<int>(history.size()); ++i) {
+      EXPECT_STREQ(
+          barreno_material_state_name(card.m, 2 + i), history[static_cast<std::size_t>(i)].name
+      );
+    }
+    const Material material = read_card(file);
+    ASSERT_TRUE(std::holds_alternative<GeneralArenisca>(material.model));
+    compare(card.m, std::get<GeneralArenisca>(material.model));
+  }
+}
+
 TEST(CInterface, AStepMayBeTriedAgainAndInPlace) {
   const Opened card(cards + "berea_sandstone.xml");
   Arrays a(2, card.m);
@@ -218,8 +241,11 @@ TEST(CInterface, AStepMayBeTriedAgainAndInPlace) {
 
 /// A confined start: the host gives the pressure only, the state stays zero.
 TEST(CInterface, VirginPointsUnderPressureAreInEquilibrium) {
-  for (const std::string& name : card_names) {
-    const Opened card(cards + name + ".xml");
+  std::vector<std::string> files{berea_card_with(everything_general, "general_confined")};
+  for (const std::string& name : card_names) files.push_back(cards + name + ".xml");
+  for (const std::string& file : files) {
+    const Opened card(file);
+    ASSERT_NE(card.m, nullptr) << error();
     Arrays a(1, card.m);
     constexpr double pressure = 20e6;
     for (std::size_t i = 0; i < 3; ++i) a.stress_old[i] = -pressure;

@@ -44,7 +44,8 @@ PATHS = {
     "turning": [(-0.03, -0.018, -0.012), (-0.05, -0.02, -0.01), (-0.04, -0.03, -0.03), (-0.08, -0.03, -0.05),
                 (-0.07, -0.025, -0.045)],
 }  # fmt: skip
-# The moduli jump where rock first dilates, and the oracle's steps fall on one side or the other: many, not extrapolated.
+# The moduli jump where rock first dilates, and the oracle's steps fall on one side or the other: many, not extrapolated. The
+# answer is then known to 2e-4: between 200 and 6400 substeps it takes two values so far apart.
 JUMPS, MANY = {("no pores, fluid asked for", "uniaxial")}, 3200
 STEPS = 50  # between rows
 SUBSTEPS = 100  # of the oracle

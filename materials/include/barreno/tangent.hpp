@@ -4,6 +4,7 @@
 #include "barreno/models.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace barreno {
 
@@ -49,7 +50,7 @@ Tangent elastic_tangent(
 
 /// A model's update and the same again for a strain close by, smooth in that strain.
 template <class Model>
-struct SmoothUpdate {
+struct PlainUpdate {
   const Model& model;
   Outcome first(const Increment& i, Sym3& stress, typename Model::History& h) {
     return model.update(i, stress, h);
@@ -58,18 +59,25 @@ struct SmoothUpdate {
     return model.update(i, stress, h);
   }
 };
-template <>
-struct SmoothUpdate<Arenisca> {
-  const Arenisca& model;
+/// The same for a model that chooses substeps by their error: again with those of the first.
+template <class Model>
+struct FrozenUpdate {
+  const Model& model;
   arenisca::SubstepRecord record{};
-  Outcome first(const Increment& i, Sym3& stress, Arenisca::History& h) {
+  Outcome first(const Increment& i, Sym3& stress, typename Model::History& h) {
     return model.update_counted(i, stress, h, record);
   }
-  Outcome again(const Increment& i, Sym3& stress, Arenisca::History& h) const {
+  Outcome again(const Increment& i, Sym3& stress, typename Model::History& h) const {
     arenisca::SubstepReplay replay{record};
     return model.update_counted(i, stress, h, replay);
   }
 };
+template <class Model>
+constexpr bool chooses_substeps =
+    std::is_same_v<Model, Arenisca> || std::is_same_v<Model, GeneralArenisca>;
+template <class Model>
+using SmoothUpdate =
+    std::conditional_t<chooses_substeps<Model>, FrozenUpdate<Model>, PlainUpdate<Model>>;
 
 namespace tangent {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/general_substep.hpp"
+#include "barreno/arenisca/general_step.hpp"
 #include "barreno/arenisca/rate.hpp"
 #include "barreno/arenisca/weibull.hpp"
 #include "barreno/models/arenisca.hpp"
