@@ -108,18 +108,19 @@ struct Tally {
 };
 using Tallies = std::map<std::string, Tally>;
 
-/// Compares a model's tangents with differences of another solver's steps: 72 paths of 12 steps
-/// from 1e-4 to 2e-3.
+/// Compares a model's tangents with differences of another solver's steps: paths of 12 steps from
+/// 1e-4 to 2e-3.
 /// @param region_of  (point at the end, plastic volume strain at the start) to the name of a region
 template <class Model, class RegionOf>
 Tallies compare_tangents(
-    const Model& model, const Model& oracle, double time_step, const RegionOf& region_of
+    const Model& model, const Model& oracle, double time_step, int paths, const RegionOf& region_of
 ) {
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> exponent(-4.0, -2.7);
   Tallies regions;
-  for (int path = 0; path < 72; ++path) {
+  for (int path = 0; path < paths; ++path) {
     Point<Model> point(oracle);
+    point.stress = oracle.initial_state(0.0).stress;
     const Sym3 way = direction(path % 6, engine);
     for (int i = 0; i < 12; ++i) {
       const double size = std::pow(10.0, exponent(engine)) * (i % 8 == 7 ? -1.0 : 1.0);

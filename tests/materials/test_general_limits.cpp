@@ -178,5 +178,29 @@ TEST(GeneralLimits, InitialPressure) {
   EXPECT_NEAR((point.history.pore_pressure - 30e6) / (b * rise), 1.0, 1e-6);
 }
 
+/// First yield anywhere in a step, at its very end too: round-off must not leave a remainder that
+/// is never taken.
+TEST(GeneralLimits, TheSurfaceMayBeReachedAnywhereInAStep) {
+  const GeneralArenisca model(wet(), 2300.0);
+  const Sym3 ways[] = {
+      {1.0, 1.0, 1.0, 0.3, -0.2, 0.4},
+      {-1.0, 0.6, 0.5, 0.3, -0.2, 0.4},
+      {-1.0, -0.9, -1.2, 0.3, 0.1, 0.0}};
+  for (const Sym3& way : ways) {
+    double inside = 0.0, outside = 0.1;
+    const auto try_step = [&](double size) {
+      Point<GeneralArenisca> point(model);
+      EXPECT_FALSE(point.apply(size * way, 1e-6).failed()) << size;
+      EXPECT_LE(point.last.substeps, 100) << size;
+      return point.last.plastic_work > 0.0;
+    };
+    for (int i = 0; i < 80; ++i) {  // until the two are neighbours
+      const double middle = 0.5 * (inside + outside);
+      (try_step(middle) ? outside : inside) = middle;
+    }
+    for (int i = 0; i < 20000; ++i) try_step(outside * (1.0 + 1e-4 * i));
+  }
+}
+
 }  // namespace
 }  // namespace barreno::test

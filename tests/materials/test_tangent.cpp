@@ -33,9 +33,13 @@ TEST(Tangent, AreniscaOverTheWholeYieldSurface) {
   const Arenisca model(parameters, Sample<Arenisca>::density);
   parameters.return_solver = 1;  // the published nested bisection
   const Arenisca oracle(parameters, Sample<Arenisca>::density);
-  demand_tangents(compare_tangents(model, oracle, 0.0, [&](const auto& point, double evp_begin) {
-    return region_of(oracle, point, evp_begin);
-  }));
+  demand_tangents(compare_tangents(
+      model,
+      oracle,
+      0.0,
+      72,
+      [&](const auto& point, double evp_begin) { return region_of(oracle, point, evp_begin); }
+  ));
 }
 
 /// Substeps of a step along a way, its stress and its tangent.

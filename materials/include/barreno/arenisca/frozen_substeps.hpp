@@ -7,7 +7,7 @@
 namespace barreno::arenisca {
 
 /// Counter that keeps the fractions of the step that its substeps were; none: the step was taken
-/// whole.
+/// whole. Of the general form it keeps the verdicts on its attempts (general_step.hpp).
 ///
 /// The choice of substeps jumps with the strain, and with it the stress by some tolerance. Between
 /// steps that take the same ones it does not: differences of those are the tangent.
@@ -24,6 +24,7 @@ struct SubstepRecord {
 /// Counter that makes integrate() take the substeps of a record.
 struct SubstepReplay {
   const SubstepRecord& record;
+  int next = 0;  ///< where the general form is in it
   BARRENO_FUNCTION void add() {}
   BARRENO_FUNCTION void took(double /*fraction*/) {}
 };

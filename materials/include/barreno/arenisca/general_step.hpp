@@ -27,81 +27,66 @@ struct GeneralStep {
   }
 };
 
-/// What a counter is told of the last substep instead of its size.
-constexpr double to_the_end = 0.0;
+/// What becomes of an attempt: it is taken, and the next substep is this times as large (> 0); it
+/// is tried again so many times as large (< 0); it is tried again up to the jump of the moduli (0).
+BARRENO_FUNCTION double verdict_on(
+    const Attempt& a, double way, double fraction, double taken, double smallest
+) {
+  if (way < 1.0 && fraction > smallest) return 0.0;
+  const double factor = step_factor(a);
+  return a.error > a.allowed && taken * fraction > smallest ? -factor : factor;
+}
+template <class Counter>
+BARRENO_FUNCTION double settled(double verdict, Counter& count) {
+  count.took(verdict);
+  return verdict;
+}
+/// That of the step which is repeated. All else moves with the strain, and smoothly: where the
+/// surface is reached, where the moduli jump.
+BARRENO_FUNCTION double settled(double verdict, SubstepReplay& replay) {
+  const bool known = replay.next < replay.record.count;
+  return known ? replay.record.fractions[replay.next++] : verdict;
+}
 
-/// Integrates a step in error-controlled substeps. The counter is told of each its size over that
-/// of the one before, or over what the way to the surface has left of it.
+/// Integrates a step in error-controlled substeps, or in those of a replay.
 template <class Counter>
 BARRENO_FUNCTION GeneralStep
 integrate_general(const PointRock& point, GeneralState& state, const Sym3& strain, Counter& count) {
-  constexpr int most_attempts = 2000;
-  constexpr double smallest = 1.0 / 4096.0, smallest_strain = 1e-6;
+  constexpr int most_attempts = SubstepRecord::most;
+  constexpr double smallest = 1.0 / 4096.0, smallest_strain = 1e-6, round_off = 1e-14;
   GeneralStep step;
   step.outcome.substeps = 0;
   const double volume = trace(strain), size = norm(strain);
   const Sym3 shape = deviator(strain);
   const double smallest_fraction =
       size * smallest > smallest_strain ? smallest_strain / size : smallest;
-  double done = 0.0, fraction = 1.0, asked = 1.0;
+  double left = 1.0, fraction = 1.0;
+  bool on_surface = false;
   for (int i = 0; i < most_attempts; ++i) {
-    const bool last = done + fraction >= 1.0;
-    if (last) fraction = 1.0 - done;
+    const bool last = fraction >= left;
+    if (last) fraction = left;
     GeneralEnd end;
     double taken = 1.0;
-    const Attempt a =
-        attempt_general(point, state, fraction * volume, fraction * shape, end, taken, count);
+    const Attempt a = attempt_general(
+        point, state, fraction * volume, fraction * shape, on_surface, end, taken, count
+    );
     if (!std::isfinite(a.error)) break;
     const double way = point.rock.elasticity.way_to_jump(state.e, end.state.e);
-    if (way < 1.0 && fraction > smallest_fraction) {
-      fraction *= way;
-      continue;
-    }
-    if (a.error > a.allowed && taken * fraction > smallest_fraction) {
-      fraction *= taken * step_factor(a);
+    const double verdict = settled(verdict_on(a, way, fraction, taken, smallest_fraction), count);
+    if (verdict <= 0.0) {
+      fraction *= verdict == 0.0 ? smaller(way, 1.0) : -verdict * taken;
       continue;
     }
     state = end.state;
-    count.took(last ? to_the_end : fraction / asked);
     const double part = taken * fraction;
     step.add(end, part * volume, part * shape);
-    if (last && taken == 1.0) return step;
-    done += part;
-    asked = taken < 1.0 ? fraction - part : fraction;
-    fraction = taken < 1.0 ? asked : fraction * step_factor(a);
+    left -= part;
+    if ((last && taken == 1.0) || left < round_off) return step;
+    on_surface = taken < 1.0;
+    // That may be where the substep ends, but for round-off.
+    fraction = on_surface ? larger(fraction - part, smallest_fraction) : fraction * verdict;
   }
   step.outcome.status = Status::substep_limit;
-  return step;
-}
-
-/// Integrates a step in the substeps of the record, whatever their error. The way to the surface is
-/// found anew: where it ends moves with the strain, and smoothly.
-BARRENO_FUNCTION GeneralStep integrate_general(
-    const PointRock& point, GeneralState& state, const Sym3& strain, SubstepReplay& replay
-) {
-  const SubstepRecord& record = replay.record;
-  const double volume = trace(strain);
-  const Sym3 shape = deviator(strain);
-  GeneralStep step;
-  step.outcome.substeps = 0;
-  double done = 0.0, asked = 1.0;
-  for (int i = 0; i < SubstepRecord::most; ++i) {
-    const double ratio = i < record.count ? record.fractions[i] : to_the_end;
-    const bool last = ratio == to_the_end || done + ratio * asked >= 1.0;
-    const double fraction = last ? 1.0 - done : ratio * asked;
-    GeneralEnd end;
-    double taken = 1.0;
-    const Attempt a =
-        attempt_general(point, state, fraction * volume, fraction * shape, end, taken, replay);
-    if (!std::isfinite(a.error)) break;
-    state = end.state;
-    const double part = taken * fraction;
-    step.add(end, part * volume, part * shape);
-    if (last && taken == 1.0) return step;
-    done += part;
-    asked = taken < 1.0 ? fraction - part : fraction;
-  }
-  step.outcome.status = Status::not_converged;
   return step;
 }
 

@@ -202,6 +202,7 @@ BARRENO_FUNCTION void extrapolate(
 
 /// Substep whose error is known: an elastic one by its moduli, a plastic one by two halves against
 /// the whole.
+/// @param on_surface  it starts there, but for round-off: nothing is left on the way to it
 /// @param[out] taken  fraction that was taken: up to the surface, if that is crossed
 template <class Counter>
 BARRENO_FUNCTION Attempt attempt_general(
@@ -209,6 +210,7 @@ BARRENO_FUNCTION Attempt attempt_general(
     const GeneralState& n,
     double dv,
     const Sym3& de,
+    bool on_surface,
     GeneralEnd& end,
     double& taken,
     Counter& count
@@ -217,7 +219,7 @@ BARRENO_FUNCTION Attempt attempt_general(
   taken = 1.0;
   const Moduli first = point.moduli(n.x, n.e);
   end = take_elastically(point, n, first, dv, de, count);
-  if (end.plastic) {
+  if (end.plastic && !on_surface) {
     const double part = elastic_part(point, n, first, dv, de, end, count);
     if (part > 0.0) taken = part;
   }
