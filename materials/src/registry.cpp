@@ -89,19 +89,20 @@ AnyModel build(const ParameterList& list, double density, std::string& problem) 
                          : AnyModel(LinearElastic({1.0, 1.0}, density));
 }
 
+bool stands_in(const std::vector<HistoryField>& list, const std::string& name) {
+  return std::any_of(list.begin(), list.end(), [&](const HistoryField& field) {
+    return field.name == name;
+  });
+}
+
 /// A general form's history stands in the description of the model that users ask for.
 template <class Model>
 void add_general_history(std::vector<ModelDescription>& all) {
   if constexpr (IsGeneralForm<Model>::value) {
     for (ModelDescription& special : all) {
       if (special.name != Model::SpecialForm::name) continue;
-      const auto known = [&](const HistoryField& field) {
-        return std::any_of(special.history.begin(), special.history.end(), [&](const auto& f) {
-          return std::string(f.name) == field.name;
-        });
-      };
       for (const HistoryField& field : Model::history_table())
-        if (!known(field)) special.more_history.push_back(field);
+        if (!stands_in(special.history, field.name)) special.more_history.push_back(field);
     }
   }
 }

@@ -61,15 +61,13 @@ integrate_general(const PointRock& point, GeneralState& state, const Sym3& strai
   const double smallest_fraction =
       size * smallest > smallest_strain ? smallest_strain / size : smallest;
   double left = 1.0, fraction = 1.0;
-  bool on_surface = false;
   for (int i = 0; i < most_attempts; ++i) {
     const bool last = fraction >= left;
     if (last) fraction = left;
     GeneralEnd end;
     double taken = 1.0;
-    const Attempt a = attempt_general(
-        point, state, fraction * volume, fraction * shape, on_surface, end, taken, count
-    );
+    const Attempt a =
+        attempt_general(point, state, fraction * volume, fraction * shape, end, taken, count);
     if (!std::isfinite(a.error)) break;
     const double way = point.rock.elasticity.way_to_jump(state.e, end.state.e);
     const double verdict = settled(verdict_on(a, way, fraction, taken, smallest_fraction), count);
@@ -82,9 +80,8 @@ integrate_general(const PointRock& point, GeneralState& state, const Sym3& strai
     step.add(end, part * volume, part * shape);
     left -= part;
     if ((last && taken == 1.0) || left < round_off) return step;
-    on_surface = taken < 1.0;
-    // That may be where the substep ends, but for round-off.
-    fraction = on_surface ? larger(fraction - part, smallest_fraction) : fraction * verdict;
+    // The surface may be reached where the substep ends, but for round-off.
+    fraction = state.on_surface ? larger(fraction - part, smallest_fraction) : fraction * verdict;
   }
   step.outcome.status = Status::substep_limit;
   return step;

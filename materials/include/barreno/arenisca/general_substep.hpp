@@ -17,6 +17,7 @@ struct GeneralState {
   double x;  ///< [stress]
   Sym3 s;    ///< stress deviator [stress]
   double e, shear_strain;
+  bool on_surface = false;  ///< but for round-off, and reached elastically
 };
 
 /// End of one substep, and what it cost.
@@ -202,7 +203,6 @@ BARRENO_FUNCTION void extrapolate(
 
 /// Substep whose error is known: an elastic one by its moduli, a plastic one by two halves against
 /// the whole.
-/// @param on_surface  it starts there, but for round-off: nothing is left on the way to it
 /// @param[out] taken  fraction that was taken: up to the surface, if that is crossed
 template <class Counter>
 BARRENO_FUNCTION Attempt attempt_general(
@@ -210,7 +210,6 @@ BARRENO_FUNCTION Attempt attempt_general(
     const GeneralState& n,
     double dv,
     const Sym3& de,
-    bool on_surface,
     GeneralEnd& end,
     double& taken,
     Counter& count
@@ -219,9 +218,10 @@ BARRENO_FUNCTION Attempt attempt_general(
   taken = 1.0;
   const Moduli first = point.moduli(n.x, n.e);
   end = take_elastically(point, n, first, dv, de, count);
-  if (end.plastic && !on_surface) {
+  if (end.plastic && !n.on_surface) {
     const double part = elastic_part(point, n, first, dv, de, end, count);
     if (part > 0.0) taken = part;
+    end.state.on_surface = part > 0.0;
   }
   const double floor = larger(size_of(n), point.rock.stress_floor);
   if (!end.plastic) {
