@@ -33,7 +33,7 @@ inline std::string berea_card_with(const std::string& parameters, const std::str
   const auto end = card.rfind("</ParameterList>");
   EXPECT_NE(end, std::string::npos);
   card.insert(end, parameters + "\n");
-  const std::string path = ::testing::TempDir() + name + ".xml";
+  std::string path = ::testing::TempDir() + name + ".xml";
   std::ofstream(path) << card;
   return path;
 }
