@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive/matrix.hpp"
 
+#include "base/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,7 +109,7 @@ std::optional<Mat3> logarithm_1p(const Mat3& g) {
   for (int k = terms - 1; k >= 0; --k) sum = (1.0 / (2 * k + 1)) * identity() + square * sum;
   const Mat3 log = factor * (z * sum);
   // Nearer to half a turn round-off decides which way it went.
-  constexpr double half_turn = 3.14159265358979323846 - 1e-5;
+  constexpr double half_turn = pi - 1e-5;
   if (!(spin(log) < half_turn)) return std::nullopt;
   // A root that was not found shows here, whatever came of it.
   const Mat3 target = identity() + g;

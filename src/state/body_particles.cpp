@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/body_particles.hpp"
 
+#include "base/numbers.hpp"
 #include "scene/geometry.hpp"
 #include "state/ball_piece.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace barreno {
 namespace {
-
-constexpr double two_pi = 6.283185307179586;
 
 /// Even division of an interval into particles of about the wanted size, none wider than a cell.
 struct Division {

@@ -11,6 +11,7 @@
 #include "step/place_particles.hpp"
 #include "step/project_loads.hpp"
 #include "step/project_particles.hpp"
+#include "step/release_torn_faces.hpp"
 #include "step/solve_velocity.hpp"
 #include "step/stable_step.hpp"
 #include "step/update_deformation.hpp"
@@ -143,9 +144,9 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   double dt = agree_on_step(scene, next_time, placement, state);  // the one reduction
   place_particles(scene, placement, state);                       // ranks, tiles, order
 
-  project_sets(scene, state);  // m, p, f                           (2.1-2.3)
-  release_torn_faces(scene, state);
-  project_loads(scene, state);  // pressure on faces                 (2.4)
+  project_sets(scene, state);        // m, p, f                           (2.1-2.3)
+  release_torn_faces(scene, state);  // debris has none
+  project_loads(scene, state);       // pressure on faces                 (2.4)
   exchange_halo(grid, nodes.sums, patch_size * sum_components);
   const GridTally motion =
       find_motion(scene, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)

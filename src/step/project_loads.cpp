@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/project_loads.hpp"
 
+#include "base/numbers.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 #include "shape/place.hpp"
@@ -10,8 +11,6 @@
 
 namespace barreno {
 namespace {
-
-constexpr double two_pi = 6.283185307179586;
 
 struct Force {
   double x = 0.0, y = 0.0;
@@ -32,15 +31,6 @@ Force face_force(const Particles& particles, int p, int face, double pressure) {
   if (M::hoop && face < 2) area += side * two_pi * half_x * 2.0 * half_y;
   const double scale = -pressure * area * side * f.zz;
   return face < 2 ? Force{scale * f.yy, -scale * f.xy} : Force{-scale * f.yx, scale * f.xx};
-}
-
-/// A face of a particle that is stretched to more than this belongs to no surface any more.
-constexpr double torn_stretch = 2.0;
-
-template <class M>
-bool torn(const Particles& particles, int p) {
-  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
-  return largest_stretch(f) > torn_stretch || (particles.body(p) & held_bit) != 0;
 }
 
 /// visit(tile, row, face, pressure) for every loaded face of this rank.
@@ -83,21 +73,6 @@ auto face_support(
 }
 
 }  // namespace
-
-void release_torn_faces(const Scene& scene, State& state) {
-  if (scene.loads.empty()) return;
-  const Region region("release_torn_faces");
-  visit_mode(scene.grid.mode, [&](auto mode) {
-    for (Particles& particles : state.particles) {
-      if (particles.loaded_faces.components == 0) continue;
-      for (int p = 0; p < particles.count; ++p) {
-        if (particles.loaded_faces(p) == 0.0 || !torn<decltype(mode)>(particles, p)) continue;
-        particles.loaded_faces(p) = 0.0;
-        state.ledger.unloaded += 1.0;
-      }
-    }
-  });
-}
 
 void project_loads(const Scene& scene, State& state) {
   if (scene.loads.empty()) return;

@@ -3,6 +3,7 @@
 
 #include "barreno/models.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -170,5 +171,18 @@ struct Point {
     return last;
   }
 };
+
+/// Largest |values - reference| over the largest |reference|.
+inline double largest_difference(
+    const std::vector<Sym3>& values, const std::vector<Sym3>& reference
+) {
+  double size = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    size = std::max(size, norm(reference[i]));
+    difference = std::max(difference, norm(values[i] - reference[i]));
+  }
+  return difference / size;
+}
 
 }  // namespace barreno::test

@@ -42,15 +42,6 @@ std::vector<Sym3> stresses(const Parameters& p, int steps, double dt) {
   return all;
 }
 
-double difference(const std::vector<Sym3>& a, const std::vector<Sym3>& b) {
-  double size = 0.0, apart = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    size = std::max(size, norm(b[i]));
-    apart = std::max(apart, norm(a[i] - b[i]));
-  }
-  return apart / size;
-}
-
 Material from_list(const char* name, double value) {
   Teuchos::ParameterList list;
   list.set("Model", std::string("Arenisca"));
@@ -78,7 +69,7 @@ TEST(GeneralLimits, FluidNeedsPores) {
   p.p3_crush_curve = 0.0;
   const auto with = stresses(p, 20, 1e-6);
   p.fluid_B0 = 0.0;
-  EXPECT_EQ(difference(with, stresses(p, 20, 1e-6)), 0.0);
+  EXPECT_EQ(largest_difference(with, stresses(p, 20, 1e-6)), 0.0);
 }
 
 /// tau -> 0: no overstress, to round-off; tau -> infinity: elastic, whatever the rock yields at.
@@ -86,7 +77,7 @@ TEST(GeneralLimits, RelaxationTimes) {
   Parameters p = wet();
   const auto quasi_static = stresses(p, 20, 1e-6);
   p.T1_rate_dependence = 1e-30;
-  EXPECT_LE(difference(stresses(p, 20, 1e-6), quasi_static), 1e-14);
+  EXPECT_LE(largest_difference(stresses(p, 20, 1e-6), quasi_static), 1e-14);
 
   Parameters elastic = dry();
   elastic.B1 = elastic.B2 = 0.0;  // elastic moduli of another stress would be another response
@@ -128,7 +119,7 @@ TEST(GeneralLimits, SecondOrderInTheStep) {
     p.tolerance = 0.9;  // the steps are the substeps
     std::vector<double> errors;
     for (const int n : {32, 128, 512}) {
-      errors.push_back(difference(stresses(p, n, whole / n), exact));
+      errors.push_back(largest_difference(stresses(p, n, whole / n), exact));
     }
     const double order = 0.5 * std::log2(errors[0] / errors[2]) / 2.0;
     EXPECT_GE(order, 1.7) << errors[0] << ' ' << errors[1] << ' ' << errors[2];

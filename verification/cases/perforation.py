@@ -5,6 +5,8 @@ from case import Result
 from runs import run_deck
 
 
+CELLS = (2.0, 1.0, 0.5)  # mm
+BACK = 312.7  # mm, of the rock in the deck
 TIMES = (20, 50, 90)  # us; at the end the jet of the finest cells has left the rock (300 mm)
 
 
@@ -49,10 +51,12 @@ def compare_depths(depths):
     for i, when in enumerate([*(f"{time} us" for time in TIMES), "the end"]):
         coarse, middle, fine = (level[i] for level in depths)
         parts.append(f"{middle - coarse:.1f} and {fine - middle:.1f} mm at {when}")
+    gone = [str(h) for h, level in zip(CELLS, depths) if level[-1] > BACK]
+    passed = f"At the end the jet has passed the back of the rock at {BACK} mm with cells of {', '.join(gone)} mm." if gone else ""
     return (
         "From 2 to 1 and from 1 to 0.5 mm the depth grows by " + ", ".join(parts) + ". The jet's radius is 1.0 mm at its tip and "
         "2.2 mm at its tail, half a cell to one of the coarsest; cells that jet and target share slow the jet's skin down, and "
-        "that skin is as thick as a cell. At the end the jet of the finest cells has passed the back of the rock at 312.7 mm."
+        f"that skin is as thick as a cell. {passed}"
     )
 
 
@@ -67,7 +71,7 @@ def run(barreno, full):
     two_ranks = compare_ranks(barreno, "perforation.xml" if full else "perforation_quick.xml", {}, result)
     if full:
         depths = []
-        for h in (2.0, 1.0, 0.5):
+        for h in CELLS:
             settings = {"Grid/Cell Size": f"{h} mm"}
             finished = two_ranks if h == 1.0 else run_deck(barreno, "perforation.xml", settings, ranks=2)
             result.rows.append(row(f"{h} mm", finished))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "deck/jet_table.hpp"
 #include "scene/jet.hpp"
 
@@ -78,7 +79,7 @@ TEST(JetTotals, CountTheFullCircle) {
   JetSpec jet;
   jet.slugs = {{0.0, 2000.0, 1e-3, 2e-3, 17600.0}};
   GridSpec grid;
-  const double mass = 17600.0 * 3.14159265358979323846 * 1e-6 * 2e-3;
+  const double mass = 17600.0 * pi * 1e-6 * 2e-3;
   const JetTotals totals = jet_totals(jet, grid);
   EXPECT_DOUBLE_EQ(totals.mass, mass);
   EXPECT_DOUBLE_EQ(totals.momentum, mass * 2000.0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
 #include "drive/matrix.hpp"
 
 #include <gtest/gtest.h>
@@ -7,8 +8,6 @@
 
 namespace barreno {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Mat3 rotation_about(double x, double y, double z, double angle) {
   return exponential(angle * Mat3{{{0, -z, y}, {z, 0, -x}, {-y, x, 0}}});

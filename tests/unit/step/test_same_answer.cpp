@@ -54,10 +54,11 @@ Scene impact(double length = 1.0, double time = 1.0, double mass = 1.0) {
   return scene;
 }
 
+const std::string cards = BARRENO_SOURCE_DIR "/materials/cards/";
+
 /// The same with a block of sandstone, whose points share vector lanes while they flow.
 Scene impact_on_rock() {
   Scene scene = impact();
-  const std::string cards = BARRENO_SOURCE_DIR "/materials/cards/";
   scene.materials.push_back({read_card(cards + "berea_sandstone.xml"), BadParticlePolicy::hold});
   scene.bodies[1].material = 1;
   return scene;
@@ -67,20 +68,8 @@ constexpr double end_time = 6e-6;
 
 /// Wet sandstone whose strength scatters, thrown at itself.
 Scene scattered_rock() {
-  Arenisca::Parameters p{};
-  for (const auto& entry : Arenisca::parameter_table().numbers)
-    p.*entry.member = entry.default_value;
-  p.PEAKI1 = 21e6;
-  p.FSLOPE = 0.435;
-  p.STREN = 4e8;
-  p.YSLOPE = 0.02;
-  p.B0 = 8e9;
-  p.B1 = 28e9;
-  p.B2 = 4e8;
-  p.G0 = 8e9;
-  p.p0_crush_curve = -6e8;
-  p.p1_crush_curve = 1.5e-9;
-  p.p3_crush_curve = 0.22;
+  const Material dry = read_card(cards + "arenisca_demonstration.xml");
+  Arenisca::Parameters p = std::get<Arenisca>(dry.model).parameters();
   p.fluid_B0 = 2.2e9;
   p.weibull_modulus = 4.0;
   p.weibull_reference_volume = 1e-6;
@@ -89,7 +78,7 @@ Scene scattered_rock() {
       1e-3,
       {0.0, 0.0, 0.0},
       {0.024, 0.040, 0.0},
-      {"sandstone", 2300.0, GeneralArenisca(p, 2300.0)}
+      {"sandstone", dry.density, GeneralArenisca(p, dry.density)}
   );
   add_box(scene, "ball", {0.0, 0.004, 0.0}, {0.0041, 0.0159, 0.0}, 2).velocity = {0, 500.0, 0};
   add_box(scene, "block", {0.0, 0.0163, 0.0}, {0.0172, 0.0307, 0.0}, 2);

@@ -2,7 +2,7 @@
 // A pressure acts on a surface as long as its particles are part of one.
 #include "base/gather.hpp"
 #include "shape/kinematics.hpp"
-#include "step/project_loads.hpp"
+#include "step/release_torn_faces.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ void put(const PlaneTensor& f, Particles& particles, int p) {
   particles.deformation_gradient(p, 4) = f.zz;
 }
 
-TEST(TornFaces, LargestStretchIsTheLargestSingularValue) {
+TEST(ReleaseTornFaces, LargestStretchIsTheLargestSingularValue) {
   EXPECT_EQ(largest_stretch(PlaneTensor{}), 1.0);
   for (const double a : {0.0, 0.4, 2.9})
     for (const double b : {0.0, -1.1, 0.7}) {
@@ -46,7 +46,7 @@ TEST(TornFaces, LargestStretchIsTheLargestSingularValue) {
     }
 }
 
-TEST(TornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
+TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
   Scene scene = box_scene(
       Mode::axisymmetric,
       1e-3,

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/release_torn_faces.hpp"
+
+#include "base/region.hpp"
+#include "shape/kinematics.hpp"
+
+namespace barreno {
+namespace {
+
+/// A face of a particle that is stretched to more than this belongs to no surface any more.
+constexpr double torn_stretch = 2.0;
+
+template <class M>
+bool torn(const Particles& particles, int p) {
+  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
+  return largest_stretch(f) > torn_stretch || (particles.body(p) & held_bit) != 0;
+}
+
+}  // namespace
+
+void release_torn_faces(const Scene& scene, State& state) {
+  if (scene.loads.empty()) return;
+  const Region region("release_torn_faces");
+  visit_mode(scene.grid.mode, [&](auto mode) {
+    for (Particles& particles : state.particles) {
+      if (particles.loaded_faces.components == 0) continue;
+      for (int p = 0; p < particles.count; ++p) {
+        if (particles.loaded_faces(p) == 0.0 || !torn<decltype(mode)>(particles, p)) continue;
+        particles.loaded_faces(p) = 0.0;
+        state.ledger.unloaded += 1.0;
+      }
+    }
+  });
+}
+
+}  // namespace barreno
