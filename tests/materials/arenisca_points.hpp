@@ -41,6 +41,22 @@ inline Arenisca::Parameters berea() {
   return p;
 }
 
+/// Sets with every kind of surface, elasticity and cap.
+inline std::vector<Arenisca::Parameters> sets_of_all_kinds() {
+  std::vector<Arenisca::Parameters> sets(8, Sample<Arenisca>::parameters());
+  sets[0] = berea();
+  sets[1].PEAKI1 = sets[1].STREN = sets[1].YSLOPE = 0.0;   // no strength at zero pressure
+  sets[2].PEAKI1 = sets[2].YSLOPE = 0.0;                   // zero vertex to von Mises
+  sets[3].p3_crush_curve = 0.0;                            // no porosity
+  sets[4].PEAKI1 = sets[4].FSLOPE = sets[4].YSLOPE = 0.0;  // von Mises with cap
+  sets[5].BETA_nonassociativity = 0.5;
+  sets[5].CR = 0.0;
+  sets[6].STREN = sets[6].YSLOPE = 0.0;  // linear
+  sets[7].B3 = 4e9;
+  sets[7].B4 = 0.01;
+  return sets;
+}
+
 /// Random states and increments: on the surface, inside it and at its special places.
 class RockSampler {
 public:

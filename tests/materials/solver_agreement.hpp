@@ -6,39 +6,41 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <vector>
 
 /// The fast return of Arenisca against the bisection of the paper, on the same substeps.
 namespace barreno::test {
 
 struct SolverDifference {
   double stress = 0.0;          ///< relative to the larger of strength and trial stress
-  double plastic_strain = 0.0;  ///< of the volumetric one, relative to the largest strain around
-  bool flows = false, sound = true;
+  double plastic_strain = 0.0;  ///< of the volumetric one
+  bool flows = false, sound = false;
+  Sym3 end;  ///< stress
+  double evp = 0.0;
 };
 
-/// Both solvers for one parameter set, with the substeps that the fast one chooses.
+/// Both solvers for one parameter set; the substeps are those that the fast one chooses.
 class TwoSolvers {
 public:
-  explicit TwoSolvers(Arenisca::Parameters p)
+  explicit TwoSolvers(const Arenisca::Parameters& p)
       : fast_(with_solver(p, 0)), slow_(with_solver(p, 1)) {}
   const Arenisca& model() const { return fast_; }
 
   SolverDifference compare(const RockPoint& point) {
-    *record_ = {};
-    Sym3 a = point.stress, b = point.stress;
-    Arenisca::History ha = point.history, hb = point.history;
-    const Outcome one = fast_.update_counted(point.increment, a, ha, *record_);
-    arenisca::SubstepReplay replay{*record_};
-    const Outcome two = slow_.update_counted(point.increment, b, hb, replay);
-    const double strain = norm(point.increment.strain);
-    const double trial =
-        norm(point.stress) + 3.0 * fast_.rock().elasticity.upper_bound().bulk * strain;
+    record_->count = 0;
     SolverDifference d;
-    d.sound = one.status == two.status && !one.failed();
+    d.end = point.stress;
+    Sym3 other = point.stress;
+    Arenisca::History history = point.history, other_history = point.history;
+    const Outcome one = fast_.update_counted(point.increment, d.end, history, *record_);
+    arenisca::SubstepReplay replay{*record_};
+    const Outcome two = slow_.update_counted(point.increment, other, other_history, replay);
+    const double bulk = fast_.rock().elasticity.upper_bound().bulk;
+    const double trial = norm(point.stress) + 3.0 * bulk * norm(point.increment.strain);
+    d.sound = !one.failed() && !two.failed();
     d.flows = one.plastic_work > 0.0;
-    d.stress = norm(a - b) / std::max(trial, strength());
-    d.plastic_strain = std::fabs(ha.plastic_volume_strain - hb.plastic_volume_strain);
+    d.stress = norm(d.end - other) / std::max(trial, fast_.rock().stress_floor);
+    d.evp = history.plastic_volume_strain;
+    d.plastic_strain = std::fabs(d.evp - other_history.plastic_volume_strain);
     return d;
   }
 
@@ -47,10 +49,29 @@ private:
     p.return_solver = solver;
     return Arenisca(p, 1.0);
   }
-  double strength() const { return fast_.rock().stress_floor; }
 
   Arenisca fast_, slow_;
   std::unique_ptr<arenisca::SubstepRecord> record_ = std::make_unique<arenisca::SubstepRecord>();
+};
+
+/// How many updates that flow ended at the special places of the surface.
+struct Places {
+  long vertex = 0, tip = 0, branch = 0, hydrostat = 0, closed = 0, dilating = 0, compacting = 0;
+
+  void add(const arenisca::Rock& rock, const RockPoint& point, const SolverDifference& d) {
+    constexpr double near = 1e-6;
+    const double x = trace(d.end), evp = point.history.plastic_volume_strain;
+    const arenisca::Cap cap = rock.cap_at(d.evp);
+    const double size = std::max(norm(d.end), rock.stress_floor);
+    vertex += x >= rock.surface.vertex ? 1 : 0;
+    hydrostat += norm(deviator(d.end)) <= near * size ? 1 : 0;
+    closed += rock.crush.p3 > 0.0 && !cap.present ? 1 : 0;
+    if (!cap.present) return;
+    tip += std::fabs(x - cap.X) <= near * size ? 1 : 0;
+    branch += std::fabs(x - cap.kappa) <= 1e-3 * size ? 1 : 0;
+    dilating += x < cap.kappa && d.evp > evp ? 1 : 0;
+    compacting += x < cap.kappa && d.evp < evp ? 1 : 0;
+  }
 };
 
 }  // namespace barreno::test

@@ -151,22 +151,6 @@ std::vector<RockPoint> draw_points(std::size_t count, const Draw& draw) {
   return points;
 }
 
-/// Sets with every kind of surface, elasticity and cap.
-std::vector<Parameters> sets_of_all_kinds() {
-  std::vector<Parameters> sets(8, Sample<Arenisca>::parameters());
-  sets[0] = berea();
-  sets[1].PEAKI1 = sets[1].STREN = sets[1].YSLOPE = 0.0;   // no strength at zero pressure
-  sets[2].PEAKI1 = sets[2].YSLOPE = 0.0;                   // zero vertex to von Mises
-  sets[3].p3_crush_curve = 0.0;                            // no porosity
-  sets[4].PEAKI1 = sets[4].FSLOPE = sets[4].YSLOPE = 0.0;  // von Mises with cap
-  sets[5].BETA_nonassociativity = 0.5;
-  sets[5].CR = 0.0;
-  sets[6].STREN = sets[6].YSLOPE = 0.0;  // linear
-  sets[7].B3 = 4e9;
-  sets[7].B4 = 0.01;
-  return sets;
-}
-
 void expect_agreement(const Arenisca& model, const std::vector<RockPoint>& points) {
   const Tally tally = compare(model, points);
   std::printf(

@@ -63,9 +63,14 @@ struct Fall {
 /// resolves the angle to sqrt(round-off) = 1e-8 only, too coarse for an oracle; here the sign of
 /// the distance's derivative is bisected instead, which is exact to round-off. The bracket is the
 /// arc that the trial point sees: from its own x to the top of the meridian.
+/// @param resolution of s; 0: the last bit
 template <class Counter>
 BARRENO_FUNCTION Returned return_without_hardening(
-    const YieldSurface& surface, const Trial& trial, const Cap& cap, Counter& count
+    const YieldSurface& surface,
+    const Trial& trial,
+    const Cap& cap,
+    Counter& count,
+    double resolution = 0.0
 ) {
   using Curve = MeridianCurve<Counter>;
   const double reach = trial.metric * trial.q * surface.steepest;
@@ -77,7 +82,7 @@ BARRENO_FUNCTION Returned return_without_hardening(
   double below = Curve::quarter_turn;
   if (cap.present) {
     Fall<Counter> fall{curve};
-    below = bisect(fall, 0.0, Curve::quarter_turn, 0.0);
+    below = bisect(fall, 0.0, Curve::quarter_turn, resolution);
   }
   double above = Curve::quarter_turn + 1.0;
   if (on_cap) {
@@ -91,7 +96,7 @@ BARRENO_FUNCTION Returned return_without_hardening(
   }
   // A vertex closer than any point of the meridian: the distance still falls at its end.
   const bool at_vertex = !on_cap && highest == surface.vertex && curve(above) <= 0.0;
-  const auto p = curve.at(at_vertex ? above : bisect(curve, below, above, 0.0));
+  const auto p = curve.at(at_vertex ? above : bisect(curve, below, above, resolution));
   const double q = smaller(larger(p.q, 0.0), trial.q);
   return {p.x, q, trial.evp + (trial.x - p.x) / trial.triple_bulk};
 }
@@ -105,11 +110,12 @@ struct ConsistencyOfEta {
   const Trial& trial;
   double devp0;
   Counter& count;
+  double resolution;
 
   BARRENO_FUNCTION Returned returned(double eta) {
     const double evp = trial.evp + eta * devp0;
     const Cap cap = crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
-    return return_without_hardening(surface, trial, cap, count);
+    return return_without_hardening(surface, trial, cap, count, resolution);
   }
   /// Negative while eta is too small.
   BARRENO_FUNCTION double operator()(double eta) {
@@ -120,25 +126,31 @@ struct ConsistencyOfEta {
     // Hardening may swallow the trial point: then the surface has moved too far.
     const Cap cap = crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
     if (surface.contains(trial.x, trial.q * trial.q, cap, count)) return 1.0;
-    const double devp = return_without_hardening(surface, trial, cap, count).evp - trial.evp;
+    const double devp =
+        return_without_hardening(surface, trial, cap, count, resolution).evp - trial.evp;
     return devp0 > 0.0 ? eta * devp0 - devp : devp - eta * devp0;
   }
 };
 
 /// The paper's return: non-hardening return, then eta by bisection. Slow; the oracle of
 /// return_fast().
+/// @param resolution of eta and of the angle along the meridian; 0, the oracle's: the last bit
 template <class Crush, class Counter>
 BARRENO_FUNCTION Returned return_bisection(
-    const YieldSurface& surface, const Crush& crush, const Trial& trial, Counter& count
+    const YieldSurface& surface,
+    const Crush& crush,
+    const Trial& trial,
+    Counter& count,
+    double resolution = 0.0
 ) {
-  const Returned first = return_without_hardening(surface, trial, trial.cap, count);
+  const Returned first = return_without_hardening(surface, trial, trial.cap, count, resolution);
   const double devp0 = first.evp - trial.evp;
   if (crush.p3 == 0.0) return first;
   if (devp0 >= 0.0 && clears_cap(surface, crush, first.x, first.evp)) return first;
   if (devp0 == 0.0) {
     return trial.cap.present ? first : return_with_closed_pores(surface, crush, trial);
   }
-  ConsistencyOfEta<Crush, Counter> consistency{surface, crush, trial, devp0, count};
+  ConsistencyOfEta<Crush, Counter> consistency{surface, crush, trial, devp0, count, resolution};
   // Steep retraction of the cap: the paper's eta <= 1 does not hold, and there may be several
   // roots; the same places are tried as in return_fast(), so that both take the same one.
   double above = 1.0;
@@ -155,9 +167,14 @@ BARRENO_FUNCTION Returned return_bisection(
   }
   const double X = trial.cap.present ? trial.cap.X : crush.strength(start);
   const double farthest = (trial.x - X) / (trial.triple_bulk * devp0);
-  while (devp0 > 0.0 && above < farthest && consistency(above) < 0.0) above *= 2.0;
+  double below = 0.0;
+  const double first_step = above;
+  while (devp0 > 0.0 && above < farthest && consistency(above) < 0.0) {
+    below = above;
+    above = next_dilation(above, first_step);
+  }
   if (devp0 > 0.0) above = smaller(above, farthest);
-  const double eta = bisect(consistency, 0.0, above, 0.0);
+  const double eta = bisect(consistency, below, above, resolution);
   const double evp = trial.evp + eta * devp0;
   if (evp <= crush.last_open()) {
     return return_with_closed_pores(surface, crush, trial);

@@ -116,7 +116,7 @@ BARRENO_FUNCTION double direction_error(
 
 template <class Counter>
 BARRENO_FUNCTION Returned return_with(const Rock& rock, const Trial& trial, Counter& count) {
-  return rock.bisection ? return_bisection(rock.surface, rock.crush, trial, count)
+  return rock.bisection ? return_bisection(rock.surface, rock.crush, trial, count, rock.resolution)
                         : return_fast(rock.surface, rock.crush, trial, count);
 }
 

@@ -170,20 +170,40 @@ BARRENO_FUNCTION Returned return_by_compaction(
   return point_on_cap(surface, crush, trial, evp, count);
 }
 
-/// Bracket end with enough dilation, from the first step whose doublings get there, so that of
-/// several roots (steep retraction of the cap softens) the first is taken; at x = X there is always
-/// enough.
+/// Steps that are tried for enough dilation: from the first a quarter farther each until it has
+/// tripled, then twice as far. Where pores are all but closed the cap retracts so fast that it
+/// overtakes the dilated point again: the condition then has three roots, the first two close
+/// together just beyond the first step.
+BARRENO_FUNCTION double next_dilation(double step, double first) {
+  constexpr double near = 3.0, short_way = 1.25, long_way = 2.0;
+  return step < near * first ? short_way * step : long_way * step;
+}
+
+/// Root of the dilating side between the first step with enough dilation and the one before it, so
+/// that of several roots (steep retraction of the cap softens) the first is taken; at x = X there
+/// is always enough.
+/// @param a      with too little dilation
+/// @param first  first step to try, as a gain of evp
+/// @param small  a function value that counts as zero
 template <class Crush, class Counter>
-BARRENO_FUNCTION BracketEnd
-enough_dilation(DilatingSide<Crush, Counter>& side, const Trial& trial, double start, double step) {
-  const double X = trial.cap.present ? trial.cap.X : side.crush.strength(start);
+BARRENO_FUNCTION double find_dilation(
+    DilatingSide<Crush, Counter>& side, const Trial& trial, BracketEnd a, double first, double small
+) {
+  const double X = trial.cap.present ? trial.cap.X : side.crush.strength(a.x);
   const double farthest = trial.evp + (trial.x - X) / trial.triple_bulk;
-  for (; step > 0.0 && trial.evp + step < farthest; step *= 2.0) {
-    if (trial.evp + step <= start) continue;
-    const BracketEnd end = {trial.evp + step, side(trial.evp + step)};
-    if (end.f < 0.0) return end;
+  BracketEnd b = {farthest, 0.0};
+  for (double step = first; step > 0.0 && trial.evp + step < farthest;
+       step = next_dilation(step, first)) {
+    if (trial.evp + step <= a.x) continue;
+    const BracketEnd place = {trial.evp + step, side(trial.evp + step)};
+    if (place.f < 0.0) {
+      b = place;
+      break;
+    }
+    a = place;
   }
-  return {farthest, side(farthest)};
+  if (b.f == 0.0) b.f = side(b.x);
+  return find_root(side, a, b, 1e-15 * (b.x - a.x), small);
 }
 
 /// First guess of enough dilation onto the cap: half more than the non-hardening return to the
@@ -210,9 +230,8 @@ BARRENO_FUNCTION Returned return_to_retracting_cap(
   const double fc = std::sqrt(larger(below.cap_squared, 0.0));
   const BracketEnd a = {trial.evp, -trial.metric * (trial.q - below.limit * fc) * below.slope};
   if (a.f <= 0.0) return point_on_cap(surface, crush, trial, trial.evp, count);
-  const BracketEnd b = enough_dilation(side, trial, trial.evp, dilation_guess(trial, below));
   const double small = solved * (trial.cap.kappa - trial.cap.X);
-  const double evp = find_root(side, a, b, 1e-15 * (b.x - a.x), small);
+  const double evp = find_dilation(side, trial, a, dilation_guess(trial, below), small);
   return point_on_cap(surface, crush, trial, evp, count);
 }
 
@@ -224,6 +243,7 @@ BARRENO_FUNCTION Returned return_by_dilation(
   const double x_limit = return_to_limit(surface, trial, count);
   const double evp_limit = trial.evp + (trial.x - x_limit) / trial.triple_bulk;
   if (clears_cap(surface, crush, x_limit, evp_limit)) {
+    count.add();
     const double limit = x_limit >= surface.vertex ? 0.0 : larger(surface.limit(x_limit), 0.0);
     return {x_limit, smaller(limit, trial.q), evp_limit};
   }
@@ -234,8 +254,8 @@ BARRENO_FUNCTION Returned return_by_dilation(
     if (!trial.cap.present) return return_with_closed_pores(surface, crush, trial);
     return point_on_cap(surface, crush, trial, start, count);
   }
-  const BracketEnd b = enough_dilation(side, trial, start, evp_limit - trial.evp);
-  const double evp = find_root(side, a, b, 1e-15 * (b.x - a.x), solved * std::fabs(trial.x));
+  const double small = solved * std::fabs(trial.x);
+  const double evp = find_dilation(side, trial, a, evp_limit - trial.evp, small);
   return point_on_cap(surface, crush, trial, evp, count);
 }
 

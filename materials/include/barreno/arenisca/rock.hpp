@@ -16,12 +16,13 @@ struct Rock {
   Elasticity elasticity;
   YieldSurface surface;
   CrushCurve crush;
-  CrushRates rates;     ///< of the crush curve
-  Cap first_cap;        ///< cap of the virgin rock; compaction only widens it
-  double beta;          ///< nonassociativity: scales r in the transformed space
-  double tolerance;     ///< relative local error of a substep
-  double stress_floor;  ///< below this the local error is measured against it [stress]
-  bool bisection;       ///< the paper's return instead of the fast one
+  CrushRates rates;         ///< of the crush curve
+  Cap first_cap;            ///< cap of the virgin rock; compaction only widens it
+  double beta;              ///< nonassociativity: scales r in the transformed space
+  double tolerance;         ///< relative local error of a substep
+  double stress_floor;      ///< below this the local error is measured against it [stress]
+  bool bisection;           ///< the paper's return instead of the fast one
+  double resolution = 0.0;  ///< of the bisections; 0: the last bit. Benchmarks set it
 
   BARRENO_FUNCTION Cap cap_at(double evp) const {
     return crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
