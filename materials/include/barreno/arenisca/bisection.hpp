@@ -179,8 +179,10 @@ BARRENO_FUNCTION Returned return_bisection(
   if (evp <= crush.last_open()) {
     return return_with_closed_pores(surface, crush, trial);
   }
+  // evp as bisected: that of the closest point at eta multiplies the last digit of evp by the ratio
+  // of dX/d(evp) to 3K, thousands where the pores are all but closed.
   const Returned last = consistency.returned(eta);
-  return {last.x, last.q, trial.evp + (trial.x - last.x) / trial.triple_bulk};
+  return {trial.x - trial.triple_bulk * (evp - trial.evp), last.q, evp};
 }
 
 }  // namespace barreno::arenisca
