@@ -174,8 +174,8 @@ BARRENO_FUNCTION void refine(
   moved.J2 = second_invariant(moved.s);
   const double triple_bulk = 3.0 * mean.bulk;
   const double evp = n.evp + (p.x - moved.x) / triple_bulk;
-  const bool still_open = rock.crush.p3 == 0.0 || evp > rock.crush.last_open();
-  if (!still_open) return;
+  const bool stays_closed = !step.cap.present && evp == n.evp;
+  if (rock.crush.p3 > 0.0 && evp <= rock.crush.last_open() && !stays_closed) return;
   const Cap cap = rock.cap_at(evp);
   Returned r = {moved.x, moved.q(), evp};
   if (!rock.surface.contains(moved.x, moved.J2, cap, count)) {
@@ -200,6 +200,14 @@ BARRENO_FUNCTION double retraction(
   return r.x < end.kappa ? (end.X - cap.X) / (cap.kappa - cap.X) : 0.0;
 }
 
+/// Rock without open pores that keeps them closed flows along its shear stress, not along the
+/// surface's normal: what shear would open crushes at once.
+BARRENO_FUNCTION bool flows_isochorically(
+    const Rock& rock, const PointState& n, const Cap& cap, const Returned& r
+) {
+  return rock.crush.p3 > 0.0 && !cap.present && r.evp == n.evp;
+}
+
 /// Plastic substep: closest-point return, its error, and the second pass where that is worth it.
 template <class Counter>
 BARRENO_FUNCTION Attempt
@@ -209,7 +217,11 @@ flow_plastically(const Rock& rock, const Substep& step, const Prediction& p, Cou
   const double metric = 9.0 * rock.beta * rock.beta * p.used.bulk / p.used.shear;
   const Trial trial{p.x, p.q(), metric, 3.0 * p.used.bulk, n.evp, cap};
   const Returned r = return_with(rock, trial, count);
-  const FlowStart f = find_flow_start(rock, cap, n, p, metric, count);
+  FlowStart f = find_flow_start(rock, cap, n, p, metric, count);
+  if (flows_isochorically(rock, n, cap, r) && f.q > 0.0) {
+    f.normal_x = 0.0;
+    f.normal_q = 1.0;
+  }
   Attempt a;
   finish(rock, step, p, p, r, f, a);
   a.error = moduli_mismatch(p, a.moduli) *

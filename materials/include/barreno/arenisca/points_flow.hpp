@@ -174,7 +174,10 @@ BARRENO_FUNCTION void refine_points(
   const ShearOf<R> moved = p.s + ahead * p.s - behind * f.s;
   const R J2 = squared(moved), q = real::sqrt(J2);
   const R evp = n.evp + (p.x - moved_x) / triple_bulk;
-  if (rock.crush.p3 > 0.0) asked = asked & (evp > rock.crush.last_open());
+  if (rock.crush.p3 > 0.0) {
+    const MaskOf<R> stays_closed = (!step.cap.present) & (evp == n.evp);
+    asked = asked & ((evp > rock.crush.last_open()) | stays_closed);
+  }
   const CapOf<R> cap = cap_of(rock, evp);
   const MeridianOf<R> m = meridian_at(rock.surface, moved_x, cap);
   const MaskOf<R> outside = asked & !contained(rock.surface, moved_x, J2, cap, m);
@@ -222,7 +225,13 @@ BARRENO_FUNCTION AttemptOf<R> flow_points(
       at_trial,
       no_guess
   );
-  const FlowStartOf<R> f = flow_start_of(rock, flows, step, p, metric);
+  FlowStartOf<R> f = flow_start_of(rock, flows, step, p, metric);
+  if (rock.crush.p3 > 0.0) {
+    // flows_isochorically()
+    const MaskOf<R> isochoric = (!step.cap.present) & (r.evp == n.evp) & (f.q > 0.0);
+    f.normal_x = real::select(isochoric, 0.0, f.normal_x);
+    f.normal_q = real::select(isochoric, 1.0, f.normal_q);
+  }
   AttemptOf<R> a;
   finish_flow(rock, step, p, lengthened(p.s, p.q, r.q), r, f, a);
   a.elastic = none_of<R>();
