@@ -62,6 +62,7 @@ struct Row {
   double knob = 0.0;
   double mean_error = 0.0, most_errors = 0.0, largest_error = 0.0;  ///< most: 99 of 100 are below
   double evaluations = 0.0, substeps = 0.0;
+  int failed = 0;  ///< updates that ran out of substeps; they have no error
   double single = 0.0, lanes = 0.0;
 };
 
@@ -96,9 +97,9 @@ Row error_controlled(
     RockPoint end = points[i];
     const Outcome outcome =
         model.update_counted(points[i].increment, end.stress, end.history, counter);
-    if (outcome.failed()) std::printf("update %zu failed\n", i);
+    row.failed += outcome.failed() ? 1 : 0;
     row.substeps += outcome.substeps / static_cast<double>(points.size());
-    if (i < judged)
+    if (i < judged && !outcome.failed())
       errors.push_back(distance(state_of(end), reference.ends[i]) / reference.sizes[i]);
   }
   row.evaluations = static_cast<double>(counter.evaluations) / static_cast<double>(points.size());
@@ -149,6 +150,7 @@ void print_row(std::FILE* out, const char* format, const Row& r) {
       r.largest_error,
       r.evaluations,
       r.substeps,
+      r.failed,
       r.single,
       r.lanes
   );
@@ -157,7 +159,7 @@ void print_row(std::FILE* out, const char* format, const Row& r) {
 std::vector<Row> measure(const std::vector<RockPoint>& points, const Reference& reference) {
   std::vector<Row> rows;
   const auto keep = [&rows](const Row& row) {
-    print_row(stdout, "%-22s %8.3g %9.2e %9.2e %9.2e %12.1f %9.2f %12.1f %12.1f\n", row);
+    print_row(stdout, "%-22s %8.3g %9.2e %9.2e %9.2e %12.1f %9.2f %6d %12.1f %12.1f\n", row);
     std::fflush(stdout);
     rows.push_back(row);
   };
@@ -196,9 +198,9 @@ int write_csv(
   std::fprintf(
       out,
       "solver,knob,mean_error,error_of_99_percent,largest_error,evaluations,substeps,"
-      "ns_single,ns_lanes\n"
+      "failed,ns_single,ns_lanes\n"
   );
-  for (const Row& row : rows) print_row(out, "%s,%g,%.4g,%.4g,%.4g,%.5g,%.5g,%.5g,%.5g\n", row);
+  for (const Row& row : rows) print_row(out, "%s,%g,%.4g,%.4g,%.4g,%.5g,%.5g,%d,%.5g,%.5g\n", row);
   return std::fclose(out) == 0 ? 0 : 2;
 }
 
@@ -216,7 +218,7 @@ int run(const char* file, const char* csv) {
       "reference: mean error %.1e, largest %.1e\n", reference.mean_error, reference.largest_error
   );
   std::printf(
-      "%-22s %8s %9s %9s %9s %12s %9s %12s %12s\n",
+      "%-22s %8s %9s %9s %9s %12s %9s %6s %12s %12s\n",
       "solver",
       "knob",
       "mean err",
@@ -224,6 +226,7 @@ int run(const char* file, const char* csv) {
       "largest",
       "evaluations",
       "substeps",
+      "failed",
       "ns single",
       "ns lanes"
   );
