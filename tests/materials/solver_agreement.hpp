@@ -47,7 +47,7 @@ public:
 private:
   static Arenisca with_solver(Arenisca::Parameters p, int solver) {
     p.return_solver = solver;
-    return Arenisca(p, 1.0);
+    return {p, 1.0};
   }
 
   Arenisca fast_, slow_;

@@ -77,7 +77,7 @@ Arenisca with_tolerance(double tolerance, int solver) {
   auto p = test::berea();
   p.tolerance = tolerance;
   p.return_solver = solver;
-  return Arenisca(p, 2120.0);
+  return {p, 2120.0};
 }
 
 /// Error-controlled substeps, with either return.
@@ -128,13 +128,17 @@ Row equal_steps(
     errors.push_back(distance(end, reference.ends[i]) / reference.sizes[i]);
   }
   arenisca::NoCounter none;
-  const auto start = std::chrono::steady_clock::now();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < judged; ++i) sum += take_equal_steps(rock, points[i], count, none).x;
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  double sum = 0.0, least = HUGE_VAL;
+  for (int i = 0; i < 2; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t k = 0; k < judged; ++k)
+      sum += take_equal_steps(rock, points[k], count, none).x;
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    least = std::min(least, taken.count());
+  }
   if (!std::isfinite(sum)) std::printf("not finite\n");
   row.evaluations = static_cast<double>(counter.evaluations) / static_cast<double>(judged);
-  row.single = row.lanes = taken.count() * 1e9 / static_cast<double>(judged);
+  row.single = row.lanes = least * 1e9 / static_cast<double>(judged);
   set_errors(errors, row);
   return row;
 }
@@ -171,10 +175,10 @@ std::vector<Row> measure(const std::vector<RockPoint>& points, const Reference& 
   arenisca::Rock rock = with_tolerance(1e-2, 1).rock();
   for (const double resolution : {1e-9, 0.0}) {
     rock.resolution = resolution;
-    const int most = resolution > 0.0 ? 4096 : 64;
+    const int most = resolution > 0.0 ? 1024 : 64;
     for (int n = 1; n <= most; n *= 4)
       keep(equal_steps(
-          resolution > 0.0 ? "nested bisection" : "nested, to last bit", rock, n, points, reference
+          resolution > 0.0 ? "nested bisection" : "nested to last bit", rock, n, points, reference
       ));
   }
   return rows;

@@ -47,13 +47,14 @@ def at_error(rows, solver, column, target=TARGET):
 
 def draw(rows):
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.2), layout="constrained")
-    for solver in dict.fromkeys(row["solver"] for row in rows):
+    for i, solver in enumerate(dict.fromkeys(row["solver"] for row in rows)):
+        colour = f"C{i}"
         own = [row for row in rows if row["solver"] == solver]
         error = [row["mean_error"] for row in own]
-        axes[0].loglog(error, [row["evaluations"] for row in own], "o-", ms=4, label=solver)
+        axes[0].loglog(error, [row["evaluations"] for row in own], "o-", ms=4, color=colour, label=solver)
         if solver == FAST:
-            axes[1].loglog(error, [row["ns_lanes"] for row in own], "o--", ms=4, label="fast, in vector lanes")
-        axes[1].loglog(error, [row["ns_single"] for row in own], "o-", ms=4, label=solver)
+            axes[1].loglog(error, [row["ns_lanes"] for row in own], "o--", ms=4, color=colour, label="fast, in vector lanes")
+        axes[1].loglog(error, [row["ns_single"] for row in own], "o-", ms=4, color=colour, label=solver)
     axes[0].set_ylabel("yield-function evaluations per update")
     axes[1].set_ylabel("time per plastic update [ns]")
     for one in axes:

@@ -174,7 +174,7 @@ BARRENO_FUNCTION void refine(
   moved.J2 = second_invariant(moved.s);
   const double triple_bulk = 3.0 * mean.bulk;
   const double evp = n.evp + (p.x - moved.x) / triple_bulk;
-  const bool stays_closed = !step.cap.present && evp == n.evp;
+  const bool stays_closed = !step.cap.present && a.end.evp == n.evp && evp == n.evp;
   if (rock.crush.p3 > 0.0 && evp <= rock.crush.last_open() && !stays_closed) return;
   const Cap cap = rock.cap_at(evp);
   Returned r = {moved.x, moved.q(), evp};

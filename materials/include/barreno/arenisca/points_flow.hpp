@@ -175,7 +175,7 @@ BARRENO_FUNCTION void refine_points(
   const R J2 = squared(moved), q = real::sqrt(J2);
   const R evp = n.evp + (p.x - moved_x) / triple_bulk;
   if (rock.crush.p3 > 0.0) {
-    const MaskOf<R> stays_closed = (!step.cap.present) & (evp == n.evp);
+    const MaskOf<R> stays_closed = (!step.cap.present) & (a.end.evp == n.evp) & (evp == n.evp);
     asked = asked & ((evp > rock.crush.last_open()) | stays_closed);
   }
   const CapOf<R> cap = cap_of(rock, evp);
