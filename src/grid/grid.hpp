@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/types.hpp"
+#include "grid/patch.hpp"
 #include "scene/scene.hpp"
 
 #include <Teuchos_Comm.hpp>
@@ -13,45 +14,57 @@
 
 namespace barreno {
 
-/// Cells are stored in square tiles, and only tiles that hold particles exist. A tile's patch is
-/// its own nodes and the ones that its particles can reach around it; neighbouring patches overlap.
-/// Every tile sums its own particles in its own patch, then each patch adds the overlapping parts
-/// of its neighbours in one fixed order: the sums do not depend on the rank count, the
-/// decomposition or the order of particles, and one exchange per step serves both directions.
-inline constexpr int tile_cells = 8;  ///< per direction
-inline constexpr int reach = 1;       ///< nodes beyond the tile's own cells
-inline constexpr int patch_nodes = tile_cells + 1 + 2 * reach;  ///< per direction
-inline constexpr int patch_size = patch_nodes * patch_nodes;
-inline constexpr int cells_per_tile = tile_cells * tile_cells;
-inline constexpr int neighbour_count = 9;  ///< a tile and those around it, lexicographic
-
 /// The communication plan between the ranks that share tiles (Tpetra); hidden to keep compile times
 /// low.
 struct HaloPlan;
 
+/// Position of a tile in the box, in tiles along x, y, z.
+struct TilePlace {
+  int along[3] = {0, 0, 0};
+  KOKKOS_INLINE_FUNCTION int operator[](int axis) const { return along[axis]; }
+};
+
+/// Cells are stored in square (3D: cubic) tiles, and only tiles that hold particles exist.
+/// Neighbouring patches overlap. Every tile sums its own particles in its own patch, then each
+/// patch adds the overlapping parts of its neighbours in one fixed order: the sums do not depend on
+/// the rank count, the decomposition or the order of particles, and one exchange per step serves
+/// both directions.
+///
+/// Two-dimensional modes have one cell and one tile along z.
 struct Grid {
   Mode mode = Mode::axisymmetric;
-  double lower[2] = {0.0, 0.0};
-  double upper[2] = {0.0, 0.0};
+  Patch patch;
+  double lower[3] = {0.0, 0.0, 0.0};
+  double upper[3] = {0.0, 0.0, 0.0};
   double cell_size = 0.0;
-  int cells[2] = {0, 0};
-  int tiles[2] = {0, 0};  ///< of the whole box, active or not
+  int cells[3] = {0, 0, 1};
+  int tiles[3] = {0, 0, 1};  ///< of the whole box, active or not
 
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
   std::vector<int> owner;  ///< rank of every tile of the box
 
   int active = 0;  ///< tiles that this rank owns and stores
   int ghosts = 0;  ///< tiles of other ranks whose patch overlaps one of ours, stored behind ours
-  ArrayView<int> tile_x, tile_y;  ///< position of the active tiles in the box
-  ArrayView<int> directory;       ///< tile of the box -> local tile, or -1
-  ArrayView<int> neighbours;      ///< tile * 9 + k -> local tile (ghosts included), or -1
+  ArrayView<TilePlace> tile_place;  ///< of the active tiles and the ghosts
+  ArrayView<int> directory;         ///< tile of the box -> local tile, or -1
+  ArrayView<int>
+      neighbours;  ///< tile * patch.neighbours + k -> local tile (ghosts included), or -1
   ArrayView<unsigned char>
-      counts;  ///< tile * patch_size + slot: 1 if this tile's copy of the node counts
+      counts;  ///< tile * patch.size + slot: 1 if this tile's copy of the node counts
   std::shared_ptr<HaloPlan> halo;
 
-  int tile_id(int tx, int ty) const { return ty * tiles[0] + tx; }
-  bool holds(double x, double y) const {
-    return x >= lower[0] && x < upper[0] && y >= lower[1] && y < upper[1];
+  int tile_id(int x, int y, int z) const { return (z * tiles[1] + y) * tiles[0] + x; }
+  TilePlace place_of_tile(int id) const {
+    return {{id % tiles[0], id / tiles[0] % tiles[1], id / (tiles[0] * tiles[1])}};
+  }
+  bool has_tile(int x, int y, int z) const {
+    return x >= 0 && x < tiles[0] && y >= 0 && y < tiles[1] && z >= 0 && z < tiles[2];
+  }
+  bool holds(const Vector& x) const {
+    bool inside = true;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(patch.dimensions); ++d)
+      inside = inside && x[d] >= lower[d] && x[d] < upper[d];
+    return inside;
   }
 };
 
@@ -61,19 +74,21 @@ struct Cell {
   int inside = 0;
 };
 
-/// @pre grid.holds(x, y)
-inline Cell cell_of(const Grid& grid, double x, double y) {
+/// @pre grid.holds(x)
+inline Cell cell_of(const Grid& grid, const Vector& x) {
   const double per_cell = 1.0 / grid.cell_size;
-  const int cx = static_cast<int>((x - grid.lower[0]) * per_cell);
-  const int cy = static_cast<int>((y - grid.lower[1]) * per_cell);
-  return {
-      grid.tile_id(cx / tile_cells, cy / tile_cells),
-      cy % tile_cells * tile_cells + cx % tile_cells};
+  Cell cell;
+  for (int d = grid.patch.dimensions - 1; d >= 0; --d) {
+    const int c = static_cast<int>((x[static_cast<std::size_t>(d)] - grid.lower[d]) * per_cell);
+    cell.tile = cell.tile * grid.tiles[d] + (c >> grid.patch.tile_bits);
+    cell.inside = (cell.inside << grid.patch.tile_bits) + c % grid.patch.tile_cells;
+  }
+  return cell;
 }
 
 /// Rank that owns the tile around a point of the box.
-inline int owner_of(const Grid& grid, double x, double y) {
-  return grid.owner[static_cast<std::size_t>(cell_of(grid, x, y).tile)];
+inline int owner_of(const Grid& grid, const Vector& x) {
+  return grid.owner[static_cast<std::size_t>(cell_of(grid, x).tile)];
 }
 
 }  // namespace barreno

@@ -18,17 +18,18 @@ using GlobalTile = long long;
 using TileMap = Tpetra::Map<int, GlobalTile>;
 using TileImport = Tpetra::Import<int, GlobalTile>;
 
-/// Tiles of other ranks that touch one of ours, whether they are active or not.
+/// Tiles of other ranks near one of ours, whether they are active or not.
 std::vector<GlobalTile> touching_tiles(const Grid& grid, const std::vector<int>& owned) {
   const int me = grid.comm->getRank();
   std::vector<GlobalTile> touching;
   for (const int id : owned) {
-    const int tx = id % grid.tiles[0];
-    const int ty = id / grid.tiles[0];
-    for (int y = std::max(0, ty - 1); y <= std::min(grid.tiles[1] - 1, ty + 1); ++y)
-      for (int x = std::max(0, tx - 1); x <= std::min(grid.tiles[0] - 1, tx + 1); ++x)
-        if (grid.owner[static_cast<std::size_t>(grid.tile_id(x, y))] != me)
-          touching.push_back(grid.tile_id(x, y));
+    const TilePlace at = grid.place_of_tile(id);
+    for_each_neighbour(grid.patch, [&](int, int dx, int dy, int dz) {
+      const int x = at[0] + dx, y = at[1] + dy, z = at[2] + dz;
+      if (!grid.has_tile(x, y, z)) return;
+      const int other = grid.tile_id(x, y, z);
+      if (grid.owner[static_cast<std::size_t>(other)] != me) touching.push_back(other);
+    });
   }
   std::sort(touching.begin(), touching.end());
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());

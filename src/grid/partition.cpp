@@ -7,23 +7,35 @@ namespace barreno {
 namespace {
 
 struct Block {
-  int lower[2], upper[2];  ///< tiles [lower, upper)
+  int lower[3], upper[3];  ///< tiles [lower, upper)
+  int length(int axis) const { return upper[axis] - lower[axis]; }
 };
 
-std::size_t place_of(int x, int y, int row_length) {
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(row_length) +
-         static_cast<std::size_t>(x);
+/// Tiles of the whole box and what they weigh.
+struct Tiles {
+  const int (&along)[3];
+  const std::vector<double>& weights;
+};
+
+/// visit(place of the tile, its index along the axis).
+template <class Visitor>
+void for_each_tile(const Tiles& tiles, const Block& block, int axis, Visitor&& visit) {
+  int at[3];
+  for (at[2] = block.lower[2]; at[2] < block.upper[2]; ++at[2])
+    for (at[1] = block.lower[1]; at[1] < block.upper[1]; ++at[1])
+      for (at[0] = block.lower[0]; at[0] < block.upper[0]; ++at[0])
+        visit(
+            static_cast<std::size_t>((at[2] * tiles.along[1] + at[1]) * tiles.along[0] + at[0]),
+            at[axis]
+        );
 }
 
-/// Weight of each row (axis 1) or column (axis 0) of a block.
-std::vector<double> slice_weights(
-    const Block& block, int axis, int row_length, const std::vector<double>& weights
-) {
-  std::vector<double> sums(static_cast<std::size_t>(block.upper[axis] - block.lower[axis]), 0.0);
-  for (int y = block.lower[1]; y < block.upper[1]; ++y)
-    for (int x = block.lower[0]; x < block.upper[0]; ++x)
-      sums[static_cast<std::size_t>((axis == 0 ? x : y) - block.lower[axis])] +=
-          weights[place_of(x, y, row_length)];
+/// Weight of each slice of a block across an axis.
+std::vector<double> slice_weights(const Tiles& tiles, const Block& block, int axis) {
+  std::vector<double> sums(static_cast<std::size_t>(block.length(axis)), 0.0);
+  for_each_tile(tiles, block, axis, [&](std::size_t place, int slice) {
+    sums[static_cast<std::size_t>(slice - block.lower[axis])] += tiles.weights[place];
+  });
   return sums;
 }
 
@@ -47,42 +59,40 @@ int best_cut(const std::vector<double>& slices, double share) {
   return best;
 }
 
+/// The longest side of a block, the first of equal ones.
+int longest_axis(const Block& block) {
+  int axis = 0;
+  for (int d = 1; d < 3; ++d)
+    if (block.length(d) > block.length(axis)) axis = d;
+  return axis;
+}
+
 void bisect(
-    const Block& block,
-    int first_rank,
-    int ranks,
-    int row_length,
-    const std::vector<double>& weights,
-    std::vector<int>& owner
+    const Tiles& tiles, const Block& block, int first_rank, int ranks, std::vector<int>& owner
 ) {
-  const int width = block.upper[0] - block.lower[0];
-  const int height = block.upper[1] - block.lower[1];
-  if (ranks == 1 || width * height == 1) {
-    for (int y = block.lower[1]; y < block.upper[1]; ++y)
-      for (int x = block.lower[0]; x < block.upper[0]; ++x)
-        owner[place_of(x, y, row_length)] = first_rank;
+  const int axis = longest_axis(block);
+  if (ranks == 1 || block.length(axis) == 1) {
+    for_each_tile(tiles, block, axis, [&](std::size_t place, int) { owner[place] = first_rank; });
     return;
   }
-  const int axis = width >= height ? 0 : 1;
   const int first = ranks / 2;
-  const int cut =
-      block.lower[axis] +
-      best_cut(slice_weights(block, axis, row_length, weights), static_cast<double>(first) / ranks);
+  const int cut = block.lower[axis] +
+                  best_cut(slice_weights(tiles, block, axis), static_cast<double>(first) / ranks);
   Block low = block;
   Block high = block;
   low.upper[axis] = cut;
   high.lower[axis] = cut;
-  bisect(low, first_rank, first, row_length, weights, owner);
-  bisect(high, first_rank + first, ranks - first, row_length, weights, owner);
+  bisect(tiles, low, first_rank, first, owner);
+  bisect(tiles, high, first_rank + first, ranks - first, owner);
 }
 
 }  // namespace
 
 std::vector<int> bisect_tiles(
-    const int (&tiles)[2], const std::vector<double>& weights, int ranks
+    const int (&tiles)[3], const std::vector<double>& weights, int ranks
 ) {
   std::vector<int> owner(weights.size(), 0);
-  bisect({{0, 0}, {tiles[0], tiles[1]}}, 0, ranks, tiles[0], weights, owner);
+  bisect({tiles, weights}, {{0, 0, 0}, {tiles[0], tiles[1], tiles[2]}}, 0, ranks, owner);
   return owner;
 }
 

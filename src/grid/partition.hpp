@@ -7,14 +7,14 @@
 
 namespace barreno {
 
-/// Tiles to ranks by recursive coordinate bisection of the tiles' weights: cut across the longer
+/// Tiles to ranks by recursive coordinate bisection of the tiles' weights: cut across the longest
 /// side where the halves come nearest to the share of their ranks. A pure function of its
 /// arguments, so that every rank finds the same owners without communication; tiles without weight
 /// go with their surroundings.
 ///
-/// @param tiles    tiles of the box in x and y
-/// @param weights  cost of every tile of the box, row by row
+/// @param tiles    tiles of the box along x, y and z
+/// @param weights  cost of every tile of the box, z by z, row by row
 /// @return rank of every tile
-std::vector<int> bisect_tiles(const int (&tiles)[2], const std::vector<double>& weights, int ranks);
+std::vector<int> bisect_tiles(const int (&tiles)[3], const std::vector<double>& weights, int ranks);
 
 }  // namespace barreno

@@ -9,7 +9,9 @@ namespace barreno {
 
 /// The background grid of a scene with no tile active yet; every tile's owner is rank 0 until it is
 /// partitioned.
-Grid make_grid(const GridSpec& spec, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
+///
+/// @param reach  nodes beyond its own tile that a particle can give to (a shape function's reach())
+Grid make_grid(const GridSpec& spec, int reach, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 
 /// Make exactly the listed tiles active on this rank, find neighbours and ghosts, and say which
 /// copy of each node counts. Collective.

@@ -7,13 +7,14 @@
 
 namespace barreno {
 
-/// Where a particle is, in units of cells. `x` and `y` count from the first node of the tile's
-/// patch; `axis` is the radius of that node, so that r = axis + x (axisymmetry only).
+/// Where a particle is, in units of cells. `x` counts from the first node of the tile's patch;
+/// `axis` is the radius of that node, so that r = axis + x[0] (axisymmetry only).
 struct ParticlePlace {
-  double x = 0.0, y = 0.0;
-  double half_x = 0.0, half_y = 0.0;  ///< half edges of the undeformed particle
+  double x[3] = {};
+  double half[3] = {};  ///< half edges of the undeformed particle
   double axis = 0.0;
   double per_cell = 1.0;  ///< 1 / cell size
+  int row = 0;            ///< slots from one row of the patch to the next
 };
 
 /// Uniform GIMP: the particle is a box of its undeformed size around x_p, at most one cell wide.
@@ -28,6 +29,9 @@ struct ParticlePlace {
 /// IJNME 101 (2015) 127-147.
 struct Gimp {
   static constexpr const char* word = "GIMP";
+
+  /// Nodes beyond its own tile that a particle can give to.
+  static int reach(const Scene& /*scene*/) { return 1; }
 
   /// Weights along one axis: three nodes from `first` on.
   struct Axis {
@@ -92,11 +96,12 @@ struct Gimp {
     return out;
   }
 
-  using Support = TensorSupport<3>;
+  template <class M>
+  using Support = TensorSupport<M::dimensions, 3>;
 
-  KOKKOS_INLINE_FUNCTION static Support product(const Axis& x, const Axis& y) {
+  KOKKOS_INLINE_FUNCTION static TensorSupport<2, 3> product(const Axis& x, const Axis& y, int row) {
     return {
-        y.first * patch_nodes + x.first,
+        y.first * row + x.first,
         {x.s[0], x.s[1], x.s[2]},
         {x.g[0], x.g[1], x.g[2]},
         {x.t[0], x.t[1], x.t[2]},
@@ -105,10 +110,11 @@ struct Gimp {
   }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Support support(const ParticlePlace& place) {
+  KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
     return product(
-        axis_weights<M::hoop>(place.x, place.half_x, place.axis, place.per_cell),
-        axis_weights<false>(place.y, place.half_y, 0.0, place.per_cell)
+        axis_weights<M::hoop>(place.x[0], place.half[0], place.axis, place.per_cell),
+        axis_weights<false>(place.x[1], place.half[1], 0.0, place.per_cell),
+        place.row
     );
   }
 
@@ -116,16 +122,18 @@ struct Gimp {
   /// the weight of a pressure on it. sum_p V_p grad S_p of a body is then exactly the sum over its
   /// outer faces, and a body under uniform pressure is in exact equilibrium.
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Support face_support(const ParticlePlace& place, int face) {
+  KOKKOS_INLINE_FUNCTION static Support<M> face_support(const ParticlePlace& place, int face) {
     const double side = face % 2 == 0 ? -1.0 : 1.0;
     if (face < 2)
       return product(
-          point_weights(place.x + side * place.half_x),
-          axis_weights<false>(place.y, place.half_y, 0.0, place.per_cell)
+          point_weights(place.x[0] + side * place.half[0]),
+          axis_weights<false>(place.x[1], place.half[1], 0.0, place.per_cell),
+          place.row
       );
     return product(
-        axis_weights<M::hoop>(place.x, place.half_x, place.axis, place.per_cell),
-        point_weights(place.y + side * place.half_y)
+        axis_weights<M::hoop>(place.x[0], place.half[0], place.axis, place.per_cell),
+        point_weights(place.x[1] + side * place.half[1]),
+        place.row
     );
   }
 

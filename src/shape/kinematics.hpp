@@ -13,10 +13,12 @@ namespace barreno {
 
 /// Compile-time facts of a mode; the kernels are compiled once per mode.
 struct Axisymmetric {
+  static constexpr int dimensions = 2;
   static constexpr bool hoop = true;
   static constexpr int deformation_components = 5;
 };
 struct PlaneStrain {
+  static constexpr int dimensions = 2;
   static constexpr bool hoop = false;
   static constexpr int deformation_components = 4;
 };

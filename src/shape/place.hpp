@@ -7,23 +7,41 @@
 namespace barreno {
 
 /// Turns positions into places in the patch of a tile; captured by value in kernels.
+template <unsigned D>
 struct PatchFrame {
-  double lower_x, lower_y, per_cell;
+  static constexpr int dimensions = D;
+  Patch patch;
+  ArrayView<TilePlace> tile_place;
+  double lower[D];
+  double per_cell;
 
   explicit PatchFrame(const Grid& grid)
-      : lower_x(grid.lower[0]), lower_y(grid.lower[1]), per_cell(1.0 / grid.cell_size) {}
+      : patch(grid.patch), tile_place(grid.tile_place), per_cell(1.0 / grid.cell_size) {
+    for (int d = 0; d < dimensions; ++d) lower[d] = grid.lower[d];
+  }
+
+  /// Node of the box that is the first of a tile's patch, along each axis.
+  struct First {
+    double node[D];
+  };
+  KOKKOS_INLINE_FUNCTION First first(int tile) const {
+    First out;
+    for (int d = 0; d < dimensions; ++d)
+      out.node[d] = tile_place(tile)[d] * patch.tile_cells - patch.reach;
+    return out;
+  }
 
   KOKKOS_INLINE_FUNCTION ParticlePlace
-  place(int tile_x, int tile_y, double x, double y, double half_x, double half_y) const {
-    const double first_x = tile_x * tile_cells - reach;
-    const double first_y = tile_y * tile_cells - reach;
-    return {
-        (x - lower_x) * per_cell - first_x,
-        (y - lower_y) * per_cell - first_y,
-        half_x * per_cell,
-        half_y * per_cell,
-        lower_x * per_cell + first_x,
-        per_cell};
+  place(const First& first, const FieldView& position, const FieldView& half_size, int p) const {
+    ParticlePlace out;
+    for (int d = 0; d < dimensions; ++d) {
+      out.x[d] = (position(p, d) - lower[d]) * per_cell - first.node[d];
+      out.half[d] = half_size(p, d) * per_cell;
+    }
+    out.axis = lower[0] * per_cell + first.node[0];
+    out.per_cell = per_cell;
+    out.row = patch.nodes;
+    return out;
   }
 };
 

@@ -45,24 +45,17 @@ struct SupportBatch {
 /// Supports of the rows of a batch, all in one tile.
 template <class M, class S>
 KOKKOS_INLINE_FUNCTION void find_supports(
-    const PatchFrame& frame,
-    int tile_x,
-    int tile_y,
+    const PatchFrame<M::dimensions>& frame,
+    int tile,
     const BatchRows& rows,
     const FieldView& position,
     const FieldView& half_size,
-    SupportBatch<typename S::Support>& out
+    SupportBatch<typename S::template Support<M>>& out
 ) {
+  const auto first = frame.first(tile);
   BARRENO_IVDEP
-  for (int k = 0; k < rows_per_batch; ++k) {
-    const int p = rows.row[k];
-    out.put(
-        k,
-        S::template support<M>(frame.place(
-            tile_x, tile_y, position(p, 0), position(p, 1), half_size(p, 0), half_size(p, 1)
-        ))
-    );
-  }
+  for (int k = 0; k < rows_per_batch; ++k)
+    out.put(k, S::template support<M>(frame.place(first, position, half_size, rows.row[k])));
 }
 
 }  // namespace barreno

@@ -5,20 +5,23 @@
 
 namespace barreno {
 
-/// What the nodes say to a particle: sums over its support of S v, dS/dx v, dS/dy v and T v.
-template <class Value>
+/// What the nodes say to a particle: sums over its support of S v, grad S v and T v.
+template <class Value, unsigned D>
 struct Interpolated {
-  Value value{}, d_x{}, d_y{}, hoop{};
+  Value value{}, d[D]{}, hoop{};
 };
 
-/// Nodes and weights of a shape function that is a product of one function along each axis, with N
-/// nodes along each:
+/// Nodes and weights of a shape function that is a product of one function along each of D axes,
+/// with N nodes along each; in two dimensions
 ///
 ///   S = s_i s_j,   dS/dx = g_i s_j,   dS/dy = s_i g_j,   T = t_i s_j
 ///
 /// Sums over the nodes use the product form: two multiplications per node instead of eight.
+template <unsigned D, unsigned N>
+struct TensorSupport;
+
 template <unsigned N>
-struct TensorSupport {
+struct TensorSupport<2, N> {
   static constexpr int n = N;
   static constexpr unsigned values = 5 * N;
 
@@ -40,44 +43,45 @@ struct TensorSupport {
     }
   }
 
-  /// visit(slot, S, dS/dx, dS/dy, T) for every node of the support.
+  /// visit(slot, S, gradient of S, T) for every node of the support.
   template <class Visitor>
-  KOKKOS_INLINE_FUNCTION void for_each_node(Visitor&& visit) const {
+  KOKKOS_INLINE_FUNCTION void for_each_node(const Patch& sizes, Visitor&& visit) const {
     for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        visit(
-            first + j * patch_nodes + i, sx[i] * sy[j], gx[i] * sy[j], sx[i] * gy[j], tx[i] * sy[j]
-        );
+      for (int i = 0; i < n; ++i) {
+        const double gradient[2] = {gx[i] * sy[j], sx[i] * gy[j]};
+        visit(first + j * sizes.nodes + i, sx[i] * sy[j], gradient, tx[i] * sy[j]);
+      }
   }
 
-  /// patch += S a + dS/dx b + dS/dy c + T d.
+  /// patch += S a + dS/dx b[0] + dS/dy b[1] + T d.
   template <bool Hoop, class Value>
   KOKKOS_INLINE_FUNCTION void add_to(
-      Value* patch, const Value& a, const Value& b, const Value& c, const Value& d
+      Value* patch, const Patch& sizes, const Value& a, const Value (&b)[2], const Value& d
   ) const {
     Value along_x[N];
-    for (int i = 0; i < n; ++i) along_x[i] = Hoop ? gx[i] * b + tx[i] * d : gx[i] * b;
+    for (int i = 0; i < n; ++i) along_x[i] = Hoop ? gx[i] * b[0] + tx[i] * d : gx[i] * b[0];
     for (int j = 0; j < n; ++j) {
-      const Value along_y = sy[j] * a + gy[j] * c;
-      Value* const row = patch + first + j * patch_nodes;
+      const Value along_y = sy[j] * a + gy[j] * b[1];
+      Value* const row = patch + first + j * sizes.nodes;
       for (int i = 0; i < n; ++i) row[i] = row[i] + sx[i] * along_y + sy[j] * along_x[i];
     }
   }
 
   template <bool Hoop, class Value>
-  KOKKOS_INLINE_FUNCTION Interpolated<Value> interpolate(const Value* patch) const {
-    Interpolated<Value> out;
+  KOKKOS_INLINE_FUNCTION Interpolated<Value, 2> interpolate(const Value* patch, const Patch& sizes)
+      const {
+    Interpolated<Value, 2> out;
     for (int i = 0; i < n; ++i) {
       Value mean{};
       Value slope{};
       for (int j = 0; j < n; ++j) {
-        const Value& node = patch[first + j * patch_nodes + i];
+        const Value& node = patch[first + j * sizes.nodes + i];
         mean += sy[j] * node;
         slope += gy[j] * node;
       }
       out.value += sx[i] * mean;
-      out.d_x += gx[i] * mean;
-      out.d_y += sx[i] * slope;
+      out.d[0] += gx[i] * mean;
+      out.d[1] += sx[i] * slope;
       if constexpr (Hoop) out.hoop += tx[i] * mean;
     }
     return out;

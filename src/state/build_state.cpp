@@ -61,7 +61,7 @@ std::vector<double> count_in_tiles(const Scene& scene, const Grid& grid) {
   std::vector<double> counts(grid.owner.size(), 0.0);
   for (const BodySpec& body : scene.bodies)
     for_each_body_particle(scene.grid, body, 0, [&](const NewParticle& p) {
-      counts[static_cast<std::size_t>(cell_of(grid, p.x, p.y).tile)] += 1.0;
+      counts[static_cast<std::size_t>(cell_of(grid, {p.x, p.y, 0.0}).tile)] += 1.0;
     });
   return counts;
 }
@@ -166,7 +166,9 @@ int add_particle(
 State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   const Region region("build_state");
   State state;
-  state.grid = make_grid(scene.grid, comm);
+  const int reach =
+      visit_shape(scene.step.shape, [&](auto shape) { return decltype(shape)::reach(scene); });
+  state.grid = make_grid(scene.grid, reach, comm);
   state.grid.owner =
       bisect_tiles(state.grid.tiles, count_in_tiles(scene, state.grid), comm->getSize());
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
@@ -185,7 +187,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
     const int first_row = particles.count;
     for_each_body_particle(scene.grid, body, first[b], [&](const NewParticle& made) {
-      if (owner_of(state.grid, made.x, made.y) != comm->getRank()) return;
+      if (owner_of(state.grid, {made.x, made.y, 0.0}) != comm->getRank()) return;
       double velocity[2] = {};
       velocity_at(scene.grid.mode, body, made.x, made.y, velocity);
       add_particle(

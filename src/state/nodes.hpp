@@ -2,6 +2,9 @@
 #pragma once
 
 #include "base/types.hpp"
+#include "grid/patch.hpp"
+
+#include <cstddef>
 
 namespace barreno {
 
@@ -12,6 +15,14 @@ namespace barreno {
 inline constexpr int sum_components = 8;
 /// Velocity x y after the step and its increment x y over the step.
 inline constexpr int motion_components = 4;
+
+/// Where the values of a tile begin.
+KOKKOS_INLINE_FUNCTION std::size_t first_sum(const Patch& patch, int tile) {
+  return static_cast<std::size_t>(tile) * static_cast<std::size_t>(patch.size * sum_components);
+}
+KOKKOS_INLINE_FUNCTION std::size_t first_motion(const Patch& patch, int tile) {
+  return static_cast<std::size_t>(tile) * static_cast<std::size_t>(patch.size * motion_components);
+}
 
 struct Nodes {
   ArrayView<double>

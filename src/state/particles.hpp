@@ -86,6 +86,13 @@ struct Particles {
   }
 };
 
+/// A row of a vector field; 0 along z in two-dimensional modes.
+inline Vector vector_of(const Field& field, int p) {
+  Vector v{};
+  for (int d = 0; d < field.components; ++d) v[static_cast<std::size_t>(d)] = field(p, d);
+  return v;
+}
+
 /// An empty set for one material with the fields that the scene needs.
 Particles make_particles(const Scene& scene, int material);
 

@@ -147,7 +147,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   project_sets(scene, state);        // m, p, f                           (2.1-2.3)
   release_torn_faces(scene, state);  // debris has none
   project_loads(scene, state);       // pressure on faces                 (2.4)
-  exchange_halo(grid, nodes.sums, patch_size * sum_components);
+  exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
   const GridTally motion =
       find_motion(scene, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)
 

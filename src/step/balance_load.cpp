@@ -39,10 +39,9 @@ std::vector<double> tile_costs(const State& state) {
     for_each_block(particles.count, [&](Rows in) {
       const double seconds = state.effort.seconds(set, block++) / (in.end - in.begin);
       for (int p = in.begin; p < in.end; ++p) {
-        const double x = particles.position(p, 0);
-        const double y = particles.position(p, 1);
-        if (grid.holds(x, y))
-          costs[static_cast<std::size_t>(cell_of(grid, x, y).tile)] += everywhere + seconds;
+        const Vector x = vector_of(particles.position, p);
+        if (grid.holds(x))
+          costs[static_cast<std::size_t>(cell_of(grid, x).tile)] += everywhere + seconds;
       }
     });
   }

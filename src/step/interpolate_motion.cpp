@@ -26,46 +26,39 @@ using Motion = Pack<motion_components>;
 
 template <class M, class S>
 struct InterpolateMotion {
-  PatchFrame frame;
-  ArrayView<int> tile_x, tile_y;
+  PatchFrame<M::dimensions> frame;
   Particles particles;
   ArrayView<double> motion;
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, double& largest) const {
-    const Motion* const patch = as_packs<motion_components>(
-        &motion(static_cast<std::size_t>(tile) * patch_size * motion_components)
-    );
+    const Motion* const patch =
+        as_packs<motion_components>(&motion(first_motion(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
       largest = larger(largest, batch(tile, BatchRows(particles.order, k, end), patch));
   }
 
   KOKKOS_INLINE_FUNCTION double batch(int tile, const BatchRows& rows, const Motion* patch) const {
-    SupportBatch<typename S::Support> supports;
+    SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(
-        frame,
-        tile_x(tile),
-        tile_y(tile),
-        rows,
-        particles.position.values,
-        particles.half_size.values,
-        supports
+        frame, tile, rows, particles.position.values, particles.half_size.values, supports
     );
     const FieldView grid_motion = particles.grid_motion.values;
     const FieldView increment = particles.increment.values;
     double largest = 0.0;
     for (int k = 0; k < rows.count; ++k) {
       const int p = rows.row[k];
-      const auto at = supports.get(k).template interpolate<M::hoop>(patch);
+      const auto at = supports.get(k).template interpolate<M::hoop>(patch, frame.patch);
       for (int i = 0; i < motion_components; ++i) grid_motion(p, i) = at.value[i];
-      increment(p, 0) = dt * at.d_x[0];
-      increment(p, 1) = dt * at.d_y[0];
-      increment(p, 2) = dt * at.d_x[1];
-      increment(p, 3) = dt * at.d_y[1];
+      increment(p, 0) = dt * at.d[0][0];
+      increment(p, 1) = dt * at.d[1][0];
+      increment(p, 2) = dt * at.d[0][1];
+      increment(p, 3) = dt * at.d[1][1];
       increment(p, 4) = dt * at.hoop[0];
       largest = larger(
-          largest, dt * dt * strain_squared(at.d_x[0], at.d_y[0], at.d_x[1], at.d_y[1], at.hoop[0])
+          largest,
+          dt * dt * strain_squared(at.d[0][0], at.d[1][0], at.d[0][1], at.d[1][1], at.hoop[0])
       );
     }
     return largest;
@@ -84,7 +77,7 @@ double interpolate_motion(
     Kokkos::parallel_reduce(
         "interpolate_motion",
         range(grid.active),
-        Kernel{PatchFrame(grid), grid.tile_x, grid.tile_y, particles, nodes.motion, dt},
+        Kernel{PatchFrame<decltype(mode)::dimensions>(grid), particles, nodes.motion, dt},
         Kokkos::Max<double>(largest)
     );
   });

@@ -19,9 +19,8 @@ void launch_slug(const Scene& scene, std::size_t index, State& state) {
   const auto body = static_cast<unsigned>(scene.bodies.size());
   for_each_slug_particle(scene, slug, state.slug_ids[index], [&](NewParticle made) {
     made.y += centre;
-    if (!state.grid.holds(made.x, made.y) ||
-        owner_of(state.grid, made.x, made.y) != state.grid.comm->getRank())
-      return;
+    const Vector at{made.x, made.y, 0.0};
+    if (!state.grid.holds(at) || owner_of(state.grid, at) != state.grid.comm->getRank()) return;
     const int p = add_particle(scene, particles, made, body, 0.0, velocity);
     const double m = particles.mass(p);
     state.ledger.launched_mass += m;

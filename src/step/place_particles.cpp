@@ -42,7 +42,7 @@ int removal_cause(const Grid& grid, const Particles& particles, int p) {
   if (!std::isfinite(sum)) return static_cast<int>(RemovalCause::not_finite);
   if (particles.key(p) == failed_key) return static_cast<int>(RemovalCause::material_failure);
   if (particles.key(p) == expanded_key) return static_cast<int>(RemovalCause::expanded);
-  if (!grid.holds(x, y)) return static_cast<int>(RemovalCause::left_grid);
+  if (!grid.holds({x, y, 0.0})) return static_cast<int>(RemovalCause::left_grid);
   return -1;
 }
 
@@ -71,6 +71,9 @@ Found find_keys(const Grid& grid, const Particles& particles) {
   const double upper_y = grid.upper[1];
   const double per_cell = 1.0 / grid.cell_size;
   const int row_length = grid.tiles[0];
+  const int bits = grid.patch.tile_bits;
+  const int in_tile = grid.patch.tile_cells - 1;
+  const int cells = grid.patch.cells;
   const int active = grid.active;
   const int count = particles.count;
   const int me = grid.comm->getRank();
@@ -88,15 +91,14 @@ Found find_keys(const Grid& grid, const Particles& particles) {
     const int lost = static_cast<int>(old_key <= failed_key) | static_cast<int>(!(x >= lower_x)) |
                      static_cast<int>(!(x < upper_x)) | static_cast<int>(!(y >= lower_y)) |
                      static_cast<int>(!(y < upper_y));
-    const auto cx = static_cast<unsigned>(static_cast<int>(lost ? 0.0 : (x - lower_x) * per_cell));
-    const auto cy = static_cast<unsigned>(static_cast<int>(lost ? 0.0 : (y - lower_y) * per_cell));
-    constexpr unsigned side = tile_cells;
-    const int box = static_cast<int>(cy / side) * row_length + static_cast<int>(cx / side);
-    const int inside = static_cast<int>(cy % side * side + cx % side);
+    const int cx = static_cast<int>(lost ? 0.0 : (x - lower_x) * per_cell);
+    const int cy = static_cast<int>(lost ? 0.0 : (y - lower_y) * per_cell);
+    const int box = (cy >> bits) * row_length + (cx >> bits);
+    const int inside = ((cy & in_tile) << bits) + (cx & in_tile);
     const int tile = directory[box];
     const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
     const int mine = static_cast<int>(owner[box] == me);
-    const int key = here ? tile * cells_per_tile + inside : unplaced_key;
+    const int key = here ? tile * cells + inside : unplaced_key;
     found.outside |= lost;
     found.moved |= static_cast<int>(key != old_key);
     found.new_tile |= (1 - lost) & (1 - here) & mine;
@@ -152,7 +154,7 @@ void migrate_particles(State& state) {
     std::vector<char> keep(static_cast<std::size_t>(particles.count), 1);
     for (int p = 0; p < particles.count; ++p) {
       if (particles.key(p) != unplaced_key) continue;
-      const int owner = owner_of(grid, particles.position(p, 0), particles.position(p, 1));
+      const int owner = owner_of(grid, vector_of(particles.position, p));
       if (owner == me) continue;
       pack_row(particles, p, outgoing[static_cast<std::size_t>(owner)]);
       keep[static_cast<std::size_t>(p)] = 0;
@@ -168,9 +170,8 @@ std::vector<int> occupied_tiles(const State& state) {
   std::vector<char> holds(state.grid.owner.size(), 0);
   for (const Particles& particles : state.particles)
     for (int p = 0; p < particles.count; ++p)
-      holds[static_cast<std::size_t>(
-          cell_of(state.grid, particles.position(p, 0), particles.position(p, 1)).tile
-      )] = 1;
+      holds[static_cast<std::size_t>(cell_of(state.grid, vector_of(particles.position, p)).tile)] =
+          1;
   std::vector<int> tiles;
   for (std::size_t t = 0; t < holds.size(); ++t)
     if (holds[t]) tiles.push_back(static_cast<int>(t));
@@ -180,7 +181,8 @@ std::vector<int> occupied_tiles(const State& state) {
 /// Rows by key; within a cell by id, so that the order does not depend on how the rows are stored.
 void sort_by_cell(const Grid& grid, Particles& particles) {
   const auto tiles = static_cast<std::size_t>(grid.active);
-  const std::size_t keys = tiles * cells_per_tile;
+  const auto cells = static_cast<std::size_t>(grid.patch.cells);
+  const std::size_t keys = tiles * cells;
   if (particles.cell_begin.extent(0) < keys + 1) {
     particles.cell_begin = ArrayView<int>("cell_begin", keys + keys / 4 + 1);
     particles.cell_end = ArrayView<int>("cell_end", keys + keys / 4 + 1);
@@ -202,7 +204,7 @@ void sort_by_cell(const Grid& grid, Particles& particles) {
       order[place] = order[place - 1];
     order[place] = p;
   }
-  for (std::size_t t = 0; t <= tiles; ++t) particles.tile_begin(t) = begin[t * cells_per_tile];
+  for (std::size_t t = 0; t <= tiles; ++t) particles.tile_begin(t) = begin[t * cells];
   particles.sorted = true;
 }
 

@@ -57,18 +57,10 @@ void for_each_loaded_face(const Scene& scene, double time, const State& state, V
 
 template <class M, class S>
 auto face_support(
-    const PatchFrame& frame, const Grid& grid, const Particles& particles, int tile, int p, int face
+    const PatchFrame<M::dimensions>& frame, const Particles& particles, int tile, int p, int face
 ) {
   return S::template face_support<M>(
-      frame.place(
-          grid.tile_x(tile),
-          grid.tile_y(tile),
-          particles.position(p, 0),
-          particles.position(p, 1),
-          particles.half_size(p, 0),
-          particles.half_size(p, 1)
-      ),
-      face
+      frame.place(frame.first(tile), particles.position.values, particles.half_size.values, p), face
   );
 }
 
@@ -77,16 +69,15 @@ auto face_support(
 void project_loads(const Scene& scene, State& state) {
   if (scene.loads.empty()) return;
   const Region region("project_loads");
-  const PatchFrame frame(state.grid);
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
+    const PatchFrame<M::dimensions> frame(state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
       const Force force = face_force<M>(particles, p, face, pressure);
-      double* const patch =
-          &state.nodes.sums(static_cast<std::size_t>(tile) * patch_size * sum_components);
-      face_support<M, S>(frame, state.grid, particles, tile, p, face)
-          .for_each_node([&](int slot, double s, double, double, double) {
+      double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
+      face_support<M, S>(frame, particles, tile, p, face)
+          .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
             patch[slot * sum_components + 3] += s * force.x;
             patch[slot * sum_components + 4] += s * force.y;
           });
@@ -98,17 +89,16 @@ void project_loads(const Scene& scene, State& state) {
 double tally_loads(const Scene& scene, double dt, State& state) {
   if (scene.loads.empty()) return 0.0;
   const Region region("tally_loads");
-  const PatchFrame frame(state.grid);
   double work = 0.0;
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
+    const PatchFrame<M::dimensions> frame(state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
       const Force force = face_force<M>(particles, p, face, pressure);
-      const double* const patch =
-          &state.nodes.motion(static_cast<std::size_t>(tile) * patch_size * motion_components);
-      face_support<M, S>(frame, state.grid, particles, tile, p, face)
-          .for_each_node([&](int slot, double s, double, double, double) {
+      const double* const patch = &state.nodes.motion(first_motion(frame.patch, tile));
+      face_support<M, S>(frame, particles, tile, p, face)
+          .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
             // Mean velocity of the step: v after it less half of its increment.
             const double* const node = patch + slot * motion_components;
             work += dt * s *

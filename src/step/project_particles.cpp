@@ -44,30 +44,21 @@ KOKKOS_INLINE_FUNCTION void find_given(
 
 template <class M, class S>
 struct ProjectParticles {
-  PatchFrame frame;
-  ArrayView<int> tile_x, tile_y;
+  PatchFrame<M::dimensions> frame;
   Particles particles;
   ArrayView<double> sums;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    Sums* const patch =
-        as_packs<sum_components>(&sums(static_cast<std::size_t>(tile) * patch_size * sum_components)
-        );
+    Sums* const patch = as_packs<sum_components>(&sums(first_sum(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
       batch(tile, BatchRows(particles.order, k, end), patch);
   }
 
   KOKKOS_INLINE_FUNCTION void batch(int tile, const BatchRows& rows, Sums* patch) const {
-    SupportBatch<typename S::Support> supports;
+    SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(
-        frame,
-        tile_x(tile),
-        tile_y(tile),
-        rows,
-        particles.position.values,
-        particles.half_size.values,
-        supports
+        frame, tile, rows, particles.position.values, particles.half_size.values, supports
     );
     alignas(sizeof(Sums)) double given[rows_per_batch][sum_components];
     BARRENO_IVDEP
@@ -77,9 +68,10 @@ struct ProjectParticles {
       const Sums& g = *as_packs<sum_components>(given[k]);
       supports.get(k).template add_to<M::hoop>(
           patch,
+          frame.patch,
           select<mass, momentum_x, momentum_y, o, o, o, o, o>(g),
-          select<o, o, o, force_xx, force_xy, o, o, o>(g),
-          select<o, o, o, force_xy, force_yy, o, o, o>(g),
+          {select<o, o, o, force_xx, force_xy, o, o, o>(g),
+           select<o, o, o, force_xy, force_yy, o, o, o>(g)},
           select<o, o, o, force_hoop, o, o, o, o>(g)
       );
     }
@@ -89,7 +81,8 @@ struct ProjectParticles {
 }  // namespace
 
 void clear_nodes(const Grid& grid, Nodes& nodes) {
-  const auto n = static_cast<std::size_t>(grid.active + grid.ghosts) * patch_size;
+  const auto n = static_cast<std::size_t>(grid.active + grid.ghosts) *
+                 static_cast<std::size_t>(grid.patch.size);
   if (nodes.sums.extent(0) < n * sum_components)
     nodes.sums = ArrayView<double>(
         Kokkos::ViewAllocateWithoutInitializing("sums"), 5 * n * sum_components / 4
@@ -98,7 +91,7 @@ void clear_nodes(const Grid& grid, Nodes& nodes) {
     nodes.motion = ArrayView<double>(
         Kokkos::ViewAllocateWithoutInitializing("motion"), 5 * n * motion_components / 4
     );
-  const auto used = static_cast<std::size_t>(grid.active) * patch_size * sum_components;
+  const std::size_t used = first_sum(grid.patch, grid.active);
   Kokkos::deep_copy(Kokkos::subview(nodes.sums, std::make_pair(std::size_t{0}, used)), 0.0);
 }
 
@@ -111,7 +104,7 @@ void project_particles(
     Kokkos::parallel_for(
         "project_particles",
         range(grid.active),
-        Kernel{PatchFrame(grid), grid.tile_x, grid.tile_y, particles, nodes.sums}
+        Kernel{PatchFrame<decltype(mode)::dimensions>(grid), particles, nodes.sums}
     );
   });
 }

@@ -53,31 +53,39 @@ NodeConditions node_conditions(const Scene& scene, const Grid& grid) {
 
 struct SolveVelocity {
   NodeConditions conditions;
-  ArrayView<int> tile_x, tile_y, neighbours;
+  Patch patch;
+  ArrayView<TilePlace> tile_place;
+  ArrayView<int> neighbours;
   ArrayView<unsigned char> counts;
   ArrayView<double> sums, motion, tally;
   double dt;
 
-  /// Whole sums of a patch: its own part and its neighbours', in lexicographic order of the tiles.
-  KOKKOS_INLINE_FUNCTION void add_parts(int tile, double* total) const {
-    for (int i = 0; i < patch_size * sum_components; ++i) total[i] = 0.0;
-    for (int k = 0; k < neighbour_count; ++k) {
-      const int other = neighbours(tile * neighbour_count + k);
-      if (other < 0) continue;
-      const int ox = k % 3 - 1;
-      const int oy = k / 3 - 1;
-      const int x0 = ox > 0 ? tile_cells : 0;
-      const int x1 = ox < 0 ? patch_nodes - tile_cells : patch_nodes;
-      const int y0 = oy > 0 ? tile_cells : 0;
-      const int y1 = oy < 0 ? patch_nodes - tile_cells : patch_nodes;
-      const double* const part =
-          &sums(static_cast<std::size_t>(other) * patch_size * sum_components);
-      for (int y = y0; y < y1; ++y) {
-        double* const to = total + (y * patch_nodes + x0) * sum_components;
-        const double* const from =
-            part + ((y - oy * tile_cells) * patch_nodes + x0 - ox * tile_cells) * sum_components;
-        for (int i = 0; i < (x1 - x0) * sum_components; ++i) to[i] += from[i];
+  /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
+  /// lexicographic order of the tiles.
+  KOKKOS_INLINE_FUNCTION void add_parts(int tile, int y, int z, double* total) const {
+    for (int i = 0; i < patch.nodes * sum_components; ++i) total[i] = 0.0;
+    const int side = 2 * patch.near + 1;
+    for (int oz = -patch.near_along(2); oz <= patch.near_along(2); ++oz) {
+      const int from_z = z - oz * patch.tile_cells;
+      if (from_z < 0 || from_z >= patch.nodes) continue;
+      for (int oy = -patch.near; oy <= patch.near; ++oy) {
+        const int from_y = y - oy * patch.tile_cells;
+        if (from_y < 0 || from_y >= patch.nodes) continue;
+        const int k = ((oz + patch.near_along(2)) * side + oy + patch.near) * side;
+        add_row_parts(tile, k, (from_z * patch.nodes + from_y) * patch.nodes, total);
       }
+    }
+  }
+  /// The same of the neighbours along x from the k-th on, whose row of nodes begins at a slot.
+  KOKKOS_INLINE_FUNCTION void add_row_parts(int tile, int k, int slot, double* total) const {
+    for (int ox = -patch.near; ox <= patch.near; ++ox, ++k) {
+      const int other = neighbours(tile * patch.neighbours + k);
+      if (other < 0) continue;
+      const int begin = patch.overlap_begin(ox);
+      const double* const from =
+          &sums(first_sum(patch, other)) + (slot + begin - ox * patch.tile_cells) * sum_components;
+      double* const to = total + begin * sum_components;
+      for (int i = 0; i < (patch.overlap_end(ox) - begin) * sum_components; ++i) to[i] += from[i];
     }
   }
 
@@ -107,16 +115,16 @@ struct SolveVelocity {
     part[5] += mass * (before[1] - raw);
   }
 
-  KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    alignas(64) double total[patch_size * sum_components];
-    add_parts(tile, total);
-    double part[tally_components] = {};
-    for (int slot = 0; slot < patch_size; ++slot) {
-      const double* const node = total + slot * sum_components;
-      double* const out = &motion(
-          (static_cast<std::size_t>(tile) * patch_size + static_cast<std::size_t>(slot)) *
-          motion_components
-      );
+  KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components])
+      const {
+    alignas(64) double total[most_patch_nodes * sum_components];
+    add_parts(tile, y, z, total);
+    const int row = (z * patch.nodes + y) * patch.nodes;
+    double* const moved = &motion(first_motion(patch, tile)) + row * motion_components;
+    const TilePlace& at = tile_place(tile);
+    for (int x = 0; x < patch.nodes; ++x) {
+      const double* const node = total + x * sum_components;
+      double* const out = moved + x * motion_components;
       const double mass = node[0];
       const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
       const double force[2] = {node[3], node[4]};
@@ -124,19 +132,24 @@ struct SolveVelocity {
       double after[2] = {before[0] + dt * force[0] * inverse, before[1] + dt * force[1] * inverse};
       double own[tally_components] = {};
       const int index[2] = {
-          tile_x(tile) * tile_cells - reach + slot % patch_nodes,
-          tile_y(tile) * tile_cells - reach + slot / patch_nodes};
+          at[0] * patch.tile_cells - patch.reach + x, at[1] * patch.tile_cells - patch.reach + y};
       apply_conditions(index, mass, force, before, after, own);
       out[0] = after[0];
       out[1] = after[1];
       out[2] = after[0] - before[0];
       out[3] = after[1] - before[1];
-      if (counts(tile * patch_size + slot) == 0 || mass <= 0.0) continue;
+      if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
       own[0] = 0.5 * mass * (before[0] * before[0] + before[1] * before[1]);
       own[1] = 0.5 * mass * (after[0] * after[0] + after[1] * after[1]);
       own[2] = 0.5 * dt * (force[0] * (before[0] + after[0]) + force[1] * (before[1] + after[1]));
       for (int i = 0; i < tally_components; ++i) part[i] += own[i];
     }
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
+    double part[tally_components] = {};
+    for (int z = 0; z < patch.nodes_along(2); ++z)
+      for (int y = 0; y < patch.nodes; ++y) solve_row(tile, y, z, part);
     for (int i = 0; i < tally_components; ++i)
       tally(static_cast<std::size_t>(tile * tally_components + i)) = part[i];
   }
@@ -153,8 +166,8 @@ GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes&
       range(grid.active),
       SolveVelocity{
           node_conditions(scene, grid),
-          grid.tile_x,
-          grid.tile_y,
+          grid.patch,
+          grid.tile_place,
           grid.neighbours,
           grid.counts,
           nodes.sums,

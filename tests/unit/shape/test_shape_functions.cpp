@@ -22,21 +22,25 @@ struct Averages {
   double value = 0.0, d_r = 0.0, d_z = 0.0, hoop = 0.0;
 };
 
+const Patch patch = make_patch(2, 1);
+
 /// Interpolates a nodal field at a particle, with positions of the nodes in lengths.
 template <class M, class S>
 Averages average(const ParticlePlace& place, const NodeField& field) {
   Averages out;
-  S::template support<M>(place).for_each_node([&](int slot, double s, double gx, double gy, double t
-                                              ) {
-    const double r = (place.axis + slot % patch_nodes) * cell;
-    const int row = slot / patch_nodes;
-    const double z = row * cell;
-    const double v = field(r, z);
-    out.value += s * v;
-    out.d_r += gx * v;
-    out.d_z += gy * v;
-    out.hoop += t * v;
-  });
+  S::template support<M>(place).for_each_node(
+      patch,
+      [&](int slot, double s, const double(&g)[2], double t) {
+        const double r = (place.axis + slot % patch.nodes) * cell;
+        const int row = slot / patch.nodes;
+        const double z = row * cell;
+        const double v = field(r, z);
+        out.value += s * v;
+        out.d_r += g[0] * v;
+        out.d_z += g[1] * v;
+        out.hoop += t * v;
+      }
+  );
   return out;
 }
 
@@ -48,17 +52,16 @@ std::vector<ParticlePlace> places(double first) {
       for (int i = 0; i < 2 * per_cell; ++i) {
         const double half = 0.5 / per_cell;
         out.push_back(
-            {1.0 + half + i / static_cast<double>(per_cell) + shift,
-             3.0 + shift,
-             half,
-             half,
+            {{1.0 + half + i / static_cast<double>(per_cell) + shift, 3.0 + shift},
+             {half, half},
              first,
-             1.0 / cell}
+             1.0 / cell,
+             patch.nodes}
         );
       }
   // Cut by the axis, and barely off it.
   for (const double r : {0.01, 0.1, 0.24})
-    out.push_back({1.0 + r, 2.5, 0.25, 0.25, axis_in_patch, 1.0 / cell});
+    out.push_back({{1.0 + r, 2.5}, {0.25, 0.25}, axis_in_patch, 1.0 / cell, patch.nodes});
   return out;
 }
 
@@ -96,7 +99,7 @@ TYPED_TEST(ShapeFunctionContract, UniformStrainIsExact) {
           average<Axisymmetric, TypeParam>(place, [=](double, double z) { return b * z; });
       EXPECT_NEAR(axial.d_z, b, 1e-12);
       EXPECT_NEAR(axial.d_r, 0.0, 1e-12);
-      EXPECT_NEAR(axial.value, b * place.y * cell, 1e-12);
+      EXPECT_NEAR(axial.value, b * place.x[1] * cell, 1e-12);
     }
 }
 
@@ -105,11 +108,11 @@ TYPED_TEST(ShapeFunctionContract, UniformStrainIsExact) {
 TYPED_TEST(ShapeFunctionContract, BilinearFieldIsWeightedWithTheRadius) {
   for (const double first : {axis_in_patch, 31.0})
     for (const ParticlePlace& place : places(first)) {
-      const double r_p = (place.axis + place.x) * cell;
-      const double r1 = r_p + place.half_x * cell;
-      const double r0 = std::max(0.0, r_p - place.half_x * cell);
+      const double r_p = (place.axis + place.x[0]) * cell;
+      const double r1 = r_p + place.half[0] * cell;
+      const double r0 = std::max(0.0, r_p - place.half[0] * cell);
       const double r_bar = 2.0 / 3.0 * (r1 * r1 * r1 - r0 * r0 * r0) / (r1 * r1 - r0 * r0);
-      const double z = place.y * cell;
+      const double z = place.x[1] * cell;
       const Averages found =
           average<Axisymmetric, TypeParam>(place, [](double r, double y) { return r * y; });
       EXPECT_NEAR(found.value, r_bar * z, 1e-12 * r_bar * z);
@@ -124,16 +127,18 @@ TYPED_TEST(ShapeFunctionContract, BilinearFieldIsWeightedWithTheRadius) {
 TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
   const double two_pi = 2.0 * std::acos(-1.0);
   for (const ParticlePlace& place : places(axis_in_patch)) {
-    const double lr = place.half_x * cell;
-    const double lz = place.half_y * cell;
-    const double r_p = (place.axis + place.x) * cell;
+    const double lr = place.half[0] * cell;
+    const double lz = place.half[1] * cell;
+    const double r_p = (place.axis + place.x[0]) * cell;
     if (r_p < lr) continue;  // a cut particle has no inner face and no volume of its own kind
     const double volume = two_pi * r_p * 4.0 * lr * lz;
-    std::vector<double> radial(patch_size, 0.0), axial(patch_size, 0.0);
+    const auto size = static_cast<std::size_t>(patch.size);
+    std::vector<double> radial(size, 0.0), axial(size, 0.0);
     TypeParam::template support<Axisymmetric>(place).for_each_node(
-        [&](int slot, double, double gx, double gy, double t) {
-          radial[static_cast<std::size_t>(slot)] += volume * (gx + t);
-          axial[static_cast<std::size_t>(slot)] += volume * gy;
+        patch,
+        [&](int slot, double, const double(&g)[2], double t) {
+          radial[static_cast<std::size_t>(slot)] += volume * (g[0] + t);
+          axial[static_cast<std::size_t>(slot)] += volume * g[1];
         }
     );
     for (int face = 0; face < 4; ++face) {
@@ -141,7 +146,7 @@ TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
       const double area =
           face < 2 ? two_pi * (r_p + side * lr) * 2.0 * lz : two_pi * r_p * 2.0 * lr;
       TypeParam::template face_support<Axisymmetric>(place, face)
-          .for_each_node([&](int slot, double s, double, double, double) {
+          .for_each_node(patch, [&](int slot, double s, const double*, double) {
             (face < 2 ? radial : axial)[static_cast<std::size_t>(slot)] -= side * area * s;
           });
     }

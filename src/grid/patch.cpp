@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid/patch.hpp"
+
+#include <stdexcept>
+
+namespace barreno {
+namespace {
+
+int power(int base, int exponent) {
+  int out = 1;
+  for (int i = 0; i < exponent; ++i) out *= base;
+  return out;
+}
+
+}  // namespace
+
+Patch make_patch(int dimensions, int reach) {
+  Patch patch;
+  patch.dimensions = dimensions;
+  patch.reach = reach;
+  // A patch of 3D with 8 cells per direction would not fit into the first-level cache.
+  patch.tile_bits = dimensions == 2 ? 3 : 2;
+  patch.tile_cells = 1 << patch.tile_bits;
+  patch.nodes = patch.tile_cells + 1 + 2 * reach;
+  if (patch.nodes > most_patch_nodes)
+    throw std::logic_error("a shape function reaches too far for a patch");
+  patch.size = power(patch.nodes, dimensions);
+  patch.cells = power(patch.tile_cells, dimensions);
+  patch.near = (patch.nodes - 1) / patch.tile_cells;
+  patch.neighbours = power(2 * patch.near + 1, dimensions);
+  return patch;
+}
+
+}  // namespace barreno

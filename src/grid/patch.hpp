@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Kokkos_Macros.hpp>
+
+namespace barreno {
+
+/// Sizes of a tile and of its patch: the tile's own nodes and the ones that its particles can reach
+/// around it. Slots of a patch run along x, then y, then z.
+struct Patch {
+  int dimensions = 2;
+  int tile_cells = 8;  ///< per direction, a power of two
+  int tile_bits = 3;   ///< tile_cells = 2^tile_bits
+  int reach = 1;       ///< nodes beyond the tile's own cells
+  int nodes = 0;       ///< per direction
+  int size = 0;        ///< nodes of the patch
+  int cells = 0;       ///< of the tile
+  int near = 0;        ///< tiles on either side, per direction, whose patches overlap this one
+  int neighbours = 0;  ///< the tile and those near it, lexicographic
+
+  /// Tiles on either side along one axis; none where the box has no such axis.
+  KOKKOS_INLINE_FUNCTION int near_along(int axis) const { return axis < dimensions ? near : 0; }
+  KOKKOS_INLINE_FUNCTION int nodes_along(int axis) const { return axis < dimensions ? nodes : 1; }
+
+  /// First slot along an axis that a tile `offset` tiles away shares, and one past the last.
+  KOKKOS_INLINE_FUNCTION int overlap_begin(int offset) const {
+    return offset > 0 ? offset * tile_cells : 0;
+  }
+  KOKKOS_INLINE_FUNCTION int overlap_end(int offset) const {
+    return offset < 0 ? nodes + offset * tile_cells : nodes;
+  }
+};
+
+/// Nodes per direction of the largest patch: kernels keep one row of nodes on their stack.
+inline constexpr int most_patch_nodes = 64;
+
+/// The patch for particles that reach so many nodes beyond the cells of their tile.
+///
+/// @throws std::logic_error if a row of its nodes is longer than most_patch_nodes
+Patch make_patch(int dimensions, int reach);
+
+/// visit(number of the neighbour, its offset in tiles along x, y, z), lexicographic.
+template <class Visitor>
+KOKKOS_INLINE_FUNCTION void for_each_neighbour(const Patch& patch, Visitor&& visit) {
+  int k = 0;
+  for (int z = -patch.near_along(2); z <= patch.near_along(2); ++z)
+    for (int y = -patch.near_along(1); y <= patch.near_along(1); ++y)
+      for (int x = -patch.near; x <= patch.near; ++x) visit(k++, x, y, z);
+}
+
+}  // namespace barreno
