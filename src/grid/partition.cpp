@@ -15,6 +15,11 @@ struct Block {
 struct Tiles {
   const int (&along)[3];
   const std::vector<double>& weights;
+
+  std::size_t place(const int (&at)[3]) const {
+    const int place = (at[2] * along[1] + at[1]) * along[0] + at[0];
+    return static_cast<std::size_t>(place);
+  }
 };
 
 /// visit(place of the tile, its index along the axis).
@@ -24,10 +29,7 @@ void for_each_tile(const Tiles& tiles, const Block& block, int axis, Visitor&& v
   for (at[2] = block.lower[2]; at[2] < block.upper[2]; ++at[2])
     for (at[1] = block.lower[1]; at[1] < block.upper[1]; ++at[1])
       for (at[0] = block.lower[0]; at[0] < block.upper[0]; ++at[0])
-        visit(
-            static_cast<std::size_t>((at[2] * tiles.along[1] + at[1]) * tiles.along[0] + at[0]),
-            at[axis]
-        );
+        visit(tiles.place(at), at[axis]);
 }
 
 /// Weight of each slice of a block across an axis.
