@@ -30,6 +30,15 @@ struct Sample<LinearElastic> {
   }
 };
 
+template <>
+struct Sample<NeoHookean> {
+  static constexpr double density = 1000.0, elastic = 1e-3, plastic = 2e-2, pressure = 0.5e6;
+  static NeoHookean::Parameters parameters() { return {2e6, 0.4e6}; }
+  static std::vector<std::pair<NeoHookean::Parameters, std::string>> contradictions() {
+    return {{{0.2e6, 0.4e6}, "Bulk Modulus"}};
+  }
+};
+
 /// Copper, as in materials/cards/copper.xml.
 template <>
 struct Sample<JohnsonCook> {
