@@ -160,6 +160,26 @@ Section jet_section() {
       {}};
 }
 
+Section body_force_section() {
+  constexpr Dimension acceleration{1, -2, 0, 0};
+  return {
+      "Body Force",
+      "a force per mass on every particle",
+      Presence::optional,
+      {word(
+           "Kind",
+           {"gravity", "axis-aligned displacement", "generalized vortex", "expanding ring"},
+           "gravity; or a manufactured motion of one Neo-Hookean body, whose exact displacement is "
+           "known, to measure the error of the code: axis-aligned displacement of the unit box, "
+           "generalized vortex and expanding ring of a hollow disk"
+       ),
+       vector("Acceleration", acceleration, any(), "of gravity").if_given(),
+       number("Amplitude", dim::length, any(), "of a displacement").if_given(),
+       number("Angle", dim::none, any(), "amplitude of the vortex, radians").if_given()},
+      {},
+      {}};
+}
+
 Section step_section() {
   return {
       "Step",
@@ -185,6 +205,13 @@ Section step_section() {
        )
            .by_default("10"),
        number("PIC Fraction", dim::none, between(0.0, 1.0), "0: FLIP, 1: PIC").by_default("0"),
+       number(
+           "Damping",
+           dim::rate,
+           at_least(0.0),
+           "force against every velocity, per momentum: lets a load settle to its static answer"
+       )
+           .by_default("0"),
        number(
            "Linear Viscosity",
            dim::none,
@@ -254,6 +281,7 @@ Section build_schema() {
        loads_section(),
        confinement_section(),
        jet_section(),
+       body_force_section(),
        step_section(),
        time,
        output_section()},

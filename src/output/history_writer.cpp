@@ -22,7 +22,8 @@ HistoryWriter::HistoryWriter(const Comm& comm, const std::filesystem::path& path
   std::string header =
       "time,step,dt,particles,mass,momentum,kinetic,elastic,plastic,viscous,boundary_work,launched_"
       "kinetic,"
-      "stress_integration,transfer,removed_kinetic,energy_error,mass_error,momentum_error";
+      "body_work,damped,stress_integration,transfer,removed_kinetic,energy_error,mass_error,"
+      "momentum_error";
   for (const char* cause : removal_names) header += std::string(",removed_") + cause;
   header += ",held,retried";
   RootWork work(comm);
@@ -54,6 +55,8 @@ void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals&
       l.viscous,
       l.boundary_work,
       l.launched_kinetic,
+      l.body_work,
+      l.damped,
       l.stress_integration,
       l.transfer,
       total_removed(l).kinetic,

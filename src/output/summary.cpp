@@ -96,6 +96,8 @@ void put_balances(JsonWriter& json, const Ledger& l) {
   json.number("launched", l.launched_momentum);
   json.number("condition_impulse", l.condition_impulse);
   json.number("load_impulse", l.load_impulse);
+  json.number("body_impulse", l.body_impulse);
+  json.number("damping_impulse", l.damping_impulse);
   json.number("removed", total_removed(l).momentum);
   put_balance(json, momentum_balance(l));
   json.end_object();
@@ -110,6 +112,8 @@ void put_balances(JsonWriter& json, const Ledger& l) {
   json.number("initial_kinetic", l.initial_kinetic);
   json.number("launched_kinetic", l.launched_kinetic);
   json.number("boundary_work", l.boundary_work);
+  json.number("body_work", l.body_work);
+  json.number("damped", l.damped);
   json.number("prestress", l.prestress);
   put_balance(json, energy_balance(l));
   json.end_object();

@@ -84,6 +84,7 @@ StepSpec read_step(const Deck& deck) {
   step.largest_strain = deck.number("Step/Largest Strain");
   step.largest_expansion = deck.number("Step/Largest Expansion");
   step.pic_fraction = deck.number("Step/PIC Fraction");
+  step.damping = deck.number("Step/Damping");
   step.linear_viscosity = deck.number("Step/Linear Viscosity");
   step.quadratic_viscosity = deck.number("Step/Quadratic Viscosity");
   step.initial_step = deck.number("Step/Initial Step");
@@ -149,6 +150,7 @@ Scene build_scene(const Deck& deck) {
   add_loads(deck, scene);
   add_confinement(deck, scene);
   add_jet(deck, scene);
+  add_body_force(deck, scene);
   scene.step = read_step(deck);
   scene.output = read_output(deck);
   if (scene.bodies.empty() && !scene.jet.present) {

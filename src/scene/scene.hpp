@@ -84,6 +84,19 @@ struct PressureLoadSpec {
   Table pressure;               ///< [stress]
 };
 
+/// Force per mass on every particle: gravity, or what a manufactured motion needs (body_force.hpp).
+enum class BodyForceKind { none, gravity, axis_aligned, vortex, ring };
+struct BodyForceSpec {
+  BodyForceKind kind = BodyForceKind::none;
+  Vector acceleration{};   ///< gravity only [acceleration]
+  double amplitude = 0.0;  ///< A of a manufactured motion [length]; of the vortex [-]
+  int dimensions = 2;
+  bool axisymmetric = false;
+  double density = 0.0, young = 0.0, lambda = 0.0, shear = 0.0;  ///< of its material
+  Vector centre{};                                               ///< of its disk [length]
+  double inner_radius = 0.0, outer_radius = 0.0;                 ///< [length]
+};
+
 struct JetSlug {
   double time = 0.0;                  ///< its centre crosses the launch plane [time]
   double velocity = 0.0;              ///< [length/time]
@@ -111,6 +124,7 @@ struct StepSpec {
   double largest_strain = 0.5;  ///< per step: |D| dt stays below, the step is retried smaller [-]
   double largest_expansion = 10.0;   ///< V / V_ref beyond which the particle policy acts [-]
   double pic_fraction = 0.0;         ///< 0 = FLIP, 1 = PIC
+  double damping = 0.0;              ///< f_I -= damping p_I [1/time]
   double linear_viscosity = 0.3;     ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
   double quadratic_viscosity = 2.0;  ///< A2
   double initial_step = 0.0;         ///< 0: the stable step [time]
@@ -134,6 +148,7 @@ struct Scene {
   std::vector<ConditionSpec> conditions;
   std::vector<PressureLoadSpec> loads;
   JetSpec jet;
+  BodyForceSpec body_force;
   StepSpec step;
   double end_time = 0.0;  ///< [time]
   OutputSpec output;

@@ -16,6 +16,7 @@ void add_conditions(const Deck& deck, Scene& scene);
 void add_loads(const Deck& deck, Scene& scene);
 void add_confinement(const Deck& deck, Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
+void add_body_force(const Deck& deck, Scene& scene);
 
 /// A vector with one entry per dimension of the mode.
 Vector vector_at(const Deck& deck, const std::string& path, Mode mode);

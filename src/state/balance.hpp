@@ -23,12 +23,13 @@ struct Balance {
 /// mass + removed - initial - launched, relative to initial + launched.
 Balance mass_balance(const Ledger& ledger);
 
-/// Axial momentum + removed - initial - launched - impulses of conditions and loads, relative to
-/// sqrt(2 m E) of what moved at the start and of the jet, plus the magnitudes of the impulses.
+/// Axial momentum + removed - initial - launched - impulses of conditions, loads, body force and
+/// damping, relative to sqrt(2 m E) of what moved at the start and of the jet, plus the magnitudes
+/// of the impulses.
 Balance momentum_balance(const Ledger& ledger);
 
 /// The remainder of the identity at `Ledger`, relative to initial_kinetic + launched + prestress +
-/// |boundary_work|.
+/// |boundary_work| + |body_work|.
 Balance energy_balance(const Ledger& ledger);
 
 /// Mass, axial momentum and kinetic energy of the jet's first `slugs` slugs as the table gives

@@ -5,6 +5,7 @@
 #include "base/region.hpp"
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
+#include "scene/body_force.hpp"
 #include "shape/visit_kernels.hpp"
 
 #include <algorithm>
@@ -136,6 +137,9 @@ int add_particle(
   for (const int diagonal : {0, 3, 4})
     if (diagonal < particles.deformation_gradient.components)
       particles.deformation_gradient(p, diagonal) = 1.0;
+  const double reference[2] = {made.x, made.y};
+  for (int c = 0; c < particles.reference_position.components; ++c)
+    particles.reference_position(p, c) = reference[c];
   if (particles.loaded_faces.components > 0)
     particles.loaded_faces(p) = loaded_faces(scene, static_cast<int>(body), made.loaded_sides);
 
@@ -190,6 +194,8 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       if (owner_of(state.grid, {made.x, made.y, 0.0}) != comm->getRank()) return;
       double velocity[2] = {};
       velocity_at(scene.grid.mode, body, made.x, made.y, velocity);
+      const Vector prescribed = prescribed_start_velocity(scene.body_force, {made.x, made.y, 0.0});
+      for (std::size_t d = 0; d < 2; ++d) velocity[d] += prescribed[d];
       add_particle(
           scene, particles, made, static_cast<unsigned>(b), body.initial_pressure, velocity
       );

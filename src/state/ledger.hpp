@@ -19,9 +19,9 @@ struct RemovalTally {
 /// Mass, axial momentum and energy of the run, each term measured where it arises and none found by
 /// difference. Sums over this rank since t = 0 unless said otherwise; the writers add the ranks.
 ///
-///   kinetic + elastic + plastic + viscous + removed
-///     = initial_kinetic + launched + prestress + boundary_work + transfer + stress_integration +
-///     remainder
+///   kinetic + elastic + plastic + viscous + damped + removed
+///     = initial_kinetic + launched + prestress + boundary_work + body_work + transfer +
+///     stress_integration + remainder
 ///
 /// `elastic` keeps what later removed particles had stored; `removed` is their kinetic energy.
 struct Ledger {
@@ -33,12 +33,16 @@ struct Ledger {
   double plastic = 0.0;        ///< dissipated work of the materials
   double viscous = 0.0;        ///< work of the artificial viscosity
   double boundary_work = 0.0;  ///< of loads and of moving conditions on the material
+  double body_work = 0.0;      ///< of the body force
+  double damped = 0.0;         ///< work done against the damping of the step
   double stress_integration =
       0.0;  ///< work of internal nodal forces plus trapezoidal stress work of the particles
   double transfer =
       0.0;  ///< kinetic energy gained between particles and grid (contact included: < 0)
   double condition_impulse = 0.0;  ///< axial impulse of the conditions on the material
   double load_impulse = 0.0;       ///< axial impulse of the loads
+  double body_impulse = 0.0;       ///< axial impulse of the body force
+  double damping_impulse = 0.0;    ///< axial impulse of the damping
   std::array<RemovalTally, removal_causes> removed{};
   double held = 0.0;           ///< particles that became stress-free debris
   double unloaded = 0.0;       ///< particles whose loaded faces were torn off

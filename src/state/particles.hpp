@@ -49,7 +49,8 @@ struct Particles {
   Field half_size;             ///< half edge lengths of the undeformed particle [length]
   Field viscous_pressure;      ///< q_p, artificial viscosity, positive in compression [stress]
   Field longitudinal_modulus;  ///< K + 4G/3 of the last update [stress]
-  Field history;       ///< the model's internal variables, in the order of its history_table()
+  Field history;  ///< the model's internal variables, in the order of its history_table()
+  Field reference_position;  ///< X_p, only where a manufactured body force asks for it [length]
   Field loaded_faces;  ///< bits of pressure loads on own faces; no components if there are none
 
   /// Scratch of the step, not state: what the grid says to the particle.
@@ -77,6 +78,7 @@ struct Particles {
     f(viscous_pressure);
     f(longitudinal_modulus);
     f(history);
+    f(reference_position);
     f(loaded_faces);
   }
   template <class F>

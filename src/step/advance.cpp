@@ -9,6 +9,7 @@
 #include "step/launch_jet.hpp"
 #include "step/move_particles.hpp"
 #include "step/place_particles.hpp"
+#include "step/project_body_force.hpp"
 #include "step/project_loads.hpp"
 #include "step/project_particles.hpp"
 #include "step/release_torn_faces.hpp"
@@ -93,7 +94,7 @@ StressTally update_particles(
 void tally_step(
     const Scene& scene,
     const GridTally& grid,
-    double load_work,
+    double applied_work,
     const ParticleTally& moved,
     const StressTally& stress,
     State& state
@@ -103,6 +104,8 @@ void tally_step(
   ledger.momentum = moved.momentum;
   ledger.kinetic = moved.kinetic_after;
   ledger.boundary_work += grid.condition_work;
+  ledger.damped += grid.damped;
+  ledger.damping_impulse += grid.damping_impulse;
   ledger.condition_impulse +=
       grid.condition_impulse + scene.step.pic_fraction * grid.filter_impulse;
   ledger.transfer +=
@@ -110,7 +113,7 @@ void tally_step(
   ledger.elastic += stress.elastic;
   ledger.plastic += stress.plastic;
   ledger.viscous += stress.viscous;
-  ledger.stress_integration += grid.force_work - load_work + stress.stress_work;
+  ledger.stress_integration += grid.force_work + grid.damped - applied_work + stress.stress_work;
 }
 
 /// The verdict of all ranks; only scenes in which a failure stops the run pay for it.
@@ -147,18 +150,22 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   project_sets(scene, state);        // m, p, f                           (2.1-2.3)
   release_torn_faces(scene, state);  // debris has none
   project_loads(scene, state);       // pressure on faces                 (2.4)
+  project_body_force(scene, state);  // force per mass
   exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
   const GridTally motion =
       find_motion(scene, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)
 
-  const double load_work = tally_loads(scene, dt, state);  // before F and x move on
+  const double applied_work =
+      tally_loads(scene, dt, state) + tally_body_force(scene, dt, state);  // before F and x move on
 
   StepResult result;
   result.interrupt = placement.interrupt;
   ParticleTally moved;
   const StressTally stress =
-      update_particles(scene, dt, state, moved, result);       // x, v, F, sigma (2.7-2.9)
-  tally_step(scene, motion, load_work, moved, stress, state);  // energy and momentum, term by term
+      update_particles(scene, dt, state, moved, result);  // x, v, F, sigma (2.7-2.9)
+  tally_step(
+      scene, motion, applied_work, moved, stress, state
+  );  // energy and momentum, term by term
   agree_on_failure(scene, state, result);
 
   stable = stress.stable_step;

@@ -8,7 +8,7 @@
 namespace barreno {
 namespace {
 
-constexpr int tally_components = 6;
+constexpr int tally_components = 8;
 
 /// A condition on the nodes beyond one index of an axis: components that it sets, and to what.
 struct NodeCondition {
@@ -58,7 +58,7 @@ struct SolveVelocity {
   ArrayView<int> neighbours;
   ArrayView<unsigned char> counts;
   ArrayView<double> sums, motion, tally;
-  double dt;
+  double dt, damping;
 
   /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
   /// lexicographic order of the tiles.
@@ -127,7 +127,8 @@ struct SolveVelocity {
       double* const out = moved + x * motion_components;
       const double mass = node[0];
       const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
-      const double force[2] = {node[3], node[4]};
+      const double drag[2] = {damping * node[1], damping * node[2]};
+      const double force[2] = {node[3] - drag[0], node[4] - drag[1]};
       double before[2] = {node[1] * inverse, node[2] * inverse};
       double after[2] = {before[0] + dt * force[0] * inverse, before[1] + dt * force[1] * inverse};
       double own[tally_components] = {};
@@ -142,6 +143,8 @@ struct SolveVelocity {
       own[0] = 0.5 * mass * (before[0] * before[0] + before[1] * before[1]);
       own[1] = 0.5 * mass * (after[0] * after[0] + after[1] * after[1]);
       own[2] = 0.5 * dt * (force[0] * (before[0] + after[0]) + force[1] * (before[1] + after[1]));
+      own[6] = 0.5 * dt * (drag[0] * (before[0] + after[0]) + drag[1] * (before[1] + after[1]));
+      own[7] = -dt * drag[1];
       for (int i = 0; i < tally_components; ++i) part[i] += own[i];
     }
   }
@@ -173,13 +176,14 @@ GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes&
           nodes.sums,
           nodes.motion,
           nodes.tally,
-          dt}
+          dt,
+          scene.step.damping}
   );
   double sum[tally_components] = {};
   for (int t = 0; t < grid.active; ++t)
     for (int i = 0; i < tally_components; ++i)
       sum[i] += nodes.tally(static_cast<std::size_t>(t * tally_components + i));
-  return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]};
+  return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5], sum[6], sum[7]};
 }
 
 }  // namespace barreno

@@ -14,12 +14,15 @@ struct GridTally {
   double condition_impulse = 0.0;  ///< axial, of the conditions on the material
   double filter_impulse =
       0.0;  ///< axial, what the conditions changed in v^n (reaches particles by PIC only)
+  double damped = 0.0;           ///< work done against the damping, part of force_work
+  double damping_impulse = 0.0;  ///< axial, of the damping
 };
 
 /// Add the overlapping parts of neighbouring patches and solve for the velocity of every node, in
 /// one pass over the tiles. docs/method.md (2.5)
 ///
-///   v_I = p_I / m_I,   v_I' = v_I + dt f_I / m_I,   conditions replace components of both
+///   v_I = p_I / m_I,   v_I' = v_I + dt (f_I - damping p_I) / m_I,   conditions replace components
+///   of both
 ///
 /// Every tile does this for its whole patch, in one order of the parts, so that copies of a node
 /// agree to the last bit and no second exchange is needed.

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/project_body_force.hpp"
+
+#include "base/region.hpp"
+#include "scene/body_force.hpp"
+#include "shape/kinematics.hpp"
+#include "shape/support_batch.hpp"
+#include "shape/visit_kernels.hpp"
+
+namespace barreno {
+namespace {
+
+/// m b of one particle.
+Vector force_on(const Scene& scene, const Clock& clock, const Particles& particles, int p) {
+  Vector reference{};
+  for (int c = 0; c < particles.reference_position.components; ++c)
+    reference[static_cast<std::size_t>(c)] = particles.reference_position(p, c);
+  const bool half_step = clock.step == 0 && is_manufactured(scene.body_force);
+  Vector force = body_force(scene.body_force, reference, clock.time);
+  for (double& component : force) component *= (half_step ? 0.5 : 1.0) * particles.mass(p);
+  return force;
+}
+
+}  // namespace
+
+void project_body_force(const Scene& scene, State& state) {
+  if (scene.body_force.kind == BodyForceKind::none) return;
+  const Region region("project_body_force");
+  visit_kernels(scene, [&](auto mode, auto shape) {
+    using M = decltype(mode);
+    using S = decltype(shape);
+    const PatchFrame<M::dimensions> frame(state.grid);
+    const auto batch = [&](const Particles& particles, int tile, const BatchRows& rows) {
+      SupportBatch<typename S::template Support<M>> supports;
+      find_supports<M, S>(
+          frame, tile, rows, particles.position.values, particles.half_size.values, supports
+      );
+      double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
+      for (int k = 0; k < rows.count; ++k) {
+        const Vector force = force_on(scene, state.clock, particles, rows.row[k]);
+        supports.get(k).for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
+          patch[slot * sum_components + 3] += s * force[0];
+          patch[slot * sum_components + 4] += s * force[1];
+        });
+      }
+    };
+    for (const Particles& particles : state.particles)
+      for (int tile = 0; tile < state.grid.active; ++tile) {
+        const int end = particles.tile_begin(tile + 1);
+        for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
+          batch(particles, tile, BatchRows(particles.order, k, end));
+      }
+  });
+}
+
+double tally_body_force(const Scene& scene, double dt, State& state) {
+  if (scene.body_force.kind == BodyForceKind::none) return 0.0;
+  const Region region("tally_body_force");
+  double work = 0.0;
+  for (const Particles& particles : state.particles)
+    for (int k = 0; k < particles.count; ++k) {
+      const int p = particles.order(k);
+      const Vector force = force_on(scene, state.clock, particles, p);
+      // Mean velocity of the step: v after it less half of its increment.
+      for (int d = 0; d < 2; ++d)
+        work += dt * force[static_cast<std::size_t>(d)] *
+                (particles.grid_motion(p, d) - 0.5 * particles.grid_motion(p, d + 2));
+      state.ledger.body_impulse += dt * force[1];
+    }
+  state.ledger.body_work += work;
+  return work;
+}
+
+}  // namespace barreno
