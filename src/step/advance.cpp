@@ -7,6 +7,7 @@
 #include "step/balance_load.hpp"
 #include "step/interpolate_motion.hpp"
 #include "step/launch_jet.hpp"
+#include "step/mirror_walls.hpp"
 #include "step/move_particles.hpp"
 #include "step/place_particles.hpp"
 #include "step/project_body_force.hpp"
@@ -39,10 +40,11 @@ void project_sets(const Scene& scene, State& state) {
 
 /// Grid velocity and what it does to the particles, with a smaller step if a strain increment is
 /// too large.
-GridTally find_motion(const Scene& scene, State& state, double& dt) {
+GridTally find_motion(const Scene& scene, const MirroredSums& mirrored, State& state, double& dt) {
   GridTally tally;
   for (int retry = 0;; ++retry) {
     tally = solve_velocity(scene, state.grid, dt, state.nodes);
+    unfold_walls(scene, state.grid, mirrored, dt, state.nodes, tally);
     std::vector<double> strain{0.0};
     const Stopwatch watch;
     for (Particles& particles : state.particles)
@@ -151,9 +153,10 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   release_torn_faces(scene, state);  // debris has none
   project_loads(scene, state);       // pressure on faces                 (2.4)
   project_body_force(scene, state);  // force per mass
+  const MirroredSums mirrored = fold_walls(scene, grid, nodes);  // symmetry planes
   exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
   const GridTally motion =
-      find_motion(scene, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)
+      find_motion(scene, mirrored, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)
 
   const double applied_work =
       tally_loads(scene, dt, state) + tally_body_force(scene, dt, state);  // before F and x move on

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/mirror_walls.hpp"
+
+#include "base/region.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+/// The last component of a node's sums is free: there a node beyond a plane across y keeps its
+/// mass.
+constexpr int kept_mass = sum_components - 1;
+
+struct Plane {
+  int axis = 0;
+  int node = 0;
+  bool lower = true;
+  bool is_beyond(int index) const { return lower ? index < node : index > node; }
+};
+
+std::vector<Plane> planes_of(const Scene& scene, const Grid& grid) {
+  std::vector<Plane> planes;
+  for (const ConditionSpec& condition : scene.conditions) {
+    if (condition.kind != ConditionKind::symmetry) continue;
+    const int face = static_cast<int>(condition.face);
+    const bool lower = face % 2 == 0;
+    planes.push_back({face / 2, lower ? 0 : grid.cells[face / 2], lower});
+  }
+  return planes;
+}
+
+/// visit(slot beyond the plane, slot of its image) of a tile's patch.
+template <class Visitor>
+void for_each_image(const Grid& grid, const Plane& plane, int tile, Visitor&& visit) {
+  const Patch& patch = grid.patch;
+  const int first = grid.tile_place(tile)[plane.axis] * patch.tile_cells - patch.reach;
+  if (!plane.is_beyond(plane.lower ? first : first + patch.nodes - 1)) return;
+  int stride = 1;
+  for (int axis = 0; axis < plane.axis; ++axis) stride *= patch.nodes;
+  for (int slot = 0; slot < patch.size; ++slot) {
+    const int i = slot / stride % patch.nodes;
+    const int image = 2 * (plane.node - first) - i;
+    if (plane.is_beyond(first + i) && image >= 0 && image < patch.nodes)
+      visit(slot, slot + (image - i) * stride);
+  }
+}
+
+}  // namespace
+
+MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
+  const Region region("fold_walls");
+  MirroredSums mirrored;
+  for (const Plane& plane : planes_of(scene, grid))
+    for (int tile = 0; tile < grid.active; ++tile)
+      for_each_image(grid, plane, tile, [&](int beyond, int inside) {
+        double* const patch = &nodes.sums(first_sum(grid.patch, tile));
+        double* const from = patch + beyond * sum_components;
+        double* const to = patch + inside * sum_components;
+        if (plane.axis == 1) {
+          mirrored.momentum += from[2];
+          mirrored.force += from[4];
+          from[kept_mass] = from[0];
+        }
+        to[0] += std::exchange(from[0], 0.0);
+        for (int d = 0; d < 2; ++d) {
+          const double sign = d == plane.axis ? -1.0 : 1.0;
+          to[1 + d] += sign * std::exchange(from[1 + d], 0.0);
+          to[3 + d] += sign * std::exchange(from[3 + d], 0.0);
+        }
+      });
+  return mirrored;
+}
+
+void unfold_walls(
+    const Scene& scene,
+    const Grid& grid,
+    const MirroredSums& mirrored,
+    double dt,
+    Nodes& nodes,
+    GridTally& tally
+) {
+  const Region region("unfold_walls");
+  // With M p_I' for p_I' the grid holds -2 p_y more than the particles gave; what they take back
+  // from nodes beyond is -2 m v_y more than these would give unmirrored.
+  tally.condition_impulse -= 2.0 * dt * mirrored.force;
+  tally.filter_impulse -= 2.0 * mirrored.momentum;
+  for (const Plane& plane : planes_of(scene, grid))
+    for (int tile = 0; tile < grid.active; ++tile)
+      for_each_image(grid, plane, tile, [&](int beyond, int inside) {
+        double* const patch = &nodes.motion(first_motion(grid.patch, tile));
+        double* const to = patch + beyond * motion_components;
+        const double* const from = patch + inside * motion_components;
+        for (int d = 0; d < 2; ++d) {
+          const double sign = d == plane.axis ? -1.0 : 1.0;
+          to[d] = sign * from[d];
+          to[2 + d] = sign * from[2 + d];
+        }
+        if (plane.axis == 0) return;
+        const double* const sums = &nodes.sums(first_sum(grid.patch, tile));
+        const double mass = sums[beyond * sum_components + kept_mass];
+        tally.condition_impulse -= 2.0 * mass * from[3];
+        tally.filter_impulse -= 2.0 * mass * (from[1] - from[3]);
+      });
+}
+
+}  // namespace barreno

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "step/solve_velocity.hpp"
+
+namespace barreno {
+
+/// What particles gave to nodes beyond symmetry planes, along y, this rank's tiles.
+struct MirroredSums {
+  double momentum = 0.0, force = 0.0;
+};
+
+/// A symmetry plane is a mirror: particles whose support reaches beyond it meet their own images.
+/// docs/method.md (2.5)
+///
+///   m_I += m_I',   p_I += M p_I',   f_I += M f_I',   then m_I' = p_I' = f_I' = 0
+///
+/// for every node I' beyond the plane and its image I; M turns the component across the plane
+/// round. (Nodes beyond it that are only held still take mass from the body: an error of the first
+/// order in the cell size.)
+///
+/// A tile does this with its own part of the sums, before they are exchanged: whatever it gives
+/// beyond a plane, the images are in its own patch.
+MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes);
+
+/// v_I' = M v_I beyond the planes, and what the mirror gives to the axial momentum of the
+/// particles.
+/// @pre nodes.motion holds the velocities of this step (solve_velocity)
+void unfold_walls(
+    const Scene& scene,
+    const Grid& grid,
+    const MirroredSums& mirrored,
+    double dt,
+    Nodes& nodes,
+    GridTally& tally
+);
+
+}  // namespace barreno
