@@ -58,7 +58,8 @@ class Run:
 
         with Dataset(self.folder / "particles.e") as data:
             names = [str(name) for name in chartostring(data.variables["name_elem_var"][:])]
-            blocks = range(1, len(data.dimensions["num_el_blk"]) + 1)
+            # A material without particles has a block without elements.
+            blocks = [b for b in range(1, len(data.dimensions["num_el_blk"]) + 1) if f"num_el_in_blk{b}" in data.dimensions]
             out = {"time": float(data.variables["time_whole"][step])}
             for i, name in enumerate(names, 1):
                 parts = []
