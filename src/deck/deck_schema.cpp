@@ -60,6 +60,8 @@ Section bodies_section() {
            .if_given(),
        integer("Particles Per Cell", between(1, 16), "per direction").by_default("2"),
        vector("Velocity", dim::velocity, any(), "initial velocity; zero without it").if_given(),
+       number("Spin", dim::rate, any(), "about the body's middle, added to Velocity; plane strain")
+           .if_given(),
        vector(
            "Velocity Wave Number",
            wave_number,

@@ -54,6 +54,7 @@ struct BodySpec {
   double initial_pressure = 0.0;  ///< the body starts in equilibrium under this pressure [stress]
   /// Initial velocity v = amplitude * sin(wave_number . x): the standing wave of the bar tests.
   Vector velocity_wave_number{};  ///< all zero: uniform velocity [1/length]
+  double spin = 0.0;              ///< about the body's own middle, plane strain only [1/time]
   /// Of a hollow ball's inner surface, outward; the field keeps every volume [length/time].
   double radial_velocity = 0.0;
 };

@@ -86,6 +86,17 @@ void read_radial_velocity(const Deck& deck, const std::string& path, BodySpec& b
   body.radial_velocity = deck.number(entry);
 }
 
+/// A ring that spins about the axis would need a velocity out of the plane.
+void read_spin(const Deck& deck, const std::string& path, Mode mode, BodySpec& body) {
+  const std::string entry = path + "/Spin";
+  if (!deck.has(entry)) return;
+  if (mode == Mode::axisymmetric)
+    deck.refuse_value(
+        entry, "has no meaning in axisymmetry (nothing moves around the axis); remove it"
+    );
+  body.spin = deck.number(entry);
+}
+
 BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& grid) {
   const std::string path = "Bodies/" + name;
   BodySpec body;
@@ -102,6 +113,7 @@ BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& gr
     body.velocity_wave_number = vector_at(deck, path + "/Velocity Wave Number", grid.mode);
   }
   read_radial_velocity(deck, path, body);
+  read_spin(deck, path, grid.mode, body);
   if (!inside(body.shape, grid)) {
     deck.refuse(
         path,

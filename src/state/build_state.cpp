@@ -48,12 +48,24 @@ void add_radial_velocity(
   velocity[1] += speed * dy / r;
 }
 
+/// Middle of a body's undeformed shape.
+Vector middle_of(const Shape& shape) {
+  if (const auto* ball = std::get_if<Ball>(&shape)) return ball->centre;
+  const auto& box = std::get<Box>(shape);
+  return {0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1]), 0.0};
+}
+
 void velocity_at(Mode mode, const BodySpec& body, double x, double y, double (&velocity)[2]) {
   const Vector& k = body.velocity_wave_number;
   const bool wave = k[0] != 0.0 || k[1] != 0.0;
   const double shape = wave ? std::sin(k[0] * x + k[1] * y) : 1.0;
   velocity[0] = body.velocity[0] * shape;
   velocity[1] = body.velocity[1] * shape;
+  if (body.spin != 0.0) {
+    const Vector middle = middle_of(body.shape);
+    velocity[0] -= body.spin * (y - middle[1]);
+    velocity[1] += body.spin * (x - middle[0]);
+  }
   if (body.radial_velocity != 0.0) add_radial_velocity(mode, body, x, y, velocity);
 }
 
