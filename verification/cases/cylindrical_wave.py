@@ -33,7 +33,6 @@ def measure(barreno, shape, cells):
     squares = [[], [], []]
     for step in range(1, run.instants()):
         now = run.particles(step)
-        # Velocities of the code belong to the middle of the last step, half a step before its end.
         t = now["time"] / MILLI
         u, v, stress = cylindrical(r, t)
         away = np.abs(r - 1.0 - t) > FRONT

@@ -22,12 +22,16 @@ Ledger closed_ledger() {
   l.launched_momentum = -8.0;
   l.condition_impulse = 3.0;
   l.load_impulse = -0.5;
+  l.body_impulse = 0.75;
+  l.damping_impulse = -0.25;
   l.removed[2].momentum = -1.5;
-  l.momentum = -3.0;
+  l.momentum = -2.5;
   l.initial_kinetic = 16.0;
   l.launched_kinetic = 32.0;
   l.prestress = 8.0;
   l.boundary_work = -4.0;
+  l.body_work = 3.0;
+  l.damped = 3.0;
   l.transfer = -2.0;
   l.stress_integration = 1.0;
   l.removed[0].kinetic = 5.0;
@@ -51,10 +55,10 @@ TEST(Balance, IsRelativeToWhatCameIn) {
   l.momentum += 1.0;
   l.kinetic += 0.6;
   EXPECT_NEAR(mass_balance(l).error(), 0.1, 1e-15);
-  EXPECT_NEAR(energy_balance(l).error(), 0.6 / 60.0, 1e-15);
+  EXPECT_NEAR(energy_balance(l).error(), 0.6 / 63.0, 1e-15);
   EXPECT_NEAR(
       momentum_balance(l).error(),
-      1.0 / (std::sqrt(2.0 * 4.0 * 16.0) + std::sqrt(2.0 * 2.0 * 32.0) + 3.5),
+      1.0 / (std::sqrt(2.0 * 4.0 * 16.0) + std::sqrt(2.0 * 2.0 * 32.0) + 4.5),
       1e-15
   );
 }
