@@ -50,12 +50,14 @@ Balance mass_balance(const Ledger& l) {
 Balance momentum_balance(const Ledger& l) {
   const double put_in = l.initial_momentum + l.launched_momentum + l.condition_impulse +
                         l.load_impulse + l.body_impulse + l.damping_impulse;
-  // Net momenta may cancel (a standing wave): the roots are what the same kinetic energy carries
-  // one way.
+  // Net momenta may cancel (a standing wave, a load across y): the roots are what the same energy
+  // carries one way.
+  const double work = std::abs(l.boundary_work) + std::abs(l.body_work);
   const double scale = std::sqrt(2.0 * l.initial_mass * l.initial_kinetic) +
                        std::sqrt(2.0 * l.launched_mass * l.launched_kinetic) +
-                       std::abs(l.condition_impulse) + std::abs(l.load_impulse) +
-                       std::abs(l.body_impulse) + std::abs(l.damping_impulse);
+                       std::sqrt(2.0 * l.initial_mass * work) + std::abs(l.condition_impulse) +
+                       std::abs(l.load_impulse) + std::abs(l.body_impulse) +
+                       std::abs(l.damping_impulse);
   return {l.momentum + total_removed(l).momentum - put_in, scale};
 }
 

@@ -24,8 +24,8 @@ struct Balance {
 Balance mass_balance(const Ledger& ledger);
 
 /// Axial momentum + removed - initial - launched - impulses of conditions, loads, body force and
-/// damping, relative to sqrt(2 m E) of what moved at the start and of the jet, plus the magnitudes
-/// of the impulses.
+/// damping, relative to sqrt(2 m E) of what moved at the start, of the jet and of the work of loads
+/// and body force, plus the magnitudes of the impulses.
 Balance momentum_balance(const Ledger& ledger);
 
 /// The remainder of the identity at `Ledger`, relative to initial_kinetic + launched + prestress +

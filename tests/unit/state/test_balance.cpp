@@ -58,7 +58,8 @@ TEST(Balance, IsRelativeToWhatCameIn) {
   EXPECT_NEAR(energy_balance(l).error(), 0.6 / 63.0, 1e-15);
   EXPECT_NEAR(
       momentum_balance(l).error(),
-      1.0 / (std::sqrt(2.0 * 4.0 * 16.0) + std::sqrt(2.0 * 2.0 * 32.0) + 4.5),
+      1.0 / (std::sqrt(2.0 * 4.0 * 16.0) + std::sqrt(2.0 * 2.0 * 32.0) +
+             std::sqrt(2.0 * 4.0 * 7.0) + 4.5),
       1e-15
   );
 }
