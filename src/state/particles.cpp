@@ -45,7 +45,10 @@ Particles make_particles(const Scene& scene, int material) {
   p.longitudinal_modulus = {"longitudinal_modulus", dim::stress, 1, {}};
   p.history = {"history", dim::none, history_components(m.model), {}};
   p.reference_position = {
-      "reference_position", dim::length, is_manufactured(scene.body_force) ? 2 : 0, {}};
+      "reference_position",
+      dim::length,
+      is_manufactured(scene.body_force) ? dimensions(scene.grid.mode) : 0,
+      {}};
   p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material) ? 1 : 0, {}};
   p.grid_motion = {"grid_motion", dim::velocity, 4, {}};
   p.increment = {"increment", dim::none, 5, {}};

@@ -71,10 +71,10 @@ Scene impact(bool mirrored) {
       {0.16, mirrored ? 0.20 : 0.40, 0.0},
       testing::elastic(70e6, 0.3, 2700.0)
   );
-  // Off the cells, wider than a tile, and so close that its support reaches beyond the plane.
-  add_box(scene, "lower", {0.012, 0.11, 0.0}, {0.123, 0.197, 0.0}, 2).velocity = {3.0, 20.0, 0.0};
+  // Off the cells, wider than a tile, and so close that pressed particles reach beyond the plane.
+  add_box(scene, "lower", {0.012, 0.11, 0.0}, {0.123, 0.1999, 0.0}, 2).velocity = {3.0, 20.0, 0.0};
   if (!mirrored)
-    add_box(scene, "upper", {0.012, 0.203, 0.0}, {0.123, 0.29, 0.0}, 2).velocity = {
+    add_box(scene, "upper", {0.012, 0.2001, 0.0}, {0.123, 0.29, 0.0}, 2).velocity = {
         3.0, -20.0, 0.0};
   else
     add_symmetry(scene, Face::y_upper);
