@@ -21,6 +21,30 @@ Vector force_on(const Scene& scene, const Clock& clock, const Particles& particl
   return force;
 }
 
+/// Forces on the rows of a batch, all in one tile, onto its patch.
+template <class M, class S>
+void project_batch(
+    const PatchFrame<M::dimensions>& frame,
+    const Scene& scene,
+    const Particles& particles,
+    int tile,
+    const BatchRows& rows,
+    State& state
+) {
+  SupportBatch<typename S::template Support<M>> supports;
+  find_supports<M, S>(
+      frame, tile, rows, particles.position.values, particles.half_size.values, supports
+  );
+  double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
+  for (int k = 0; k < rows.count; ++k) {
+    const Vector force = force_on(scene, state.clock, particles, rows.row[k]);
+    supports.get(k).for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
+      patch[slot * sum_components + 3] += s * force[0];
+      patch[slot * sum_components + 4] += s * force[1];
+    });
+  }
+}
+
 }  // namespace
 
 void project_body_force(const Scene& scene, State& state) {
@@ -30,25 +54,13 @@ void project_body_force(const Scene& scene, State& state) {
     using M = decltype(mode);
     using S = decltype(shape);
     const PatchFrame<M::dimensions> frame(state.grid);
-    const auto batch = [&](const Particles& particles, int tile, const BatchRows& rows) {
-      SupportBatch<typename S::template Support<M>> supports;
-      find_supports<M, S>(
-          frame, tile, rows, particles.position.values, particles.half_size.values, supports
-      );
-      double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
-      for (int k = 0; k < rows.count; ++k) {
-        const Vector force = force_on(scene, state.clock, particles, rows.row[k]);
-        supports.get(k).for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
-          patch[slot * sum_components + 3] += s * force[0];
-          patch[slot * sum_components + 4] += s * force[1];
-        });
-      }
-    };
     for (const Particles& particles : state.particles)
       for (int tile = 0; tile < state.grid.active; ++tile) {
         const int end = particles.tile_begin(tile + 1);
         for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
-          batch(particles, tile, BatchRows(particles.order, k, end));
+          project_batch<M, S>(
+              frame, scene, particles, tile, BatchRows(particles.order, k, end), state
+          );
       }
   });
 }

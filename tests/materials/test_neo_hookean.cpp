@@ -33,7 +33,7 @@ TEST(SymmetricFunctions, RootAndExponentialAgreeWithTheirMeaning) {
 }
 
 TEST(NeoHookean, PrincipalStretchesAreExactInOneStep) {
-  const NeoHookean model = sample_model<NeoHookean>();
+  const auto model = sample_model<NeoHookean>();
   const double mu = model.parameters().shear_modulus;
   const double stretch[3] = {1.9, 0.6, 1.2};
   Point<NeoHookean> point(model);
@@ -56,7 +56,7 @@ TEST(NeoHookean, PrincipalStretchesAreExactInOneStep) {
 /// increments as the code finds them. Error of the stress over its largest component.
 double error_of_shear(int n) {
   const double end = 4.0;
-  const NeoHookean model = sample_model<NeoHookean>();
+  const auto model = sample_model<NeoHookean>();
   Point<NeoHookean> point(model);
   // Polar rotation of a plane F: direction of (Fxx + Fyy, Fyx - Fxy).
   const auto angle = [](double k) { return std::atan2(-k, 2.0); };
