@@ -3,6 +3,10 @@
 /// change a point that failed.
 ///
 ///     fuzz_c_interface CALLS SEED CARD...
+///
+/// A card is a name or a path, or CARD+WORD+WORD with the words of general_words.hpp.
+#include "general_words.hpp"
+
 #include <barreno_material.h>
 #include <cmath>
 #include <cstdio>
@@ -92,7 +96,11 @@ Call random_call(Engine& engine, const barreno_material* m) {
   c.tangent.assign(36 * n, std::nan(""));
   c.work.assign(2 * n, std::nan(""));
   c.status.assign(n, -7);
-  for (double& v : c.strain) v = spread(engine, 1e-9, 0.3);
+  for (std::size_t p = 0; p < n; ++p) {
+    // Large in one of them is large: the sizes of whole increments are spread, not of components.
+    const double size = std::fabs(spread(engine, 1e-9, 0.3));
+    for (std::size_t i = 6 * p; i < 6 * p + 6; ++i) c.strain[i] = spread(engine, 1e-3 * size, size);
+  }
   for (double& v : c.stress) v = chance(engine, 0.3) ? 0.0 : spread(engine, 1.0, 1e10);
   for (std::size_t p = 0; p < n; ++p) {
     if (chance(engine, 0.5)) continue;  // virgin
@@ -194,6 +202,54 @@ std::string one_call(Engine& engine, const barreno_material* m, Tally& tally) {
   return failed < 0 ? "a good call was refused" : problem(c, failed, want);
 }
 
+barreno_material* open(const std::string& asked) {
+  if (asked.find('+') == std::string::npos) return barreno_material_open(asked.c_str());
+  const std::string file = barreno::test::card_with_words(asked);
+  if (file.empty()) {
+    std::fprintf(stderr, "%s: no such card, or no such word (general_words.hpp)\n", asked.c_str());
+    return nullptr;
+  }
+  barreno_material* m = barreno_material_open(file.c_str());
+  std::filesystem::remove(file);
+  return m;
+}
+
+/// So many calls on one card; how many went wrong.
+int fuzz_card(const std::string& card, long calls, std::uint64_t seed) {
+  barreno_material* m = open(card);
+  if (m == nullptr) {
+    std::fprintf(stderr, "%s\n", barreno_last_error());
+    return 1;
+  }
+  Engine engine(seed);
+  Tally tally;
+  int problems = 0;
+  constexpr int most_problems = 20;
+  for (long call = 0; call < calls && problems < most_problems; ++call) {
+    const std::string wrong = one_call(engine, m, tally);
+    if (wrong.empty()) continue;
+    std::printf("%s, call %ld: %s\n", card.c_str(), call, wrong.c_str());
+    ++problems;
+  }
+  std::printf(
+      "%s (%s): %ld calls, %ld points, %ld failed, %ld calls refused\n",
+      card.c_str(),
+      barreno_material_model(m),
+      calls,
+      tally.points,
+      tally.failed,
+      tally.refused
+  );
+  std::fflush(stdout);
+  // Calls that all fail, or all succeed, would show little.
+  if (tally.failed * 50 < tally.points || tally.failed * 10 > tally.points * 9) {
+    std::printf("the share of failures is no good for a test\n");
+    ++problems;
+  }
+  barreno_material_close(m);
+  return problems;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -201,36 +257,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "fuzz_c_interface CALLS SEED CARD...\n");
     return 1;
   }
-  const long calls = std::atol(argv[1]);
   int problems = 0;
-  for (int i = 3; i < argc; ++i) {
-    barreno_material* m = barreno_material_open(argv[i]);
-    if (m == nullptr) {
-      std::fprintf(stderr, "%s\n", barreno_last_error());
-      return 1;
-    }
-    Engine engine(static_cast<std::uint64_t>(std::atol(argv[2])));
-    Tally tally;
-    for (long call = 0; call < calls; ++call) {
-      const std::string wrong = one_call(engine, m, tally);
-      if (wrong.empty()) continue;
-      std::printf("%s, call %ld: %s\n", argv[i], call, wrong.c_str());
-      if (++problems > 20) return 1;
-    }
-    std::printf(
-        "%s: %ld calls, %ld points, %ld failed, %ld calls refused\n",
-        barreno_material_model(m),
-        calls,
-        tally.points,
-        tally.failed,
-        tally.refused
-    );
-    // Calls that all fail, or all succeed, would show little.
-    if (tally.failed * 50 < tally.points || tally.failed * 10 > tally.points * 9) {
-      std::printf("the share of failures is no good for a test\n");
-      ++problems;
-    }
-    barreno_material_close(m);
-  }
+  for (int i = 3; i < argc; ++i)
+    problems +=
+        fuzz_card(argv[i], std::atol(argv[1]), static_cast<std::uint64_t>(std::atol(argv[2])));
   return problems == 0 ? 0 : 1;
 }
