@@ -4,10 +4,13 @@
 #include "host_material.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 namespace {
 
 constexpr double half = 0.5;
+constexpr int tensor_size = 6;
 
 /// NTENS = 6: solids; 4: plane strain and axisymmetry (11 22 33 12).
 void check_components(int ndi, int nshr, int ntens) {
@@ -20,12 +23,69 @@ void check_components(int ndi, int nshr, int ntens) {
   );
 }
 
+/// Overstress among the state variables (6 from its first on), or null where a card has none.
+double* overstress_of(const barreno_material* material, double* state) {
+  const int count = barreno_material_state_count(material);
+  for (int i = 0; i + tensor_size <= count; ++i) {
+    if (std::strcmp(barreno_material_state_name(material, i), "overstress_xx") == 0)
+      return state + i;
+  }
+  return nullptr;
+}
+
+/// Stops the job unless R R^T = I, to the digits that a host's rotation has.
+void check_rotation(const barreno_material* material, const double* r) {
+  constexpr double round_off = 1e-6;
+  double worst = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      double product = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < 3; ++k) product += r[i + 3 * k] * r[j + 3 * k];
+      worst = std::fabs(product) <= worst ? worst : std::fabs(product);
+    }
+  }
+  if (worst <= round_off) return;
+  barreno::hosts::stop(
+      std::string(barreno_material_file(material)) +
+      ": the host's DROT is not a rotation, but the overstress of T1_rate_dependence has to turn "
+      "with it; hand over the rotation of the increment (the unit matrix for small strains), or "
+      "set T1_rate_dependence to 0."
+  );
+}
+
+/// o <- R o R^T. R is stored by columns, o as xx yy zz xy yz zx.
+void rotate(const double* r, double* o) {
+  constexpr int row[tensor_size] = {0, 1, 2, 0, 1, 2}, column[tensor_size] = {0, 1, 2, 1, 2, 0};
+  constexpr int at[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+  double turned[tensor_size];
+  for (int c = 0; c < tensor_size; ++c) {
+    turned[c] = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      for (int l = 0; l < 3; ++l)
+        turned[c] += r[row[c] + 3 * k] * o[at[k][l]] * r[column[c] + 3 * l];
+    }
+  }
+  std::copy(turned, turned + tensor_size, o);
+}
+
+/// A point that failed asks for a quarter of the step; one that no step cures stops the job.
+void ask_for_less(
+    const barreno_material* material, const double* stress, const double* state, double* pnewdt
+) {
+  const std::string sentence = barreno_last_error();
+  if (barreno_material_longitudinal_modulus(material, stress, state) == 0.0)
+    barreno::hosts::stop(sentence);
+  constexpr double retry = 0.25;
+  *pnewdt = retry;
+}
+
 }  // namespace
 
 extern "C" {
 
 /// The list of arguments of Abaqus/Standard. Stress, state and DDSDDE are updated; a point that
-/// fails keeps its stress and state, and asks for a quarter of the step by PNEWDT.
+/// fails keeps its stress and state, and asks for a quarter of the step by PNEWDT. STRESS comes
+/// rotated to the end of the increment; the overstress, a tensor too, is turned here by DROT.
 void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     double* stress,
     double* statev,
@@ -53,7 +113,7 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     const double* props,
     const int* nprops,
     const double* /*coords*/,
-    const double* /*drot*/,
+    const double* drot,
     double* pnewdt,
     const double* /*celent*/,
     const double* /*dfgrd0*/,
@@ -74,6 +134,13 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     strain[i] = (i < 3 ? 1.0 : half) * dstran[i];
     old_stress[i] = stress[i];
   }
+  double* overstress = overstress_of(material, statev);
+  double unturned[tensor_size] = {};
+  if (overstress != nullptr && drot != nullptr) {
+    check_rotation(material, drot);
+    std::copy(overstress, overstress + tensor_size, unturned);
+    rotate(drot, overstress);
+  }
   barreno_batch batch{};
   batch.count = 1;
   batch.want = BARRENO_CONSISTENT;
@@ -86,8 +153,9 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
   batch.tangent = tangent;
   batch.work = work;
   if (barreno_material_update(material, &batch) != 0) {
-    constexpr double retry = 0.25;
-    *pnewdt = retry;
+    ask_for_less(material, old_stress, statev, pnewdt);
+    if (overstress != nullptr && drot != nullptr)
+      std::copy(unturned, unturned + tensor_size, overstress);
   }
   std::copy(new_stress, new_stress + n, stress);
   // DDSDDE is stored by columns: (i, j) is d stress_i / d strain_j.

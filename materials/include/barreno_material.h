@@ -6,11 +6,13 @@
  *
  * Conventions. SI units. Symmetric tensors 11 22 33 12 13 23, tensor shears (half of engineering ones), tension
  * positive. Stress is Cauchy and corotational: the host takes rotation out of strain increments and stresses.
- * Strain increments are logarithmic; small-strain codes give theirs. State variables are scalars and need no rotation.
+ * Strain increments are logarithmic; small-strain codes give theirs. State variables are scalars, or components in the same
+ * unrotated axes (overstress_xx to zx of Arenisca).
  *
  * State. Variable 0 is `initialized`: a point whose state is all zero is virgin, and the library fills in the rest
  * (confined, if the host gives it an initial pressure). Old and new are separate arrays, so that a step may be tried
- * again; they may also be the same array.
+ * again; they may also be the same array. Rock whose card has fluid_pressure_initial needs an initial stress: a point
+ * that starts without is refused.
  *
  * A point that fails keeps its old stress and state; its tangent is the elastic one. Nothing that is returned is NaN
  * or infinite: an old value that was comes back as 0, with BARRENO_BAD_INPUT.

@@ -74,7 +74,25 @@ const char* reason(Status status) {
       break;
   }
   return "has a step or a state that cannot be (not finite, too large, or a volume ratio, "
-         "`initialized` or initial pressure out of range); look at what the host gave";
+         "`initialized` or initial stress out of range); look at what the host gave";
+}
+
+/// The same where the start of the point tells more.
+template <class Model>
+std::string reason(const Model& model, Status status, const double* stress, const double* state) {
+  if (status != Status::bad_input || !lacks_initial_stress(model, stress, state))
+    return reason(status);
+  char text[400];
+  std::snprintf(
+      text,
+      sizeof text,
+      "starts without stress, but the card's fluid_pressure_initial = %.6g Pa stands in its pores "
+      "(the rock would be torn); give the initial stress of rock and fluid together, -%.6g Pa in "
+      "each direction where the rock carries nothing, or set fluid_pressure_initial to 0",
+      virgin_pressure(model, 0),
+      virgin_pressure(model, 0)
+  );
+  return text;
 }
 
 /// Advances a batch of one model; how many points failed.
@@ -96,8 +114,10 @@ int step_points(const Model& model, const std::string& file, const barreno_batch
     const Status status = step_point(model, b.time_increment, b.want, arrays);
     if (b.status != nullptr) b.status[i] = static_cast<int>(status);
     if (status == Status::ok) continue;
-    if (failed++ == 0)
-      set_error(file + ": point " + std::to_string(i) + " of the batch " + reason(status) + ".");
+    if (failed++ > 0) continue;
+    // Arrays that are old and new at once hold the old values of a point that failed.
+    const std::string why = reason(model, status, arrays.stress_old, arrays.state_old);
+    set_error(file + ": point " + std::to_string(i) + " of the batch " + why + ".");
   }
   return failed;
 }

@@ -45,12 +45,34 @@ constexpr int state_count() {
   return first_of_history + Model::history_count;
 }
 
+/// Pressure under which virgin rock stands by the fluid in its pores; 0 for all other models.
+template <class Model>
+auto virgin_pressure(const Model& model, int /*preferred*/) -> decltype(model.virgin_pressure()) {
+  return model.virgin_pressure();
+}
+template <class Model>
+double virgin_pressure(const Model& /*model*/, long /*otherwise*/) {
+  return 0.0;
+}
+
+// A host that carries states from mesh to mesh may bring 0 and 1 with round-off.
+constexpr double near = 1e-6;
+
+/// True of a point that its host starts without pressure, though the pores hold one: unstressed as
+/// a whole, its rock would be under tension from the first step on.
+template <class Model>
+bool lacks_initial_stress(const Model& model, const double* stress, const double* state) {
+  const bool without = stress[0] + stress[1] + stress[2] >= 0.0;
+  return without && std::fabs(state[initialized]) < near && virgin_pressure(model, 0) > 0.0;
+}
+
 /// A point that the host has not touched yet: in equilibrium under its pressure, if it has one.
+/// @return false if it cannot be so
 template <class Model>
 bool begin_virgin(const Model& model, HostPoint<Model>& point) {
   point.history = model.initial_history();
   const double pressure = -trace(point.stress) / 3.0;
-  if (!(pressure > 0.0)) return true;
+  if (!(pressure > 0.0)) return virgin_pressure(model, 0) == 0.0;
   const auto confined = model.initial_state(pressure);
   point.history = confined.history;
   point.ratio = confined.volume_ratio;
@@ -64,8 +86,6 @@ bool read_point(
 ) {
   if (!all_finite(stress, 6) || !all_finite(state, state_count<Model>())) return false;
   point.stress = read_tensor(stress);
-  // A host that carries states from mesh to mesh may bring 1 with round-off.
-  constexpr double near = 1e-6;
   if (std::fabs(state[initialized]) < near) return begin_virgin(model, point);
   point.ratio = state[volume_ratio];
   if (Model::history_count > 0)

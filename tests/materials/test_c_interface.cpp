@@ -143,15 +143,17 @@ TEST(CInterface, RefusesCardsInOneSentence) {
 
 /// Random steps through the interface and through the model itself.
 template <class Model>
-void compare(const barreno_material* m, const Model& model) {
+void compare(const barreno_material* m, const Model& model, double pressure = 0.0) {
   // 11 22 33 12 13 23 against xx yy zz xy yz zx.
   constexpr int place[6] = {0, 1, 2, 3, 5, 4};
   std::mt19937 engine(1);
   std::normal_distribution<double> normal(0.0, 1e-3);
   Arrays a(1, m);
-  Sym3 stress{};
-  auto history = model.initial_history();
-  double ratio = 1.0;
+  const auto start = model.initial_state(pressure);
+  Sym3 stress = start.stress;
+  auto history = start.history;
+  double ratio = start.volume_ratio;
+  for (std::size_t i = 0; i < 3; ++i) a.stress_old[i] = -pressure;
   constexpr double dt = 1e-6;
   for (int step = 0; step < 30; ++step) {
     Increment increment{};
@@ -217,7 +219,8 @@ TEST(CInterface, DoesWhatTheGeneralFormDoes) {
     }
     const Material material = read_card(file);
     ASSERT_TRUE(std::holds_alternative<GeneralArenisca>(material.model));
-    compare(card.m, std::get<GeneralArenisca>(material.model));
+    const auto& model = std::get<GeneralArenisca>(material.model);
+    compare(card.m, model, model.virgin_pressure());
   }
 }
 
@@ -254,6 +257,29 @@ TEST(CInterface, VirginPointsUnderPressureAreInEquilibrium) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.stress_new[i], -pressure, 1e-9 * pressure);
     EXPECT_EQ(a.work[1], 0.0);
   }
+}
+
+/// Pores under pressure and no stress at all: said, not computed.
+TEST(CInterface, PoresUnderPressureNeedAnInitialStress) {
+  const Opened card(berea_card_with(everything_general, "general_unstressed"));
+  ASSERT_NE(card.m, nullptr) << error();
+  Arrays a(1, card.m);
+  const barreno_batch batch = a.batch(BARRENO_CONSISTENT, 1e-6);
+  EXPECT_EQ(barreno_material_update(card.m, &batch), 1);
+  EXPECT_EQ(a.status[0], BARRENO_BAD_INPUT);
+  EXPECT_NE(
+      error().find("starts without stress, but the card's fluid_pressure_initial = 1.5e+07"),
+      std::string::npos
+  ) << error();
+  EXPECT_EQ(a.stress_new[0], 0.0);
+  EXPECT_GT(a.tangent[0], 0.0);
+  const auto modulus = [&] {
+    return barreno_material_longitudinal_modulus(card.m, a.stress_old.data(), a.state_old.data());
+  };
+  EXPECT_EQ(modulus(), 0.0) << "a state that cannot be";
+  for (std::size_t i = 0; i < 3; ++i) a.stress_old[i] = -15e6;
+  EXPECT_EQ(barreno_material_update(card.m, &batch), 0) << error();
+  EXPECT_GT(modulus(), 0.0);
 }
 
 TEST(CInterface, FailedPointsKeepWhatTheyHad) {

@@ -52,6 +52,8 @@ struct GeneralArenisca {
 
   History initial_history() const;
   InitialStateOf<Sym3, History> initial_state(double pressure) const;
+  /// Pressure of rock and fluid where the rock itself carries nothing: -p_i I is the virgin stress.
+  double virgin_pressure() const { return rock_.fluid.initial_pressure; }
 
   /// Advances a point by a strain increment; as Arenisca::update().
   BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& h) const {
