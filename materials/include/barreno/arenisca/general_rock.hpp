@@ -36,14 +36,16 @@ struct GeneralRock {
 struct PointRock {
   const GeneralRock& rock;
   YieldSurface surface;
-  double mu;  ///< mass of fluid over its initial mass
-  double p3;  ///< -ln(1 - porosity), as the returns ask for it
+  double mu;       ///< mass of fluid over its initial mass
+  double p3;       ///< -ln(1 - porosity), as the returns ask for it
+  double filling;  ///< e at which the fluid just fills the pores
 
   BARRENO_FUNCTION PointRock(const GeneralRock& r, double coherence, double fluid_mass_ratio)
       : rock(r),
         surface(make_yield_surface(coherence * r.PEAKI1, r.FSLOPE, r.STREN, r.YSLOPE, r.CR)),
         mu(fluid_mass_ratio),
-        p3(r.crush.p3) {}
+        p3(r.crush.p3),
+        filling(r.fluid.present() ? r.fluid.filling_strain(fluid_mass_ratio) : 0.0) {}
 
   /// The meridian at a Lode angle of which Gamma is this.
   BARRENO_FUNCTION YieldSurface scaled_surface(double gamma) const {
@@ -66,13 +68,13 @@ struct PointRock {
     return has_cap(e) ? surface.cap_at(strength(e)) : Cap{};
   }
   BARRENO_FUNCTION FluidState at_centre(double e) const {
-    return fluid_at(rock.fluid, rock.elasticity, e, mu);
+    return fluid_at(rock.fluid, rock.elasticity, e, mu, filling);
   }
   /// I1 at the elastic centre [stress].
   BARRENO_FUNCTION double zeta(double e) const {
     if (rock.published.present()) return rock.published.zeta(e);
     if (!rock.fluid.present()) return 0.0;
-    return e > rock.fluid.filling_strain(mu) ? 0.0 : -3.0 * rock.fluid.centre_pressure(e, mu);
+    return e > filling ? 0.0 : -3.0 * rock.fluid.centre_pressure(e, mu);
   }
   BARRENO_FUNCTION Moduli moduli(double x, double e) const {
     if (rock.published.present()) return rock.published.moduli(rock.elasticity, x, e);
@@ -82,8 +84,7 @@ struct PointRock {
   BARRENO_FUNCTION double porosity(double e) const {
     if (p3 == 0.0) return 0.0;
     if (!rock.fluid.present()) return larger(0.0, -std::expm1(-p3 - e));
-    const double pressure =
-        e > rock.fluid.filling_strain(mu) ? 0.0 : rock.fluid.centre_pressure(e, mu);
+    const double pressure = e > filling ? 0.0 : rock.fluid.centre_pressure(e, mu);
     return rock.fluid.porosity_at(e, mu, pressure);
   }
   BARRENO_FUNCTION double pore_pressure(double x, double e) const {

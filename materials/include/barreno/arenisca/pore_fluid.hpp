@@ -36,7 +36,8 @@ struct PoreFluid {
   /// any start.
   BARRENO_FUNCTION double centre_pressure(double e, double mu) const {
     constexpr int most_iterations = 60;
-    constexpr double round_off = 4e-16;
+    // The next step would be below step^2/(2 Kf): beyond round-off.
+    constexpr double last_but_one = 1e-9;
     const double solid = 1.0 - porosity, fluid = mu * porosity;
     if (fluid <= 0.0) return larger(0.0, initial_pressure - matrix * (e - std::log(solid)));
     double q = -e / (solid / matrix + fluid / bulk);
@@ -46,7 +47,7 @@ struct PoreFluid {
       const double a = solid * std::exp(-q / matrix), b = fluid * std::exp(-q / bulk);
       const double step = (std::log(a + b) - e) * (a + b) / (a / matrix + b / bulk);
       q += step;
-      if (std::fabs(step) <= round_off * (std::fabs(q) + bulk)) break;
+      if (std::fabs(step) <= last_but_one * bulk) break;
     }
     return larger(0.0, initial_pressure + q);
   }
@@ -109,7 +110,8 @@ BARRENO_FUNCTION double closing_stress(
   const double soft = elasticity.moduli_at(0.0, e).bulk;
   // Softest rock throughout closes it first.
   double above = -3.0 * gap / (1.0 / soft - 1.0 / fluid.matrix);
-  constexpr double farthest = 1e4;  // in matrix moduli
+  if (Elasticity::dilated(e)) return above;  // of constant modulus
+  constexpr double farthest = 1e4;           // in matrix moduli
   double f_above = closure(above);
   if (f_above <= 0.0) return above;
   double below = 2.0 * above, f_below = closure(below);
@@ -122,9 +124,11 @@ BARRENO_FUNCTION double closing_stress(
 }
 
 /// State of the fluid at the elastic centre e.
-BARRENO_FUNCTION FluidState
-fluid_at(const PoreFluid& fluid, const Elasticity& elasticity, double e, double mu) {
-  const double gap = -std::expm1(fluid.filling_strain(mu) - e);
+/// @param filling  filling_strain(mu)
+BARRENO_FUNCTION FluidState fluid_at(
+    const PoreFluid& fluid, const Elasticity& elasticity, double e, double mu, double filling
+) {
+  const double gap = -std::expm1(filling - e);
   if (gap > 0.0) {
     return {0.0, fluid.porosity_at(e, mu, 0.0), closing_stress(fluid, elasticity, e, gap), true};
   }
