@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -23,14 +24,23 @@ void check_components(int ndi, int nshr, int ntens) {
   );
 }
 
-/// Overstress among the state variables (6 from its first on), or null where a card has none.
-double* overstress_of(const barreno_material* material, double* state) {
-  const int count = barreno_material_state_count(material);
-  for (int i = 0; i + tensor_size <= count; ++i) {
-    if (std::strcmp(barreno_material_state_name(material, i), "overstress_xx") == 0)
-      return state + i;
+/// State variables that are the first of a tensor's six, NAME_xx to NAME_zx, and must turn.
+std::vector<int> tensors_of(const barreno_material* material) {
+  std::vector<int> first;
+  for (int i = 0; i < barreno_material_state_count(material); ++i) {
+    const std::string name = barreno_material_state_name(material, i);
+    if (name.size() > 3 && name.compare(name.size() - 3, 3, "_xx") == 0) first.push_back(i);
   }
-  return nullptr;
+  return first;
+}
+
+/// The same, found once per material and thread.
+const std::vector<int>& known_tensors_of(const barreno_material* material) {
+  thread_local const barreno_material* last = nullptr;
+  thread_local std::vector<int> first;
+  if (material != last) first = tensors_of(material);
+  last = material;
+  return first;
 }
 
 /// Stops the job unless R R^T = I, to the digits that a host's rotation has.
@@ -47,13 +57,14 @@ void check_rotation(const barreno_material* material, const double* r) {
   if (worst <= round_off) return;
   barreno::hosts::stop(
       std::string(barreno_material_file(material)) +
-      ": the host's DROT is not a rotation, but the overstress of T1_rate_dependence has to turn "
-      "with it; hand over the rotation of the increment (the unit matrix for small strains), or "
-      "set T1_rate_dependence to 0."
+      ": the host's DROT is not a rotation, but the tensors among the state variables (" +
+      barreno_material_state_name(material, known_tensors_of(material).front()) +
+      " and the like) have to turn with it; hand over the rotation of the increment, which is the "
+      "unit matrix for small strains."
   );
 }
 
-/// o <- R o R^T. R is stored by columns, o as xx yy zz xy yz zx.
+/// o <- R o R^T. R is stored by columns, the tensor o as xx yy zz xy yz zx.
 void rotate(const double* r, double* o) {
   constexpr int row[tensor_size] = {0, 1, 2, 0, 1, 2}, column[tensor_size] = {0, 1, 2, 1, 2, 0};
   constexpr int at[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
@@ -85,7 +96,7 @@ extern "C" {
 
 /// The list of arguments of Abaqus/Standard. Stress, state and DDSDDE are updated; a point that
 /// fails keeps its stress and state, and asks for a quarter of the step by PNEWDT. STRESS comes
-/// rotated to the end of the increment; the overstress, a tensor too, is turned here by DROT.
+/// rotated to the end of the increment; tensors of the state are turned here by DROT.
 void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     double* stress,
     double* statev,
@@ -134,12 +145,13 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     strain[i] = (i < 3 ? 1.0 : half) * dstran[i];
     old_stress[i] = stress[i];
   }
-  double* overstress = overstress_of(material, statev);
-  double unturned[tensor_size] = {};
-  if (overstress != nullptr && drot != nullptr) {
+  const std::vector<int>& tensors = known_tensors_of(material);
+  const bool turns = drot != nullptr && !tensors.empty();
+  std::vector<double> unturned;
+  if (turns) {
     check_rotation(material, drot);
-    std::copy(overstress, overstress + tensor_size, unturned);
-    rotate(drot, overstress);
+    unturned.assign(statev, statev + *nstatv);
+    for (const int first : tensors) rotate(drot, statev + first);
   }
   barreno_batch batch{};
   batch.count = 1;
@@ -154,8 +166,7 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
   batch.work = work;
   if (barreno_material_update(material, &batch) != 0) {
     ask_for_less(material, old_stress, statev, pnewdt);
-    if (overstress != nullptr && drot != nullptr)
-      std::copy(unturned, unturned + tensor_size, overstress);
+    if (turns) std::copy(unturned.begin(), unturned.end(), statev);
   }
   std::copy(new_stress, new_stress + n, stress);
   // DDSDDE is stored by columns: (i, j) is d stress_i / d strain_j.

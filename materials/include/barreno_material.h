@@ -7,7 +7,7 @@
  * Conventions. SI units. Symmetric tensors 11 22 33 12 13 23, tensor shears (half of engineering ones), tension
  * positive. Stress is Cauchy and corotational: the host takes rotation out of strain increments and stresses.
  * Strain increments are logarithmic; small-strain codes give theirs. State variables are scalars, or components in the same
- * unrotated axes (overstress_xx to zx of Arenisca).
+ * unrotated axes (NAME_xx to NAME_zx).
  *
  * State. Variable 0 is `initialized`: a point whose state is all zero is virgin, and the library fills in the rest
  * (confined, if the host gives it an initial pressure). Old and new are separate arrays, so that a step may be tried
