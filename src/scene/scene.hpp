@@ -17,7 +17,7 @@ namespace barreno {
 
 using Vector = std::array<double, 3>;
 
-enum class Mode { axisymmetric, plane_strain };
+enum class Mode { axisymmetric, plane_strain, three_dimensional };
 
 struct GridSpec {
   Mode mode = Mode::axisymmetric;
@@ -155,9 +155,9 @@ struct Scene {
   OutputSpec output;
 };
 
-/// Axis names of a mode, for messages and files.
-inline int dimensions(Mode /*mode*/) {
-  return 2;
+/// Coordinates of a mode.
+inline int dimensions(Mode mode) {
+  return mode == Mode::three_dimensional ? 3 : 2;
 }
 
 }  // namespace barreno

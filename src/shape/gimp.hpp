@@ -109,32 +109,49 @@ struct Gimp {
         {y.g[0], y.g[1], y.g[2]}};
   }
 
-  template <class M>
-  KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
-    return product(
-        axis_weights<M::hoop>(place.x[0], place.half[0], place.axis, place.per_cell),
-        axis_weights<false>(place.x[1], place.half[1], 0.0, place.per_cell),
-        place.row
-    );
+  KOKKOS_INLINE_FUNCTION static TensorSupport<3, 3> product(
+      const Axis& x, const Axis& y, const Axis& z, int row
+  ) {
+    return {
+        (z.first * row + y.first) * row + x.first,
+        {x.s[0], x.s[1], x.s[2]},
+        {x.g[0], x.g[1], x.g[2]},
+        {y.s[0], y.s[1], y.s[2]},
+        {y.g[0], y.g[1], y.g[2]},
+        {z.s[0], z.s[1], z.s[2]},
+        {z.g[0], z.g[1], z.g[2]}};
   }
 
-  /// Average of N over one face of the particle (0: x_lower, 1: x_upper, 2: y_lower, 3: y_upper),
-  /// the weight of a pressure on it. sum_p V_p grad S_p of a body is then exactly the sum over its
+  /// Product of the weights that `along(axis)` gives.
+  template <class M, class Along>
+  KOKKOS_INLINE_FUNCTION static Support<M> product(int row, const Along& along) {
+    if constexpr (M::dimensions == 3)
+      return product(along(0), along(1), along(2), row);
+    else
+      return product(along(0), along(1), row);
+  }
+  template <class M>
+  KOKKOS_INLINE_FUNCTION static Axis weights_along(const ParticlePlace& place, int axis) {
+    if (M::hoop && axis == 0)
+      return axis_weights<true>(place.x[0], place.half[0], place.axis, place.per_cell);
+    return axis_weights<false>(place.x[axis], place.half[axis], 0.0, place.per_cell);
+  }
+
+  template <class M>
+  KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
+    return product<M>(place.row, [&](int axis) { return weights_along<M>(place, axis); });
+  }
+
+  /// Average of N over one face of the particle (0: x_lower, 1: x_upper, 2: y_lower and so on), the
+  /// weight of a pressure on it. sum_p V_p grad S_p of a body is then exactly the sum over its
   /// outer faces, and a body under uniform pressure is in exact equilibrium.
   template <class M>
   KOKKOS_INLINE_FUNCTION static Support<M> face_support(const ParticlePlace& place, int face) {
     const double side = face % 2 == 0 ? -1.0 : 1.0;
-    if (face < 2)
-      return product(
-          point_weights(place.x[0] + side * place.half[0]),
-          axis_weights<false>(place.x[1], place.half[1], 0.0, place.per_cell),
-          place.row
-      );
-    return product(
-        axis_weights<M::hoop>(place.x[0], place.half[0], place.axis, place.per_cell),
-        point_weights(place.x[1] + side * place.half[1]),
-        place.row
-    );
+    return product<M>(place.row, [&](int axis) {
+      return axis == face / 2 ? point_weights(place.x[axis] + side * place.half[axis])
+                              : weights_along<M>(place, axis);
+    });
   }
 
   /// Critical Courant number c dt / h of a free bar (docs/method.md), by the half size in cells:

@@ -4,6 +4,7 @@
 #include "base/rows.hpp"
 #include "base/types.hpp"
 #include "scene/scene.hpp"
+#include "shape/kinematics_3d.hpp"
 
 #include <barreno/tensor.hpp>
 #include <cmath>
@@ -11,37 +12,78 @@
 
 namespace barreno {
 
-/// Compile-time facts of a mode; the kernels are compiled once per mode.
-struct Axisymmetric {
-  static constexpr int dimensions = 2;
-  static constexpr bool hoop = true;
-  static constexpr int deformation_components = 5;
-};
-struct PlaneStrain {
-  static constexpr int dimensions = 2;
-  static constexpr bool hoop = false;
-  static constexpr int deformation_components = 4;
-};
-
-template <class F>
-decltype(auto) visit_mode(Mode mode, F&& f) {
-  if (mode == Mode::axisymmetric) return std::forward<F>(f)(Axisymmetric{});
-  return std::forward<F>(f)(PlaneStrain{});
-}
-
 /// Deformation gradient, or its increment, of a two-dimensional mode: in-plane part and hoop
 /// stretch.
 struct PlaneTensor {
   double xx = 1.0, xy = 0.0, yx = 0.0, yy = 1.0, zz = 1.0;
 };
+/// Rotation of a plane, stored as cosine and sine.
+struct PlaneRotation {
+  double c = 1.0, s = 0.0;
+};
+
+/// Compile-time facts of a mode; the kernels are compiled once per mode.
+struct Axisymmetric {
+  static constexpr int dimensions = 2;
+  static constexpr bool hoop = true;
+  static constexpr int deformation_components = 5;
+  using Tensor = PlaneTensor;
+};
+struct PlaneStrain {
+  static constexpr int dimensions = 2;
+  static constexpr bool hoop = false;
+  static constexpr int deformation_components = 4;
+  using Tensor = PlaneTensor;
+};
+struct ThreeDimensional {
+  static constexpr int dimensions = 3;
+  static constexpr bool hoop = false;
+  static constexpr int deformation_components = 9;
+  using Tensor = SpaceTensor;
+};
+
+template <class F>
+decltype(auto) visit_mode(Mode mode, F&& f) {
+  if (mode == Mode::axisymmetric) return std::forward<F>(f)(Axisymmetric{});
+  if (mode == Mode::plane_strain) return std::forward<F>(f)(PlaneStrain{});
+  return std::forward<F>(f)(ThreeDimensional{});
+}
+
+/// The tensor of a row of F or of dt L; `missing` is the hoop entry of plane strain, 1 and 0.
+template <class M>
+KOKKOS_INLINE_FUNCTION typename M::Tensor load_tensor(
+    const FieldView& v, int p, double missing = 1.0
+) {
+  if constexpr (M::dimensions == 3)
+    return {v(p, 0), v(p, 1), v(p, 2), v(p, 3), v(p, 4), v(p, 5), v(p, 6), v(p, 7), v(p, 8)};
+  else
+    return {v(p, 0), v(p, 1), v(p, 2), v(p, 3), M::hoop ? v(p, 4) : missing};
+}
+template <class M>
+KOKKOS_INLINE_FUNCTION void store_tensor(const typename M::Tensor& f, const FieldView& v, int p) {
+  v(p, 0) = f.xx;
+  v(p, 1) = f.xy;
+  if constexpr (M::dimensions == 3) {
+    v(p, 2) = f.xz;
+    v(p, 3) = f.yx;
+    v(p, 4) = f.yy;
+    v(p, 5) = f.yz;
+    v(p, 6) = f.zx;
+    v(p, 7) = f.zy;
+    v(p, 8) = f.zz;
+  } else {
+    v(p, 2) = f.yx;
+    v(p, 3) = f.yy;
+    if constexpr (M::hoop) v(p, 4) = f.zz;
+  }
+}
+
 KOKKOS_INLINE_FUNCTION double determinant(const PlaneTensor& f) {
   return (f.xx * f.yy - f.xy * f.yx) * f.zz;
 }
-template <class M>
-KOKKOS_INLINE_FUNCTION PlaneTensor load_plane_tensor(const FieldView& v, int p) {
-  PlaneTensor f{v(p, 0), v(p, 1), v(p, 2), v(p, 3), 1.0};
-  if constexpr (M::hoop) f.zz = v(p, 4);
-  return f;
+/// det(F) F^-T: takes an area vector N A to J F^-T N A (Nanson).
+KOKKOS_INLINE_FUNCTION PlaneTensor cofactors(const PlaneTensor& f) {
+  return {f.yy * f.zz, -f.yx * f.zz, -f.xy * f.zz, f.xx * f.zz, f.xx * f.yy - f.xy * f.yx};
 }
 
 /// Largest singular value of F: by how much the most stretched direction has grown.
@@ -53,11 +95,6 @@ KOKKOS_INLINE_FUNCTION double largest_stretch(const PlaneTensor& f) {
   return in_plane > f.zz ? in_plane : f.zz;
 }
 
-/// Rotation of a plane, stored as cosine and sine.
-struct PlaneRotation {
-  double c = 1.0, s = 0.0;
-};
-
 /// R of F = R U in two dimensions, exact: the direction of (Fxx + Fyy, Fyx - Fxy). A matrix without
 /// a direction (both zero) has no rotation.
 KOKKOS_INLINE_FUNCTION PlaneRotation direction(double c, double s) {
@@ -67,6 +104,17 @@ KOKKOS_INLINE_FUNCTION PlaneRotation direction(double c, double s) {
 }
 KOKKOS_INLINE_FUNCTION PlaneRotation polar_rotation(const PlaneTensor& f) {
   return direction(f.xx + f.yy, f.yx - f.xy);
+}
+
+/// R of a particle. The plane's follows from F; in three dimensions it is kept beside F.
+template <class M>
+KOKKOS_INLINE_FUNCTION auto load_rotation(
+    const FieldView& deformation, const FieldView& rotation, int p
+) {
+  if constexpr (M::dimensions == 3)
+    return SpaceRotation{rotation(p, 0), rotation(p, 1), rotation(p, 2), rotation(p, 3)};
+  else
+    return polar_rotation(load_tensor<M>(deformation, p));
 }
 
 /// Half-way between the polar rotations of two tensors, which are less than half a turn apart.

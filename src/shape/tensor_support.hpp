@@ -88,4 +88,90 @@ struct TensorSupport<2, N> {
   }
 };
 
+/// In three dimensions S = s_i s_j s_k, dS/dx = g_i s_j s_k and so on; there is no hoop direction.
+template <unsigned N>
+struct TensorSupport<3, N> {
+  static constexpr int n = N;
+  static constexpr unsigned values = 6 * N;
+
+  int first = 0;
+  double sx[N]{}, gx[N]{};
+  double sy[N]{}, gy[N]{};
+  double sz[N]{}, gz[N]{};
+
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void for_each_value(F&& f) {
+    for (int i = 0; i < n; ++i) {
+      f(sx[i]);
+      f(gx[i]);
+      f(sy[i]);
+      f(gy[i]);
+      f(sz[i]);
+      f(gz[i]);
+    }
+  }
+
+  template <class Visitor>
+  KOKKOS_INLINE_FUNCTION void for_each_node(const Patch& sizes, Visitor&& visit) const {
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+          const double gradient[3] = {
+              gx[i] * sy[j] * sz[k], sx[i] * gy[j] * sz[k], sx[i] * sy[j] * gz[k]};
+          visit(
+              first + (k * sizes.nodes + j) * sizes.nodes + i, sx[i] * sy[j] * sz[k], gradient, 0.0
+          );
+        }
+  }
+
+  template <bool Hoop, class Value>
+  KOKKOS_INLINE_FUNCTION void add_to(
+      Value* patch, const Patch& sizes, const Value& a, const Value (&b)[3], const Value& /*d*/
+  ) const {
+    static_assert(!Hoop, "only the axisymmetric mode has a hoop direction");
+    for (int k = 0; k < n; ++k) {
+      const Value in_plane = sz[k] * a + gz[k] * b[2];
+      const Value slope_y = sz[k] * b[1];
+      const Value slope_x = sz[k] * b[0];
+      Value* const plane = patch + first + k * sizes.nodes * sizes.nodes;
+      for (int j = 0; j < n; ++j) {
+        const Value in_row = sy[j] * in_plane + gy[j] * slope_y;
+        const Value slope = sy[j] * slope_x;
+        Value* const row = plane + j * sizes.nodes;
+        for (int i = 0; i < n; ++i) row[i] = row[i] + sx[i] * in_row + gx[i] * slope;
+      }
+    }
+  }
+
+  template <bool Hoop, class Value>
+  KOKKOS_INLINE_FUNCTION Interpolated<Value, 3> interpolate(const Value* patch, const Patch& sizes)
+      const {
+    static_assert(!Hoop, "only the axisymmetric mode has a hoop direction");
+    Interpolated<Value, 3> out;
+    for (int k = 0; k < n; ++k) {
+      Value mean{};  // of the plane, and its slopes along x and y
+      Value slope_x{};
+      Value slope_y{};
+      const Value* const plane = patch + first + k * sizes.nodes * sizes.nodes;
+      for (int j = 0; j < n; ++j) {
+        Value in_row{};
+        Value slope{};
+        const Value* const row = plane + j * sizes.nodes;
+        for (int i = 0; i < n; ++i) {
+          in_row += sx[i] * row[i];
+          slope += gx[i] * row[i];
+        }
+        mean += sy[j] * in_row;
+        slope_x += sy[j] * slope;
+        slope_y += gy[j] * in_row;
+      }
+      out.value += sz[k] * mean;
+      out.d[0] += sz[k] * slope_x;
+      out.d[1] += sz[k] * slope_y;
+      out.d[2] += gz[k] * mean;
+    }
+    return out;
+  }
+};
+
 }  // namespace barreno

@@ -10,18 +10,24 @@ namespace barreno {
 
 /// Nodal quantities in patch layout: value(tile, slot, component).
 ///
-/// One node is one cache line of sums: mass, momentum x y, force x y (three spare components, which
-/// the third dimension will fill), so that a projection is a vector operation per node.
+/// One node is one cache line of sums: mass, momentum and force (in two dimensions with three spare
+/// components), so that a projection is a vector operation per node.
 inline constexpr int sum_components = 8;
-/// Velocity x y after the step and its increment x y over the step.
-inline constexpr int motion_components = 4;
+KOKKOS_INLINE_FUNCTION constexpr int first_force(int dimensions) {
+  return 1 + dimensions;
+}
+/// Velocity after the step and its increment over the step; padded in three dimensions.
+KOKKOS_INLINE_FUNCTION constexpr int motion_components(int dimensions) {
+  return dimensions == 3 ? 8 : 4;
+}
 
 /// Where the values of a tile begin.
 KOKKOS_INLINE_FUNCTION std::size_t first_sum(const Patch& patch, int tile) {
   return static_cast<std::size_t>(tile) * static_cast<std::size_t>(patch.size * sum_components);
 }
 KOKKOS_INLINE_FUNCTION std::size_t first_motion(const Patch& patch, int tile) {
-  return static_cast<std::size_t>(tile) * static_cast<std::size_t>(patch.size * motion_components);
+  return static_cast<std::size_t>(tile) *
+         static_cast<std::size_t>(patch.size * motion_components(patch.dimensions));
 }
 
 struct Nodes {

@@ -30,17 +30,19 @@ bool has_loads(const Scene& scene, int material) {
 
 Particles make_particles(const Scene& scene, int material) {
   namespace dim = dimension;
+  const int d = dimensions(scene.grid.mode);
   const bool axisymmetric = scene.grid.mode == Mode::axisymmetric;
   const Material& m = scene.materials[static_cast<std::size_t>(material)].material;
   Particles p;
   p.material = material;
-  p.position = {"position", dim::length, 2, {}};
-  p.velocity = {"velocity", dim::velocity, 2, {}};
-  p.deformation_gradient = {"deformation_gradient", dim::none, axisymmetric ? 5 : 4, {}};
-  p.stress = {"stress", dim::stress, 4, {}};
+  p.position = {"position", dim::length, d, {}};
+  p.velocity = {"velocity", dim::velocity, d, {}};
+  p.deformation_gradient = {"deformation_gradient", dim::none, d * d + (axisymmetric ? 1 : 0), {}};
+  p.rotation = {"rotation", dim::none, d == 3 ? 4 : 0, {}};
+  p.stress = {"stress", dim::stress, tensor_components(d), {}};
   p.mass = {"mass", dim::mass, 1, {}};
   p.volume = {"volume", {3, 0, 0, 0}, 1, {}};
-  p.half_size = {"half_size", dim::length, 2, {}};
+  p.half_size = {"half_size", dim::length, d, {}};
   p.viscous_pressure = {"viscous_pressure", dim::stress, 1, {}};
   p.longitudinal_modulus = {"longitudinal_modulus", dim::stress, 1, {}};
   p.history = {"history", dim::none, history_components(m.model), {}};
@@ -50,8 +52,8 @@ Particles make_particles(const Scene& scene, int material) {
       is_manufactured(scene.body_force) ? dimensions(scene.grid.mode) : 0,
       {}};
   p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material) ? 1 : 0, {}};
-  p.grid_motion = {"grid_motion", dim::velocity, 4, {}};
-  p.increment = {"increment", dim::none, 5, {}};
+  p.grid_motion = {"grid_motion", dim::velocity, 2 * d, {}};
+  p.increment = {"increment", dim::none, d * d + (d == 2 ? 1 : 0), {}};
   reserve(p, 1);
   return p;
 }

@@ -8,14 +8,17 @@
 
 namespace barreno {
 
-/// Components of the two-dimensional modes. Hoop or out-of-plane parts are stored only where they
-/// move.
+/// Components; two-dimensional modes store hoop or out-of-plane parts only where they move.
 ///
-///   position, velocity, half_size   x y
-///   deformation_gradient            xx xy yx yy and, in axisymmetry, zz
-///   stress                          xx yy zz xy, unrotated: the space tensor is R stress R^T with
-///   F = R U
+///                                  two dimensions              three
+///   position, velocity, half_size  x y                         x y z
+///   deformation_gradient           xx xy yx yy and, in         xx xy xz yx yy yz zx zy zz
+///                                  axisymmetry, zz
+///   stress                         xx yy zz xy                 xx yy zz xy yz zx
+///   rotation                       none: follows from F        quaternion w x y z
 ///
+/// Stress is unrotated: the space tensor is R stress R^T with F = R U.
+
 /// Set in Particles::body of a particle that its policy holds as stress-free debris.
 inline constexpr unsigned char held_bit = 0x80;
 inline constexpr int most_bodies = held_bit - 1;
@@ -43,6 +46,7 @@ struct Particles {
   Field position;              ///< x_p [length]
   Field velocity;              ///< v_p [length/time]
   Field deformation_gradient;  ///< F_p, identity at the start (prestressed states included) [-]
+  Field rotation;              ///< R_p of F = R U, where the mode keeps it [-]
   Field stress;                ///< unrotated Cauchy stress [stress]
   Field mass;                  ///< m_p [mass]
   Field volume;  ///< V_p; kept beside F, whose determinant cancels when it is drawn out [length^3]
@@ -55,7 +59,7 @@ struct Particles {
 
   /// Scratch of the step, not state: what the grid says to the particle.
   Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]
-  Field increment;    ///< dt L, then the unrotated strain increment and the old volume
+  Field increment;    ///< dt L, then the unrotated strain increment, then the old volume
 
   ArrayView<int> key;    ///< tile * cells per tile + cell in tile, of the last sort
   ArrayView<int> spare;  ///< scratch of the sort
@@ -71,6 +75,7 @@ struct Particles {
     f(position);
     f(velocity);
     f(deformation_gradient);
+    f(rotation);
     f(stress);
     f(mass);
     f(volume);
@@ -87,6 +92,11 @@ struct Particles {
     f(increment);
   }
 };
+
+/// Components of a symmetric tensor in a mode; the old volume follows them in `increment`.
+inline int tensor_components(int dimensions) {
+  return dimensions == 3 ? 6 : 4;
+}
 
 /// A row of a vector field; 0 along z in two-dimensional modes.
 inline Vector vector_of(const Field& field, int p) {

@@ -9,34 +9,40 @@
 namespace barreno {
 namespace {
 
-/// Frobenius norm of the symmetric part of dt L, squared.
-KOKKOS_INLINE_FUNCTION double strain_squared(
-    double xx, double xy, double yx, double yy, double zz
-) {
-  const double shear = xy + yx;
-  return xx * xx + yy * yy + zz * zz + 0.5 * shear * shear;
-}
-
 /// Without the call that fmax costs.
 KOKKOS_INLINE_FUNCTION double larger(double a, double b) {
   return b > a ? b : a;
 }
 
-using Motion = Pack<motion_components>;
-
 template <class M, class S>
 struct InterpolateMotion {
+  static constexpr int dimensions = M::dimensions;
+  static constexpr int components = motion_components(dimensions);
+  using Motion = Pack<components>;
+
   PatchFrame<M::dimensions> frame;
   Particles particles;
   ArrayView<double> motion;
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, double& largest) const {
-    const Motion* const patch =
-        as_packs<motion_components>(&motion(first_motion(frame.patch, tile)));
+    const Motion* const patch = as_packs<components>(&motion(first_motion(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
       largest = larger(largest, batch(tile, BatchRows(particles.order, k, end), patch));
+  }
+
+  /// Square of the Frobenius norm of D, the symmetric part of L; d[j][i] = dv_i / dx_j.
+  KOKKOS_INLINE_FUNCTION static double rate_squared(const Motion (&d)[dimensions], double hoop) {
+    double sum = hoop * hoop;
+    for (int i = 0; i < dimensions; ++i) {
+      sum += d[i][i] * d[i][i];
+      for (int j = 0; j < i; ++j) {
+        const double shear = d[j][i] + d[i][j];
+        sum += 0.5 * shear * shear;
+      }
+    }
+    return sum;
   }
 
   KOKKOS_INLINE_FUNCTION double batch(int tile, const BatchRows& rows, const Motion* patch) const {
@@ -50,16 +56,11 @@ struct InterpolateMotion {
     for (int k = 0; k < rows.count; ++k) {
       const int p = rows.row[k];
       const auto at = supports.get(k).template interpolate<M::hoop>(patch, frame.patch);
-      for (int i = 0; i < motion_components; ++i) grid_motion(p, i) = at.value[i];
-      increment(p, 0) = dt * at.d[0][0];
-      increment(p, 1) = dt * at.d[1][0];
-      increment(p, 2) = dt * at.d[0][1];
-      increment(p, 3) = dt * at.d[1][1];
-      increment(p, 4) = dt * at.hoop[0];
-      largest = larger(
-          largest,
-          dt * dt * strain_squared(at.d[0][0], at.d[1][0], at.d[0][1], at.d[1][1], at.hoop[0])
-      );
+      for (int i = 0; i < 2 * dimensions; ++i) grid_motion(p, i) = at.value[i];
+      for (int i = 0; i < dimensions; ++i)
+        for (int j = 0; j < dimensions; ++j) increment(p, dimensions * i + j) = dt * at.d[j][i];
+      if constexpr (dimensions == 2) increment(p, 4) = dt * at.hoop[0];
+      largest = larger(largest, dt * dt * rate_squared(at.d, at.hoop[0]));
     }
     return largest;
   }

@@ -22,22 +22,26 @@ struct MoveParticles {
     double after[rows_per_run];
     BARRENO_IVDEP
     for (int k = 0; k < count; ++k) {
+      constexpr int dimensions = M::dimensions;
       const int p = begin + k;
       const double m = mass(p, 0);
-      const double vx = velocity(p, 0);
-      const double vy = velocity(p, 1);
-      const double wx = (1.0 - pic) * (vx + grid_motion(p, 2)) + pic * grid_motion(p, 0);
-      const double wy = (1.0 - pic) * (vy + grid_motion(p, 3)) + pic * grid_motion(p, 1);
-      before[k] = 0.5 * m * (vx * vx + vy * vy);
-      after[k] = 0.5 * m * (wx * wx + wy * wy);
-      momentum[k] = m * wy;
-      velocity(p, 0) = wx;
-      velocity(p, 1) = wy;
-      if constexpr (M::hoop)
-        position(p, 0) *= exponential<Short>(increment(p, 4));
-      else
-        position(p, 0) += dt * grid_motion(p, 0);
-      position(p, 1) += dt * grid_motion(p, 1);
+      double old_square = 0.0;
+      double new_square = 0.0;
+      for (int d = 0; d < dimensions; ++d) {
+        const double v = velocity(p, d);
+        const double w =
+            (1.0 - pic) * (v + grid_motion(p, dimensions + d)) + pic * grid_motion(p, d);
+        old_square += v * v;
+        new_square += w * w;
+        if (d == 1) momentum[k] = m * w;
+        velocity(p, d) = w;
+        if (M::hoop && d == 0)
+          position(p, 0) *= exponential<Short>(increment(p, 4));
+        else
+          position(p, d) += dt * grid_motion(p, d);
+      }
+      before[k] = 0.5 * m * old_square;
+      after[k] = 0.5 * m * new_square;
     }
     for (int k = 0; k < count; ++k) {
       tally.kinetic_before += before[k];
@@ -91,7 +95,8 @@ ParticleTally move_particles(const Scene& scene, double dt, Rows rows, Particles
           rows
       );
     };
-    if (all_short(particles.increment.values, rows, 4, 5)) return move(std::true_type{});
+    if (!M::hoop || all_short(particles.increment.values, rows, 4, 5))
+      return move(std::true_type{});
     return move(std::false_type{});
   });
 }

@@ -21,28 +21,27 @@ constexpr long steps_per_permutation = 50;
 void tally_removal(const Particles& particles, int p, RemovalCause cause, Ledger& ledger) {
   RemovalTally& tally = ledger.removed[static_cast<std::size_t>(cause)];
   const double m = particles.mass(p);
-  const double vx = particles.velocity(p, 0);
-  const double vy = particles.velocity(p, 1);
+  const Vector v = vector_of(particles.velocity, p);
   tally.count += 1.0;
   tally.mass += m;
   ledger.mass -= m;
-  if (!std::isfinite(vx) || !std::isfinite(vy)) return;
-  const double kinetic = 0.5 * m * (vx * vx + vy * vy);
-  tally.momentum += m * vy;
-  tally.kinetic += kinetic;
-  ledger.momentum -= m * vy;
-  ledger.kinetic -= kinetic;
+  const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  if (!std::isfinite(square)) return;
+  tally.momentum += m * v[1];
+  tally.kinetic += 0.5 * m * square;
+  ledger.momentum -= m * v[1];
+  ledger.kinetic -= 0.5 * m * square;
 }
 
 /// -1: stays; else why it goes.
 int removal_cause(const Grid& grid, const Particles& particles, int p) {
-  const double x = particles.position(p, 0);
-  const double y = particles.position(p, 1);
-  const double sum = x + y + particles.velocity(p, 0) + particles.velocity(p, 1);
+  const Vector x = vector_of(particles.position, p);
+  const Vector v = vector_of(particles.velocity, p);
+  const double sum = x[0] + x[1] + x[2] + v[0] + v[1] + v[2];
   if (!std::isfinite(sum)) return static_cast<int>(RemovalCause::not_finite);
   if (particles.key(p) == failed_key) return static_cast<int>(RemovalCause::material_failure);
   if (particles.key(p) == expanded_key) return static_cast<int>(RemovalCause::expanded);
-  if (!grid.holds({x, y, 0.0})) return static_cast<int>(RemovalCause::left_grid);
+  if (!grid.holds(x)) return static_cast<int>(RemovalCause::left_grid);
   return -1;
 }
 
@@ -64,13 +63,18 @@ struct Found {
 
 /// Keys of a set's rows from their cells, without branches for the compiler to vectorise; rows
 /// outside the grid or lost otherwise keep theirs.
+template <int D>
 Found find_keys(const Grid& grid, const Particles& particles) {
-  const double lower_x = grid.lower[0];
-  const double lower_y = grid.lower[1];
-  const double upper_x = grid.upper[0];
-  const double upper_y = grid.upper[1];
+  double lower[D], upper[D];
+  int tiles[D];
+  const double* position[D];
+  for (int d = 0; d < D; ++d) {
+    lower[d] = grid.lower[d];
+    upper[d] = grid.upper[d];
+    tiles[d] = grid.tiles[d];
+    position[d] = &particles.position(0, d);
+  }
   const double per_cell = 1.0 / grid.cell_size;
-  const int row_length = grid.tiles[0];
   const int bits = grid.patch.tile_bits;
   const int in_tile = grid.patch.tile_cells - 1;
   const int cells = grid.patch.cells;
@@ -79,22 +83,22 @@ Found find_keys(const Grid& grid, const Particles& particles) {
   const int me = grid.comm->getRank();
   const int* const owner = grid.owner.data();
   const int* const directory = grid.directory.data();
-  const double* const position_x = &particles.position(0, 0);
-  const double* const position_y = &particles.position(0, 1);
   int* const keys = particles.key.data();
   Found found;
   BARRENO_IVDEP
   for (int p = 0; p < count; ++p) {
-    const double x = position_x[p];
-    const double y = position_y[p];
     const int old_key = keys[p];
-    const int lost = static_cast<int>(old_key <= failed_key) | static_cast<int>(!(x >= lower_x)) |
-                     static_cast<int>(!(x < upper_x)) | static_cast<int>(!(y >= lower_y)) |
-                     static_cast<int>(!(y < upper_y));
-    const int cx = static_cast<int>(lost ? 0.0 : (x - lower_x) * per_cell);
-    const int cy = static_cast<int>(lost ? 0.0 : (y - lower_y) * per_cell);
-    const int box = (cy >> bits) * row_length + (cx >> bits);
-    const int inside = ((cy & in_tile) << bits) + (cx & in_tile);
+    int lost = static_cast<int>(old_key <= failed_key);
+    for (int d = 0; d < D; ++d)
+      lost |= static_cast<int>(!(position[d][p] >= lower[d])) |
+              static_cast<int>(!(position[d][p] < upper[d]));
+    int box = 0;
+    int inside = 0;
+    for (int d = D - 1; d >= 0; --d) {
+      const int cell = static_cast<int>(lost ? 0.0 : (position[d][p] - lower[d]) * per_cell);
+      box = box * tiles[d] + (cell >> bits);
+      inside = (inside << bits) + (cell & in_tile);
+    }
     const int tile = directory[box];
     const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
     const int mine = static_cast<int>(owner[box] == me);
@@ -111,7 +115,8 @@ Found find_keys(const Grid& grid, const Particles& particles) {
 /// Keys of a set's rows; false if one is outside the grid or lost otherwise.
 bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
   if (particles.count == 0) return true;
-  const Found found = find_keys(grid, particles);
+  const Found found =
+      grid.patch.dimensions == 3 ? find_keys<3>(grid, particles) : find_keys<2>(grid, particles);
   placement.new_tile = placement.new_tile || found.new_tile != 0;
   placement.someone_left = placement.someone_left || found.left != 0;
   if (found.moved != 0) particles.sorted = false;

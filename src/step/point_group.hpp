@@ -45,14 +45,23 @@ struct PointGroup {
   KOKKOS_INLINE_FUNCTION void put(const R& value, const Field& field, int c = 0) const {
     store(value, field.values, c, first, count);
   }
-  KOKKOS_INLINE_FUNCTION Sym3Of<R> get_plane(const Field& field) const {
-    return {get(field, 0), get(field, 1), get(field, 2), get(field, 3), R{}, R{}};
+  /// `components` of a symmetric tensor: 4 in two dimensions, where yz and zx are zero.
+  KOKKOS_INLINE_FUNCTION Sym3Of<R> get_tensor(const Field& field, int components) const {
+    Sym3Of<R> t{get(field, 0), get(field, 1), get(field, 2), get(field, 3), R{}, R{}};
+    if (components == 4) return t;
+    t.yz = get(field, 4);
+    t.zx = get(field, 5);
+    return t;
   }
-  KOKKOS_INLINE_FUNCTION void put_plane(const Sym3Of<R>& t, const Field& field) const {
+  KOKKOS_INLINE_FUNCTION void put_tensor(const Sym3Of<R>& t, const Field& field, int components)
+      const {
     put(t.xx, field, 0);
     put(t.yy, field, 1);
     put(t.zz, field, 2);
     put(t.xy, field, 3);
+    if (components == 4) return;
+    put(t.yz, field, 4);
+    put(t.zx, field, 5);
   }
   KOKKOS_INLINE_FUNCTION History get_history(const Field& field) const {
     History history{};

@@ -12,25 +12,28 @@
 namespace barreno {
 namespace {
 
-struct Force {
-  double x = 0.0, y = 0.0;
-};
-
 /// Pressure on the deformed face: -p J F^-T N A, N and A of the undeformed particle (Nanson).
 ///
 /// In axisymmetry the radius at the start follows from the initial volume, which is that of the
 /// full ring.
 template <class M>
-Force face_force(const Particles& particles, int p, int face, double pressure) {
-  const double half_x = particles.half_size(p, 0);
-  const double half_y = particles.half_size(p, 1);
+Vector face_force(const Particles& particles, int p, int face, double pressure) {
+  const int axis = face / 2;
   const double side = face % 2 == 0 ? -1.0 : 1.0;
-  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
-  const double volume = particles.volume(p) / determinant(f);
-  double area = volume / (face < 2 ? 2.0 * half_x : 2.0 * half_y);
-  if (M::hoop && face < 2) area += side * two_pi * half_x * 2.0 * half_y;
-  const double scale = -pressure * area * side * f.zz;
-  return face < 2 ? Force{scale * f.yy, -scale * f.xy} : Force{-scale * f.yx, scale * f.xx};
+  const auto f = load_tensor<M>(particles.deformation_gradient.values, p);
+  double area = particles.volume(p) / determinant(f) / (2.0 * particles.half_size(p, axis));
+  if (M::hoop && axis == 0)
+    area += side * two_pi * particles.half_size(p, 0) * 2.0 * particles.half_size(p, 1);
+  const double scale = -pressure * area * side;
+  const auto c = cofactors(f);
+  if constexpr (M::dimensions == 3) {
+    if (axis == 0) return {scale * c.xx, scale * c.yx, scale * c.zx};
+    if (axis == 1) return {scale * c.xy, scale * c.yy, scale * c.zy};
+    return {scale * c.xz, scale * c.yz, scale * c.zz};
+  } else {
+    if (axis == 0) return {scale * c.xx, scale * c.yx};
+    return {scale * c.xy, scale * c.yy};
+  }
 }
 
 /// visit(tile, row, face, pressure) for every loaded face of this rank.
@@ -74,12 +77,12 @@ void project_loads(const Scene& scene, State& state) {
     using S = decltype(shape);
     const PatchFrame<M::dimensions> frame(state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
-      const Force force = face_force<M>(particles, p, face, pressure);
+      const Vector force = face_force<M>(particles, p, face, pressure);
       double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
       face_support<M, S>(frame, particles, tile, p, face)
           .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
-            patch[slot * sum_components + 3] += s * force.x;
-            patch[slot * sum_components + 4] += s * force.y;
+            double* const node = patch + slot * sum_components + first_force(M::dimensions);
+            for (std::size_t d = 0; d < M::dimensions; ++d) node[d] += s * force[d];
           });
     };
     for_each_loaded_face(scene, state.clock.time, state, add);
@@ -95,16 +98,19 @@ double tally_loads(const Scene& scene, double dt, State& state) {
     using S = decltype(shape);
     const PatchFrame<M::dimensions> frame(state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
-      const Force force = face_force<M>(particles, p, face, pressure);
+      const Vector force = face_force<M>(particles, p, face, pressure);
       const double* const patch = &state.nodes.motion(first_motion(frame.patch, tile));
       face_support<M, S>(frame, particles, tile, p, face)
           .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
             // Mean velocity of the step: v after it less half of its increment.
-            const double* const node = patch + slot * motion_components;
-            work += dt * s *
-                    (force.x * (node[0] - 0.5 * node[2]) + force.y * (node[1] - 0.5 * node[3]));
+            constexpr std::size_t dimensions = M::dimensions;
+            const double* const node = patch + slot * motion_components(M::dimensions);
+            double power = 0.0;
+            for (std::size_t d = 0; d < dimensions; ++d)
+              power += force[d] * (node[d] - 0.5 * node[dimensions + d]);
+            work += dt * s * power;
           });
-      state.ledger.load_impulse += force.y * dt;
+      state.ledger.load_impulse += force[1] * dt;
     };
     for_each_loaded_face(scene, state.clock.time, state, add);
   });

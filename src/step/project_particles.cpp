@@ -14,33 +14,111 @@ using Sums = Pack<sum_components>;
 
 /// What one particle gives to its nodes: S times mass and momentum, and the resultants of its
 /// stress, -V (sigma - q I), times the gradients of S.
-enum Give { mass, momentum_x, momentum_y, force_xx, force_xy, force_yy, force_hoop, nothing };
+template <class M>
+struct Given;
 
 template <class M>
-KOKKOS_INLINE_FUNCTION void find_given(
-    const Particles& particles, int p, double (&out)[sum_components]
-) {
-  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
-  const Sym3 unrotated{
+KOKKOS_INLINE_FUNCTION Sym3 space_stress(const Particles& particles, int p) {
+  Sym3 unrotated{
       particles.stress(p, 0),
       particles.stress(p, 1),
       particles.stress(p, 2),
       particles.stress(p, 3),
       0.0,
       0.0};
-  const Sym3 stress = rotate(polar_rotation(f), unrotated);
-  const double q = particles.viscous_pressure(p);
-  const double volume = particles.volume(p);
-  const double m = particles.mass(p);
-  out[mass] = m;
-  out[momentum_x] = m * particles.velocity(p, 0);
-  out[momentum_y] = m * particles.velocity(p, 1);
-  out[force_xx] = -volume * (stress.xx - q);
-  out[force_xy] = -volume * stress.xy;
-  out[force_yy] = -volume * (stress.yy - q);
-  out[force_hoop] = M::hoop ? -volume * (stress.zz - q) : 0.0;
-  out[nothing] = 0.0;
+  if constexpr (M::dimensions == 3) {
+    unrotated.yz = particles.stress(p, 4);
+    unrotated.zx = particles.stress(p, 5);
+  }
+  return rotate(
+      load_rotation<M>(particles.deformation_gradient.values, particles.rotation.values, p),
+      unrotated
+  );
 }
+
+/// In two dimensions one pack holds all of it.
+template <class M>
+struct GivenInPlane {
+  enum { mass, momentum_x, momentum_y, force_xx, force_xy, force_yy, force_hoop, nothing };
+  alignas(sizeof(Sums)) double value[sum_components];
+
+  KOKKOS_INLINE_FUNCTION void find(const Particles& particles, int p) {
+    const Sym3 stress = space_stress<M>(particles, p);
+    const double q = particles.viscous_pressure(p);
+    const double volume = particles.volume(p);
+    const double m = particles.mass(p);
+    value[mass] = m;
+    value[momentum_x] = m * particles.velocity(p, 0);
+    value[momentum_y] = m * particles.velocity(p, 1);
+    value[force_xx] = -volume * (stress.xx - q);
+    value[force_xy] = -volume * stress.xy;
+    value[force_yy] = -volume * (stress.yy - q);
+    value[force_hoop] = M::hoop ? -volume * (stress.zz - q) : 0.0;
+    value[nothing] = 0.0;
+  }
+  template <class Support>
+  KOKKOS_INLINE_FUNCTION void add_to(Sums* patch, const Patch& sizes, const Support& support)
+      const {
+    constexpr int o = nothing;
+    const Sums& g = *as_packs<sum_components>(value);
+    support.template add_to<M::hoop>(
+        patch,
+        sizes,
+        select<mass, momentum_x, momentum_y, o, o, o, o, o>(g),
+        {select<o, o, o, force_xx, force_xy, o, o, o>(g),
+         select<o, o, o, force_xy, force_yy, o, o, o>(g)},
+        select<o, o, o, force_hoop, o, o, o, o>(g)
+    );
+  }
+};
+template <>
+struct Given<Axisymmetric> : GivenInPlane<Axisymmetric> {};
+template <>
+struct Given<PlaneStrain> : GivenInPlane<PlaneStrain> {};
+
+/// In three dimensions the forces across y and z go into a second pack.
+template <>
+struct Given<ThreeDimensional> {
+  enum { mass, momentum_x, momentum_y, momentum_z, force_xx, force_xy, force_xz, nothing };
+  enum { again_xy, force_yy, force_yz, again_xz, force_zz };
+  alignas(sizeof(Sums)) double value[sum_components];
+  double more[sum_components];
+
+  KOKKOS_INLINE_FUNCTION void find(const Particles& particles, int p) {
+    const Sym3 stress = space_stress<ThreeDimensional>(particles, p);
+    const double q = particles.viscous_pressure(p);
+    const double volume = particles.volume(p);
+    const double m = particles.mass(p);
+    value[mass] = m;
+    value[momentum_x] = m * particles.velocity(p, 0);
+    value[momentum_y] = m * particles.velocity(p, 1);
+    value[momentum_z] = m * particles.velocity(p, 2);
+    value[force_xx] = -volume * (stress.xx - q);
+    value[force_xy] = more[again_xy] = -volume * stress.xy;
+    value[force_xz] = more[again_xz] = -volume * stress.zx;
+    value[nothing] = more[nothing] = 0.0;
+    more[force_yy] = -volume * (stress.yy - q);
+    more[force_yz] = -volume * stress.yz;
+    more[force_zz] = -volume * (stress.zz - q);
+    more[5] = more[6] = 0.0;
+  }
+  template <class Support>
+  KOKKOS_INLINE_FUNCTION void add_to(Sums* patch, const Patch& sizes, const Support& support)
+      const {
+    constexpr int o = nothing;
+    const Sums& g = *as_packs<sum_components>(value);
+    const Sums& h = *as_packs<sum_components>(more);
+    support.template add_to<false>(
+        patch,
+        sizes,
+        select<mass, momentum_x, momentum_y, momentum_z, o, o, o, o>(g),
+        {select<o, o, o, o, force_xx, force_xy, force_xz, o>(g),
+         select<o, o, o, o, again_xy, force_yy, force_yz, o>(h),
+         select<o, o, o, o, again_xz, force_yz, force_zz, o>(h)},
+        Sums{}
+    );
+  }
+};
 
 template <class M, class S>
 struct ProjectParticles {
@@ -60,21 +138,10 @@ struct ProjectParticles {
     find_supports<M, S>(
         frame, tile, rows, particles.position.values, particles.half_size.values, supports
     );
-    alignas(sizeof(Sums)) double given[rows_per_batch][sum_components];
+    Given<M> given[rows_per_batch];
     BARRENO_IVDEP
-    for (int k = 0; k < rows_per_batch; ++k) find_given<M>(particles, rows.row[k], given[k]);
-    for (int k = 0; k < rows.count; ++k) {
-      constexpr int o = nothing;
-      const Sums& g = *as_packs<sum_components>(given[k]);
-      supports.get(k).template add_to<M::hoop>(
-          patch,
-          frame.patch,
-          select<mass, momentum_x, momentum_y, o, o, o, o, o>(g),
-          {select<o, o, o, force_xx, force_xy, o, o, o>(g),
-           select<o, o, o, force_xy, force_yy, o, o, o>(g)},
-          select<o, o, o, force_hoop, o, o, o, o>(g)
-      );
-    }
+    for (int k = 0; k < rows_per_batch; ++k) given[k].find(particles, rows.row[k]);
+    for (int k = 0; k < rows.count; ++k) given[k].add_to(patch, frame.patch, supports.get(k));
   }
 };
 
@@ -87,10 +154,10 @@ void clear_nodes(const Grid& grid, Nodes& nodes) {
     nodes.sums = ArrayView<double>(
         Kokkos::ViewAllocateWithoutInitializing("sums"), 5 * n * sum_components / 4
     );
-  if (nodes.motion.extent(0) < n * motion_components)
-    nodes.motion = ArrayView<double>(
-        Kokkos::ViewAllocateWithoutInitializing("motion"), 5 * n * motion_components / 4
-    );
+  const auto width = static_cast<std::size_t>(motion_components(grid.patch.dimensions));
+  if (nodes.motion.extent(0) < n * width)
+    nodes.motion =
+        ArrayView<double>(Kokkos::ViewAllocateWithoutInitializing("motion"), 5 * n * width / 4);
   const std::size_t used = first_sum(grid.patch, grid.active);
   Kokkos::deep_copy(Kokkos::subview(nodes.sums, std::make_pair(std::size_t{0}, used)), 0.0);
 }

@@ -12,7 +12,7 @@ constexpr double torn_stretch = 2.0;
 
 template <class M>
 bool torn(const Particles& particles, int p) {
-  const PlaneTensor f = load_plane_tensor<M>(particles.deformation_gradient.values, p);
+  const auto f = load_tensor<M>(particles.deformation_gradient.values, p);
   return largest_stretch(f) > torn_stretch || (particles.body(p) & held_bit) != 0;
 }
 

@@ -2,6 +2,7 @@
 #include "step/solve_velocity.hpp"
 
 #include "base/region.hpp"
+#include "shape/kinematics.hpp"
 
 #include <vector>
 
@@ -15,15 +16,15 @@ struct NodeCondition {
   int axis = 0;
   int bound = 0;  ///< nodes <= bound (lower face) or >= bound (upper face)
   bool lower = true;
-  bool sets[2] = {false, false};
-  double velocity[2] = {0.0, 0.0};
+  bool sets[3] = {false, false, false};
+  double velocity[3] = {0.0, 0.0, 0.0};
 
-  KOKKOS_INLINE_FUNCTION bool holds(const int (&node)[2]) const {
+  KOKKOS_INLINE_FUNCTION bool holds(const int (&node)[3]) const {
     return lower ? node[axis] <= bound : node[axis] >= bound;
   }
 };
 
-constexpr int most_conditions = 5;
+constexpr int most_conditions = 7;
 struct NodeConditions {
   int count = 0;
   NodeCondition list[most_conditions];
@@ -42,7 +43,7 @@ NodeConditions node_conditions(const Scene& scene, const Grid& grid) {
     c.axis = face / 2;
     c.lower = face % 2 == 0;
     c.bound = c.lower ? 0 : grid.cells[c.axis];
-    for (int d = 0; d < 2; ++d) {
+    for (int d = 0; d < grid.patch.dimensions; ++d) {
       c.sets[d] = spec.kind != ConditionKind::symmetry || d == c.axis;
       if (spec.kind == ConditionKind::prescribed_velocity)
         c.velocity[d] = spec.velocity[static_cast<std::size_t>(d)];
@@ -51,6 +52,7 @@ NodeConditions node_conditions(const Scene& scene, const Grid& grid) {
   return out;
 }
 
+template <int D>
 struct SolveVelocity {
   NodeConditions conditions;
   Patch patch;
@@ -89,30 +91,51 @@ struct SolveVelocity {
     }
   }
 
+  /// A node's velocity before and after the step.
+  struct Velocity {
+    double before[D], after[D];
+  };
+
   KOKKOS_INLINE_FUNCTION void apply_conditions(
-      const int (&node)[2],
-      double mass,
-      const double (&force)[2],
-      double (&before)[2],
-      double (&after)[2],
-      double* part
+      const int (&node)[3], double mass, const double* force, Velocity& v, double* part
   ) const {
-    const double raw = before[1];
+    const double raw = v.before[1];
     bool set_y = false;
     for (int i = 0; i < conditions.count; ++i) {
       const NodeCondition& c = conditions.list[i];
       if (!c.holds(node)) continue;
-      for (int d = 0; d < 2; ++d) {
+      for (int d = 0; d < D; ++d) {
         if (!c.sets[d]) continue;
-        before[d] = c.velocity[d];
-        after[d] = c.velocity[d];
+        v.before[d] = c.velocity[d];
+        v.after[d] = c.velocity[d];
         part[3] -= force[d] * c.velocity[d] * dt;
         set_y = set_y || d == 1;
       }
     }
     if (!set_y) return;
     part[4] -= force[1] * dt;
-    part[5] += mass * (before[1] - raw);
+    part[5] += mass * (v.before[1] - raw);
+  }
+
+  /// Kinetic energies before and after, the work of the forces and of the drag among them.
+  KOKKOS_INLINE_FUNCTION void tally_node(
+      double mass, const double* force, const double* drag, const Velocity& v, double* part
+  ) const {
+    double before = 0.0;
+    double after = 0.0;
+    double power = 0.0;
+    double lost = 0.0;
+    for (int d = 0; d < D; ++d) {
+      before += v.before[d] * v.before[d];
+      after += v.after[d] * v.after[d];
+      power += force[d] * (v.before[d] + v.after[d]);
+      lost += drag[d] * (v.before[d] + v.after[d]);
+    }
+    part[0] = 0.5 * mass * before;
+    part[1] = 0.5 * mass * after;
+    part[2] = 0.5 * dt * power;
+    part[6] = 0.5 * dt * lost;
+    part[7] = -dt * drag[1];
   }
 
   KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components])
@@ -120,31 +143,34 @@ struct SolveVelocity {
     alignas(64) double total[most_patch_nodes * sum_components];
     add_parts(tile, y, z, total);
     const int row = (z * patch.nodes + y) * patch.nodes;
-    double* const moved = &motion(first_motion(patch, tile)) + row * motion_components;
-    const TilePlace& at = tile_place(tile);
-    for (int x = 0; x < patch.nodes; ++x) {
+    double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(D);
+    const TilePlace at = tile_place(tile);
+    int index[3];  // of the node in the box
+    for (int d = 0; d < 3; ++d) index[d] = at[d] * patch.tile_cells - patch.reach;
+    index[1] += y;
+    index[2] += z;
+    for (int x = 0; x < patch.nodes; ++x, ++index[0]) {
       const double* const node = total + x * sum_components;
-      double* const out = moved + x * motion_components;
+      double* const out = moved + x * motion_components(D);
       const double mass = node[0];
       const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
-      const double drag[2] = {damping * node[1], damping * node[2]};
-      const double force[2] = {node[3] - drag[0], node[4] - drag[1]};
-      double before[2] = {node[1] * inverse, node[2] * inverse};
-      double after[2] = {before[0] + dt * force[0] * inverse, before[1] + dt * force[1] * inverse};
+      double drag[D], force[D];
+      Velocity v;
+      for (int d = 0; d < D; ++d) {
+        drag[d] = damping * node[1 + d];
+        force[d] = node[first_force(D) + d] - drag[d];
+        v.before[d] = node[1 + d] * inverse;
+        v.after[d] = v.before[d] + dt * force[d] * inverse;
+      }
       double own[tally_components] = {};
-      const int index[2] = {
-          at[0] * patch.tile_cells - patch.reach + x, at[1] * patch.tile_cells - patch.reach + y};
-      apply_conditions(index, mass, force, before, after, own);
-      out[0] = after[0];
-      out[1] = after[1];
-      out[2] = after[0] - before[0];
-      out[3] = after[1] - before[1];
+      apply_conditions(index, mass, force, v, own);
+      for (int d = 0; d < D; ++d) {
+        out[d] = v.after[d];
+        out[D + d] = v.after[d] - v.before[d];
+      }
+      for (int d = 2 * D; d < motion_components(D); ++d) out[d] = 0.0;
       if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
-      own[0] = 0.5 * mass * (before[0] * before[0] + before[1] * before[1]);
-      own[1] = 0.5 * mass * (after[0] * after[0] + after[1] * after[1]);
-      own[2] = 0.5 * dt * (force[0] * (before[0] + after[0]) + force[1] * (before[1] + after[1]));
-      own[6] = 0.5 * dt * (drag[0] * (before[0] + after[0]) + drag[1] * (before[1] + after[1]));
-      own[7] = -dt * drag[1];
+      tally_node(mass, force, drag, v, own);
       for (int i = 0; i < tally_components; ++i) part[i] += own[i];
     }
   }
@@ -164,21 +190,23 @@ GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes&
   const Region region("solve_velocity");
   const auto values = static_cast<std::size_t>(grid.active) * tally_components;
   if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
-  Kokkos::parallel_for(
-      "solve_velocity",
-      range(grid.active),
-      SolveVelocity{
-          node_conditions(scene, grid),
-          grid.patch,
-          grid.tile_place,
-          grid.neighbours,
-          grid.counts,
-          nodes.sums,
-          nodes.motion,
-          nodes.tally,
-          dt,
-          scene.step.damping}
-  );
+  visit_mode(scene.grid.mode, [&](auto mode) {
+    Kokkos::parallel_for(
+        "solve_velocity",
+        range(grid.active),
+        SolveVelocity<decltype(mode)::dimensions>{
+            node_conditions(scene, grid),
+            grid.patch,
+            grid.tile_place,
+            grid.neighbours,
+            grid.counts,
+            nodes.sums,
+            nodes.motion,
+            nodes.tally,
+            dt,
+            scene.step.damping}
+    );
+  });
   double sum[tally_components] = {};
   for (int t = 0; t < grid.active; ++t)
     for (int i = 0; i < tally_components; ++i)

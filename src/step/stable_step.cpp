@@ -17,7 +17,8 @@ double stable_step_of_rows(const Scene& scene, const Particles& particles, int f
   double step = std::numeric_limits<double>::infinity();
   for (int p = first_row; p < particles.count; ++p) {
     const double density = particles.mass(p) / particles.volume(p);
-    const double speed = std::hypot(particles.velocity(p, 0), particles.velocity(p, 1));
+    const Vector v = vector_of(particles.velocity, p);
+    const double speed = std::hypot(v[0], v[1], v[2]);
     step = std::min(step, rule.stable_step(density, particles.longitudinal_modulus(p), 0.0, speed));
   }
   return step;

@@ -7,29 +7,26 @@
 namespace barreno {
 namespace {
 
-/// New F, volume and unrotated strain of one row; `Exponential` is the short or the general one.
 template <class M, bool Short>
-struct UpdateDeformation {
+KOKKOS_INLINE_FUNCTION typename M::Tensor exponential_of(const typename M::Tensor& dt_l) {
+  if constexpr (Short) return short_exponential(dt_l);
+  return exponential(dt_l);
+}
+
+/// New F, volume and unrotated strain of one row in two dimensions; `Short` for small dt L.
+template <class M, bool Short>
+struct DeformInPlane {
   FieldView increment, deformation, volume;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
-    const PlaneTensor dt_l{
-        increment(p, 0),
-        increment(p, 1),
-        increment(p, 2),
-        increment(p, 3),
-        M::hoop ? increment(p, 4) : 0.0};
-    const PlaneTensor f_n = load_plane_tensor<M>(deformation, p);
-    const PlaneTensor f = Short ? short_exponential(dt_l) : exponential(dt_l);
+    const PlaneTensor dt_l = load_tensor<M>(increment, p, 0.0);
+    const PlaneTensor f_n = load_tensor<M>(deformation, p);
+    const PlaneTensor f = exponential_of<M, Short>(dt_l);
     const PlaneTensor f_n1 = multiply(f, f_n);
     const PlaneRotation r_m = mean_polar_rotation(f_n, f_n1);
     const Sym3 strain =
         unrotate(r_m, {dt_l.xx, dt_l.yy, dt_l.zz, 0.5 * (dt_l.xy + dt_l.yx), 0.0, 0.0});
-    deformation(p, 0) = f_n1.xx;
-    deformation(p, 1) = f_n1.xy;
-    deformation(p, 2) = f_n1.yx;
-    deformation(p, 3) = f_n1.yy;
-    if constexpr (M::hoop) deformation(p, 4) = f_n1.zz;
+    store_tensor<M>(f_n1, deformation, p);
     const double old_volume = volume(p, 0);
     volume(p, 0) = old_volume * determinant(f);
     increment(p, 0) = strain.xx;
@@ -40,25 +37,115 @@ struct UpdateDeformation {
   }
 };
 
+/// Where a row's new rotation waits in the scratch until it is known to be exact, and what was left
+/// of it.
+enum { new_rotation = 0, rotation_left = 4 };
+
+/// In three dimensions first F, volume and rotation; the strain waits in the space frame.
+template <bool Short>
+struct DeformInSpace {
+  using M = ThreeDimensional;
+  FieldView increment, deformation, rotation, volume, scratch;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const {
+    const SpaceTensor dt_l = load_tensor<M>(increment, p, 0.0);
+    const SpaceTensor f = exponential_of<M, Short>(dt_l);
+    const SpaceTensor f_n1 = multiply(f, load_tensor<M>(deformation, p));
+    const SpaceRotation r_n = load_rotation<M>(deformation, rotation, p);
+    double left = 0.0;
+    const SpaceRotation r = near_polar_rotation(f_n1, r_n, left);
+    store_tensor<M>(f_n1, deformation, p);
+    scratch(p, new_rotation) = r.w;
+    scratch(p, new_rotation + 1) = r.x;
+    scratch(p, new_rotation + 2) = r.y;
+    scratch(p, new_rotation + 3) = r.z;
+    scratch(p, rotation_left) = left;
+    const double old_volume = volume(p, 0);
+    volume(p, 0) = old_volume * determinant(f);
+    increment(p, 0) = dt_l.xx;
+    increment(p, 1) = dt_l.yy;
+    increment(p, 2) = dt_l.zz;
+    increment(p, 3) = 0.5 * (dt_l.xy + dt_l.yx);
+    increment(p, 4) = 0.5 * (dt_l.yz + dt_l.zy);
+    increment(p, 5) = 0.5 * (dt_l.zx + dt_l.xz);
+    increment(p, 6) = old_volume;
+  }
+};
+
+/// Rows whose rotation three Newton steps did not find: drawn out far, or turned far in one step.
+struct FindRotation {
+  FieldView deformation, scratch;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const {
+    if (scratch(p, rotation_left) <= last_turn) return;
+    const SpaceRotation r = polar_rotation(load_tensor<ThreeDimensional>(deformation, p));
+    scratch(p, new_rotation) = r.w;
+    scratch(p, new_rotation + 1) = r.x;
+    scratch(p, new_rotation + 2) = r.y;
+    scratch(p, new_rotation + 3) = r.z;
+  }
+};
+
+/// Then the strain, in the frame half-way between the old and the new rotation.
+struct UnrotateStrain {
+  FieldView increment, rotation, scratch;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const {
+    const SpaceRotation r_n{rotation(p, 0), rotation(p, 1), rotation(p, 2), rotation(p, 3)};
+    const SpaceRotation r{scratch(p, 0), scratch(p, 1), scratch(p, 2), scratch(p, 3)};
+    const Sym3 strain = unrotate(
+        mean_rotation(r_n, r),
+        {increment(p, 0),
+         increment(p, 1),
+         increment(p, 2),
+         increment(p, 3),
+         increment(p, 4),
+         increment(p, 5)}
+    );
+    increment(p, 0) = strain.xx;
+    increment(p, 1) = strain.yy;
+    increment(p, 2) = strain.zz;
+    increment(p, 3) = strain.xy;
+    increment(p, 4) = strain.yz;
+    increment(p, 5) = strain.zx;
+    rotation(p, 0) = r.w;
+    rotation(p, 1) = r.x;
+    rotation(p, 2) = r.y;
+    rotation(p, 3) = r.z;
+  }
+};
+
+template <class M, bool Short>
+void deform(Rows rows, const Particles& particles) {
+  const FieldView& increment = particles.increment.values;
+  const FieldView& deformation = particles.deformation_gradient.values;
+  const FieldView& volume = particles.volume.values;
+  const char* const label = "update_deformation";
+  if constexpr (M::dimensions == 3) {
+    const FieldView& rotation = particles.rotation.values;
+    const FieldView& scratch = particles.grid_motion.values;  // what it held has been used
+    for_each_row(
+        label, rows, DeformInSpace<Short>{increment, deformation, rotation, volume, scratch}
+    );
+    for_each_row(label, rows, FindRotation{deformation, scratch});
+    for_each_row(label, rows, UnrotateStrain{increment, rotation, scratch});
+  } else {
+    for_each_row(label, rows, DeformInPlane<M, Short>{increment, deformation, volume});
+  }
+}
+
 }  // namespace
 
 void update_deformation(const Scene& scene, Rows rows, Particles& particles) {
   const Region region("update_deformation");
-  const FieldView& increment = particles.increment.values;
-  const FieldView& deformation = particles.deformation_gradient.values;
-  const FieldView& volume = particles.volume.values;
   visit_mode(scene.grid.mode, [&](auto mode) {
     using M = decltype(mode);
     // The general form takes the short one where that holds, row by row: the answer does not depend
     // on which rows share a block.
-    if (all_short(increment, rows, 0, M::hoop ? 5 : 4))
-      for_each_row(
-          "update_deformation", rows, UpdateDeformation<M, true>{increment, deformation, volume}
-      );
+    if (all_short(particles.increment.values, rows, 0, M::deformation_components))
+      deform<M, true>(rows, particles);
     else
-      for_each_row(
-          "update_deformation", rows, UpdateDeformation<M, false>{increment, deformation, volume}
-      );
+      deform<M, false>(rows, particles);
   });
 }
 

@@ -38,6 +38,7 @@ struct UpdateStress {
 
   Model model;
   Particles particles;
+  int components;  ///< of stress and strain
   StepRule rule;
   BadParticlePolicy policy;
   double reference_density;
@@ -56,7 +57,7 @@ struct UpdateStress {
     if (sums.first_failed < 0 || id < sums.first_failed) sums.first_failed = id;
     particles.viscous_pressure(p) = 0.0;
     if (policy == BadParticlePolicy::hold) {
-      for (int c = 0; c < 4; ++c) particles.stress(p, c) = 0.0;
+      for (int c = 0; c < components; ++c) particles.stress(p, c) = 0.0;
       particles.body(p) = static_cast<unsigned char>(particles.body(p) | held_bit);
     } else {
       particles.key(p) = key;
@@ -92,11 +93,11 @@ struct UpdateStress {
   KOKKOS_INLINE_FUNCTION Update begin(const Group& group, Begun& begun) const {
     begun.mass = group.get(particles.mass);
     begun.volume = group.get(particles.volume);
-    begun.old_volume = group.get(particles.increment, 4);
+    begun.old_volume = group.get(particles.increment, components);
     const R per_reference = 1.0 / (begun.mass * (1.0 / reference_density));
     Update update;
     auto& increment = update.increment;
-    increment.strain = group.get_plane(particles.increment);
+    increment.strain = group.get_tensor(particles.increment, components);
     increment.dt = dt;
     increment.volume_ratio_begin = begun.old_volume * per_reference;
     increment.volume_ratio_end = begun.volume * per_reference;
@@ -106,7 +107,7 @@ struct UpdateStress {
     begun.rate = trace(increment.strain) * (1.0 / dt);
     begun.q = rule.viscous_pressure(begun.density, begun.old_modulus, begun.rate);
     increment.viscous_pressure = 0.5 * (begun.old_q + begun.q);
-    begun.old_stress = group.get_plane(particles.stress);
+    begun.old_stress = group.get_tensor(particles.stress, components);
     update.stress = begun.old_stress;
     update.history = group.get_history(particles.history);
     return update;
@@ -122,7 +123,9 @@ struct UpdateStress {
     const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
     const Mask good = here & (!expanded) & outcome.sound;
 
-    group.put_plane(select_points(good, update.stress, begun.old_stress), particles.stress);
+    group.put_tensor(
+        select_points(good, update.stress, begun.old_stress), particles.stress, components
+    );
     group.put_history(good, update.history, particles.history);
     group.put(real::select(good, begun.q, begun.old_q), particles.viscous_pressure);
     group.put(
@@ -142,10 +145,13 @@ struct UpdateStress {
     tally.plastic += real::select(good, reference_volume * outcome.plastic_work, 0.0);
     tally.viscous += real::select(good, viscous, 0.0);
     tally.stress_work += real::select(good, stress_work, 0.0);
-    const R vx = group.get(particles.velocity, 0);
-    const R vy = group.get(particles.velocity, 1);
+    R speed_squared{};
+    for (int d = 0; d < particles.velocity.components; ++d) {
+      const R v = group.get(particles.velocity, d);
+      speed_squared += v * v;
+    }
     const R step = rule.stable_step(
-        begun.density, outcome.longitudinal_modulus, begun.rate, real::sqrt(R(vx * vx + vy * vy))
+        begun.density, outcome.longitudinal_modulus, begun.rate, real::sqrt(speed_squared)
     );
     tally.stable_step = real::select(good & (step < tally.stable_step), step, tally.stable_step);
   }
@@ -250,6 +256,7 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
         const UpdateStress<Model, typename RealFor<Model>::type> kernel{
             model,
             particles,
+            particles.stress.components,
             StepRule(scene, particles.critical_courant),
             spec.bad_particles,
             spec.material.density,

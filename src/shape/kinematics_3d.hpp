@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Kokkos_Macros.hpp>
+
+#include <barreno/tensor.hpp>
+#include <cmath>
+
+namespace barreno {
+
+/// Deformation gradient, or its increment, in three dimensions; rows xx xy xz, yx yy yz, zx zy zz.
+struct SpaceTensor {
+  double xx = 1.0, xy = 0.0, xz = 0.0;
+  double yx = 0.0, yy = 1.0, yz = 0.0;
+  double zx = 0.0, zy = 0.0, zz = 1.0;
+};
+
+/// A rotation as a unit quaternion: w + x i + y j + z k.
+struct SpaceRotation {
+  double w = 1.0, x = 0.0, y = 0.0, z = 0.0;
+};
+
+KOKKOS_INLINE_FUNCTION SpaceTensor multiply(const SpaceTensor& a, const SpaceTensor& b) {
+  return {
+      a.xx * b.xx + a.xy * b.yx + a.xz * b.zx,
+      a.xx * b.xy + a.xy * b.yy + a.xz * b.zy,
+      a.xx * b.xz + a.xy * b.yz + a.xz * b.zz,
+      a.yx * b.xx + a.yy * b.yx + a.yz * b.zx,
+      a.yx * b.xy + a.yy * b.yy + a.yz * b.zy,
+      a.yx * b.xz + a.yy * b.yz + a.yz * b.zz,
+      a.zx * b.xx + a.zy * b.yx + a.zz * b.zx,
+      a.zx * b.xy + a.zy * b.yy + a.zz * b.zy,
+      a.zx * b.xz + a.zy * b.yz + a.zz * b.zz};
+}
+KOKKOS_INLINE_FUNCTION SpaceTensor transpose(const SpaceTensor& a) {
+  return {a.xx, a.yx, a.zx, a.xy, a.yy, a.zy, a.xz, a.yz, a.zz};
+}
+KOKKOS_INLINE_FUNCTION SpaceTensor scaled(double s, const SpaceTensor& a) {
+  return {s * a.xx, s * a.xy, s * a.xz, s * a.yx, s * a.yy, s * a.yz, s * a.zx, s * a.zy, s * a.zz};
+}
+/// det(A) A^-T: takes an area vector N A to J F^-T N A (Nanson).
+KOKKOS_INLINE_FUNCTION SpaceTensor cofactors(const SpaceTensor& a) {
+  return {
+      a.yy * a.zz - a.yz * a.zy,
+      a.yz * a.zx - a.yx * a.zz,
+      a.yx * a.zy - a.yy * a.zx,
+      a.xz * a.zy - a.xy * a.zz,
+      a.xx * a.zz - a.xz * a.zx,
+      a.xy * a.zx - a.xx * a.zy,
+      a.xy * a.yz - a.xz * a.yy,
+      a.xz * a.yx - a.xx * a.yz,
+      a.xx * a.yy - a.xy * a.yx};
+}
+KOKKOS_INLINE_FUNCTION double determinant(const SpaceTensor& a) {
+  return a.xx * (a.yy * a.zz - a.yz * a.zy) + a.xy * (a.yz * a.zx - a.yx * a.zz) +
+         a.xz * (a.yx * a.zy - a.yy * a.zx);
+}
+/// Sum of the squares of the entries.
+KOKKOS_INLINE_FUNCTION double norm_squared(const SpaceTensor& a) {
+  return a.xx * a.xx + a.xy * a.xy + a.xz * a.xz + a.yx * a.yx + a.yy * a.yy + a.yz * a.yz +
+         a.zx * a.zx + a.zy * a.zy + a.zz * a.zz;
+}
+
+KOKKOS_INLINE_FUNCTION double largest_entry(const SpaceTensor& a) {
+  double largest = 0.0;
+  for (const double x : {a.xx, a.xy, a.xz, a.yx, a.yy, a.yz, a.zx, a.zy, a.zz})
+    largest = std::fmax(largest, std::fabs(x));
+  return largest;
+}
+
+/// exp(A) of a tensor whose entries are at most 0.1 (docs/method.md). With t = tr A / 3, the
+/// traceless B = A - t I obeys B^3 = p B + q I, p = tr(B^2) / 2, q = det B, so that
+///
+///   B^k = q z_(k-1) I + z_(k+1) B + z_k B^2,   z_(k+1) = p z_(k-1) + q z_(k-2),   z_2 = 1
+///
+/// and the power series of exp(B) needs scalars only; to B^13 it is exact to round-off. det exp(A)
+/// = exp(tr A) then holds to round-off, which keeps the volume of a particle after many steps.
+/// Without branches, for the compiler to vectorise.
+KOKKOS_INLINE_FUNCTION SpaceTensor short_exponential(const SpaceTensor& a) {
+  constexpr int order = 13;
+  const double t = (a.xx + a.yy + a.zz) / 3.0;
+  const SpaceTensor b{a.xx - t, a.xy, a.xz, a.yx, a.yy - t, a.yz, a.zx, a.zy, a.zz - t};
+  const SpaceTensor b2 = multiply(b, b);
+  const double p = 0.5 * (b2.xx + b2.yy + b2.zz);
+  const double q = determinant(b);
+  double before = 0.0, now = 0.0, next = 1.0;  // z_(k-1), z_k, z_(k+1) of k = 1
+  double c0 = 1.0, c1 = 1.0, c2 = 0.0;         // of the series to k = 1
+  double inverse = 1.0;                        // 1 / k!
+  for (int k = 2; k <= order; ++k) {
+    const double after = p * now + q * before;
+    before = now;
+    now = next;
+    next = after;
+    inverse /= k;
+    c0 += inverse * q * before;
+    c1 += inverse * next;
+    c2 += inverse * now;
+  }
+  // e^t by its own series: the same to round-off for |t| <= 0.1.
+  double e = 1.0;
+  for (int k = 10; k > 0; --k) e = 1.0 + e * t * (1.0 / k);
+  c0 *= e;
+  c1 *= e;
+  c2 *= e;
+  return {
+      c0 + c1 * b.xx + c2 * b2.xx,
+      c1 * b.xy + c2 * b2.xy,
+      c1 * b.xz + c2 * b2.xz,
+      c1 * b.yx + c2 * b2.yx,
+      c0 + c1 * b.yy + c2 * b2.yy,
+      c1 * b.yz + c2 * b2.yz,
+      c1 * b.zx + c2 * b2.zx,
+      c1 * b.zy + c2 * b2.zy,
+      c0 + c1 * b.zz + c2 * b2.zz};
+}
+
+/// The same for any tensor: that of a 2^n-th part, squared n times.
+KOKKOS_INLINE_FUNCTION SpaceTensor exponential(const SpaceTensor& a) {
+  const double size = largest_entry(a);
+  int squarings = 0;
+  double part = 1.0;
+  // An infinite tensor ends as one that is not finite.
+  for (; size * part > 0.1 && squarings < 64; ++squarings) part *= 0.5;
+  SpaceTensor out = short_exponential(scaled(part, a));
+  for (int i = 0; i < squarings; ++i) out = multiply(out, out);
+  return out;
+}
+
+KOKKOS_INLINE_FUNCTION SpaceRotation unit(const SpaceRotation& r) {
+  const double inverse = 1.0 / std::sqrt(r.w * r.w + r.x * r.x + r.y * r.y + r.z * r.z);
+  return {r.w * inverse, r.x * inverse, r.y * inverse, r.z * inverse};
+}
+/// First b, then a.
+KOKKOS_INLINE_FUNCTION SpaceRotation multiply(const SpaceRotation& a, const SpaceRotation& b) {
+  return {
+      a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+      a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+      a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+      a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+KOKKOS_INLINE_FUNCTION SpaceRotation inverse(const SpaceRotation& r) {
+  return {r.w, -r.x, -r.y, -r.z};
+}
+KOKKOS_INLINE_FUNCTION SpaceTensor matrix(const SpaceRotation& r) {
+  const double xx = r.x * r.x, yy = r.y * r.y, zz = r.z * r.z;
+  const double xy = r.x * r.y, xz = r.x * r.z, yz = r.y * r.z;
+  const double wx = r.w * r.x, wy = r.w * r.y, wz = r.w * r.z;
+  return {
+      1.0 - 2.0 * (yy + zz),
+      2.0 * (xy - wz),
+      2.0 * (xz + wy),
+      2.0 * (xy + wz),
+      1.0 - 2.0 * (xx + zz),
+      2.0 * (yz - wx),
+      2.0 * (xz - wy),
+      2.0 * (yz + wx),
+      1.0 - 2.0 * (xx + yy)};
+}
+
+/// R t R^T: from the unrotated to the space frame.
+KOKKOS_INLINE_FUNCTION Sym3 rotate(const SpaceRotation& rotation, const Sym3& t) {
+  const SpaceTensor r = matrix(rotation);
+  const SpaceTensor s =
+      multiply(r, SpaceTensor{t.xx, t.xy, t.zx, t.xy, t.yy, t.yz, t.zx, t.yz, t.zz});
+  return {
+      s.xx * r.xx + s.xy * r.xy + s.xz * r.xz,
+      s.yx * r.yx + s.yy * r.yy + s.yz * r.yz,
+      s.zx * r.zx + s.zy * r.zy + s.zz * r.zz,
+      s.xx * r.yx + s.xy * r.yy + s.xz * r.yz,
+      s.yx * r.zx + s.yy * r.zy + s.yz * r.zz,
+      s.zx * r.xx + s.zy * r.xy + s.zz * r.xz};
+}
+/// R^T t R: from the space to the unrotated frame.
+KOKKOS_INLINE_FUNCTION Sym3 unrotate(const SpaceRotation& r, const Sym3& t) {
+  return rotate(inverse(r), t);
+}
+
+/// Half-way between two rotations less than half a turn apart.
+KOKKOS_INLINE_FUNCTION SpaceRotation mean_rotation(const SpaceRotation& a, const SpaceRotation& b) {
+  const double same = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z >= 0.0 ? 1.0 : -1.0;
+  return unit({a.w + same * b.w, a.x + same * b.x, a.y + same * b.y, a.z + same * b.z});
+}
+
+/// What a rotation near R of F = R U lacks: by the Newton step of max tr(R^T F), with G = R^T F and
+/// S its symmetric part, the turn w (in the frame of R) that solves
+///
+///   (tr(S) I - S) w = {Gzy - Gyz, Gxz - Gzx, Gyx - Gxy}
+///
+/// Errors are cubed by a step, because the third derivative has no part along w at the solution.
+struct TurnLeft {
+  double x, y, z;
+};
+KOKKOS_INLINE_FUNCTION TurnLeft turn_left(const SpaceTensor& f, const SpaceRotation& near) {
+  const SpaceTensor g = multiply(transpose(matrix(near)), f);
+  const double ax = g.zy - g.yz, ay = g.xz - g.zx, az = g.yx - g.xy;
+  const double xx = g.yy + g.zz, yy = g.xx + g.zz, zz = g.xx + g.yy;
+  const double xy = -0.5 * (g.xy + g.yx), xz = -0.5 * (g.xz + g.zx), yz = -0.5 * (g.yz + g.zy);
+  const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
+  const double cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
+  const double inverse = 1.0 / (xx * cxx + xy * cxy + xz * cxz);
+  return {
+      (cxx * ax + cxy * ay + cxz * az) * inverse,
+      (cxy * ax + cyy * ay + cyz * az) * inverse,
+      (cxz * ax + cyz * ay + czz * az) * inverse};
+}
+KOKKOS_INLINE_FUNCTION SpaceRotation turned(const SpaceRotation& r, const TurnLeft& by) {
+  return unit(multiply(r, SpaceRotation{1.0, 0.5 * by.x, 0.5 * by.y, 0.5 * by.z}));
+}
+
+/// R of F = R U from a rotation near it, by three Newton steps; without branches.
+/// @param[out] left  size of the last step, squared: R is exact to round-off if it is below
+///                   `last_turn`
+inline constexpr double last_turn = 1e-12;
+KOKKOS_INLINE_FUNCTION SpaceRotation
+near_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& left) {
+  // Written out: compilers vectorise over particles only where they see no loop.
+  const SpaceRotation first = turned(near, turn_left(f, near));
+  const SpaceRotation second = turned(first, turn_left(f, first));
+  const TurnLeft by = turn_left(f, second);
+  left = by.x * by.x + by.y * by.y + by.z * by.z;
+  return turned(second, by);
+}
+
+/// Of a matrix that is a rotation to a few digits at least: from the largest of the four.
+KOKKOS_INLINE_FUNCTION SpaceRotation rotation_of(const SpaceTensor& m) {
+  const double w = m.xx + m.yy + m.zz, x = m.xx - m.yy - m.zz;
+  const double y = m.yy - m.xx - m.zz, z = m.zz - m.xx - m.yy;
+  if (w >= x && w >= y && w >= z) return unit({1.0 + w, m.zy - m.yz, m.xz - m.zx, m.yx - m.xy});
+  if (x >= y && x >= z) return unit({m.zy - m.yz, 1.0 + x, m.xy + m.yx, m.xz + m.zx});
+  if (y >= z) return unit({m.xz - m.zx, m.xy + m.yx, 1.0 + y, m.yz + m.zy});
+  return unit({m.yx - m.xy, m.xz + m.zx, m.yz + m.zy, 1.0 + z});
+}
+
+/// R of F = R U for any F with det F > 0: scaled Newton iteration of the matrix,
+/// X <- (g X + X^-T / g) / 2, then Newton steps of the rotation, which are exact to round-off.
+///
+/// Source: N. Higham, SIAM J. Sci. Stat. Comput. 7 (1986) 1160-1174.
+KOKKOS_INLINE_FUNCTION SpaceRotation polar_rotation(const SpaceTensor& f) {
+  SpaceTensor x = f;
+  for (int i = 0; i < 20; ++i) {
+    const double det = determinant(x);
+    if (!(det > 0.0)) return {};  // no rotation, or not finite
+    const SpaceTensor y = scaled(1.0 / det, cofactors(x));
+    const double ratio = std::sqrt(norm_squared(y) / norm_squared(x));
+    const double g = std::sqrt(ratio);
+    const SpaceTensor a = scaled(0.5 * g, x), b = scaled(0.5 / g, y);
+    x = {
+        a.xx + b.xx,
+        a.xy + b.xy,
+        a.xz + b.xz,
+        a.yx + b.yx,
+        a.yy + b.yy,
+        a.yz + b.yz,
+        a.zx + b.zx,
+        a.zy + b.zy,
+        a.zz + b.zz};
+    if (std::fabs(norm_squared(x) - 3.0) < 1e-10 && std::fabs(ratio - 1.0) < 1e-5) break;
+  }
+  double left = 0.0;
+  return near_polar_rotation(f, rotation_of(x), left);
+}
+
+/// Largest singular value of F: by how much the most stretched direction has grown. Root of the
+/// largest eigenvalue of F^T F, by the trigonometric form of the cubic's roots.
+KOKKOS_INLINE_FUNCTION double largest_stretch(const SpaceTensor& f) {
+  const SpaceTensor c = multiply(transpose(f), f);
+  const double mean = (c.xx + c.yy + c.zz) / 3.0;
+  const double x = c.xx - mean, y = c.yy - mean, z = c.zz - mean;
+  const double p =
+      std::sqrt((x * x + y * y + z * z + 2.0 * (c.xy * c.xy + c.xz * c.xz + c.yz * c.yz)) / 6.0);
+  if (!(p > 0.0)) return std::sqrt(mean);
+  const double det = determinant(SpaceTensor{x, c.xy, c.xz, c.xy, y, c.yz, c.xz, c.yz, z});
+  const double cosine = std::fmax(-1.0, std::fmin(1.0, 0.5 * det / (p * p * p)));
+  return std::sqrt(mean + 2.0 * p * std::cos(std::acos(cosine) / 3.0));
+}
+
+}  // namespace barreno
