@@ -25,6 +25,13 @@ std::string format(const char* pattern, ...) {
   return text;
 }
 
+std::string box_text(const GridSpec& grid) {
+  std::string text;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d)
+    text += format(d == 0 ? "%g" : " x %g", grid.upper[d] - grid.lower[d]);
+  return text;
+}
+
 /// One row of the table: feature, on or off, why.
 std::string feature(const char* name, bool on, const std::string& why) {
   return format("  %-22s %-4s %s\n", name, on ? "on" : "off", why.c_str());
@@ -40,7 +47,9 @@ double fastest(const Scene& scene, int material) {
   for (const BodySpec& body : scene.bodies)
     if (body.material == material)
       speed = std::max(
-          speed, std::hypot(body.velocity[0], body.velocity[1]) + std::abs(body.radial_velocity)
+          speed,
+          std::hypot(body.velocity[0], body.velocity[1], body.velocity[2]) +
+              std::abs(body.radial_velocity)
       );
   if (scene.jet.present && scene.jet.material == material)
     for (const JetSlug& slug : scene.jet.slugs) speed = std::max(speed, slug.velocity);
@@ -85,6 +94,7 @@ std::string material_lines(const Scene& scene) {
 }
 
 std::string feature_lines(const Scene& scene) {
+  const bool space = scene.grid.mode == Mode::three_dimensional;
   const bool confined =
       std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) {
         return body.initial_pressure > 0.0;
@@ -113,7 +123,10 @@ std::string feature_lines(const Scene& scene) {
              format("PIC Fraction = %g", scene.step.pic_fraction)
          ) +
          feature(
-             "third dimension", false, "the mode is two-dimensional: 2D data, 9 nodes per particle"
+             "third dimension",
+             space,
+             space ? "27 nodes per particle"
+                   : "the mode is two-dimensional: 2D data, 9 nodes per particle"
          ) +
          feature("pore fluid", false, "no material of the scene has one") +
          feature("contact with friction", false, "all bodies share one velocity field");
@@ -124,14 +137,12 @@ std::string feature_lines(const Scene& scene) {
 std::string plan_text(const Scene& scene, const std::vector<std::string>& notes) {
   const double particles = static_cast<double>(first_ids(scene).back() - 1);
   const double step = first_stable_step(scene);
-  const bool axisymmetric = scene.grid.mode == Mode::axisymmetric;
   std::string text = scene.title.empty() ? std::string("The deck is sound.\n")
                                          : scene.title + "\nThe deck is sound.\n";
   text += format(
-      "Grid      %s, %g x %g m, cells of %g m\n",
-      axisymmetric ? "axisymmetric" : "plane strain",
-      scene.grid.upper[0] - scene.grid.lower[0],
-      scene.grid.upper[1] - scene.grid.lower[1],
+      "Grid      %s, %s m, cells of %g m\n",
+      mode_name(scene.grid.mode),
+      box_text(scene.grid).c_str(),
       scene.grid.cell_size
   );
   text += format(

@@ -25,12 +25,12 @@ Section grid_section() {
       Presence::required,
       {word(
            "Mode",
-           {"axisymmetric", "plane strain"},
-           "axisymmetric: {r, axial}; plane strain: {x, y}, per metre"
+           {"axisymmetric", "plane strain", "3D"},
+           "axisymmetric: {r, axial}; plane strain: {x, y}, per metre; 3D: {x, y, z}"
        ),
        vector("Lower", dim::length, any(), "lower corner of the box"),
        vector("Upper", dim::length, any(), "upper corner, a whole number of cells away"),
-       number("Cell Size", dim::length, above(0.0), "edge of the square cells")},
+       number("Cell Size", dim::length, above(0.0), "edge of the square or cubic cells")},
       {},
       {}};
 }

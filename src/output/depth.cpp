@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/depth.hpp"
 
+#include "base/numbers.hpp"
 #include "base/region.hpp"
 #include "state/balance.hpp"
 
@@ -17,9 +18,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Extent {
   double lower = infinity, upper = -infinity;
 };
-Extent on_axis(const Shape& shape, double radius) {
+Extent on_axis(const Shape& shape, double radius, int dimensions) {
   if (const auto* box = std::get_if<Box>(&shape)) {
-    const bool meets = box->lower[0] < radius && box->upper[0] > -radius;
+    const auto reaches = [&](std::size_t across) {
+      return box->lower[across] < radius && box->upper[across] > -radius;
+    };
+    const bool meets = reaches(0) && (dimensions == 2 || reaches(2));
     return meets ? Extent{box->lower[1], box->upper[1]} : Extent{};
   }
   const auto& ball = std::get<Ball>(shape);
@@ -77,9 +81,14 @@ constexpr double fill_quantum = 1.0 / 1099511627776.0;
 std::vector<long long> fill_cells(
     const std::vector<HostParticles>& sets, const Scene& scene, const JetPath& path, int columns
 ) {
-  const bool ring = scene.grid.mode == Mode::axisymmetric;
+  const GridSpec& grid = scene.grid;
+  const bool ring = grid.mode != Mode::plane_strain;
   const double h = path.bin;
-  const double sides = !ring && scene.grid.lower[0] < 0.0 ? 2.0 : 1.0;
+  // Of a ring or of the two sides of a plane, what the grid holds.
+  double part = 1.0;
+  if (grid.mode == Mode::plane_strain && grid.lower[0] < 0.0) part = 2.0;
+  if (grid.mode == Mode::three_dimensional)
+    for (const std::size_t across : {0U, 2U}) part *= grid.lower[across] < 0.0 ? 1.0 : 0.5;
   std::vector<long long> fill(
       static_cast<std::size_t>(path.bins) * static_cast<std::size_t>(columns), 0
   );
@@ -89,9 +98,10 @@ std::vector<long long> fill_cells(
     for (int p = 0; p < particles.count; ++p) {
       if ((particles.body(p) & ~held_bit) == scene.bodies.size()) continue;  // the jet itself
       const double bin = std::floor(path.depth(particles.position(p, 1)) / h);
-      const double column = std::floor(std::abs(particles.position(p, 0)) / h);
+      const double z = grid.mode == Mode::three_dimensional ? particles.position(p, 2) : 0.0;
+      const double column = std::floor(std::hypot(particles.position(p, 0), z) / h);
       if (!(bin >= 0.0 && bin < path.bins && column < columns)) continue;
-      const double cell = h * h * (ring ? 2.0 * std::acos(-1.0) * (column + 0.5) * h : sides);
+      const double cell = h * h * part * (ring ? two_pi * (column + 0.5) * h : 1.0);
       // Expanded debris fills no more than it did as rock.
       const double filled = std::min(particles.volume(p, 0), particles.mass(p, 0) / density) / cell;
       fill
@@ -146,7 +156,7 @@ JetPath jet_path(const Scene& scene) {
   const double launch = path.direction * scene.jet.launch_position;
   double face = infinity, end = -infinity;
   for (const BodySpec& body : scene.bodies) {
-    const Extent extent = on_axis(body.shape, radius);
+    const Extent extent = on_axis(body.shape, radius, dimensions(scene.grid.mode));
     const bool forward = path.direction > 0.0;
     const double near = forward ? extent.lower : -extent.upper;
     const double far = forward ? extent.upper : -extent.lower;

@@ -18,7 +18,12 @@ ExodusWriter::ExodusWriter(
     const std::string& version,
     const std::vector<std::string>& information
 )
-    : dimensions_(dimensions(scene.grid.mode)), nodes_(scene.output.glyph == Glyph::point ? 1 : 4) {
+    : dimensions_(dimensions(scene.grid.mode)),
+      nodes_(
+          scene.output.glyph == Glyph::point ? 1
+          : dimensions_ == 3                 ? 8
+                                             : 4
+      ) {
   lay_out(scene, slots);
   ExodusLayout layout = describe(scene, version);
   layout.information = information;
@@ -48,12 +53,12 @@ ExodusLayout ExodusWriter::describe(const Scene& scene, const std::string& versi
   ExodusLayout layout;
   layout.title = scene.title;
   layout.version = version;
-  layout.topology = nodes_ == 1 ? "SPHERE" : "QUAD4";
+  layout.topology = nodes_ == 1 ? "SPHERE" : nodes_ == 4 ? "QUAD4" : "HEX8";
   layout.nodes_per_element = nodes_;
   layout.global_variables = {"step", "time_step", "particles"};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Material& material = scene.materials[b].material;
-    ExodusBlock block{material.name, {}, particle_field_names(material)};
+    ExodusBlock block{material.name, {}, particle_field_names(material, dimensions_)};
     for (const Range& range : blocks_[b].ranges)
       for (long long i = 0; i < range.count; ++i) block.ids.push_back(range.first + i);
     layout.blocks.push_back(std::move(block));
@@ -93,7 +98,7 @@ ExodusWriter::Rows ExodusWriter::gather_rows(
   const HostParticles particles(state.particles[set]);
   const Material& material = scene.materials[set].material;
   Rows rows;
-  rows.width = node_values() + particle_field_names(material).size() + 1;
+  rows.width = node_values() + particle_field_names(material, dimensions_).size() + 1;
   std::vector<ParticleId> ids;
   std::vector<double> values;
   ids.reserve(static_cast<std::size_t>(particles.count));
@@ -101,13 +106,14 @@ ExodusWriter::Rows ExodusWriter::gather_rows(
   for (int p = 0; p < particles.count; ++p) {
     ids.push_back(particles.id(p));
     if (nodes_ == 1) {
-      values.insert(values.end(), {particles.position(p, 0), particles.position(p, 1)});
+      for (int d = 0; d < dimensions_; ++d) values.push_back(particles.position(p, d));
     } else {
-      const Corners corners = particles.corners(p);
-      values.insert(values.end(), corners.begin(), corners.end());
+      particles.append_corners(p, values);
     }
     append_particle_fields(particles, p, material.density, values);
-    values.push_back(std::sqrt(particles.half_size(p, 0) * particles.half_size(p, 1)));
+    double size = 1.0;
+    for (int d = 0; d < dimensions_; ++d) size *= particles.half_size(p, d);
+    values.push_back(std::pow(size, 1.0 / dimensions_));
   }
   for (const ParticleId id : gather_to_root(*state.grid.comm, ids))
     rows.elements.push_back(element(blocks_[set], id));
@@ -142,7 +148,8 @@ void ExodusWriter::move_nodes(const Rows& rows) {
 
 void ExodusWriter::put_block(const Scene& scene, std::size_t set, const Rows& rows) {
   const Block& block = blocks_[set];
-  const std::vector<std::string> names = particle_field_names(scene.materials[set].material);
+  const std::vector<std::string> names =
+      particle_field_names(scene.materials[set].material, dimensions_);
   std::vector<double> values(block.count);
   for (std::size_t v = 0; v < names.size(); ++v) {
     std::fill(values.begin(), values.end(), 0.0);

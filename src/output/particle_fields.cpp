@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/particle_fields.hpp"
 
+#include "shape/kinematics_3d.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,22 @@ Stretch stretch(const HostParticles::Values& F, int p) {
   return s;
 }
 
+/// The particle's stress in the space frame.
+Sym3 stress_of(const HostParticles& particles, int p) {
+  const auto& s = particles.stress;
+  if (particles.dimensions() == 3) {
+    const auto& r = particles.rotation;
+    return rotate(
+        SpaceRotation{r(p, 0), r(p, 1), r(p, 2), r(p, 3)},
+        {s(p, 0), s(p, 1), s(p, 2), s(p, 3), s(p, 4), s(p, 5)}
+    );
+  }
+  const PlaneStress plane = space_stress(
+      {s(p, 0), s(p, 1), s(p, 2), s(p, 3)}, stretch(particles.deformation_gradient, p).plane
+  );
+  return {plane[0], plane[1], plane[2], plane[3], 0.0, 0.0};
+}
+
 }  // namespace
 
 Corners domain_corners(const double x[2], const double F[4], const double h[2]) {
@@ -36,6 +54,28 @@ Corners domain_corners(const double x[2], const double F[4], const double h[2]) 
     corners[2 * a] = x[0] + sign[a][0] * X * F[0] + sign[a][1] * Y * F[1];
     corners[2 * a + 1] = x[1] + sign[a][0] * X * F[2] + sign[a][1] * Y * F[3];
   }
+  return corners;
+}
+
+SpaceCorners domain_corners_3d(const double x[3], const double F[9], const double h[3]) {
+  constexpr double sign[8][3] = {
+      {-1, -1, -1},
+      {1, -1, -1},
+      {1, 1, -1},
+      {-1, 1, -1},
+      {-1, -1, 1},
+      {1, -1, 1},
+      {1, 1, 1},
+      {-1, 1, 1}};
+  double drawn[3];
+  for (std::size_t k = 0; k < 3; ++k)
+    drawn[k] = h[k] / std::max(1.0, std::hypot(F[k], F[3 + k], F[6 + k]) / longest_stretch_drawn);
+  SpaceCorners corners{};
+  for (std::size_t a = 0; a < 8; ++a)
+    for (std::size_t i = 0; i < 3; ++i) {
+      double& coordinate = corners[3 * a + i] = x[i];
+      for (std::size_t k = 0; k < 3; ++k) coordinate += sign[a][k] * drawn[k] * F[3 * i + k];
+    }
   return corners;
 }
 
@@ -60,6 +100,7 @@ HostParticles::HostParticles(const Particles& particles)
       position(on_host(particles.position.values)),
       velocity(on_host(particles.velocity.values)),
       deformation_gradient(on_host(particles.deformation_gradient.values)),
+      rotation(on_host(particles.rotation.values)),
       stress(on_host(particles.stress.values)),
       mass(on_host(particles.mass.values)),
       volume(on_host(particles.volume.values)),
@@ -67,26 +108,32 @@ HostParticles::HostParticles(const Particles& particles)
       viscous_pressure(on_host(particles.viscous_pressure.values)),
       history(on_host(particles.history.values)) {}
 
-Corners HostParticles::corners(int p) const {
-  const double x[2] = {position(p, 0), position(p, 1)};
-  const double h[2] = {half_size(p, 0), half_size(p, 1)};
-  return domain_corners(x, stretch(deformation_gradient, p).plane, h);
+void HostParticles::append_corners(int p, std::vector<double>& values) const {
+  double x[3], h[3], F[9];
+  for (int d = 0; d < dimensions(); ++d) {
+    x[d] = position(p, d);
+    h[d] = half_size(p, d);
+  }
+  const auto append = [&](const auto& corners) {
+    values.insert(values.end(), corners.begin(), corners.end());
+  };
+  if (dimensions() == 2) {
+    append(domain_corners(x, stretch(deformation_gradient, p).plane, h));
+    return;
+  }
+  for (int c = 0; c < 9; ++c) F[c] = deformation_gradient(p, c);
+  append(domain_corners_3d(x, F, h));
 }
 
-std::vector<std::string> particle_field_names(const Material& material) {
-  std::vector<std::string> names{
-      "status",
-      "velocity_x",
-      "velocity_y",
-      "stress_xx",
-      "stress_yy",
-      "stress_zz",
-      "stress_xy",
-      "pressure",
-      "shear_stress",
-      "density",
-      "volume_ratio",
-      "viscous_pressure"};
+std::vector<std::string> particle_field_names(const Material& material, int dimensions) {
+  std::vector<std::string> names{"status", "velocity_x", "velocity_y"};
+  if (dimensions == 3) names.emplace_back("velocity_z");
+  for (const char* name : {"stress_xx", "stress_yy", "stress_zz", "stress_xy"})
+    names.emplace_back(name);
+  if (dimensions == 3) names.insert(names.end(), {"stress_yz", "stress_zx"});
+  for (const char* name :
+       {"pressure", "shear_stress", "density", "volume_ratio", "viscous_pressure"})
+    names.emplace_back(name);
   std::visit(
       [&](const auto& model) {
         for (const HistoryField& field : model.history_table()) names.emplace_back(field.name);
@@ -99,26 +146,19 @@ std::vector<std::string> particle_field_names(const Material& material) {
 void append_particle_fields(
     const HostParticles& particles, int p, double reference_density, std::vector<double>& values
 ) {
-  const auto& sigma = particles.stress;
-  const PlaneStress s = space_stress(
-      {sigma(p, 0), sigma(p, 1), sigma(p, 2), sigma(p, 3)},
-      stretch(particles.deformation_gradient, p).plane
-  );
-  const double pressure = -(s[0] + s[1] + s[2]) / 3.0;
-  const double xx = s[0] + pressure, yy = s[1] + pressure, zz = s[2] + pressure;
-  const double second_invariant = 0.5 * (xx * xx + yy * yy + zz * zz) + s[3] * s[3];
+  const Sym3 s = stress_of(particles, p);
+  const double pressure = -trace(s) / 3.0;
+  const Sym3 shear = deviator(s);
+  const double second_invariant = 0.5 * contract(shear, shear);
   const double density = particles.mass(p, 0) / particles.volume(p, 0);
   const double alive = 1.0;
+  values.push_back(alive);
+  for (int d = 0; d < particles.dimensions(); ++d) values.push_back(particles.velocity(p, d));
+  values.insert(values.end(), {s.xx, s.yy, s.zz, s.xy});
+  if (particles.dimensions() == 3) values.insert(values.end(), {s.yz, s.zx});
   values.insert(
       values.end(),
-      {alive,
-       particles.velocity(p, 0),
-       particles.velocity(p, 1),
-       s[0],
-       s[1],
-       s[2],
-       s[3],
-       pressure,
+      {pressure,
        std::sqrt(second_invariant),
        density,
        reference_density / density,

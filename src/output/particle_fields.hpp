@@ -21,6 +21,13 @@ Corners domain_corners(
     const double position[2], const double deformation_gradient[4], const double half_size[2]
 );
 
+/// The same in three dimensions, corners of the lower z face, then those of the upper, as HEX8
+/// wants them: x y z of each. F by rows.
+using SpaceCorners = std::array<double, 24>;
+SpaceCorners domain_corners_3d(
+    const double position[3], const double deformation_gradient[9], const double half_size[3]
+);
+
 /// In-plane components xx yy zz xy.
 using PlaneStress = std::array<double, 4>;
 
@@ -35,15 +42,16 @@ struct HostParticles {
   int count = 0;
   ArrayView<ParticleId>::HostMirror id;
   ArrayView<unsigned char>::HostMirror body;
-  Values position, velocity, deformation_gradient, stress, mass, volume, half_size;
+  Values position, velocity, deformation_gradient, rotation, stress, mass, volume, half_size;
   Values viscous_pressure, history;
 
-  Corners corners(int p) const;
+  int dimensions() const { return static_cast<int>(position.extent(1)); }
+  void append_corners(int p, std::vector<double>& values) const;
 };
 
 /// Element variables of a material in files: the common ones, then the model's history by its own
 /// names.
-std::vector<std::string> particle_field_names(const Material& material);
+std::vector<std::string> particle_field_names(const Material& material, int dimensions);
 
 /// Their values for one particle, in that order; `status` is 1.
 void append_particle_fields(

@@ -107,20 +107,28 @@ void Progress::list_warnings() {
     if (count > 1) say("warning: " + kind + ": " + std::to_string(count) + " times in all");
 }
 
+namespace {
+
+std::string grid_text(const GridSpec& grid) {
+  std::string text = mode_name(grid.mode);
+  if (grid.mode == Mode::axisymmetric) text += " (x = r, y = axial)";
+  if (grid.mode == Mode::plane_strain) text += " (per m of thickness)";
+  const auto last = static_cast<std::size_t>(dimensions(grid.mode)) - 1;
+  text += ", ";
+  for (std::size_t d = 0; d <= last; ++d)
+    text += si(1e3 * (grid.upper[d] - grid.lower[d]), d < last ? "mm x " : "mm, cells of ");
+  return text + si(1e3 * grid.cell_size, "mm");
+}
+
+}  // namespace
+
 std::vector<std::string> scene_lines(
     const Scene& scene, const RunDescription& run, int ranks, double particles
 ) {
-  const bool axisymmetric = scene.grid.mode == Mode::axisymmetric;
   const GridSpec& grid = scene.grid;
   std::vector<std::string> lines;
   lines.push_back("Barreno " + run.version + ": " + run.deck_name + ", " + scene.title);
-  lines.push_back(
-      std::string("  grid       ") +
-      (axisymmetric ? "axisymmetric (x = r, y = axial)" : "plane strain (per m of thickness)") +
-      ", " + si(1e3 * (grid.upper[0] - grid.lower[0]), "mm x ") +
-      si(1e3 * (grid.upper[1] - grid.lower[1]), "mm") + ", cells of " +
-      si(1e3 * grid.cell_size, "mm")
-  );
+  lines.push_back("  grid       " + grid_text(grid));
   for (const BodySpec& body : scene.bodies) {
     const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
     const std::string model =

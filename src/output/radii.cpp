@@ -16,11 +16,11 @@ const Ball& ball_of(const Scene& scene, int body) {
 }
 
 double power_of(Mode mode, double r) {
-  return mode == Mode::axisymmetric ? r * r * r : r * r;
+  return mode == Mode::plane_strain ? r * r : r * r * r;
 }
 double root_of(Mode mode, double power) {
   const double positive = std::max(0.0, power);
-  return mode == Mode::axisymmetric ? std::cbrt(positive) : std::sqrt(positive);
+  return mode == Mode::plane_strain ? std::sqrt(positive) : std::cbrt(positive);
 }
 
 /// A body's name as part of a column's.
@@ -52,8 +52,9 @@ std::vector<RadialMoment> radial_moments(
       const auto found = std::find(bodies.begin(), bodies.end(), body);
       if (found == bodies.end()) continue;
       const Vector& centre = ball_of(scene, body).centre;
+      const double z = particles.dimensions() == 3 ? particles.position(p, 2) - centre[2] : 0.0;
       const double r =
-          std::hypot(particles.position(p, 0) - centre[0], particles.position(p, 1) - centre[1]);
+          std::hypot(particles.position(p, 0) - centre[0], particles.position(p, 1) - centre[1], z);
       double* const sum = &sums[3 * static_cast<std::size_t>(found - bodies.begin())];
       sum[0] += particles.mass(p, 0);
       sum[1] += particles.mass(p, 0) * power_of(scene.grid.mode, r);

@@ -190,7 +190,7 @@ std::string summary_text(
   json.text("deck", run.deck_name);
   json.text("title", scene.title);
   json.text("version", run.version);
-  json.text("mode", scene.grid.mode == Mode::axisymmetric ? "axisymmetric" : "plane strain");
+  json.text("mode", mode_name(scene.grid.mode));
   json.flag("finished", verdict.finished);
   json.text("reason", verdict.reason);
   json.integer("exit_code", verdict.exit_code);

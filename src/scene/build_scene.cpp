@@ -13,10 +13,15 @@
 namespace barreno {
 namespace {
 
-constexpr int tile_cells = 8;           ///< per direction; the grid keeps a directory of tiles
+/// Per direction; the grid keeps a directory of tiles.
+constexpr int tile_cells(int dimensions) {
+  return dimensions == 3 ? 4 : 8;
+}
 constexpr double bytes_per_tile = 8.0;  ///< owner and local index of every tile of the box
-constexpr double estimated_particle_bytes =
-    250.0;  ///< state arrays and their share of active tiles
+/// State arrays and their share of active tiles.
+constexpr double estimated_particle_bytes(int dimensions) {
+  return dimensions == 3 ? 500.0 : 250.0;
+}
 
 std::string text_of(const char* format, double x) {
   char buffer[64];
@@ -24,9 +29,14 @@ std::string text_of(const char* format, double x) {
   return buffer;
 }
 
+Mode mode_of(const std::string& word) {
+  if (word == "axisymmetric") return Mode::axisymmetric;
+  return word == "3D" ? Mode::three_dimensional : Mode::plane_strain;
+}
+
 GridSpec read_grid(const Deck& deck) {
   GridSpec grid;
-  grid.mode = deck.word("Grid/Mode") == "axisymmetric" ? Mode::axisymmetric : Mode::plane_strain;
+  grid.mode = mode_of(deck.word("Grid/Mode"));
   grid.lower = vector_at(deck, "Grid/Lower", grid.mode);
   grid.upper = vector_at(deck, "Grid/Upper", grid.mode);
   grid.cell_size = deck.number("Grid/Cell Size");
@@ -36,7 +46,7 @@ GridSpec read_grid(const Deck& deck) {
     );
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
-    const std::string axis = i == 0 ? "x" : "y";
+    const std::string axis(1, "xyz"[i]);
     const double cells = (grid.upper[i] - grid.lower[i]) / grid.cell_size;
     if (!(cells > 0.0)) {
       deck.refuse_value(
@@ -59,7 +69,9 @@ GridSpec read_grid(const Deck& deck) {
 double tiles_of(const GridSpec& grid) {
   double tiles = 1.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
-    tiles *= std::ceil((grid.upper[i] - grid.lower[i]) / (grid.cell_size * tile_cells));
+    tiles *= std::ceil(
+        (grid.upper[i] - grid.lower[i]) / (grid.cell_size * tile_cells(dimensions(grid.mode)))
+    );
   }
   return tiles;
 }
@@ -120,23 +132,25 @@ void check_memory(const Deck& deck, const Scene& scene) {
 }  // namespace
 
 double particle_estimate(const Scene& scene) {
-  const double cell = scene.grid.cell_size * scene.grid.cell_size;
+  const int d = dimensions(scene.grid.mode);
   double particles = 0.0;
   for (const BodySpec& body : scene.bodies) {
-    particles +=
-        area_of(body.shape, scene.grid) / cell * body.particles_per_cell * body.particles_per_cell;
+    const double per_length = body.particles_per_cell / scene.grid.cell_size;
+    particles += area_of(body.shape, scene.grid) * std::pow(per_length, d);
   }
   for (const JetSlug& slug : scene.jet.slugs) {
     const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;
     // A slug thinner than a particle is still one.
-    particles += std::max(1.0, slug.radius * per_length) * std::max(1.0, slug.length * per_length);
+    const double across = std::max(1.0, slug.radius * per_length);
+    particles +=
+        (d == 3 ? 4.0 * across * across : across) * std::max(1.0, slug.length * per_length);
   }
   return particles;
 }
 
 double memory_estimate(const Scene& scene) {
   return bytes_per_tile * tiles_of(scene.grid) +
-         estimated_particle_bytes * particle_estimate(scene);
+         estimated_particle_bytes(dimensions(scene.grid.mode)) * particle_estimate(scene);
 }
 
 Scene build_scene(const Deck& deck) {

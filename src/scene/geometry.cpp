@@ -13,14 +13,22 @@ double distance(const Vector& a, const Vector& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-bool overlap(const Box& a, const Box& b, double tolerance) {
-  for (std::size_t i = 0; i < 2; ++i) {
+/// What touching shapes share, in the dimensions of the grid.
+struct Sharing {
+  std::size_t dimensions;
+  double tolerance;
+};
+
+bool overlap(const Box& a, const Box& b, const Sharing& sharing) {
+  const double tolerance = sharing.tolerance;
+  for (std::size_t i = 0; i < sharing.dimensions; ++i) {
     if (std::min(a.upper[i], b.upper[i]) - std::max(a.lower[i], b.lower[i]) <= tolerance)
       return false;
   }
   return true;
 }
-bool overlap(const Box& box, const Ball& ball, double tolerance) {
+bool overlap(const Box& box, const Ball& ball, const Sharing& sharing) {
+  const double tolerance = sharing.tolerance;
   Vector nearest{};
   for (std::size_t i = 0; i < 2; ++i)
     nearest[i] = std::clamp(ball.centre[i], box.lower[i], box.upper[i]);
@@ -32,14 +40,15 @@ bool overlap(const Box& box, const Ball& ball, double tolerance) {
   const bool in_hollow = distance(farthest, ball.centre) <= ball.inner_radius + tolerance;
   return distance(nearest, ball.centre) < ball.radius - tolerance && !in_hollow;
 }
-bool overlap(const Ball& ball, const Box& box, double tolerance) {
-  return overlap(box, ball, tolerance);
+bool overlap(const Ball& ball, const Box& box, const Sharing& sharing) {
+  return overlap(box, ball, sharing);
 }
 /// One is in the other's hollow.
 bool in_hollow(const Ball& inner, const Ball& outer, double tolerance) {
   return distance(inner.centre, outer.centre) + inner.radius <= outer.inner_radius + tolerance;
 }
-bool overlap(const Ball& a, const Ball& b, double tolerance) {
+bool overlap(const Ball& a, const Ball& b, const Sharing& sharing) {
+  const double tolerance = sharing.tolerance;
   return distance(a.centre, b.centre) < a.radius + b.radius - tolerance &&
          !in_hollow(a, b, tolerance) && !in_hollow(b, a, tolerance);
 }
@@ -80,7 +89,10 @@ Box box_around(const Shape& shape, const GridSpec& grid) {
 
 double area_of(const Shape& shape, const GridSpec& grid) {
   if (const auto* box = std::get_if<Box>(&shape)) {
-    return (box->upper[0] - box->lower[0]) * (box->upper[1] - box->lower[1]);
+    double area = 1.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i)
+      area *= box->upper[i] - box->lower[i];
+    return area;
   }
   const auto& ball = std::get<Ball>(shape);
   const double whole = pi * (ball.radius * ball.radius - ball.inner_radius * ball.inner_radius);
@@ -88,14 +100,14 @@ double area_of(const Shape& shape, const GridSpec& grid) {
 }
 
 bool overlap(const Shape& a, const Shape& b, const GridSpec& grid) {
-  const double tolerance = touching(grid);
-  return std::visit([&](const auto& x, const auto& y) { return overlap(x, y, tolerance); }, a, b);
+  const Sharing sharing{static_cast<std::size_t>(dimensions(grid.mode)), touching(grid)};
+  return std::visit([&](const auto& x, const auto& y) { return overlap(x, y, sharing); }, a, b);
 }
 
 bool inside(const Shape& shape, const GridSpec& grid) {
   const Box box = box_around(shape, grid);
   const double tolerance = touching(grid);
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
     if (box.lower[i] < grid.lower[i] - tolerance || box.upper[i] > grid.upper[i] + tolerance)
       return false;
   }

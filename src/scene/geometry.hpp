@@ -11,7 +11,7 @@ std::vector<Face> cutting_faces(const Ball& ball, const GridSpec& grid);
 /// The smallest box around the part of a shape that is filled.
 Box box_around(const Shape& shape, const GridSpec& grid);
 
-/// Area in the plane that particles fill [length^2].
+/// What particles fill: an area in the plane, a volume in three dimensions [length^dimensions].
 double area_of(const Shape& shape, const GridSpec& grid);
 
 /// The shapes share more than a boundary (a ball's hollow is not part of it); what is closer than a

@@ -40,7 +40,10 @@ std::string problem_of(const JetSlug& slug, double material_density) {
 }  // namespace
 
 double cross_section(const JetSlug& slug, const GridSpec& grid) {
-  if (grid.mode == Mode::axisymmetric) return pi * slug.radius * slug.radius;
+  const double disk = pi * slug.radius * slug.radius;
+  if (grid.mode == Mode::axisymmetric) return disk;
+  if (grid.mode == Mode::three_dimensional)
+    return disk * (grid.lower[0] < 0.0 ? 1.0 : 0.5) * (grid.lower[2] < 0.0 ? 1.0 : 0.5);
   return grid.lower[0] < 0.0 ? 2.0 * slug.radius : slug.radius;
 }
 

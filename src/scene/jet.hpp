@@ -16,7 +16,8 @@ struct JetTotals {
   double energy = 0.0;    ///< kinetic [mass length^2/time^2]
 };
 
-/// Cross-section of a slug: a disk, or in plane strain the part of its width that the grid holds.
+/// Cross-section of a slug: a disk, in three dimensions the part of it on the grid's side of planes
+/// x = 0 and z = 0, in plane strain the part of its width that the grid holds.
 double cross_section(const JetSlug& slug, const GridSpec& grid);
 
 JetTotals jet_totals(const JetSpec& jet, const GridSpec& grid);

@@ -155,6 +155,19 @@ struct Scene {
   OutputSpec output;
 };
 
+/// The deck's word for a mode.
+inline const char* mode_name(Mode mode) {
+  switch (mode) {
+    case Mode::axisymmetric:
+      return "axisymmetric";
+    case Mode::plane_strain:
+      return "plane strain";
+    case Mode::three_dimensional:
+      break;
+  }
+  return "3D";
+}
+
 /// Coordinates of a mode.
 inline int dimensions(Mode mode) {
   return mode == Mode::three_dimensional ? 3 : 2;

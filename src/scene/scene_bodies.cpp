@@ -35,11 +35,11 @@ void check_shape_entries(
 Box read_box(const Deck& deck, const std::string& path, Mode mode) {
   check_shape_entries(deck, path, "box", {"Lower", "Upper"}, {"Centre", "Radius", "Inner Radius"});
   const Box box{vector_at(deck, path + "/Lower", mode), vector_at(deck, path + "/Upper", mode)};
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(mode)); ++i) {
     if (!(box.upper[i] > box.lower[i])) {
       deck.refuse_value(
           path + "/Upper",
-          std::string("is not above Lower along ") + (i == 0 ? "x" : "y") +
+          std::string("is not above Lower along ") + "xyz"[i] +
               " (the body is empty); exchange the two"
       );
     }
@@ -48,6 +48,12 @@ Box read_box(const Deck& deck, const std::string& path, Mode mode) {
 }
 
 Ball read_ball(const Deck& deck, const std::string& path, Mode mode) {
+  if (mode == Mode::three_dimensional) {
+    deck.refuse_value(
+        path + "/Shape",
+        "cannot be filled in three dimensions (only boxes can); write box or change Grid/Mode"
+    );
+  }
   check_shape_entries(deck, path, "ball", {"Centre", "Radius"}, {"Lower", "Upper"});
   Ball ball{vector_at(deck, path + "/Centre", mode), deck.number(path + "/Radius")};
   if (deck.has(path + "/Inner Radius")) ball.inner_radius = deck.number(path + "/Inner Radius");
@@ -130,7 +136,9 @@ Vector vector_at(const Deck& deck, const std::string& path, Mode mode) {
   const auto values = deck.vector(path);
   const auto count = static_cast<std::size_t>(dimensions(mode));
   if (values.size() != count) {
-    const char* axes = mode == Mode::axisymmetric ? "{r, axial}" : "{x, y}";
+    const char* axes = mode == Mode::axisymmetric   ? "{r, axial}"
+                       : mode == Mode::plane_strain ? "{x, y}"
+                                                    : "{x, y, z}";
     deck.refuse_value(
         path,
         "has " + std::to_string(values.size()) + " components (this mode has " +

@@ -9,14 +9,19 @@ namespace barreno {
 namespace {
 
 /// Where the widest and longest slug is when its centre crosses the plane.
-Box launch_box(const JetSpec& jet) {
+Box launch_box(const JetSpec& jet, const GridSpec& grid) {
   double radius = 0.0, length = 0.0;
   for (const JetSlug& slug : jet.slugs) {
     radius = std::max(radius, slug.radius);
     length = std::max(length, slug.length);
   }
   const double y = jet.launch_position;
-  return {{0.0, y - 0.5 * length, 0.0}, {radius, y + 0.5 * length, 0.0}};
+  Box box{{0.0, y - 0.5 * length, 0.0}, {radius, y + 0.5 * length, 0.0}};
+  if (grid.mode != Mode::three_dimensional) return box;
+  box.upper[2] = radius;
+  for (const std::size_t across : {0U, 2U})
+    if (grid.lower[across] < 0.0) box.lower[across] = -radius;
+  return box;
 }
 
 }  // namespace
@@ -36,12 +41,13 @@ void add_jet(const Deck& deck, Scene& scene) {
   jet.slugs = discrete_slugs(deck.rows("Jet/Slugs"), density, problem);
   if (!problem.empty()) deck.refuse_value(rows_path, problem);
 
-  const Box place = launch_box(jet);
-  if (scene.grid.lower[0] > 0.0) {
+  const Box place = launch_box(jet, scene.grid);
+  const bool space = scene.grid.mode == Mode::three_dimensional;
+  if (scene.grid.lower[0] > 0.0 || (space && scene.grid.lower[2] > 0.0)) {
     deck.refuse(
         "Jet",
-        "is launched along x = 0, which is outside the grid (its box begins beyond); extend "
-        "Grid/Lower to 0"
+        std::string("is launched along x = 0") + (space ? ", z = 0" : "") +
+            ", which is outside the grid (its box begins beyond); extend Grid/Lower to 0"
     );
   }
   if (!inside(place, scene.grid)) {

@@ -120,16 +120,19 @@ bool is_loaded(const Scene& scene, int body, Face face) {
 /// How a face of one body lies on the opposite face of another.
 enum class Sharing { none, part, whole };
 
-Sharing sharing(const Box& a, Face face, const Box& b, double tolerance) {
+Sharing sharing(const Box& a, Face face, const Box& b, std::size_t dimensions, double tolerance) {
   const auto opposite = static_cast<Face>(static_cast<int>(face) ^ 1);
   if (std::abs(coordinate(a, face) - coordinate(b, opposite)) > tolerance) return Sharing::none;
-  const std::size_t along = 1 - axis_of(face);
-  if (std::min(a.upper[along], b.upper[along]) - std::max(a.lower[along], b.lower[along]) <=
-      tolerance) {
-    return Sharing::none;
+  bool whole = true;
+  for (std::size_t along = 0; along < dimensions; ++along) {
+    if (along == axis_of(face)) continue;
+    if (std::min(a.upper[along], b.upper[along]) - std::max(a.lower[along], b.lower[along]) <=
+        tolerance) {
+      return Sharing::none;
+    }
+    whole = whole && b.lower[along] <= a.lower[along] + tolerance &&
+            b.upper[along] >= a.upper[along] - tolerance;
   }
-  const bool whole =
-      b.lower[along] <= a.lower[along] + tolerance && b.upper[along] >= a.upper[along] - tolerance;
   return whole ? Sharing::whole : Sharing::part;
 }
 
@@ -141,13 +144,14 @@ bool is_outer(
   const auto box_of = [&](int index) {
     return std::get<Box>(scene.bodies[static_cast<std::size_t>(index)].shape);
   };
+  const auto count = static_cast<std::size_t>(dimensions(scene.grid.mode));
   const double tolerance = touching(scene.grid);
   const Box box = box_of(body), grid{scene.grid.lower, scene.grid.upper};
   const bool at_grid_face = std::abs(coordinate(box, face) - coordinate(grid, face)) <= tolerance;
   if (at_grid_face && condition_on(scene, face) != nullptr) return false;
   for (const int other : confined) {
     const Sharing shared =
-        other == body ? Sharing::none : sharing(box, face, box_of(other), tolerance);
+        other == body ? Sharing::none : sharing(box, face, box_of(other), count, tolerance);
     if (shared == Sharing::whole) return false;
     if (shared == Sharing::part) {
       deck.refuse_value(

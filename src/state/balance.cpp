@@ -71,14 +71,25 @@ Balance energy_balance(const Ledger& l) {
   return {found - put_in - l.transfer - l.stress_integration, scale};
 }
 
+namespace {
+
+/// Cross-section of a slug within the grid: a disk, of which planes x = 0 and z = 0 leave a half or
+/// a quarter, or in plane strain a width.
+double section_inside(const JetSlug& slug, const GridSpec& grid) {
+  const double disk = pi * slug.radius * slug.radius;
+  if (grid.mode == Mode::axisymmetric) return disk;
+  if (grid.mode == Mode::three_dimensional)
+    return disk * (grid.lower[0] < 0.0 ? 1.0 : 0.5) * (grid.lower[2] < 0.0 ? 1.0 : 0.5);
+  return std::min(slug.radius, grid.upper[0]) - std::max(-slug.radius, grid.lower[0]);
+}
+
+}  // namespace
+
 JetTotals jet_table_totals(const Scene& scene, std::size_t slugs) {
   JetTotals totals;
   for (std::size_t s = 0; s < std::min(slugs, scene.jet.slugs.size()); ++s) {
     const JetSlug& slug = scene.jet.slugs[s];
-    const double width =
-        std::min(slug.radius, scene.grid.upper[0]) - std::max(-slug.radius, scene.grid.lower[0]);
-    const double section =
-        scene.grid.mode == Mode::axisymmetric ? pi * slug.radius * slug.radius : width;
+    const double section = section_inside(slug, scene.grid);
     const double mass = slug.density * section * slug.length;
     totals.mass += mass;
     totals.momentum += mass * slug.velocity * scene.jet.direction;

@@ -34,7 +34,7 @@ Balance energy_balance(const Ledger& ledger);
 
 /// Mass, axial momentum and kinetic energy of the jet's first `slugs` slugs as the table gives
 /// them, of the part that lies within the grid: the full circle in axisymmetry, per unit thickness
-/// in plane strain.
+/// in plane strain, of the part inside in three dimensions.
 struct JetTotals {
   double mass = 0.0, momentum = 0.0, kinetic = 0.0;
 };

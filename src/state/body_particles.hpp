@@ -11,8 +11,8 @@ namespace barreno {
 /// One particle as it is made: place, size and volume (full circle in axisymmetry).
 struct NewParticle {
   ParticleId id = 0;
-  double x = 0.0, y = 0.0;
-  double half_x = 0.0, half_y = 0.0;
+  Vector x{};
+  Vector half{};
   double volume = 0.0;
   unsigned loaded_sides = 0;  ///< bits by Face: the outer layers of a box
 };
@@ -34,7 +34,8 @@ long long count_body_particles(const GridSpec& grid, const BodySpec& body);
 /// slug's centre is at y = 0.
 ///
 /// In plane strain with x = 0 at the lower edge of the grid the half x > 0 is made, else the whole
-/// width.
+/// width. In three dimensions a slug is round: pieces of its disk in the squares of the grid's
+/// lattice, of which planes x = 0 and z = 0 at lower faces of the grid leave a half or a quarter.
 void for_each_slug_particle(
     const Scene& scene,
     const JetSlug& slug,

@@ -37,11 +37,9 @@ double loaded_faces(const Scene& scene, int body, unsigned sides) {
 }
 
 /// v (a / r)^2 outwards, v (a / r) in plane strain: div v = 0.
-void add_radial_velocity(
-    Mode mode, const BodySpec& body, double x, double y, double (&velocity)[2]
-) {
+void add_radial_velocity(Mode mode, const BodySpec& body, const Vector& x, Vector& velocity) {
   const Ball& ball = std::get<Ball>(body.shape);
-  const double dx = x - ball.centre[0], dy = y - ball.centre[1];
+  const double dx = x[0] - ball.centre[0], dy = x[1] - ball.centre[1];
   const double r = std::hypot(dx, dy), ratio = ball.inner_radius / r;
   const double speed = body.radial_velocity * (mode == Mode::axisymmetric ? ratio * ratio : ratio);
   velocity[0] += speed * dx / r;
@@ -55,18 +53,19 @@ Vector middle_of(const Shape& shape) {
   return {0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1]), 0.0};
 }
 
-void velocity_at(Mode mode, const BodySpec& body, double x, double y, double (&velocity)[2]) {
+Vector velocity_at(Mode mode, const BodySpec& body, const Vector& x) {
   const Vector& k = body.velocity_wave_number;
-  const bool wave = k[0] != 0.0 || k[1] != 0.0;
-  const double shape = wave ? std::sin(k[0] * x + k[1] * y) : 1.0;
-  velocity[0] = body.velocity[0] * shape;
-  velocity[1] = body.velocity[1] * shape;
+  const bool wave = k[0] != 0.0 || k[1] != 0.0 || k[2] != 0.0;
+  const double shape = wave ? std::sin(k[0] * x[0] + k[1] * x[1] + k[2] * x[2]) : 1.0;
+  Vector velocity{};
+  for (std::size_t d = 0; d < velocity.size(); ++d) velocity[d] = body.velocity[d] * shape;
   if (body.spin != 0.0) {
     const Vector middle = middle_of(body.shape);
-    velocity[0] -= body.spin * (y - middle[1]);
-    velocity[1] += body.spin * (x - middle[0]);
+    velocity[0] -= body.spin * (x[1] - middle[1]);
+    velocity[1] += body.spin * (x[0] - middle[0]);
   }
-  if (body.radial_velocity != 0.0) add_radial_velocity(mode, body, x, y, velocity);
+  if (body.radial_velocity != 0.0) add_radial_velocity(mode, body, x, velocity);
+  return velocity;
 }
 
 /// Particles per tile of the box, found by every rank for itself.
@@ -74,7 +73,7 @@ std::vector<double> count_in_tiles(const Scene& scene, const Grid& grid) {
   std::vector<double> counts(grid.owner.size(), 0.0);
   for (const BodySpec& body : scene.bodies)
     for_each_body_particle(scene.grid, body, 0, [&](const NewParticle& p) {
-      counts[static_cast<std::size_t>(cell_of(grid, {p.x, p.y, 0.0}).tile)] += 1.0;
+      counts[static_cast<std::size_t>(cell_of(grid, p.x).tile)] += 1.0;
     });
   return counts;
 }
@@ -89,11 +88,10 @@ void enter(const Particles& particles, int first, double stored_energy, Ledger& 
     double kinetic = 0.0;
     for (int p = begin; p < std::min(begin + run, particles.count); ++p) {
       const double m = particles.mass(p);
-      const double vx = particles.velocity(p, 0);
-      const double vy = particles.velocity(p, 1);
+      const Vector v = vector_of(particles.velocity, p);
       mass += m;
-      momentum += m * vy;
-      kinetic += 0.5 * m * (vx * vx + vy * vy);
+      momentum += m * v[1];
+      kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
     ledger.initial_mass += mass;
     ledger.initial_momentum += momentum;
@@ -128,7 +126,7 @@ int add_particle(
     const NewParticle& made,
     unsigned body,
     double pressure,
-    const double (&velocity)[2]
+    const Vector& velocity
 ) {
   reserve(particles, particles.count + 1);
   const int p = particles.count++;
@@ -139,19 +137,24 @@ int add_particle(
   particles.for_each_field([p](Field& field) {
     for (int c = 0; c < field.components; ++c) field(p, c) = 0.0;
   });
-  particles.position(p, 0) = made.x;
-  particles.position(p, 1) = made.y;
-  particles.velocity(p, 0) = velocity[0];
-  particles.velocity(p, 1) = velocity[1];
-  particles.half_size(p, 0) = made.half_x;
-  particles.half_size(p, 1) = made.half_y;
+  const int d = particles.position.components;
+  double section = 1.0;  // of the undeformed particle in its plane
+  for (int i = 0; i < d; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    particles.position(p, i) = made.x[axis];
+    particles.velocity(p, i) = velocity[axis];
+    particles.half_size(p, i) = made.half[axis];
+    section *= 2.0 * made.half[axis];
+  }
+  // In three dimensions that of a cube of its volume, which is what the scatter of strength asks
+  // for.
+  if (d == 3) section = std::pow(made.volume, 2.0 / 3.0);
   particles.volume(p) = made.volume;
-  for (const int diagonal : {0, 3, 4})
-    if (diagonal < particles.deformation_gradient.components)
-      particles.deformation_gradient(p, diagonal) = 1.0;
-  const double reference[2] = {made.x, made.y};
+  for (int i = 0; i < d; ++i) particles.deformation_gradient(p, i * (d + 1)) = 1.0;
+  if (scene.grid.mode == Mode::axisymmetric) particles.deformation_gradient(p, 4) = 1.0;
+  if (particles.rotation.components > 0) particles.rotation(p, 0) = 1.0;
   for (int c = 0; c < particles.reference_position.components; ++c)
-    particles.reference_position(p, c) = reference[c];
+    particles.reference_position(p, c) = made.x[static_cast<std::size_t>(c)];
   if (particles.loaded_faces.components > 0)
     particles.loaded_faces(p) = loaded_faces(scene, static_cast<int>(body), made.loaded_sides);
 
@@ -161,10 +164,7 @@ int add_particle(
         using Model = std::decay_t<decltype(model)>;
         auto start = model.initial_state(pressure);
         if constexpr (VariesByPiece<Model>::value)
-          model.vary(
-              start.history,
-              {static_cast<std::uint64_t>(made.id), made.volume, 4.0 * made.half_x * made.half_y}
-          );
+          model.vary(start.history, {static_cast<std::uint64_t>(made.id), made.volume, section});
         for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&start.stress.xx)[c];
         if constexpr (Model::history_count > 0) {
           const auto* const h = reinterpret_cast<const double*>(&start.history);
@@ -203,11 +203,10 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
     const int first_row = particles.count;
     for_each_body_particle(scene.grid, body, first[b], [&](const NewParticle& made) {
-      if (owner_of(state.grid, {made.x, made.y, 0.0}) != comm->getRank()) return;
-      double velocity[2] = {};
-      velocity_at(scene.grid.mode, body, made.x, made.y, velocity);
-      const Vector prescribed = prescribed_start_velocity(scene.body_force, {made.x, made.y, 0.0});
-      for (std::size_t d = 0; d < 2; ++d) velocity[d] += prescribed[d];
+      if (owner_of(state.grid, made.x) != comm->getRank()) return;
+      Vector velocity = velocity_at(scene.grid.mode, body, made.x);
+      const Vector prescribed = prescribed_start_velocity(scene.body_force, made.x);
+      for (std::size_t d = 0; d < velocity.size(); ++d) velocity[d] += prescribed[d];
       add_particle(
           scene, particles, made, static_cast<unsigned>(b), body.initial_pressure, velocity
       );

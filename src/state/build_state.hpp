@@ -20,7 +20,7 @@ int add_particle(
     const NewParticle& made,
     unsigned body,
     double pressure,
-    const double (&velocity)[2]
+    const Vector& velocity
 );
 
 }  // namespace barreno

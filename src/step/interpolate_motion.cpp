@@ -33,7 +33,7 @@ struct InterpolateMotion {
   }
 
   /// Square of the Frobenius norm of D, the symmetric part of L; d[j][i] = dv_i / dx_j.
-  KOKKOS_INLINE_FUNCTION static double rate_squared(const Motion (&d)[dimensions], double hoop) {
+  KOKKOS_INLINE_FUNCTION static double rate_squared(const Motion* d, double hoop) {
     double sum = hoop * hoop;
     for (int i = 0; i < dimensions; ++i) {
       sum += d[i][i] * d[i][i];

@@ -15,12 +15,12 @@ void launch_slug(const Scene& scene, std::size_t index, State& state) {
   Particles& particles = state.particles[static_cast<std::size_t>(scene.jet.material)];
   const double centre = scene.jet.launch_position +
                         scene.jet.direction * slug.velocity * (state.clock.time - slug.time);
-  const double velocity[2] = {0.0, scene.jet.direction * slug.velocity};
+  const Vector velocity{0.0, scene.jet.direction * slug.velocity, 0.0};
   const auto body = static_cast<unsigned>(scene.bodies.size());
   for_each_slug_particle(scene, slug, state.slug_ids[index], [&](NewParticle made) {
-    made.y += centre;
-    const Vector at{made.x, made.y, 0.0};
-    if (!state.grid.holds(at) || owner_of(state.grid, at) != state.grid.comm->getRank()) return;
+    made.x[1] += centre;
+    if (!state.grid.holds(made.x) || owner_of(state.grid, made.x) != state.grid.comm->getRank())
+      return;
     const int p = add_particle(scene, particles, made, body, 0.0, velocity);
     const double m = particles.mass(p);
     state.ledger.launched_mass += m;

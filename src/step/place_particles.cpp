@@ -63,12 +63,13 @@ struct Found {
 
 /// Keys of a set's rows from their cells, without branches for the compiler to vectorise; rows
 /// outside the grid or lost otherwise keep theirs.
-template <int D>
+template <unsigned D>
 Found find_keys(const Grid& grid, const Particles& particles) {
+  constexpr int dimensions = D;
   double lower[D], upper[D];
   int tiles[D];
   const double* position[D];
-  for (int d = 0; d < D; ++d) {
+  for (int d = 0; d < dimensions; ++d) {
     lower[d] = grid.lower[d];
     upper[d] = grid.upper[d];
     tiles[d] = grid.tiles[d];
@@ -89,12 +90,12 @@ Found find_keys(const Grid& grid, const Particles& particles) {
   for (int p = 0; p < count; ++p) {
     const int old_key = keys[p];
     int lost = static_cast<int>(old_key <= failed_key);
-    for (int d = 0; d < D; ++d)
+    for (int d = 0; d < dimensions; ++d)
       lost |= static_cast<int>(!(position[d][p] >= lower[d])) |
               static_cast<int>(!(position[d][p] < upper[d]));
     int box = 0;
     int inside = 0;
-    for (int d = D - 1; d >= 0; --d) {
+    for (int d = dimensions - 1; d >= 0; --d) {
       const int cell = static_cast<int>(lost ? 0.0 : (position[d][p] - lower[d]) * per_cell);
       box = box * tiles[d] + (cell >> bits);
       inside = (inside << bits) + (cell & in_tile);

@@ -52,8 +52,9 @@ NodeConditions node_conditions(const Scene& scene, const Grid& grid) {
   return out;
 }
 
-template <int D>
+template <unsigned D>
 struct SolveVelocity {
+  static constexpr int dimensions = D;
   NodeConditions conditions;
   Patch patch;
   ArrayView<TilePlace> tile_place;
@@ -104,7 +105,7 @@ struct SolveVelocity {
     for (int i = 0; i < conditions.count; ++i) {
       const NodeCondition& c = conditions.list[i];
       if (!c.holds(node)) continue;
-      for (int d = 0; d < D; ++d) {
+      for (int d = 0; d < dimensions; ++d) {
         if (!c.sets[d]) continue;
         v.before[d] = c.velocity[d];
         v.after[d] = c.velocity[d];
@@ -125,7 +126,7 @@ struct SolveVelocity {
     double after = 0.0;
     double power = 0.0;
     double lost = 0.0;
-    for (int d = 0; d < D; ++d) {
+    for (int d = 0; d < dimensions; ++d) {
       before += v.before[d] * v.before[d];
       after += v.after[d] * v.after[d];
       power += force[d] * (v.before[d] + v.after[d]);
@@ -143,7 +144,7 @@ struct SolveVelocity {
     alignas(64) double total[most_patch_nodes * sum_components];
     add_parts(tile, y, z, total);
     const int row = (z * patch.nodes + y) * patch.nodes;
-    double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(D);
+    double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(dimensions);
     const TilePlace at = tile_place(tile);
     int index[3];  // of the node in the box
     for (int d = 0; d < 3; ++d) index[d] = at[d] * patch.tile_cells - patch.reach;
@@ -151,24 +152,24 @@ struct SolveVelocity {
     index[2] += z;
     for (int x = 0; x < patch.nodes; ++x, ++index[0]) {
       const double* const node = total + x * sum_components;
-      double* const out = moved + x * motion_components(D);
+      double* const out = moved + x * motion_components(dimensions);
       const double mass = node[0];
       const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
       double drag[D], force[D];
       Velocity v;
-      for (int d = 0; d < D; ++d) {
+      for (int d = 0; d < dimensions; ++d) {
         drag[d] = damping * node[1 + d];
-        force[d] = node[first_force(D) + d] - drag[d];
+        force[d] = node[first_force(dimensions) + d] - drag[d];
         v.before[d] = node[1 + d] * inverse;
         v.after[d] = v.before[d] + dt * force[d] * inverse;
       }
       double own[tally_components] = {};
       apply_conditions(index, mass, force, v, own);
-      for (int d = 0; d < D; ++d) {
+      for (int d = 0; d < dimensions; ++d) {
         out[d] = v.after[d];
-        out[D + d] = v.after[d] - v.before[d];
+        out[dimensions + d] = v.after[d] - v.before[d];
       }
-      for (int d = 2 * D; d < motion_components(D); ++d) out[d] = 0.0;
+      for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
       if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
       tally_node(mass, force, drag, v, own);
       for (int i = 0; i < tally_components; ++i) part[i] += own[i];

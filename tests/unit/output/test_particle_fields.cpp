@@ -49,7 +49,7 @@ TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
   const Scene scene = synthetic::make_scene();
   State state = synthetic::make_state(scene, Teuchos::DefaultComm<int>::getComm());
   const Material& rock = scene.materials[1].material;
-  const std::vector<std::string> names = particle_field_names(rock);
+  const std::vector<std::string> names = particle_field_names(rock, 2);
   EXPECT_EQ(names.back(), "equivalent_plastic_strain");
   Particles& set = state.particles[1];
   ASSERT_GT(set.count, 0);

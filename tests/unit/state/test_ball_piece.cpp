@@ -81,7 +81,7 @@ TEST(HollowBall, HasTheVolumeOfTheSphereExactlyAndNoSlivers) {
     long long count = 0;
     for_each_body_particle(scene.grid, scene.bodies[0], 1, [&](const NewParticle& p) {
       volume += p.volume;
-      smallest = std::min(smallest, p.volume / (8.0 * pi * p.x * p.half_x * p.half_y));
+      smallest = std::min(smallest, p.volume / (8.0 * pi * p.x[0] * p.half[0] * p.half[1]));
       ++count;
     });
     const double exact = 2.0 * pi / 3.0 * (std::pow(34.2 * h, 3) - std::pow(19.7 * h, 3));
