@@ -83,15 +83,27 @@ void advance_to(const Scene& scene, double time, State& state, long steps) {
   }
 }
 
+namespace {
+
+/// Determinant of F; `f` in the order of the field.
+double determinant_of(const Field& f, int i) {
+  if (f.components == 9)
+    return f(i, 0) * (f(i, 4) * f(i, 8) - f(i, 5) * f(i, 7)) -
+           f(i, 1) * (f(i, 3) * f(i, 8) - f(i, 5) * f(i, 6)) +
+           f(i, 2) * (f(i, 3) * f(i, 7) - f(i, 4) * f(i, 6));
+  const double hoop = f.components == 5 ? f(i, 4) : 1.0;
+  return (f(i, 0) * f(i, 3) - f(i, 1) * f(i, 2)) * hoop;
+}
+
+}  // namespace
+
 std::vector<std::vector<double>> all_rows(const State& state) {
   const Comm& comm = *state.grid.comm;
   std::vector<double> mine;
-  for (const Particles& p : state.particles)
+  std::size_t width = 10;
+  for (const Particles& p : state.particles) {
+    if (p.position.components == 3) width = 14;
     for (int i = 0; i < p.count; ++i) {
-      const bool hoop = p.deformation_gradient.components == 5;
-      const double det = (p.deformation_gradient(i, 0) * p.deformation_gradient(i, 3) -
-                          p.deformation_gradient(i, 1) * p.deformation_gradient(i, 2)) *
-                         (hoop ? p.deformation_gradient(i, 4) : 1.0);
       for (const double value :
            {static_cast<double>(p.id(static_cast<std::size_t>(i))),
             p.position(i, 0),
@@ -102,9 +114,14 @@ std::vector<std::vector<double>> all_rows(const State& state) {
             p.stress(i, 1),
             p.stress(i, 2),
             p.stress(i, 3),
-            det})
+            determinant_of(p.deformation_gradient, i)})
+        mine.push_back(value);
+      if (p.position.components == 2) continue;
+      for (const double value :
+           {p.position(i, 2), p.velocity(i, 2), p.stress(i, 4), p.stress(i, 5)})
         mine.push_back(value);
     }
+  }
   std::vector<double> size{static_cast<double>(mine.size())};
   sum_over_ranks(comm, size);
   const std::vector<double> root = gather_to_root(comm, mine);
@@ -112,9 +129,9 @@ std::vector<std::vector<double>> all_rows(const State& state) {
   std::copy(root.begin(), root.end(), all.begin());
   sum_over_ranks(comm, all);  // only the root holds values
   std::map<long long, std::vector<double>> rows;
-  for (std::size_t i = 0; i < all.size(); i += 10)
+  for (std::size_t i = 0; i < all.size(); i += width)
     rows[static_cast<long long>(all[i])].assign(
-        all.begin() + static_cast<long>(i) + 1, all.begin() + static_cast<long>(i) + 10
+        all.begin() + static_cast<long>(i) + 1, all.begin() + static_cast<long>(i + width)
     );
   std::vector<std::vector<double>> sorted;
   sorted.reserve(rows.size());

@@ -33,7 +33,7 @@ State start_alone(const Scene& scene);
 void advance_to(const Scene& scene, double time, State& state, long steps = 1000000000);
 
 /// All particles of the run sorted by id, on every rank: one row per particle, columns
-/// x y vx vy sxx syy szz sxy detF.
+/// x y vx vy sxx syy szz sxy detF and, in three dimensions, z vz syz szx.
 std::vector<std::vector<double>> all_rows(const State& state);
 
 }  // namespace barreno::testing

@@ -157,6 +157,105 @@ TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
   }
 }
 
+const Patch space_patch = make_patch(3, 1);
+
+std::vector<ParticlePlace> places_in_space() {
+  std::vector<ParticlePlace> out;
+  for (const int per_cell : {1, 2, 3, 4})
+    for (const double shift : {0.0, 0.13, 0.5, 0.77}) {
+      const double h = 0.5 / per_cell;
+      out.push_back(
+          {{1.0 + h + shift, 2.0 + h, 1.4 + shift},
+           {h, h, 0.8 * h},
+           0.0,
+           1.0 / cell,
+           space_patch.nodes}
+      );
+    }
+  return out;
+}
+
+/// Averages over the box of 1, x, y, z and x y z, and their gradients, are exact.
+TYPED_TEST(ShapeFunctionContract, FieldsInSpaceAreExact) {
+  const int n = space_patch.nodes;
+  for (const ParticlePlace& place : places_in_space()) {
+    double one = 0.0, product = 0.0, slope[3][3] = {}, none[3] = {}, product_slope[3] = {};
+    TypeParam::template support<ThreeDimensional>(place).for_each_node(
+        space_patch,
+        [&](int slot, double s, const double(&g)[3], double) {
+          const double x[3] = {
+              slot % n * cell, slot / n % n * cell, static_cast<double>(slot / (n * n)) * cell};
+          one += s;
+          product += s * x[0] * x[1] * x[2];
+          for (int i = 0; i < 3; ++i) {
+            none[i] += g[i];
+            product_slope[i] += g[i] * x[0] * x[1] * x[2];
+            for (int j = 0; j < 3; ++j) slope[i][j] += g[j] * x[i];
+          }
+        }
+    );
+    const double p[3] = {place.x[0] * cell, place.x[1] * cell, place.x[2] * cell};
+    EXPECT_NEAR(one, 1.0, 1e-14);
+    EXPECT_NEAR(product, p[0] * p[1] * p[2], 1e-13);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(none[i] * cell, 0.0, 1e-14);
+      EXPECT_NEAR(product_slope[i], p[0] * p[1] * p[2] / p[i], 1e-12);
+      for (int j = 0; j < 3; ++j) EXPECT_NEAR(slope[i][j], i == j ? 1.0 : 0.0, 1e-13);
+    }
+  }
+}
+
+/// Sums in product form are those over the nodes one by one.
+TYPED_TEST(ShapeFunctionContract, ProductFormIsTheSumOverTheNodes) {
+  using Value = double;
+  const auto size = static_cast<std::size_t>(space_patch.size);
+  for (const ParticlePlace& place : places_in_space()) {
+    const auto support = TypeParam::template support<ThreeDimensional>(place);
+    const Value a = 0.7, b[3] = {-1.3, 0.4, 2.1};
+    std::vector<Value> field(size), added(size, 0.0), expected(size, 0.0);
+    for (std::size_t i = 0; i < size; ++i) field[i] = std::sin(1.7 * static_cast<double>(i));
+    support.template add_to<false>(added.data(), space_patch, a, b, 0.0);
+    Value value = 0.0, slope[3] = {};
+    support.for_each_node(space_patch, [&](int slot, double s, const double(&g)[3], double) {
+      const auto i = static_cast<std::size_t>(slot);
+      expected[i] += s * a + g[0] * b[0] + g[1] * b[1] + g[2] * b[2];
+      value += s * field[i];
+      for (int d = 0; d < 3; ++d) slope[d] += g[d] * field[i];
+    });
+    const auto found = support.template interpolate<false>(field.data(), space_patch);
+    EXPECT_NEAR(found.value, value, 1e-14);
+    for (int d = 0; d < 3; ++d) EXPECT_NEAR(found.d[d], slope[d], 1e-13);
+    for (std::size_t i = 0; i < size; ++i) EXPECT_NEAR(added[i], expected[i], 1e-14);
+  }
+}
+
+TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStressInSpace) {
+  const auto size = static_cast<std::size_t>(space_patch.size);
+  for (const ParticlePlace& place : places_in_space()) {
+    double edge[3];
+    for (int d = 0; d < 3; ++d) edge[d] = 2.0 * place.half[d] * cell;
+    const double volume = edge[0] * edge[1] * edge[2];
+    std::vector<double> sums[3];
+    for (auto& sum : sums) sum.assign(size, 0.0);
+    TypeParam::template support<ThreeDimensional>(place).for_each_node(
+        space_patch,
+        [&](int slot, double, const double(&g)[3], double) {
+          for (int d = 0; d < 3; ++d) sums[d][static_cast<std::size_t>(slot)] += volume * g[d];
+        }
+    );
+    for (int face = 0; face < 6; ++face) {
+      const int d = face / 2;
+      const double area = (face % 2 == 0 ? -1.0 : 1.0) * volume / edge[d];
+      TypeParam::template face_support<ThreeDimensional>(place, face)
+          .for_each_node(space_patch, [&](int slot, double s, const double*, double) {
+            sums[d][static_cast<std::size_t>(slot)] -= area * s;
+          });
+    }
+    for (const auto& sum : sums)
+      for (const double x : sum) EXPECT_NEAR(x, 0.0, 1e-13 * volume / cell);
+  }
+}
+
 TYPED_TEST(ShapeFunctionContract, CriticalCourantNumberFallsWithTheParticleSize) {
   double last = 0.0;
   for (const double half : {0.05, 0.125, 1.0 / 6.0, 0.25, 0.5}) {

@@ -16,14 +16,15 @@ using testing::advance_to;
 using testing::box_scene;
 using testing::start;
 
-/// Two elastic disks (plane strain) or blunt rods (axisymmetry) that meet.
+/// Two elastic plates (plane strain), blunt rods (axisymmetry) or boxes that meet.
 Scene collision(Mode mode) {
   Scene scene = box_scene(
-      mode, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::elastic(70e9, 0.3, 2700.0)
+      mode, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.010}, testing::elastic(70e9, 0.3, 2700.0)
   );
-  add_box(scene, "lower", {0.0, 0.006, 0.0}, {0.0083, 0.0179, 0.0}, 2).velocity = {0.0, 120.0, 0.0};
-  add_box(scene, "upper", {0.0, 0.020, 0.0}, {0.0061, 0.0307, 0.0}, 3).velocity = {0.0, -80.0, 0.0};
+  add_box(scene, "lower", {0.0, 0.006, 0.0}, {0.0083, 0.0179, 0.0042}, 2).velocity = {0, 120, 0};
+  add_box(scene, "upper", {0.0, 0.020, 0.0}, {0.0061, 0.0307, 0.0053}, 3).velocity = {0, -80, 0};
   add_symmetry(scene, Face::x_lower);
+  if (mode == Mode::three_dimensional) add_symmetry(scene, Face::z_lower);
   return scene;
 }
 
@@ -55,7 +56,9 @@ TEST_P(Conservation, PicGivesAwayEnergyAndSaysSo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Modes, Conservation, ::testing::Values(Mode::axisymmetric, Mode::plane_strain)
+    Modes,
+    Conservation,
+    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
 );
 
 TEST(Conservation, ImpulseOfAWallIsCounted) {
@@ -75,18 +78,20 @@ TEST(Conservation, ImpulseOfAWallIsCounted) {
 /// A body under pressure, stress and loads consistent, does not move: the discrete equilibrium is
 /// exact.
 TEST(Conservation, ConfinedBodyStaysAtRest) {
-  for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain}) {
+  for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional}) {
     Scene scene = box_scene(
-        mode, 1e-3, {0.0, 0.0, 0.0}, {0.020, 0.040, 0.0}, testing::elastic(20e9, 0.25, 2300.0)
+        mode, 1e-3, {0.0, 0.0, 0.0}, {0.020, 0.040, 0.012}, testing::elastic(20e9, 0.25, 2300.0)
     );
-    add_box(scene, "core", {0.0, 0.0052, 0.0}, {0.0117, 0.0277, 0.0}, 2).initial_pressure = 70e6;
+    add_box(scene, "core", {0.0, 0.0052, 0.0}, {0.0117, 0.0277, 0.0083}, 2).initial_pressure = 70e6;
     PressureLoadSpec load;
     load.faces[static_cast<std::size_t>(Face::x_upper)] = true;
     load.faces[static_cast<std::size_t>(Face::y_lower)] = true;
     load.faces[static_cast<std::size_t>(Face::y_upper)] = true;
+    load.faces[static_cast<std::size_t>(Face::z_upper)] = mode == Mode::three_dimensional;
     load.pressure = {{0.0}, {70e6}};
     scene.loads.push_back(load);
     add_symmetry(scene, Face::x_lower);
+    if (mode == Mode::three_dimensional) add_symmetry(scene, Face::z_lower);
     State state = start(scene);
     advance_to(scene, 2e-5, state);
     // Speed of the free surface if the pressure were missing: p / (rho c).
