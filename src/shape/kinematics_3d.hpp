@@ -5,6 +5,7 @@
 
 #include <barreno/tensor.hpp>
 #include <cmath>
+#include <initializer_list>
 
 namespace barreno {
 

@@ -32,6 +32,21 @@ Scene copper_cylinder(double empty) {
   return scene;
 }
 
+/// An elastic block that shakes in three dimensions, compressed and sheared everywhere.
+Scene elastic_block() {
+  Scene scene = testing::box_scene(
+      Mode::three_dimensional,
+      1e-3,
+      {-0.004, -0.004, -0.004},
+      {0.028, 0.036, 0.028},
+      testing::elastic(70e9, 0.3, 2700.0)
+  );
+  testing::add_box(scene, "block", {0.0, 0.0, 0.0}, {0.024, 0.032, 0.024}, 2);
+  scene.bodies[0].velocity = {20.0, 30.0, 25.0};
+  scene.bodies[0].velocity_wave_number = {150.0, 200.0, 170.0};
+  return scene;
+}
+
 struct Cost {
   double nanoseconds = 0.0;  ///< per particle-step
   double bytes = 0.0;        ///< state and scratch arrays per particle
@@ -86,5 +101,13 @@ int main(int argc, char** argv) {
       wide.nanoseconds,
       100.0 * (wide.nanoseconds / cost.nanoseconds - 1.0)
   );
+  const Cost space = time_steps(elastic_block(), steps);
+  std::printf(
+      "3D GIMP, elastic: %.0f ns per particle-step (at 12 GB/s: %.0f), %.0f bytes per particle\n",
+      space.nanoseconds,
+      space.nanoseconds * triad / 12e9,
+      space.bytes
+  );
+  print_phases(147456.0 * 5.0 * steps);
   return 0;
 }

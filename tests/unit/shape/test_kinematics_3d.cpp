@@ -141,7 +141,9 @@ TEST(PolarRotation3d, FindsRandomRotationsFromAnywhereAndFromNearby) {
     const SpaceRotation near = turned(r, {0.06, -0.05, 0.06});
     double left = 0.0;
     const SpaceRotation found = near_polar_rotation(f, near, left);
-    if (left <= last_turn) ASSERT_LT(difference(matrix(found), matrix(r)), 1e-12);
+    if (left <= last_turn) {
+      ASSERT_LT(difference(matrix(found), matrix(r)), 1e-12);
+    }
   }
 }
 
