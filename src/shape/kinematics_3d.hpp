@@ -208,18 +208,17 @@ KOKKOS_INLINE_FUNCTION SpaceRotation turned(const SpaceRotation& r, const TurnLe
   return unit(multiply(r, SpaceRotation{1.0, 0.5 * by.x, 0.5 * by.y, 0.5 * by.z}));
 }
 
-/// R of F = R U from a rotation near it, by three Newton steps; without branches.
-/// @param[out] left  size of the last step, squared: R is exact to round-off if it is below
+/// R of F = R U from a rotation near it, by two Newton steps; without branches.
+/// @param[out] left  size of the last step, squared: R is exact to round-off if it is at most
 ///                   `last_turn`
 inline constexpr double last_turn = 1e-12;
 KOKKOS_INLINE_FUNCTION SpaceRotation
 near_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& left) {
   // Written out: compilers vectorise over particles only where they see no loop.
   const SpaceRotation first = turned(near, turn_left(f, near));
-  const SpaceRotation second = turned(first, turn_left(f, first));
-  const TurnLeft by = turn_left(f, second);
+  const TurnLeft by = turn_left(f, first);
   left = by.x * by.x + by.y * by.y + by.z * by.z;
-  return turned(second, by);
+  return turned(first, by);
 }
 
 /// Of a matrix that is a rotation to a few digits at least: from the largest of the four.
@@ -232,11 +231,10 @@ KOKKOS_INLINE_FUNCTION SpaceRotation rotation_of(const SpaceTensor& m) {
   return unit({m.yx - m.xy, m.xz + m.zx, m.yz + m.zy, 1.0 + z});
 }
 
-/// R of F = R U for any F with det F > 0: scaled Newton iteration of the matrix,
-/// X <- (g X + X^-T / g) / 2, then Newton steps of the rotation, which are exact to round-off.
+/// A rotation to a few digits: scaled Newton iteration of the matrix, X <- (g X + X^-T / g) / 2.
 ///
 /// Source: N. Higham, SIAM J. Sci. Stat. Comput. 7 (1986) 1160-1174.
-KOKKOS_INLINE_FUNCTION SpaceRotation polar_rotation(const SpaceTensor& f) {
+KOKKOS_INLINE_FUNCTION SpaceRotation rough_polar_rotation(const SpaceTensor& f) {
   SpaceTensor x = f;
   for (int i = 0; i < 20; ++i) {
     const double det = determinant(x);
@@ -257,8 +255,29 @@ KOKKOS_INLINE_FUNCTION SpaceRotation polar_rotation(const SpaceTensor& f) {
         a.zz + b.zz};
     if (std::fabs(norm_squared(x) - 3.0) < 1e-10 && std::fabs(ratio - 1.0) < 1e-5) break;
   }
+  return rotation_of(x);
+}
+
+/// U = R^T F is positive definite, as it is not at the other rotations for which it is symmetric.
+KOKKOS_INLINE_FUNCTION bool stretches(const SpaceTensor& f, const SpaceRotation& r) {
+  const SpaceTensor u = multiply(transpose(matrix(r)), f);
+  return u.xx > 0.0 && u.xx * u.yy - u.xy * u.yx > 0.0 && determinant(u) > 0.0;
+}
+
+/// R of F = R U for any F with det F > 0, exact to round-off; fast from a rotation near it.
+KOKKOS_INLINE_FUNCTION SpaceRotation
+polar_rotation(const SpaceTensor& f, const SpaceRotation& near) {
+  SpaceRotation r = near;
+  double left = 1.0;
+  for (int i = 0; i < 3; ++i) {
+    r = near_polar_rotation(f, r, left);
+    if (left <= last_turn && stretches(f, r)) return r;
+  }
+  return near_polar_rotation(f, rough_polar_rotation(f), left);
+}
+KOKKOS_INLINE_FUNCTION SpaceRotation polar_rotation(const SpaceTensor& f) {
   double left = 0.0;
-  return near_polar_rotation(f, rotation_of(x), left);
+  return near_polar_rotation(f, rough_polar_rotation(f), left);
 }
 
 /// Largest singular value of F: by how much the most stretched direction has grown. Root of the

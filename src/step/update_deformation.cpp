@@ -72,13 +72,15 @@ struct DeformInSpace {
   }
 };
 
-/// Rows whose rotation three Newton steps did not find: drawn out far, or turned far in one step.
+/// Rows whose rotation two Newton steps did not find: drawn out far, or turned far in one step.
 struct FindRotation {
-  FieldView deformation, scratch;
+  FieldView deformation, rotation, scratch;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
     if (scratch(p, rotation_left) <= last_turn) return;
-    const SpaceRotation r = polar_rotation(load_tensor<ThreeDimensional>(deformation, p));
+    using M = ThreeDimensional;
+    const SpaceRotation r =
+        polar_rotation(load_tensor<M>(deformation, p), load_rotation<M>(deformation, rotation, p));
     scratch(p, new_rotation) = r.w;
     scratch(p, new_rotation + 1) = r.x;
     scratch(p, new_rotation + 2) = r.y;
@@ -127,7 +129,7 @@ void deform(Rows rows, const Particles& particles) {
     for_each_row(
         label, rows, DeformInSpace<Short>{increment, deformation, rotation, volume, scratch}
     );
-    for_each_row(label, rows, FindRotation{deformation, scratch});
+    for_each_row(label, rows, FindRotation{deformation, rotation, scratch});
     for_each_row(label, rows, UnrotateStrain{increment, rotation, scratch});
   } else {
     for_each_row(label, rows, DeformInPlane<M, Short>{increment, deformation, volume});
