@@ -211,7 +211,7 @@ KOKKOS_INLINE_FUNCTION SpaceRotation turned(const SpaceRotation& r, const TurnLe
 /// R of F = R U from a rotation near it, by two Newton steps; without branches.
 /// @param[out] left  size of the last step, squared: R is exact to round-off if it is at most
 ///                   `last_turn`
-inline constexpr double last_turn = 1e-12;
+inline constexpr double last_turn = 1e-11;
 KOKKOS_INLINE_FUNCTION SpaceRotation
 near_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& left) {
   // Written out: compilers vectorise over particles only where they see no loop.
