@@ -52,6 +52,8 @@ void for_each_image(const Grid& grid, const Plane& plane, int tile, Visitor&& vi
 MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
   const Region region("fold_walls");
   MirroredSums mirrored;
+  const int dimensions = grid.patch.dimensions;
+  const int force = first_force(dimensions);
   for (const Plane& plane : planes_of(scene, grid))
     for (int tile = 0; tile < grid.active; ++tile)
       for_each_image(grid, plane, tile, [&](int beyond, int inside) {
@@ -60,14 +62,14 @@ MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
         double* const to = patch + inside * sum_components;
         if (plane.axis == 1) {
           mirrored.momentum += from[2];
-          mirrored.force += from[4];
+          mirrored.force += from[force + 1];
           from[kept_mass] = from[0];
         }
         to[0] += std::exchange(from[0], 0.0);
-        for (int d = 0; d < 2; ++d) {
+        for (int d = 0; d < dimensions; ++d) {
           const double sign = d == plane.axis ? -1.0 : 1.0;
           to[1 + d] += sign * std::exchange(from[1 + d], 0.0);
-          to[3 + d] += sign * std::exchange(from[3 + d], 0.0);
+          to[force + d] += sign * std::exchange(from[force + d], 0.0);
         }
       });
   return mirrored;
@@ -82,6 +84,8 @@ void unfold_walls(
     GridTally& tally
 ) {
   const Region region("unfold_walls");
+  const int dimensions = grid.patch.dimensions;
+  const int width = motion_components(dimensions);
   // With M p_I' for p_I' the grid holds -2 p_y more than the particles gave; what they take back
   // from nodes beyond is -2 m v_y more than these would give unmirrored.
   tally.condition_impulse -= 2.0 * dt * mirrored.force;
@@ -90,18 +94,19 @@ void unfold_walls(
     for (int tile = 0; tile < grid.active; ++tile)
       for_each_image(grid, plane, tile, [&](int beyond, int inside) {
         double* const patch = &nodes.motion(first_motion(grid.patch, tile));
-        double* const to = patch + beyond * motion_components;
-        const double* const from = patch + inside * motion_components;
-        for (int d = 0; d < 2; ++d) {
+        double* const to = patch + beyond * width;
+        const double* const from = patch + inside * width;
+        for (int d = 0; d < dimensions; ++d) {
           const double sign = d == plane.axis ? -1.0 : 1.0;
           to[d] = sign * from[d];
-          to[2 + d] = sign * from[2 + d];
+          to[dimensions + d] = sign * from[dimensions + d];
         }
-        if (plane.axis == 0) return;
+        if (plane.axis != 1) return;
         const double* const sums = &nodes.sums(first_sum(grid.patch, tile));
         const double mass = sums[beyond * sum_components + kept_mass];
-        tally.condition_impulse -= 2.0 * mass * from[3];
-        tally.filter_impulse -= 2.0 * mass * (from[1] - from[3]);
+        const double change = from[dimensions + 1];
+        tally.condition_impulse -= 2.0 * mass * change;
+        tally.filter_impulse -= 2.0 * mass * (from[1] - change);
       });
 }
 

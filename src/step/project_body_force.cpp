@@ -39,8 +39,8 @@ void project_batch(
   for (int k = 0; k < rows.count; ++k) {
     const Vector force = force_on(scene, state.clock, particles, rows.row[k]);
     supports.get(k).for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
-      patch[slot * sum_components + 3] += s * force[0];
-      patch[slot * sum_components + 4] += s * force[1];
+      double* const node = patch + slot * sum_components + first_force(M::dimensions);
+      for (std::size_t d = 0; d < M::dimensions; ++d) node[d] += s * force[d];
     });
   }
 }
@@ -74,9 +74,10 @@ double tally_body_force(const Scene& scene, double dt, State& state) {
       const int p = particles.order(k);
       const Vector force = force_on(scene, state.clock, particles, p);
       // Mean velocity of the step: v after it less half of its increment.
-      for (int d = 0; d < 2; ++d)
+      const int dimensions = particles.position.components;
+      for (int d = 0; d < dimensions; ++d)
         work += dt * force[static_cast<std::size_t>(d)] *
-                (particles.grid_motion(p, d) - 0.5 * particles.grid_motion(p, d + 2));
+                (particles.grid_motion(p, d) - 0.5 * particles.grid_motion(p, d + dimensions));
       state.ledger.body_impulse += dt * force[1];
     }
   state.ledger.body_work += work;
