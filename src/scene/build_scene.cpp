@@ -120,11 +120,10 @@ void check_memory(const Deck& deck, const Scene& scene) {
 }  // namespace
 
 double particle_estimate(const Scene& scene) {
-  const double cell = scene.grid.cell_size * scene.grid.cell_size;
   double particles = 0.0;
   for (const BodySpec& body : scene.bodies) {
-    particles +=
-        area_of(body.shape, scene.grid) / cell * body.particles_per_cell * body.particles_per_cell;
+    const double size = scene.grid.cell_size / body.particles_per_cell;
+    particles += most_measure(body.shape, scene.grid) / std::pow(size, dimensions(scene.grid.mode));
   }
   for (const JetSlug& slug : scene.jet.slugs) {
     const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;

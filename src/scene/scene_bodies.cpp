@@ -176,7 +176,8 @@ void add_bodies(const Deck& deck, Scene& scene) {
   for (const std::string& name : deck.lists("Bodies")) {
     const BodySpec body = read_body(deck, name, scene.grid);
     for (const BodySpec& other : scene.bodies) {
-      if (overlap(body.shape, other.shape, scene.grid)) {
+      const int finer = std::max(body.particles_per_cell, other.particles_per_cell);
+      if (overlap(body.shape, other.shape, scene.grid, scene.grid.cell_size / finer)) {
         deck.refuse(
             "Bodies/" + name,
             "overlaps Bodies/" + other.name +

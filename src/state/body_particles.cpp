@@ -3,7 +3,6 @@
 
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
-#include "state/ball_piece.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,42 +42,29 @@ NewParticle make(
 
 struct Divisions {
   Division x, y;
-  const Ball* ball = nullptr;  ///< fill only what is inside it
 };
 
-Divisions divide_body(const GridSpec& grid, const BodySpec& body) {
-  const double wanted = grid.cell_size / body.particles_per_cell;
-  if (const auto* box = std::get_if<Box>(&body.shape))
-    return {
-        divide(box->lower[0], box->upper[0], wanted, grid.cell_size),
-        divide(box->lower[1], box->upper[1], wanted, grid.cell_size)};
-  const Box around = box_around(body.shape, grid);
-  // The lattice is the grid's own, so that particles sit in their cells alike everywhere. A
-  // millionth of a particle is round-off of the deck's numbers.
-  const auto lattice = [&](std::size_t axis) {
-    const double from = (around.lower[axis] - grid.lower[axis]) / wanted;
-    const double to = (around.upper[axis] - grid.lower[axis]) / wanted;
-    const auto first = static_cast<long long>(std::floor(from + 1e-6));
-    const auto last = static_cast<long long>(std::ceil(to - 1e-6));
-    return Division{grid.lower[axis] + static_cast<double>(first) * wanted, wanted, last - first};
-  };
-  return {lattice(0), lattice(1), &std::get<Ball>(body.shape)};
+double wanted_size(const GridSpec& grid, const BodySpec& body) {
+  return grid.cell_size / body.particles_per_cell;
 }
 
-/// The particle of one square of a ball's lattice; false if there is none. It stays a box of the
-/// whole square, at the centroid of what it holds: a smaller one would cost time steps.
-bool fill(
-    const GridSpec& grid, const Divisions& divisions, long long i, long long j, NewParticle& p
-) {
-  const Division &x = divisions.x, &y = divisions.y;
-  const Lattice lattice{{x.lower, y.lower}, x.size, {x.count, y.count}};
-  const Piece piece = ball_particle(*divisions.ball, lattice, i, j);
-  if (!(piece.area > 0.0)) return false;
-  p.x = piece.x;
-  p.y = piece.y;
-  p.volume = piece.area * (grid.mode == Mode::axisymmetric ? two_pi * piece.x : 1.0);
-  p.loaded_sides = 0;
-  return true;
+Divisions divide_box(const GridSpec& grid, const BodySpec& body, const Box& box) {
+  const double wanted = wanted_size(grid, body);
+  return {
+      divide(box.lower[0], box.upper[0], wanted, grid.cell_size),
+      divide(box.lower[1], box.upper[1], wanted, grid.cell_size)};
+}
+
+/// The particle of a piece in its square of the lattice. It stays a box of the whole square, at the
+/// centroid of what it holds: a smaller one would cost time steps. A ring has its volume exactly,
+/// 2 pi x * area (Pappus).
+NewParticle particle_of(const GridSpec& grid, double size, const Piece& piece) {
+  NewParticle p;
+  p.x = piece.centroid[0];
+  p.y = piece.centroid[1];
+  p.half_x = p.half_y = 0.5 * size;
+  p.volume = piece.measure * (grid.mode == Mode::axisymmetric ? two_pi * p.x : 1.0);
+  return p;
 }
 
 /// Length of a slug at the material's own density.
@@ -108,7 +94,6 @@ void for_each_particle(
   for (long long j = 0; j < divisions.y.count; ++j)
     for (long long i = 0; i < divisions.x.count; ++i) {
       NewParticle p = make(grid, divisions.x, divisions.y, i, j);
-      if (divisions.ball != nullptr && !fill(grid, divisions, i, j, p)) continue;
       p.id = id++;
       visit(p);
     }
@@ -122,14 +107,29 @@ void for_each_body_particle(
     ParticleId first,
     const std::function<void(const NewParticle&)>& visit
 ) {
-  for_each_particle(grid, divide_body(grid, body), first, visit);
+  if (const auto* box = std::get_if<Box>(&body.shape)) {
+    for_each_particle(grid, divide_box(grid, body, *box), first, visit);
+    return;
+  }
+  ParticleId id = first;
+  const double size = wanted_size(grid, body);
+  const auto take = [&](const std::array<long long, 3>& /*cell*/, const Piece& piece) {
+    NewParticle p = particle_of(grid, size, piece);
+    p.id = id++;
+    visit(p);
+  };
+  for_each_lattice_piece(
+      body.shape, dimensions(grid.mode), lattice_of(body.shape, grid, size), take
+  );
 }
 
 long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
-  const Divisions divisions = divide_body(grid, body);
-  if (divisions.ball == nullptr) return divisions.x.count * divisions.y.count;
+  if (const auto* box = std::get_if<Box>(&body.shape)) {
+    const Divisions divisions = divide_box(grid, body, *box);
+    return divisions.x.count * divisions.y.count;
+  }
   long long count = 0;
-  for_each_particle(grid, divisions, 0, [&](const NewParticle&) { ++count; });
+  for_each_body_particle(grid, body, 0, [&](const NewParticle&) { ++count; });
   return count;
 }
 
@@ -175,8 +175,13 @@ double smallest_half_size(const Scene& scene, int material) {
         {smallest, 0.5 * d.x.size / scene.grid.cell_size, 0.5 * d.y.size / scene.grid.cell_size}
     );
   };
-  for (const BodySpec& body : scene.bodies)
-    if (body.material == material) take(divide_body(scene.grid, body));
+  for (const BodySpec& body : scene.bodies) {
+    if (body.material != material) continue;
+    if (const auto* box = std::get_if<Box>(&body.shape))
+      take(divide_box(scene.grid, body, *box));
+    else
+      smallest = std::min(smallest, 0.5 / body.particles_per_cell);
+  }
   if (scene.jet.present && scene.jet.material == material)
     for (const JetSlug& slug : scene.jet.slugs) take(divide_slug(scene, slug));
   return smallest;
