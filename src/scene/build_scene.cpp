@@ -145,6 +145,9 @@ Scene build_scene(const Deck& deck) {
   scene.grid = read_grid(deck);
   add_materials(deck, scene);
   add_bodies(deck, scene);
+  // Before lattices are filled.
+  check_memory(deck, scene);
+  check_bodies(deck, scene);
   add_conditions(deck, scene);
   add_loads(deck, scene);
   add_confinement(deck, scene);
