@@ -5,9 +5,7 @@
 
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
-#include <barreno/input/scan_xml.hpp>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace barreno {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace barreno {
 namespace {
@@ -52,6 +53,7 @@ public:
       sides_.push_back(side);
     });
     cell_measure_ = std::pow(lattice.size, dimension);
+    join_slivers();
   }
 
   Side side(const Cell& cell) const {
@@ -62,8 +64,18 @@ public:
     if (side(cell) == Side::inside) return whole(box_of(lattice_, cell, dimension_), dimension_);
     return cut_.at(index_of(lattice_, cell));
   }
-  double least() const { return sliver * cell_measure_; }
+  /// What the particle of a cell holds: nothing where its piece went elsewhere.
+  Piece particle(const Cell& cell) const {
+    const long long index = index_of(lattice_, cell);
+    if (side(cell) == Side::outside || moved_.count(index) != 0) return {};
+    Piece sum = piece(cell);
+    const auto joined = joined_.find(index);
+    if (joined == joined_.end()) return sum;
+    for (const long long other : joined->second) add(sum, cut_.at(other));
+    return sum;
+  }
 
+private:
   template <class Visit>
   void for_each_neighbour(const Cell& cell, Visit&& visit) const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(dimension_); ++i)
@@ -74,38 +86,41 @@ public:
       }
   }
 
-  /// The cell whose particle holds the piece of this one.
-  Cell holder(const Cell& cell, double measure) const {
+  /// The cell whose particle holds a sliver: up through ever fuller neighbours, until one is no
+  /// sliver.
+  Cell holder(const Cell& cell) const {
     Cell found = cell;
-    if (measure >= least()) return found;
-    double fullest = least();
-    for_each_neighbour(cell, [&](const Cell& next) {
-      const double other = piece(next).measure;
-      if (!(other >= fullest) || (other == fullest && found != cell)) return;
-      fullest = other;
-      found = next;
-    });
+    double fullest = piece(cell).measure;
+    while (fullest < sliver * cell_measure_) {
+      const Cell from = found;
+      for_each_neighbour(from, [&](const Cell& next) {
+        const double other = piece(next).measure;
+        if (!(other > fullest)) return;
+        fullest = other;
+        found = next;
+      });
+      if (found == from) break;
+    }
     return found;
   }
 
-  /// What the particle of a cell holds: nothing where its piece went to a neighbour.
-  Piece particle(const Cell& cell) const {
-    Piece sum = piece(cell);
-    if (!(sum.measure > 0.0) || holder(cell, sum.measure) != cell) return {};
-    for_each_neighbour(cell, [&](const Cell& next) {
-      if (side(next) != Side::cut) return;
-      const Piece other = piece(next);
-      if (other.measure < least() && holder(next, other.measure) == cell) add(sum, other);
+  void join_slivers() {
+    for_each_cell(lattice_, [&](const Cell& cell) {
+      if (side(cell) != Side::cut) return;
+      const Cell found = holder(cell);
+      if (found == cell) return;
+      joined_[index_of(lattice_, found)].push_back(index_of(lattice_, cell));
+      moved_.insert(index_of(lattice_, cell));
     });
-    return sum;
   }
 
-private:
   int dimension_;
   const Lattice& lattice_;
   double cell_measure_ = 0.0;
   std::vector<Side> sides_;
   std::unordered_map<long long, Piece> cut_;
+  std::unordered_map<long long, std::vector<long long>> joined_;  ///< slivers by their holder
+  std::unordered_set<long long> moved_;
 };
 
 }  // namespace

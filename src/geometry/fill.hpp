@@ -21,9 +21,10 @@ Lattice lattice_around(const Box& box, const Vector& origin, double size, int di
 /// The particles' pieces of a shape, the first coordinate running fastest: visit(cell, piece), the
 /// cell being the index of its square or cube in every direction.
 ///
-/// A piece below a quarter of its cell joins its fullest neighbour, because a particle of little
-/// mass at a surface is pushed about by the nodes that others fill (pressures of several times the
-/// yield stress in an imploding shell). Volume and first moments are kept.
+/// A piece below a quarter of its cell joins its fullest neighbour (if that is one too, the next
+/// fuller), because a particle of little mass at a surface is pushed about by the nodes that others
+/// fill (pressures of several times the yield stress in an imploding shell). Volume and first
+/// moments are kept.
 using VisitPiece = std::function<void(const std::array<long long, 3>& cell, const Piece& piece)>;
 void for_each_lattice_piece(
     const Shape& shape, int dimension, const Lattice& lattice, const VisitPiece& visit

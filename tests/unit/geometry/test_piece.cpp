@@ -89,7 +89,7 @@ void compare(const std::vector<Shape>& shapes, int dimension, double tolerance) 
   std::uniform_real_distribution<double> place(-2.0, 1.0), edge(0.3, 2.0);
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     int cut = 0;
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 16; ++k) {
       Box box;
       for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
         box.lower[i] = place(random);
@@ -99,14 +99,15 @@ void compare(const std::vector<Shape>& shapes, int dimension, double tolerance) 
       const Piece count = counted(shapes[s], box, dimension);
       const double all = measure_of(box, dimension);
       EXPECT_NEAR(exact.measure, count.measure, tolerance * all) << "shape " << s;
-      if (side_of(shapes[s], box, dimension) == Side::inside)
-        EXPECT_NEAR(count.measure, all, 1e-12 * all) << "shape " << s;
+      if (side_of(shapes[s], box, dimension) == Side::inside) {
+        EXPECT_NEAR(count.measure, all, 1e-10 * all) << "shape " << s;
+      }
       if (count.measure < 0.05 * all || count.measure > 0.99 * all) continue;
       ++cut;
       for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
         EXPECT_NEAR(exact.centroid[i], count.centroid[i], 4.0 * tolerance) << "shape " << s;
     }
-    EXPECT_GT(cut, 2) << "shape " << s;
+    EXPECT_GT(cut, 0) << "shape " << s;
   }
 }
 
@@ -169,10 +170,10 @@ TEST(PieceOf, BoxesInCombinationAreExact) {
 TEST(PieceOf, NeighboursShareNoPointAndLeaveNone) {
   const Polygon left{{{-1.0, -1.0}, {0.3, -1.0}, {-0.2, 1.0}, {-1.0, 1.0}}};
   const Polygon right{{{0.3, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-0.2, 1.0}}};
-  for (int i = 0; i <= 400; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const double y = -1.0 + 2.0 * i / 400.0;
     const Vector x{0.3 - 0.25 * (y + 1.0), y, 0.0};
-    if (i < 400) EXPECT_NE(holds(left, x, 2), holds(right, x, 2)) << y;
+    EXPECT_NE(holds(left, x, 2), holds(right, x, 2)) << y;
   }
 }
 

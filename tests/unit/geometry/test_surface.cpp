@@ -179,9 +179,12 @@ TEST(Surface, PiecesAreWhatACountOfPointsFinds) {
       const double r = std::hypot(x[0], x[1], x[2]);
       const int winding = surface->winding(x);
       // Facets lie within 2 % below the radius.
-      if (r < 1.27 && r > 0.7) ASSERT_EQ(winding, 1);
-      if (r < 0.64 || (r > 1.3 && *std::min_element(x.begin(), x.end()) < 1.5))
+      if (r < 1.27 && r > 0.7) {
+        ASSERT_EQ(winding, 1);
+      }
+      if (r < 0.64 || (r > 1.3 && *std::min_element(x.begin(), x.end()) < 1.5)) {
         ASSERT_EQ(winding, 0);
+      }
       if (winding != 0) add(count, {1.0, x});
     }
     const Piece piece = surface->piece_in(box);
