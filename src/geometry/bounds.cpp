@@ -131,4 +131,16 @@ double measure_bound(const Shape& shape, int dimension) {
   return std::visit([&](const auto& own) { return bound(own, dimension); }, shape);
 }
 
+bool has_exact_pieces(const Shape& shape) {
+  if (const auto* combination = std::get_if<Combination>(&shape))
+    return std::all_of(combination->parts.begin(), combination->parts.end(), [](const Shape& part) {
+      return std::holds_alternative<Box>(part);
+    });
+  const auto* cone = std::get_if<Cone>(&shape);
+  if (cone == nullptr) return true;
+  int along = 0;
+  for (std::size_t i = 0; i < 3; ++i) along += cone->start[i] != cone->end[i] ? 1 : 0;
+  return along == 1;
+}
+
 }  // namespace barreno

@@ -38,6 +38,9 @@ Box box_around(const Shape& shape);
 /// half-spaces.
 double measure_bound(const Shape& shape, int dimension);
 
+/// All pieces of a shape are exact to 1e-7 of their box at least.
+bool has_exact_pieces(const Shape& shape);
+
 inline constexpr int splits_2d = 6, splits_3d = 3, cone_splits = 3;
 
 // What the above are made of.
