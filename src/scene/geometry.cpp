@@ -78,8 +78,9 @@ Box box_around(const Shape& shape, const GridSpec& grid) {
     if (!std::isfinite(box.lower[i])) box.lower[i] = grid.lower[i];
     if (!std::isfinite(box.upper[i])) box.upper[i] = grid.upper[i];
   }
-  // The axis mirrors everything.
-  if (grid.mode == Mode::axisymmetric) box.lower[0] = std::max(box.lower[0], 0.0);
+  // The axis mirrors what is drawn across it; a polygon's corners must be at its side.
+  if (grid.mode == Mode::axisymmetric && !std::holds_alternative<Polygon>(shape))
+    box.lower[0] = std::max(box.lower[0], 0.0);
   for (const Face face : cutting_faces(shape, grid)) {
     const auto i = static_cast<std::size_t>(face) / 2;
     const bool upper = static_cast<std::size_t>(face) % 2 == 1;

@@ -11,7 +11,7 @@ namespace barreno {
 std::vector<Face> cutting_faces(const Shape& shape, const GridSpec& grid);
 
 /// The smallest box around the part of a shape that is filled. The grid ends half-spaces, and in
-/// axisymmetry the axis ends everything.
+/// axisymmetry the axis ends all shapes but boxes and polygons.
 Box box_around(const Shape& shape, const GridSpec& grid);
 
 /// Area in the plane, in three dimensions volume, that particles fill at most; exact for single
