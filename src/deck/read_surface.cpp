@@ -98,7 +98,7 @@ std::shared_ptr<const Surface> read_surface(
     facets.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
   }
   if (facets.empty()) refuse(source, "has no facet with an area; export it again");
-  const auto surface = std::make_shared<const Surface>(std::move(points), std::move(facets));
+  auto surface = std::make_shared<const Surface>(std::move(points), std::move(facets));
   check_sound(*surface, source);
   return surface;
 }

@@ -95,7 +95,7 @@ std::array<std::size_t, 2> Surface::bin_of(double x, double y) const {
   const std::array<double, 2> place{x, y};
   for (std::size_t i = 0; i < 2; ++i) {
     const double length = around_.upper[i] - around_.lower[i];
-    const double n = static_cast<double>(bins_[i]);
+    const auto n = static_cast<double>(bins_[i]);
     const double share = length > 0.0 ? (place[i] - around_.lower[i]) / length : 0.0;
     bin[i] = static_cast<std::size_t>(std::clamp(std::floor(share * n), 0.0, n - 1.0));
   }
