@@ -40,6 +40,13 @@ void read_spin(const Deck& deck, const std::string& path, Mode mode, BodySpec& b
     deck.refuse_value(
         entry, "has no meaning in axisymmetry (nothing moves around the axis); remove it"
     );
+  if (!std::holds_alternative<Box>(body.shape) && !std::holds_alternative<Ball>(body.shape)) {
+    deck.refuse_value(
+        entry,
+        "has no meaning for a " + deck.word(path + "/Shape") +
+            " (only boxes and balls have a middle to turn about); remove it or change Shape"
+    );
+  }
   body.spin = deck.number(entry);
 }
 
