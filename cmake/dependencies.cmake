@@ -37,3 +37,12 @@ endif()
 add_library(barreno_exodus INTERFACE)
 target_include_directories(barreno_exodus SYSTEM INTERFACE ${BARRENO_EXODUS_INCLUDE})
 target_link_libraries(barreno_exodus INTERFACE ${BARRENO_EXODUS_LIBRARY})
+
+# The reader of STL files, headers only, in those parts of CGAL that are under the LGPL. Its own CMake target is left
+# aside: it would compile everything with -frounding-math.
+find_path(BARRENO_CGAL_INCLUDE CGAL/IO/STL.h)
+if(NOT BARRENO_CGAL_INCLUDE)
+  message(FATAL_ERROR "CGAL is missing: install the package libcgal-dev.")
+endif()
+add_library(barreno_cgal INTERFACE)
+target_include_directories(barreno_cgal SYSTEM INTERFACE ${BARRENO_CGAL_INCLUDE})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check.hpp"
 
+#include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
@@ -93,6 +94,29 @@ std::string material_lines(const Scene& scene) {
   return text;
 }
 
+/// Volumes as filled: how far they are known follows from the shape.
+std::string body_lines(const Scene& scene) {
+  std::string text;
+  const bool plane = scene.grid.mode == Mode::plane_strain;
+  for (const BodySpec& body : scene.bodies) {
+    double volume = 0.0;
+    long long count = 0;
+    for_each_body_particle(scene.grid, body, 1, [&](const NewParticle& particle) {
+      volume += particle.volume;
+      ++count;
+    });
+    text += format(
+        "  %-22s %.6g m3%s (%s), %lld particles\n",
+        body.name.c_str(),
+        volume,
+        plane ? " per m" : "",
+        has_exact_pieces(body.shape) ? "exact" : "estimated",
+        count
+    );
+  }
+  return text;
+}
+
 std::string feature_lines(const Scene& scene) {
   const bool space = scene.grid.mode == Mode::three_dimensional;
   const bool confined =
@@ -157,6 +181,7 @@ std::string plan_text(const Scene& scene, const std::vector<std::string>& notes)
       scene.end_time / step,
       particles * scene.end_time / step
   );
+  if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + "Features\n" + feature_lines(scene);
   for (const std::string& note : notes) text += "Note: " + note + "\n";
   return text;

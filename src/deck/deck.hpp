@@ -5,14 +5,18 @@
 #include <Teuchos_XMLObject.hpp>
 
 #include <barreno/models.hpp>
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace barreno {
 
-/// A deck that was read: every value checked against the tables, in SI, defaults filled, cards and
-/// jet table included. Paths are "Sub List/Parameter".
+class Surface;
+
+/// A deck that was read: every value checked against the tables, in SI, defaults filled, cards,
+/// jet table and surfaces included. Paths are "Sub List/Parameter".
 class Deck {
 public:
   Deck(std::string name, const Teuchos::ParameterList& values, Teuchos::XMLObject xml)
@@ -24,6 +28,8 @@ public:
   std::vector<std::string> notes;
   /// File of the jet table that Jet/Slugs came from; empty without one.
   std::string jet_table;
+  /// What the File of a list holds, by the path of the list: "Bodies/Charge".
+  std::map<std::string, std::shared_ptr<const Surface>> surfaces;
 
   /// A parameter or a list of that path is there (given, included or by default).
   bool has(const std::string& path) const;

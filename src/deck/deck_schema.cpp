@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/deck_schema.hpp"
 
+#include "deck/shape_entries.hpp"
+
 #include <algorithm>
 
 namespace barreno {
@@ -36,50 +38,32 @@ Section grid_section() {
 }
 
 Section bodies_section() {
+  std::vector<Entry> entries{text("Material", "name of a list in Materials")};
+  for (const Entry& entry : shape_entries("box")) entries.push_back(entry);
+  for (const Entry& entry :
+       {integer("Particles Per Cell", between(1, 16), "per direction").by_default("2"),
+        vector("Velocity", dim::velocity, any(), "initial velocity; zero without it").if_given(),
+        number("Spin", dim::rate, any(), "about the body's middle, added to Velocity; plane strain")
+            .if_given(),
+        vector(
+            "Velocity Wave Number",
+            wave_number,
+            any(),
+            "k of an initial velocity Velocity * sin(k . x); uniform without it"
+        )
+            .if_given(),
+        number(
+            "Radial Velocity",
+            dim::velocity,
+            any(),
+            "of a hollow ball's inner surface, outward, added to Velocity; falls with the distance "
+            "as (Inner Radius / "
+            "r)^2, in plane strain (Inner Radius / r), so that no volume changes"
+        )
+            .if_given()})
+    entries.push_back(entry);
   const Section body = {
-      "*",
-      "one body, filled with particles",
-      Presence::required,
-      {text("Material", "name of a list in Materials"),
-       word("Shape", {"box", "ball"}, "box: Lower and Upper; ball: Centre and Radius")
-           .by_default("box"),
-       vector("Lower", dim::length, any(), "lower corner of a box").if_given(),
-       vector("Upper", dim::length, any(), "upper corner of a box").if_given(),
-       vector(
-           "Centre",
-           dim::length,
-           any(),
-           "centre of a ball; on the axis in axisymmetry; on a face of the grid the ball is cut "
-           "there"
-       )
-           .if_given(),
-       number("Radius", dim::length, above(0.0), "radius of a ball").if_given(),
-       number(
-           "Inner Radius", dim::length, above(0.0), "radius of a ball's hollow; solid without it"
-       )
-           .if_given(),
-       integer("Particles Per Cell", between(1, 16), "per direction").by_default("2"),
-       vector("Velocity", dim::velocity, any(), "initial velocity; zero without it").if_given(),
-       number("Spin", dim::rate, any(), "about the body's middle, added to Velocity; plane strain")
-           .if_given(),
-       vector(
-           "Velocity Wave Number",
-           wave_number,
-           any(),
-           "k of an initial velocity Velocity * sin(k . x); uniform without it"
-       )
-           .if_given(),
-       number(
-           "Radial Velocity",
-           dim::velocity,
-           any(),
-           "of a hollow ball's inner surface, outward, added to Velocity; falls with the distance "
-           "as (Inner Radius / "
-           "r)^2, in plane strain (Inner Radius / r), so that no volume changes"
-       )
-           .if_given()},
-      {},
-      {}};
+      "*", "one body, filled with particles", Presence::required, entries, {}, {}};
   return {
       "Bodies",
       "what is there at time 0, a list of free name each",
@@ -87,6 +71,17 @@ Section bodies_section() {
       {},
       {},
       {body}};
+}
+
+Section shapes_section() {
+  const Section shape = {"*", "one shape", Presence::required, shape_entries(""), {}, {}};
+  return {
+      "Shapes",
+      "parts that bodies are put together from, a list of free name each",
+      Presence::defaulted,
+      {},
+      {},
+      {shape}};
 }
 
 Section conditions_section() {
@@ -278,6 +273,7 @@ Section build_schema() {
            .by_default("SI")},
       {grid_section(),
        materials,
+       shapes_section(),
        bodies_section(),
        conditions_section(),
        loads_section(),

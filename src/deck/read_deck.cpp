@@ -7,6 +7,7 @@
 #include "deck/jet_table.hpp"
 #include "deck/load_material.hpp"
 #include "deck/read_once.hpp"
+#include "deck/read_surface.hpp"
 
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
@@ -138,6 +139,51 @@ std::string include_jet_table(const Reading& reading, ParameterList& values) {
   return table;
 }
 
+std::shared_ptr<const Surface> load_surface(
+    const Reading& reading, const std::string& path, ParameterList& list
+) {
+  const auto file = list.get<std::string>("File");
+  const auto place = std::filesystem::path(reading.directory) / file;
+  const std::string source = included(reading, join(path, "File"), file);
+  const auto read = [&] {
+    if (!std::filesystem::exists(place))
+      throw FileError(source + " names no file (paths are relative to the deck); check the path.");
+    return read_file(place.string(), largest_surface, "an STL surface");
+  };
+  const std::string text = read_once(read, reading.comm);
+  Vector shift{};
+  if (list.isParameter("Shift")) {
+    const auto given = list.get<Teuchos::Array<double>>("Shift");
+    std::copy_n(
+        given.begin(),
+        std::min<std::size_t>(3, static_cast<std::size_t>(given.size())),
+        shift.begin()
+    );
+  }
+  // The effective deck lies in another folder.
+  list.set("File", std::filesystem::absolute(place).lexically_normal().string());
+  const double unit = list.isParameter("File Unit") ? list.get<double>("File Unit") : 1.0;
+  return read_surface(text, unit, shift, source);
+}
+
+using Surfaces = std::map<std::string, std::shared_ptr<const Surface>>;
+
+/// Surfaces of all lists that name a file; whether the list may name one is for the scene to say.
+Surfaces read_surfaces(const Reading& reading, ParameterList& values) {
+  Surfaces surfaces;
+  for (const char* section : {"Shapes", "Bodies"}) {
+    ParameterList& lists = values.sublist(section);
+    std::vector<std::string> names;
+    for (auto item = lists.begin(); item != lists.end(); ++item) names.push_back(lists.name(item));
+    for (const std::string& name : names) {
+      ParameterList& list = lists.sublist(name);
+      const std::string path = join(section, name);
+      if (list.isParameter("File")) surfaces[path] = load_surface(reading, path, list);
+    }
+  }
+  return surfaces;
+}
+
 void check_version(const ParameterList& values, const std::string& source) {
   const int version = values.get<int>("Schema Version");
   if (version == deck_schema_version) return;
@@ -174,7 +220,9 @@ Deck read_deck(
   values.set("Units", "SI");
   read_materials(root, reading, values);
   const std::string jet_table = include_jet_table(reading, values);
+  const auto surfaces = read_surfaces(reading, values);
   Deck deck(name, values, root);
+  deck.surfaces = surfaces;
   deck.jet_table = jet_table;
   deck.notes = reading.notes;
   return deck;

@@ -5,6 +5,8 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -63,7 +65,9 @@ std::string read_file(const std::string& file, std::size_t largest, const std::s
   if (!stream) {
     throw FileError(file + " cannot be opened (it was to be " + what + "); check its permissions.");
   }
-  std::string text(largest + 1, '\0');
+  // Room for what is there; what is no plain file has no size.
+  const auto size = std::filesystem::file_size(file, error);
+  std::string text((error ? largest : std::min<std::uintmax_t>(largest, size)) + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > largest) {

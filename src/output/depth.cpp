@@ -3,6 +3,7 @@
 
 #include "base/numbers.hpp"
 #include "base/region.hpp"
+#include "scene/geometry.hpp"
 #include "state/balance.hpp"
 
 #include <algorithm>
@@ -18,17 +19,47 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Extent {
   double lower = infinity, upper = -infinity;
 };
-Extent on_axis(const Shape& shape, double radius, int dimensions) {
+/// Where a shape begins and ends in the column around the axis: halving, because what a slice from
+/// one of its ends on holds only grows.
+Extent in_column(const Shape& shape, Box column, double radius, int dimension) {
+  for (const std::size_t across : {0U, 2U}) {
+    column.lower[across] = std::max(column.lower[across], -radius);
+    column.upper[across] = std::min(column.upper[across], radius);
+    if (across < static_cast<std::size_t>(dimension) &&
+        column.upper[across] <= column.lower[across])
+      return {};
+  }
+  const auto holds_some = [&](double from, double to) {
+    Box slice = column;
+    slice.lower[1] = from;
+    slice.upper[1] = to;
+    return piece_of(shape, slice, dimension).measure > 0.0;
+  };
+  const double from = column.lower[1], to = column.upper[1];
+  if (!holds_some(from, to)) return {};
+  Extent extent{from, to};
+  double end = to, begin = from;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double lower = 0.5 * (extent.lower + end), upper = 0.5 * (begin + extent.upper);
+    (holds_some(from, lower) ? end : extent.lower) = lower;
+    (holds_some(upper, to) ? begin : extent.upper) = upper;
+  }
+  return extent;
+}
+
+Extent on_axis(const Shape& shape, const GridSpec& grid, double radius) {
   if (const auto* box = std::get_if<Box>(&shape)) {
     const auto reaches = [&](std::size_t across) {
       return box->lower[across] < radius && box->upper[across] > -radius;
     };
-    const bool meets = reaches(0) && (dimensions == 2 || reaches(2));
+    const bool meets = reaches(0) && (dimensions(grid.mode) == 2 || reaches(2));
     return meets ? Extent{box->lower[1], box->upper[1]} : Extent{};
   }
-  const auto& ball = std::get<Ball>(shape);
-  if (std::abs(ball.centre[0]) - ball.radius >= radius) return {};
-  return {ball.centre[1] - ball.radius, ball.centre[1] + ball.radius};
+  if (const auto* ball = std::get_if<Ball>(&shape)) {
+    if (std::hypot(ball->centre[0], ball->centre[2]) - ball->radius >= radius) return {};
+    return {ball->centre[1] - ball->radius, ball->centre[1] + ball->radius};
+  }
+  return in_column(shape, box_around(shape, grid), radius, dimensions(grid.mode));
 }
 
 /// The jet's mass in units of a fixed quantum: whole numbers add up the same in every order.
@@ -156,7 +187,7 @@ JetPath jet_path(const Scene& scene) {
   const double launch = path.direction * scene.jet.launch_position;
   double face = infinity, end = -infinity;
   for (const BodySpec& body : scene.bodies) {
-    const Extent extent = on_axis(body.shape, radius, dimensions(scene.grid.mode));
+    const Extent extent = on_axis(body.shape, scene.grid, radius);
     const bool forward = path.direction > 0.0;
     const double near = forward ? extent.lower : -extent.upper;
     const double far = forward ? extent.upper : -extent.lower;

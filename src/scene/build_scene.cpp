@@ -132,11 +132,10 @@ void check_memory(const Deck& deck, const Scene& scene) {
 }  // namespace
 
 double particle_estimate(const Scene& scene) {
-  const int d = dimensions(scene.grid.mode);
   double particles = 0.0;
   for (const BodySpec& body : scene.bodies) {
-    const double per_length = body.particles_per_cell / scene.grid.cell_size;
-    particles += area_of(body.shape, scene.grid) * std::pow(per_length, d);
+    const double size = scene.grid.cell_size / body.particles_per_cell;
+    particles += most_measure(body.shape, scene.grid) / std::pow(size, dimensions(scene.grid.mode));
   }
   for (const JetSlug& slug : scene.jet.slugs) {
     const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;
@@ -160,6 +159,9 @@ Scene build_scene(const Deck& deck) {
   scene.grid = read_grid(deck);
   add_materials(deck, scene);
   add_bodies(deck, scene);
+  // Before lattices are filled.
+  check_memory(deck, scene);
+  check_bodies(deck, scene);
   add_conditions(deck, scene);
   add_loads(deck, scene);
   add_confinement(deck, scene);

@@ -1,56 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/geometry.hpp"
 
-#include "base/numbers.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace barreno {
 namespace {
 
 double distance(const Vector& a, const Vector& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// What touching shapes share, in the dimensions of the grid.
-struct Sharing {
-  std::size_t dimensions;
-  double tolerance;
-};
-
-bool overlap(const Box& a, const Box& b, const Sharing& sharing) {
-  const double tolerance = sharing.tolerance;
-  for (std::size_t i = 0; i < sharing.dimensions; ++i) {
+/// Exact tests of boxes and balls; what is closer than the tolerance touches.
+bool overlap(const Box& a, const Box& b, std::size_t dimension, double tolerance) {
+  for (std::size_t i = 0; i < dimension; ++i) {
     if (std::min(a.upper[i], b.upper[i]) - std::max(a.lower[i], b.lower[i]) <= tolerance)
       return false;
   }
   return true;
 }
-bool overlap(const Box& box, const Ball& ball, const Sharing& sharing) {
-  const double tolerance = sharing.tolerance;
-  Vector nearest{};
-  for (std::size_t i = 0; i < 2; ++i)
+bool overlap(const Box& box, const Ball& ball, std::size_t dimension, double tolerance) {
+  Vector nearest = ball.centre, farthest = ball.centre;
+  for (std::size_t i = 0; i < dimension; ++i) {
     nearest[i] = std::clamp(ball.centre[i], box.lower[i], box.upper[i]);
-  Vector farthest{};
-  for (std::size_t i = 0; i < 2; ++i) {
     const bool lower = ball.centre[i] - box.lower[i] > box.upper[i] - ball.centre[i];
     farthest[i] = lower ? box.lower[i] : box.upper[i];
   }
   const bool in_hollow = distance(farthest, ball.centre) <= ball.inner_radius + tolerance;
   return distance(nearest, ball.centre) < ball.radius - tolerance && !in_hollow;
 }
-bool overlap(const Ball& ball, const Box& box, const Sharing& sharing) {
-  return overlap(box, ball, sharing);
-}
 /// One is in the other's hollow.
 bool in_hollow(const Ball& inner, const Ball& outer, double tolerance) {
   return distance(inner.centre, outer.centre) + inner.radius <= outer.inner_radius + tolerance;
 }
-bool overlap(const Ball& a, const Ball& b, const Sharing& sharing) {
-  const double tolerance = sharing.tolerance;
+bool overlap(const Ball& a, const Ball& b, double tolerance) {
   return distance(a.centre, b.centre) < a.radius + b.radius - tolerance &&
          !in_hollow(a, b, tolerance) && !in_hollow(b, a, tolerance);
+}
+
+/// The line of a cone, or the centre of a ball twice.
+struct Middle {
+  Vector start{}, end{};
+};
+std::optional<Middle> middle_of(const Shape& shape) {
+  if (const auto* ball = std::get_if<Ball>(&shape)) return Middle{ball->centre, ball->centre};
+  if (const auto* cone = std::get_if<Cone>(&shape)) return Middle{cone->start, cone->end};
+  return {};
 }
 
 }  // namespace
@@ -59,12 +55,15 @@ double touching(const GridSpec& grid) {
   return 1e-6 * grid.cell_size;
 }
 
-std::vector<Face> cutting_faces(const Ball& ball, const GridSpec& grid) {
+std::vector<Face> cutting_faces(const Shape& shape, const GridSpec& grid) {
   std::vector<Face> faces;
-  for (std::size_t i = 0; i < 2; ++i) {
+  const std::optional<Middle> middle = middle_of(shape);
+  if (!middle) return faces;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
     for (const bool upper : {false, true}) {
       const double place = (upper ? grid.upper : grid.lower)[i];
-      if (std::abs(ball.centre[i] - place) <= touching(grid))
+      if (std::abs(middle->start[i] - place) <= touching(grid) &&
+          std::abs(middle->end[i] - place) <= touching(grid))
         faces.push_back(static_cast<Face>(2 * i + (upper ? 1 : 0)));
     }
   }
@@ -72,14 +71,17 @@ std::vector<Face> cutting_faces(const Ball& ball, const GridSpec& grid) {
 }
 
 Box box_around(const Shape& shape, const GridSpec& grid) {
-  if (const auto* box = std::get_if<Box>(&shape)) return *box;
-  const auto& ball = std::get<Ball>(shape);
-  Box box;
-  for (std::size_t i = 0; i < 2; ++i) {
-    box.lower[i] = ball.centre[i] - ball.radius;
-    box.upper[i] = ball.centre[i] + ball.radius;
+  Box box = box_around(shape);
+  if (std::holds_alternative<Box>(shape)) return box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    // A half-space fills the grid.
+    if (!std::isfinite(box.lower[i])) box.lower[i] = grid.lower[i];
+    if (!std::isfinite(box.upper[i])) box.upper[i] = grid.upper[i];
   }
-  for (const Face face : cutting_faces(ball, grid)) {
+  // The axis mirrors what is drawn across it; a polygon's corners must be at its side.
+  if (grid.mode == Mode::axisymmetric && !std::holds_alternative<Polygon>(shape))
+    box.lower[0] = std::max(box.lower[0], 0.0);
+  for (const Face face : cutting_faces(shape, grid)) {
     const auto i = static_cast<std::size_t>(face) / 2;
     const bool upper = static_cast<std::size_t>(face) % 2 == 1;
     (upper ? box.upper : box.lower)[i] = (upper ? grid.upper : grid.lower)[i];
@@ -87,21 +89,44 @@ Box box_around(const Shape& shape, const GridSpec& grid) {
   return box;
 }
 
-double area_of(const Shape& shape, const GridSpec& grid) {
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    double area = 1.0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i)
-      area *= box->upper[i] - box->lower[i];
-    return area;
-  }
-  const auto& ball = std::get<Ball>(shape);
-  const double whole = pi * (ball.radius * ball.radius - ball.inner_radius * ball.inner_radius);
-  return std::ldexp(whole, -static_cast<int>(cutting_faces(ball, grid).size()));
+double most_measure(const Shape& shape, const GridSpec& grid) {
+  const int dimension = dimensions(grid.mode);
+  const double own = std::ldexp(
+      measure_bound(shape, dimension), -static_cast<int>(cutting_faces(shape, grid).size())
+  );
+  const Box box = box_around(shape, grid);
+  double around = 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
+    around *= std::max(0.0, box.upper[i] - box.lower[i]);
+  return std::min(own, around);
 }
 
-bool overlap(const Shape& a, const Shape& b, const GridSpec& grid) {
-  const Sharing sharing{static_cast<std::size_t>(dimensions(grid.mode)), touching(grid)};
-  return std::visit([&](const auto& x, const auto& y) { return overlap(x, y, sharing); }, a, b);
+Lattice lattice_of(const Shape& shape, const GridSpec& grid, double size) {
+  return lattice_around(box_around(shape, grid), grid.lower, size, dimensions(grid.mode));
+}
+
+bool overlap(const Shape& a, const Shape& b, const GridSpec& grid, double spacing) {
+  const double tolerance = touching(grid);
+  const auto dimension = static_cast<std::size_t>(dimensions(grid.mode));
+  const auto *box_a = std::get_if<Box>(&a), *box_b = std::get_if<Box>(&b);
+  const auto *ball_a = std::get_if<Ball>(&a), *ball_b = std::get_if<Ball>(&b);
+  if (box_a != nullptr && box_b != nullptr) return overlap(*box_a, *box_b, dimension, tolerance);
+  if (box_a != nullptr && ball_b != nullptr) return overlap(*box_a, *ball_b, dimension, tolerance);
+  if (ball_a != nullptr && box_b != nullptr) return overlap(*box_b, *ball_a, dimension, tolerance);
+  if (ball_a != nullptr && ball_b != nullptr) return overlap(*ball_a, *ball_b, tolerance);
+  Box common = box_around(a, grid);
+  const Box other = box_around(b, grid);
+  for (std::size_t i = 0; i < dimension; ++i) {
+    common.lower[i] = std::max(common.lower[i], other.lower[i]);
+    common.upper[i] = std::min(common.upper[i], other.upper[i]);
+    if (common.upper[i] - common.lower[i] <= tolerance) return false;
+  }
+  return share_points(
+      a,
+      b,
+      dimensions(grid.mode),
+      lattice_around(common, grid.lower, spacing, dimensions(grid.mode))
+  );
 }
 
 bool inside(const Shape& shape, const GridSpec& grid) {

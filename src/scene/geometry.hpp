@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "geometry/fill.hpp"
 #include "scene/scene.hpp"
 
 namespace barreno {
 
-/// Faces of the grid that go through a ball's centre: only the part inside is filled.
-std::vector<Face> cutting_faces(const Ball& ball, const GridSpec& grid);
+/// Faces of the grid that go through a ball's centre or hold a cone's line: only the part inside is
+/// filled.
+std::vector<Face> cutting_faces(const Shape& shape, const GridSpec& grid);
 
-/// The smallest box around the part of a shape that is filled.
+/// The smallest box around the part of a shape that is filled. The grid ends half-spaces, and in
+/// axisymmetry the axis ends all shapes but boxes and polygons.
 Box box_around(const Shape& shape, const GridSpec& grid);
 
-/// What particles fill: an area in the plane, a volume in three dimensions [length^dimensions].
-double area_of(const Shape& shape, const GridSpec& grid);
+/// Area in the plane, in three dimensions volume, that particles fill at most; exact for single
+/// shapes [length^dimension].
+double most_measure(const Shape& shape, const GridSpec& grid);
 
-/// The shapes share more than a boundary (a ball's hollow is not part of it); what is closer than a
-/// millionth of a cell touches.
-bool overlap(const Shape& a, const Shape& b, const GridSpec& grid);
+/// The grid's own lattice of particles around a shape, so that they sit in their cells alike
+/// everywhere.
+Lattice lattice_of(const Shape& shape, const GridSpec& grid, double size);
+
+/// The shapes share more than a boundary (a ball's hollow is not part of it). Exact for boxes and
+/// balls, to a millionth of a cell; other shapes are tried at points about half a `spacing` apart.
+bool overlap(const Shape& a, const Shape& b, const GridSpec& grid, double spacing);
 
 /// The shape is inside the box of the grid, to a millionth of a cell.
 bool inside(const Shape& shape, const GridSpec& grid);

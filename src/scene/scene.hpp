@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "geometry/shape.hpp"
+
 #include <array>
 #include <barreno/models.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace barreno {
@@ -14,8 +15,6 @@ namespace barreno {
 ///
 /// In axisymmetry x = r, y = axial and z = hoop; vectors carry three components, two-dimensional
 /// modes use the first two.
-
-using Vector = std::array<double, 3>;
 
 enum class Mode { axisymmetric, plane_strain, three_dimensional };
 
@@ -33,22 +32,11 @@ struct MaterialSpec {
   BadParticlePolicy bad_particles = BadParticlePolicy::remove;
 };
 
-struct Box {
-  Vector lower{}, upper{};
-};
-/// A sphere in axisymmetry (centre on the axis), a disk in plane strain. Faces of the grid that go
-/// through its centre cut it.
-struct Ball {
-  Vector centre{};
-  double radius = 0.0;
-  double inner_radius = 0.0;  ///< of its hollow; 0: solid
-};
-using Shape = std::variant<Box, Ball>;
-
 struct BodySpec {
   std::string name;
   int material = 0;  ///< index into Scene::materials
-  Shape shape;
+  Shape shape;  ///< in two dimensions a figure in the plane; in axisymmetry in the half plane {r,
+                ///< axial}
   int particles_per_cell = 2;     ///< per direction
   Vector velocity{};              ///< [length/time]
   double initial_pressure = 0.0;  ///< the body starts in equilibrium under this pressure [stress]

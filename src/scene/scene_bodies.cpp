@@ -4,71 +4,11 @@
 
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
+#include <barreno/input/scan_xml.hpp>
+#include <limits>
 
 namespace barreno {
 namespace {
-
-/// Refuse a parameter of the other shape, which would be read and do nothing.
-void check_shape_entries(
-    const Deck& deck,
-    const std::string& path,
-    const std::string& shape,
-    const std::vector<const char*>& needed,
-    const std::vector<const char*>& foreign
-) {
-  for (const char* name : needed) {
-    if (!deck.has(path + "/" + name)) {
-      deck.refuse(
-          path + "/" + name, "is missing (a " + shape + " needs it); add it or change Shape"
-      );
-    }
-  }
-  for (const char* name : foreign) {
-    if (deck.has(path + "/" + name)) {
-      deck.refuse_value(
-          path + "/" + name, "has no meaning for a " + shape + "; remove it or change Shape"
-      );
-    }
-  }
-}
-
-Box read_box(const Deck& deck, const std::string& path, Mode mode) {
-  check_shape_entries(deck, path, "box", {"Lower", "Upper"}, {"Centre", "Radius", "Inner Radius"});
-  const Box box{vector_at(deck, path + "/Lower", mode), vector_at(deck, path + "/Upper", mode)};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(mode)); ++i) {
-    if (!(box.upper[i] > box.lower[i])) {
-      deck.refuse_value(
-          path + "/Upper",
-          std::string("is not above Lower along ") + "xyz"[i] +
-              " (the body is empty); exchange the two"
-      );
-    }
-  }
-  return box;
-}
-
-Ball read_ball(const Deck& deck, const std::string& path, Mode mode) {
-  if (mode == Mode::three_dimensional) {
-    deck.refuse_value(
-        path + "/Shape",
-        "cannot be filled in three dimensions (only boxes can); write box or change Grid/Mode"
-    );
-  }
-  check_shape_entries(deck, path, "ball", {"Centre", "Radius"}, {"Lower", "Upper"});
-  Ball ball{vector_at(deck, path + "/Centre", mode), deck.number(path + "/Radius")};
-  if (deck.has(path + "/Inner Radius")) ball.inner_radius = deck.number(path + "/Inner Radius");
-  if (!(ball.inner_radius < ball.radius)) {
-    deck.refuse_value(
-        path + "/Inner Radius", "is not below Radius (the body is empty); make it smaller"
-    );
-  }
-  if (mode == Mode::axisymmetric && ball.centre[0] != 0.0) {
-    deck.refuse_value(
-        path + "/Centre", "is off the axis (the ball would be a ring); put it at x = 0"
-    );
-  }
-  return ball;
-}
 
 /// The radial field is infinite at the centre: only a hollow ball can have it.
 void read_radial_velocity(const Deck& deck, const std::string& path, BodySpec& body) {
@@ -100,6 +40,13 @@ void read_spin(const Deck& deck, const std::string& path, Mode mode, BodySpec& b
     deck.refuse_value(
         entry, "has no meaning in axisymmetry (nothing moves around the axis); remove it"
     );
+  if (!std::holds_alternative<Box>(body.shape) && !std::holds_alternative<Ball>(body.shape)) {
+    deck.refuse_value(
+        entry,
+        "has no meaning for a " + deck.word(path + "/Shape") +
+            " (only boxes and balls have a middle to turn about); remove it or change Shape"
+    );
+  }
   body.spin = deck.number(entry);
 }
 
@@ -108,11 +55,7 @@ BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& gr
   BodySpec body;
   body.name = name;
   body.material = material_at(deck, path + "/Material");
-  if (deck.word(path + "/Shape") == "box") {
-    body.shape = read_box(deck, path, grid.mode);
-  } else {
-    body.shape = read_ball(deck, path, grid.mode);
-  }
+  body.shape = read_shape(deck, path, grid.mode);
   body.particles_per_cell = deck.integer(path + "/Particles Per Cell");
   if (deck.has(path + "/Velocity")) body.velocity = vector_at(deck, path + "/Velocity", grid.mode);
   if (deck.has(path + "/Velocity Wave Number")) {
@@ -128,6 +71,52 @@ BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& gr
     );
   }
   return body;
+}
+
+/// A wall, or a solid body's width; infinite where only the lattice tells.
+double thickness_of(const Shape& shape) {
+  const auto wall = [](double radius, double inner) {
+    return inner > 0.0 ? radius - inner : 2.0 * radius;
+  };
+  if (const auto* ball = std::get_if<Ball>(&shape)) return wall(ball->radius, ball->inner_radius);
+  if (const auto* cone = std::get_if<Cone>(&shape))
+    return wall(std::max(cone->start_radius, cone->end_radius), cone->inner_radius);
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Boxes thinner than a particle become thin particles of exact mass; a lattice cannot do that.
+void check_filling(const Deck& deck, const Scene& scene, const BodySpec& body) {
+  if (std::holds_alternative<Box>(body.shape)) return;
+  const std::string path = "Bodies/" + body.name;
+  const double size = scene.grid.cell_size / body.particles_per_cell;
+  const Filling filling =
+      filling_of(body.shape, dimensions(scene.grid.mode), lattice_of(body.shape, scene.grid, size));
+  if (filling.cells == 0) {
+    deck.refuse(
+        path, "is empty (no place in the grid belongs to it); change its shape or its parts"
+    );
+  }
+  constexpr double least_filled = 0.5;
+  if (thickness_of(body.shape) < size || filling.fullest < least_filled) {
+    deck.refuse(
+        path,
+        "is thinner than a particle, which is " + input::exact_text(size) +
+            " m wide (its stress could not be told); make cells smaller, Particles Per Cell larger "
+            "or the body thicker"
+    );
+  }
+}
+
+void check_apart(
+    const Deck& deck, const Scene& scene, const BodySpec& body, const BodySpec& other
+) {
+  const int finer = std::max(body.particles_per_cell, other.particles_per_cell);
+  if (!overlap(body.shape, other.shape, scene.grid, scene.grid.cell_size / finer)) return;
+  deck.refuse(
+      "Bodies/" + body.name,
+      "overlaps Bodies/" + other.name +
+          " (the same place would be filled twice); move or shrink one of them"
+  );
 }
 
 }  // namespace
@@ -174,25 +163,25 @@ int body_named(
   const auto index = static_cast<std::size_t>(found - names.begin());
   if (!std::holds_alternative<Box>(scene.bodies[index].shape)) {
     deck.refuse_value(
-        path, "names '" + name + "', which is a ball (only boxes have faces to press); choose a box"
+        path,
+        "names '" + name + "', which is a " + deck.word("Bodies/" + name + "/Shape") +
+            " (only boxes have faces to press); choose a box"
     );
   }
   return static_cast<int>(index);
 }
 
 void add_bodies(const Deck& deck, Scene& scene) {
-  for (const std::string& name : deck.lists("Bodies")) {
-    const BodySpec body = read_body(deck, name, scene.grid);
-    for (const BodySpec& other : scene.bodies) {
-      if (overlap(body.shape, other.shape, scene.grid)) {
-        deck.refuse(
-            "Bodies/" + name,
-            "overlaps Bodies/" + other.name +
-                " (the same place would be filled twice); move or shrink one of them"
-        );
-      }
-    }
-    scene.bodies.push_back(body);
+  check_shapes(deck, scene.grid.mode);
+  for (const std::string& name : deck.lists("Bodies"))
+    scene.bodies.push_back(read_body(deck, name, scene.grid));
+}
+
+void check_bodies(const Deck& deck, const Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    check_filling(deck, scene, scene.bodies[b]);
+    for (std::size_t other = 0; other < b; ++other)
+      check_apart(deck, scene, scene.bodies[b], scene.bodies[other]);
   }
 }
 

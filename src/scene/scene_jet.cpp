@@ -58,7 +58,7 @@ void add_jet(const Deck& deck, Scene& scene) {
     );
   }
   for (const BodySpec& body : scene.bodies) {
-    if (overlap(place, body.shape, scene.grid)) {
+    if (overlap(place, body.shape, scene.grid, scene.grid.cell_size / body.particles_per_cell)) {
       deck.refuse_value(
           "Jet/Launch Position",
           "puts the launch plane into Bodies/" + body.name +

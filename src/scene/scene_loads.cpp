@@ -60,22 +60,23 @@ void check_axis(const Deck& deck, const Scene& scene) {
   }
 }
 
-/// A face of the grid that cuts a ball mirrors it.
-void check_cut_balls(const Deck& deck, const Scene& scene) {
+/// A face of the grid that cuts a ball or a cone mirrors it.
+void check_cut_bodies(const Deck& deck, const Scene& scene) {
   for (const BodySpec& body : scene.bodies) {
-    const auto* ball = std::get_if<Ball>(&body.shape);
-    if (ball == nullptr) continue;
-    for (const Face face : cutting_faces(*ball, scene.grid)) {
+    const bool ball = std::holds_alternative<Ball>(body.shape);
+    for (const Face face : cutting_faces(body.shape, scene.grid)) {
       const ConditionSpec* condition = condition_on(scene, face);
       if (condition != nullptr && condition->kind == ConditionKind::symmetry) continue;
       const std::string& name = face_names[static_cast<std::size_t>(face)];
       std::string problem = "lies on ";
       problem.append(name)
-          .append(" of the grid, which cuts the ball (its other part can only be a mirror image); ")
+          .append(" of the grid, which cuts the ")
+          .append(ball ? "ball" : "body")
+          .append(" (its other part can only be a mirror image); ")
           .append("add a condition of Kind symmetry on ")
           .append(name)
           .append(" or enlarge Grid");
-      deck.refuse_value("Bodies/" + body.name + "/Centre", problem);
+      deck.refuse_value("Bodies/" + body.name + (ball ? "/Centre" : "/Start"), problem);
     }
   }
 }
@@ -207,7 +208,7 @@ void add_conditions(const Deck& deck, Scene& scene) {
     scene.conditions.push_back(condition);
   }
   check_axis(deck, scene);
-  check_cut_balls(deck, scene);
+  check_cut_bodies(deck, scene);
 }
 
 void add_loads(const Deck& deck, Scene& scene) {

@@ -21,6 +21,14 @@ void add_body_force(const Deck& deck, Scene& scene);
 /// A vector with one entry per dimension of the mode.
 Vector vector_at(const Deck& deck, const std::string& path, Mode mode);
 
+/// The shape that a list of Bodies or Shapes says, with its parts; every list of Shapes is one.
+Shape read_shape(const Deck& deck, const std::string& path, Mode mode);
+void check_shapes(const Deck& deck, Mode mode);
+
+/// Bodies have something to fill, are not thinner than a particle, and lie apart. Fills their
+/// lattices, so memory must have been checked.
+void check_bodies(const Deck& deck, const Scene& scene);
+
 /// Index of the material that the parameter at `path` names.
 int material_at(const Deck& deck, const std::string& path);
 

@@ -3,7 +3,6 @@
 
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
-#include "state/ball_piece.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,11 +25,9 @@ Division divide(double lower, double upper, double wanted, double cell_size) {
   return {lower, (upper - lower) / static_cast<double>(n), n};
 }
 
-/// Particles of a body or a slug: one division per axis, and what is filled if not all is.
+/// Particles of a box or a slug: one division per axis.
 struct Divisions {
   Division along[3];
-  const Ball* ball = nullptr;  ///< of the x-y plane, filled only inside it
-  double radius = 0.0;         ///< of a slug round the y axis, filled only inside it; 0: all
 };
 
 using Index = std::array<long long, 3>;
@@ -50,59 +47,28 @@ NewParticle make(const GridSpec& grid, const Divisions& divisions, const Index& 
   return p;
 }
 
-/// Squares of the grid's own lattice that cover [lower, upper] along an axis, so that particles sit
-/// in their cells alike everywhere. A millionth of a particle is round-off of the deck's numbers.
-Division on_lattice(
-    const GridSpec& grid, std::size_t axis, double lower, double upper, double size
-) {
-  const double from = (lower - grid.lower[axis]) / size;
-  const double to = (upper - grid.lower[axis]) / size;
-  const auto first = static_cast<long long>(std::floor(from + 1e-6));
-  const auto last = static_cast<long long>(std::ceil(to - 1e-6));
-  return {grid.lower[axis] + static_cast<double>(first) * size, size, last - first};
+double wanted_size(const GridSpec& grid, const BodySpec& body) {
+  return grid.cell_size / body.particles_per_cell;
 }
 
-Divisions divide_body(const GridSpec& grid, const BodySpec& body) {
-  const double wanted = grid.cell_size / body.particles_per_cell;
+Divisions divide_box(const GridSpec& grid, const BodySpec& body, const Box& box) {
   Divisions divisions;
-  const auto* box = std::get_if<Box>(&body.shape);
-  if (box == nullptr) divisions.ball = &std::get<Ball>(body.shape);
-  const Box around = box_around(body.shape, grid);
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d)
-    divisions.along[d] = box != nullptr
-                             ? divide(box->lower[d], box->upper[d], wanted, grid.cell_size)
-                             : on_lattice(grid, d, around.lower[d], around.upper[d], wanted);
+    divisions.along[d] =
+        divide(box.lower[d], box.upper[d], wanted_size(grid, body), grid.cell_size);
   return divisions;
 }
 
-/// What a ball of the plane of two axes fills of one square.
-Piece piece_in_plane(
-    const Ball& ball, const Division& a, const Division& b, long long i, long long j
-) {
-  return ball_particle(ball, {{a.lower, b.lower}, a.size, {a.count, b.count}}, i, j);
-}
-
-/// The particle of one square of a lattice that is filled in part; false if there is none. It stays
-/// a box of the whole square, at the centroid of what it holds: a smaller one would cost time
-/// steps.
-bool fill(const GridSpec& grid, const Divisions& divisions, const Index& index, NewParticle& p) {
-  const Division& x = divisions.along[0];
-  if (divisions.ball != nullptr) {
-    const Division& y = divisions.along[1];
-    const Piece piece = piece_in_plane(*divisions.ball, x, y, index[0], index[1]);
-    if (!(piece.area > 0.0)) return false;
-    p.x = {piece.x, piece.y, 0.0};
-    p.volume = piece.area * (grid.mode == Mode::axisymmetric ? two_pi * piece.x : 1.0);
-  }
-  if (divisions.radius > 0.0) {
-    const Ball disk{{}, divisions.radius};
-    const Piece piece = piece_in_plane(disk, x, divisions.along[2], index[0], index[2]);
-    if (!(piece.area > 0.0)) return false;
-    p.x = {piece.x, p.x[1], piece.y};
-    p.volume = piece.area * divisions.along[1].size;
-  }
-  p.loaded_sides = 0;
-  return true;
+/// The particle of a piece in its square of the lattice. It stays a box of the whole square, at the
+/// centroid of what it holds: a smaller one would cost time steps. A ring has its volume exactly,
+/// 2 pi x * area (Pappus).
+NewParticle particle_of(const GridSpec& grid, double size, const Piece& piece) {
+  NewParticle p;
+  p.x = piece.centroid;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d)
+    p.half[d] = 0.5 * size;
+  p.volume = piece.measure * (grid.mode == Mode::axisymmetric ? two_pi * p.x[0] : 1.0);
+  return p;
 }
 
 /// Length of a slug at the material's own density.
@@ -112,25 +78,53 @@ double solid_length(const Scene& scene, const JetSlug& slug) {
   return slug.length * slug.density / density;
 }
 
-Divisions divide_slug(const Scene& scene, const JetSlug& slug) {
-  const GridSpec& grid = scene.grid;
-  const double wanted = grid.cell_size / scene.jet.particles_per_cell;
-  const double length = solid_length(scene, slug);
-  Divisions divisions;
-  divisions.along[1] = divide(-0.5 * length, 0.5 * length, wanted, grid.cell_size);
-  const auto first = [&](std::size_t axis) { return grid.lower[axis] < 0.0 ? -slug.radius : 0.0; };
-  if (grid.mode != Mode::three_dimensional) {
-    divisions.along[0] = divide(first(0), slug.radius, wanted, grid.cell_size);
-    return divisions;
-  }
-  divisions.radius = slug.radius;
-  for (const std::size_t axis : {0U, 2U})
-    divisions.along[axis] = on_lattice(grid, axis, first(axis), slug.radius, wanted);
-  return divisions;
+double slug_size(const Scene& scene) {
+  return scene.grid.cell_size / scene.jet.particles_per_cell;
 }
 
-bool is_filled_in_part(const Divisions& divisions) {
-  return divisions.ball != nullptr || divisions.radius > 0.0;
+/// Layers of a slug along its axis.
+Division divide_length(const Scene& scene, const JetSlug& slug) {
+  const double length = solid_length(scene, slug);
+  return divide(-0.5 * length, 0.5 * length, slug_size(scene), scene.grid.cell_size);
+}
+
+/// Where a slug begins along x or z: a grid that begins at 0 holds a half.
+double slug_lower(const GridSpec& grid, const JetSlug& slug, std::size_t axis) {
+  return grid.lower[axis] < 0.0 ? -slug.radius : 0.0;
+}
+
+/// @pre the mode has two dimensions
+Divisions divide_slug(const Scene& scene, const JetSlug& slug) {
+  const double lower = slug_lower(scene.grid, slug, 0);
+  return {
+      {divide(lower, slug.radius, slug_size(scene), scene.grid.cell_size),
+       divide_length(scene, slug),
+       {}}};
+}
+
+/// visit(piece) for what the disk of a round slug fills of the lattice in the plane of x and z.
+void for_each_disk_piece(
+    const Scene& scene, const JetSlug& slug, const std::function<void(const Piece&)>& visit
+) {
+  const GridSpec& grid = scene.grid;
+  const Box around{
+      {slug_lower(grid, slug, 0), slug_lower(grid, slug, 2), 0.0}, {slug.radius, slug.radius, 0.0}};
+  const Vector origin{grid.lower[0], grid.lower[2], 0.0};
+  for_each_lattice_piece(
+      Ball{{}, slug.radius},
+      2,
+      lattice_around(around, origin, slug_size(scene), 2),
+      [&](const Index& /*cell*/, const Piece& piece) { visit(piece); }
+  );
+}
+
+/// The particle of a disk's piece in one layer of a round slug.
+NewParticle round_particle(double size, const Piece& piece, const Division& layers, long long j) {
+  NewParticle p;
+  p.x = {piece.centroid[0], layers.centre(j), piece.centroid[1]};
+  p.half = {0.5 * size, 0.5 * layers.size, 0.5 * size};
+  p.volume = piece.measure * layers.size;
+  return p;
 }
 
 void for_each_particle(
@@ -145,18 +139,14 @@ void for_each_particle(
     for (i[1] = 0; i[1] < divisions.along[1].count; ++i[1])
       for (i[0] = 0; i[0] < divisions.along[0].count; ++i[0]) {
         NewParticle p = make(grid, divisions, i);
-        if (is_filled_in_part(divisions) && !fill(grid, divisions, i, p)) continue;
         p.id = id++;
         visit(p);
       }
 }
 
-long long count_particles(const GridSpec& grid, const Divisions& divisions) {
+long long count_particles(const Divisions& divisions) {
   const auto& along = divisions.along;
-  if (!is_filled_in_part(divisions)) return along[0].count * along[1].count * along[2].count;
-  long long count = 0;
-  for_each_particle(grid, divisions, 0, [&](const NewParticle&) { ++count; });
-  return count;
+  return along[0].count * along[1].count * along[2].count;
 }
 
 }  // namespace
@@ -167,11 +157,28 @@ void for_each_body_particle(
     ParticleId first,
     const std::function<void(const NewParticle&)>& visit
 ) {
-  for_each_particle(grid, divide_body(grid, body), first, visit);
+  if (const auto* box = std::get_if<Box>(&body.shape)) {
+    for_each_particle(grid, divide_box(grid, body, *box), first, visit);
+    return;
+  }
+  ParticleId id = first;
+  const double size = wanted_size(grid, body);
+  const auto take = [&](const Index& /*cell*/, const Piece& piece) {
+    NewParticle p = particle_of(grid, size, piece);
+    p.id = id++;
+    visit(p);
+  };
+  for_each_lattice_piece(
+      body.shape, dimensions(grid.mode), lattice_of(body.shape, grid, size), take
+  );
 }
 
 long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
-  return count_particles(grid, divide_body(grid, body));
+  if (const auto* box = std::get_if<Box>(&body.shape))
+    return count_particles(divide_box(grid, body, *box));
+  long long count = 0;
+  for_each_body_particle(grid, body, 0, [&](const NewParticle&) { ++count; });
+  return count;
 }
 
 void for_each_slug_particle(
@@ -180,11 +187,26 @@ void for_each_slug_particle(
     ParticleId first,
     const std::function<void(const NewParticle&)>& visit
 ) {
-  for_each_particle(scene.grid, divide_slug(scene, slug), first, visit);
+  if (scene.grid.mode != Mode::three_dimensional) {
+    for_each_particle(scene.grid, divide_slug(scene, slug), first, visit);
+    return;
+  }
+  ParticleId id = first;
+  const Division layers = divide_length(scene, slug);
+  for_each_disk_piece(scene, slug, [&](const Piece& piece) {
+    for (long long j = 0; j < layers.count; ++j) {
+      NewParticle p = round_particle(slug_size(scene), piece, layers, j);
+      p.id = id++;
+      visit(p);
+    }
+  });
 }
 
 long long count_slug_particles(const Scene& scene, const JetSlug& slug) {
-  return count_particles(scene.grid, divide_slug(scene, slug));
+  if (scene.grid.mode != Mode::three_dimensional) return count_particles(divide_slug(scene, slug));
+  long long pieces = 0;
+  for_each_disk_piece(scene, slug, [&](const Piece&) { ++pieces; });
+  return pieces * divide_length(scene, slug).count;
 }
 
 std::vector<ParticleId> first_ids(const Scene& scene) {
@@ -209,15 +231,27 @@ std::vector<SlotRange> all_slots(const Scene& scene) {
 }
 
 double smallest_half_size(const Scene& scene, int material) {
+  const double h = scene.grid.cell_size;
   double smallest = 1.0;
-  const auto take = [&](const Divisions& d) {
-    for (int axis = 0; axis < dimensions(scene.grid.mode); ++axis)
-      smallest = std::min(smallest, 0.5 * d.along[axis].size / scene.grid.cell_size);
-  };
-  for (const BodySpec& body : scene.bodies)
-    if (body.material == material) take(divide_body(scene.grid, body));
-  if (scene.jet.present && scene.jet.material == material)
-    for (const JetSlug& slug : scene.jet.slugs) take(divide_slug(scene, slug));
+  const auto take = [&](const Division& d) { smallest = std::min(smallest, 0.5 * d.size / h); };
+  for (const BodySpec& body : scene.bodies) {
+    if (body.material != material) continue;
+    const auto* box = std::get_if<Box>(&body.shape);
+    if (box == nullptr) {
+      smallest = std::min(smallest, 0.5 / body.particles_per_cell);
+      continue;
+    }
+    const Divisions divisions = divide_box(scene.grid, body, *box);
+    for (int d = 0; d < dimensions(scene.grid.mode); ++d) take(divisions.along[d]);
+  }
+  if (!scene.jet.present || scene.jet.material != material) return smallest;
+  for (const JetSlug& slug : scene.jet.slugs) {
+    take(divide_length(scene, slug));
+    if (scene.grid.mode == Mode::three_dimensional)
+      smallest = std::min(smallest, 0.5 / scene.jet.particles_per_cell);
+    else
+      take(divide_slug(scene, slug).along[0]);
+  }
   return smallest;
 }
 

@@ -19,8 +19,9 @@ struct NewParticle {
 
 /// Fill a body with particles, in the order of their ids from `first` on.
 ///
-/// A box is divided evenly, so that its mass and its faces are exact; other shapes take the
-/// particles of the regular lattice (cell size / particles per cell) whose centres lie inside.
+/// A box is divided evenly, so that its mass and its faces are exact; other shapes take the pieces
+/// of the grid's regular lattice (cell size / particles per cell) that lie inside
+/// (geometry/fill.hpp).
 void for_each_body_particle(
     const GridSpec& grid,
     const BodySpec& body,

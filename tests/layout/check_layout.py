@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = ["base", "deck", "scene", "grid", "shape", "state", "step", "output", "drive", "."]
+ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "step", "output", "drive", "."]
 ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "exodusII": {"output"},
     "hdf5": {"output"},
@@ -15,6 +15,7 @@ ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "Tpetra_": {"grid", "."},
     "Teuchos_XML": {"deck"},
     "Teuchos_ParameterList": {"deck"},
+    "CGAL": {"deck"},
 }
 LONGEST = 500
 problems = []

@@ -1,64 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
-#include "state/ball_piece.hpp"
 #include "state/body_particles.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace barreno {
 namespace {
-
-/// Counted on a fine raster of points.
-Piece counted(const Ball& ball, const Box& box) {
-  constexpr int n = 600;
-  Piece sum;
-  const double dx = (box.upper[0] - box.lower[0]) / n, dy = (box.upper[1] - box.lower[1]) / n;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double x = box.lower[0] + (i + 0.5) * dx, y = box.lower[1] + (j + 0.5) * dy;
-      const double r = std::hypot(x - ball.centre[0], y - ball.centre[1]);
-      if (r >= ball.radius || r <= ball.inner_radius) continue;
-      sum.area += dx * dy;
-      sum.x += x * dx * dy;
-      sum.y += y * dx * dy;
-    }
-  if (sum.area > 0.0) sum = {sum.area, sum.x / sum.area, sum.y / sum.area};
-  return sum;
-}
-
-TEST(PieceOfBall, IsWhatACountOfPointsFinds) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> place(-2.0, 2.0), edge(0.1, 3.0);
-  int cut = 0;
-  for (int k = 0; k < 40; ++k) {
-    const Ball ball{{0.3, -0.2, 0.0}, 1.5, 0.7};
-    const Vector lower{place(random), place(random), 0.0};
-    const Box box{lower, {lower[0] + edge(random), lower[1] + edge(random), 0.0}};
-    const Piece exact = piece_of_ball(ball, box), count = counted(ball, box);
-    const double whole = (box.upper[0] - lower[0]) * (box.upper[1] - lower[1]);
-    EXPECT_NEAR(exact.area, count.area, 2e-3 * whole);
-    if (!(count.area > 0.01 * whole)) continue;
-    ++cut;
-    EXPECT_NEAR(exact.x, count.x, 3e-3);
-    EXPECT_NEAR(exact.y, count.y, 3e-3);
-  }
-  EXPECT_GT(cut, 15);
-}
-
-TEST(PieceOfBall, OfABoxAroundIsTheWholeAndOfOneBesideIsNothing) {
-  const Ball ball{{1.0, 2.0, 0.0}, 0.5, 0.2};
-  const Piece whole = piece_of_ball(ball, {{0.0, 0.0, 0.0}, {3.0, 3.0, 0.0}});
-  EXPECT_NEAR(whole.area, pi * (0.25 - 0.04), 1e-14);
-  EXPECT_NEAR(whole.x, 1.0, 1e-14);
-  EXPECT_NEAR(whole.y, 2.0, 1e-14);
-  EXPECT_EQ(piece_of_ball(ball, {{2.0, 2.0, 0.0}, {3.0, 3.0, 0.0}}).area, 0.0);
-  EXPECT_EQ(piece_of_ball(ball, {{0.95, 1.95, 0.0}, {1.05, 2.05, 0.0}}).area, 0.0);
-}
 
 /// A quarter of a hollow ball in cells of size h, centre in the corner of the grid.
 Scene quarter(Mode mode, double h, int particles_per_cell) {
@@ -94,13 +45,15 @@ TEST(HollowBall, HasTheVolumeOfTheSphereExactlyAndNoSlivers) {
 TEST(HollowBall, LeavesRoomInItsHollow) {
   const GridSpec grid{Mode::plane_strain, {-10.0, -10.0, 0.0}, {10.0, 10.0, 0.0}, 1.0};
   const Shape shell = Ball{{0.0, 0.0, 0.0}, 5.0, 3.0};
-  EXPECT_FALSE(overlap(shell, Ball{{0.0, 0.0, 0.0}, 3.0}, grid));
-  EXPECT_FALSE(overlap(Ball{{1.0, 0.0, 0.0}, 1.9}, shell, grid));
-  EXPECT_TRUE(overlap(shell, Ball{{1.5, 0.0, 0.0}, 1.9}, grid));
-  EXPECT_FALSE(overlap(shell, Box{{-2.0, -2.0, 0.0}, {2.0, 2.0, 0.0}}, grid));
-  EXPECT_TRUE(overlap(shell, Box{{-2.0, -2.0, 0.0}, {2.5, 2.0, 0.0}}, grid));
-  EXPECT_TRUE(overlap(shell, Box{{2.0, -1.0, 0.0}, {4.0, 1.0, 0.0}}, grid));
-  EXPECT_TRUE(overlap(Ball{{0.0, 0.0, 0.0}, 3.0}, Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}}, grid));
+  EXPECT_FALSE(overlap(shell, Ball{{0.0, 0.0, 0.0}, 3.0}, grid, 1.0));
+  EXPECT_FALSE(overlap(Ball{{1.0, 0.0, 0.0}, 1.9}, shell, grid, 1.0));
+  EXPECT_TRUE(overlap(shell, Ball{{1.5, 0.0, 0.0}, 1.9}, grid, 1.0));
+  EXPECT_FALSE(overlap(shell, Box{{-2.0, -2.0, 0.0}, {2.0, 2.0, 0.0}}, grid, 1.0));
+  EXPECT_TRUE(overlap(shell, Box{{-2.0, -2.0, 0.0}, {2.5, 2.0, 0.0}}, grid, 1.0));
+  EXPECT_TRUE(overlap(shell, Box{{2.0, -1.0, 0.0}, {4.0, 1.0, 0.0}}, grid, 1.0));
+  EXPECT_TRUE(
+      overlap(Ball{{0.0, 0.0, 0.0}, 3.0}, Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}}, grid, 1.0)
+  );
 }
 
 TEST(HollowBall, HasTheAreaOfTheDiskInPlaneStrain) {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/slices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace barreno {
+namespace {
+
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A point in the half plane through the axis: along it, and away from it.
+struct Meridian {
+  double along = 0.0, away = 0.0;
+};
+
+double distance_to_line(const Meridian& p, const Meridian& a, const Meridian& b) {
+  const double dx = b.along - a.along, dy = b.away - a.away;
+  const double square = dx * dx + dy * dy;
+  double s = 0.0;
+  if (square > 0.0)
+    s = std::clamp(((p.along - a.along) * dx + (p.away - a.away) * dy) / square, 0.0, 1.0);
+  return std::hypot(p.along - a.along - s * dx, p.away - a.away - s * dy);
+}
+
+/// The cone as a round body along a coordinate axis; nothing if it points elsewhere.
+std::optional<Round> round_of(const Cone& cone) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+    if (cone.start[first] != cone.end[first] || cone.start[second] != cone.end[second]) continue;
+    const bool up = cone.end[axis] > cone.start[axis];
+    return Round{
+        cone.start,
+        axis,
+        std::min(cone.start[axis], cone.end[axis]),
+        std::max(cone.start[axis], cone.end[axis]),
+        up ? cone.start_radius : cone.end_radius,
+        up ? cone.end_radius : cone.start_radius};
+  }
+  return {};
+}
+
+/// Volume and first moments without the bore, turned to a piece.
+Piece piece_of_round(const Cone& cone, Round round, const Box& box) {
+  const Piece body = slice_round(round, box);
+  Piece bore;
+  if (cone.inner_radius > 0.0) {
+    round.radius_from = round.radius_to = cone.inner_radius;
+    bore = slice_round(round, box);
+  }
+  const double measure = body.measure - bore.measure;
+  constexpr double least = 1e-9;  // of the box: round-off of the difference
+  if (!(measure > least * measure_of(box, 3))) return {};
+  Piece piece{measure, {}};
+  for (std::size_t i = 0; i < 3; ++i)
+    piece.centroid[i] = round.centre[i] + (body.centroid[i] - bore.centroid[i]) / measure;
+  return piece;
+}
+
+/// The plane that the surface nearest to a point is taken for.
+HalfSpace plane_near(const Cone& cone, const Vector& x, double reach) {
+  HalfSpace plane;
+  double length = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector ahead = x, behind = x;
+    ahead[i] += 1e-3 * reach;
+    behind[i] -= 1e-3 * reach;
+    plane.normal[i] = distance_to(cone, ahead) - distance_to(cone, behind);
+    length += plane.normal[i] * plane.normal[i];
+  }
+  const double distance = distance_to(cone, x);
+  for (std::size_t i = 0; i < 3; ++i) {
+    plane.normal[i] /= std::max(std::sqrt(length), 1e-300);
+    plane.point[i] = x[i] - distance * plane.normal[i];
+  }
+  return plane;
+}
+
+double half_diagonal(const Box& box) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) square += std::pow(box.upper[i] - box.lower[i], 2);
+  return 0.5 * std::sqrt(square);
+}
+
+Piece piece_of_oblique(const Cone& cone, const Box& box, int splits) {
+  const Piece all = whole(box, 3);
+  const double distance = distance_to(cone, all.centroid), reach = half_diagonal(box);
+  if (distance >= reach) return {};
+  if (distance <= -reach) return all;
+  if (splits == 0) return piece_of_half_space(plane_near(cone, all.centroid, reach), box, 3);
+  Piece sum;
+  for_each_half(box, 3, [&](const Box& half) {
+    add(sum, piece_of_oblique(cone, half, splits - 1));
+  });
+  return sum;
+}
+
+}  // namespace
+
+double distance_to(const Cone& cone, const Vector& x) {
+  Vector axis{}, arm{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    axis[i] = cone.end[i] - cone.start[i];
+    arm[i] = x[i] - cone.start[i];
+  }
+  const double length = std::sqrt(dot(axis, axis)), along = dot(arm, axis) / length;
+  double away = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) away += std::pow(arm[i] - along * axis[i] / length, 2);
+  const Meridian p{along, std::sqrt(away)};
+  const double bore = cone.inner_radius;
+  const Meridian a{0.0, bore}, b{0.0, cone.start_radius}, c{length, cone.end_radius},
+      d{length, bore};
+  double distance =
+      std::min({distance_to_line(p, a, b), distance_to_line(p, b, c), distance_to_line(p, c, d)});
+  if (bore > 0.0) distance = std::min(distance, distance_to_line(p, d, a));
+  const double radius =
+      cone.start_radius + (cone.end_radius - cone.start_radius) * p.along / length;
+  const bool inside = p.along > 0.0 && p.along < length && p.away < radius && p.away >= bore;
+  return inside ? -distance : distance;
+}
+
+Piece piece_of_cone(const Cone& cone, const Box& box) {
+  if (const auto round = round_of(cone)) return piece_of_round(cone, *round, box);
+  return piece_of_oblique(cone, box, cone_splits);
+}
+
+}  // namespace barreno
