@@ -132,10 +132,11 @@ void check_memory(const Deck& deck, const Scene& scene) {
 }  // namespace
 
 double particle_estimate(const Scene& scene) {
+  const int d = dimensions(scene.grid.mode);
   double particles = 0.0;
   for (const BodySpec& body : scene.bodies) {
     const double size = scene.grid.cell_size / body.particles_per_cell;
-    particles += most_measure(body.shape, scene.grid) / std::pow(size, dimensions(scene.grid.mode));
+    particles += most_measure(body.shape, scene.grid) / std::pow(size, d);
   }
   for (const JetSlug& slug : scene.jet.slugs) {
     const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;

@@ -39,11 +39,13 @@ double loaded_faces(const Scene& scene, int body, unsigned sides) {
 /// v (a / r)^2 outwards, v (a / r) in plane strain: div v = 0.
 void add_radial_velocity(Mode mode, const BodySpec& body, const Vector& x, Vector& velocity) {
   const Ball& ball = std::get<Ball>(body.shape);
-  const double dx = x[0] - ball.centre[0], dy = x[1] - ball.centre[1];
-  const double r = std::hypot(dx, dy), ratio = ball.inner_radius / r;
-  const double speed = body.radial_velocity * (mode == Mode::axisymmetric ? ratio * ratio : ratio);
-  velocity[0] += speed * dx / r;
-  velocity[1] += speed * dy / r;
+  Vector from_centre{};
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(mode)); ++d)
+    from_centre[d] = x[d] - ball.centre[d];
+  const double r = std::hypot(from_centre[0], from_centre[1], from_centre[2]);
+  const double ratio = ball.inner_radius / r;
+  const double speed = body.radial_velocity * (mode == Mode::plane_strain ? ratio : ratio * ratio);
+  for (std::size_t d = 0; d < 3; ++d) velocity[d] += speed * from_centre[d] / r;
 }
 
 /// Middle of a body's undeformed shape.

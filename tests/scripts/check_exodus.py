@@ -14,6 +14,7 @@ COMMON = (
     "status velocity_x velocity_y stress_xx stress_yy stress_zz stress_xy pressure shear_stress "
     "density volume_ratio viscous_pressure"
 ).split()
+IN_SPACE = "velocity_z stress_yz stress_zx".split()
 
 
 class Wrong(Exception):
@@ -34,6 +35,10 @@ def names(data, key):
 
 def size(data, dimension):
     return len(data.dimensions[dimension]) if dimension in data.dimensions else 0
+
+
+def axes(data):
+    return "xyz"[: size(data, "num_dim")]
 
 
 def check_layout(data, blocks):
@@ -60,7 +65,7 @@ def check_layout(data, blocks):
     require("info_records" in data.variables, "The deck is not in the information records.")
     require("qa_records" in data.variables, "There is no QA record.")
     require(
-        names(data, "name_nod_var") == ["displacement_x", "displacement_y"],
+        names(data, "name_nod_var") == [f"displacement_{axis}" for axis in axes(data)],
         "Nodal variables are not the displacements.",
     )
 
@@ -79,7 +84,7 @@ def check_step(data, step):
             if f"vals_elem_var{i + 1}eb{b + 1}" in data.variables
         }
         where = f"in block {b + 1} at step {step + 1}"
-        for name in COMMON:
+        for name in COMMON + (IN_SPACE if len(axes(data)) == 3 else []):
             require(name in values, f"Variable {name} is missing {where}.")
         for name, array in values.items():
             require(np.all(np.isfinite(array)), f"{name} is not finite {where}.")
@@ -100,10 +105,10 @@ def check_step(data, step):
 
 
 def check_displacement(data, step, status):
-    """What has not moved yet is where it began; what is alive has an area."""
+    """What has not moved yet is where it began; what is alive has an area or a volume."""
     elements = len(status)
     corners = []
-    for axis, index in (("x", 1), ("y", 2)):
+    for index, axis in enumerate(axes(data), 1):
         start = data.variables["coord" + axis][:].reshape(elements, -1)
         moved = data.variables[f"vals_nod_var{index}"][step].reshape(elements, -1)
         require(np.all(np.isfinite(moved)), f"Displacements are not finite at step {step + 1}.")
@@ -118,6 +123,11 @@ def check_displacement(data, step, status):
         area = 0.5 * ((x[:, 2] - x[:, 0]) * (y[:, 3] - y[:, 1]))
         area -= 0.5 * ((x[:, 3] - x[:, 1]) * (y[:, 2] - y[:, 0]))
         require(np.all(area[status] > 0.0), f"Corners are not counter-clockwise at step {step + 1}.")
+    if corners[0].shape[1] == 8:
+        x = np.stack(corners, axis=-1)
+        edges = [x[:, corner] - x[:, 0] for corner in (1, 3, 4)]
+        volume = np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])
+        require(np.all(volume[status] > 0.0), f"Hexahedra are turned inside out at step {step + 1}.")
 
 
 def check(options):
