@@ -171,13 +171,7 @@ int body_named(
         path, "names '" + name + "', which is not in Bodies; " + input::suggest_name(name, names)
     );
   }
-  const auto index = static_cast<std::size_t>(found - names.begin());
-  if (!std::holds_alternative<Box>(scene.bodies[index].shape)) {
-    deck.refuse_value(
-        path, "names '" + name + "', which is a ball (only boxes have faces to press); choose a box"
-    );
-  }
-  return static_cast<int>(index);
+  return static_cast<int>(found - names.begin());
 }
 
 void add_bodies(const Deck& deck, Scene& scene) {
