@@ -117,6 +117,31 @@ std::string body_lines(const Scene& scene) {
   return text;
 }
 
+int count_loads(const Scene& scene, LoadKind kind) {
+  return static_cast<int>(std::count_if(
+      scene.loads.begin(),
+      scene.loads.end(),
+      [&](const PressureLoadSpec& load) { return load.kind == kind; }
+  ));
+}
+
+std::string load_lines(const Scene& scene) {
+  const auto line = [&](const char* name, LoadKind kind) {
+    const int count = count_loads(scene, kind);
+    return feature(name, count > 0, std::to_string(count) + " asked for");
+  };
+  const auto moves = [](const ConditionSpec& c) { return c.factor.time.size() > 1; };
+  const bool tables = std::any_of(scene.conditions.begin(), scene.conditions.end(), moves);
+  return line("pressure loads", LoadKind::pressure) +
+         line("non-reflecting faces", LoadKind::non_reflecting) +
+         line("fluid in cavities", LoadKind::pore_fluid) +
+         feature(
+             "walls moved by tables",
+             tables,
+             tables ? "a condition has Times" : "no condition has Times"
+         );
+}
+
 std::string feature_lines(const Scene& scene) {
   const bool space = scene.grid.mode == Mode::three_dimensional;
   const bool confined =
@@ -131,11 +156,7 @@ std::string feature_lines(const Scene& scene) {
              confined,
              confined ? "bodies start in equilibrium" : "no Confinement list"
          ) +
-         feature(
-             "pressure loads",
-             !scene.loads.empty(),
-             std::to_string(scene.loads.size()) + " asked for"
-         ) +
+         load_lines(scene) +
          feature(
              "artificial viscosity",
              scene.step.linear_viscosity + scene.step.quadratic_viscosity > 0.0,
@@ -152,7 +173,6 @@ std::string feature_lines(const Scene& scene) {
              space ? "27 nodes per particle"
                    : "the mode is two-dimensional: 2D data, 9 nodes per particle"
          ) +
-         feature("pore fluid", false, "no material of the scene has one") +
          feature("contact with friction", false, "all bodies share one velocity field");
 }
 

@@ -95,7 +95,10 @@ Section conditions_section() {
            {"symmetry", "fixed", "prescribed velocity"},
            "symmetry: no normal velocity; fixed: no velocity; prescribed velocity: that of Velocity"
        ),
-       vector("Velocity", dim::velocity, any(), "only for a prescribed velocity").if_given()},
+       vector("Velocity", dim::velocity, any(), "only for a prescribed velocity").if_given(),
+       vector("Times", dim::time, any(), "increasing; Factors is linear in between").if_given(),
+       vector("Factors", dim::none, any(), "of Velocity, one for each of Times; 1 without them")
+           .if_given()},
       {},
       {}};
   return {
@@ -112,11 +115,26 @@ Section loads_section() {
       "*",
       "one load",
       Presence::required,
-      {word("Kind", {"pressure"}, "pressure: follows the faces, pushes inward when positive"),
-       text("Body", "name of a box in Bodies"),
-       words("Faces", faces, "faces of that box that are pressed"),
-       number("Pressure", dim::stress, any(), "constant in time; or Times and Pressures")
+      {word(
+           "Kind",
+           {"pressure", "non-reflecting", "pore fluid"},
+           "pressure: follows the surface, pushes inward when positive; non-reflecting: the same "
+           "(or the confinement's, or none), and waves that come to these faces of a box leave "
+           "through them; pore fluid: fills the hollow of a ball, p = Pressure - Bulk Modulus ln(V "
+           "/ V0)"
+       ),
+       text("Body", "name of a list in Bodies"),
+       words("Faces", faces, "of a box: faces that are loaded").if_given(),
+       words("Surfaces", {"inner", "outer"}, "of a ball: that of its hollow, that around it")
            .if_given(),
+       number(
+           "Pressure",
+           dim::stress,
+           any(),
+           "constant in time (or Times and Pressures); a pore fluid's at the start, 0 without it"
+       )
+           .if_given(),
+       number("Bulk Modulus", dim::stress, above(0.0), "of a pore fluid").if_given(),
        vector("Times", dim::time, any(), "increasing; the pressure is linear in between")
            .if_given(),
        vector("Pressures", dim::stress, any(), "one for each of Times").if_given()},
@@ -129,10 +147,15 @@ Section loads_section() {
 Section confinement_section() {
   return {
       "Confinement",
-      "bodies that start in equilibrium under a pressure, which stays on their outer faces",
+      "bodies that start in equilibrium under a pressure, which stays on their surfaces",
       Presence::optional,
-      {number("Pressure", dim::stress, at_least(0.0), "on every outer face that has no condition"),
-       words("Bodies", {}, "names of boxes in Bodies")},
+      {number(
+           "Pressure",
+           dim::stress,
+           at_least(0.0),
+           "on every outer face that has no condition, and on all surfaces of balls"
+       ),
+       words("Bodies", {}, "names of lists in Bodies")},
       {},
       {}};
 }

@@ -2,6 +2,7 @@
 #include "output/output.hpp"
 
 #include "base/gather.hpp"
+#include "output/cavities.hpp"
 #include "output/depth.hpp"
 #include "output/exodus_writer.hpp"
 #include "output/history_writer.hpp"
@@ -102,8 +103,9 @@ struct Output::Parts {
   std::unique_ptr<Progress> progress;  ///< root only
   std::unique_ptr<ExodusWriter> fields;
   std::unique_ptr<HistoryWriter> history;
-  std::unique_ptr<DepthWriter> depth;  ///< scenes with a jet only
-  std::unique_ptr<RadiiWriter> radii;  ///< scenes with hollow balls only
+  std::unique_ptr<DepthWriter> depth;        ///< scenes with a jet only
+  std::unique_ptr<RadiiWriter> radii;        ///< scenes with hollow balls only
+  std::unique_ptr<CavitiesWriter> cavities;  ///< scenes with a pore fluid only
   Schedule field_schedule, history_schedule, progress_schedule;
   RunTotals totals;  ///< of the last row
   Ledger watched;    ///< tallies that were warned about
@@ -147,6 +149,8 @@ Output::Parts::Parts(const Scene& scene, const State& state, const RunDescriptio
     depth = std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv");
   if (!hollow_balls(scene).empty())
     radii = std::make_unique<RadiiWriter>(scene, state, run.folder / "radii.csv");
+  if (!pore_fluids(scene).empty())
+    cavities = std::make_unique<CavitiesWriter>(scene, *comm, run.folder / "cavities.csv");
 }
 
 void Output::Parts::write_rows(const Scene& scene, const State& state) {
@@ -154,6 +158,7 @@ void Output::Parts::write_rows(const Scene& scene, const State& state) {
   history->write(*comm, state.clock, totals);
   if (depth) depth->write(scene, state);
   if (radii) radii->write(scene, state);
+  if (cavities) cavities->write(scene, state);
   rows_step = state.clock.step;
 }
 

@@ -5,7 +5,6 @@
 #include "output/particle_fields.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace barreno {
@@ -21,13 +20,6 @@ double power_of(Mode mode, double r) {
 double root_of(Mode mode, double power) {
   const double positive = std::max(0.0, power);
   return mode == Mode::plane_strain ? std::sqrt(positive) : std::cbrt(positive);
-}
-
-/// A body's name as part of a column's.
-std::string column_of(std::string name) {
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return name;
 }
 
 }  // namespace
@@ -72,7 +64,7 @@ RadiiWriter::RadiiWriter(const Scene& scene, const State& state, const std::file
     : bodies_(hollow_balls(scene)), start_(radial_moments(scene, state, bodies_)) {
   std::string header = "time";
   for (const int body : bodies_) {
-    const std::string name = column_of(scene.bodies[static_cast<std::size_t>(body)].name);
+    const std::string name = column_name(scene.bodies[static_cast<std::size_t>(body)].name);
     for (const char* radius : {"_inner_radius", "_outer_radius"})
       header.append(",").append(name).append(radius);
   }

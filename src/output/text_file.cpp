@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -59,6 +60,12 @@ void LineFile::append(const std::string& line) {
   errno = 0;
   stream_ << line << '\n' << std::flush;
   if (!stream_) refuse(path_, "write");
+}
+
+std::string column_name(std::string name) {
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
 }
 
 std::string csv_line(const std::vector<double>& values) {

@@ -31,6 +31,9 @@ private:
 /// The values as one line of a CSV file.
 std::string csv_line(const std::vector<double>& values);
 
+/// A name of the deck as part of a column's: letters and digits, others as '_'.
+std::string column_name(std::string name);
+
 /// At most `bytes` bytes of a text, not cut inside a UTF-8 character.
 std::string cut_text(const std::string& text, std::size_t bytes);
 

@@ -61,17 +61,28 @@ struct ConditionSpec {
   std::string name;
   Face face = Face::x_lower;
   ConditionKind kind = ConditionKind::symmetry;
-  Vector velocity{};  ///< prescribed_velocity only [length/time]
+  Vector velocity{};           ///< prescribed_velocity only [length/time]
+  Table factor{{0.0}, {1.0}};  ///< of velocity, as time goes on [-]
 };
 
-/// Pressure that follows the faces of a body's own outer particles (tension positive: pushes inward
-/// if > 0).
+/// Surfaces of a ball: that of its hollow and that around it.
+enum class BallSurface { inner, outer };
+
+enum class LoadKind { pressure, non_reflecting, pore_fluid };
+
+/// Pressure that follows a body's own surface (pushes inward if > 0): faces of a box, surfaces of a
+/// ball.
 struct PressureLoadSpec {
   std::string name;
-  int body = 0;                 ///< index into Scene::bodies, a Box
-  std::array<bool, 6> faces{};  ///< indexed by Face
-  Table pressure;               ///< [stress]
+  int body = 0;                 ///< index into Scene::bodies
+  std::array<bool, 6> faces{};  ///< of a Box, indexed by Face
+  Table pressure;               ///< at the start if the kind is pore_fluid [stress]
+  LoadKind kind = LoadKind::pressure;
+  std::array<bool, 2> surfaces{};  ///< of a Ball, indexed by BallSurface
+  double bulk_modulus = 0.0;       ///< pore_fluid: p = p0 - K ln(V / V0) [stress]
 };
+/// The loads of a scene, six faces each, are the bits of one double.
+inline constexpr std::size_t most_loads = 8;
 
 /// Force per mass on every particle: gravity, or what a manufactured motion needs (body_force.hpp).
 enum class BodyForceKind { none, gravity, axis_aligned, vortex, ring };

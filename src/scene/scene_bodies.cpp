@@ -161,11 +161,12 @@ int body_named(
     );
   }
   const auto index = static_cast<std::size_t>(found - names.begin());
-  if (!std::holds_alternative<Box>(scene.bodies[index].shape)) {
+  const Shape& shape = scene.bodies[index].shape;
+  if (!std::holds_alternative<Box>(shape) && !std::holds_alternative<Ball>(shape)) {
     deck.refuse_value(
         path,
         "names '" + name + "', which is a " + deck.word("Bodies/" + name + "/Shape") +
-            " (only boxes have faces to press); choose a box"
+            " (only boxes and balls have surfaces to press); choose one of those"
     );
   }
   return static_cast<int>(index);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/geometry.hpp"
+#include "scene/load_tables.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
@@ -81,43 +82,6 @@ void check_cut_bodies(const Deck& deck, const Scene& scene) {
   }
 }
 
-Table read_pressure(const Deck& deck, const std::string& path) {
-  const bool constant = deck.has(path + "/Pressure");
-  const bool times = deck.has(path + "/Times"), pressures = deck.has(path + "/Pressures");
-  if (constant == (times && pressures) || times != pressures) {
-    deck.refuse(
-        path,
-        "needs either Pressure or both Times and Pressures (one of them says how hard); give one"
-    );
-  }
-  if (constant) return {{0.0}, {deck.number(path + "/Pressure")}};
-  Table table{deck.vector(path + "/Times"), deck.vector(path + "/Pressures")};
-  if (table.time.empty() || table.time.size() != table.value.size()) {
-    deck.refuse_value(
-        path + "/Pressures",
-        "has " + std::to_string(table.value.size()) + " entries, but Times has " +
-            std::to_string(table.time.size()) + " (one belongs to each); make them equal"
-    );
-  }
-  for (std::size_t i = 1; i < table.time.size(); ++i) {
-    if (!(table.time[i] > table.time[i - 1])) {
-      deck.refuse_value(
-          path + "/Times",
-          "does not increase at component " + std::to_string(i + 1) +
-              " (the pressure there would be ambiguous); sort the times"
-      );
-    }
-  }
-  return table;
-}
-
-bool is_loaded(const Scene& scene, int body, Face face) {
-  const auto presses = [&](const PressureLoadSpec& load) {
-    return load.body == body && load.faces[static_cast<std::size_t>(face)];
-  };
-  return std::any_of(scene.loads.begin(), scene.loads.end(), presses);
-}
-
 /// How a face of one body lies on the opposite face of another.
 enum class Sharing { none, part, whole };
 
@@ -146,13 +110,16 @@ bool is_outer(
     return std::get<Box>(scene.bodies[static_cast<std::size_t>(index)].shape);
   };
   const auto count = static_cast<std::size_t>(dimensions(scene.grid.mode));
+  const auto is_box = [&](int index) {
+    return std::holds_alternative<Box>(scene.bodies[static_cast<std::size_t>(index)].shape);
+  };
   const double tolerance = touching(scene.grid);
   const Box box = box_of(body), grid{scene.grid.lower, scene.grid.upper};
   const bool at_grid_face = std::abs(coordinate(box, face) - coordinate(grid, face)) <= tolerance;
   if (at_grid_face && condition_on(scene, face) != nullptr) return false;
   for (const int other : confined) {
-    const Sharing shared =
-        other == body ? Sharing::none : sharing(box, face, box_of(other), count, tolerance);
+    if (other == body || !is_box(other)) continue;  // a ball touches in a point
+    const Sharing shared = sharing(box, face, box_of(other), count, tolerance);
     if (shared == Sharing::whole) return false;
     if (shared == Sharing::part) {
       deck.refuse_value(
@@ -198,6 +165,8 @@ void add_conditions(const Deck& deck, Scene& scene) {
       );
     }
     if (prescribed) condition.velocity = vector_at(deck, path + "/Velocity", scene.grid.mode);
+    if (prescribed || deck.has(path + "/Times") || deck.has(path + "/Factors"))
+      condition.factor = read_factors(deck, path, prescribed);
     if (const ConditionSpec* other = condition_on(scene, condition.face)) {
       deck.refuse_value(
           path + "/Face",
@@ -209,27 +178,6 @@ void add_conditions(const Deck& deck, Scene& scene) {
   }
   check_axis(deck, scene);
   check_cut_bodies(deck, scene);
-}
-
-void add_loads(const Deck& deck, Scene& scene) {
-  for (const std::string& name : deck.lists("Loads")) {
-    const std::string path = "Loads/" + name;
-    PressureLoadSpec load;
-    load.name = name;
-    load.body = body_named(deck, scene, path + "/Body", deck.word(path + "/Body"));
-    for (const std::string& word : deck.words(path + "/Faces")) {
-      const Face face = face_at(deck, path + "/Faces", word, scene.grid.mode);
-      if (is_loaded(scene, load.body, face)) {
-        deck.refuse_value(
-            path + "/Faces",
-            "presses " + word + " of its body a second time; remove one of the loads"
-        );
-      }
-      load.faces[static_cast<std::size_t>(face)] = true;
-    }
-    load.pressure = read_pressure(deck, path);
-    scene.loads.push_back(load);
-  }
 }
 
 namespace {
@@ -252,6 +200,44 @@ void check_holds(
 
 }  // namespace
 
+namespace {
+
+/// A face under the confining pressure that has a load of its own: a non-reflecting one takes the
+/// pressure as its preload, any other would start out of equilibrium.
+void preload(const Deck& deck, Scene& scene, int body, Face face, double pressure) {
+  for (PressureLoadSpec& load : scene.loads) {
+    if (load.body != body || !load.faces[static_cast<std::size_t>(face)]) continue;
+    const bool absorbs = load.kind == LoadKind::non_reflecting;
+    if (!absorbs || has_pressure(deck, "Loads/" + load.name)) {
+      deck.refuse_value(
+          "Confinement/Bodies",
+          "presses a face of '" + scene.bodies[static_cast<std::size_t>(body)].name +
+              "' that a load presses too (the body would not start in equilibrium); remove the " +
+              (absorbs ? "load's pressure" : "load")
+      );
+    }
+    load.pressure = {{0.0}, {pressure}};
+  }
+}
+
+/// The surfaces of a ball, its hollow too, which would not be in equilibrium otherwise.
+void confine_ball(const Deck& deck, const Scene& scene, const Ball& ball, PressureLoadSpec& load) {
+  for (const BallSurface surface : {BallSurface::inner, BallSurface::outer}) {
+    if (surface == BallSurface::inner && !(ball.inner_radius > 0.0)) continue;
+    if (is_loaded(scene, load.body, surface)) {
+      deck.refuse_value(
+          "Confinement/Bodies",
+          "presses a surface of '" + scene.bodies[static_cast<std::size_t>(load.body)].name +
+              "' that a load presses too (the body would not start in equilibrium); remove the "
+              "load"
+      );
+    }
+    load.surfaces[static_cast<std::size_t>(surface)] = true;
+  }
+}
+
+}  // namespace
+
 void add_confinement(const Deck& deck, Scene& scene) {
   if (!deck.has("Confinement/Pressure")) return;
   const double pressure = deck.number("Confinement/Pressure");
@@ -269,19 +255,18 @@ void add_confinement(const Deck& deck, Scene& scene) {
     load.name = "Confinement of " + spec.name;
     load.body = body;
     load.pressure = {{0.0}, {pressure}};
-    for (const Face face : faces_of(scene.grid.mode)) {
-      if (!is_outer(deck, scene, confined, body, face)) continue;
-      if (is_loaded(scene, body, face)) {
-        deck.refuse_value(
-            "Confinement/Bodies",
-            "presses a face of '" + spec.name +
-                "' that a load presses too (the body would not start in equilibrium); remove the "
-                "load"
-        );
+    if (const auto* ball = std::get_if<Ball>(&spec.shape)) {
+      confine_ball(deck, scene, *ball, load);
+    } else {
+      for (const Face face : faces_of(scene.grid.mode)) {
+        if (!is_outer(deck, scene, confined, body, face)) continue;
+        if (is_loaded(scene, body, face))
+          preload(deck, scene, body, face, pressure);
+        else
+          load.faces[static_cast<std::size_t>(face)] = true;
       }
-      load.faces[static_cast<std::size_t>(face)] = true;
     }
-    scene.loads.push_back(load);
+    add_load(deck, "Confinement", load, scene);
   }
 }
 

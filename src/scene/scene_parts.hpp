@@ -37,6 +37,14 @@ int body_named(
     const Deck& deck, const Scene& scene, const std::string& path, const std::string& name
 );
 
+/// Append a load, of which a scene has at most most_loads; `path` names it in the sentence.
+void add_load(
+    const Deck& deck, const std::string& path, const PressureLoadSpec& load, Scene& scene
+);
+/// A load of the scene so far acts on that face or surface of the body.
+bool is_loaded(const Scene& scene, int body, Face face);
+bool is_loaded(const Scene& scene, int body, BallSurface surface);
+
 /// A face that exists in the mode; `word` out of the parameter at `path`.
 Face face_at(const Deck& deck, const std::string& path, const std::string& word, Mode mode);
 

@@ -7,6 +7,7 @@
 #include "grid/tiles.hpp"
 #include "scene/body_force.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/surface_share.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,29 @@ double loaded_faces(const Scene& scene, int body, unsigned sides) {
   double bits = 0.0;
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     if (scene.loads[l].body != body) continue;
+    const PressureLoadSpec& load = scene.loads[l];
     for (unsigned face = 0; face < 6; ++face)
-      if (scene.loads[l].faces[face] && (sides >> face & 1U))
+      if (load.faces[face] && (sides >> face & 1U))
         bits += std::ldexp(1.0, static_cast<int>(6 * l + face));
+    for (unsigned surface = 0; surface < 2; ++surface)  // of the ball: every particle has a share
+      if (load.surfaces[surface]) bits += std::ldexp(1.0, static_cast<int>(6 * l + surface));
   }
   return bits;
+}
+
+/// Shares of a particle in the pressures on the surfaces of its ball.
+void put_shares(const Scene& scene, const BodySpec& body, int p, Particles& particles) {
+  const auto* ball = std::get_if<Ball>(&body.shape);
+  if (particles.surface_share.components == 0 || ball == nullptr) return;
+  const int count = dimensions(scene.grid.mode);
+  int c = 0;
+  for (const BallSurface surface : {BallSurface::inner, BallSurface::outer}) {
+    const SurfaceShare share =
+        surface_share(*ball, surface, vector_of(particles.position, p), count);
+    particles.surface_share(p, c++) = share.value;
+    for (int d = 0; d < count; ++d)
+      particles.surface_share(p, c++) = share.gradient[static_cast<std::size_t>(d)];
+  }
 }
 
 /// v (a / r)^2 outwards, v (a / r) in plane strain: div v = 0.
@@ -159,6 +178,7 @@ int add_particle(
     particles.reference_position(p, c) = made.x[static_cast<std::size_t>(c)];
   if (particles.loaded_faces.components > 0)
     particles.loaded_faces(p) = loaded_faces(scene, static_cast<int>(body), made.loaded_sides);
+  if (body < scene.bodies.size()) put_shares(scene, scene.bodies[body], p, particles);
 
   const Material& material = scene.materials[static_cast<std::size_t>(particles.material)].material;
   std::visit(
@@ -214,6 +234,11 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       );
     });
     enter(particles, first_row, energy, state.ledger);
+  }
+  for (const PressureLoadSpec& load : scene.loads) {
+    const bool fluid = load.kind == LoadKind::pore_fluid;
+    const Shape& shape = scene.bodies[static_cast<std::size_t>(load.body)].shape;
+    state.cavities.push_back(fluid ? cavity_volume(std::get<Ball>(shape), scene.grid) : 0.0);
   }
   Ledger& ledger = state.ledger;
   ledger.mass = ledger.initial_mass;

@@ -13,6 +13,8 @@ namespace barreno {
 /// One node is one cache line of sums: mass, momentum and force (in two dimensions with three spare
 /// components), so that a projection is a vector operation per node.
 inline constexpr int sum_components = 8;
+/// The last component: impedance of non-reflecting faces [mass/time].
+inline constexpr int impedance_component = sum_components - 1;
 KOKKOS_INLINE_FUNCTION constexpr int first_force(int dimensions) {
   return 1 + dimensions;
 }

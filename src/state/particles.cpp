@@ -2,6 +2,7 @@
 #include "state/particles.hpp"
 
 #include "scene/body_force.hpp"
+#include "state/surface_share.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -20,9 +21,10 @@ void grow(View& view, int capacity) {
 }
 
 /// The pressure loads of a scene fit into the bits of one double: six faces each.
-bool has_loads(const Scene& scene, int material) {
+bool has_loads(const Scene& scene, int material, bool surfaces) {
   return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const PressureLoadSpec& load) {
-    return scene.bodies[static_cast<std::size_t>(load.body)].material == material;
+    return scene.bodies[static_cast<std::size_t>(load.body)].material == material &&
+           (!surfaces || is_on_surfaces(load));
   });
 }
 
@@ -51,7 +53,9 @@ Particles make_particles(const Scene& scene, int material) {
       dim::length,
       is_manufactured(scene.body_force) ? dimensions(scene.grid.mode) : 0,
       {}};
-  p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material) ? 1 : 0, {}};
+  p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material, false) ? 1 : 0, {}};
+  p.surface_share = {
+      "surface_share", dim::none, has_loads(scene, material, true) ? 2 * (1 + d) : 0, {}};
   p.grid_motion = {"grid_motion", dim::velocity, 2 * d, {}};
   p.increment = {"increment", dim::none, d * d + (d == 2 ? 1 : 0), {}};
   reserve(p, 1);

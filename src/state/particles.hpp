@@ -56,6 +56,8 @@ struct Particles {
   Field history;  ///< the model's internal variables, in the order of its history_table()
   Field reference_position;  ///< X_p, only where a manufactured body force asks for it [length]
   Field loaded_faces;  ///< bits of pressure loads on own faces; no components if there are none
+  /// SurfaceShare of the inner, then the outer surface of a loaded ball; no components without one.
+  Field surface_share;
 
   /// Scratch of the step, not state: what the grid says to the particle.
   Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]
@@ -85,6 +87,7 @@ struct Particles {
     f(history);
     f(reference_position);
     f(loaded_faces);
+    f(surface_share);
   }
   template <class F>
   void for_each_scratch_field(F&& f) {

@@ -25,7 +25,8 @@ struct State {
   Nodes nodes;
   Clock clock;
   Ledger ledger;
-  std::size_t next_slug = 0;         ///< first jet slug that is still to be launched
+  std::vector<double> cavities;  ///< volume of the pore fluid of each load, the same on all ranks
+  std::size_t next_slug = 0;     ///< first jet slug that is still to be launched
   std::vector<ParticleId> slug_ids;  ///< first id of every slug
   double stable_step =
       std::numeric_limits<double>::infinity();  ///< of this rank, by the last stress update [time]

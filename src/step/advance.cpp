@@ -16,6 +16,7 @@
 #include "step/release_torn_faces.hpp"
 #include "step/solve_velocity.hpp"
 #include "step/stable_step.hpp"
+#include "step/surface_pressures.hpp"
 #include "step/update_deformation.hpp"
 #include "step/update_stress.hpp"
 
@@ -43,7 +44,7 @@ void project_sets(const Scene& scene, State& state) {
 GridTally find_motion(const Scene& scene, const MirroredSums& mirrored, State& state, double& dt) {
   GridTally tally;
   for (int retry = 0;; ++retry) {
-    tally = solve_velocity(scene, state.grid, dt, state.nodes);
+    tally = solve_velocity(scene, state.grid, state.clock, dt, state.nodes);
     unfold_walls(scene, state.grid, mirrored, dt, state.nodes, tally);
     std::vector<double> strain{0.0};
     const Stopwatch watch;
@@ -105,7 +106,8 @@ void tally_step(
   ledger.mass = moved.mass;
   ledger.momentum = moved.momentum;
   ledger.kinetic = moved.kinetic_after;
-  ledger.boundary_work += grid.condition_work;
+  ledger.boundary_work += grid.condition_work + grid.absorbed;
+  ledger.load_impulse += grid.absorbed_impulse;
   ledger.damped += grid.damped;
   ledger.damping_impulse += grid.damping_impulse;
   ledger.condition_impulse +=
@@ -115,7 +117,8 @@ void tally_step(
   ledger.elastic += stress.elastic;
   ledger.plastic += stress.plastic;
   ledger.viscous += stress.viscous;
-  ledger.stress_integration += grid.force_work + grid.damped - applied_work + stress.stress_work;
+  ledger.stress_integration +=
+      grid.force_work + grid.damped - grid.absorbed - applied_work + stress.stress_work;
 }
 
 /// The verdict of all ranks; only scenes in which a failure stops the run pay for it.
@@ -140,7 +143,7 @@ void agree_on_failure(const Scene& scene, const State& state, StepResult& result
 
 StepResult advance(const Scene& scene, double next_time, State& state) {
   const Region region("advance");
-  auto& [grid, particles, nodes, clock, ledger, next_slug, slug_ids, stable, particle_steps, effort] =
+  auto& [grid, particles, nodes, clock, ledger, cavities, next_slug, slug_ids, stable, particle_steps, effort] =
       state;
 
   balance_load(scene, state);                            // tiles to ranks by measured cost
@@ -152,14 +155,16 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   project_sets(scene, state);        // m, p, f                           (2.1-2.3)
   release_torn_faces(scene, state);  // debris has none
   project_loads(scene, state);       // pressure on faces                 (2.4)
-  project_body_force(scene, state);  // force per mass
+  project_surface_pressures(scene, state);
+  project_body_force(scene, state);                              // force per mass
   const MirroredSums mirrored = fold_walls(scene, grid, nodes);  // symmetry planes
   exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
   const GridTally motion =
       find_motion(scene, mirrored, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)
 
-  const double applied_work =
-      tally_loads(scene, dt, state) + tally_body_force(scene, dt, state);  // before F and x move on
+  const double applied_work = tally_loads(scene, dt, state) +
+                              tally_surface_pressures(scene, dt, state) +
+                              tally_body_force(scene, dt, state);  // before F and x move on
 
   StepResult result;
   result.interrupt = placement.interrupt;

@@ -3,15 +3,16 @@
 
 #include "base/region.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace barreno {
 namespace {
 
-/// The last component of a node's sums is free: there a node beyond a plane across y keeps its
-/// mass.
-constexpr int kept_mass = sum_components - 1;
+/// A node beyond a plane across y keeps its mass where its image has the impedance, which it needs
+/// no more.
+constexpr int kept_mass = impedance_component;
 
 struct Plane {
   int axis = 0;
@@ -28,6 +29,10 @@ std::vector<Plane> planes_of(const Scene& scene, const Grid& grid) {
     const bool lower = face % 2 == 0;
     planes.push_back({face / 2, lower ? 0 : grid.cells[face / 2], lower});
   }
+  // Those across y last: they leave masses where the others would look for impedances.
+  std::stable_partition(planes.begin(), planes.end(), [](const Plane& plane) {
+    return plane.axis != 1;
+  });
   return planes;
 }
 
@@ -60,6 +65,7 @@ MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
         double* const patch = &nodes.sums(first_sum(grid.patch, tile));
         double* const from = patch + beyond * sum_components;
         double* const to = patch + inside * sum_components;
+        to[impedance_component] += std::exchange(from[impedance_component], 0.0);
         if (plane.axis == 1) {
           mirrored.momentum += from[2];
           mirrored.force += from[force + 1];

@@ -10,10 +10,18 @@ namespace {
 /// A face of a particle that is stretched to more than this belongs to no surface any more.
 constexpr double torn_stretch = 2.0;
 
+/// A pressure on a surface of a ball acts inside its particles, however they are stretched.
+bool is_in_ball(const Scene& scene, const Particles& particles, int p) {
+  const auto body = static_cast<std::size_t>(particles.body(p) & ~held_bit);
+  return std::holds_alternative<Ball>(scene.bodies[body].shape);
+}
+
 template <class M>
-bool torn(const Particles& particles, int p) {
+bool torn(const Scene& scene, const Particles& particles, int p) {
+  if ((particles.body(p) & held_bit) != 0) return true;
+  if (particles.surface_share.components > 0 && is_in_ball(scene, particles, p)) return false;
   const auto f = load_tensor<M>(particles.deformation_gradient.values, p);
-  return largest_stretch(f) > torn_stretch || (particles.body(p) & held_bit) != 0;
+  return largest_stretch(f) > torn_stretch;
 }
 
 }  // namespace
@@ -25,7 +33,8 @@ void release_torn_faces(const Scene& scene, State& state) {
     for (Particles& particles : state.particles) {
       if (particles.loaded_faces.components == 0) continue;
       for (int p = 0; p < particles.count; ++p) {
-        if (particles.loaded_faces(p) == 0.0 || !torn<decltype(mode)>(particles, p)) continue;
+        if (particles.loaded_faces(p) == 0.0 || !torn<decltype(mode)>(scene, particles, p))
+          continue;
         particles.loaded_faces(p) = 0.0;
         state.ledger.unloaded += 1.0;
       }

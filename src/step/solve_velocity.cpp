@@ -9,7 +9,7 @@
 namespace barreno {
 namespace {
 
-constexpr int tally_components = 8;
+constexpr int tally_components = 10;
 
 /// A condition on the nodes beyond one index of an axis: components that it sets, and to what.
 struct NodeCondition {
@@ -17,7 +17,8 @@ struct NodeCondition {
   int bound = 0;  ///< nodes <= bound (lower face) or >= bound (upper face)
   bool lower = true;
   bool sets[3] = {false, false, false};
-  double velocity[3] = {0.0, 0.0, 0.0};
+  double before[3] = {0.0, 0.0, 0.0};  ///< velocity before the step, and after it
+  double after[3] = {0.0, 0.0, 0.0};
 
   KOKKOS_INLINE_FUNCTION bool holds(const int (&node)[3]) const {
     return lower ? node[axis] <= bound : node[axis] >= bound;
@@ -30,8 +31,11 @@ struct NodeConditions {
   NodeCondition list[most_conditions];
 };
 
-/// The axis of revolution is a symmetry condition that no deck needs to ask for.
-NodeConditions node_conditions(const Scene& scene, const Grid& grid) {
+/// The axis of revolution is a symmetry condition that no deck needs to ask for. Velocities of the
+/// scheme belong to the middles of steps: so a path is followed exactly where it is a parabola.
+NodeConditions node_conditions(
+    const Scene& scene, const Grid& grid, const Clock& clock, double dt
+) {
   NodeConditions out;
   if (scene.grid.mode == Mode::axisymmetric && grid.lower[0] == 0.0) {
     NodeCondition& axis = out.list[out.count++];
@@ -45,8 +49,10 @@ NodeConditions node_conditions(const Scene& scene, const Grid& grid) {
     c.bound = c.lower ? 0 : grid.cells[c.axis];
     for (int d = 0; d < grid.patch.dimensions; ++d) {
       c.sets[d] = spec.kind != ConditionKind::symmetry || d == c.axis;
-      if (spec.kind == ConditionKind::prescribed_velocity)
-        c.velocity[d] = spec.velocity[static_cast<std::size_t>(d)];
+      if (spec.kind != ConditionKind::prescribed_velocity) continue;
+      const double velocity = spec.velocity[static_cast<std::size_t>(d)];
+      c.before[d] = velocity * spec.factor(clock.time - 0.5 * clock.dt);
+      c.after[d] = velocity * spec.factor(clock.time + 0.5 * dt);
     }
   }
   return out;
@@ -101,42 +107,55 @@ struct SolveVelocity {
       const int (&node)[3], double mass, const double* force, Velocity& v, double* part
   ) const {
     const double raw = v.before[1];
-    bool set_y = false;
+    bool set[D] = {};
     for (int i = 0; i < conditions.count; ++i) {
       const NodeCondition& c = conditions.list[i];
       if (!c.holds(node)) continue;
       for (int d = 0; d < dimensions; ++d) {
         if (!c.sets[d]) continue;
-        v.before[d] = c.velocity[d];
-        v.after[d] = c.velocity[d];
-        part[3] -= force[d] * c.velocity[d] * dt;
-        set_y = set_y || d == 1;
+        v.before[d] = c.before[d];
+        v.after[d] = c.after[d];
+        set[d] = true;
       }
     }
-    if (!set_y) return;
-    part[4] -= force[1] * dt;
-    part[5] += mass * (v.before[1] - raw);
+    for (int d = 0; d < dimensions; ++d) {
+      if (!set[d]) continue;
+      const double impulse = mass * (v.after[d] - v.before[d]) - force[d] * dt;
+      part[3] += 0.5 * impulse * (v.before[d] + v.after[d]);
+      if (d == 1) part[4] += impulse;
+    }
+    if (set[1]) part[5] += mass * (v.before[1] - raw);
   }
 
-  /// Kinetic energies before and after, the work of the forces and of the drag among them.
+  /// Kinetic energies before and after, the work of the forces, and of the drag and of the
+  /// impedances among them.
   KOKKOS_INLINE_FUNCTION void tally_node(
-      double mass, const double* force, const double* drag, const Velocity& v, double* part
+      double mass,
+      const double* force,
+      const double* drag,
+      const double* yielded,
+      const Velocity& v,
+      double* part
   ) const {
     double before = 0.0;
     double after = 0.0;
     double power = 0.0;
     double lost = 0.0;
+    double absorbed = 0.0;
     for (int d = 0; d < dimensions; ++d) {
       before += v.before[d] * v.before[d];
       after += v.after[d] * v.after[d];
       power += force[d] * (v.before[d] + v.after[d]);
       lost += drag[d] * (v.before[d] + v.after[d]);
+      absorbed -= yielded[d] * (v.before[d] + v.after[d]);
     }
     part[0] = 0.5 * mass * before;
     part[1] = 0.5 * mass * after;
     part[2] = 0.5 * dt * power;
     part[6] = 0.5 * dt * lost;
     part[7] = -dt * drag[1];
+    part[8] = 0.5 * dt * absorbed;
+    part[9] = -dt * yielded[1];
   }
 
   KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components])
@@ -155,11 +174,16 @@ struct SolveVelocity {
       double* const out = moved + x * motion_components(dimensions);
       const double mass = node[0];
       const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
-      double drag[D], force[D];
+      // An impedance Z resists the change of velocity too: f - Z (v' - v).
+      const double yielding =
+          mass > 0.0 ? 1.0 - mass / (mass + dt * node[impedance_component]) : 1.0;
+      double drag[D], force[D], yielded[D];
       Velocity v;
       for (int d = 0; d < dimensions; ++d) {
         drag[d] = damping * node[1 + d];
         force[d] = node[first_force(dimensions) + d] - drag[d];
+        yielded[d] = yielding * force[d];
+        force[d] -= yielded[d];
         v.before[d] = node[1 + d] * inverse;
         v.after[d] = v.before[d] + dt * force[d] * inverse;
       }
@@ -171,7 +195,7 @@ struct SolveVelocity {
       }
       for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
       if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
-      tally_node(mass, force, drag, v, own);
+      tally_node(mass, force, drag, yielded, v, own);
       for (int i = 0; i < tally_components; ++i) part[i] += own[i];
     }
   }
@@ -187,7 +211,9 @@ struct SolveVelocity {
 
 }  // namespace
 
-GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes& nodes) {
+GridTally solve_velocity(
+    const Scene& scene, const Grid& grid, const Clock& clock, double dt, Nodes& nodes
+) {
   const Region region("solve_velocity");
   const auto values = static_cast<std::size_t>(grid.active) * tally_components;
   if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
@@ -196,7 +222,7 @@ GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes&
         "solve_velocity",
         range(grid.active),
         SolveVelocity<decltype(mode)::dimensions>{
-            node_conditions(scene, grid),
+            node_conditions(scene, grid, clock, dt),
             grid.patch,
             grid.tile_place,
             grid.neighbours,
@@ -212,7 +238,7 @@ GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes&
   for (int t = 0; t < grid.active; ++t)
     for (int i = 0; i < tally_components; ++i)
       sum[i] += nodes.tally(static_cast<std::size_t>(t * tally_components + i));
-  return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5], sum[6], sum[7]};
+  return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5], sum[6], sum[7], sum[8], sum[9]};
 }
 
 }  // namespace barreno

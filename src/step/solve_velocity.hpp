@@ -16,20 +16,25 @@ struct GridTally {
       0.0;  ///< axial, what the conditions changed in v^n (reaches particles by PIC only)
   double damped = 0.0;           ///< work done against the damping, part of force_work
   double damping_impulse = 0.0;  ///< axial, of the damping
+  double absorbed = 0.0;  ///< work of the impedances on the change of velocity, part of force_work
+  double absorbed_impulse = 0.0;  ///< axial, of the same
 };
 
 /// Add the overlapping parts of neighbouring patches and solve for the velocity of every node, in
 /// one pass over the tiles. docs/method.md (2.5)
 ///
-///   v_I = p_I / m_I,   v_I' = v_I + dt (f_I - damping p_I) / m_I,   conditions replace components
-///   of both
+///   v_I = p_I / m_I,   v_I' = v_I + dt (f_I - damping p_I) / (m_I + dt Z_I),   conditions replace
+///   components of both
 ///
 /// Every tile does this for its whole patch, in one order of the parts, so that copies of a node
 /// agree to the last bit and no second exchange is needed.
 ///
 /// @pre  sums hold each tile's own part, ghosts included (exchange_halo)
+/// @param clock  at the start of the step; `dt` is the step's own
 /// @post nodes.motion holds v' and v' - v; the sums are left as they were, so that a step can be
 /// retried
-GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes& nodes);
+GridTally solve_velocity(
+    const Scene& scene, const Grid& grid, const Clock& clock, double dt, Nodes& nodes
+);
 
 }  // namespace barreno

@@ -5,6 +5,7 @@
 #include "base/interrupt.hpp"
 #include "base/region.hpp"
 #include "state/step_rule.hpp"
+#include "step/surface_pressures.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -35,7 +36,7 @@ double agree_on_step(const Scene& scene, double next_time, Placement& placement,
   placement = {flags[1] > 0.0, flags[2] > 0.0, static_cast<int>(flags[3])};
 
   const StepSpec& spec = scene.step;
-  double dt = -flags[0];
+  double dt = stable_step_with_fluids(scene, state, -flags[0]);
   if (state.clock.step == 0 && spec.initial_step > 0.0) dt = std::min(dt, spec.initial_step);
   if (state.clock.dt > 0.0) dt = std::min(dt, spec.growth_limit * state.clock.dt);
   if (spec.largest_step > 0.0) dt = std::min(dt, spec.largest_step);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/cavities.hpp"
+
+#include "base/region.hpp"
+#include "step/surface_pressures.hpp"
+
+namespace barreno {
+
+std::vector<int> pore_fluids(const Scene& scene) {
+  std::vector<int> fluids;
+  for (std::size_t l = 0; l < scene.loads.size(); ++l)
+    if (scene.loads[l].kind == LoadKind::pore_fluid) fluids.push_back(static_cast<int>(l));
+  return fluids;
+}
+
+CavitiesWriter::CavitiesWriter(
+    const Scene& scene, const Comm& comm, const std::filesystem::path& path
+) {
+  std::string header = "time";
+  for (const int load : pore_fluids(scene)) {
+    const std::string name = column_name(scene.loads[static_cast<std::size_t>(load)].name);
+    for (const char* column : {"_volume", "_pressure"}) header.append(",").append(name + column);
+  }
+  RootWork work(comm);
+  work.run([&] {
+    file_ = std::make_unique<LineFile>(path);
+    file_->append("# SI units: time s; volume m3 of the part inside the grid; pressure Pa");
+    file_->append(header);
+  });
+  work.agree();
+}
+
+void CavitiesWriter::write(const Scene& scene, const State& state) {
+  const Region region("write_cavities");
+  const std::vector<double> pressures = load_pressures(scene, state);
+  std::vector<double> row{state.clock.time};
+  for (const int load : pore_fluids(scene)) {
+    row.push_back(state.cavities[static_cast<std::size_t>(load)]);
+    row.push_back(pressures[static_cast<std::size_t>(load)]);
+  }
+  RootWork work(*state.grid.comm);
+  work.run([&] { file_->append(csv_line(row)); });
+  work.agree();
+}
+
+}  // namespace barreno

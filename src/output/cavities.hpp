@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/gather.hpp"
+#include "output/text_file.hpp"
+#include "state/state.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace barreno {
+
+/// Loads of a scene that are the fluid of a cavity, in their order.
+std::vector<int> pore_fluids(const Scene& scene);
+
+/// cavities.csv: volume [m3] and pressure [Pa] of every pore fluid; a row per call.
+class CavitiesWriter {
+public:
+  /// Collective. @throws FileError on every rank
+  CavitiesWriter(const Scene& scene, const Comm& comm, const std::filesystem::path& path);
+  /// Collective. @throws FileError on every rank; NumericalError if a cavity has closed
+  void write(const Scene& scene, const State& state);
+
+private:
+  std::unique_ptr<LineFile> file_;  ///< root only
+};
+
+}  // namespace barreno

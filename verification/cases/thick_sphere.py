@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Thick sphere under a pressure in its hollow, at rest: Lame's state, on a surface that cuts the cells."""
+import numpy as np
+from case import Result
+from choices import shape_functions
+from manufactured_runs import centres
+from runs import order, run_deck
+
+A, B, PRESSURE = 1.0, 2.0, 1e5
+BULK, SHEAR = 200e9 / 3 / (1 - 0.6), 200e9 / 2 / 1.3
+
+
+def lame(r):
+    """u_r, radial and hoop stress."""
+    f = PRESSURE * A**3 / (B**3 - A**3)
+    return f * (r / (3 * BULK) + B**3 / (4 * SHEAR * r**2)), f * (1 - (B / r) ** 3), f * (1 + 0.5 * (B / r) ** 3)
+
+
+def rms(x):
+    return float(np.sqrt(np.mean(np.square(x))))
+
+
+def measure(barreno, shape, per_cell, cells):
+    """rms errors of displacement and stress over all particles, and of the radial stress over those at the wall."""
+    h = (B - A) / cells
+    side = float(np.ceil(B / h + 1.0) * h)
+    settings = {"Grid/Cell Size": repr(h), "Grid/Upper": f"{{{side!r}, {side!r}}}", "Step/Shape Function": shape,
+                "Bodies/Wall/Particles Per Cell": str(per_cell)}  # fmt: skip
+    run = run_deck(barreno, "thick_sphere.xml", settings)
+    start, end = run.particles(0), run.particles()
+    X = np.array(centres(start)[:2])
+    moved = np.array(centres(end)[:2]) - X
+    R = np.hypot(*X)
+    n = X / R
+    t = np.array([-n[1], n[0]])
+    stress = lambda a, b: a[0] * b[0] * end["stress_xx"] + a[1] * b[1] * end["stress_yy"] + (  # noqa: E731
+        a[0] * b[1] + a[1] * b[0]) * end["stress_xy"]  # fmt: skip
+    u, radial, hoop = lame(R)
+    scale = lame(np.array([A]))[0][0]
+    displacement = rms(np.concatenate([np.sum(moved * n, 0) - u, np.sum(moved * t, 0)])) / scale
+    errors = [stress(n, n) - radial, stress(t, t) - hoop, stress(n, t), end["stress_zz"] - hoop]
+    wall = R < A + h
+    table = run.table("history.csv")
+    return {
+        "displacement": displacement,
+        "stress": rms(np.concatenate(errors)) / PRESSURE,
+        "wall": rms(errors[0][wall]) / PRESSURE,
+        "worst": float(np.max(np.abs(errors[0]))) / PRESSURE,
+        "moving": table["kinetic"][-1] / table["elastic"][-1],
+        "remainder": run.summary["balances"]["energy"]["error"],
+    }
+
+
+def run(barreno, full):
+    result = Result(
+        "Thick sphere under internal pressure",
+        "A follower pressure on a curved surface that cuts the cells; damping brings the wall to rest.",
+        "Lame. rms over all particles: displacement over that of the wall, radial, hoop and shear stress over the pressure; the "
+        "radial stress also over the particles within a cell of the wall, and the worst of all.",
+        ["shape function", "particles per cell", "cells in the wall", "displacement error", "order", "stress error", "order", "radial stress at the wall",
+         "worst radial stress", "kinetic / elastic energy", "energy ledger remainder"],
+        [],
+    )  # fmt: skip
+    levels = (8, 16, 32) if full else (8, 16)
+    for shape in shape_functions(barreno):
+        for per_cell, limit in ((2, 6e-3), (3, 2e-3)):
+            found = []
+            for cells in levels:
+                m = measure(barreno, shape, per_cell, cells)
+                found.append(m)
+                rates = [order([found[-2][k], m[k]])[0] if len(found) > 1 else float("nan") for k in ("displacement", "stress")]
+                result.rows.append([shape, per_cell, cells, m["displacement"], rates[0], m["stress"], rates[1], m["wall"], m["worst"],
+                                    m["moving"], m["remainder"]])  # fmt: skip
+            name = f"{shape}, {per_cell} particles per cell"
+            result.demand(f"{name}, 16 cells: displacement error", found[1]["displacement"], limit)
+            result.demand(f"{name}, 16 cells: stress error", found[1]["stress"], 3e-2)
+            result.demand(f"{name}, 16 cells: kinetic over elastic energy", found[1]["moving"], 1e-5)
+        if full:
+            ends = [[m[k] for m in (found[0], found[-1])] for k in ("displacement", "stress")]
+            result.demand(f"{name}: mean order of the displacement", order(ends[0], 4.0)[0], 1.5, at_least=True)
+            result.demand(f"{name}: mean order of the stress", order(ends[1], 4.0)[0], 0.8, at_least=True)
+    result.notes = (
+        "With two particles per cell the error of the displacement does not fall evenly with the cells: it hangs on how the surface "
+        "happens to cut the squares of the particles, and is largest along the axis. With three it falls. What moves at the end are "
+        "single particles against each other (no node sees it, so damping does not reach it)."
+    )
+    return result
