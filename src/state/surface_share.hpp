@@ -23,7 +23,9 @@ struct SurfaceShare {
 /// (3 - 2 s) for the inner surface and 1 - e for the outer one; in a solid ball e = 1. The sum over
 /// the surfaces of a ball is 1: under one pressure on all of them, a body with the stress -p is in
 /// exact discrete equilibrium.
-SurfaceShare surface_share(const Ball& ball, BallSurface surface, const Vector& point, int dimensions);
+SurfaceShare surface_share(
+    const Ball& ball, BallSurface surface, const Vector& point, int dimensions
+);
 
 /// Volume of a hollow ball's cavity at the start, of the part that is inside the grid (full circle
 /// in axisymmetry, per length in plane strain).
