@@ -116,8 +116,10 @@ int step_points(const Model& model, const std::string& file, const barreno_batch
     if (status == Status::ok) continue;
     if (failed++ > 0) continue;
     // Arrays that are old and new at once hold the old values of a point that failed.
-    const std::string why = reason(model, status, arrays.stress_old, arrays.state_old);
-    set_error(file + ": point " + std::to_string(i) + " of the batch " + why + ".");
+    std::string sentence = file;
+    sentence.append(": point ").append(std::to_string(i)).append(" of the batch ");
+    sentence.append(reason(model, status, arrays.stress_old, arrays.state_old)).append(".");
+    set_error(sentence);
   }
   return failed;
 }

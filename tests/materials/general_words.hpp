@@ -48,7 +48,7 @@ inline std::string card_with_words(const std::string& asked) {
   const auto end = card.rfind("</ParameterList>");
   if (!file || end == std::string::npos) return {};
   card.insert(end, more);
-  const std::string path =
+  std::string path =
       std::filesystem::temp_directory_path() / (asked + "_" + std::to_string(::getpid()) + ".xml");
   std::ofstream(path) << card;
   return path;

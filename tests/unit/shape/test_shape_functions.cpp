@@ -183,8 +183,8 @@ TYPED_TEST(ShapeFunctionContract, FieldsInSpaceAreExact) {
     TypeParam::template support<ThreeDimensional>(place).for_each_node(
         space_patch,
         [&](int slot, double s, const double(&g)[3], double) {
-          const double x[3] = {
-              slot % n * cell, slot / n % n * cell, static_cast<double>(slot / (n * n)) * cell};
+          const int node[3] = {slot % n, slot / n % n, slot / (n * n)};
+          const double x[3] = {node[0] * cell, node[1] * cell, node[2] * cell};
           one += s;
           product += s * x[0] * x[1] * x[2];
           for (int i = 0; i < 3; ++i) {
