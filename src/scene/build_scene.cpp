@@ -91,6 +91,7 @@ void add_materials(const Deck& deck, Scene& scene) {
 
 StepSpec read_step(const Deck& deck) {
   StepSpec step;
+  step.shape = deck.word("Step/Shape Function");
   step.courant_fraction = deck.number("Step/Courant Fraction");
   step.growth_limit = deck.number("Step/Growth Limit");
   step.largest_strain = deck.number("Step/Largest Strain");

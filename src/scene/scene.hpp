@@ -115,10 +115,9 @@ struct JetSpec {
   int particles_per_cell = 4;    ///< per direction
 };
 
-enum class ShapeFunction { gimp };
-
 struct StepSpec {
-  ShapeFunction shape = ShapeFunction::gimp;
+  std::string shape = "GIMP";   ///< the word of one of the list in shape/visit_kernels.hpp
+  double largest_domain = 1.0;  ///< l_crit: corners further from x_p are pulled in [cells]
   double courant_fraction =
       0.8;                      ///< of the critical Courant number of shape and particles per cell
   double growth_limit = 1.1;    ///< largest ratio of successive steps

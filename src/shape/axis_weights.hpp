@@ -11,9 +11,9 @@ namespace barreno {
 template <int N>
 struct AxisWeights {
   int first = 0;
-  double s[N]{};  ///< of the value
-  double g[N]{};  ///< of the derivative [1/length]
-  double t[N]{};  ///< of the hoop strain; radial axis only [1/length]
+  double s[extent<N>]{};  ///< of the value
+  double g[extent<N>]{};  ///< of the derivative [1/length]
+  double t[extent<N>]{};  ///< of the hoop strain; radial axis only [1/length]
 };
 
 /// Integrals of linear hat functions over the interval [a, b], divided by its size: the averages
@@ -77,8 +77,8 @@ KOKKOS_INLINE_FUNCTION AxisWeights<Degree + 1> spline_weights(
   static_assert(Degree >= 1 && Degree <= 3, "linear, quadratic and cubic splines");
   constexpr int n = Degree + 1;
   AxisWeights<n> out;
-  double(&s)[n] = out.s;
-  double(&g)[n] = out.g;
+  double(&s)[extent<n>] = out.s;
+  double(&g)[extent<n>] = out.g;
   // The knots are the nodes, for even degrees the centres of the cells.
   const double shift = Degree == 2 ? 0.5 : 0.0;
   const double knot = std::floor(x - shift);

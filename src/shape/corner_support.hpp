@@ -28,9 +28,9 @@ struct CornerSupport {
   static constexpr unsigned slots = corners;
   static constexpr double share = 1.0 / corners;
 
-  int slot[corners] = {};      ///< lowest node of each corner's cell
-  double at[corners][D] = {};  ///< place in that cell, 0 to 1
-  double slope[D][D] = {};     ///< grad xi_i [1/length]
+  int slot[extent<corners>] = {};      ///< lowest node of each corner's cell
+  double at[extent<corners>][extent<D>] = {};  ///< place in that cell, 0 to 1
+  double slope[extent<D>][extent<D>] = {};     ///< grad xi_i [1/length]
   double skew[2] = {};         ///< axisymmetry only
   double per_radius = 0.0;     ///< 1 / r_p [1/length]; axisymmetry only
 
@@ -75,7 +75,7 @@ struct CornerSupport {
   KOKKOS_INLINE_FUNCTION void for_each_node(const Patch& sizes, Visitor&& visit) const {
     for (int c = 0; c < corners; ++c) {
       double s = 1.0;
-      double g[D] = {};
+      double g[extent<D>] = {};
       for (int i = 0; i < D; ++i) {
         if (D == 2) s += sign(c, i) * skew[i];
         double weight = sign(c, i);
@@ -83,7 +83,7 @@ struct CornerSupport {
         for (int d = 0; d < D; ++d) g[d] += share * slope[i][d] * weight;
       }
       for_corner_nodes(sizes, c, [&](int node, double w) {
-        double gradient[D];
+        double gradient[extent<D>];
         for (int d = 0; d < D; ++d) gradient[d] = w * g[d];
         visit(node, w * share * s, gradient, w * share * per_radius);
       });
@@ -93,9 +93,9 @@ struct CornerSupport {
   /// patch += S a + grad S . b + T t.
   template <bool Hoop, class Value>
   KOKKOS_INLINE_FUNCTION void add_to(
-      Value* patch, const Patch& sizes, const Value& a, const Value (&b)[D], const Value& t
+      Value* patch, const Patch& sizes, const Value& a, const Value (&b)[extent<D>], const Value& t
   ) const {
-    Value m[D];
+    Value m[extent<D>];
     for (int i = 0; i < D; ++i) {
       m[i] = slope[i][0] * b[0];
       for (int d = 1; d < D; ++d) m[i] += slope[i][d] * b[d];
@@ -120,7 +120,7 @@ struct CornerSupport {
   KOKKOS_INLINE_FUNCTION Interpolated<Value, D> interpolate(const Value* patch, const Patch& sizes)
       const {
     Value m0{};
-    Value m[D]{};
+    Value m[extent<D>]{};
     Value m01{};
     for (int c = 0; c < corners; ++c) {
       Value v{};

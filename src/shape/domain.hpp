@@ -11,7 +11,7 @@ namespace barreno {
 /// e[i] is the vector from the centre to face i, F times the undeformed half edge.
 template <int D>
 struct Domain {
-  double e[D][D]{};
+  double e[extent<D>][extent<D>]{};
 };
 
 /// e[0] x e[1], or e[0] . (e[1] x e[2]): area / 4 or volume / 8.
@@ -30,7 +30,7 @@ KOKKOS_INLINE_FUNCTION double measure(const Domain<3>& d) {
 template <int D>
 struct CornerVectors {
   static constexpr int n = 1 << (D - 1);
-  double l[n][D]{};
+  double l[extent<n>][extent<D>]{};
 };
 
 template <int D>
@@ -69,10 +69,10 @@ KOKKOS_INLINE_FUNCTION Domain<D> rebuild_domain(const CornerVectors<D>& c) {
   return out;
 }
 
-template <int D>
+template <std::size_t D>
 KOKKOS_INLINE_FUNCTION double length_squared(const double (&v)[D]) {
   double sum = 0.0;
-  for (int k = 0; k < D; ++k) sum += v[k] * v[k];
+  for (std::size_t k = 0; k < D; ++k) sum += v[k] * v[k];
   return sum;
 }
 
