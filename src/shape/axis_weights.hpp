@@ -8,12 +8,13 @@
 namespace barreno {
 
 /// Weights of N nodes along one axis, from node `first` on.
-template <int N>
+template <unsigned N>
 struct AxisWeights {
+  static constexpr int n = N;
   int first = 0;
-  double s[extent<N>]{};  ///< of the value
-  double g[extent<N>]{};  ///< of the derivative [1/length]
-  double t[extent<N>]{};  ///< of the hoop strain; radial axis only [1/length]
+  double s[N]{};  ///< of the value
+  double g[N]{};  ///< of the derivative [1/length]
+  double t[N]{};  ///< of the hoop strain; radial axis only [1/length]
 };
 
 /// Integrals of linear hat functions over the interval [a, b], divided by its size: the averages
@@ -24,14 +25,14 @@ struct AxisWeights {
 /// the N nodes. Lengths in cells; `axis` is the radius of node 0.
 ///
 /// @pre 0 <= first, first <= a < b <= first + N - 1
-template <bool Radial, int N>
+template <bool Radial, unsigned N>
 KOKKOS_INLINE_FUNCTION AxisWeights<N> average_hats(
     double a, double b, int first, double axis, double per_cell
 ) {
   AxisWeights<N> out;
   out.first = first;
   double size = 0.0;
-  for (int k = 0; k + 1 < N; ++k) {
+  for (int k = 0; k + 1 < out.n; ++k) {
     // The part [from, to] of the interval in cell k; selections, because fmin does not vectorise.
     const double node = first + k;
     const double from = a > node ? a : node;
@@ -51,7 +52,7 @@ KOKKOS_INLINE_FUNCTION AxisWeights<N> average_hats(
     }
   }
   const double inverse = 1.0 / size;
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i < out.n; ++i) {
     out.s[i] *= inverse;
     out.g[i] *= inverse * per_cell;
     if constexpr (Radial) out.t[i] *= inverse * per_cell;
@@ -70,15 +71,15 @@ KOKKOS_INLINE_FUNCTION AxisWeights<N> average_hats(
 ///
 /// Source: M. Steffen, R. Kirby, M. Berzins, IJNME 76 (2008) 922-948, whose boundary functions
 /// these are.
-template <bool Radial, int Degree>
+template <bool Radial, unsigned Degree>
 KOKKOS_INLINE_FUNCTION AxisWeights<Degree + 1> spline_weights(
     double x, double low, double high, double axis, double per_cell
 ) {
   static_assert(Degree >= 1 && Degree <= 3, "linear, quadratic and cubic splines");
+  AxisWeights<Degree + 1> out;
   constexpr int n = Degree + 1;
-  AxisWeights<n> out;
-  double(&s)[extent<n>] = out.s;
-  double(&g)[extent<n>] = out.g;
+  double(&s)[Degree + 1] = out.s;
+  double(&g)[Degree + 1] = out.g;
   // The knots are the nodes, for even degrees the centres of the cells.
   const double shift = Degree == 2 ? 0.5 : 0.0;
   const double knot = std::floor(x - shift);
@@ -109,7 +110,7 @@ KOKKOS_INLINE_FUNCTION AxisWeights<Degree + 1> spline_weights(
   }
   if constexpr (Degree > 1) {
     const double below = first < low ? 1.0 : 0.0;
-    const double above = first + Degree > high ? 1.0 : 0.0;
+    const double above = first + (n - 1) > high ? 1.0 : 0.0;
     for (double* const w : {s, g}) {
       const double before = below * w[0];
       const double after = above * w[n - 1];

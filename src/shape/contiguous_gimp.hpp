@@ -12,9 +12,9 @@ namespace barreno {
 ///   half size = U_ii times that of the undeformed particle,   F = R U,
 ///
 /// so that neighbours in a stretched or compressed body stay in touch; averages as for GIMP. The
-/// stretch tensor U does not know rotation: F_ii would shrink a particle that turns. Shear and large
-/// rotation leave gaps and overlaps; CPDI follows them too. Half sizes are cut at Largest Domain and
-/// at one cell, and such particles are counted as clipped.
+/// stretch tensor U does not know rotation: F_ii would shrink a particle that turns. Shear and
+/// large rotation leave gaps and overlaps; CPDI follows them too. Half sizes are cut at Largest
+/// Domain and at one cell, and such particles are counted as clipped.
 ///
 /// Sources: S. Bardenhagen, E. Kober, CMES 5 (2004) 477-495; U_ii: T. Charlton, W. Coombs,
 /// C. Augarde, Computers and Structures 190 (2017) 108-125.
@@ -34,14 +34,12 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
   /// Diagonal of U, from the rotation of F.
   template <class M>
   KOKKOS_INLINE_FUNCTION static void stretches(
-      const ParticlePlace& place, double (&out)[M::dimensions]
+      const ParticlePlace& place, double (&out)[extent<M::dimensions>]
   ) {
-    const auto f = tensor_of<M>(place.f);
-    const auto r = matrix_of(polar_rotation(f));
-    for (int i = 0; i < M::dimensions; ++i) {
-      out[i] = 0.0;
-      for (int k = 0; k < M::dimensions; ++k) out[i] += r.at[k][i] * place.f[k][i];
-    }
+    const auto& f = place.f;
+    const PlaneRotation r = direction(f[0][0] + f[1][1], f[1][0] - f[0][1]);
+    out[0] = r.c * f[0][0] + r.s * f[1][0];
+    out[1] = r.c * f[1][1] - r.s * f[0][1];
   }
   KOKKOS_INLINE_FUNCTION static double largest_half(const ParticlePlace& place) {
     return place.largest < most_half ? place.largest : most_half;
@@ -49,7 +47,7 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
 
   template <class M>
   KOKKOS_INLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
-    double stretch[M::dimensions];
+    double stretch[extent<M::dimensions>];
     stretches<M>(place, stretch);
     bool out = false;
     for (int d = 0; d < M::dimensions; ++d)
@@ -60,7 +58,7 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
   /// The place with its half sizes stretched and cut.
   template <class M>
   KOKKOS_INLINE_FUNCTION static ParticlePlace stretched(ParticlePlace place) {
-    double stretch[M::dimensions];
+    double stretch[extent<M::dimensions>];
     stretches<M>(place, stretch);
     const double most = largest_half(place);
     for (int d = 0; d < M::dimensions; ++d) {

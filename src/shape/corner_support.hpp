@@ -11,7 +11,8 @@ namespace barreno {
 /// Between the corners a field is interpolated in the domain's own coordinates xi (-1 to 1); with
 /// the sums of corner values v_c and their signs
 ///
-///   m_0 = 2^-D sum v_c,   m_i = 2^-D sum xi_ic v_c,   in axisymmetry m_01 = 1/4 sum xi_0c xi_1c v_c
+///   m_0 = 2^-D sum v_c,   m_i = 2^-D sum xi_ic v_c,   in axisymmetry m_01 = 1/4 sum xi_0c xi_1c
+///   v_c
 ///
 /// its means over the domain are
 ///
@@ -23,16 +24,17 @@ namespace barreno {
 /// nothing is weighted with r. Each corner is gathered once; giving to the nodes is the transpose.
 template <int D>
 struct CornerSupport {
+  static constexpr unsigned dimensions = D;
   static constexpr int corners = 1 << D;
   static constexpr unsigned values = corners * D + D * D + 3;
   static constexpr unsigned slots = corners;
   static constexpr double share = 1.0 / corners;
 
-  int slot[extent<corners>] = {};      ///< lowest node of each corner's cell
+  int slot[extent<corners>] = {};              ///< lowest node of each corner's cell
   double at[extent<corners>][extent<D>] = {};  ///< place in that cell, 0 to 1
   double slope[extent<D>][extent<D>] = {};     ///< grad xi_i [1/length]
-  double skew[2] = {};         ///< axisymmetry only
-  double per_radius = 0.0;     ///< 1 / r_p [1/length]; axisymmetry only
+  double skew[2] = {};                         ///< axisymmetry only
+  double per_radius = 0.0;                     ///< 1 / r_p [1/length]; axisymmetry only
 
   template <class F>
   KOKKOS_INLINE_FUNCTION void for_each_value(F&& f) {
@@ -112,13 +114,16 @@ struct CornerSupport {
       Value corner = m0;
       for (int i = 0; i < D; ++i) corner = (c >> i & 1) != 0 ? corner + m[i] : corner - m[i];
       if constexpr (Hoop) corner = c == 0 || c == 3 ? corner + m01 : corner - m01;
-      for_corner_nodes(sizes, c, [&](int node, double w) { patch[node] = patch[node] + w * corner; });
+      for_corner_nodes(sizes, c, [&](int node, double w) {
+        patch[node] = patch[node] + w * corner;
+      });
     }
   }
 
   template <bool Hoop, class Value>
-  KOKKOS_INLINE_FUNCTION Interpolated<Value, D> interpolate(const Value* patch, const Patch& sizes)
-      const {
+  KOKKOS_INLINE_FUNCTION Interpolated<Value, dimensions> interpolate(
+      const Value* patch, const Patch& sizes
+  ) const {
     Value m0{};
     Value m[extent<D>]{};
     Value m01{};
@@ -129,7 +134,7 @@ struct CornerSupport {
       for (int i = 0; i < D; ++i) m[i] = (c >> i & 1) != 0 ? m[i] + v : m[i] - v;
       if constexpr (Hoop) m01 = c == 0 || c == 3 ? m01 + v : m01 - v;
     }
-    Interpolated<Value, D> out;
+    Interpolated<Value, dimensions> out;
     out.value = share * m0;
     if constexpr (Hoop) {
       out.hoop = (share * per_radius) * m0;

@@ -15,8 +15,8 @@ struct CourantTable {
     if (half_size_in_cells >= half[0]) return limit[0];
     for (int i = 1; i < 6; ++i)
       if (half_size_in_cells >= half[i])
-        return limit[i] + (limit[i - 1] - limit[i]) * (half_size_in_cells - half[i]) /
-                              (half[i - 1] - half[i]);
+        return limit[i] +
+               (limit[i - 1] - limit[i]) * (half_size_in_cells - half[i]) / (half[i - 1] - half[i]);
     return limit[5] * half_size_in_cells / half[5];
   }
 };

@@ -15,9 +15,9 @@ namespace barreno {
 ///   S_I = <sum_c M_c N_I(x_c)>,   grad S_I = <sum_c N_I(x_c) grad M_c>,
 ///
 /// M_c the multilinear functions of the domain's own coordinates and < > the mean over the domain.
-/// In axisymmetry the mean is weighted with r, T_I = int sum_c M_c N_I(x_c) dr dz / int r dr dz, and
-/// a domain that reaches across the axis is narrowed there. Domains whose corners are further than
-/// Largest Domain (l_crit) from x_p are scaled; F, volume and stress are not.
+/// In axisymmetry the mean is weighted with r, T_I = int sum_c M_c N_I(x_c) dr dz / int r dr dz,
+/// and a domain that reaches across the axis is narrowed there. Domains whose corners are further
+/// than Largest Domain (l_crit) from x_p are scaled; F, volume and stress are not.
 ///
 /// A particle whose F has no positive measure is taken as undeformed until its policy acts.
 ///
@@ -37,9 +37,7 @@ struct Cpdi {
   /// The rebuilt corners of three dimensions are up to 1.5 l_crit away (scale_domain).
   static int reach(const Scene& scene) {
     const double most = scene.step.largest_domain;
-    return static_cast<int>(
-        std::ceil(dimensions(scene.grid.mode) == 3 ? 1.5 * most : most)
-    );
+    return static_cast<int>(std::ceil(dimensions(scene.grid.mode) == 3 ? 1.5 * most : most));
   }
 
   /// e_i = F e_i0 [cells].
@@ -71,8 +69,7 @@ struct Cpdi {
     Domain<D> out = deformed<D>(place);
     const bool flat = inverted(out);
     for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k)
-        out.e[i][k] = flat ? (i == k ? place.half[i] : 0.0) : out.e[i][k];
+      for (int k = 0; k < D; ++k) out.e[i][k] = flat ? (i == k ? place.half[i] : 0.0) : out.e[i][k];
     if constexpr (M::hoop) out = narrow_at_axis(out, place.axis + place.x[0]);
     return scale_domain(out, place.largest);
   }

@@ -113,7 +113,8 @@ KOKKOS_INLINE_FUNCTION Domain<D> scale_domain(const Domain<D>& domain, double la
 /// 2^(D-1) measure grad xi_i.
 KOKKOS_INLINE_FUNCTION Domain<2> dual(const Domain<2>& d) {
   const double inverse = 1.0 / measure(d);
-  return {{{d.e[1][1] * inverse, -d.e[1][0] * inverse}, {-d.e[0][1] * inverse, d.e[0][0] * inverse}}};
+  return {
+      {{d.e[1][1] * inverse, -d.e[1][0] * inverse}, {-d.e[0][1] * inverse, d.e[0][0] * inverse}}};
 }
 KOKKOS_INLINE_FUNCTION Domain<3> dual(const Domain<3>& d) {
   const double inverse = 1.0 / measure(d);
@@ -122,8 +123,7 @@ KOKKOS_INLINE_FUNCTION Domain<3> dual(const Domain<3>& d) {
     const auto& a = d.e[(i + 1) % 3];
     const auto& b = d.e[(i + 2) % 3];
     for (int k = 0; k < 3; ++k)
-      out.e[i][k] =
-          (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]) * inverse;
+      out.e[i][k] = (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]) * inverse;
   }
   return out;
 }

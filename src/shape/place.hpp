@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grid/grid.hpp"
-#include "shape/gimp.hpp"
+#include "shape/particle_place.hpp"
 
 namespace barreno {
 
@@ -13,11 +13,19 @@ struct PatchFrame {
   Patch patch;
   ArrayView<TilePlace> tile_place;
   double lower[D];
+  double cells[D];
   double per_cell;
+  double largest;
 
-  explicit PatchFrame(const Grid& grid)
-      : patch(grid.patch), tile_place(grid.tile_place), per_cell(1.0 / grid.cell_size) {
-    for (int d = 0; d < dimensions; ++d) lower[d] = grid.lower[d];
+  PatchFrame(const Scene& scene, const Grid& grid)
+      : patch(grid.patch),
+        tile_place(grid.tile_place),
+        per_cell(1.0 / grid.cell_size),
+        largest(scene.step.largest_domain) {
+    for (int d = 0; d < dimensions; ++d) {
+      lower[d] = grid.lower[d];
+      cells[d] = grid.cells[d];
+    }
   }
 
   /// Node of the box that is the first of a tile's patch, along each axis.
@@ -31,16 +39,30 @@ struct PatchFrame {
     return out;
   }
 
-  KOKKOS_INLINE_FUNCTION ParticlePlace
-  place(const First& first, const FieldView& position, const FieldView& half_size, int p) const {
+  /// The place of row p for shape function S.
+  template <class S>
+  KOKKOS_INLINE_FUNCTION ParticlePlace place(
+      const First& first,
+      const FieldView& position,
+      const FieldView& half_size,
+      const FieldView& deformation,
+      int p
+  ) const {
     ParticlePlace out;
     for (int d = 0; d < dimensions; ++d) {
       out.x[d] = (position(p, d) - lower[d]) * per_cell - first.node[d];
       out.half[d] = half_size(p, d) * per_cell;
+      out.low[d] = -first.node[d];
+      out.high[d] = cells[d] - first.node[d];
     }
     out.axis = lower[0] * per_cell + first.node[0];
     out.per_cell = per_cell;
     out.row = patch.nodes;
+    out.last = patch.nodes - 1;
+    out.largest = largest;
+    if constexpr (S::follows_deformation)
+      for (int i = 0; i < dimensions; ++i)
+        for (int k = 0; k < dimensions; ++k) out.f[i][k] = deformation(p, dimensions * i + k);
     return out;
   }
 };

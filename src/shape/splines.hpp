@@ -13,7 +13,7 @@ namespace barreno {
 ///
 /// Its size enters nowhere but in the faces of a load. Degrees 2 and 3 end at the faces of the grid
 /// with functions of their own (spline_weights).
-template <class S, int Degree>
+template <class S, unsigned Degree>
 struct SplineShape : TensorShape<S, Degree + 1> {
   static constexpr bool follows_deformation = false;
   static constexpr bool averages = false;  ///< values at x_p, not means over the particle

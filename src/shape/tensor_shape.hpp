@@ -11,14 +11,14 @@ namespace barreno {
 ///
 ///   axis_weights<Radial>(place, d)   of the particle along axis d
 ///   face_weights(place, d, side)     of its lower (-1) or upper (+1) face along that face's normal
-template <class S, int N>
+template <class S, unsigned N>
 struct TensorShape {
   template <class M>
   using Support = TensorSupport<M::dimensions, N>;
 
   template <class M>
   KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
-    AxisWeights<N> w[M::dimensions];
+    AxisWeights<N> w[extent<M::dimensions>];
     w[0] = S::template axis_weights<M::hoop>(place, 0);
     for (int d = 1; d < M::dimensions; ++d) w[d] = S::template axis_weights<false>(place, d);
     return tensor_product(w, place.row);
@@ -27,7 +27,7 @@ struct TensorShape {
   /// Weights of a pressure on one face of the particle (0: x_lower, 1: x_upper, 2: y_lower ...).
   template <class M>
   KOKKOS_INLINE_FUNCTION static Support<M> face_support(const ParticlePlace& place, int face) {
-    AxisWeights<N> w[M::dimensions];
+    AxisWeights<N> w[extent<M::dimensions>];
     w[0] = S::template axis_weights<M::hoop>(place, 0);
     for (int d = 1; d < M::dimensions; ++d) w[d] = S::template axis_weights<false>(place, d);
     w[face / 2] = S::face_weights(place, face / 2, face % 2 == 0 ? -1.0 : 1.0);
@@ -36,11 +36,11 @@ struct TensorShape {
 };
 
 /// Linear hat functions at a point in N nodes from `first` on.
-template <int N>
+template <unsigned N>
 KOKKOS_INLINE_FUNCTION AxisWeights<N> hats_at(double x, int first) {
   AxisWeights<N> out;
   out.first = first;
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i < out.n; ++i) {
     const double distance = std::fabs(x - first - i);
     out.s[i] = distance < 1.0 ? 1.0 - distance : 0.0;
   }
@@ -48,9 +48,9 @@ KOKKOS_INLINE_FUNCTION AxisWeights<N> hats_at(double x, int first) {
 }
 
 /// The node at or below x, moved down where N nodes from it on would not fit into the patch.
-template <int N>
+template <unsigned N>
 KOKKOS_INLINE_FUNCTION int first_of(const ParticlePlace& place, double x) {
-  const double most = place.last - (N - 1);
+  const double most = place.last - static_cast<int>(N - 1);
   const double node = std::floor(x);
   const double clamped = node < most ? node : most;
   return static_cast<int>(clamped > 0.0 ? clamped : 0.0);  // not a number: 0

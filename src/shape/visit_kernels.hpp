@@ -30,8 +30,7 @@ void for_each_shape(F&& f, ShapeList<Shapes...> /*list*/) {
 template <class F, class Shape, class... Others>
 decltype(auto) visit_shape(const std::string& word, F&& f, ShapeList<Shape, Others...> /*list*/) {
   if constexpr (sizeof...(Others) > 0) {
-    if (word != Shape::word)
-      return visit_shape(word, std::forward<F>(f), ShapeList<Others...>{});
+    if (word != Shape::word) return visit_shape(word, std::forward<F>(f), ShapeList<Others...>{});
   } else if (word != Shape::word) {
     throw std::logic_error("no shape function is called '" + word + "'");
   }

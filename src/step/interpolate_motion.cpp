@@ -48,7 +48,13 @@ struct InterpolateMotion {
   KOKKOS_INLINE_FUNCTION double batch(int tile, const BatchRows& rows, const Motion* patch) const {
     SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(
-        frame, tile, rows, particles.position.values, particles.half_size.values, supports
+        frame,
+        tile,
+        rows,
+        particles.position.values,
+        particles.half_size.values,
+        particles.deformation_gradient.values,
+        supports
     );
     const FieldView grid_motion = particles.grid_motion.values;
     const FieldView increment = particles.increment.values;
@@ -78,7 +84,7 @@ double interpolate_motion(
     Kokkos::parallel_reduce(
         "interpolate_motion",
         range(grid.active),
-        Kernel{PatchFrame<decltype(mode)::dimensions>(grid), particles, nodes.motion, dt},
+        Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.motion, dt},
         Kokkos::Max<double>(largest)
     );
   });

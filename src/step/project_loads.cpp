@@ -63,7 +63,14 @@ auto face_support(
     const PatchFrame<M::dimensions>& frame, const Particles& particles, int tile, int p, int face
 ) {
   return S::template face_support<M>(
-      frame.place(frame.first(tile), particles.position.values, particles.half_size.values, p), face
+      frame.template place<S>(
+          frame.first(tile),
+          particles.position.values,
+          particles.half_size.values,
+          particles.deformation_gradient.values,
+          p
+      ),
+      face
   );
 }
 
@@ -75,7 +82,7 @@ void project_loads(const Scene& scene, State& state) {
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
-    const PatchFrame<M::dimensions> frame(state.grid);
+    const PatchFrame<M::dimensions> frame(scene, state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
       const Vector force = face_force<M>(particles, p, face, pressure);
       double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
@@ -96,7 +103,7 @@ double tally_loads(const Scene& scene, double dt, State& state) {
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
-    const PatchFrame<M::dimensions> frame(state.grid);
+    const PatchFrame<M::dimensions> frame(scene, state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
       const Vector force = face_force<M>(particles, p, face, pressure);
       const double* const patch = &state.nodes.motion(first_motion(frame.patch, tile));

@@ -136,7 +136,13 @@ struct ProjectParticles {
   KOKKOS_INLINE_FUNCTION void batch(int tile, const BatchRows& rows, Sums* patch) const {
     SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(
-        frame, tile, rows, particles.position.values, particles.half_size.values, supports
+        frame,
+        tile,
+        rows,
+        particles.position.values,
+        particles.half_size.values,
+        particles.deformation_gradient.values,
+        supports
     );
     Given<M> given[rows_per_batch];
     BARRENO_IVDEP
@@ -171,7 +177,7 @@ void project_particles(
     Kokkos::parallel_for(
         "project_particles",
         range(grid.active),
-        Kernel{PatchFrame<decltype(mode)::dimensions>(grid), particles, nodes.sums}
+        Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.sums}
     );
   });
 }
