@@ -22,9 +22,11 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
   static constexpr const char* word = "contiguous GIMP";
   static constexpr const char* warning = nullptr;
   static constexpr bool follows_deformation = true;
-  static constexpr bool averages = true;
-  static constexpr double balanced_part = 1e9;  ///< V grad S = sum over the faces: everywhere,
-  static constexpr bool balanced_in_axisymmetry = true;  ///< while U is diagonal
+  static constexpr ParticleForm form = ParticleForm::box;
+  /// V grad S = sum over the faces, everywhere while U is diagonal.
+  static constexpr double balanced_part = 1.0;
+  static constexpr bool balanced_in_axisymmetry = true;
+  static double unbalanced(double /*size*/) { return 0.0; }
 
   /// Four nodes hold a box of two cells.
   static constexpr double most_half = 1.0;

@@ -27,9 +27,11 @@ struct Cpdi {
   static constexpr const char* word = "CPDI";
   static constexpr const char* warning = nullptr;
   static constexpr bool follows_deformation = true;
-  static constexpr bool averages = true;
-  static constexpr double balanced_part = 1e9;  ///< V grad S = sum over the faces: everywhere
+  static constexpr ParticleForm form = ParticleForm::parallelogram;
+  /// V grad S = sum over the faces, everywhere.
+  static constexpr double balanced_part = 1.0;
   static constexpr bool balanced_in_axisymmetry = true;
+  static double unbalanced(double /*size*/) { return 0.0; }
 
   template <class M>
   using Support = CornerSupport<M::dimensions>;

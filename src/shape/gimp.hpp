@@ -22,9 +22,11 @@ struct Gimp : TensorShape<Gimp, 3> {
   static constexpr const char* word = "GIMP";
   static constexpr const char* warning = nullptr;
   static constexpr bool follows_deformation = false;
-  static constexpr bool averages = true;
-  static constexpr double balanced_part = 1e9;  ///< V grad S = sum over the faces: everywhere
+  static constexpr ParticleForm form = ParticleForm::box;
+  /// V grad S = sum over the faces, everywhere.
+  static constexpr double balanced_part = 1.0;
   static constexpr bool balanced_in_axisymmetry = true;
+  static double unbalanced(double /*size*/) { return 0.0; }
 
   /// Nodes beyond its own tile that a particle can give to.
   static int reach(const Scene& /*scene*/) { return 1; }

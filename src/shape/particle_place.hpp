@@ -5,6 +5,9 @@
 
 namespace barreno {
 
+/// Over what a shape function takes the means of the grid's functions.
+enum class ParticleForm { point, box, parallelogram };
+
 /// Where a particle is, in units of cells. `x` counts from the first node of the tile's patch;
 /// `axis` is the radius of that node, so that r = axis + x[0] (axisymmetry only).
 struct ParticlePlace {

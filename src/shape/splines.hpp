@@ -16,7 +16,7 @@ namespace barreno {
 template <class S, unsigned Degree>
 struct SplineShape : TensorShape<S, Degree + 1> {
   static constexpr bool follows_deformation = false;
-  static constexpr bool averages = false;  ///< values at x_p, not means over the particle
+  static constexpr ParticleForm form = ParticleForm::point;
 
   template <bool Radial>
   KOKKOS_INLINE_FUNCTION static AxisWeights<Degree + 1> axis_weights(
@@ -53,9 +53,11 @@ struct Linear : SplineShape<Linear, 1> {
       "linear shape functions have no critical step (nodes that barely touch a body have next to "
       "no mass): energy may grow at edges and where particles cross cells; take GIMP or CPDI for "
       "anything but comparison";
-  /// V grad S = sum over the faces where all of the particle's box lies in one cell.
+  /// V grad S = sum over the faces where all of the particle's box lies in one cell. Elsewhere a
+  /// part of a face's force of up to `unbalanced` is left at some node, by its size in cells.
   static constexpr double balanced_part = 1.0;
   static constexpr bool balanced_in_axisymmetry = true;
+  static double unbalanced(double size) { return size; }
   static int reach(const Scene& scene) { return scene.loads.empty() ? 0 : 1; }
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{0.866, 0.884, 0.846, 0.811, 0.755, 0.731}}.at(half_size_in_cells);
@@ -68,10 +70,11 @@ struct Linear : SplineShape<Linear, 1> {
 struct QuadraticSpline : SplineShape<QuadraticSpline, 2> {
   static constexpr const char* word = "quadratic B-spline";
   static constexpr const char* warning = nullptr;
-  /// The same where the box lies in half a cell, between two knots; in axisymmetry r dN/dr is
-  /// quadratic there and one point does not integrate it: an error of (size / h)^2 / 12 remains.
+  /// The same where the box lies in half a cell, between two knots; in axisymmetry nowhere, because
+  /// r dN/dr is quadratic there and one point does not integrate it.
   static constexpr double balanced_part = 0.5;
   static constexpr bool balanced_in_axisymmetry = false;
+  static double unbalanced(double size) { return 0.4 * size * size; }
   static int reach(const Scene& /*scene*/) { return 1; }
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{0.868, 0.960, 0.995, 1.023, 1.089, 1.153}}.at(half_size_in_cells);
@@ -82,9 +85,10 @@ struct QuadraticSpline : SplineShape<QuadraticSpline, 2> {
 struct CubicSpline : SplineShape<CubicSpline, 3> {
   static constexpr const char* word = "cubic B-spline";
   static constexpr const char* warning = nullptr;
-  /// Nowhere: the gradient is quadratic, and one point leaves an error of (size / h)^2 / 24.
+  /// Nowhere: the gradient is quadratic, and one point does not integrate it.
   static constexpr double balanced_part = 0.0;
   static constexpr bool balanced_in_axisymmetry = false;
+  static double unbalanced(double size) { return 0.25 * size * size; }
   static int reach(const Scene& scene) { return scene.loads.empty() ? 1 : 2; }
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{1.404, 1.472, 1.489, 1.495, 1.499, 1.500}}.at(half_size_in_cells);
