@@ -2,7 +2,6 @@
 #pragma once
 
 #include "shape/courant_table.hpp"
-#include "shape/kinematics.hpp"
 #include "shape/tensor_shape.hpp"
 
 namespace barreno {
@@ -33,38 +32,24 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
 
   static int reach(const Scene& /*scene*/) { return 1; }
 
-  /// Diagonal of U, from the rotation of F.
-  template <class M>
-  KOKKOS_INLINE_FUNCTION static void stretches(
-      const ParticlePlace& place, double (&out)[extent<M::dimensions>]
-  ) {
-    const auto& f = place.f;
-    const PlaneRotation r = direction(f[0][0] + f[1][1], f[1][0] - f[0][1]);
-    out[0] = r.c * f[0][0] + r.s * f[1][0];
-    out[1] = r.c * f[1][1] - r.s * f[0][1];
-  }
   KOKKOS_INLINE_FUNCTION static double largest_half(const ParticlePlace& place) {
     return place.largest < most_half ? place.largest : most_half;
   }
 
   template <class M>
   KOKKOS_INLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
-    double stretch[extent<M::dimensions>];
-    stretches<M>(place, stretch);
     bool out = false;
     for (int d = 0; d < M::dimensions; ++d)
-      out = out | !(place.half[d] * stretch[d] <= largest_half(place));
+      out = out | !(place.half[d] * place.stretch[d] <= largest_half(place));
     return out;
   }
 
   /// The place with its half sizes stretched and cut.
   template <class M>
   KOKKOS_INLINE_FUNCTION static ParticlePlace stretched(ParticlePlace place) {
-    double stretch[extent<M::dimensions>];
-    stretches<M>(place, stretch);
     const double most = largest_half(place);
     for (int d = 0; d < M::dimensions; ++d) {
-      const double wanted = place.half[d] * stretch[d];
+      const double wanted = place.half[d] * place.stretch[d];
       place.half[d] = wanted < most ? wanted : most;  // not a number: the largest
     }
     return place;

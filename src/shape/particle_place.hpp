@@ -20,8 +20,9 @@ struct ParticlePlace {
   double low[3] = {};     ///< first and last node of the grid
   double high[3] = {};
   double largest = 1.0;  ///< Largest Domain
-  /// F; only for a shape function that follows it.
+  /// F and the diagonal of U, F = R U; only for a shape function that follows them.
   double f[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  double stretch[3] = {1.0, 1.0, 1.0};
 };
 
 }  // namespace barreno

@@ -50,20 +50,13 @@ KOKKOS_INLINE_FUNCTION void find_supports(
     const PatchFrame<M::dimensions>& frame,
     int tile,
     const BatchRows& rows,
-    const FieldView& position,
-    const FieldView& half_size,
-    const FieldView& deformation,
+    const ShapeFields& fields,
     SupportBatch<typename S::template Support<M>>& out
 ) {
   const auto first = frame.first(tile);
   BARRENO_IVDEP
   for (int k = 0; k < rows_per_batch; ++k)
-    out.put(
-        k,
-        S::template support<M>(
-            frame.template place<S>(first, position, half_size, deformation, rows.row[k])
-        )
-    );
+    out.put(k, S::template support<M>(frame.template place<S>(first, fields, rows.row[k])));
 }
 
 }  // namespace barreno

@@ -6,6 +6,7 @@
 #include "shape/kinematics.hpp"
 #include "shape/place.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/shape_fields.hpp"
 
 #include <cstdint>
 
@@ -63,14 +64,7 @@ auto face_support(
     const PatchFrame<M::dimensions>& frame, const Particles& particles, int tile, int p, int face
 ) {
   return S::template face_support<M>(
-      frame.template place<S>(
-          frame.first(tile),
-          particles.position.values,
-          particles.half_size.values,
-          particles.deformation_gradient.values,
-          p
-      ),
-      face
+      frame.template place<S>(frame.first(tile), shape_fields(particles), p), face
   );
 }
 

@@ -27,7 +27,7 @@ inline void deform(ShapeCase& c, double angle, double a, double b, double shear)
   for (int i = 0; i < 2; ++i) {
     c.place.f[0][i] = cosine * u[0][i] - sine * u[1][i];
     c.place.f[1][i] = sine * u[0][i] + cosine * u[1][i];
-    c.stretch[i] = u[i][i];
+    c.stretch[i] = c.place.stretch[i] = u[i][i];
   }
   c.straight = angle == 0.0 && shear == 0.0;
 }

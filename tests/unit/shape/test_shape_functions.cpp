@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every shape function owes in every mode, at 1 to 4 particles per cell, everywhere in a cell,
 // at the ends of the grid and at the axis.
+#include "shape/place.hpp"
 #include "unit/shape/face_balance.hpp"
 #include "unit/shape/reference_means.hpp"
 #include "unit/shape/shape_cases.hpp"
@@ -167,6 +168,26 @@ TYPED_TEST(ShapeFunctionContract, CountsClippedDomains) {
   } else {
     for_each_case<TypeParam>([](const ShapeCase& c) { EXPECT_EQ(c.place.f[0][0], 1.0); });
   }
+}
+
+/// The diagonal of U from F = R U, R a turn about z, on which particles' boxes stand.
+template <class M>
+void expect_stretches() {
+  constexpr unsigned D = M::dimensions;
+  for (const double angle : {0.0, 0.4, -2.0}) {
+    ShapeCase c;
+    testing::deform(c, angle, 1.7, 0.8, 0.3);
+    const FieldView rotation("rotation", 1, 4);
+    rotation(0, 0) = std::cos(0.5 * angle);
+    rotation(0, 3) = std::sin(0.5 * angle);
+    c.place.stretch[0] = c.place.stretch[1] = c.place.stretch[2] = 0.0;
+    PatchFrame<D>::find_stretches(rotation, 0, c.place);
+    for (unsigned d = 0; d < D; ++d) EXPECT_NEAR(c.place.stretch[d], c.stretch[d], 1e-14);
+  }
+}
+TEST(Stretches, AreTheDiagonalOfU) {
+  expect_stretches<PlaneStrain>();
+  expect_stretches<ThreeDimensional>();
 }
 
 /// Decks of every number of particles per cell find a positive number, and none above that of the
