@@ -131,6 +131,12 @@ struct StepSpec {
   double largest_step = 0.0;         ///< 0: no limit [time]
 };
 
+/// Longest Largest Domain that the patches of tiles are made for, which is what 0 in a deck means
+/// [cells]. Domains of three dimensions reach 1.5 times as far as that.
+inline double farthest_domain(Mode mode) {
+  return mode == Mode::three_dimensional ? 16.0 / 3.0 : 8.0;
+}
+
 enum class Glyph { deformed, point };
 
 struct OutputSpec {

@@ -44,6 +44,14 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
     return out;
   }
 
+  /// A box has no inside to turn out; only a stretch that is none counts.
+  template <class M>
+  KOKKOS_INLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
+    bool out = false;
+    for (int d = 0; d < M::dimensions; ++d) out = out | !(place.stretch[d] > 0.0);
+    return out;
+  }
+
   /// The place with its half sizes stretched and cut.
   template <class M>
   KOKKOS_INLINE_FUNCTION static ParticlePlace stretched(ParticlePlace place) {

@@ -54,10 +54,15 @@ struct Cpdi {
   /// Whether F has turned the domain inside out or flat: its measure is no more than a 1e-12 of
   /// that of a rectangle with its edges.
   template <int D>
-  KOKKOS_INLINE_FUNCTION static bool inverted(const Domain<D>& domain) {
+  KOKKOS_INLINE_FUNCTION static bool flat(const Domain<D>& domain) {
     double squares = 1.0;
     for (int i = 0; i < D; ++i) squares *= length_squared(domain.e[i]);
     return !(measure(domain) > 1e-12 * std::sqrt(squares));
+  }
+
+  template <class M>
+  KOKKOS_INLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
+    return flat(deformed<M::dimensions>(place));
   }
 
   template <class M>
@@ -69,9 +74,9 @@ struct Cpdi {
   KOKKOS_INLINE_FUNCTION static Domain<M::dimensions> domain(const ParticlePlace& place) {
     constexpr int D = M::dimensions;
     Domain<D> out = deformed<D>(place);
-    const bool flat = inverted(out);
+    const bool none = flat(out);
     for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k) out.e[i][k] = flat ? (i == k ? place.half[i] : 0.0) : out.e[i][k];
+      for (int k = 0; k < D; ++k) out.e[i][k] = none ? (i == k ? place.half[i] : 0.0) : out.e[i][k];
     if constexpr (M::hoop) out = narrow_at_axis(out, place.axis + place.x[0]);
     return scale_domain(out, place.largest);
   }

@@ -2,6 +2,7 @@
 #include "state/particles.hpp"
 
 #include "scene/body_force.hpp"
+#include "shape/shape_facts.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -51,6 +52,7 @@ Particles make_particles(const Scene& scene, int material) {
       dim::length,
       is_manufactured(scene.body_force) ? dimensions(scene.grid.mode) : 0,
       {}};
+  p.clipped = {"clipped", dim::none, follows_deformation(scene) ? 1 : 0, {}};
   p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material) ? 1 : 0, {}};
   p.grid_motion = {"grid_motion", dim::velocity, 2 * d, {}};
   p.increment = {"increment", dim::none, d * d + (d == 2 ? 1 : 0), {}};
