@@ -3,6 +3,7 @@
 
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
+#include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
 #include "state/particles.hpp"
@@ -170,13 +171,33 @@ std::string feature_lines(const Scene& scene) {
          feature(
              "third dimension",
              space,
-             space ? "27 nodes per particle"
-                   : "the mode is two-dimensional: 2D data, 9 nodes per particle"
+             space ? "nodes and particles have three coordinates"
+                   : "the mode is two-dimensional: 2D data"
          ) +
          feature("contact with friction", false, "all bodies share one velocity field");
 }
 
 }  // namespace
+
+void refuse_short_domains(const Deck& deck, const Scene& scene) {
+  const double corner = largest_corner(scene);
+  // Round-off of the deck's numbers is no reason to refuse it.
+  if (!follows_deformation(scene) || scene.step.largest_domain >= corner * (1.0 - 1e-9)) return;
+  deck.refuse_value(
+      "Step/Largest Domain",
+      format(
+          "is shorter than undeformed particles (their corners are %.3g cells from the centre); "
+          "choose at least that, or more particles per cell",
+          corner
+      )
+  );
+}
+
+std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
+  std::vector<std::string> notes = deck.notes;
+  if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
+  return notes;
+}
 
 std::string plan_text(const Scene& scene, const std::vector<std::string>& notes) {
   const double particles = static_cast<double>(first_ids(scene).back() - 1);

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "deck/deck.hpp"
 #include "scene/scene.hpp"
 
 #include <string>
 #include <vector>
 
 namespace barreno {
+
+/// @throws DeckError if Largest Domain would cut particles that have not deformed yet
+void refuse_short_domains(const Deck& deck, const Scene& scene);
+
+/// What the user should know of deck and scene although it is no error, a sentence each.
+std::vector<std::string> notes_of(const Deck& deck, const Scene& scene);
 
 /// What a run of this scene will do: bodies, what is modelled and what is not and why, particles,
 /// memory, step size and number of steps. Nothing is written and no particle is kept.

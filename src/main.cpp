@@ -31,13 +31,14 @@ namespace {
 int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
+  refuse_short_domains(deck, scene);
   State state = build_state(scene, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
   Output output(
       scene,
       state,
-      {folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, deck.notes}
+      {folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, notes_of(deck, scene)}
   );
   output.write_if_due(scene, state);
   const RunVerdict verdict = run(scene, state, output);
@@ -48,7 +49,8 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
 int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
-  if (is_root(*comm)) std::cout << plan_text(scene, deck.notes);
+  refuse_short_domains(deck, scene);
+  if (is_root(*comm)) std::cout << plan_text(scene, notes_of(deck, scene));
   return static_cast<int>(ExitCode::finished);
 }
 

@@ -3,6 +3,8 @@
 
 #include <Kokkos_Core.hpp>
 
+#include <cstddef>
+
 namespace barreno {
 
 /// Spaces of kernels and state. Another Kokkos backend is a build option of Trilinos, not of this
@@ -16,6 +18,10 @@ template <class T>
 using ArrayView = Kokkos::View<T*, MemorySpace>;
 
 using ParticleId = long long;
+
+/// A small count as the length of an array.
+template <int N>
+inline constexpr std::size_t extent = N;
 
 /// Rows or tiles [0, count) for a kernel.
 using RowPolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>>;

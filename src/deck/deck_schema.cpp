@@ -2,6 +2,7 @@
 #include "deck/deck_schema.hpp"
 
 #include "deck/shape_entries.hpp"
+#include "deck/shape_words.hpp"
 
 #include <algorithm>
 
@@ -205,7 +206,17 @@ Section step_section() {
       "Step",
       "how a step is taken",
       Presence::defaulted,
-      {word("Shape Function", {"GIMP"}, "support of a particle").by_default("GIMP"),
+      {word("Shape Function", shape_words(), "what a particle reads of the grid and gives to it")
+           .by_default(shape_words().front()),
+       number(
+           "Largest Domain",
+           dim::none,
+           at_least(0.0),
+           "l_crit, in cells, of the shape functions that deform with the particle (CPDI, "
+           "contiguous GIMP): no corner of a domain is further from its centre; 0: as far as the "
+           "tiles carry, slow"
+       )
+           .by_default("1"),
        number("Courant Fraction", dim::none, above_up_to(0.0, 1.0), "of the critical step")
            .by_default("0.8"),
        number("Growth Limit", dim::none, above(1.0), "largest ratio of successive steps")

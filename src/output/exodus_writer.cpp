@@ -3,6 +3,7 @@
 
 #include "base/region.hpp"
 #include "output/particle_fields.hpp"
+#include "shape/shape_facts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@ ExodusWriter::ExodusWriter(
     const std::vector<std::string>& information
 )
     : dimensions_(dimensions(scene.grid.mode)),
+      clipped_(follows_deformation(scene)),
       nodes_(
           scene.output.glyph == Glyph::point ? 1
           : dimensions_ == 3                 ? 8
@@ -58,7 +60,7 @@ ExodusLayout ExodusWriter::describe(const Scene& scene, const std::string& versi
   layout.global_variables = {"step", "time_step", "particles"};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Material& material = scene.materials[b].material;
-    ExodusBlock block{material.name, {}, particle_field_names(material, dimensions_)};
+    ExodusBlock block{material.name, {}, particle_field_names(material, dimensions_, clipped_)};
     for (const Range& range : blocks_[b].ranges)
       for (long long i = 0; i < range.count; ++i) block.ids.push_back(range.first + i);
     layout.blocks.push_back(std::move(block));
@@ -98,7 +100,7 @@ ExodusWriter::Rows ExodusWriter::gather_rows(
   const HostParticles particles(state.particles[set]);
   const Material& material = scene.materials[set].material;
   Rows rows;
-  rows.width = node_values() + particle_field_names(material, dimensions_).size() + 1;
+  rows.width = node_values() + particle_field_names(material, dimensions_, clipped_).size() + 1;
   std::vector<ParticleId> ids;
   std::vector<double> values;
   ids.reserve(static_cast<std::size_t>(particles.count));
@@ -149,7 +151,7 @@ void ExodusWriter::move_nodes(const Rows& rows) {
 void ExodusWriter::put_block(const Scene& scene, std::size_t set, const Rows& rows) {
   const Block& block = blocks_[set];
   const std::vector<std::string> names =
-      particle_field_names(scene.materials[set].material, dimensions_);
+      particle_field_names(scene.materials[set].material, dimensions_, clipped_);
   std::vector<double> values(block.count);
   for (std::size_t v = 0; v < names.size(); ++v) {
     std::fill(values.begin(), values.end(), 0.0);

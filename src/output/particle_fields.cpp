@@ -106,7 +106,8 @@ HostParticles::HostParticles(const Particles& particles)
       volume(on_host(particles.volume.values)),
       half_size(on_host(particles.half_size.values)),
       viscous_pressure(on_host(particles.viscous_pressure.values)),
-      history(on_host(particles.history.values)) {}
+      history(on_host(particles.history.values)),
+      clipped(on_host(particles.clipped.values)) {}
 
 void HostParticles::append_corners(int p, std::vector<double>& values) const {
   double x[3], h[3], F[9];
@@ -125,7 +126,9 @@ void HostParticles::append_corners(int p, std::vector<double>& values) const {
   append(domain_corners_3d(x, F, h));
 }
 
-std::vector<std::string> particle_field_names(const Material& material, int dimensions) {
+std::vector<std::string> particle_field_names(
+    const Material& material, int dimensions, bool clipped
+) {
   std::vector<std::string> names{"status", "velocity_x", "velocity_y"};
   if (dimensions == 3) names.emplace_back("velocity_z");
   for (const char* name : {"stress_xx", "stress_yy", "stress_zz", "stress_xy"})
@@ -134,6 +137,7 @@ std::vector<std::string> particle_field_names(const Material& material, int dime
   for (const char* name :
        {"pressure", "shear_stress", "density", "volume_ratio", "viscous_pressure"})
     names.emplace_back(name);
+  if (clipped) names.emplace_back("domain_clipped");
   std::visit(
       [&](const auto& model) {
         for (const HistoryField& field : model.history_table()) names.emplace_back(field.name);
@@ -164,6 +168,7 @@ void append_particle_fields(
        reference_density / density,
        particles.viscous_pressure(p, 0)}
   );
+  if (particles.clipped.extent(1) > 0) values.push_back(particles.clipped(p, 0));
   for (std::size_t c = 0; c < particles.history.extent(1); ++c)
     values.push_back(particles.history(p, c));
 }

@@ -43,15 +43,17 @@ struct HostParticles {
   ArrayView<ParticleId>::HostMirror id;
   ArrayView<unsigned char>::HostMirror body;
   Values position, velocity, deformation_gradient, rotation, stress, mass, volume, half_size;
-  Values viscous_pressure, history;
+  Values viscous_pressure, history, clipped;
 
   int dimensions() const { return static_cast<int>(position.extent(1)); }
   void append_corners(int p, std::vector<double>& values) const;
 };
 
-/// Element variables of a material in files: the common ones, then the model's history by its own
-/// names.
-std::vector<std::string> particle_field_names(const Material& material, int dimensions);
+/// Element variables of a material in files: the common ones, then `domain_clipped` if particles
+/// have it, then the model's history by its own names.
+std::vector<std::string> particle_field_names(
+    const Material& material, int dimensions, bool clipped = false
+);
 
 /// Their values for one particle, in that order; `status` is 1.
 void append_particle_fields(

@@ -206,6 +206,7 @@ std::string summary_text(
   put_removed(json, totals.ledger);
   json.number("held_particles", totals.ledger.held);
   json.number("unloaded_particles", totals.ledger.unloaded);
+  json.number("clipped_particles", totals.ledger.clipped);
   json.number("retried_steps", totals.ledger.retried_steps);
   json.begin_object("warnings");
   for (const auto& [kind, count] : summary.warnings) json.integer(kind, count);

@@ -89,8 +89,18 @@ void add_materials(const Deck& deck, Scene& scene) {
   }
 }
 
-StepSpec read_step(const Deck& deck) {
+StepSpec read_step(const Deck& deck, Mode mode) {
   StepSpec step;
+  step.shape = deck.word("Step/Shape Function");
+  step.largest_domain = deck.number("Step/Largest Domain");
+  if (step.largest_domain == 0.0) step.largest_domain = farthest_domain(mode);
+  if (step.largest_domain > farthest_domain(mode)) {
+    deck.refuse_value(
+        "Step/Largest Domain",
+        "is longer than " + text_of("%.3g", farthest_domain(mode)) +
+            " cells (a tile sees no further); choose at most that, or 0 for as far as it goes"
+    );
+  }
   step.courant_fraction = deck.number("Step/Courant Fraction");
   step.growth_limit = deck.number("Step/Growth Limit");
   step.largest_strain = deck.number("Step/Largest Strain");
@@ -168,7 +178,7 @@ Scene build_scene(const Deck& deck) {
   add_confinement(deck, scene);
   add_jet(deck, scene);
   add_body_force(deck, scene);
-  scene.step = read_step(deck);
+  scene.step = read_step(deck, scene.grid.mode);
   scene.output = read_output(deck);
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse("Bodies", "is empty and there is no Jet (nothing would move); add a body or a jet");

@@ -114,10 +114,9 @@ struct JetSpec {
   int particles_per_cell = 4;    ///< per direction
 };
 
-enum class ShapeFunction { gimp };
-
 struct StepSpec {
-  ShapeFunction shape = ShapeFunction::gimp;
+  std::string shape = "GIMP";   ///< the word of one of the list in shape/visit_kernels.hpp
+  double largest_domain = 1.0;  ///< l_crit: corners further from x_p are pulled in [cells]
   double courant_fraction =
       0.8;                      ///< of the critical Courant number of shape and particles per cell
   double growth_limit = 1.1;    ///< largest ratio of successive steps
@@ -130,6 +129,12 @@ struct StepSpec {
   double initial_step = 0.0;         ///< 0: the stable step [time]
   double largest_step = 0.0;         ///< 0: no limit [time]
 };
+
+/// Longest Largest Domain that the patches of tiles are made for, which is what 0 in a deck means
+/// [cells]. Domains of three dimensions reach 1.5 times as far as that.
+inline double farthest_domain(Mode mode) {
+  return mode == Mode::three_dimensional ? 16.0 / 3.0 : 8.0;
+}
 
 enum class Glyph { deformed, point };
 

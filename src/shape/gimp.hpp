@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "shape/tensor_support.hpp"
+#include "shape/courant_table.hpp"
+#include "shape/tensor_shape.hpp"
 
 #include <cmath>
 
 namespace barreno {
-
-/// Where a particle is, in units of cells. `x` counts from the first node of the tile's patch;
-/// `axis` is the radius of that node, so that r = axis + x[0] (axisymmetry only).
-struct ParticlePlace {
-  double x[3] = {};
-  double half[3] = {};  ///< half edges of the undeformed particle
-  double axis = 0.0;
-  double per_cell = 1.0;  ///< 1 / cell size
-  int row = 0;            ///< slots from one row of the patch to the next
-};
 
 /// Uniform GIMP: the particle is a box of its undeformed size around x_p, at most one cell wide.
 ///
@@ -27,28 +18,27 @@ struct ParticlePlace {
 ///
 /// Source: S. Bardenhagen, E. Kober, CMES 5 (2004) 477-495; r-weighting: J. Nairn, J. Guilkey,
 /// IJNME 101 (2015) 127-147.
-struct Gimp {
+struct Gimp : TensorShape<Gimp, 3> {
   static constexpr const char* word = "GIMP";
+  static constexpr const char* warning = nullptr;
+  static constexpr bool follows_deformation = false;
+  static constexpr ParticleForm form = ParticleForm::box;
+  /// V grad S = sum over the faces, everywhere.
+  static constexpr double balanced_part = 1.0;
+  static constexpr bool balanced_in_axisymmetry = true;
+  static double unbalanced(double /*size*/) { return 0.0; }
 
   /// Nodes beyond its own tile that a particle can give to.
   static int reach(const Scene& /*scene*/) { return 1; }
 
-  /// Weights along one axis: three nodes from `first` on.
-  struct Axis {
-    int first = 0;
-    double s[3]{};  ///< averages of N
-    double g[3]{};  ///< averages of dN/dx [1/length]
-    double t[3]{};  ///< int N dr / int r dr [1/length]; radial axis only
-  };
-
   /// [a, b] in cells, b - a <= 1, split at the node inside it: part [a, c] lies in the first cell,
   /// [1, e] in the second, and either may be empty.
   template <bool Radial>
-  KOKKOS_INLINE_FUNCTION static Axis axis_weights(
-      double x, double half, double axis, double per_cell
-  ) {
-    double a = x - half;
-    double b = x + half;
+  KOKKOS_INLINE_FUNCTION static AxisWeights<3> axis_weights(const ParticlePlace& place, int d) {
+    const double axis = place.axis;
+    const double per_cell = place.per_cell;
+    double a = place.x[d] - place.half[d];
+    double b = place.x[d] + place.half[d];
     // Selections instead of fmin and fmax, which do not vectorise.
     if constexpr (Radial) a = a > -axis ? a : -axis;
     const double base = std::floor(a);
@@ -60,7 +50,7 @@ struct Gimp {
     const double w2 = e - 1.0;
     const double m1 = 0.5 * (a + c);
     const double m2 = 0.5 * (1.0 + e);
-    Axis out;
+    AxisWeights<3> out;
     out.first = static_cast<int>(base);
     if constexpr (Radial) {
       const double r1 = axis + base + m1;
@@ -86,85 +76,17 @@ struct Gimp {
     return out;
   }
 
-  /// Linear hat functions at a point: weights of a particle's face along its normal.
-  KOKKOS_INLINE_FUNCTION static Axis point_weights(double x) {
-    const double base = std::floor(x);
-    Axis out;
-    out.first = static_cast<int>(base);
-    out.s[1] = x - base;
-    out.s[0] = 1.0 - out.s[1];
-    return out;
-  }
-
-  template <class M>
-  using Support = TensorSupport<M::dimensions, 3>;
-
-  KOKKOS_INLINE_FUNCTION static TensorSupport<2, 3> product(const Axis& x, const Axis& y, int row) {
-    return {
-        y.first * row + x.first,
-        {x.s[0], x.s[1], x.s[2]},
-        {x.g[0], x.g[1], x.g[2]},
-        {x.t[0], x.t[1], x.t[2]},
-        {y.s[0], y.s[1], y.s[2]},
-        {y.g[0], y.g[1], y.g[2]}};
-  }
-
-  KOKKOS_INLINE_FUNCTION static TensorSupport<3, 3> product(
-      const Axis& x, const Axis& y, const Axis& z, int row
+  /// sum_p V_p grad S_p of a body is then exactly the sum over its outer faces, and a body under
+  /// uniform pressure is in exact equilibrium.
+  KOKKOS_INLINE_FUNCTION static AxisWeights<3> face_weights(
+      const ParticlePlace& place, int d, double side
   ) {
-    return {
-        (z.first * row + y.first) * row + x.first,
-        {x.s[0], x.s[1], x.s[2]},
-        {x.g[0], x.g[1], x.g[2]},
-        {y.s[0], y.s[1], y.s[2]},
-        {y.g[0], y.g[1], y.g[2]},
-        {z.s[0], z.s[1], z.s[2]},
-        {z.g[0], z.g[1], z.g[2]}};
+    const double x = place.x[d] + side * place.half[d];
+    return hats_at<3>(x, first_of<3>(place, x));
   }
 
-  /// Product of the weights that `along(axis)` gives.
-  template <class M, class Along>
-  KOKKOS_INLINE_FUNCTION static Support<M> product(int row, const Along& along) {
-    if constexpr (M::dimensions == 3)
-      return product(along(0), along(1), along(2), row);
-    else
-      return product(along(0), along(1), row);
-  }
-  template <class M>
-  KOKKOS_INLINE_FUNCTION static Axis weights_along(const ParticlePlace& place, int axis) {
-    if (M::hoop && axis == 0)
-      return axis_weights<true>(place.x[0], place.half[0], place.axis, place.per_cell);
-    return axis_weights<false>(place.x[axis], place.half[axis], 0.0, place.per_cell);
-  }
-
-  template <class M>
-  KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
-    return product<M>(place.row, [&](int axis) { return weights_along<M>(place, axis); });
-  }
-
-  /// Average of N over one face of the particle (0: x_lower, 1: x_upper, 2: y_lower and so on), the
-  /// weight of a pressure on it. sum_p V_p grad S_p of a body is then exactly the sum over its
-  /// outer faces, and a body under uniform pressure is in exact equilibrium.
-  template <class M>
-  KOKKOS_INLINE_FUNCTION static Support<M> face_support(const ParticlePlace& place, int face) {
-    const double side = face % 2 == 0 ? -1.0 : 1.0;
-    return product<M>(place.row, [&](int axis) {
-      return axis == face / 2 ? point_weights(place.x[axis] + side * place.half[axis])
-                              : weights_along<M>(place, axis);
-    });
-  }
-
-  /// Critical Courant number c dt / h of a free bar (docs/method.md), by the half size in cells:
-  /// the minimum over all places of the particles in their cells.
   static double critical_courant(double half_size_in_cells) {
-    constexpr double half[4] = {0.125, 1.0 / 6.0, 0.25, 0.5};
-    constexpr double limit[4] = {0.665, 0.732, 0.804, 0.868};
-    if (half_size_in_cells <= half[0]) return limit[0] * half_size_in_cells / half[0];
-    for (int i = 1; i < 4; ++i)
-      if (half_size_in_cells <= half[i])
-        return limit[i - 1] + (limit[i] - limit[i - 1]) * (half_size_in_cells - half[i - 1]) /
-                                  (half[i] - half[i - 1]);
-    return limit[3];
+    return CourantTable{{0.868, 0.804, 0.732, 0.665, 0.493, 0.352}}.at(half_size_in_cells);
   }
 };
 

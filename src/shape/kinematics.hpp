@@ -42,6 +42,11 @@ struct ThreeDimensional {
   using Tensor = SpaceTensor;
 };
 
+/// Every mode; tests run over it.
+template <class... Modes>
+struct ModeList {};
+using AllModes = ModeList<Axisymmetric, PlaneStrain, ThreeDimensional>;
+
 template <class F>
 decltype(auto) visit_mode(Mode mode, F&& f) {
   if (mode == Mode::axisymmetric) return std::forward<F>(f)(Axisymmetric{});

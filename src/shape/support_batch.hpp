@@ -26,17 +26,19 @@ struct BatchRows {
 template <class Support>
 struct SupportBatch {
   alignas(64) double value[Support::values][rows_per_batch];
-  alignas(64) int first[rows_per_batch];
+  alignas(64) int slot[Support::slots][rows_per_batch];
 
   KOKKOS_INLINE_FUNCTION void put(int k, Support support) {
-    first[k] = support.first;
     int c = 0;
+    support.for_each_slot([&](int s) { slot[c++][k] = s; });
+    c = 0;
     support.for_each_value([&](double v) { value[c++][k] = v; });
   }
   KOKKOS_INLINE_FUNCTION Support get(int k) const {
     Support out;
-    out.first = first[k];
     int c = 0;
+    out.for_each_slot([&](int& s) { s = slot[c++][k]; });
+    c = 0;
     out.for_each_value([&](double& v) { v = value[c++][k]; });
     return out;
   }
@@ -48,14 +50,13 @@ KOKKOS_INLINE_FUNCTION void find_supports(
     const PatchFrame<M::dimensions>& frame,
     int tile,
     const BatchRows& rows,
-    const FieldView& position,
-    const FieldView& half_size,
+    const ShapeFields& fields,
     SupportBatch<typename S::template Support<M>>& out
 ) {
   const auto first = frame.first(tile);
   BARRENO_IVDEP
   for (int k = 0; k < rows_per_batch; ++k)
-    out.put(k, S::template support<M>(frame.place(first, position, half_size, rows.row[k])));
+    out.put(k, S::template support<M>(frame.template place<S>(first, fields, rows.row[k])));
 }
 
 }  // namespace barreno

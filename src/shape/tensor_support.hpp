@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grid/grid.hpp"
+#include "shape/axis_weights.hpp"
 
 namespace barreno {
 
@@ -24,6 +25,7 @@ template <unsigned N>
 struct TensorSupport<2, N> {
   static constexpr int n = N;
   static constexpr unsigned values = 5 * N;
+  static constexpr unsigned slots = 1;
 
   int first = 0;   ///< slot of the lowest node in the patch
   double sx[N]{};  ///< averages of N along x
@@ -41,6 +43,11 @@ struct TensorSupport<2, N> {
       f(sy[i]);
       f(gy[i]);
     }
+  }
+
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void for_each_slot(F&& f) {
+    f(first);
   }
 
   /// visit(slot, S, gradient of S, T) for every node of the support.
@@ -93,6 +100,7 @@ template <unsigned N>
 struct TensorSupport<3, N> {
   static constexpr int n = N;
   static constexpr unsigned values = 6 * N;
+  static constexpr unsigned slots = 1;
 
   int first = 0;
   double sx[N]{}, gx[N]{};
@@ -109,6 +117,11 @@ struct TensorSupport<3, N> {
       f(sz[i]);
       f(gz[i]);
     }
+  }
+
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void for_each_slot(F&& f) {
+    f(first);
   }
 
   template <class Visitor>
@@ -173,5 +186,34 @@ struct TensorSupport<3, N> {
     return out;
   }
 };
+
+/// The product of weights along each axis; `row` slots lie between rows of the patch.
+template <unsigned N>
+KOKKOS_INLINE_FUNCTION TensorSupport<2, N> tensor_product(const AxisWeights<N> (&w)[2], int row) {
+  TensorSupport<2, N> out;
+  out.first = w[1].first * row + w[0].first;
+  for (int i = 0; i < out.n; ++i) {
+    out.sx[i] = w[0].s[i];
+    out.gx[i] = w[0].g[i];
+    out.tx[i] = w[0].t[i];
+    out.sy[i] = w[1].s[i];
+    out.gy[i] = w[1].g[i];
+  }
+  return out;
+}
+template <unsigned N>
+KOKKOS_INLINE_FUNCTION TensorSupport<3, N> tensor_product(const AxisWeights<N> (&w)[3], int row) {
+  TensorSupport<3, N> out;
+  out.first = (w[2].first * row + w[1].first) * row + w[0].first;
+  for (int i = 0; i < out.n; ++i) {
+    out.sx[i] = w[0].s[i];
+    out.gx[i] = w[0].g[i];
+    out.sy[i] = w[1].s[i];
+    out.gy[i] = w[1].g[i];
+    out.sz[i] = w[2].s[i];
+    out.gz[i] = w[2].g[i];
+  }
+  return out;
+}
 
 }  // namespace barreno

@@ -255,4 +255,17 @@ double smallest_half_size(const Scene& scene, int material) {
   return smallest;
 }
 
+double largest_corner(const Scene& scene) {
+  double largest = 0.0;
+  const auto take = [&](const Divisions& d) {
+    double sum = 0.0;
+    for (int axis = 0; axis < dimensions(scene.grid.mode); ++axis)
+      sum += d.along[axis].size * d.along[axis].size;
+    largest = std::max(largest, 0.5 * std::sqrt(sum) / scene.grid.cell_size);
+  };
+  for (const BodySpec& body : scene.bodies) take(divide_body(scene.grid, body));
+  for (const JetSlug& slug : scene.jet.slugs) take(divide_slug(scene, slug));
+  return largest;
+}
+
 }  // namespace barreno

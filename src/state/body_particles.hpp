@@ -51,4 +51,7 @@ std::vector<ParticleId> first_ids(const Scene& scene);
 /// Half size, in cells, of the smallest particle that the scene gives a material.
 double smallest_half_size(const Scene& scene, int material);
 
+/// From the centre to a corner, in cells, of the largest particle that the scene gives anything.
+double largest_corner(const Scene& scene);
+
 }  // namespace barreno

@@ -6,10 +6,10 @@
 namespace barreno {
 
 /// Why a particle was taken out of the run or held.
-enum class RemovalCause { left_grid, not_finite, material_failure, expanded };
-inline constexpr int removal_causes = 4;
+enum class RemovalCause { left_grid, not_finite, material_failure, expanded, inverted };
+inline constexpr int removal_causes = 5;
 inline constexpr std::array<const char*, removal_causes> removal_names{
-    "left_grid", "not_finite", "material_failure", "expanded"};
+    "left_grid", "not_finite", "material_failure", "expanded", "inverted"};
 
 struct RemovalTally {
   double count = 0.0;
@@ -46,6 +46,7 @@ struct Ledger {
   std::array<RemovalTally, removal_causes> removed{};
   double held = 0.0;           ///< particles that became stress-free debris
   double unloaded = 0.0;       ///< particles whose loaded faces were torn off
+  double clipped = 0.0;        ///< particles whose domain is cut at Largest Domain, now
   double retried_steps = 0.0;  ///< the same on every rank
 };
 

@@ -2,6 +2,7 @@
 #include "state/particles.hpp"
 
 #include "scene/body_force.hpp"
+#include "shape/shape_facts.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>
@@ -53,6 +54,7 @@ Particles make_particles(const Scene& scene, int material) {
       dim::length,
       is_manufactured(scene.body_force) ? dimensions(scene.grid.mode) : 0,
       {}};
+  p.clipped = {"clipped", dim::none, follows_deformation(scene) ? 1 : 0, {}};
   p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material, false) ? 1 : 0, {}};
   p.surface_share = {
       "surface_share", dim::none, has_loads(scene, material, true) ? 2 * (1 + d) : 0, {}};

@@ -28,6 +28,7 @@ inline constexpr int most_bodies = held_bit - 1;
 inline constexpr int unplaced_key = -1;
 inline constexpr int failed_key = -2;
 inline constexpr int expanded_key = -3;
+inline constexpr int inverted_key = -4;
 
 /// All particles of one material: structure of arrays, `count` rows used of `capacity`.
 /// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
@@ -55,6 +56,7 @@ struct Particles {
   Field longitudinal_modulus;  ///< K + 4G/3 of the last update [stress]
   Field history;  ///< the model's internal variables, in the order of its history_table()
   Field reference_position;  ///< X_p, only where a manufactured body force asks for it [length]
+  Field clipped;       ///< 1 if the domain is cut at Largest Domain, of shapes that deform [-]
   Field loaded_faces;  ///< bits of pressure loads on own faces; no components if there are none
   /// SurfaceShare of the inner, then the outer surface of a loaded ball; no components without one.
   Field surface_share;
@@ -86,6 +88,7 @@ struct Particles {
     f(longitudinal_modulus);
     f(history);
     f(reference_position);
+    f(clipped);
     f(loaded_faces);
     f(surface_share);
   }

@@ -17,6 +17,7 @@
 #include "step/solve_velocity.hpp"
 #include "step/stable_step.hpp"
 #include "step/surface_pressures.hpp"
+#include "step/tally_domains.hpp"
 #include "step/update_deformation.hpp"
 #include "step/update_stress.hpp"
 
@@ -66,11 +67,21 @@ void add(const ParticleTally& part, ParticleTally& sum) {
   sum.momentum += part.momentum;
 }
 
+/// Particles with an inverted domain have failed like those that their material gave up.
+void add(const DomainTally& domains, StressTally& set, double& clipped) {
+  clipped += domains.clipped;
+  StressTally failed;
+  failed.failures = domains.inverted;
+  failed.first_failed = domains.first_bad;
+  add(failed, set);
+}
+
 /// Everything of the step that changes particles; returns what their materials said.
 StressTally update_particles(
     const Scene& scene, double dt, State& state, ParticleTally& moved, StepResult& result
 ) {
   StressTally total;
+  double clipped = 0.0;
   for (std::size_t s = 0; s < state.particles.size(); ++s) {
     Particles& particles = state.particles[s];
     StressTally set;
@@ -82,14 +93,17 @@ StressTally update_particles(
       add(update_stress(scene, dt, rows, particles), set);
       state.effort.add(s, block++, watch.seconds());
     });
-    const bool stops =
-        scene.materials[static_cast<std::size_t>(particles.material)].bad_particles ==
-        BadParticlePolicy::stop;
+    add(tally_domains(scene, state.grid, particles), set, clipped);
+    const BadParticlePolicy policy =
+        scene.materials[static_cast<std::size_t>(particles.material)].bad_particles;
+    if (policy == BadParticlePolicy::hold) state.ledger.held += set.failures;
+    const bool stops = policy == BadParticlePolicy::stop;
     if (set.failures > 0.0 && stops && (result.failed < 0 || set.first_failed < result.failed))
       result = {true, set.first_failed, particles.material, result.interrupt};
     add(set, total);
     state.particle_steps += particles.count;
   }
+  state.ledger.clipped = clipped;
   return total;
 }
 

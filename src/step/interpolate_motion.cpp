@@ -5,6 +5,7 @@
 #include "base/region.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/shape_fields.hpp"
 
 namespace barreno {
 namespace {
@@ -47,9 +48,7 @@ struct InterpolateMotion {
 
   KOKKOS_INLINE_FUNCTION double batch(int tile, const BatchRows& rows, const Motion* patch) const {
     SupportBatch<typename S::template Support<M>> supports;
-    find_supports<M, S>(
-        frame, tile, rows, particles.position.values, particles.half_size.values, supports
-    );
+    find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
     const FieldView grid_motion = particles.grid_motion.values;
     const FieldView increment = particles.increment.values;
     double largest = 0.0;
@@ -78,7 +77,7 @@ double interpolate_motion(
     Kokkos::parallel_reduce(
         "interpolate_motion",
         range(grid.active),
-        Kernel{PatchFrame<decltype(mode)::dimensions>(grid), particles, nodes.motion, dt},
+        Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.motion, dt},
         Kokkos::Max<double>(largest)
     );
   });

@@ -41,6 +41,7 @@ int removal_cause(const Grid& grid, const Particles& particles, int p) {
   if (!std::isfinite(sum)) return static_cast<int>(RemovalCause::not_finite);
   if (particles.key(p) == failed_key) return static_cast<int>(RemovalCause::material_failure);
   if (particles.key(p) == expanded_key) return static_cast<int>(RemovalCause::expanded);
+  if (particles.key(p) == inverted_key) return static_cast<int>(RemovalCause::inverted);
   if (!grid.holds(x)) return static_cast<int>(RemovalCause::left_grid);
   return -1;
 }

@@ -6,6 +6,7 @@
 #include "shape/kinematics.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/shape_fields.hpp"
 
 namespace barreno {
 namespace {
@@ -32,9 +33,7 @@ void project_batch(
     State& state
 ) {
   SupportBatch<typename S::template Support<M>> supports;
-  find_supports<M, S>(
-      frame, tile, rows, particles.position.values, particles.half_size.values, supports
-  );
+  find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
   double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
   for (int k = 0; k < rows.count; ++k) {
     const Vector force = force_on(scene, state.clock, particles, rows.row[k]);
@@ -53,7 +52,7 @@ void project_body_force(const Scene& scene, State& state) {
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
-    const PatchFrame<M::dimensions> frame(state.grid);
+    const PatchFrame<M::dimensions> frame(scene, state.grid);
     for (const Particles& particles : state.particles)
       for (int tile = 0; tile < state.grid.active; ++tile) {
         const int end = particles.tile_begin(tile + 1);

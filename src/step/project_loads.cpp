@@ -6,6 +6,7 @@
 #include "shape/kinematics.hpp"
 #include "shape/place.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/shape_fields.hpp"
 #include "state/surface_share.hpp"
 
 #include <barreno/tangent.hpp>
@@ -123,7 +124,7 @@ auto face_support(
     const PatchFrame<M::dimensions>& frame, const Particles& particles, int tile, int p, int face
 ) {
   return S::template face_support<M>(
-      frame.place(frame.first(tile), particles.position.values, particles.half_size.values, p), face
+      frame.template place<S>(frame.first(tile), shape_fields(particles), p), face
   );
 }
 
@@ -135,7 +136,7 @@ void project_loads(const Scene& scene, State& state) {
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
-    const PatchFrame<M::dimensions> frame(state.grid);
+    const PatchFrame<M::dimensions> frame(scene, state.grid);
     const auto add =
         [&](const Particles& particles, int tile, int p, int face, const PressureLoadSpec& load) {
           const Vector force = face_force<M>(scene, load, state.clock.time, particles, p, face);
@@ -162,7 +163,7 @@ double tally_loads(const Scene& scene, double dt, State& state) {
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
-    const PatchFrame<M::dimensions> frame(state.grid);
+    const PatchFrame<M::dimensions> frame(scene, state.grid);
     const auto add =
         [&](const Particles& particles, int tile, int p, int face, const PressureLoadSpec& load) {
           const Vector force = face_force<M>(scene, load, state.clock.time, particles, p, face);

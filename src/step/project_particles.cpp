@@ -6,6 +6,7 @@
 #include "shape/kinematics.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/shape_fields.hpp"
 
 namespace barreno {
 namespace {
@@ -135,9 +136,7 @@ struct ProjectParticles {
 
   KOKKOS_INLINE_FUNCTION void batch(int tile, const BatchRows& rows, Sums* patch) const {
     SupportBatch<typename S::template Support<M>> supports;
-    find_supports<M, S>(
-        frame, tile, rows, particles.position.values, particles.half_size.values, supports
-    );
+    find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
     Given<M> given[rows_per_batch];
     BARRENO_IVDEP
     for (int k = 0; k < rows_per_batch; ++k) given[k].find(particles, rows.row[k]);
@@ -171,7 +170,7 @@ void project_particles(
     Kokkos::parallel_for(
         "project_particles",
         range(grid.active),
-        Kernel{PatchFrame<decltype(mode)::dimensions>(grid), particles, nodes.sums}
+        Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.sums}
     );
   });
 }

@@ -7,6 +7,7 @@
 #include "shape/kinematics.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/shape_fields.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>
@@ -71,9 +72,7 @@ void for_each_loaded_row(
       const int end = particles.tile_begin(tile + 1);
       for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch) {
         const BatchRows rows(particles.order, k, end);
-        find_supports<M, S>(
-            frame, tile, rows, particles.position.values, particles.half_size.values, supports
-        );
+        find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
         for (int i = 0; i < rows.count; ++i)
           if (particles.loaded_faces(rows.row[i]) != 0.0)
             visit(particles, tile, rows.row[i], supports.get(i));
@@ -163,7 +162,7 @@ void project_surface_pressures(const Scene& scene, State& state) {
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
-    const PatchFrame<M::dimensions> frame(state.grid);
+    const PatchFrame<M::dimensions> frame(scene, state.grid);
     for_each_loaded_row<M, S>(
         frame,
         state,
@@ -202,7 +201,7 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
-    const PatchFrame<M::dimensions> frame(state.grid);
+    const PatchFrame<M::dimensions> frame(scene, state.grid);
     for_each_loaded_row<M, S>(
         frame,
         state,

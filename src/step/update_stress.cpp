@@ -3,6 +3,7 @@
 
 #include "base/region.hpp"
 #include "state/step_rule.hpp"
+#include "step/bad_particle.hpp"
 #include "step/point_group.hpp"
 
 #include <limits>
@@ -55,13 +56,7 @@ struct UpdateStress {
     sums.failures += 1.0;
     const ParticleId id = particles.id(p);
     if (sums.first_failed < 0 || id < sums.first_failed) sums.first_failed = id;
-    particles.viscous_pressure(p) = 0.0;
-    if (policy == BadParticlePolicy::hold) {
-      for (int c = 0; c < components; ++c) particles.stress(p, c) = 0.0;
-      particles.body(p) = static_cast<unsigned char>(particles.body(p) | held_bit);
-    } else {
-      particles.key(p) = key;
-    }
+    treat_bad_particle(particles, p, policy, key);
   }
   KOKKOS_INLINE_FUNCTION void treat_failures(
       const Group& group, const Mask& failed, int key, StressTally& sums

@@ -2,17 +2,15 @@
 // Cost of a step, phase by phase, beside the memory bandwidth of the same process.
 #include "base/region.hpp"
 #include "rock_points.hpp"
+#include "shape_costs.hpp"
+#include "step_cost.hpp"
 #include "support/scenes.hpp"
 #include "triad.hpp"
 
 #include <Tpetra_Core.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <vector>
 
 namespace barreno {
 namespace {
@@ -45,31 +43,6 @@ Scene elastic_block() {
   scene.bodies[0].velocity = {20.0, 30.0, 25.0};
   scene.bodies[0].velocity_wave_number = {150.0, 200.0, 170.0};
   return scene;
-}
-
-struct Cost {
-  double nanoseconds = 0.0;  ///< per particle-step
-  double bytes = 0.0;        ///< state and scratch arrays per particle
-};
-
-Cost time_steps(const Scene& scene, int steps) {
-  State state = testing::start(scene);
-  testing::advance_to(scene, 1.0, state, 20);
-  std::vector<double> seconds;
-  clear_phase_times();
-  const double before = state.particle_steps;
-  for (int block = 0; block < 5; ++block) {
-    const auto start = std::chrono::steady_clock::now();
-    testing::advance_to(scene, 1.0, state, steps);
-    seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()
-    );
-  }
-  std::sort(seconds.begin(), seconds.end());
-  const double particle_steps = (state.particle_steps - before) / 5.0;
-  return {
-      seconds[2] / particle_steps * 1e9,
-      static_cast<double>(bytes_per_particle(state.particles.front()))};
 }
 
 void print_phases(double particle_steps) {
@@ -109,5 +82,6 @@ int main(int argc, char** argv) {
       space.bytes
   );
   print_phases(147456.0 * 5.0 * steps);
+  print_cost_of_shapes(steps);
   return 0;
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/types.hpp"
+
+namespace barreno {
+
+/// Over what a shape function takes the means of the grid's functions.
+enum class ParticleForm { point, box, parallelogram };
+
+/// Where a particle is, in units of cells. `x` counts from the first node of the tile's patch;
+/// `axis` is the radius of that node, so that r = axis + x[0] (axisymmetry only).
+struct ParticlePlace {
+  double x[3] = {};
+  double half[3] = {};  ///< half edges of the undeformed particle
+  double axis = 0.0;
+  double per_cell = 1.0;  ///< 1 / cell size
+  int row = 0;            ///< slots from one row of the patch to the next
+  double last = 0.0;      ///< last node of the patch, along each axis
+  double low[3] = {};     ///< first and last node of the grid
+  double high[3] = {};
+  double largest = 1.0;  ///< Largest Domain
+  /// F and the diagonal of U, F = R U; only for a shape function that follows them.
+  double f[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  double stretch[3] = {1.0, 1.0, 1.0};
+};
+
+}  // namespace barreno

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "shape/courant_table.hpp"
+#include "shape/tensor_shape.hpp"
+
+namespace barreno {
+
+/// B-splines of the grid at the particle's point: the particle is a mass at x_p, and a sum over
+/// particles is an integral with one point for each,
+///
+///   S_I = N_I(x_p),   grad S_I = grad N_I(x_p),   in axisymmetry T_I = N_I(x_p) / r_p.
+///
+/// Its size enters nowhere but in the faces of a load. Degrees 2 and 3 end at the faces of the grid
+/// with functions of their own (spline_weights).
+template <class S, unsigned Degree>
+struct SplineShape : TensorShape<S, Degree + 1> {
+  static constexpr bool follows_deformation = false;
+  static constexpr ParticleForm form = ParticleForm::point;
+
+  template <bool Radial>
+  KOKKOS_INLINE_FUNCTION static AxisWeights<Degree + 1> axis_weights(
+      const ParticlePlace& place, int d
+  ) {
+    return spline_weights<Radial, Degree>(
+        place.x[d], place.low[d], place.high[d], place.axis, place.per_cell
+    );
+  }
+  KOKKOS_INLINE_FUNCTION static AxisWeights<Degree + 1> face_weights(
+      const ParticlePlace& place, int d, double side
+  ) {
+    const double x = place.x[d] + side * place.half[d];
+    const double above = x > place.low[d] ? x : place.low[d];
+    // The upper end belongs to the last cell.
+    const double end = place.high[d] * (1.0 - 1e-15);
+    return spline_weights<false, Degree>(
+        above < end ? above : end, place.low[d], place.high[d], place.axis, place.per_cell
+    );
+  }
+};
+
+/// Linear functions. Their gradients jump at the nodes and particles that cross them bring noise,
+/// so that the results do not converge: for comparison and teaching.
+///
+/// A node that only the edge of a particle's cell touches has next to no mass but a whole gradient:
+/// no step is stable then (the critical Courant number tends to 0). The table holds the median over
+/// the places of the particles instead of the minimum, and `barreno check` says so.
+///
+/// Source: D. Sulsky, Z. Chen, H. Schreyer, CMAME 118 (1994) 179-196.
+struct Linear : SplineShape<Linear, 1> {
+  static constexpr const char* word = "linear";
+  static constexpr const char* warning =
+      "linear shape functions have no critical step (nodes that barely touch a body have next to "
+      "no mass): energy may grow at edges and where particles cross cells; take GIMP or CPDI for "
+      "anything but comparison";
+  /// V grad S = sum over the faces where all of the particle's box lies in one cell. Elsewhere a
+  /// part of a face's force of up to `unbalanced` is left at some node, by its size in cells.
+  static constexpr double balanced_part = 1.0;
+  static constexpr bool balanced_in_axisymmetry = true;
+  static double unbalanced(double size) { return size; }
+  static int reach(const Scene& scene) { return scene.loads.empty() ? 0 : 1; }
+  static double critical_courant(double half_size_in_cells) {
+    return CourantTable{{0.866, 0.884, 0.846, 0.811, 0.755, 0.731}}.at(half_size_in_cells);
+  }
+};
+
+/// Quadratic B-splines, knots at the centres of the cells.
+///
+/// Source: M. Steffen, R. Kirby, M. Berzins, IJNME 76 (2008) 922-948.
+struct QuadraticSpline : SplineShape<QuadraticSpline, 2> {
+  static constexpr const char* word = "quadratic B-spline";
+  static constexpr const char* warning = nullptr;
+  /// The same where the box lies in half a cell, between two knots; in axisymmetry nowhere, because
+  /// r dN/dr is quadratic there and one point does not integrate it.
+  static constexpr double balanced_part = 0.5;
+  static constexpr bool balanced_in_axisymmetry = false;
+  static double unbalanced(double size) { return 0.4 * size * size; }
+  static int reach(const Scene& /*scene*/) { return 1; }
+  static double critical_courant(double half_size_in_cells) {
+    return CourantTable{{0.868, 0.960, 0.995, 1.023, 1.089, 1.153}}.at(half_size_in_cells);
+  }
+};
+
+/// Cubic B-splines, knots at the nodes.
+struct CubicSpline : SplineShape<CubicSpline, 3> {
+  static constexpr const char* word = "cubic B-spline";
+  static constexpr const char* warning = nullptr;
+  /// Nowhere: the gradient is quadratic, and one point does not integrate it.
+  static constexpr double balanced_part = 0.0;
+  static constexpr bool balanced_in_axisymmetry = false;
+  static double unbalanced(double size) { return 0.25 * size * size; }
+  static int reach(const Scene& scene) { return scene.loads.empty() ? 1 : 2; }
+  static double critical_courant(double half_size_in_cells) {
+    return CourantTable{{1.404, 1.472, 1.489, 1.495, 1.499, 1.500}}.at(half_size_in_cells);
+  }
+};
+
+}  // namespace barreno

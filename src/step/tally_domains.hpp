@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+namespace barreno {
+
+/// Domains of one set after a step; only of shape functions that deform with their particles.
+struct DomainTally {
+  double clipped = 0.0;       ///< shortened to Largest Domain
+  double inverted = 0.0;      ///< turned inside out or flat by F
+  ParticleId first_bad = -1;  ///< smallest id among the inverted
+};
+
+/// Mark the particles whose domains are clipped (Particles::clipped) and give inverted ones to the
+/// material's particle policy. A deformation gradient cannot be integrated through det F = 0, but
+/// round-off of a needle may bring it there.
+DomainTally tally_domains(const Scene& scene, const Grid& grid, Particles& particles);
+
+}  // namespace barreno
