@@ -2,6 +2,7 @@
 #include "check.hpp"
 
 #include "scene/build_scene.hpp"
+#include "scene/velocity_fields.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
 #include "state/particles.hpp"
@@ -129,7 +130,13 @@ std::string feature_lines(const Scene& scene) {
                    : "the mode is two-dimensional: 2D data, 9 nodes per particle"
          ) +
          feature("pore fluid", false, "no material of the scene has one") +
-         feature("contact with friction", false, "all bodies share one velocity field");
+         feature(
+             "contact",
+             !scene.contacts.empty(),
+             scene.contacts.empty()
+                 ? std::string("no Contact list: materials stick where they meet")
+                 : std::to_string(velocity_fields(scene).count) + " velocity fields"
+         );
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ void project_loads(const Scene& scene, State& state) {
     const PatchFrame<M::dimensions> frame(state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
       const Vector force = face_force<M>(particles, p, face, pressure);
-      double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
+      const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+      double* const patch = &nodes.sums(first_sum(frame.patch, tile));
       face_support<M, S>(frame, particles, tile, p, face)
           .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
             double* const node = patch + slot * sum_components + first_force(M::dimensions);
@@ -99,7 +100,8 @@ double tally_loads(const Scene& scene, double dt, State& state) {
     const PatchFrame<M::dimensions> frame(state.grid);
     const auto add = [&](const Particles& particles, int tile, int p, int face, double pressure) {
       const Vector force = face_force<M>(particles, p, face, pressure);
-      const double* const patch = &state.nodes.motion(first_motion(frame.patch, tile));
+      const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+      const double* const patch = &nodes.motion(first_motion(frame.patch, tile));
       face_support<M, S>(frame, particles, tile, p, face)
           .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
             // Mean velocity of the step: v after it less half of its increment.

@@ -9,7 +9,7 @@
 namespace barreno {
 namespace {
 
-constexpr int tally_components = 8;
+constexpr int tally_components = 10;
 
 /// A condition on the nodes beyond one index of an axis: components that it sets, and to what.
 struct NodeCondition {
@@ -61,6 +61,8 @@ struct SolveVelocity {
   ArrayView<int> neighbours;
   ArrayView<unsigned char> counts;
   ArrayView<double> sums, motion, tally;
+  ArrayView<unsigned char> shared_tile;  ///< tiles in which contact acts; empty without contact
+  ArrayView<double> impulse;
   double dt, damping;
 
   /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
@@ -139,12 +141,37 @@ struct SolveVelocity {
     part[7] = -dt * drag[1];
   }
 
+  /// Contact's change of v^n, and its impulse as one more force.
+  KOKKOS_INLINE_FUNCTION void add_contact(
+      const double* contact, double inverse_mass, double (&force)[D], Velocity& v
+  ) const {
+    for (int d = 0; d < dimensions; ++d) {
+      v.before[d] += contact[d];
+      v.after[d] += contact[d] + contact[dimensions + d] * inverse_mass;
+      force[d] += contact[dimensions + d] / dt;
+    }
+  }
+  KOKKOS_INLINE_FUNCTION void tally_contact(
+      const double* contact, const Velocity& v, double* part
+  ) const {
+    for (int d = 0; d < dimensions; ++d) {
+      const double mean = 0.5 * (v.before[d] + v.after[d]);
+      part[8] += contact[dimensions + d] * mean;
+      part[9] += contact[2 * dimensions + d] * mean;
+    }
+  }
+
   KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components])
       const {
     alignas(64) double total[most_patch_nodes * sum_components];
     add_parts(tile, y, z, total);
     const int row = (z * patch.nodes + y) * patch.nodes;
     double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(dimensions);
+    constexpr int impulses = impulse_components(dimensions);
+    const double* const contact =
+        shared_tile.extent(0) > 0 && shared_tile(tile) != 0
+            ? &impulse(first_value(patch, tile, impulses)) + row * impulses
+            : nullptr;
     const TilePlace at = tile_place(tile);
     int index[3];  // of the node in the box
     for (int d = 0; d < 3; ++d) index[d] = at[d] * patch.tile_cells - patch.reach;
@@ -155,16 +182,18 @@ struct SolveVelocity {
       double* const out = moved + x * motion_components(dimensions);
       const double mass = node[0];
       const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
-      double drag[D], force[D];
+      double drag[D], force[D], push[D];
       Velocity v;
       for (int d = 0; d < dimensions; ++d) {
         drag[d] = damping * node[1 + d];
         force[d] = node[first_force(dimensions) + d] - drag[d];
+        push[d] = force[d];
         v.before[d] = node[1 + d] * inverse;
         v.after[d] = v.before[d] + dt * force[d] * inverse;
       }
+      if (contact != nullptr) add_contact(contact + x * impulses, inverse, push, v);
       double own[tally_components] = {};
-      apply_conditions(index, mass, force, v, own);
+      apply_conditions(index, mass, push, v, own);
       for (int d = 0; d < dimensions; ++d) {
         out[d] = v.after[d];
         out[dimensions + d] = v.after[d] - v.before[d];
@@ -172,6 +201,7 @@ struct SolveVelocity {
       for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
       if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
       tally_node(mass, force, drag, v, own);
+      if (contact != nullptr) tally_contact(contact + x * impulses, v, own);
       for (int i = 0; i < tally_components; ++i) part[i] += own[i];
     }
   }
@@ -187,7 +217,9 @@ struct SolveVelocity {
 
 }  // namespace
 
-GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes& nodes) {
+GridTally solve_velocity(
+    const Scene& scene, const Grid& grid, double dt, const ContactNodes& contact, Nodes& nodes
+) {
   const Region region("solve_velocity");
   const auto values = static_cast<std::size_t>(grid.active) * tally_components;
   if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
@@ -204,6 +236,8 @@ GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes&
             nodes.sums,
             nodes.motion,
             nodes.tally,
+            contact.shared_tile,
+            nodes.impulse,
             dt,
             scene.step.damping}
     );
@@ -212,7 +246,7 @@ GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes&
   for (int t = 0; t < grid.active; ++t)
     for (int i = 0; i < tally_components; ++i)
       sum[i] += nodes.tally(static_cast<std::size_t>(t * tally_components + i));
-  return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5], sum[6], sum[7]};
+  return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5], sum[6], sum[7], sum[8], sum[9]};
 }
 
 }  // namespace barreno

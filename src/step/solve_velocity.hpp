@@ -16,6 +16,8 @@ struct GridTally {
       0.0;  ///< axial, what the conditions changed in v^n (reaches particles by PIC only)
   double damped = 0.0;           ///< work done against the damping, part of force_work
   double damping_impulse = 0.0;  ///< axial, of the damping
+  double contact_work = 0.0;     ///< impulses of contact times mean velocity
+  double tangential_work = 0.0;  ///< the same of their parts along surfaces
 };
 
 /// Add the overlapping parts of neighbouring patches and solve for the velocity of every node, in
@@ -30,6 +32,9 @@ struct GridTally {
 /// @pre  sums hold each tile's own part, ghosts included (exchange_halo)
 /// @post nodes.motion holds v' and v' - v; the sums are left as they were, so that a step can be
 /// retried
-GridTally solve_velocity(const Scene& scene, const Grid& grid, double dt, Nodes& nodes);
+/// @param contact  tiles in which nodes.impulse joins the forces; none without contact
+GridTally solve_velocity(
+    const Scene& scene, const Grid& grid, double dt, const ContactNodes& contact, Nodes& nodes
+);
 
 }  // namespace barreno
