@@ -151,9 +151,8 @@ struct SolveVelocity {
       force[d] += contact[dimensions + d] / dt;
     }
   }
-  KOKKOS_INLINE_FUNCTION void tally_contact(
-      const double* contact, const Velocity& v, double* part
-  ) const {
+  KOKKOS_INLINE_FUNCTION void tally_contact(const double* contact, const Velocity& v, double* part)
+      const {
     for (int d = 0; d < dimensions; ++d) {
       const double mean = 0.5 * (v.before[d] + v.after[d]);
       part[8] += contact[dimensions + d] * mean;
