@@ -3,6 +3,7 @@
 
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
+#include "scene/velocity_fields.hpp"
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
@@ -174,7 +175,13 @@ std::string feature_lines(const Scene& scene) {
              space ? "nodes and particles have three coordinates"
                    : "the mode is two-dimensional: 2D data"
          ) +
-         feature("contact with friction", false, "all bodies share one velocity field");
+         feature(
+             "contact",
+             !scene.contacts.empty(),
+             scene.contacts.empty()
+                 ? std::string("no Contact list: materials stick where they meet")
+                 : std::to_string(velocity_fields(scene).count) + " velocity fields"
+         );
 }
 
 }  // namespace

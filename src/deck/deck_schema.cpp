@@ -61,6 +61,18 @@ Section bodies_section() {
             "as (Inner Radius / "
             "r)^2, in plane strain (Inner Radius / r), so that no volume changes"
         )
+            .if_given(),
+        vector(
+            "Motion",
+            dim::velocity,
+            any(),
+            "makes the body rigid: it moves with this velocity whatever happens, and needs a "
+            "material of its own; free without it"
+        )
+            .if_given(),
+        vector("Motion Times", dim::time, any(), "increasing; Motion Factors is linear in between")
+            .if_given(),
+        vector("Motion Factors", dim::none, any(), "of Motion, one for each of Motion Times")
             .if_given()})
     entries.push_back(entry);
   const Section body = {
@@ -159,6 +171,37 @@ Section confinement_section() {
        words("Bodies", {}, "names of lists in Bodies")},
       {},
       {}};
+}
+
+Section contact_section() {
+  const Section contact = {
+      "*",
+      "one pair of materials",
+      Presence::required,
+      {text("Material", "name of a list in Materials"),
+       text("Other Material", "name of another, which may be of the same Card"),
+       word(
+           "Kind",
+           {"friction", "frictionless", "stick"},
+           "what happens along surfaces that press on each other; all let the surfaces part"
+       ),
+       number(
+           "Friction Coefficient",
+           dim::none,
+           at_least(0.0),
+           "shear over pressure; only for friction"
+       )
+           .if_given()},
+      {},
+      {}};
+  return {
+      "Contact",
+      "materials whose surfaces slide on each other or part, a list of free name each; materials "
+      "without one stick together where they meet",
+      Presence::defaulted,
+      {},
+      {},
+      {contact}};
 }
 
 Section jet_section() {
@@ -314,6 +357,7 @@ Section build_schema() {
        confinement_section(),
        jet_section(),
        body_force_section(),
+       contact_section(),
        step_section(),
        time,
        output_section()},

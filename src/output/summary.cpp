@@ -98,6 +98,7 @@ void put_balances(JsonWriter& json, const Ledger& l) {
   json.number("load_impulse", l.load_impulse);
   json.number("body_impulse", l.body_impulse);
   json.number("damping_impulse", l.damping_impulse);
+  json.number("rigid_impulse", l.rigid_impulse);
   json.number("removed", total_removed(l).momentum);
   put_balance(json, momentum_balance(l));
   json.end_object();
@@ -106,6 +107,7 @@ void put_balances(JsonWriter& json, const Ledger& l) {
   json.number("elastic", l.elastic);
   json.number("plastic", l.plastic);
   json.number("viscous", l.viscous);
+  json.number("friction", l.friction);
   json.number("stress_integration", l.stress_integration);
   json.number("transfer", l.transfer);
   json.number("removed_kinetic", total_removed(l).kinetic);

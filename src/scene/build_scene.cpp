@@ -178,6 +178,8 @@ Scene build_scene(const Deck& deck) {
   add_confinement(deck, scene);
   add_jet(deck, scene);
   add_body_force(deck, scene);
+  check_rigid_bodies(deck, scene);
+  add_contacts(deck, scene);
   scene.step = read_step(deck, scene.grid.mode);
   scene.output = read_output(deck);
   if (scene.bodies.empty() && !scene.jet.present) {

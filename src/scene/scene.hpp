@@ -32,6 +32,19 @@ struct MaterialSpec {
   BadParticlePolicy bad_particles = BadParticlePolicy::remove;
 };
 
+/// Piecewise-linear function of time, constant outside its range.
+struct Table {
+  std::vector<double> time{0.0}, value{0.0};
+  double operator()(double t) const;
+};
+
+/// Prescribed motion of a rigid body: velocity * factor(t).
+struct MotionSpec {
+  bool prescribed = false;
+  Vector velocity{};  ///< [length/time]
+  Table factor{{0.0}, {1.0}};
+};
+
 struct BodySpec {
   std::string name;
   int material = 0;  ///< index into Scene::materials
@@ -45,15 +58,10 @@ struct BodySpec {
   double spin = 0.0;              ///< about the body's own middle, plane strain only [1/time]
   /// Of a hollow ball's inner surface, outward; the field keeps every volume [length/time].
   double radial_velocity = 0.0;
+  MotionSpec motion;
 };
 
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
-
-/// Piecewise-linear function of time, constant outside its range.
-struct Table {
-  std::vector<double> time{0.0}, value{0.0};
-  double operator()(double t) const;
-};
 
 /// Kinematic condition on the nodes of one face of the grid box (and beyond it).
 enum class ConditionKind { symmetry, fixed, prescribed_velocity };
@@ -136,6 +144,16 @@ inline double farthest_domain(Mode mode) {
   return mode == Mode::three_dimensional ? 16.0 / 3.0 : 8.0;
 }
 
+/// What the surfaces of two materials do to each other; bonded: what materials without a contact
+/// do, they share one velocity.
+enum class ContactKind { bonded, stick, friction, frictionless };
+struct ContactSpec {
+  std::string name;
+  std::array<int, 2> materials{};  ///< indices into Scene::materials, different
+  ContactKind kind = ContactKind::frictionless;
+  double friction = 0.0;  ///< coefficient of friction [-]
+};
+
 enum class Glyph { deformed, point };
 
 struct OutputSpec {
@@ -152,6 +170,7 @@ struct Scene {
   std::vector<BodySpec> bodies;
   std::vector<ConditionSpec> conditions;
   std::vector<PressureLoadSpec> loads;
+  std::vector<ContactSpec> contacts;
   JetSpec jet;
   BodyForceSpec body_force;
   StepSpec step;

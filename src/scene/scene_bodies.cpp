@@ -63,6 +63,7 @@ BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& gr
   }
   read_radial_velocity(deck, path, body);
   read_spin(deck, path, grid.mode, body);
+  body.motion = read_motion(deck, path, grid.mode);
   if (!inside(body.shape, grid)) {
     deck.refuse(
         path,

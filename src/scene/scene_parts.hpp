@@ -17,6 +17,12 @@ void add_loads(const Deck& deck, Scene& scene);
 void add_confinement(const Deck& deck, Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
 void add_body_force(const Deck& deck, Scene& scene);
+void add_contacts(const Deck& deck, Scene& scene);
+
+/// Motion of a body that is prescribed to be rigid.
+MotionSpec read_motion(const Deck& deck, const std::string& path, Mode mode);
+/// A rigid body has a material of its own, and nothing presses it.
+void check_rigid_bodies(const Deck& deck, const Scene& scene);
 
 /// A vector with one entry per dimension of the mode.
 Vector vector_at(const Deck& deck, const std::string& path, Mode mode);

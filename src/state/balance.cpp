@@ -49,7 +49,7 @@ Balance mass_balance(const Ledger& l) {
 
 Balance momentum_balance(const Ledger& l) {
   const double put_in = l.initial_momentum + l.launched_momentum + l.condition_impulse +
-                        l.load_impulse + l.body_impulse + l.damping_impulse;
+                        l.load_impulse + l.body_impulse + l.damping_impulse + l.rigid_impulse;
   // Net momenta may cancel (a standing wave, a load across y): the roots are what the same energy
   // carries one way.
   const double work = std::abs(l.boundary_work) + std::abs(l.body_work);
@@ -57,13 +57,13 @@ Balance momentum_balance(const Ledger& l) {
                        std::sqrt(2.0 * l.launched_mass * l.launched_kinetic) +
                        std::sqrt(2.0 * l.initial_mass * work) + std::abs(l.condition_impulse) +
                        std::abs(l.load_impulse) + std::abs(l.body_impulse) +
-                       std::abs(l.damping_impulse);
+                       std::abs(l.damping_impulse) + std::abs(l.rigid_impulse);
   return {l.momentum + total_removed(l).momentum - put_in, scale};
 }
 
 Balance energy_balance(const Ledger& l) {
-  const double found =
-      l.kinetic + l.elastic + l.plastic + l.viscous + l.damped + total_removed(l).kinetic;
+  const double found = l.kinetic + l.elastic + l.plastic + l.viscous + l.friction + l.damped +
+                       total_removed(l).kinetic;
   const double put_in =
       l.initial_kinetic + l.launched_kinetic + l.prestress + l.boundary_work + l.body_work;
   const double scale = l.initial_kinetic + l.launched_kinetic + l.prestress +

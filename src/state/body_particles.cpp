@@ -256,15 +256,27 @@ double smallest_half_size(const Scene& scene, int material) {
 }
 
 double largest_corner(const Scene& scene) {
+  const int dimension = dimensions(scene.grid.mode);
+  const double h = scene.grid.cell_size;
   double largest = 0.0;
-  const auto take = [&](const Divisions& d) {
-    double sum = 0.0;
-    for (int axis = 0; axis < dimensions(scene.grid.mode); ++axis)
-      sum += d.along[axis].size * d.along[axis].size;
-    largest = std::max(largest, 0.5 * std::sqrt(sum) / scene.grid.cell_size);
+  const auto take = [&](double x, double y, double z) {
+    if (dimension == 2) z = 0.0;
+    largest = std::max(largest, 0.5 * std::sqrt(x * x + y * y + z * z) / h);
   };
-  for (const BodySpec& body : scene.bodies) take(divide_body(scene.grid, body));
-  for (const JetSlug& slug : scene.jet.slugs) take(divide_slug(scene, slug));
+  for (const BodySpec& body : scene.bodies) {
+    const double size = wanted_size(scene.grid, body);
+    if (const auto* box = std::get_if<Box>(&body.shape)) {
+      const Divisions d = divide_box(scene.grid, body, *box);
+      take(d.along[0].size, d.along[1].size, d.along[2].size);
+    } else {
+      take(size, size, size);
+    }
+  }
+  for (const JetSlug& slug : scene.jet.slugs) {
+    const double across =
+        dimension == 2 ? divide_slug(scene, slug).along[0].size : slug_size(scene);
+    take(across, divide_length(scene, slug).size, across);
+  }
   return largest;
 }
 

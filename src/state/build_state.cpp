@@ -215,6 +215,15 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       return decltype(shape)::critical_courant(smallest_half_size(scene, static_cast<int>(m)));
     });
   }
+  state.fields = velocity_fields(scene);
+  state.nodes.resize(static_cast<std::size_t>(state.fields.count));
+  for (Particles& particles : state.particles) {
+    const auto field = static_cast<std::size_t>(
+        state.fields.of_material[static_cast<std::size_t>(particles.material)]
+    );
+    particles.field = static_cast<int>(field);
+    particles.rigid = state.fields.rigid_body[field] >= 0;
+  }
   const std::vector<ParticleId> first = first_ids(scene);
   state.slug_ids.assign(
       first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()
@@ -233,7 +242,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
           scene, particles, made, static_cast<unsigned>(b), body.initial_pressure, velocity
       );
     });
-    enter(particles, first_row, energy, state.ledger);
+    if (!particles.rigid) enter(particles, first_row, energy, state.ledger);
   }
   for (const PressureLoadSpec& load : scene.loads) {
     const bool fluid = load.kind == LoadKind::pore_fluid;

@@ -19,7 +19,7 @@ struct RemovalTally {
 /// Mass, axial momentum and energy of the run, each term measured where it arises and none found by
 /// difference. Sums over this rank since t = 0 unless said otherwise; the writers add the ranks.
 ///
-///   kinetic + elastic + plastic + viscous + damped + removed
+///   kinetic + elastic + plastic + viscous + friction + damped + removed
 ///     = initial_kinetic + launched + prestress + boundary_work + body_work + transfer +
 ///     stress_integration + remainder
 ///
@@ -32,7 +32,8 @@ struct Ledger {
   double elastic = 0.0;        ///< prestress plus recoverable work since then
   double plastic = 0.0;        ///< dissipated work of the materials
   double viscous = 0.0;        ///< work of the artificial viscosity
-  double boundary_work = 0.0;  ///< of loads and of moving conditions on the material
+  double friction = 0.0;       ///< dissipated by surfaces that slide on each other
+  double boundary_work = 0.0;  ///< of loads, moving conditions and rigid bodies on the material
   double body_work = 0.0;      ///< of the body force
   double damped = 0.0;         ///< work done against the damping of the step
   double stress_integration =
@@ -43,6 +44,7 @@ struct Ledger {
   double load_impulse = 0.0;       ///< axial impulse of the loads
   double body_impulse = 0.0;       ///< axial impulse of the body force
   double damping_impulse = 0.0;    ///< axial impulse of the damping
+  double rigid_impulse = 0.0;      ///< axial impulse of rigid bodies on the material
   std::array<RemovalTally, removal_causes> removed{};
   double held = 0.0;           ///< particles that became stress-free debris
   double unloaded = 0.0;       ///< particles whose loaded faces were torn off

@@ -32,11 +32,13 @@ KOKKOS_INLINE_FUNCTION std::size_t first_motion(const Patch& patch, int tile) {
          static_cast<std::size_t>(patch.size * motion_components(patch.dimensions));
 }
 
+/// Of one velocity field (scene/velocity_fields.hpp).
 struct Nodes {
   ArrayView<double>
       sums;  ///< own tiles, then ghosts; partial until solve_velocity adds the overlaps
-  ArrayView<double> motion;  ///< own tiles only
-  ArrayView<double> tally;   ///< energy and impulse of each tile over the step, scratch
+  ArrayView<double> motion;   ///< own tiles only
+  ArrayView<double> tally;    ///< energy and impulse of each tile over the step, scratch
+  ArrayView<double> impulse;  ///< of contact, in shared tiles (ContactNodes); empty without it
 };
 
 }  // namespace barreno

@@ -34,7 +34,9 @@ inline constexpr int inverted_key = -4;
 /// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
 /// particles has one order, whatever their history or rank count.
 struct Particles {
-  int material = 0;  ///< index into Scene::materials
+  int material = 0;    ///< index into Scene::materials
+  int field = 0;       ///< velocity field
+  bool rigid = false;  ///< one body with prescribed motion
   int count = 0;
   int capacity = 0;
   double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set

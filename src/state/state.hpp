@@ -2,6 +2,8 @@
 #pragma once
 
 #include "grid/grid.hpp"
+#include "scene/velocity_fields.hpp"
+#include "state/contact_nodes.hpp"
 #include "state/effort.hpp"
 #include "state/ledger.hpp"
 #include "state/nodes.hpp"
@@ -22,7 +24,9 @@ struct Clock {
 struct State {
   Grid grid;
   std::vector<Particles> particles;  ///< one set per material, in the order of Scene::materials
-  Nodes nodes;
+  VelocityFields fields;
+  std::vector<Nodes> nodes;  ///< by velocity field
+  ContactNodes contact;
   Clock clock;
   Ledger ledger;
   std::vector<double> cavities;  ///< volume of the pore fluid of each load, the same on all ranks

@@ -5,15 +5,20 @@
 #include "base/region.hpp"
 #include "grid/halo.hpp"
 #include "step/balance_load.hpp"
+#include "step/fit_normals.hpp"
 #include "step/interpolate_motion.hpp"
 #include "step/launch_jet.hpp"
 #include "step/mirror_walls.hpp"
 #include "step/move_particles.hpp"
+#include "step/move_rigid.hpp"
 #include "step/place_particles.hpp"
 #include "step/project_body_force.hpp"
 #include "step/project_loads.hpp"
 #include "step/project_particles.hpp"
 #include "step/release_torn_faces.hpp"
+#include "step/seek_normals.hpp"
+#include "step/share_nodes.hpp"
+#include "step/solve_contact.hpp"
 #include "step/solve_velocity.hpp"
 #include "step/stable_step.hpp"
 #include "step/surface_pressures.hpp"
@@ -34,24 +39,68 @@ constexpr int most_retries = 3;
 
 void project_sets(const Scene& scene, State& state) {
   const Stopwatch watch;
-  clear_nodes(state.grid, state.nodes);
+  for (Nodes& nodes : state.nodes) clear_nodes(state.grid, nodes);
   for (const Particles& particles : state.particles)
-    project_particles(scene, state.grid, particles, state.nodes);
+    project_particles(
+        scene, state.grid, particles, state.nodes[static_cast<std::size_t>(particles.field)]
+    );
   state.effort.node_seconds += watch.seconds();
+}
+
+void add(const GridTally& part, GridTally& sum) {
+  sum.kinetic_before += part.kinetic_before;
+  sum.kinetic_after += part.kinetic_after;
+  sum.force_work += part.force_work;
+  sum.condition_work += part.condition_work;
+  sum.condition_impulse += part.condition_impulse;
+  sum.filter_impulse += part.filter_impulse;
+  sum.damped += part.damped;
+  sum.damping_impulse += part.damping_impulse;
+  sum.absorbed += part.absorbed;
+  sum.absorbed_impulse += part.absorbed_impulse;
+  sum.contact_work += part.contact_work;
+  sum.tangential_work += part.tangential_work;
+}
+
+/// Velocities of all fields that forces move, and what they do to each other.
+GridTally solve_fields(
+    const Scene& scene,
+    double dt,
+    const std::vector<MirroredSums>& mirrored,
+    State& state,
+    RigidTally& rigid
+) {
+  rigid = solve_contact(scene, dt, state);
+  GridTally tally;
+  for (std::size_t f = 0; f < state.nodes.size(); ++f) {
+    if (state.fields.rigid_body[f] >= 0) continue;
+    Nodes& nodes = state.nodes[f];
+    GridTally part = solve_velocity(scene, state.grid, state.clock, dt, state.contact, nodes);
+    unfold_walls(scene, state.grid, mirrored[f], dt, nodes, part);
+    add(part, tally);
+  }
+  return tally;
 }
 
 /// Grid velocity and what it does to the particles, with a smaller step if a strain increment is
 /// too large.
-GridTally find_motion(const Scene& scene, const MirroredSums& mirrored, State& state, double& dt) {
+GridTally find_motion(
+    const Scene& scene,
+    const std::vector<MirroredSums>& mirrored,
+    State& state,
+    double& dt,
+    RigidTally& rigid
+) {
   GridTally tally;
   for (int retry = 0;; ++retry) {
-    tally = solve_velocity(scene, state.grid, state.clock, dt, state.nodes);
-    unfold_walls(scene, state.grid, mirrored, dt, state.nodes, tally);
+    tally = solve_fields(scene, dt, mirrored, state, rigid);
     std::vector<double> strain{0.0};
     const Stopwatch watch;
-    for (Particles& particles : state.particles)
-      strain[0] =
-          std::max(strain[0], interpolate_motion(scene, state.grid, state.nodes, dt, particles));
+    for (Particles& particles : state.particles) {
+      if (particles.rigid) continue;
+      const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+      strain[0] = std::max(strain[0], interpolate_motion(scene, state.grid, nodes, dt, particles));
+    }
     state.effort.node_seconds += watch.seconds();
     max_over_ranks(*state.grid.comm, strain);
     if (!(strain[0] > scene.step.largest_strain) || retry == most_retries) return tally;
@@ -85,6 +134,11 @@ StressTally update_particles(
   for (std::size_t s = 0; s < state.particles.size(); ++s) {
     Particles& particles = state.particles[s];
     StressTally set;
+    if (particles.rigid) {
+      set.stable_step = move_rigid(scene, state.clock, dt, particles);
+      add(set, total);
+      continue;
+    }
     std::size_t block = 0;
     for_each_block(particles.count, [&](Rows rows) {
       const Stopwatch watch;
@@ -111,6 +165,7 @@ StressTally update_particles(
 void tally_step(
     const Scene& scene,
     const GridTally& grid,
+    const RigidTally& rigid,
     double applied_work,
     const ParticleTally& moved,
     const StressTally& stress,
@@ -128,6 +183,11 @@ void tally_step(
       grid.condition_impulse + scene.step.pic_fraction * grid.filter_impulse;
   ledger.transfer +=
       grid.kinetic_before - moved.kinetic_before + moved.kinetic_after - grid.kinetic_after;
+  ledger.boundary_work += rigid.work;
+  ledger.rigid_impulse += rigid.impulse + scene.step.pic_fraction * rigid.filter_impulse;
+  const double lost_along = rigid.tangential_work - grid.tangential_work;
+  ledger.friction += lost_along;
+  ledger.transfer -= rigid.work - grid.contact_work - lost_along;
   ledger.elastic += stress.elastic;
   ledger.plastic += stress.plastic;
   ledger.viscous += stress.viscous;
@@ -157,7 +217,7 @@ void agree_on_failure(const Scene& scene, const State& state, StepResult& result
 
 StepResult advance(const Scene& scene, double next_time, State& state) {
   const Region region("advance");
-  auto& [grid, particles, nodes, clock, ledger, cavities, next_slug, slug_ids, stable, particle_steps, effort] =
+  auto& [grid, particles, fields, nodes, contact, clock, ledger, cavities, next_slug, slug_ids, stable, particle_steps, effort] =
       state;
 
   balance_load(scene, state);                            // tiles to ranks by measured cost
@@ -170,11 +230,18 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   release_torn_faces(scene, state);  // debris has none
   project_loads(scene, state);       // pressure on faces                 (2.4)
   project_surface_pressures(scene, state);
-  project_body_force(scene, state);                              // force per mass
-  const MirroredSums mirrored = fold_walls(scene, grid, nodes);  // symmetry planes
-  exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
-  const GridTally motion =
-      find_motion(scene, mirrored, state, dt);  // v', conditions; v, dt L at particles (2.5-2.6)
+  project_body_force(scene, state);  // force per mass
+  std::vector<MirroredSums> mirrored;
+  for (Nodes& field : nodes) mirrored.push_back(fold_walls(scene, grid, field));  // symmetry planes
+  for (const Nodes& field : nodes)
+    exchange_halo(grid, field.sums, grid.patch.size * sum_components);
+  share_nodes(state);          // where velocity fields meet: usually there is one  (6)
+  fit_normals(scene, state);   // of the surfaces between them
+  seek_normals(scene, state);  // turned to the widest gap, and the gap
+  RigidTally rigid;
+  const GridTally motion = find_motion(
+      scene, mirrored, state, dt, rigid
+  );  // v', conditions; v, dt L at particles (2.5-2.6)
 
   const double applied_work = tally_loads(scene, dt, state) +
                               tally_surface_pressures(scene, dt, state) +
@@ -186,7 +253,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   const StressTally stress =
       update_particles(scene, dt, state, moved, result);  // x, v, F, sigma (2.7-2.9)
   tally_step(
-      scene, motion, applied_work, moved, stress, state
+      scene, motion, rigid, applied_work, moved, stress, state
   );  // energy and momentum, term by term
   agree_on_failure(scene, state, result);
 

@@ -51,7 +51,7 @@ void remove_lost(const Grid& grid, Particles& particles, Ledger& ledger) {
   for (int p = 0; p < particles.count; ++p) {
     const int cause = removal_cause(grid, particles, p);
     if (cause < 0) continue;
-    tally_removal(particles, p, static_cast<RemovalCause>(cause), ledger);
+    if (!particles.rigid) tally_removal(particles, p, static_cast<RemovalCause>(cause), ledger);
     keep[static_cast<std::size_t>(p)] = 0;
   }
   keep_rows(particles, keep);

@@ -34,7 +34,8 @@ void project_batch(
 ) {
   SupportBatch<typename S::template Support<M>> supports;
   find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
-  double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
+  double* const patch =
+      &state.nodes[static_cast<std::size_t>(particles.field)].sums(first_sum(frame.patch, tile));
   for (int k = 0; k < rows.count; ++k) {
     const Vector force = force_on(scene, state.clock, particles, rows.row[k]);
     supports.get(k).for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
@@ -69,7 +70,7 @@ double tally_body_force(const Scene& scene, double dt, State& state) {
   const Region region("tally_body_force");
   double work = 0.0;
   for (const Particles& particles : state.particles)
-    for (int k = 0; k < particles.count; ++k) {
+    for (int k = 0; !particles.rigid && k < particles.count; ++k) {
       const int p = particles.order(k);
       const Vector force = force_on(scene, state.clock, particles, p);
       // Mean velocity of the step: v after it less half of its increment.

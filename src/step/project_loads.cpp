@@ -101,11 +101,11 @@ Vector face_force(
   return force;
 }
 
-/// visit(tile, row, face, load) for every loaded face of this rank.
+/// visit(particles, tile, row, face, load) for every loaded face of this rank.
 template <class Visitor>
 void for_each_loaded_face(const Scene& scene, const State& state, Visitor&& visit) {
   for (const Particles& particles : state.particles) {
-    if (particles.loaded_faces.components == 0) continue;
+    if (particles.rigid || particles.loaded_faces.components == 0) continue;
     for (int tile = 0; tile < state.grid.active; ++tile)
       for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
         const int p = particles.order(k);
@@ -143,7 +143,8 @@ void project_loads(const Scene& scene, State& state) {
           const bool absorbs = load.kind == LoadKind::non_reflecting;
           const double resistance =
               absorbs ? impedance(particles, p, face_area<M>(particles, p, face)) : 0.0;
-          double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
+          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+          double* const patch = &nodes.sums(first_sum(frame.patch, tile));
           face_support<M, S>(frame, particles, tile, p, face)
               .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
                 double* const sums = patch + slot * sum_components;
@@ -167,7 +168,8 @@ double tally_loads(const Scene& scene, double dt, State& state) {
     const auto add =
         [&](const Particles& particles, int tile, int p, int face, const PressureLoadSpec& load) {
           const Vector force = face_force<M>(scene, load, state.clock.time, particles, p, face);
-          const double* const patch = &state.nodes.motion(first_motion(frame.patch, tile));
+          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+          const double* const patch = &nodes.motion(first_motion(frame.patch, tile));
           face_support<M, S>(frame, particles, tile, p, face)
               .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
                 // Mean velocity of the step: v after it less half of its increment.

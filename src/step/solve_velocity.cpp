@@ -9,7 +9,7 @@
 namespace barreno {
 namespace {
 
-constexpr int tally_components = 10;
+constexpr int tally_components = 12;
 
 /// A condition on the nodes beyond one index of an axis: components that it sets, and to what.
 struct NodeCondition {
@@ -67,6 +67,8 @@ struct SolveVelocity {
   ArrayView<int> neighbours;
   ArrayView<unsigned char> counts;
   ArrayView<double> sums, motion, tally;
+  ArrayView<unsigned char> shared_tile;  ///< tiles in which contact acts; empty without contact
+  ArrayView<double> impulse;
   double dt, damping;
 
   /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
@@ -120,9 +122,9 @@ struct SolveVelocity {
     }
     for (int d = 0; d < dimensions; ++d) {
       if (!set[d]) continue;
-      const double impulse = mass * (v.after[d] - v.before[d]) - force[d] * dt;
-      part[3] += 0.5 * impulse * (v.before[d] + v.after[d]);
-      if (d == 1) part[4] += impulse;
+      const double given = mass * (v.after[d] - v.before[d]) - force[d] * dt;
+      part[3] += 0.5 * given * (v.before[d] + v.after[d]);
+      if (d == 1) part[4] += given;
     }
     if (set[1]) part[5] += mass * (v.before[1] - raw);
   }
@@ -158,12 +160,38 @@ struct SolveVelocity {
     part[9] = -dt * yielded[1];
   }
 
+  /// Contact's change of v^n, and its impulse as one more force. It comes after the impedances: it
+  /// was found for the velocities that these leave (solve_contact), so that surfaces that close end
+  /// with one velocity; were it resisted too, they would not, and momentum would go amiss.
+  KOKKOS_INLINE_FUNCTION void add_contact(
+      const double* contact, double inverse_mass, double (&force)[D], Velocity& v
+  ) const {
+    for (int d = 0; d < dimensions; ++d) {
+      v.before[d] += contact[d];
+      v.after[d] += contact[d] + contact[dimensions + d] * inverse_mass;
+      force[d] += contact[dimensions + d] / dt;
+    }
+  }
+  KOKKOS_INLINE_FUNCTION void tally_contact(const double* contact, const Velocity& v, double* part)
+      const {
+    for (int d = 0; d < dimensions; ++d) {
+      const double mean = 0.5 * (v.before[d] + v.after[d]);
+      part[10] += contact[dimensions + d] * mean;
+      part[11] += contact[2 * dimensions + d] * mean;
+    }
+  }
+
   KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components])
       const {
     alignas(64) double total[most_patch_nodes * sum_components];
     add_parts(tile, y, z, total);
     const int row = (z * patch.nodes + y) * patch.nodes;
     double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(dimensions);
+    constexpr int impulses = impulse_components(dimensions);
+    const double* const contact =
+        shared_tile.extent(0) > 0 && shared_tile(tile) != 0
+            ? &impulse(first_value(patch, tile, impulses)) + row * impulses
+            : nullptr;
     const TilePlace at = tile_place(tile);
     int index[3];  // of the node in the box
     for (int d = 0; d < 3; ++d) index[d] = at[d] * patch.tile_cells - patch.reach;
@@ -177,18 +205,20 @@ struct SolveVelocity {
       // An impedance Z resists the change of velocity too: f - Z (v' - v).
       const double yielding =
           mass > 0.0 ? 1.0 - mass / (mass + dt * node[impedance_component]) : 1.0;
-      double drag[D], force[D], yielded[D];
+      double drag[D], force[D], yielded[D], push[D];
       Velocity v;
       for (int d = 0; d < dimensions; ++d) {
         drag[d] = damping * node[1 + d];
         force[d] = node[first_force(dimensions) + d] - drag[d];
         yielded[d] = yielding * force[d];
         force[d] -= yielded[d];
+        push[d] = force[d];
         v.before[d] = node[1 + d] * inverse;
         v.after[d] = v.before[d] + dt * force[d] * inverse;
       }
+      if (contact != nullptr) add_contact(contact + x * impulses, inverse, push, v);
       double own[tally_components] = {};
-      apply_conditions(index, mass, force, v, own);
+      apply_conditions(index, mass, push, v, own);
       for (int d = 0; d < dimensions; ++d) {
         out[d] = v.after[d];
         out[dimensions + d] = v.after[d] - v.before[d];
@@ -196,6 +226,7 @@ struct SolveVelocity {
       for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
       if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
       tally_node(mass, force, drag, yielded, v, own);
+      if (contact != nullptr) tally_contact(contact + x * impulses, v, own);
       for (int i = 0; i < tally_components; ++i) part[i] += own[i];
     }
   }
@@ -212,7 +243,12 @@ struct SolveVelocity {
 }  // namespace
 
 GridTally solve_velocity(
-    const Scene& scene, const Grid& grid, const Clock& clock, double dt, Nodes& nodes
+    const Scene& scene,
+    const Grid& grid,
+    const Clock& clock,
+    double dt,
+    const ContactNodes& contact,
+    Nodes& nodes
 ) {
   const Region region("solve_velocity");
   const auto values = static_cast<std::size_t>(grid.active) * tally_components;
@@ -230,6 +266,8 @@ GridTally solve_velocity(
             nodes.sums,
             nodes.motion,
             nodes.tally,
+            contact.shared_tile,
+            nodes.impulse,
             dt,
             scene.step.damping}
     );
@@ -238,7 +276,19 @@ GridTally solve_velocity(
   for (int t = 0; t < grid.active; ++t)
     for (int i = 0; i < tally_components; ++i)
       sum[i] += nodes.tally(static_cast<std::size_t>(t * tally_components + i));
-  return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5], sum[6], sum[7], sum[8], sum[9]};
+  return {
+      sum[0],
+      sum[1],
+      sum[2],
+      sum[3],
+      sum[4],
+      sum[5],
+      sum[6],
+      sum[7],
+      sum[8],
+      sum[9],
+      sum[10],
+      sum[11]};
 }
 
 }  // namespace barreno

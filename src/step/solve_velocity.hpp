@@ -18,6 +18,8 @@ struct GridTally {
   double damping_impulse = 0.0;  ///< axial, of the damping
   double absorbed = 0.0;  ///< work of the impedances on the change of velocity, part of force_work
   double absorbed_impulse = 0.0;  ///< axial, of the same
+  double contact_work = 0.0;      ///< impulses of contact times mean velocity
+  double tangential_work = 0.0;   ///< the same of their parts along surfaces
 };
 
 /// Add the overlapping parts of neighbouring patches and solve for the velocity of every node, in
@@ -31,10 +33,16 @@ struct GridTally {
 ///
 /// @pre  sums hold each tile's own part, ghosts included (exchange_halo)
 /// @param clock  at the start of the step; `dt` is the step's own
+/// @param contact  tiles in which nodes.impulse joins the forces; none without contact
 /// @post nodes.motion holds v' and v' - v; the sums are left as they were, so that a step can be
 /// retried
 GridTally solve_velocity(
-    const Scene& scene, const Grid& grid, const Clock& clock, double dt, Nodes& nodes
+    const Scene& scene,
+    const Grid& grid,
+    const Clock& clock,
+    double dt,
+    const ContactNodes& contact,
+    Nodes& nodes
 );
 
 }  // namespace barreno

@@ -67,7 +67,7 @@ void for_each_loaded_row(
 ) {
   SupportBatch<typename S::template Support<M>> supports;
   for (const Particles& particles : state.particles) {
-    if (particles.surface_share.components == 0) continue;
+    if (particles.rigid || particles.surface_share.components == 0) continue;
     for (int tile = 0; tile < state.grid.active; ++tile) {
       const int end = particles.tile_begin(tile + 1);
       for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch) {
@@ -169,7 +169,8 @@ void project_surface_pressures(const Scene& scene, State& state) {
         [&](const Particles& particles, int tile, int p, const auto& support) {
           const Inside inside = pressure_inside<M>(scene, particles, p, pressures);
           const double volume = particles.volume(p);
-          double* const patch = &state.nodes.sums(first_sum(frame.patch, tile));
+          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+          double* const patch = &nodes.sums(first_sum(frame.patch, tile));
           support.for_each_node(
               frame.patch,
               [&](int slot, double s, const double* slope, double hoop) {
@@ -206,7 +207,8 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
         frame,
         state,
         [&](const Particles& particles, int tile, int p, const auto& support) {
-          const double* const motion = &state.nodes.motion(first_motion(frame.patch, tile));
+          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+          const double* const motion = &nodes.motion(first_motion(frame.patch, tile));
           const double volume = particles.volume(p);
           const auto work_under = [&](const Inside& inside, double part) {
             return dt * power_of<M>(inside, volume, support, frame.patch, motion, part);

@@ -111,7 +111,7 @@ double work_error(Mode mode, double h) {
   for (int tile = 0; tile < state.grid.active; ++tile)
     for (int slot = 0; slot < patch.size; ++slot) {
       double* const node =
-          &state.nodes.motion(first_motion(patch, tile)) + slot * motion_components(2);
+          &state.nodes[0].motion(first_motion(patch, tile)) + slot * motion_components(2);
       const auto place = state.grid.tile_place(tile);
       const int index[2] = {slot % patch.nodes, slot / patch.nodes};
       for (int d = 0; d < 2; ++d) {

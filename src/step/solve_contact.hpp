@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+namespace barreno {
+
+/// What rigid bodies gave to the material over the step, this rank's nodes, each counted once.
+struct RigidTally {
+  double work = 0.0;             ///< impulses on the material times velocities of the bodies
+  double tangential_work = 0.0;  ///< the same of the parts along surfaces
+  double impulse = 0.0;          ///< axial
+  double filter_impulse =
+      0.0;  ///< axial, of what contact changed in v^n (reaches particles by PIC only)
+};
+
+/// What the velocity fields do to each other at the nodes that they share. docs/method.md 6
+///
+///   v_a += m v_b / (m_a + m_b) ... of contact_impulse(), first on v^n, then on v^n + dt f / (m +
+///   dt Z)
+///
+/// The pairs take their turns; three fields and more at a node repeat them, each pair with what the
+/// others left. Momentum is kept by every pair. What changes v^n is seen by the particles only
+/// through the velocity that they move with; the impulse of the second joins the forces.
+///
+/// @pre  share_nodes, fit_normals, seek_normals
+/// @post Nodes::impulse of all fields, in shared tiles
+RigidTally solve_contact(const Scene& scene, double dt, State& state);
+
+}  // namespace barreno
