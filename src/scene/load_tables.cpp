@@ -4,19 +4,21 @@
 namespace barreno {
 namespace {
 
-Table read_table(const Deck& deck, const std::string& path, const std::string& values) {
-  Table table{deck.vector(path + "/Times"), deck.vector(path + "/" + values)};
+Table read_table(
+    const Deck& deck, const std::string& path, const std::string& times, const std::string& values
+) {
+  Table table{deck.vector(path + "/" + times), deck.vector(path + "/" + values)};
   if (table.time.empty() || table.time.size() != table.value.size()) {
     deck.refuse_value(
         path + "/" + values,
-        "has " + std::to_string(table.value.size()) + " entries, but Times has " +
+        "has " + std::to_string(table.value.size()) + " entries, but " + times + " has " +
             std::to_string(table.time.size()) + " (one belongs to each); make them equal"
     );
   }
   for (std::size_t i = 1; i < table.time.size(); ++i) {
     if (!(table.time[i] > table.time[i - 1])) {
       deck.refuse_value(
-          path + "/Times",
+          path + "/" + times,
           "does not increase at component " + std::to_string(i + 1) +
               " (the value there would be ambiguous); sort the times"
       );
@@ -41,24 +43,20 @@ Table read_pressure(const Deck& deck, const std::string& path) {
     );
   }
   if (constant) return {{0.0}, {deck.number(path + "/Pressure")}};
-  return read_table(deck, path, "Pressures");
+  return read_table(deck, path, "Times", "Pressures");
 }
 
-Table read_factors(const Deck& deck, const std::string& path, bool moves) {
-  const bool times = deck.has(path + "/Times"), factors = deck.has(path + "/Factors");
-  if (!times && !factors) return {{0.0}, {1.0}};
-  const std::string given = path + (times ? "/Times" : "/Factors");
-  if (!moves)
+Table read_factors(const Deck& deck, const std::string& path, const std::string& of) {
+  const std::string times = of + "Times", factors = of + "Factors";
+  const bool timed = deck.has(path + "/" + times), scaled = deck.has(path + "/" + factors);
+  if (!timed && !scaled) return {{0.0}, {1.0}};
+  if (timed != scaled)
     deck.refuse_value(
-        given, "has no meaning for this Kind; remove it or write prescribed velocity"
-    );
-  if (times != factors)
-    deck.refuse_value(
-        given,
-        std::string("stands without ") + (times ? "Factors" : "Times") +
+        path + "/" + (timed ? times : factors),
+        "stands without " + (timed ? factors : times) +
             " (they are the two columns of a table); give both"
     );
-  return read_table(deck, path, "Factors");
+  return read_table(deck, path, times, factors);
 }
 
 }  // namespace barreno

@@ -16,7 +16,7 @@ Table read_pressure(const Deck& deck, const std::string& path);
 bool has_pressure(const Deck& deck, const std::string& path);
 
 /// Times and Factors of the list at `path`; 1 without them. @throws DeckError
-/// @param moves  the list has a Velocity, which they multiply
-Table read_factors(const Deck& deck, const std::string& path, bool moves);
+/// @param of  what stands before both names: "", "Motion "
+Table read_factors(const Deck& deck, const std::string& path, const std::string& of);
 
 }  // namespace barreno

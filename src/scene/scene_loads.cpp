@@ -157,16 +157,18 @@ void add_conditions(const Deck& deck, Scene& scene) {
     condition.face = face_at(deck, path + "/Face", deck.word(path + "/Face"), scene.grid.mode);
     condition.kind = kind_of(deck.word(path + "/Kind"));
     const bool prescribed = condition.kind == ConditionKind::prescribed_velocity;
-    if (prescribed != deck.has(path + "/Velocity")) {
-      if (prescribed)
+    if (prescribed) {
+      if (!deck.has(path + "/Velocity"))
         deck.refuse(path + "/Velocity", "is missing (a prescribed velocity needs it); add it");
-      deck.refuse_value(
-          path + "/Velocity", "has no meaning for this Kind; remove it or write prescribed velocity"
-      );
+      condition.velocity = vector_at(deck, path + "/Velocity", scene.grid.mode);
+      condition.factor = read_factors(deck, path, "");
+    } else {
+      for (const char* name : {"/Velocity", "/Times", "/Factors"})
+        if (deck.has(path + name))
+          deck.refuse_value(
+              path + name, "has no meaning for this Kind; remove it or write prescribed velocity"
+          );
     }
-    if (prescribed) condition.velocity = vector_at(deck, path + "/Velocity", scene.grid.mode);
-    if (prescribed || deck.has(path + "/Times") || deck.has(path + "/Factors"))
-      condition.factor = read_factors(deck, path, prescribed);
     if (const ConditionSpec* other = condition_on(scene, condition.face)) {
       deck.refuse_value(
           path + "/Face",

@@ -1,38 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scene/load_tables.hpp"
 #include "scene/scene_parts.hpp"
 #include "scene/velocity_fields.hpp"
 
 namespace barreno {
-namespace {
-
-/// Factors of a motion; 1 without them.
-Table read_factors(const Deck& deck, const std::string& path) {
-  const bool times = deck.has(path + "/Motion Times"), factors = deck.has(path + "/Motion Factors");
-  if (times != factors)
-    deck.refuse(
-        path + (times ? "/Motion Factors" : "/Motion Times"),
-        "is missing (times and factors belong together); add it or remove the other"
-    );
-  if (!times) return {{0.0}, {1.0}};
-  Table table{deck.vector(path + "/Motion Times"), deck.vector(path + "/Motion Factors")};
-  if (table.time.empty() || table.time.size() != table.value.size())
-    deck.refuse_value(
-        path + "/Motion Factors",
-        "has " + std::to_string(table.value.size()) + " entries, but Motion Times has " +
-            std::to_string(table.time.size()) + " (one belongs to each); make them equal"
-    );
-  for (std::size_t i = 1; i < table.time.size(); ++i)
-    if (!(table.time[i] > table.time[i - 1]))
-      deck.refuse_value(
-          path + "/Motion Times",
-          "does not increase at component " + std::to_string(i + 1) +
-              " (the motion there would be ambiguous); sort the times"
-      );
-  return table;
-}
-
-}  // namespace
-
 MotionSpec read_motion(const Deck& deck, const std::string& path, Mode mode) {
   MotionSpec motion;
   if (!deck.has(path + "/Motion")) {
@@ -52,7 +23,7 @@ MotionSpec read_motion(const Deck& deck, const std::string& path, Mode mode) {
     deck.refuse_value(
         path + "/Motion", "has a radial component (a ring would have to stretch); make it zero"
     );
-  motion.factor = read_factors(deck, path);
+  motion.factor = read_factors(deck, path, "Motion ");
   return motion;
 }
 
