@@ -30,11 +30,28 @@ std::vector<T> gather(const Comm& comm, const std::vector<T>& mine, MPI_Datatype
   return all;
 }
 
-template <class T>
-void reduce(const Comm& comm, Teuchos::EReductionType operation, std::vector<T>& values) {
-  const std::vector<T> mine = values;
-  const int count = static_cast<int>(values.size());
-  Teuchos::reduceAll<int, T>(comm, operation, count, mine.data(), values.data());
+MPI_Op operation_of(Teuchos::EReductionType operation) {
+  if (operation == Teuchos::REDUCE_SUM) return MPI_SUM;
+  return operation == Teuchos::REDUCE_MIN ? MPI_MIN : MPI_MAX;
+}
+
+void reduce_raw(
+    const Comm& comm,
+    Teuchos::EReductionType operation,
+    void* values,
+    std::size_t count,
+    MPI_Datatype type
+) {
+  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
+  if (mpi == nullptr || comm.getSize() == 1) return;
+  MPI_Allreduce(
+      MPI_IN_PLACE,
+      values,
+      static_cast<int>(count),
+      type,
+      operation_of(operation),
+      *mpi->getRawMpiComm()
+  );
 }
 
 }  // namespace
@@ -46,18 +63,20 @@ std::vector<long long> gather_to_root(const Comm& comm, const std::vector<long l
   return gather(comm, mine, MPI_LONG_LONG);
 }
 
-void sum_over_ranks(const Comm& comm, std::vector<double>& values) {
-  reduce(comm, Teuchos::REDUCE_SUM, values);
+namespace detail {
+
+void reduce(
+    const Comm& comm, Teuchos::EReductionType operation, double* values, std::size_t count
+) {
+  reduce_raw(comm, operation, values, count, MPI_DOUBLE);
 }
-void sum_over_ranks(const Comm& comm, std::vector<long long>& values) {
-  reduce(comm, Teuchos::REDUCE_SUM, values);
+void reduce(
+    const Comm& comm, Teuchos::EReductionType operation, long long* values, std::size_t count
+) {
+  reduce_raw(comm, operation, values, count, MPI_LONG_LONG);
 }
-void min_over_ranks(const Comm& comm, std::vector<double>& values) {
-  reduce(comm, Teuchos::REDUCE_MIN, values);
-}
-void max_over_ranks(const Comm& comm, std::vector<double>& values) {
-  reduce(comm, Teuchos::REDUCE_MAX, values);
-}
+
+}  // namespace detail
 
 std::string broadcast_from_root(const Comm& comm, const std::string& text) {
   int length = static_cast<int>(text.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_EReductionType.hpp>
 
 #include <functional>
 #include <string>
@@ -20,12 +21,28 @@ inline bool is_root(const Comm& comm) {
 std::vector<double> gather_to_root(const Comm& comm, const std::vector<double>& mine);
 std::vector<long long> gather_to_root(const Comm& comm, const std::vector<long long>& mine);
 
+namespace detail {
+void reduce(const Comm& comm, Teuchos::EReductionType operation, double* values, std::size_t count);
+void reduce(
+    const Comm& comm, Teuchos::EReductionType operation, long long* values, std::size_t count
+);
+}  // namespace detail
+
 /// Entry by entry over the ranks, the result on every rank; all ranks give the same number of
 /// entries.
-void sum_over_ranks(const Comm& comm, std::vector<double>& values);
-void sum_over_ranks(const Comm& comm, std::vector<long long>& values);
-void min_over_ranks(const Comm& comm, std::vector<double>& values);
-void max_over_ranks(const Comm& comm, std::vector<double>& values);
+/// @param values  a std::vector or, without any allocation, a std::array of double or long long
+template <class Values>
+void sum_over_ranks(const Comm& comm, Values& values) {
+  detail::reduce(comm, Teuchos::REDUCE_SUM, values.data(), values.size());
+}
+template <class Values>
+void min_over_ranks(const Comm& comm, Values& values) {
+  detail::reduce(comm, Teuchos::REDUCE_MIN, values.data(), values.size());
+}
+template <class Values>
+void max_over_ranks(const Comm& comm, Values& values) {
+  detail::reduce(comm, Teuchos::REDUCE_MAX, values.data(), values.size());
+}
 
 /// The root's text on every rank.
 std::string broadcast_from_root(const Comm& comm, const std::string& text);

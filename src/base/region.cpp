@@ -17,7 +17,7 @@ std::size_t find_or_add(const char* label) {
   auto& phases = all_phases();
   for (std::size_t i = 0; i < phases.size(); ++i)
     if (phases[i].label == label) return i;
-  phases.push_back({label, 0.0, 0});
+  phases.push_back({label, label, 0.0, 0});
   return phases.size() - 1;
 }
 
@@ -35,7 +35,7 @@ void clear_phase_times() {
 }
 
 Region::Region(const char* label) : index_(find_or_add(label)), start_(now()) {
-  Kokkos::Profiling::pushRegion(label);
+  Kokkos::Profiling::pushRegion(all_phases()[index_].name);
 }
 
 Region::~Region() {

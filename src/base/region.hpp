@@ -9,6 +9,7 @@ namespace barreno {
 /// Seconds and calls under one label since the start of the process; the label is the verb's name.
 struct PhaseTime {
   const char* label = "";
+  std::string name;  ///< the same, as Kokkos wants it
   double seconds = 0.0;
   long calls = 0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/types.hpp"
+#include "base/launch.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -43,7 +43,7 @@ template <class Body>
 void for_each_row(const char* label, Rows rows, const Body& body) {
   constexpr int run = 64;
   const int runs = (rows.end - rows.begin + run - 1) / run;
-  Kokkos::parallel_for(
+  launch(
       label,
       range(runs),
       KOKKOS_LAMBDA(const int r) {

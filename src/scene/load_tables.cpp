@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/load_tables.hpp"
 
+#include <algorithm>
+#include <functional>
+
 namespace barreno {
 namespace {
 
@@ -15,14 +18,14 @@ Table read_table(
             std::to_string(table.time.size()) + " (one belongs to each); make them equal"
     );
   }
-  for (std::size_t i = 1; i < table.time.size(); ++i) {
-    if (!(table.time[i] > table.time[i - 1])) {
-      deck.refuse_value(
-          path + "/" + times,
-          "does not increase at component " + std::to_string(i + 1) +
-              " (the value there would be ambiguous); sort the times"
-      );
-    }
+  const auto later =
+      std::adjacent_find(table.time.begin(), table.time.end(), std::greater_equal<>());
+  if (later != table.time.end()) {
+    deck.refuse_value(
+        path + "/" + times,
+        "does not increase at component " + std::to_string(later - table.time.begin() + 2) +
+            " (the value there would be ambiguous); sort the times"
+    );
   }
   return table;
 }

@@ -36,6 +36,7 @@ KOKKOS_INLINE_FUNCTION std::size_t first_value(const Patch& patch, int tile, int
 /// Scratch of a step in which velocity fields may meet (docs/method.md 6), in patch layout. Values
 /// are set in shared tiles only, and read at shared nodes only. Empty without contact.
 struct ContactNodes {
+  ArrayView<unsigned char> tile_fields;  ///< own tiles, then ghosts: bits of the fields in them
   ArrayView<unsigned char> shared_tile;  ///< own tiles: 1 if a node of the patch is shared
   ArrayView<unsigned char>
       fields;  ///< own tiles: bits of the fields with mass at a shared node, else 0

@@ -8,6 +8,7 @@
 #include "step/place_particles.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace barreno {
 namespace {
@@ -54,8 +55,8 @@ void balance_load(const Scene& scene, State& state) {
   if (ranks == 1 || state.clock.step == 0 || state.clock.step % steps_per_balance != 0) return;
   const Region region("balance_load");
   const double own = state.effort.total();
-  std::vector<double> longest{own};
-  std::vector<double> sum{own};
+  std::array<double, 1> longest{own};
+  std::array<double, 1> sum{own};
   max_over_ranks(*state.grid.comm, longest);
   sum_over_ranks(*state.grid.comm, sum);
   if (longest[0] > tolerated_imbalance * sum[0] / ranks) {

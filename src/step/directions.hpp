@@ -28,7 +28,8 @@ struct Directions {
     const int sides = turned / steps;
     const double turn = 2.0 * std::acos(-1.0) / sides;
     for (int i = 0; i < turned; ++i) {
-      const double angle = spread * (i / sides + 1) / steps;
+      const int ring = i / sides + 1;
+      const double angle = spread * ring / steps;
       along[i] = std::cos(angle);
       aside[i] = std::sin(angle);
       across[i][0] = D == 2 ? 1.0 - 2.0 * (i % sides) : std::cos(turn * (i % sides));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/fit_normals.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "grid/halo.hpp"
 #include "shape/visit_kernels.hpp"
@@ -102,7 +103,7 @@ template <int Components>
 void clear_moments(State& state) {
   const Patch patch = state.grid.patch;
   for (auto& moments : state.contact.moments)
-    Kokkos::parallel_for(
+    launch(
         "clear_moments",
         range(state.grid.active),
         KOKKOS_LAMBDA(const int tile) {
@@ -118,7 +119,7 @@ void project_moments(const Scene& scene, State& state) {
   constexpr int dimensions = M::dimensions;
   clear_moments<moment_components(dimensions)>(state);
   for (const Particles& particles : state.particles)
-    Kokkos::parallel_for(
+    launch(
         "project_moments",
         range(state.grid.active),
         ProjectMoments<M, S>{
@@ -145,7 +146,7 @@ void fit_normals(const Scene& scene, State& state) {
     for (std::size_t i = 0; i < state.fields.pairs.size(); ++i) {
       const FieldPair& pair = state.fields.pairs[i];
       if (pair.kind == ContactKind::bonded) continue;
-      Kokkos::parallel_for(
+      launch(
           "fit_normals",
           range(state.grid.active),
           FitNormals<M::dimensions>{

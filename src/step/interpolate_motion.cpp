@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/interpolate_motion.hpp"
 
+#include "base/launch.hpp"
 #include "base/pack.hpp"
 #include "base/region.hpp"
 #include "shape/support_batch.hpp"
@@ -74,7 +75,7 @@ double interpolate_motion(
   double largest = 0.0;
   visit_kernels(scene, [&](auto mode, auto shape) {
     using Kernel = InterpolateMotion<decltype(mode), decltype(shape)>;
-    Kokkos::parallel_reduce(
+    launch_reduction(
         "interpolate_motion",
         range(grid.active),
         Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.motion, dt},

@@ -3,9 +3,7 @@
 
 #include "base/region.hpp"
 
-#include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace barreno {
 namespace {
@@ -21,19 +19,17 @@ struct Plane {
   bool is_beyond(int index) const { return lower ? index < node : index > node; }
 };
 
-std::vector<Plane> planes_of(const Scene& scene, const Grid& grid) {
-  std::vector<Plane> planes;
-  for (const ConditionSpec& condition : scene.conditions) {
-    if (condition.kind != ConditionKind::symmetry) continue;
-    const int face = static_cast<int>(condition.face);
-    const bool lower = face % 2 == 0;
-    planes.push_back({face / 2, lower ? 0 : grid.cells[face / 2], lower});
-  }
-  // Those across y last: they leave masses where the others would look for impedances.
-  std::stable_partition(planes.begin(), planes.end(), [](const Plane& plane) {
-    return plane.axis != 1;
-  });
-  return planes;
+/// visit(plane) for every symmetry plane, those across y last: they leave masses where the others
+/// would look for impedances.
+template <class Visitor>
+void for_each_plane(const Scene& scene, const Grid& grid, Visitor&& visit) {
+  for (const bool across_y : {false, true})
+    for (const ConditionSpec& condition : scene.conditions) {
+      const int face = static_cast<int>(condition.face);
+      if (condition.kind != ConditionKind::symmetry || (face / 2 == 1) != across_y) continue;
+      const bool lower = face % 2 == 0;
+      visit(Plane{face / 2, lower ? 0 : grid.cells[face / 2], lower});
+    }
 }
 
 /// visit(slot beyond the plane, slot of its image) of a tile's patch.
@@ -59,7 +55,7 @@ MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
   MirroredSums mirrored;
   const int dimensions = grid.patch.dimensions;
   const int force = first_force(dimensions);
-  for (const Plane& plane : planes_of(scene, grid))
+  for_each_plane(scene, grid, [&](const Plane& plane) {
     for (int tile = 0; tile < grid.active; ++tile)
       for_each_image(grid, plane, tile, [&](int beyond, int inside) {
         double* const patch = &nodes.sums(first_sum(grid.patch, tile));
@@ -78,6 +74,7 @@ MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
           to[force + d] += sign * std::exchange(from[force + d], 0.0);
         }
       });
+  });
   return mirrored;
 }
 
@@ -96,7 +93,7 @@ void unfold_walls(
   // from nodes beyond is -2 m v_y more than these would give unmirrored.
   tally.condition_impulse -= 2.0 * dt * mirrored.force;
   tally.filter_impulse -= 2.0 * mirrored.momentum;
-  for (const Plane& plane : planes_of(scene, grid))
+  for_each_plane(scene, grid, [&](const Plane& plane) {
     for (int tile = 0; tile < grid.active; ++tile)
       for_each_image(grid, plane, tile, [&](int beyond, int inside) {
         double* const patch = &nodes.motion(first_motion(grid.patch, tile));
@@ -114,6 +111,7 @@ void unfold_walls(
         tally.condition_impulse -= 2.0 * mass * change;
         tally.filter_impulse -= 2.0 * mass * (from[1] - change);
       });
+  });
 }
 
 }  // namespace barreno

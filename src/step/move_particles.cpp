@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/move_particles.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 
@@ -55,7 +56,7 @@ struct MoveParticles {
 template <class Kernel>
 ParticleTally move_rows(const Kernel& kernel, Rows rows) {
   ParticleTally tally;
-  Kokkos::parallel_reduce(
+  launch_reduction(
       "move_particles",
       range((rows.end - rows.begin + rows_per_run - 1) / rows_per_run),
       KOKKOS_LAMBDA(const int run, double& before, double& after, double& mass, double& momentum) {

@@ -8,6 +8,7 @@
 #include "grid/tiles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -234,7 +235,7 @@ void place_particles(const Scene& scene, const Placement& agreed, State& state) 
   if (agreed.someone_left) {
     migrate_particles(state);
     const Placement after = locate_particles(scene, state);
-    std::vector<double> flag{after.new_tile ? 1.0 : 0.0};
+    std::array<double, 1> flag{after.new_tile ? 1.0 : 0.0};
     max_over_ranks(*state.grid.comm, flag);
     new_tile = new_tile || flag[0] > 0.0;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/project_particles.hpp"
 
+#include "base/launch.hpp"
 #include "base/pack.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
@@ -167,7 +168,7 @@ void project_particles(
   const Region region("project_particles");
   visit_kernels(scene, [&](auto mode, auto shape) {
     using Kernel = ProjectParticles<decltype(mode), decltype(shape)>;
-    Kokkos::parallel_for(
+    launch(
         "project_particles",
         range(grid.active),
         Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.sums}

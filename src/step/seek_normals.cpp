@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/seek_normals.hpp"
 
+#include "base/launch.hpp"
 #include "base/numbers.hpp"
 #include "base/region.hpp"
 #include "grid/halo.hpp"
@@ -140,7 +141,7 @@ void clear_reach(const State& state, const ArrayView<double>& reach) {
   const int count = 2 * directions_about(patch.dimensions);
   const auto shared_tile = state.contact.shared_tile;
   constexpr double far = std::numeric_limits<double>::max();
-  Kokkos::parallel_for(
+  launch(
       "clear_reach",
       range(state.grid.active),
       KOKKOS_LAMBDA(const int tile) {
@@ -166,7 +167,7 @@ void find_reach(
   clear_reach(state, contact.reach[index]);
   for (const Particles& particles : state.particles) {
     if (particles.field != pair.a && particles.field != pair.b) continue;
-    Kokkos::parallel_for(
+    launch(
         "find_reach",
         range(state.grid.active),
         FindReach<M, S>{
@@ -192,7 +193,7 @@ void seek_round(const Scene& scene, double spread, bool axes, std::size_t index,
   const ContactNodes& contact = state.contact;
   const Directions<M::dimensions> directions(spread, axes);
   find_reach<M, S>(scene, directions, index, state);
-  Kokkos::parallel_for(
+  launch(
       "choose_normals",
       range(state.grid.active),
       ChooseNormals<M::dimensions>{

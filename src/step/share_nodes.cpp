@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/share_nodes.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "step/node_copies.hpp"
 
@@ -10,9 +11,10 @@ namespace {
 using Sums = Kokkos::Array<ArrayView<double>, most_velocity_fields>;
 
 /// Bits of the fields that have mass in the patch of each local tile.
-void find_tile_fields(const State& state, const ArrayView<unsigned char>& bits) {
+void find_tile_fields(const State& state) {
   const Grid& grid = state.grid;
   const Patch patch = grid.patch;
+  const auto& bits = state.contact.tile_fields;
   Kokkos::deep_copy(bits, static_cast<unsigned char>(0));
   for (const Particles& particles : state.particles)
     for (int t = 0; t < grid.active; ++t)
@@ -86,6 +88,7 @@ void make_room(State& state) {
   contact.moments.resize(state.nodes.size());
   contact.normal.resize(state.fields.pairs.size());
   contact.reach.resize(state.fields.pairs.size());
+  make_room(contact.tile_fields, all);
   make_room(contact.shared_tile, tiles);
   make_room(contact.fields, nodes(tiles, 1));
   for (Nodes& field : state.nodes) make_room(field.impulse, nodes(tiles, impulse_components(d)));
@@ -100,20 +103,17 @@ void share_nodes(State& state) {
   if (state.fields.count == 1) return;
   const Region region("share_nodes");
   make_room(state);
-  const ArrayView<unsigned char> tile_fields(
-      "tile_fields", static_cast<std::size_t>(state.grid.active + state.grid.ghosts)
-  );
-  find_tile_fields(state, tile_fields);
+  find_tile_fields(state);
   Sums sums;
   for (std::size_t f = 0; f < state.nodes.size(); ++f) sums[f] = state.nodes[f].sums;
-  Kokkos::parallel_for(
+  launch(
       "share_nodes",
       range(state.grid.active),
       ShareNodes{
           NodeCopies(state.grid),
           sums,
           state.fields.count,
-          tile_fields,
+          state.contact.tile_fields,
           state.contact.shared_tile,
           state.contact.fields}
   );

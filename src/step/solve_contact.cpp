@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/solve_contact.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "scene/rigid_velocity.hpp"
 #include "shape/kinematics.hpp"
@@ -180,7 +181,7 @@ RigidTally solve_contact(const Scene& scene, double dt, State& state) {
   if (state.contact.tally.extent(0) < values)
     state.contact.tally = ArrayView<double>("tally", 2 * values);
   visit_mode(scene.grid.mode, [&](auto mode) {
-    Kokkos::parallel_for(
+    launch(
         "solve_contact",
         range(state.grid.active),
         make_kernel<decltype(mode)::dimensions>(scene, dt, state)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/solve_velocity.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 
@@ -254,7 +255,7 @@ GridTally solve_velocity(
   const auto values = static_cast<std::size_t>(grid.active) * tally_components;
   if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
   visit_mode(scene.grid.mode, [&](auto mode) {
-    Kokkos::parallel_for(
+    launch(
         "solve_velocity",
         range(grid.active),
         SolveVelocity<decltype(mode)::dimensions>{

@@ -8,6 +8,7 @@
 #include "step/surface_pressures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -27,7 +28,7 @@ double stable_step_of_rows(const Scene& scene, const Particles& particles, int f
 
 double agree_on_step(const Scene& scene, double next_time, Placement& placement, State& state) {
   const Region region("agree_on_step");
-  std::vector<double> flags{
+  std::array<double, 4> flags{
       -state.stable_step,
       placement.someone_left ? 1.0 : 0.0,
       placement.new_tile ? 1.0 : 0.0,

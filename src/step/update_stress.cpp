@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/update_stress.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "state/step_rule.hpp"
 #include "step/bad_particle.hpp"
@@ -258,7 +259,7 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
             scene.step.largest_expansion,
             dt};
         constexpr int run = updates_in_parts<Model, typename RealFor<Model>::type> ? 512 : 64;
-        Kokkos::parallel_reduce(
+        launch_reduction(
             "update_stress",
             range((rows.end - rows.begin + run - 1) / run),
             KOKKOS_LAMBDA(const int r, StressTally& part) {

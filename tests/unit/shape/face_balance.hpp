@@ -59,7 +59,7 @@ double face_error(const ShapeCase& c) {
   S::template support<M>(c.place).for_each_node(
       patch,
       [&](int slot, double, const double(&g)[extent<D>], double t) {
-        const auto i = static_cast<std::size_t>(3 * slot);
+        const std::size_t i = 3 * static_cast<std::size_t>(slot);
         for (int d = 0; d < D; ++d) force[i + static_cast<std::size_t>(d)] += volume * g[d];
         if (M::hoop) force[i] += volume * t;
       }
@@ -71,7 +71,8 @@ double face_error(const ShapeCase& c) {
     if (M::hoop && d == 0) area *= 1.0 + side * 0.5 * edge[0] / radius;
     S::template face_support<M>(c.place, face)
         .for_each_node(patch, [&](int slot, double s, const auto&, double) {
-          force[static_cast<std::size_t>(3 * slot + d)] -= side * area * s;
+          force[3 * static_cast<std::size_t>(slot) + static_cast<std::size_t>(d)] -=
+              side * area * s;
         });
   }
   double largest = 0.0;

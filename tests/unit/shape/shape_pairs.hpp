@@ -32,6 +32,7 @@ using AllPairs = Pairs<AllModes, AllShapes>::Types;
 
 struct PairNames {
   template <class P>
+  // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest's name
   static std::string GetName(int /*number*/) {
     std::string name = P::Shape::word;
     for (char& c : name)
