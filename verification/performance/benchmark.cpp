@@ -82,6 +82,6 @@ int main(int argc, char** argv) {
       space.bytes
   );
   print_phases(147456.0 * 5.0 * steps);
-  print_cost_of_shapes(steps);
+  print_cost_of_shapes(steps, triad);
   return 0;
 }

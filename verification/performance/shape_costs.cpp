@@ -35,13 +35,27 @@ double phase_nanoseconds(const char* label, double particle_steps) {
   return 0.0;
 }
 
-void print_row(const char* mode, const Scene& scene, int steps, double particles) {
+/// What the machine can do, measured in this process.
+struct Machine {
+  double bytes_per_second, operations_per_second;
+};
+
+void print_row(
+    const char* mode, const Scene& scene, int steps, double particles, const Machine& machine
+) {
   const Cost cost = time_steps(scene, steps);
+  const LeastWork& least = cost.least;
+  const double limit = 1e9 * least.seconds(machine.bytes_per_second, machine.operations_per_second);
   std::printf(
-      "  %-14s %-20s %6.0f ns %6.0f %6.0f %6.0f bytes\n",
+      "| %s | %s | %.0f | %.1f | %.0f | %.0f | %.0f | %.2f | %.0f | %.0f | %.0f |\n",
       mode,
       scene.step.shape.c_str(),
       cost.best,
+      least.nodes,
+      least.bytes,
+      least.operations,
+      limit,
+      limit / cost.best,
       phase_nanoseconds("project_particles", 5.0 * steps * particles),
       phase_nanoseconds("interpolate_motion", 5.0 * steps * particles),
       cost.bytes
@@ -50,16 +64,21 @@ void print_row(const char* mode, const Scene& scene, int steps, double particles
 
 }  // namespace
 
-void print_cost_of_shapes(int steps) {
+void print_cost_of_shapes(int steps, double triad) {
+  const Machine machine{triad, measure_arithmetic()};
   std::printf(
-      "Shape functions, Johnson-Cook: ns per particle-step (fastest of five), of it project and "
-      "interpolate, bytes per particle\n"
+      "Shape functions, Johnson-Cook, %.1f GB/s, %.1f GFlop/s: per particle-step, the fastest of "
+      "five\n| mode | shape function | ns | nodes | least bytes | least operations | limit ns | "
+      "fraction | project ns | interpolate ns | memory bytes |\n|---|---|---|---|---|---|---|---|"
+      "---|---|---|\n",
+      triad * 1e-9,
+      machine.operations_per_second * 1e-9
   );
-  const auto print = [steps](const char* name, Mode mode, double particles) {
+  const auto print = [&](const char* name, Mode mode, double particles) {
     Scene scene = copper_block(mode);
     for_each_shape([&](auto shape) {
       scene.step.shape = decltype(shape)::word;
-      print_row(name, scene, steps, particles);
+      print_row(name, scene, steps, particles, machine);
     });
   };
   print("axisymmetric", Mode::axisymmetric, 32768.0);

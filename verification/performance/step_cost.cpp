@@ -28,7 +28,8 @@ Cost time_steps(const Scene& scene, int steps) {
   return {
       seconds[2] / particle_steps * 1e9,
       seconds[0] / particle_steps * 1e9,
-      static_cast<double>(bytes_per_particle(state.particles.front()))};
+      static_cast<double>(bytes_per_particle(state.particles.front())),
+      least_work(scene, state)};
 }
 
 }  // namespace barreno
