@@ -32,15 +32,15 @@ void reduce(
 /// entries.
 /// @param values  a std::vector or, without any allocation, a std::array of double or long long
 template <class Values>
-void sum_over_ranks(const Comm& comm, Values& values) {
+auto sum_over_ranks(const Comm& comm, Values& values) -> decltype(void(values.data())) {
   detail::reduce(comm, Teuchos::REDUCE_SUM, values.data(), values.size());
 }
 template <class Values>
-void min_over_ranks(const Comm& comm, Values& values) {
+auto min_over_ranks(const Comm& comm, Values& values) -> decltype(void(values.data())) {
   detail::reduce(comm, Teuchos::REDUCE_MIN, values.data(), values.size());
 }
 template <class Values>
-void max_over_ranks(const Comm& comm, Values& values) {
+auto max_over_ranks(const Comm& comm, Values& values) -> decltype(void(values.data())) {
   detail::reduce(comm, Teuchos::REDUCE_MAX, values.data(), values.size());
 }
 

@@ -37,6 +37,15 @@ void for_each_block(int count, Update&& update) {
 #define BARRENO_IVDEP
 #endif
 
+/// Before a loop of a few rounds, whose branches depend on the round alone.
+#if defined(__clang__)
+#define BARRENO_UNROLL _Pragma("clang loop unroll(full)")
+#elif defined(__GNUC__)
+#define BARRENO_UNROLL _Pragma("GCC unroll 8")
+#else
+#define BARRENO_UNROLL
+#endif
+
 /// Short runs of rows, each of which the compiler may vectorise: body(row) must touch its own row
 /// only.
 template <class Body>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/rows.hpp"
 #include "grid/patch.hpp"
 #include "shape/domain.hpp"
 #include "shape/tensor_support.hpp"
@@ -38,16 +39,18 @@ struct CornerSupport {
 
   template <class F>
   KOKKOS_INLINE_FUNCTION void for_each_value(F&& f) {
-    for (int c = 0; c < corners; ++c)
-      for (int d = 0; d < D; ++d) f(at[c][d]);
-    for (int i = 0; i < D; ++i)
-      for (int d = 0; d < D; ++d) f(slope[i][d]);
+    for (int c = 0; c < corners; ++c) BARRENO_UNROLL
+    for (int d = 0; d < D; ++d) f(at[c][d]);
+    BARRENO_UNROLL
+    for (int i = 0; i < D; ++i) BARRENO_UNROLL
+    for (int d = 0; d < D; ++d) f(slope[i][d]);
     f(skew[0]);
     f(skew[1]);
     f(per_radius);
   }
   template <class F>
   KOKKOS_INLINE_FUNCTION void for_each_slot(F&& f) {
+    BARRENO_UNROLL
     for (int c = 0; c < corners; ++c) f(slot[c]);
   }
 
@@ -59,9 +62,11 @@ struct CornerSupport {
   /// visit(slot, weight) for the nodes of one corner's cell.
   template <class Visitor>
   KOKKOS_INLINE_FUNCTION void for_corner_nodes(const Patch& sizes, int c, Visitor&& visit) const {
+    BARRENO_UNROLL
     for (int k = 0; k < (D == 3 ? 2 : 1); ++k) {
       const double wz = D == 3 ? (k == 0 ? 1.0 - at[c][D - 1] : at[c][D - 1]) : 1.0;
       const int layer = slot[c] + k * sizes.nodes * sizes.nodes;
+      BARRENO_UNROLL
       for (int j = 0; j < 2; ++j) {
         const double wy = wz * (j == 0 ? 1.0 - at[c][1] : at[c][1]);
         const double upper = wy * at[c][0];
@@ -75,17 +80,21 @@ struct CornerSupport {
   /// once, and its weights are the sums.
   template <class Visitor>
   KOKKOS_INLINE_FUNCTION void for_each_node(const Patch& sizes, Visitor&& visit) const {
+    BARRENO_UNROLL
     for (int c = 0; c < corners; ++c) {
       double s = 1.0;
       double g[extent<D>] = {};
+      BARRENO_UNROLL
       for (int i = 0; i < D; ++i) {
         if (D == 2) s += sign(c, i) * skew[i];
         double weight = sign(c, i);
         if (D == 2) weight += sign(c, 0) * sign(c, 1) * skew[1 - i];
+        BARRENO_UNROLL
         for (int d = 0; d < D; ++d) g[d] += share * slope[i][d] * weight;
       }
       for_corner_nodes(sizes, c, [&](int node, double w) {
         double gradient[extent<D>];
+        BARRENO_UNROLL
         for (int d = 0; d < D; ++d) gradient[d] = w * g[d];
         visit(node, w * share * s, gradient, w * share * per_radius);
       });
@@ -98,8 +107,10 @@ struct CornerSupport {
       Value* patch, const Patch& sizes, const Value& a, const Value (&b)[extent<D>], const Value& t
   ) const {
     Value m[extent<D>];
+    BARRENO_UNROLL
     for (int i = 0; i < D; ++i) {
       m[i] = slope[i][0] * b[0];
+      BARRENO_UNROLL
       for (int d = 1; d < D; ++d) m[i] += slope[i][d] * b[d];
       m[i] *= share;
     }
@@ -107,11 +118,14 @@ struct CornerSupport {
     Value m01{};
     if constexpr (Hoop) {
       m01 = skew[1] * m[0] + skew[0] * m[1];
+      BARRENO_UNROLL
       for (int i = 0; i < 2; ++i) m[i] += skew[i] * m0;
       m0 += (share * per_radius) * t;
     }
+    BARRENO_UNROLL
     for (int c = 0; c < corners; ++c) {
       Value corner = m0;
+      BARRENO_UNROLL
       for (int i = 0; i < D; ++i) corner = (c >> i & 1) != 0 ? corner + m[i] : corner - m[i];
       if constexpr (Hoop) corner = c == 0 || c == 3 ? corner + m01 : corner - m01;
       for_corner_nodes(sizes, c, [&](int node, double w) {
@@ -127,10 +141,12 @@ struct CornerSupport {
     Value m0{};
     Value m[extent<D>]{};
     Value m01{};
+    BARRENO_UNROLL
     for (int c = 0; c < corners; ++c) {
       Value v{};
       for_corner_nodes(sizes, c, [&](int node, double w) { v += w * patch[node]; });
       m0 += v;
+      BARRENO_UNROLL
       for (int i = 0; i < D; ++i) m[i] = (c >> i & 1) != 0 ? m[i] + v : m[i] - v;
       if constexpr (Hoop) m01 = c == 0 || c == 3 ? m01 + v : m01 - v;
     }
@@ -142,8 +158,10 @@ struct CornerSupport {
       m[0] += skew[1] * m01;
       m[1] += skew[0] * m01;
     }
+    BARRENO_UNROLL
     for (int d = 0; d < D; ++d) {
       out.d[d] = (share * slope[0][d]) * m[0];
+      BARRENO_UNROLL
       for (int i = 1; i < D; ++i) out.d[d] += (share * slope[i][d]) * m[i];
     }
     return out;

@@ -6,6 +6,7 @@
 #include "shape/particle_place.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace barreno {
 
@@ -71,7 +72,7 @@ struct Cpdi {
   }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Domain<M::dimensions> domain(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static Domain<M::dimensions> domain(const ParticlePlace& place) {
     constexpr int D = M::dimensions;
     Domain<D> out = deformed<D>(place);
     const bool none = flat(out);
@@ -81,32 +82,47 @@ struct Cpdi {
     return scale_domain(out, place.largest);
   }
 
-  /// Corners of a domain as places on the grid. A corner is held inside the patch and, in
-  /// axisymmetry, off the other side of the axis, where round-off may carry it.
+  /// A corner of a domain as a place on the grid. It is held inside the patch and, in axisymmetry,
+  /// off the other side of the axis, where round-off may carry it.
   template <class M>
-  KOKKOS_INLINE_FUNCTION static void put_corners(
-      const ParticlePlace& place, const Domain<M::dimensions>& domain, Support<M>& out
+  KOKKOS_FORCEINLINE_FUNCTION static void put_corner(
+      const ParticlePlace& place, const Domain<M::dimensions>& domain, int c, Support<M>& out
   ) {
     constexpr int D = M::dimensions;
-    for (int c = 0; c < Support<M>::corners; ++c) {
-      int slot = 0;
-      for (int d = D - 1; d >= 0; --d) {
-        double x = place.x[d];
-        for (int i = 0; i < D; ++i) x += Support<M>::sign(c, i) * domain.e[i][d];
-        if (M::hoop && d == 0) x = x > -place.axis ? x : -place.axis;
-        x = x > 0.0 ? x : 0.0;  // not a number: 0
-        x = x < place.last ? x : place.last;
-        double node = std::floor(x);
-        node = node < place.last - 1.0 ? node : place.last - 1.0;
-        out.at[c][d] = x - node;
-        slot = slot * place.row + static_cast<int>(node);
-      }
-      out.slot[c] = slot;
+    int slot = 0;
+    for (int d = D - 1; d >= 0; --d) {
+      double x = place.x[d];
+      for (int i = 0; i < D; ++i) x += Support<M>::sign(c, i) * domain.e[i][d];
+      if (M::hoop && d == 0) x = x > -place.axis ? x : -place.axis;
+      x = x > 0.0 ? x : 0.0;  // not a number: 0
+      x = x < place.last ? x : place.last;
+      double node = std::floor(x);
+      node = node < place.last - 1.0 ? node : place.last - 1.0;
+      out.at[c][d] = x - node;
+      slot = slot * place.row + static_cast<int>(node);
     }
+    out.slot[c] = slot;
+  }
+
+  /// A call for each, no loop: compilers vectorise over the particles only what has none inside.
+  template <class M, int... Corners>
+  KOKKOS_FORCEINLINE_FUNCTION static void put_corners(
+      const ParticlePlace& place,
+      const Domain<M::dimensions>& domain,
+      Support<M>& out,
+      std::integer_sequence<int, Corners...> /*each*/
+  ) {
+    (put_corner<M>(place, domain, Corners, out), ...);
+  }
+  template <class M>
+  KOKKOS_FORCEINLINE_FUNCTION static void put_corners(
+      const ParticlePlace& place, const Domain<M::dimensions>& domain, Support<M>& out
+  ) {
+    put_corners<M>(place, domain, out, std::make_integer_sequence<int, Support<M>::corners>{});
   }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
     constexpr int D = M::dimensions;
     const Domain<D> edges = domain<M>(place);
     const Domain<D> slope = dual(edges);

@@ -68,7 +68,7 @@ struct PatchFrame {
       for (int i = 0; i < dimensions; ++i)
         for (int k = 0; k < dimensions; ++k)
           out.f[i][k] = fields.deformation(p, dimensions * i + k);
-      find_stretches(fields.rotation, p, out);
+      if constexpr (S::form == ParticleForm::box) find_stretches(fields.rotation, p, out);
     }
     return out;
   }
