@@ -32,7 +32,7 @@ CavitiesWriter::CavitiesWriter(
 
 void CavitiesWriter::write(const Scene& scene, const State& state) {
   const Region region("write_cavities");
-  const std::vector<double> pressures = load_pressures(scene, state);
+  const ByLoad pressures = load_pressures(scene, state);
   std::vector<double> row{state.clock.time};
   for (const int load : pore_fluids(scene)) {
     row.push_back(state.cavities[static_cast<std::size_t>(load)]);

@@ -55,8 +55,8 @@ double touching(const GridSpec& grid) {
   return 1e-6 * grid.cell_size;
 }
 
-std::vector<Face> cutting_faces(const Shape& shape, const GridSpec& grid) {
-  std::vector<Face> faces;
+FaceList cutting_faces(const Shape& shape, const GridSpec& grid) {
+  FaceList faces;
   const std::optional<Middle> middle = middle_of(shape);
   if (!middle) return faces;
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
@@ -64,7 +64,7 @@ std::vector<Face> cutting_faces(const Shape& shape, const GridSpec& grid) {
       const double place = (upper ? grid.upper : grid.lower)[i];
       if (std::abs(middle->start[i] - place) <= touching(grid) &&
           std::abs(middle->end[i] - place) <= touching(grid))
-        faces.push_back(static_cast<Face>(2 * i + (upper ? 1 : 0)));
+        faces.face[faces.count++] = static_cast<Face>(2 * i + (upper ? 1 : 0));
     }
   }
   return faces;
@@ -92,7 +92,7 @@ Box box_around(const Shape& shape, const GridSpec& grid) {
 double most_measure(const Shape& shape, const GridSpec& grid) {
   const int dimension = dimensions(grid.mode);
   const double own = std::ldexp(
-      measure_bound(shape, dimension), -static_cast<int>(cutting_faces(shape, grid).size())
+      measure_bound(shape, dimension), -static_cast<int>(cutting_faces(shape, grid).count)
   );
   const Box box = box_around(shape, grid);
   double around = 1.0;

@@ -4,11 +4,21 @@
 #include "geometry/fill.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
+
 namespace barreno {
+
+/// Some faces of the grid; a list without memory of its own, for the step.
+struct FaceList {
+  std::array<Face, 6> face{};
+  std::size_t count = 0;
+  const Face* begin() const { return face.data(); }
+  const Face* end() const { return face.data() + count; }
+};
 
 /// Faces of the grid that go through a ball's centre or hold a cone's line: only the part inside is
 /// filled.
-std::vector<Face> cutting_faces(const Shape& shape, const GridSpec& grid);
+FaceList cutting_faces(const Shape& shape, const GridSpec& grid);
 
 /// The smallest box around the part of a shape that is filled. The grid ends half-spaces, and in
 /// axisymmetry the axis ends all shapes but boxes and polygons.

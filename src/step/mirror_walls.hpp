@@ -3,12 +3,17 @@
 
 #include "step/solve_velocity.hpp"
 
+#include <array>
+
 namespace barreno {
 
 /// What particles gave to nodes beyond symmetry planes, along y, this rank's tiles.
 struct MirroredSums {
   double momentum = 0.0, force = 0.0;
 };
+
+/// By velocity field.
+using MirroredFields = std::array<MirroredSums, most_velocity_fields>;
 
 /// A symmetry plane is a mirror: particles whose support reaches beyond it meet their own images.
 /// docs/method.md (2.5)

@@ -158,8 +158,16 @@ void clear_nodes(const Grid& grid, Nodes& nodes) {
   if (nodes.motion.extent(0) < n * width)
     nodes.motion =
         ArrayView<double>(Kokkos::ViewAllocateWithoutInitializing("motion"), 5 * n * width / 4);
-  const std::size_t used = first_sum(grid.patch, grid.active);
-  Kokkos::deep_copy(Kokkos::subview(nodes.sums, std::make_pair(std::size_t{0}, used)), 0.0);
+  const auto sums = nodes.sums;
+  const Patch patch = grid.patch;
+  launch(
+      "clear_nodes",
+      range(grid.active),
+      KOKKOS_LAMBDA(const int tile) {
+        double* const values = &sums(first_sum(patch, tile));
+        for (int i = 0; i < patch.size * sum_components; ++i) values[i] = 0.0;
+      }
+  );
 }
 
 void project_particles(

@@ -15,7 +15,7 @@ void find_tile_fields(const State& state) {
   const Grid& grid = state.grid;
   const Patch patch = grid.patch;
   const auto& bits = state.contact.tile_fields;
-  Kokkos::deep_copy(bits, static_cast<unsigned char>(0));
+  for (int t = 0; t < grid.active + grid.ghosts; ++t) bits(t) = 0;
   for (const Particles& particles : state.particles)
     for (int t = 0; t < grid.active; ++t)
       if (particles.tile_begin(t + 1) > particles.tile_begin(t))

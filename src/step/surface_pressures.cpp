@@ -34,7 +34,7 @@ struct Inside {
 /// p e and p F^-T grad e of the loads on a particle; `pressure` by load.
 template <class M>
 Inside pressure_inside(
-    const Scene& scene, const Particles& particles, int p, const std::vector<double>& pressure
+    const Scene& scene, const Particles& particles, int p, const ByLoad& pressure
 ) {
   constexpr unsigned parts = 1 + M::dimensions;
   double sum[parts] = {};
@@ -122,7 +122,7 @@ double power_of(
 constexpr double share_unit = 1.0 / (1LL << 50);
 
 /// New volumes of the cavities from the shares of this rank, by load.
-void grow_cavities(const Scene& scene, std::vector<double>& shares, State& state) {
+void grow_cavities(const Scene& scene, ByLoad& shares, State& state) {
   sum_over_ranks(*state.grid.comm, shares);
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     if (scene.loads[l].kind != LoadKind::pore_fluid) continue;
@@ -140,8 +140,8 @@ void grow_cavities(const Scene& scene, std::vector<double>& shares, State& state
 
 }  // namespace
 
-std::vector<double> load_pressures(const Scene& scene, const State& state) {
-  std::vector<double> pressures;
+ByLoad load_pressures(const Scene& scene, const State& state) {
+  ByLoad pressures{};
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     const PressureLoadSpec& load = scene.loads[l];
     double pressure = load.pressure(state.clock.time);
@@ -150,7 +150,7 @@ std::vector<double> load_pressures(const Scene& scene, const State& state) {
       if (!(ratio > 0.0)) refuse_closed(load.name);
       pressure -= load.bulk_modulus * std::log(ratio);
     }
-    pressures.push_back(pressure);
+    pressures[l] = pressure;
   }
   return pressures;
 }
@@ -158,7 +158,7 @@ std::vector<double> load_pressures(const Scene& scene, const State& state) {
 void project_surface_pressures(const Scene& scene, State& state) {
   if (!has_surface_loads(scene)) return;
   const Region region("project_surface_pressures");
-  const std::vector<double> pressures = load_pressures(scene, state);
+  const ByLoad pressures = load_pressures(scene, state);
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
@@ -188,16 +188,13 @@ void project_surface_pressures(const Scene& scene, State& state) {
 double tally_surface_pressures(const Scene& scene, double dt, State& state) {
   if (!has_surface_loads(scene)) return 0.0;
   const Region region("tally_surface_pressures");
-  const std::vector<double> pressures = load_pressures(scene, state);
+  const ByLoad pressures = load_pressures(scene, state);
   const std::size_t loads = scene.loads.size();
-  std::vector<std::vector<double>> unit_pressure;  // by load that has a cavity
-  std::vector<std::size_t> fluids;
-  for (std::size_t l = 0; l < loads; ++l)
-    if (scene.loads[l].kind == LoadKind::pore_fluid) {
-      fluids.push_back(l);
-      unit_pressure.emplace_back(loads, 0.0)[l] = 1.0;
-    }
-  std::vector<double> shares(loads, 0.0);
+  const bool fluids =
+      std::any_of(scene.loads.begin(), scene.loads.end(), [](const PressureLoadSpec& load) {
+        return load.kind == LoadKind::pore_fluid;
+      });
+  ByLoad shares{};
   double work = 0.0;
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
@@ -217,18 +214,19 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
           work += work_under(inside, 0.5);
           // The weights add up to 1 and their slopes to 0.
           state.ledger.load_impulse -= dt * volume * inside.gradient[1];
-          for (std::size_t i = 0; i < fluids.size(); ++i) {
-            const std::size_t l = fluids[i];
+          for (std::size_t l = 0; l < loads; ++l) {
+            if (scene.loads[l].kind != LoadKind::pore_fluid) continue;
+            ByLoad unit{};
+            unit[l] = 1.0;
             const double start = cavity_volume(ball_of(scene, scene.loads[l]), scene.grid);
-            const double grown =
-                work_under(pressure_inside<M>(scene, particles, p, unit_pressure[i]), 0.0);
+            const double grown = work_under(pressure_inside<M>(scene, particles, p, unit), 0.0);
             shares[l] += std::nearbyint(grown / (start * share_unit));
           }
         }
     );
   });
   state.ledger.boundary_work += work;
-  if (!fluids.empty()) grow_cavities(scene, shares, state);
+  if (fluids) grow_cavities(scene, shares, state);
   return work;
 }
 

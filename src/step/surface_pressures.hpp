@@ -3,14 +3,17 @@
 
 #include "state/state.hpp"
 
-#include <vector>
+#include <array>
 
 namespace barreno {
+
+/// One number for every load of a scene.
+using ByLoad = std::array<double, most_loads>;
 
 /// Pressure of every load now: that of its table, or of the fluid in its cavity,
 /// p = p0 - K ln(V / V0) [stress].
 /// @throws NumericalError on every rank if a cavity has closed
-std::vector<double> load_pressures(const Scene& scene, const State& state);
+ByLoad load_pressures(const Scene& scene, const State& state);
 
 /// Forces of the pressures on surfaces of balls. docs/method.md (2.4)
 ///
