@@ -144,6 +144,35 @@ std::string load_lines(const Scene& scene) {
          );
 }
 
+/// What differs from FLIP, stress last.
+std::string transfer_lines(const StepSpec& step) {
+  const bool flip = step.transfer == Transfer::flip;
+  const std::string name = transfer_name(step);
+  return feature(
+             "PIC share",
+             flip && step.pic_fraction > 0.0,
+             flip ? format("PIC Fraction = %g", step.pic_fraction) : "Transfer is " + name
+         ) +
+         feature(
+             "XPIC",
+             step.transfer == Transfer::xpic,
+             step.transfer == Transfer::xpic
+                 ? format("order %d: %d more projections", step.xpic_order, step.xpic_order - 1)
+                 : "Transfer is " + name
+         ) +
+         feature(
+             "APIC",
+             step.transfer == Transfer::apic,
+             step.transfer == Transfer::apic ? "particles keep first moments of the velocity"
+                                             : "Transfer is " + name
+         ) +
+         feature(
+             "second projection",
+             step.order != Order::stress_last,
+             std::string("Order is ") + order_name(step.order)
+         );
+}
+
 std::string feature_lines(const Scene& scene) {
   const bool space = scene.grid.mode == Mode::three_dimensional;
   const bool confined =
@@ -164,11 +193,7 @@ std::string feature_lines(const Scene& scene) {
              scene.step.linear_viscosity + scene.step.quadratic_viscosity > 0.0,
              format("A1 = %g, A2 = %g", scene.step.linear_viscosity, scene.step.quadratic_viscosity)
          ) +
-         feature(
-             "PIC share",
-             scene.step.pic_fraction > 0.0,
-             format("PIC Fraction = %g", scene.step.pic_fraction)
-         ) +
+         transfer_lines(scene.step) +
          feature(
              "third dimension",
              space,

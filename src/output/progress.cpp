@@ -109,6 +109,12 @@ void Progress::list_warnings() {
 
 namespace {
 
+std::string transfer_text(const StepSpec& step) {
+  if (step.transfer == Transfer::xpic) return "XPIC(" + std::to_string(step.xpic_order) + ")";
+  if (step.transfer == Transfer::apic) return "APIC";
+  return format("FLIP with %.3g PIC", step.pic_fraction);
+}
+
 std::string grid_text(const GridSpec& grid) {
   std::string text = mode_name(grid.mode);
   if (grid.mode == Mode::axisymmetric) text += " (x = r, y = axial)";
@@ -153,8 +159,8 @@ std::vector<std::string> scene_lines(
     );
   }
   lines.push_back(
-      "  modelled   " + std::string("explicit dynamics, GIMP, ") +
-      format("FLIP with %.3g PIC, ", scene.step.pic_fraction) + "artificial viscosity, " +
+      "  modelled   explicit dynamics, " + scene.step.shape + ", " + transfer_text(scene.step) +
+      ", " + order_name(scene.step.order) + ", artificial viscosity, " +
       std::to_string(scene.conditions.size()) + " conditions, " +
       std::to_string(scene.loads.size()) + " loads"
   );

@@ -89,6 +89,33 @@ void add_materials(const Deck& deck, Scene& scene) {
   }
 }
 
+/// PIC is the blend's end and APIC takes the grid's own velocity as PIC does.
+void read_transfer(const Deck& deck, StepSpec& step) {
+  const std::string word = deck.word("Step/Transfer");
+  if (word == "XPIC") step.transfer = Transfer::xpic;
+  if (word == "APIC") step.transfer = Transfer::apic;
+  step.pic_fraction = deck.number("Step/PIC Fraction");
+  if (word != "FLIP" && step.pic_fraction != 0.0) {
+    deck.refuse_value(
+        "Step/PIC Fraction",
+        "belongs to FLIP, but Transfer is " + word +
+            " (which has no share of PIC to choose); remove one of the two"
+    );
+  }
+  if (word == "PIC" || word == "APIC") step.pic_fraction = 1.0;
+  step.xpic_order = deck.integer("Step/XPIC Order");
+  if (word != "XPIC" && step.xpic_order != StepSpec{}.xpic_order) {
+    deck.refuse_value(
+        "Step/XPIC Order",
+        "belongs to XPIC, but Transfer is " + word +
+            " (which has no order); remove it or write Transfer = XPIC"
+    );
+  }
+  const std::string order = deck.word("Step/Order");
+  if (order == "modified stress last") step.order = Order::modified_stress_last;
+  if (order == "stress first") step.order = Order::stress_first;
+}
+
 StepSpec read_step(const Deck& deck, Mode mode) {
   StepSpec step;
   step.shape = deck.word("Step/Shape Function");
@@ -105,7 +132,7 @@ StepSpec read_step(const Deck& deck, Mode mode) {
   step.growth_limit = deck.number("Step/Growth Limit");
   step.largest_strain = deck.number("Step/Largest Strain");
   step.largest_expansion = deck.number("Step/Largest Expansion");
-  step.pic_fraction = deck.number("Step/PIC Fraction");
+  read_transfer(deck, step);
   step.damping = deck.number("Step/Damping");
   step.linear_viscosity = deck.number("Step/Linear Viscosity");
   step.quadratic_viscosity = deck.number("Step/Quadratic Viscosity");

@@ -122,6 +122,14 @@ struct JetSpec {
   int particles_per_cell = 4;    ///< per direction
 };
 
+/// How particles take the grid's velocities: as increments (FLIP, blended with PIC), as increments
+/// of velocities that the grid can hold (XPIC), or with their first moments (APIC).
+enum class Transfer { flip, xpic, apic };
+/// When of a step the strain is found: from the velocities that forces gave (stress last), from
+/// those that the moved particles give back to the grid (modified stress last), or at the start of
+/// the next step (stress first).
+enum class Order { stress_last, modified_stress_last, stress_first };
+
 struct StepSpec {
   std::string shape = "GIMP";   ///< the word of one of the list in shape/visit_kernels.hpp
   double largest_domain = 1.0;  ///< l_crit: corners further from x_p are pulled in [cells]
@@ -129,8 +137,11 @@ struct StepSpec {
       0.8;                      ///< of the critical Courant number of shape and particles per cell
   double growth_limit = 1.1;    ///< largest ratio of successive steps
   double largest_strain = 0.5;  ///< per step: |D| dt stays below, the step is retried smaller [-]
-  double largest_expansion = 10.0;   ///< V / V_ref beyond which the particle policy acts [-]
-  double pic_fraction = 0.0;         ///< 0 = FLIP, 1 = PIC
+  double largest_expansion = 10.0;  ///< V / V_ref beyond which the particle policy acts [-]
+  Transfer transfer = Transfer::flip;
+  double pic_fraction = 0.0;  ///< share of the grid's own velocity: 0 = FLIP, 1 = PIC, APIC
+  int xpic_order = 2;         ///< m of XPIC(m), at least 2
+  Order order = Order::stress_last;
   double damping = 0.0;              ///< f_I -= damping p_I [1/time]
   double linear_viscosity = 0.3;     ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
   double quadratic_viscosity = 2.0;  ///< A2
@@ -177,6 +188,17 @@ struct Scene {
   double end_time = 0.0;  ///< [time]
   OutputSpec output;
 };
+
+/// The deck's words for the transfer of a step, and for its order.
+inline const char* transfer_name(const StepSpec& step) {
+  if (step.transfer == Transfer::xpic) return "XPIC";
+  if (step.transfer == Transfer::apic) return "APIC";
+  return step.pic_fraction == 1.0 ? "PIC" : "FLIP";
+}
+inline const char* order_name(Order order) {
+  if (order == Order::modified_stress_last) return "modified stress last";
+  return order == Order::stress_first ? "stress first" : "stress last";
+}
 
 /// The deck's word for a mode.
 inline const char* mode_name(Mode mode) {

@@ -29,6 +29,22 @@ bool has_loads(const Scene& scene, int material, bool surfaces) {
   });
 }
 
+/// What the grid says to the particles, and what the transfer remembers of it.
+void add_transfer_fields(const Scene& scene, Particles& p) {
+  namespace dim = dimension;
+  const int d = dimensions(scene.grid.mode);
+  const bool xpic = scene.step.transfer == Transfer::xpic;
+  const bool again = xpic || scene.step.order != Order::stress_last;
+  const int gradient = d * d + (d == 2 ? 1 : 0);
+  const bool affine = scene.step.transfer == Transfer::apic;
+  p.affine = {"affine", {2, -1, 0, 0}, affine ? d * d : 0, {}};
+  p.grid_motion = {"grid_motion", dim::velocity, 2 * d, {}};
+  p.increment = {"increment", dim::none, gradient, {}};
+  p.again_motion = {"again_motion", dim::velocity, again ? 2 * d : 0, {}};
+  p.again_increment = {"again_increment", dim::none, xpic ? gradient : 0, {}};
+  p.residual = {"residual", dim::velocity, xpic ? d : 0, {}};
+}
+
 }  // namespace
 
 Particles make_particles(const Scene& scene, int material) {
@@ -58,8 +74,7 @@ Particles make_particles(const Scene& scene, int material) {
   p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material, false) ? 1 : 0, {}};
   p.surface_share = {
       "surface_share", dim::none, has_loads(scene, material, true) ? 2 * (1 + d) : 0, {}};
-  p.grid_motion = {"grid_motion", dim::velocity, 2 * d, {}};
-  p.increment = {"increment", dim::none, d * d + (d == 2 ? 1 : 0), {}};
+  add_transfer_fields(scene, p);
   reserve(p, 1);
   return p;
 }

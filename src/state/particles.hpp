@@ -62,10 +62,15 @@ struct Particles {
   Field loaded_faces;  ///< bits of pressure loads on own faces; no components if there are none
   /// SurfaceShare of the inner, then the outer surface of a loaded ball; no components without one.
   Field surface_share;
+  Field affine;  ///< B_p, first moments of the grid's velocity; of APIC [length^2/time]
 
   /// Scratch of the step, not state: what the grid says to the particle.
   Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]
   Field increment;    ///< dt L, then the unrotated strain increment, then the old volume
+  /// What the grid says a second time: XPIC, modified stress last and stress first only.
+  Field again_motion;
+  Field again_increment;  ///< XPIC only
+  Field residual;         ///< of XPIC: what of v_p the grid does not hold [length/time]
 
   ArrayView<int> key;    ///< tile * cells per tile + cell in tile, of the last sort
   ArrayView<int> spare;  ///< scratch of the sort
@@ -93,11 +98,15 @@ struct Particles {
     f(clipped);
     f(loaded_faces);
     f(surface_share);
+    f(affine);
   }
   template <class F>
   void for_each_scratch_field(F&& f) {
     f(grid_motion);
     f(increment);
+    f(again_motion);
+    f(again_increment);
+    f(residual);
   }
 };
 

@@ -13,8 +13,8 @@ struct StepResult {
   int interrupt = 0;       ///< signal that some rank received
 };
 
-/// One explicit step, stress last (USL), at most to `next_time`. docs/method.md numbers the
-/// equations.
+/// One explicit step in the scene's order (Order), at most to `next_time`. docs/method.md numbers
+/// the equations.
 StepResult advance(const Scene& scene, double next_time, State& state);
 
 }  // namespace barreno

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/move_particles.hpp"
 
-#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 
@@ -9,96 +8,42 @@ namespace barreno {
 
 namespace {
 
-/// Particles that move together: their loop vectorises, the sums over them follow in storage order.
-constexpr int rows_per_run = 64;
-
 template <class M, bool Short>
 struct MoveParticles {
-  FieldView position, velocity, grid_motion, increment, mass;
-  double pic, dt;
+  FieldView position, grid_motion, increment;
+  double dt;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int begin, int count, ParticleTally& tally) const {
-    double momentum[rows_per_run];
-    double before[rows_per_run];
-    double after[rows_per_run];
-    BARRENO_IVDEP
-    for (int k = 0; k < count; ++k) {
-      constexpr int dimensions = M::dimensions;
-      const int p = begin + k;
-      const double m = mass(p, 0);
-      double old_square = 0.0;
-      double new_square = 0.0;
-      for (int d = 0; d < dimensions; ++d) {
-        const double v = velocity(p, d);
-        const double w =
-            (1.0 - pic) * (v + grid_motion(p, dimensions + d)) + pic * grid_motion(p, d);
-        old_square += v * v;
-        new_square += w * w;
-        if (d == 1) momentum[k] = m * w;
-        velocity(p, d) = w;
-        if (M::hoop && d == 0)
-          position(p, 0) *= exponential<Short>(increment(p, 4));
-        else
-          position(p, d) += dt * grid_motion(p, d);
-      }
-      before[k] = 0.5 * m * old_square;
-      after[k] = 0.5 * m * new_square;
-    }
-    for (int k = 0; k < count; ++k) {
-      tally.kinetic_before += before[k];
-      tally.kinetic_after += after[k];
-      tally.momentum += momentum[k];
-      tally.mass += mass(begin + k, 0);
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const {
+    for (int d = 0; d < M::dimensions; ++d) {
+      if (M::hoop && d == 0)
+        position(p, 0) *= exponential<Short>(increment(p, 4));
+      else
+        position(p, d) += dt * grid_motion(p, d);
     }
   }
 };
 
-template <class Kernel>
-ParticleTally move_rows(const Kernel& kernel, Rows rows) {
-  ParticleTally tally;
-  launch_reduction(
-      "move_particles",
-      range((rows.end - rows.begin + rows_per_run - 1) / rows_per_run),
-      KOKKOS_LAMBDA(const int run, double& before, double& after, double& mass, double& momentum) {
-        const int begin = rows.begin + run * rows_per_run;
-        const int left = rows.end - begin;
-        ParticleTally part;
-        kernel(begin, left < rows_per_run ? left : rows_per_run, part);
-        before += part.kinetic_before;
-        after += part.kinetic_after;
-        mass += part.mass;
-        momentum += part.momentum;
-      },
-      tally.kinetic_before,
-      tally.kinetic_after,
-      tally.mass,
-      tally.momentum
-  );
-  return tally;
-}
-
 }  // namespace
 
-ParticleTally move_particles(const Scene& scene, double dt, Rows rows, Particles& particles) {
+void move_particles(const Scene& scene, double dt, Rows rows, Particles& particles) {
   const Region region("move_particles");
-  return visit_mode(scene.grid.mode, [&](auto mode) {
+  visit_mode(scene.grid.mode, [&](auto mode) {
     using M = decltype(mode);
     const auto move = [&](auto short_strain) {
-      return move_rows(
+      for_each_row(
+          "move_particles",
+          rows,
           MoveParticles<M, decltype(short_strain)::value>{
               particles.position.values,
-              particles.velocity.values,
               particles.grid_motion.values,
               particles.increment.values,
-              particles.mass.values,
-              scene.step.pic_fraction,
-              dt},
-          rows
+              dt}
       );
     };
     if (!M::hoop || all_short(particles.increment.values, rows, 4, 5))
-      return move(std::true_type{});
-    return move(std::false_type{});
+      move(std::true_type{});
+    else
+      move(std::false_type{});
   });
 }
 

@@ -146,7 +146,9 @@ struct SolveContact {
 };
 
 template <unsigned D>
-SolveContact<D> make_kernel(const Scene& scene, double dt, State& state) {
+SolveContact<D> make_kernel(
+    const Scene& scene, const Clock& clock, double dt, double damping, State& state
+) {
   SolveContact<D> kernel(state.grid, state.fields);
   for (std::size_t i = 0; i < state.fields.pairs.size(); ++i) {
     kernel.pairs[i] = state.fields.pairs[i];
@@ -158,8 +160,7 @@ SolveContact<D> make_kernel(const Scene& scene, double dt, State& state) {
     const int body = state.fields.rigid_body[f];
     kernel.rigid[f] = body >= 0;
     if (body < 0) continue;
-    const Vector v =
-        rigid_velocity(scene.bodies[static_cast<std::size_t>(body)], state.clock.time, dt);
+    const Vector v = rigid_velocity(scene.bodies[static_cast<std::size_t>(body)], clock.time, dt);
     for (std::size_t d = 0; d < 3; ++d) kernel.rigid_velocity[f][d] = v[d];
   }
   kernel.shared_tile = state.contact.shared_tile;
@@ -168,13 +169,15 @@ SolveContact<D> make_kernel(const Scene& scene, double dt, State& state) {
   kernel.tally = state.contact.tally;
   kernel.dt = dt;
   kernel.cell_size = scene.grid.cell_size;
-  kernel.damping = scene.step.damping;
+  kernel.damping = damping;
   return kernel;
 }
 
 }  // namespace
 
-RigidTally solve_contact(const Scene& scene, double dt, State& state) {
+RigidTally solve_contact(
+    const Scene& scene, const Clock& clock, double dt, double damping, State& state
+) {
   if (state.fields.count == 1) return {};
   const Region region("solve_contact");
   const auto values = static_cast<std::size_t>(state.grid.active) * tally_components;
@@ -184,7 +187,7 @@ RigidTally solve_contact(const Scene& scene, double dt, State& state) {
     launch(
         "solve_contact",
         range(state.grid.active),
-        make_kernel<decltype(mode)::dimensions>(scene, dt, state)
+        make_kernel<decltype(mode)::dimensions>(scene, clock, dt, damping, state)
     );
   });
   double sum[tally_components] = {};

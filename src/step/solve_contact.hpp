@@ -24,7 +24,11 @@ struct RigidTally {
 /// through the velocity that they move with; the impulse of the second joins the forces.
 ///
 /// @pre  share_nodes, fit_normals, seek_normals
+/// @param clock  at the start of the step, for the motion of rigid bodies
+/// @param damping  of the step, or 0 where the sums hold no forces [1/time]
 /// @post Nodes::impulse of all fields, in shared tiles
-RigidTally solve_contact(const Scene& scene, double dt, State& state);
+RigidTally solve_contact(
+    const Scene& scene, const Clock& clock, double dt, double damping, State& state
+);
 
 }  // namespace barreno

@@ -12,53 +12,6 @@ namespace {
 
 constexpr int tally_components = 12;
 
-/// A condition on the nodes beyond one index of an axis: components that it sets, and to what.
-struct NodeCondition {
-  int axis = 0;
-  int bound = 0;  ///< nodes <= bound (lower face) or >= bound (upper face)
-  bool lower = true;
-  bool sets[3] = {false, false, false};
-  double before[3] = {0.0, 0.0, 0.0};  ///< velocity before the step, and after it
-  double after[3] = {0.0, 0.0, 0.0};
-
-  KOKKOS_INLINE_FUNCTION bool holds(const int (&node)[3]) const {
-    return lower ? node[axis] <= bound : node[axis] >= bound;
-  }
-};
-
-constexpr int most_conditions = 7;
-struct NodeConditions {
-  int count = 0;
-  NodeCondition list[most_conditions];
-};
-
-/// The axis of revolution is a symmetry condition that no deck needs to ask for. Velocities of the
-/// scheme belong to the middles of steps: so a path is followed exactly where it is a parabola.
-NodeConditions node_conditions(
-    const Scene& scene, const Grid& grid, const Clock& clock, double dt
-) {
-  NodeConditions out;
-  if (scene.grid.mode == Mode::axisymmetric && grid.lower[0] == 0.0) {
-    NodeCondition& axis = out.list[out.count++];
-    axis.sets[0] = true;
-  }
-  for (const ConditionSpec& spec : scene.conditions) {
-    NodeCondition& c = out.list[out.count++];
-    const int face = static_cast<int>(spec.face);
-    c.axis = face / 2;
-    c.lower = face % 2 == 0;
-    c.bound = c.lower ? 0 : grid.cells[c.axis];
-    for (int d = 0; d < grid.patch.dimensions; ++d) {
-      c.sets[d] = spec.kind != ConditionKind::symmetry || d == c.axis;
-      if (spec.kind != ConditionKind::prescribed_velocity) continue;
-      const double velocity = spec.velocity[static_cast<std::size_t>(d)];
-      c.before[d] = velocity * spec.factor(clock.time - 0.5 * clock.dt);
-      c.after[d] = velocity * spec.factor(clock.time + 0.5 * dt);
-    }
-  }
-  return out;
-}
-
 template <unsigned D>
 struct SolveVelocity {
   static constexpr int dimensions = D;
@@ -246,8 +199,9 @@ struct SolveVelocity {
 GridTally solve_velocity(
     const Scene& scene,
     const Grid& grid,
-    const Clock& clock,
+    const NodeConditions& conditions,
     double dt,
+    double damping,
     const ContactNodes& contact,
     Nodes& nodes
 ) {
@@ -259,7 +213,7 @@ GridTally solve_velocity(
         "solve_velocity",
         range(grid.active),
         SolveVelocity<decltype(mode)::dimensions>{
-            node_conditions(scene, grid, clock, dt),
+            conditions,
             grid.patch,
             grid.tile_place,
             grid.neighbours,
@@ -270,7 +224,7 @@ GridTally solve_velocity(
             contact.shared_tile,
             nodes.impulse,
             dt,
-            scene.step.damping}
+            damping}
     );
   });
   double sum[tally_components] = {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
+#include "step/node_conditions.hpp"
 
 namespace barreno {
 
@@ -32,15 +32,17 @@ struct GridTally {
 /// agree to the last bit and no second exchange is needed.
 ///
 /// @pre  sums hold each tile's own part, ghosts included (exchange_halo)
-/// @param clock  at the start of the step; `dt` is the step's own
+/// @param conditions  of this step (node_conditions)
+/// @param damping  of the step, or 0 where the sums hold no forces [1/time]
 /// @param contact  tiles in which nodes.impulse joins the forces; none without contact
 /// @post nodes.motion holds v' and v' - v; the sums are left as they were, so that a step can be
 /// retried
 GridTally solve_velocity(
     const Scene& scene,
     const Grid& grid,
-    const Clock& clock,
+    const NodeConditions& conditions,
     double dt,
+    double damping,
     const ContactNodes& contact,
     Nodes& nodes
 );

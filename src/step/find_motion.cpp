@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/find_motion.hpp"
+
+#include "base/gather.hpp"
+#include "step/interpolate_motion.hpp"
+
+#include <algorithm>
+
+namespace barreno {
+namespace {
+
+/// A step is taken again at most this often; then the particle policy acts.
+constexpr int most_retries = 3;
+
+void add(const GridTally& part, GridTally& sum) {
+  sum.kinetic_before += part.kinetic_before;
+  sum.kinetic_after += part.kinetic_after;
+  sum.force_work += part.force_work;
+  sum.condition_work += part.condition_work;
+  sum.condition_impulse += part.condition_impulse;
+  sum.filter_impulse += part.filter_impulse;
+  sum.damped += part.damped;
+  sum.damping_impulse += part.damping_impulse;
+  sum.absorbed += part.absorbed;
+  sum.absorbed_impulse += part.absorbed_impulse;
+  sum.contact_work += part.contact_work;
+  sum.tangential_work += part.tangential_work;
+}
+
+/// Velocities of all fields that forces move, and what they do to each other.
+GridTally solve_fields(
+    const Scene& scene,
+    const Clock& clock,
+    double dt,
+    double damping,
+    const std::vector<MirroredSums>& mirrored,
+    State& state,
+    RigidTally& rigid
+) {
+  rigid = solve_contact(scene, clock, dt, damping, state);
+  const NodeConditions conditions = node_conditions(scene, state.grid, clock, dt);
+  GridTally tally;
+  for (std::size_t f = 0; f < state.nodes.size(); ++f) {
+    if (state.fields.rigid_body[f] >= 0) continue;
+    Nodes& nodes = state.nodes[f];
+    GridTally part =
+        solve_velocity(scene, state.grid, conditions, dt, damping, state.contact, nodes);
+    unfold_walls(scene, state.grid, mirrored[f], dt, nodes, part);
+    add(part, tally);
+  }
+  return tally;
+}
+
+}  // namespace
+
+void find_motion(
+    const Scene& scene,
+    const std::vector<MirroredSums>& mirrored,
+    double& dt,
+    State& state,
+    StepTally& tally
+) {
+  for (int retry = 0;; ++retry) {
+    tally.grid =
+        solve_fields(scene, state.clock, dt, scene.step.damping, mirrored, state, tally.rigid);
+    std::vector<double> strain{0.0};
+    const Stopwatch watch;
+    for (Particles& particles : state.particles) {
+      if (particles.rigid) continue;
+      const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+      strain[0] = std::max(strain[0], interpolate_motion(scene, state.grid, nodes, dt, particles));
+    }
+    state.effort.node_seconds += watch.seconds();
+    max_over_ranks(*state.grid.comm, strain);
+    if (!(strain[0] > scene.step.largest_strain) || retry == most_retries) return;
+    dt *= std::max(0.25, 0.8 * scene.step.largest_strain / strain[0]);
+    state.ledger.retried_steps += 1.0;
+  }
+}
+
+void find_strain(
+    const Scene& scene,
+    const std::vector<MirroredSums>& mirrored,
+    const Clock& clock,
+    double dt,
+    State& state
+) {
+  RigidTally rigid;
+  solve_fields(scene, clock, dt, 0.0, mirrored, state, rigid);
+  const Stopwatch watch;
+  for (const Particles& particles : state.particles) {
+    if (particles.rigid) continue;
+    const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+    Particles asking = particles;  // views of the same rows, but for the motion of the step
+    asking.grid_motion = particles.again_motion;
+    interpolate_motion(scene, state.grid, nodes, dt, asking);
+  }
+  state.effort.node_seconds += watch.seconds();
+}
+
+}  // namespace barreno

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/tally_step.hpp"
+
+namespace barreno {
+
+void tally_step(const Scene& scene, const StepTally& tally, State& state) {
+  const auto& [grid, rigid, applied_work, filter, moved, stress] = tally;
+  Ledger& ledger = state.ledger;
+  ledger.mass = moved.mass;
+  ledger.momentum = moved.momentum;
+  ledger.kinetic = moved.kinetic_after;
+  ledger.boundary_work += grid.condition_work + grid.absorbed;
+  ledger.load_impulse += grid.absorbed_impulse;
+  ledger.damped += grid.damped;
+  ledger.damping_impulse += grid.damping_impulse;
+  ledger.condition_impulse +=
+      grid.condition_impulse + scene.step.pic_fraction * grid.filter_impulse;
+  ledger.transfer +=
+      grid.kinetic_before - moved.kinetic_before + moved.kinetic_after - grid.kinetic_after;
+  ledger.boundary_work += rigid.work;
+  ledger.rigid_impulse += rigid.impulse + scene.step.pic_fraction * rigid.filter_impulse;
+  const double lost_along = rigid.tangential_work - grid.tangential_work;
+  ledger.friction += lost_along;
+  ledger.transfer -= rigid.work - grid.contact_work - lost_along;
+  ledger.elastic += stress.elastic;
+  ledger.plastic += stress.plastic;
+  ledger.viscous += stress.viscous;
+  ledger.stress_integration +=
+      grid.force_work + grid.damped - grid.absorbed - applied_work + stress.stress_work;
+  ledger.condition_impulse += filter.condition_impulse;
+  ledger.transfer += filter.kinetic;
+}
+
+}  // namespace barreno

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "step/accelerate_particles.hpp"
+#include "step/filter_velocity.hpp"
+#include "step/mirror_walls.hpp"
+#include "step/solve_contact.hpp"
+#include "step/update_stress.hpp"
+
+#include <vector>
+
+namespace barreno {
+
+/// What a step finds for the ledger on its way, this rank's part.
+struct StepTally {
+  GridTally grid;
+  RigidTally rigid;
+  double applied_work = 0.0;  ///< of loads and body force
+  FilterTally filter;
+  ParticleTally moved;
+  StressTally stress;
+};
+
+/// Each term where it arises; see Ledger.
+void tally_step(const Scene& scene, const StepTally& tally, State& state);
+
+}  // namespace barreno
