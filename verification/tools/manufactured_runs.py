@@ -30,9 +30,10 @@ def corner(mode, value):
     return "{" + ", ".join([f"{value!r} m"] * GRID_CORNER[mode]) + "}"
 
 
-def box_run(barreno, mode, shape, amplitude, cells, per_cell):
-    """Axis-aligned displacement of the unit box, half a period; its exact motion as x(X, t)."""
+def box_run(barreno, mode, shape, amplitude, cells, per_cell, more=None):
+    """Axis-aligned displacement of the unit box, half a period, with more settings; its exact motion as x(X, t)."""
     settings = {
+        **(more or {}),
         "Grid/Mode": mode,
         "Grid/Cell Size": repr(1.0 / cells),
         "Body Force/Amplitude": repr(amplitude),
