@@ -31,10 +31,10 @@ struct GatherAffine {
   template <class Support>
   KOKKOS_INLINE_FUNCTION void gather_row(int p, const Support& support, const double* patch) const {
     const NodeMoments<dimensions> moments(frame.patch, support);
-    double first[dimensions][dimensions] = {};
+    double first[extent<dimensions>][extent<dimensions>] = {};
     support.for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
-      double at[dimensions];
-      place_of_slot(frame.patch, slot, at);
+      double at[extent<dimensions>];
+      place_of_slot<dimensions>(frame.patch, slot, at);
       const double* const v = patch + slot * motion_components(dimensions);
       for (int i = 0; i < dimensions; ++i)
         for (int d = 0; d < dimensions; ++d) first[i][d] += s * v[i] * (at[d] - moments.centre[d]);

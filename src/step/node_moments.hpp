@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/types.hpp"
 #include "grid/patch.hpp"
 
 namespace barreno {
 
 /// A node of a patch by its place along each axis [cells].
 template <int D>
-KOKKOS_INLINE_FUNCTION void place_of_slot(const Patch& patch, int slot, double (&at)[D]) {
+KOKKOS_INLINE_FUNCTION void place_of_slot(const Patch& patch, int slot, double (&at)[extent<D>]) {
   for (int d = 0; d < D; ++d, slot /= patch.nodes) at[d] = slot % patch.nodes;
 }
 
@@ -17,19 +18,19 @@ KOKKOS_INLINE_FUNCTION void place_of_slot(const Patch& patch, int slot, double (
 /// particle is for the others.
 template <int D>
 struct NodeMoments {
-  double centre[D] = {};
-  double second[D][D] = {};
+  double centre[extent<D>] = {};
+  double second[extent<D>][extent<D>] = {};
 
   template <class Support>
   KOKKOS_INLINE_FUNCTION NodeMoments(const Patch& patch, const Support& support) {
     support.for_each_node(patch, [&](int slot, double s, const double*, double) {
-      double at[D];
-      place_of_slot(patch, slot, at);
+      double at[extent<D>];
+      place_of_slot<D>(patch, slot, at);
       for (int d = 0; d < D; ++d) centre[d] += s * at[d];
     });
     support.for_each_node(patch, [&](int slot, double s, const double*, double) {
-      double at[D];
-      place_of_slot(patch, slot, at);
+      double at[extent<D>];
+      place_of_slot<D>(patch, slot, at);
       for (int d = 0; d < D; ++d) at[d] -= centre[d];
       for (int d = 0; d < D; ++d)
         for (int e = 0; e < D; ++e) second[d][e] += s * at[d] * at[e];
@@ -42,11 +43,11 @@ struct NodeMoments {
 template <int D>
 struct InverseMoments {
   static constexpr double smallest = 1e-12;
-  double factor[D][D] = {};  ///< D = L diag(d) L^T, L below the diagonal
-  double inverse[D] = {};    ///< 1 / d
+  double factor[extent<D>][extent<D>] = {};  ///< D = L diag(d) L^T, L below the diagonal
+  double inverse[extent<D>] = {};            ///< 1 / d
 
-  KOKKOS_INLINE_FUNCTION explicit InverseMoments(const double (&a)[D][D]) {
-    double pivot[D] = {};
+  KOKKOS_INLINE_FUNCTION explicit InverseMoments(const double (&a)[extent<D>][extent<D>]) {
+    double pivot[extent<D>] = {};
     for (int j = 0; j < D; ++j) {
       pivot[j] = a[j][j];
       for (int k = 0; k < j; ++k) pivot[j] -= factor[j][k] * factor[j][k] * pivot[k];
@@ -59,7 +60,7 @@ struct InverseMoments {
     }
   }
 
-  KOKKOS_INLINE_FUNCTION void solve(const double (&b)[D], double (&x)[D]) const {
+  KOKKOS_INLINE_FUNCTION void solve(const double (&b)[extent<D>], double (&x)[extent<D>]) const {
     for (int i = 0; i < D; ++i) {
       x[i] = b[i];
       for (int k = 0; k < i; ++k) x[i] -= factor[i][k] * x[k];

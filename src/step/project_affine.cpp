@@ -32,17 +32,17 @@ struct ProjectAffine {
   KOKKOS_INLINE_FUNCTION void add_row(int p, const Support& support, double* patch) const {
     const NodeMoments<dimensions> moments(frame.patch, support);
     const InverseMoments<dimensions> inverse(moments.second);
-    double slope[dimensions][dimensions];  // of the momentum [per cell]
+    double slope[extent<dimensions>][extent<dimensions>];  // of the momentum [per cell]
     for (int i = 0; i < dimensions; ++i) {
-      double first[dimensions];
+      double first[extent<dimensions>];
       const double scale = particles.mass(p) * frame.per_cell;
       for (int d = 0; d < dimensions; ++d)
         first[d] = scale * particles.affine(p, dimensions * i + d);
       inverse.solve(first, slope[i]);
     }
     support.for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
-      double at[dimensions];
-      place_of_slot(frame.patch, slot, at);
+      double at[extent<dimensions>];
+      place_of_slot<dimensions>(frame.patch, slot, at);
       double* const momentum = patch + slot * sum_components + 1;
       for (int i = 0; i < dimensions; ++i)
         for (int d = 0; d < dimensions; ++d)

@@ -91,13 +91,13 @@ double change_of_linear_field(const StepSpec& step, double scatter) {
   Scene scene = testing::box_scene(
       Mode::plane_strain,
       1.0,
-      {-12.0, -12.0, 0.0},
-      {12.0, 12.0, 0.0},
+      {-18.0, -18.0, 0.0},
+      {18.0, 18.0, 0.0},
       testing::elastic(1.0, 0.3, 1.0)
   );
   scene.step = step;
   scene.step.largest_step = 1e-14;
-  add_box(scene, "box", {-9.5, -9.5, 0.0}, {9.5, 9.5, 0.0}, 2);
+  add_box(scene, "box", {-15.5, -15.5, 0.0}, {15.5, 15.5, 0.0}, 2);
   State state = start_alone(scene);
   Particles& particles = state.particles[0];
   for (int p = 0; p < particles.count; ++p)

@@ -116,11 +116,11 @@ Scene pressed(Mode mode, const StepSpec& step) {
   scene.step = step;
   scene.materials.push_back(scene.materials[0]);
   scene.materials.push_back(scene.materials[0]);
-  add_box(scene, "low", {0.0, 0.0, 0.0}, {0.0071, 0.0049, 0.004}, 2).velocity = {0, 10, 0};
-  BodySpec& high = add_box(scene, "high", {0.0, 0.0051, 0.0}, {0.0052, 0.0099, 0.003}, 2);
+  add_box(scene, "low", {0.0, 0.0, 0.0}, {0.0071, 0.0049, 0.004}, 2).velocity = {0, -10, 0};
+  BodySpec& high = add_box(scene, "high", {0.0, 0.00492, 0.0}, {0.0052, 0.0099, 0.003}, 2);
   high.material = 1;
   high.velocity = {0, -60, 0};
-  BodySpec& punch = add_box(scene, "punch", {0.0, 0.0101, 0.0}, {0.0041, 0.0131, 0.003}, 2);
+  BodySpec& punch = add_box(scene, "punch", {0.0, 0.00992, 0.0}, {0.0041, 0.0131, 0.003}, 2);
   punch.material = 2;
   punch.motion.prescribed = true;
   punch.motion.velocity = {0.0, -80.0, 0.0};
