@@ -64,7 +64,7 @@ def box(barreno, settings, levels, amplitude):
 def add_row(barreno, transfer, how, full, result):
     (name, chosen), (when, at) = transfer, how
     periods = 100 if full else 5
-    levels = (8, 16, 32, 64) if full else (8, 16)
+    levels = (8, 16, 32) if full else (8, 16)
     settings = {**chosen, **at}
     errors = box(barreno, settings, levels, 0.1)
     means, balances = wave(barreno, settings, periods)
@@ -87,7 +87,7 @@ def add_row(barreno, transfer, how, full, result):
 
 
 def run(barreno, full):
-    levels = (8, 16, 32, 64) if full else (8, 16)
+    levels = (8, 16, 32) if full else (8, 16)
     periods = 100 if full else 5
     result = Result(
         "Transfers and orders of the step",
