@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/accelerate_particles.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 
@@ -52,7 +53,7 @@ struct AccelerateParticles {
 template <class Kernel>
 ParticleTally accelerate_rows(const Kernel& kernel, Rows rows) {
   ParticleTally tally;
-  Kokkos::parallel_reduce(
+  launch_reduction(
       "accelerate_particles",
       range((rows.end - rows.begin + rows_per_run - 1) / rows_per_run),
       KOKKOS_LAMBDA(const int run, double& before, double& after, double& mass, double& momentum) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/gather_affine.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
@@ -56,9 +57,7 @@ void gather_affine(const Scene& scene, State& state) {
     for (const Particles& particles : state.particles) {
       if (particles.rigid) continue;
       const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
-      Kokkos::parallel_for(
-          "gather_affine", range(state.grid.active), Kernel{frame, particles, nodes.motion}
-      );
+      launch("gather_affine", range(state.grid.active), Kernel{frame, particles, nodes.motion});
     }
   });
 }

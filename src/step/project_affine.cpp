@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/project_affine.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
@@ -60,7 +61,7 @@ void project_affine(
   const Region region("project_affine");
   visit_kernels(scene, [&](auto mode, auto shape) {
     using Kernel = ProjectAffine<decltype(mode), decltype(shape)>;
-    Kokkos::parallel_for(
+    launch(
         "project_affine",
         range(grid.active),
         Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.sums}
