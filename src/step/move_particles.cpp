@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/move_particles.hpp"
 
-#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 
