@@ -5,7 +5,8 @@ namespace barreno {
 
 /// Critical Courant numbers c dt / h of a free bar at 1, 2, 3, 4, 8 and 16 particles per cell: two
 /// over the highest frequency of the lumped operator, the smallest over all places of the particles
-/// in their cells.
+/// in their cells. tests/unit/shape/test_critical_courant.cpp measures them from the weights and
+/// prints the row of a shape function whose numbers are others.
 struct CourantTable {
   double limit[6];
 

@@ -161,7 +161,7 @@ struct Cpdi {
   }
 
   static double critical_courant(double half_size_in_cells) {
-    return CourantTable{{1.002, 0.909, 0.781, 0.690, 0.501, 0.361}}.at(half_size_in_cells);
+    return CourantTable{{1.002, 0.909, 0.781, 0.690, 0.498, 0.353}}.at(half_size_in_cells);
   }
 };
 

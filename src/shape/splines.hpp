@@ -60,7 +60,7 @@ struct Linear : SplineShape<Linear, 1> {
   static double unbalanced(double size) { return size; }
   static int reach(const Scene& scene) { return scene.loads.empty() ? 0 : 1; }
   static double critical_courant(double half_size_in_cells) {
-    return CourantTable{{0.866, 0.884, 0.846, 0.811, 0.755, 0.731}}.at(half_size_in_cells);
+    return CourantTable{{0.866, 0.884, 0.846, 0.819, 0.761, 0.725}}.at(half_size_in_cells);
   }
 };
 

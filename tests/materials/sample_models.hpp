@@ -19,7 +19,11 @@ namespace barreno::test {
 ///   pressure      a hydrostatic pressure the material holds elastically [Pa]
 ///   contradictions()  sets that check() refuses, each with the parameter its sentence must name
 template <class Model>
-struct Sample;
+struct Sample {
+  static_assert(
+      sizeof(Model) == 0, "a new model needs its Sample in tests/materials/sample_models.hpp"
+  );
+};
 
 template <>
 struct Sample<LinearElastic> {

@@ -11,7 +11,8 @@
 namespace barreno::testing {
 
 inline constexpr double cell = 0.37;
-inline constexpr int reach = 2;  ///< of the patch in these tests; no shape function needs more
+inline constexpr int reach =
+    2;  ///< of the patch in these tests; the least that no shape function exceeds
 
 /// A particle somewhere, with what the tests need to know of it beyond its place.
 struct ShapeCase {
@@ -50,6 +51,23 @@ ShapeCase particle_at(const double (&x)[3], int per_cell, double first) {
   c.place.last = patch.nodes - 1;
   c.place.largest = 1.0;
   return c;
+}
+
+/// The place of a case in a patch of another reach.
+template <class M>
+ParticlePlace place_in_patch(const ShapeCase& c, int other_reach) {
+  ParticlePlace place = c.place;
+  const Patch patch = make_patch(M::dimensions, other_reach);
+  const double shift = other_reach - reach;
+  for (int d = 0; d < M::dimensions; ++d) {
+    place.x[d] += shift;
+    place.low[d] += shift;
+    place.high[d] += shift;
+  }
+  place.axis -= shift;
+  place.row = patch.nodes;
+  place.last = patch.nodes - 1;
+  return place;
 }
 
 /// Particles of 1 to 4 per cell everywhere in the cells, at both ends of the grid and at the axis;

@@ -17,6 +17,7 @@ namespace {
 using testing::cell;
 using testing::find_means;
 using testing::Means;
+using testing::Pair;
 using testing::position;
 using testing::shape_cases;
 using testing::ShapeCase;
@@ -29,6 +30,42 @@ template <class P, class Test>
 void for_each_case(Test&& test) {
   for (const double first : {0.0, 31.0})
     for (const ShapeCase& c : shape_cases<typename P::Mode, typename P::Shape>(first)) test(c);
+}
+
+/// Nodes further out would lie in no patch or in another row of it; those with a weight of zero
+/// are read and written too. Rows are far apart here, so that none of them is taken for another.
+template <class M, class S>
+void expect_nodes_within_reach(const Scene& scene, bool faces) {
+  const int reach = S::reach(scene);
+  const Patch own = make_patch(M::dimensions, reach);
+  Patch wide = own;
+  wide.nodes = 1000;
+  bool inside = true;
+  const auto look = [&](int slot, double, const auto&, double) {
+    for (int d = 0; d < M::dimensions; ++d, slot /= wide.nodes)
+      inside = inside && slot >= 0 && slot % wide.nodes < own.nodes;
+  };
+  for_each_case<Pair<M, S>>([&](const ShapeCase& c) {
+    ParticlePlace place = testing::place_in_patch<M>(c, reach);
+    place.row = wide.nodes;
+    S::template support<M>(place).for_each_node(wide, look);
+    for (int face = 0; faces && face < 2 * M::dimensions; ++face)
+      S::template face_support<M>(place, face).for_each_node(wide, look);
+  });
+  EXPECT_TRUE(inside) << "'" << S::word << "' touches nodes further than " << reach
+                      << " from the cells of its tile, which is its reach() in a scene "
+                      << (faces ? "with loads" : "without loads");
+}
+TYPED_TEST(ShapeFunctionContract, NodesLieWithinTheReach) {
+  using M = typename TypeParam::Mode;
+  using S = typename TypeParam::Shape;
+  Scene scene;
+  scene.grid.mode = M::dimensions == 3 ? Mode::three_dimensional : Mode::plane_strain;
+  expect_nodes_within_reach<M, S>(scene, false);
+  scene.loads.emplace_back();
+  expect_nodes_within_reach<M, S>(scene, true);
+  EXPECT_LE(S::reach(scene), testing::reach) << "the patches of these tests are too small for '"
+                                             << S::word << "': raise `reach` in shape_cases.hpp";
 }
 
 TYPED_TEST(ShapeFunctionContract, SumsToOneAndGradientsToZero) {
@@ -138,6 +175,8 @@ TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
   using S = typename TypeParam::Shape;
   const bool everywhere = !M::hoop || S::balanced_in_axisymmetry;
   int balanced = 0;
+  int unbalanced = 0;
+  double worst = 0.0;
   for_each_case<TypeParam>([&](const ShapeCase& c) {
     if (!testing::has_own_faces<M, S>(c)) return;
     const double error = testing::face_error<M, S>(c);
@@ -145,10 +184,22 @@ TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
       EXPECT_NEAR(error, 0.0, 1e-12);
       ++balanced;
     } else {
-      EXPECT_LT(error, S::unbalanced(2.0 * c.place.half[0]));
+      const double size = 2.0 * c.place.half[0];
+      EXPECT_LT(error, S::unbalanced(size))
+          << "of a face's force is left by a particle of " << size << " cells, more than '"
+          << S::word << "' says (unbalanced)";
+      worst = std::max(worst, error / S::unbalanced(size));
+      ++unbalanced;
     }
   });
-  EXPECT_EQ(balanced > 0, everywhere && S::balanced_part > 0.0);
+  // A bound, but no idle one: the axis is where most is left.
+  if (M::hoop && unbalanced > 0) {
+    EXPECT_GT(worst, 0.5) << "what '" << S::word << "' says is left (unbalanced) is " << 1.0 / worst
+                          << " times the most that is";
+  }
+  EXPECT_EQ(balanced > 0, everywhere && S::balanced_part > 0.0)
+      << "no particle of these tests lies within balanced_part of a cell, or one does that is not "
+         "to be balanced";
 }
 
 /// Domains that leave the limit are counted, others are not.
@@ -190,14 +241,14 @@ TEST(Stretches, AreTheDiagonalOfU) {
   expect_stretches<ThreeDimensional>();
 }
 
-/// Decks of every number of particles per cell find a positive number, and none above that of the
-/// cubic spline.
-TYPED_TEST(ShapeFunctionContract, CriticalCourantNumbersArePositiveAndBounded) {
+/// Decks of every number of particles per cell find a positive number. What it should be is held by
+/// test_critical_courant.cpp.
+TYPED_TEST(ShapeFunctionContract, CriticalCourantNumbersArePositiveAndContinuous) {
   double last = TypeParam::Shape::critical_courant(1e-3);
   EXPECT_GT(last, 0.0);
   for (double half = 1e-3; half < 0.5; half *= 1.01) {
     const double limit = TypeParam::Shape::critical_courant(half);
-    EXPECT_LE(limit, 1.5);
+    EXPECT_GT(limit, 0.0);
     EXPECT_NEAR(limit, last, 0.05);  // no jump
     last = limit;
   }
