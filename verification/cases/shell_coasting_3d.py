@@ -27,7 +27,7 @@ def run(barreno, full):
          "plastic work / initial kinetic", "energy ledger remainder"],
         [],
     )  # fmt: skip
-    levels = (4, 8, 16) if full else (4, 8)
+    levels = (3, 6, 12) if full else (3, 6)
     runs = {}
     for mode in ("axisymmetric", "3D"):
         for cells in levels:

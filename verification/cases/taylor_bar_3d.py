@@ -63,6 +63,6 @@ def run(barreno, full):
     result.notes = (
         "The foot's rim stretches to 2.3 of its length around the axis. Rings cannot come apart, but cubes of one particle per cell "
         "can once they are further from each other than a cell, since the boxes of GIMP do not stretch: the rim tears and slides away. "
-        "Two particles per cell hold it, and CPDI does, whose domains follow. Length and work do not feel it."
+        "Two particles per cell hold it, and CPDI does, whose domains follow. The length does not feel it."
     )
     return result
