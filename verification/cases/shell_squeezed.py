@@ -13,6 +13,7 @@ import numpy as np
 from case import Result
 from manufactured_runs import centres
 from runs import run_deck
+from scipy.optimize import brentq
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
 from compressible_shell import CompressibleShell  # noqa: E402
@@ -21,13 +22,14 @@ from shell_statics import Shell  # noqa: E402
 A0, B0, STRENGTH, SHEAR, PEAK = 0.02, 0.03419951893353395, 300e6, 15e9, -0.06
 MICRO = 1e-6
 POINTS = 49
+STEPS = 100  # of the one-dimensional shell: its pressures are those of 400 to 1e-5 of the largest
 
 
 @functools.lru_cache(None)
 def curves(fluid, ratio, peak):
     """Down to the peak strain and back to no pressure: (strain, P, p_f, strain and inner radius as radii.csv has them), and the
     shell with the inner radii at the peak and at the end."""
-    shell = CompressibleShell(Shell(fluid_modulus=fluid), ratio * SHEAR, A0, B0)
+    shell = CompressibleShell(Shell(fluid_modulus=fluid), ratio * SHEAR, A0, B0, steps=STEPS)
 
     def row(strain):
         a = shell.at_strain(strain)
@@ -40,10 +42,7 @@ def curves(fluid, ratio, peak):
     at_peak = shell.at_strain(peak)
     loaded = shell.march(at_peak, whole=True)[2]
     shell.turn(at_peak)
-    low, high = peak, 0.0
-    for _ in range(40):  # the strain without pressure
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if shell.march(shell.at_strain(middle))[1] > 0.0 else (low, middle)
+    low = brentq(lambda strain: shell.march(shell.at_strain(strain))[1], peak, 0.0, xtol=1e-9)  # without pressure
     up = np.array([row(s) for s in peak + (low - peak) * ease]).T
     released = shell.march(shell.at_strain(low), whole=True)[2]
     return down, up, loaded, released
