@@ -124,6 +124,8 @@ def run(barreno, full):
         result.rows.append(["frictionless", RADIUS / h, fraction, m["duration"] / duration, m["approach"] / approach, m["ratio"],
                             m["momentum"], m["kept"], m["lost"], m["ledger"]])  # fmt: skip
         demand(f"contact, {RADIUS / h:g} cells per radius, Courant fraction {fraction}", m, 1e-12, result)
+        what = f"approach less that of Hertz, in cells, {RADIUS / h:g} cells per radius, Courant fraction {fraction}"
+        result.demand(what, abs(m["approach"] - approach) / h, 0.25)
         result.demand(f"speed after / before, contact, {RADIUS / h:g} cells per radius", m["ratio"], 0.95, at_least=True)
     for h, fraction in [(0.05, 0.4), (0.05, 0.2), (0.025, 0.4)] if full else [(0.05, 0.4)]:
         m = together(barreno, h, fraction)
@@ -131,8 +133,15 @@ def run(barreno, full):
         demand(f"one field, {0.2 / h:g} cells per radius, Courant fraction {fraction}", m, 1e-3, result)
         result.demand(f"they did meet: largest elastic energy, {0.2 / h:g} cells per radius", m["squeezed"], 0.2, at_least=True)
     if full:
-        for rows, name in ((result.rows[0:2], "contact"), (result.rows[3:5], "one field")):
-            result.demand(f"loss of half the step over that of the step, {name}", rows[1][8] / rows[0][8], 0.6)
+        for coarse, fine, name in ((0, 2, "contact"), (3, 5, "one field")):
+            missing = [1.0 - result.rows[i][7] for i in (coarse, fine)]
+            result.demand(f"energy missing with half the cells over that with the cells, {name}", missing[1] / missing[0], 0.6)
+    result.notes = (
+        "Momentum is kept to round-off. Energy is not: where surfaces meet, a layer about a cell thick gets one velocity, as in a collision "
+        "without rebound. What is missing falls with the cell (first order or better); with contact the step hardly matters. The surfaces "
+        "are known to half a particle, a quarter of a cell: so much the centres' approach misses, in a contact whose radius by Hertz "
+        "is 11 mm, one and two cells."
+    )
     return result
 
 

@@ -18,15 +18,17 @@ MILLI = 1e-3
 FRONT = 0.25  # of the velocity and stress, this much on both sides of the front is left out [m]
 
 
-def measure(barreno, settings):
-    """rms errors over the particles behind the front and the instants written: displacement, velocity, radial stress; over
+def measure(barreno, settings, by_volume=False):
+    """rms errors over the particles (by_volume: over the volume) behind the front and the instants written: displacement, velocity, radial stress; over
     p a / M, p / (rho c) and p. And the relative error of the wall's displacement at the end, the remainder of the energy ledger, the particles."""
     run = run_deck(barreno, "spherical_wave.xml", settings)
     start = run.particles(0)
     X = np.array(centres(start))
     R, n = radii(start)
     cell = 1.0 / round(1.0 / float(settings["Grid/Cell Size"]))
+    weight = X[0] if by_volume and len(X) == 2 else np.ones_like(R)  # rings
     squares = [[], [], []]
+    mean = lambda error, where: np.average(error[where] ** 2, weights=weight[where])  # noqa: E731
     for step in range(1, run.instants()):
         now = run.particles(step)
         t = now["time"] / MILLI
@@ -34,9 +36,9 @@ def measure(barreno, settings):
         moved = np.sum((np.array(centres(now)) - X) * n, 0)
         reached = R < 1.0 + t
         away = reached & (np.abs(R - 1.0 - t) > FRONT)
-        squares[0].append(np.mean((moved * MODULUS / PRESSURE - u)[reached] ** 2))
-        squares[1].append(np.mean((along(now, n) * MODULUS / PRESSURE / SPEED - v)[away] ** 2))
-        squares[2].append(np.mean((radial_stress(now, n) / PRESSURE - stress)[away] ** 2))
+        squares[0].append(mean(moved * MODULUS / PRESSURE - u, reached))
+        squares[1].append(mean(along(now, n) * MODULUS / PRESSURE / SPEED - v, away))
+        squares[2].append(mean(radial_stress(now, n) / PRESSURE - stress, away))
     errors = [float(np.sqrt(np.mean(s))) for s in squares]
     wall = R < 1.0 + cell
     return errors, float(np.mean(moved[wall] * MODULUS / PRESSURE / u[wall])) - 1.0, run.summary["balances"]["energy"]["error"], len(R)
