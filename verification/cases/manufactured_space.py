@@ -17,7 +17,7 @@ def run(barreno, full):
          "energy ledger remainder"],
         [],
     )  # fmt: skip
-    runs = [("GIMP", 0.01, (4, 8, 16, 32)), ("CPDI", 0.01, (4, 8, 16)), ("GIMP", 0.1, (4, 8, 16)), ("CPDI", 0.1, (4, 8, 16))]
+    runs = [("GIMP", 0.01, (4, 8, 16)), ("CPDI", 0.01, (4, 8, 16)), ("GIMP", 0.1, (4, 8, 16)), ("CPDI", 0.1, (4, 8, 16))]
     for shape, amplitude, levels in runs if full else [("GIMP", 0.01, (4, 8)), ("CPDI", 0.01, (4, 8))]:
         errors = refine(barreno, MODE, shape, amplitude, 2, levels, result)
         what = f"{shape}, A = {amplitude}: order of the last halving"
