@@ -12,6 +12,7 @@ import sys
 
 import numpy as np
 from case import Result
+from octant import radii as radii_of
 from runs import order, run_deck
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
@@ -58,16 +59,16 @@ def smallest(time, value):
     return time[i] - 0.5 * b / a, c - 0.25 * b * b / a
 
 
-def measure(barreno, stop_strain, ratio, cells):
-    """Figures of one run, lengths over the travelled distance of the inner wall."""
+def measure(barreno, stop_strain, ratio, cells, more=None):
+    """Figures of one run, lengths over the travelled distance of the inner wall; `more` are settings beside the usual."""
     coasting = exact(stop_strain)
     travel = coasting.a0 - coasting.at(coasting.stop_time)[0]
-    run = run_deck(barreno, "shell_coasting.xml", settings(stop_strain, ratio, cells))
+    run = run_deck(barreno, "shell_coasting.xml", {**settings(stop_strain, ratio, cells), **(more or {})})
     radii, history = run.table("radii.csv"), run.table("history.csv")
     (times, _, reference, kinetic), (place, pressure) = dense(stop_strain, ratio)
     difference = radii["Shell_inner_radius"] - np.interp(radii["time"], times, reference)
     start, middle = run.particles(0), run.particles(1)
-    r0, r = (np.hypot(p["x"], p["y"]) for p in (start, middle))
+    r0, r = (radii_of(p)[0] for p in (start, middle))
     c = (r0**3 - r**3) / (coasting.a0**3 - coasting.at(middle["time"])[0] ** 3)
     noise = (middle["pressure"] - np.interp(r, place, pressure)) / MATRIX.strength
     return {
@@ -80,6 +81,7 @@ def measure(barreno, stop_strain, ratio, cells):
         "pressure": float(np.sqrt(np.mean(noise**2))),
         "pressure 99 %": float(np.percentile(np.abs(noise), 99.0)),
         "remainder": abs(run.summary["balances"]["energy"]["error"]),
+        "plastic": history["plastic"][-1] / history["kinetic"][0],
         "loss": abs(history["transfer"][-1] + history["stress_integration"][-1]) / history["kinetic"][0],
         "left": float(np.min(history["kinetic"])) / history["kinetic"][0],
     }

@@ -13,45 +13,45 @@ import numpy as np
 from case import Result
 from manufactured_runs import centres
 from runs import run_deck
+from scipy.optimize import brentq
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
 from compressible_shell import CompressibleShell  # noqa: E402
 from shell_statics import Shell  # noqa: E402
 
-A0, B0, STRENGTH, RATIO, PEAK = 0.02, 0.03419951893353395, 300e6, 10.0, -0.06
+A0, B0, STRENGTH, SHEAR, PEAK = 0.02, 0.03419951893353395, 300e6, 15e9, -0.06
 MICRO = 1e-6
-POINTS = 33
+POINTS = 49
+STEPS = 100  # of the one-dimensional shell: its pressures are those of 400 to 1e-5 of the largest
 
 
 @functools.lru_cache(None)
-def curves(fluid, peak):
+def curves(fluid, ratio, peak):
     """Down to the peak strain and back to no pressure: (strain, P, p_f, strain and inner radius as radii.csv has them), and the
     shell with the inner radii at the peak and at the end."""
-    shell = CompressibleShell(Shell(fluid_modulus=fluid), RATIO * 15e9, A0, B0)
+    shell = CompressibleShell(Shell(fluid_modulus=fluid), ratio * SHEAR, A0, B0, steps=STEPS)
 
     def row(strain):
         a = shell.at_strain(strain)
         pressure, p_f, inner, outer = shell.measures(a)
         return strain, pressure, p_f, 3.0 * math.log(outer / B0), inner
 
-    ease = np.linspace(0.0, 1.0, POINTS) ** 2 * (3.0 - 2.0 * np.linspace(0.0, 1.0, POINTS))
+    at = np.linspace(0.0, 1.0, POINTS)
+    ease = at**3 * (10.0 - 15.0 * at + 6.0 * at**2)  # without a jump of the acceleration where the load turns
     down = np.array([row(s) for s in peak * ease]).T
     at_peak = shell.at_strain(peak)
     loaded = shell.march(at_peak, whole=True)[2]
     shell.turn(at_peak)
-    low, high = peak, 0.0
-    for _ in range(40):  # the strain without pressure
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if shell.march(shell.at_strain(middle))[1] > 0.0 else (low, middle)
+    low = brentq(lambda strain: shell.march(shell.at_strain(strain))[1], peak, 0.0, xtol=1e-9)  # without pressure
     up = np.array([row(s) for s in peak + (low - peak) * ease]).T
     released = shell.march(shell.at_strain(low), whole=True)[2]
     return down, up, loaded, released
 
 
-def squeeze(barreno, fluid, cells, slow):
+def squeeze(barreno, fluid, ratio, cells, slow):
     """A run; `slow` stretches its time. Loading takes 200 us, release 80 us without fluid and 160 us with it."""
-    down, up, _, _ = curves(fluid, PEAK)
-    release, end = (160.0, 400.0) if fluid else (80.0, 300.0)
+    down, up, _, _ = curves(fluid, ratio, PEAK)
+    release, end = (160.0, 400.0) if fluid else (80.0, 290.0)
     at = np.linspace(0.0, 1.0, POINTS)
     times = np.concatenate([200.0 * at, 200.0 + release * at[1:]]) * slow * MICRO
     pressures = np.concatenate([down[1], up[1][1:]])
@@ -60,12 +60,13 @@ def squeeze(barreno, fluid, cells, slow):
     settings = {
         "Grid/Cell Size": repr(h),
         "Grid/Upper": f"{{{side!r}, {side!r}}}",
+        "Materials/Matrix/B0": repr(ratio * SHEAR),
         "Loads/Outside/Times": "{" + ", ".join(repr(float(t)) for t in times) + "}",
         "Loads/Outside/Pressures": "{" + ", ".join(repr(float(p)) for p in pressures) + "}",
         "Loads/Water/Bulk Modulus": repr(fluid if fluid else 1.0),
         "Step/Damping": repr(3e3 / slow),
         "Time/End Time": repr(end * slow * MICRO),
-        "Output/Field Interval": repr(100.0 * slow * MICRO),
+        "Output/Field Interval": repr(200.0 * slow * MICRO),
         "Output/History Interval": repr(slow * MICRO),
     }
     return run_deck(barreno, "shell_squeezed.xml", settings), times, pressures
@@ -90,23 +91,23 @@ def stress_errors(particles, start, rows):
     )
 
 
-def measure(barreno, fluid, cells, slow=2.0):
-    run, times, pressures = squeeze(barreno, fluid, cells, slow)
+def measure(barreno, fluid, ratio, cells, slow):
+    run, times, pressures = squeeze(barreno, fluid, ratio, cells, slow)
     radii, history, cavity = run.table("radii.csv"), run.table("history.csv"), run.table("cavities.csv")
     strain = 3.0 * np.log(radii["Shell_outer_radius"] / B0)
     pressure = np.interp(radii["time"], times, pressures)
     turn = radii["time"] <= 200.0 * slow * MICRO
     # Released from where the run had come to.
-    down, _, _, _ = curves(fluid, PEAK)
+    down, _, _, _ = curves(fluid, ratio, PEAK)
     reached = float(np.min(strain) / down[3][-1] * -down[0][-1])
-    down, up, loaded, released = curves(fluid, -round(reached, 6))
+    down, up, loaded, released = curves(fluid, ratio, -round(reached, 6))
     order = np.argsort(up[3])
     wanted = np.where(turn, np.interp(-strain, -down[3], down[1]), np.interp(strain, up[3][order], up[1][order]))
     fluid_wanted = np.where(turn, np.interp(-strain, -down[3], down[2]), np.interp(strain, up[3][order], up[2][order]))
     most = np.max(down[1])
     rms = lambda x: float(np.sqrt(np.mean(x**2))) / most  # noqa: E731
     start = run.particles(0)
-    peak = stress_errors(run.particles(2), start, loaded)
+    peak = stress_errors(run.particles(1), start, loaded)
     end = stress_errors(run.particles(), start, released)
     return {
         "load": rms((pressure - wanted)[turn]),
@@ -121,29 +122,46 @@ def measure(barreno, fluid, cells, slow=2.0):
     }
 
 
+# Fluid modulus, K/G, cells in the wall, and how slow.
+CHEAP = ((0.0, 10.0, 6, 2.0), (2.2e9, 10.0, 6, 1.0))
+FULL = ((0.0, 10.0, 8, 1.0), (0.0, 10.0, 8, 2.0), (0.0, 10.0, 16, 2.0), (2.2e9, 10.0, 8, 1.0), (2.2e9, 10.0, 16, 1.0),
+        (0.0, 13.0 / 6.0, 8, 2.0), (0.0, 40.0, 8, 2.0))  # fmt: skip
+
+
 def run(barreno, full):
     result = Result(
         "Thick shell squeezed and released",
-        "Follower pressure on a curved surface, plastic flow, reverse yield, a fluid in the hollow: axisymmetric, K/G = 10.",
+        "Follower pressure on a curved surface, plastic flow, reverse yield, a fluid in the hollow: axisymmetric.",
         "A one-dimensional shell of the same K/G (`verification/oracles/compressible_shell.py`), released from the strain that the "
         "run has reached. Pressures at the strain of the run, rms over Pmax; stresses of all particles, rms over Y; at the wall "
-        "(a sixteenth of it): mean of sigma_r - sigma_t at the peak and of sigma_t at the end, against the exact ones.",
-        ["fluid modulus", "cells in the wall", "strain reached", "P, loading", "P, release", "p_f", "stresses at the peak",
-         "stresses at the end", "s at the wall, peak", "residual hoop stress at the wall", "strain left, error",
-         "kinetic / internal energy", "energy ledger remainder"],
+        "(a sixteenth of it): mean of sigma_r - sigma_t at the peak and of sigma_t at the end, against the exact ones, over Y.",
+        ["fluid modulus", "K/G", "cells in the wall", "loading takes [us]", "strain reached", "P, loading", "P, release", "p_f",
+         "stresses at the peak", "stresses at the end", "s at the wall, peak", "residual hoop stress at the wall",
+         "strain left, error", "kinetic / internal energy", "energy ledger remainder"],
         [],
     )  # fmt: skip
-    levels = (8, 16, 32) if full else (8, 16)
-    for fluid, limit in ((0.0, 0.01), (2.2e9, 0.02)):
-        for cells in levels:
-            m = measure(barreno, fluid, cells)
-            result.rows.append([fluid, cells, m["reached"], m["load"], m["release"], m["fluid"], m["peak"][0], m["end"][0], m["peak"][1],
-                                m["end"][2], m["left"], m["moving"], m["remainder"]])  # fmt: skip
-        name = f"{'with water' if fluid else 'drained'}, {levels[-1]} cells"
-        result.demand(f"{name}: pressure in loading", m["load"], limit)
-        result.demand(f"{name}: pressure in release", m["release"], limit)
-        result.demand(f"{name}: pressure of the fluid", m["fluid"], limit)
-        result.demand(f"{name}: s at the wall", abs(m["peak"][1]), 0.02)
-        result.demand(f"{name}: residual hoop stress at the wall", abs(m["end"][2]), 0.1)
-        result.demand(f"{name}: energy ledger remainder", m["remainder"], 1e-3)
+    runs = FULL if full else CHEAP
+    for fluid, ratio, cells, slow in runs:
+        m = measure(barreno, fluid, ratio, cells, slow)
+        result.rows.append([fluid, ratio, cells, 200.0 * slow, m["reached"], m["load"], m["release"], m["fluid"], m["peak"][0],
+                            m["end"][0], m["peak"][1], m["end"][2], m["left"], m["moving"], m["remainder"]])  # fmt: skip
+        if cells == max(r[2] for r in runs if r[:2] == (fluid, ratio)):
+            demand(f"{'with water' if fluid else 'drained'}, K/G = {ratio:.3g}, {cells} cells", fluid, cells, m, result)
+    result.notes = (
+        "What the pressure misses in loading is inertia: where all of the shell flows, the pressure hardly rises with the strain, and a "
+        "ramp of T to a strain e takes M 6 e / T^2, M = 0.8 kg/m (`shell_motion.py`'s equation of motion): rms 4 MPa or 1.1 % of "
+        "Pmax for T = 200 us. It falls with the square of T."
+    )
     return result
+
+
+def demand(name, fluid, cells, m, result):
+    limit = 0.02 if fluid else 0.01
+    result.demand(f"{name}: pressure in loading", m["load"], limit)
+    result.demand(f"{name}: pressure in release", m["release"], limit)
+    if fluid:
+        result.demand(f"{name}: pressure of the fluid", m["fluid"], 0.02)
+    result.demand(f"{name}: s at the wall", abs(m["peak"][1]), 0.02)
+    if cells >= 16:  # the wall's sixteenth has a layer of particles to itself
+        result.demand(f"{name}: residual hoop stress at the wall", abs(m["end"][2]), 0.1)
+    result.demand(f"{name}: energy ledger remainder", m["remainder"], 1e-3)

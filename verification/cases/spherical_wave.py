@@ -7,6 +7,7 @@ import numpy as np
 from case import Result
 from choices import shape_functions
 from manufactured_runs import centres
+from octant import along, radial_stress, radii
 from runs import order, run_deck
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
@@ -17,29 +18,30 @@ MILLI = 1e-3
 FRONT = 0.25  # of the velocity and stress, this much on both sides of the front is left out [m]
 
 
-def measure(barreno, shape, cells):
-    """rms errors over the particles behind the front and the instants written: displacement, velocity, radial stress; over
-    p a / M, p / (rho c) and p. And the relative error of the wall's displacement at the end."""
-    run = run_deck(barreno, "spherical_wave.xml", {"Grid/Cell Size": repr(1.0 / cells), "Step/Shape Function": shape})
-    X = np.array(centres(run.particles(0))[:2])
-    R = np.hypot(*X)
-    n = X / R
+def measure(barreno, settings, by_volume=False):
+    """rms errors over the particles (by_volume: over the volume) behind the front and the instants written: displacement, velocity, radial stress; over
+    p a / M, p / (rho c) and p. And the relative error of the wall's displacement at the end, the remainder of the energy ledger, the particles."""
+    run = run_deck(barreno, "spherical_wave.xml", settings)
+    start = run.particles(0)
+    X = np.array(centres(start))
+    R, n = radii(start)
+    cell = 1.0 / round(1.0 / float(settings["Grid/Cell Size"]))
+    weight = X[0] if by_volume and len(X) == 2 else np.ones_like(R)  # rings
     squares = [[], [], []]
+    mean = lambda error, where: np.average(error[where] ** 2, weights=weight[where])  # noqa: E731
     for step in range(1, run.instants()):
         now = run.particles(step)
         t = now["time"] / MILLI
         u, v, stress = blake(R, t)
-        radial = n[0] ** 2 * now["stress_xx"] + n[1] ** 2 * now["stress_yy"] + 2 * n[0] * n[1] * now["stress_xy"]
-        moved = np.sum((np.array(centres(now)[:2]) - X) * n, 0)
-        speed = n[0] * now["velocity_x"] + n[1] * now["velocity_y"]
+        moved = np.sum((np.array(centres(now)) - X) * n, 0)
         reached = R < 1.0 + t
         away = reached & (np.abs(R - 1.0 - t) > FRONT)
-        squares[0].append(np.mean((moved * MODULUS / PRESSURE - u)[reached] ** 2))
-        squares[1].append(np.mean((speed * MODULUS / PRESSURE / SPEED - v)[away] ** 2))
-        squares[2].append(np.mean((radial / PRESSURE - stress)[away] ** 2))
+        squares[0].append(mean(moved * MODULUS / PRESSURE - u, reached))
+        squares[1].append(mean(along(now, n) * MODULUS / PRESSURE / SPEED - v, away))
+        squares[2].append(mean(radial_stress(now, n) / PRESSURE - stress, away))
     errors = [float(np.sqrt(np.mean(s))) for s in squares]
-    wall = R < 1.0 + 1.0 / cells
-    return errors, float(np.mean(moved[wall] * MODULUS / PRESSURE / u[wall])) - 1.0, run.summary["balances"]["energy"]["error"]
+    wall = R < 1.0 + cell
+    return errors, float(np.mean(moved[wall] * MODULUS / PRESSURE / u[wall])) - 1.0, run.summary["balances"]["energy"]["error"], len(R)
 
 
 def run(barreno, full):
@@ -57,7 +59,7 @@ def run(barreno, full):
     for shape in shape_functions(barreno):
         errors = []
         for cells in levels:
-            found, wall, remainder = measure(barreno, shape, cells)
+            found, wall, remainder, _ = measure(barreno, {"Grid/Cell Size": repr(1.0 / cells), "Step/Shape Function": shape})
             errors.append(found)
             rates = [order([a, b])[0] for a, b in zip(*errors[-2:])] if len(errors) > 1 else [float("nan")] * 3
             result.rows.append([shape, cells, *(x for pair in zip(found, rates) for x in pair), wall, remainder])

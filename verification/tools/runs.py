@@ -53,7 +53,7 @@ class Run:
             return len(data.variables["time_whole"])
 
     def particles(self, step=-1):
-        """Element variables of all blocks at a time step, and corners as (particle, corner, xy)."""
+        """Element variables of all blocks at a time step, and corners as (particle, corner, xy or xyz)."""
         from netCDF4 import Dataset, chartostring
 
         with Dataset(self.folder / "particles.e") as data:
@@ -69,13 +69,14 @@ class Run:
                     parts.append(np.asarray(variable[step]) if variable is not None else np.full(count, np.nan))
                 out[name] = np.concatenate(parts)
             nodal = [str(name) for name in chartostring(data.variables["name_nod_var"][:])]
-            x = np.asarray(data.variables["coordx"][:])
-            y = np.asarray(data.variables["coordy"][:])
-            x = x + np.asarray(data.variables[f"vals_nod_var{nodal.index('displacement_x') + 1}"][step])
-            y = y + np.asarray(data.variables[f"vals_nod_var{nodal.index('displacement_y') + 1}"][step])
+            places = []
+            for axis in (name for name in "xyz" if f"coord{name}" in data.variables):
+                moved = data.variables[f"vals_nod_var{nodal.index(f'displacement_{axis}') + 1}"][step]
+                places.append(np.asarray(data.variables[f"coord{axis}"][:]) + np.asarray(moved))
             connect = np.concatenate([np.asarray(data.variables[f"connect{b}"][:]) for b in blocks]) - 1
-        out["corners"] = np.stack([x[connect], y[connect]], axis=-1)
-        out["x"], out["y"] = out["corners"].mean(axis=1).T
+        out["corners"] = np.stack([place[connect] for place in places], axis=-1)
+        for axis, centre in zip("xyz", out["corners"].mean(axis=1).T):
+            out[axis] = centre
         return out
 
 

@@ -19,9 +19,9 @@ using testing::start;
 
 Scene falling(Mode mode) {
   Scene scene = box_scene(
-      mode, 1e-2, {0.0, 0.0, 0.0}, {0.16, 0.40, 0.0}, testing::elastic(70e6, 0.3, 2700.0)
+      mode, 1e-2, {0.0, 0.0, 0.0}, {0.16, 0.40, 0.08}, testing::elastic(70e6, 0.3, 2700.0)
   );
-  add_box(scene, "stone", {0.0, 0.20, 0.0}, {0.05, 0.25, 0.0}, 2).velocity = {0.0, -1.0, 0.0};
+  add_box(scene, "stone", {0.0, 0.20, 0.02}, {0.05, 0.25, 0.06}, 2).velocity = {0.0, -1.0, 0.0};
   add_symmetry(scene, Face::x_lower);
   scene.body_force.kind = BodyForceKind::gravity;
   scene.body_force.acceleration = {0.0, -100.0, 0.0};
@@ -59,8 +59,23 @@ TEST_P(AppliedForces, DampingSlowsExponentiallyAndIsCounted) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Modes, AppliedForces, ::testing::Values(Mode::axisymmetric, Mode::plane_strain)
+    Modes,
+    AppliedForces,
+    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
 );
+
+TEST(BodyForceInSpace, PullsAlongItsDirection) {
+  Scene scene = falling(Mode::three_dimensional);
+  scene.body_force.acceleration = {60.0, -100.0, 80.0};
+  scene.conditions.clear();
+  State state = start(scene);
+  advance_to(scene, 0.005, state);
+  for (const auto& row : testing::all_rows(state)) {
+    EXPECT_NEAR(row[2], 0.3, 1e-10);
+    EXPECT_NEAR(row[3], -1.5, 1e-10);
+    EXPECT_NEAR(row[10], 0.4, 1e-10);
+  }
+}
 
 /// Two equal bodies that meet at y = 0.2, or one of them before a symmetry plane there.
 Scene impact(bool mirrored) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact between velocity fields: its law, its normals, its balances, and the same bits on any
 // ranks.
+#include "base/gather.hpp"
 #include "state/balance.hpp"
 #include "step/contact_law.hpp"
 #include "step/directions.hpp"
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace barreno {
@@ -123,18 +125,20 @@ TEST(ContactNormals, DirectionsAboutANormalAreUnitVectorsNearIt) {
 }
 
 /// A block that hits another aslant, with friction; a third of yet another material joins the
-/// second.
+/// second. In three dimensions they slide past each other along z too, in larger cells.
 Scene oblique(Mode mode) {
+  const double h = mode == Mode::three_dimensional ? 2e-3 : 1e-3;
   Scene scene = box_scene(
-      mode, 1e-3, {0.0, 0.0, 0.0}, {0.024, 0.040, 0.0}, testing::elastic(70e9, 0.3, 2700.0)
+      mode, h, {0.0, 0.0, 0.0}, {0.024, 0.040, 0.008}, testing::elastic(70e9, 0.3, 2700.0)
   );
   scene.materials.push_back(scene.materials[0]);
   scene.materials.push_back({testing::elastic(20e9, 0.2, 2700.0), BadParticlePolicy::stop});
-  add_box(scene, "low", {0.004, 0.006, 0.0}, {0.0123, 0.0179, 0.0}, 2).velocity = {
-      30.0, 120.0, 0.0};
-  add_box(scene, "high", {0.003, 0.020, 0.0}, {0.0101, 0.0307, 0.0}, 3).velocity = {
+  const int upper = mode == Mode::three_dimensional ? 2 : 3;  // particles per cell
+  add_box(scene, "low", {0.004, 0.006, 0.0021}, {0.0123, 0.0179, 0.0047}, 2).velocity = {
+      30.0, 120.0, 25.0};
+  add_box(scene, "high", {0.003, 0.020, 0.0026}, {0.0101, 0.0307, 0.0051}, upper).velocity = {
       -20.0, -80.0, 0.0};
-  add_box(scene, "beside", {0.0101, 0.020, 0.0}, {0.0150, 0.0307, 0.0}, 2).velocity = {
+  add_box(scene, "beside", {0.0101, 0.020, 0.0026}, {0.0150, 0.0307, 0.0051}, 2).velocity = {
       -20.0, -80.0, 0.0};
   scene.bodies[1].material = 1;
   scene.bodies[2].material = 2;
@@ -181,7 +185,51 @@ TEST_P(Contact, AnyRankCountGivesTheSameBits) {
   EXPECT_EQ(all_rows(alone), all_rows(together));
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, Contact, ::testing::Values(Mode::axisymmetric, Mode::plane_strain));
+INSTANTIATE_TEST_SUITE_P(
+    Modes,
+    Contact,
+    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
+);
+
+/// Two blocks that meet along z: what friction takes from one it gives to the other, in the plane
+/// of the faces, and no more than its coefficient times the push.
+TEST(ContactInSpace, PushAndFrictionAreAsAlongTheOtherAxes) {
+  Scene scene = box_scene(
+      Mode::three_dimensional,
+      1e-3,
+      {0.0, 0.0, 0.0},
+      {0.012, 0.012, 0.016},
+      testing::elastic(70e9, 0.3, 2700.0)
+  );
+  scene.materials.push_back(scene.materials[0]);
+  constexpr double friction = 0.25, closing = 40.0;
+  add_box(scene, "low", {0.003, 0.003, 0.003}, {0.008, 0.008, 0.007}, 2);
+  BodySpec& high = add_box(scene, "high", {0.003, 0.003, 0.007}, {0.008, 0.008, 0.011}, 2);
+  high.material = 1;
+  high.velocity = {0.0, 90.0, -closing};
+  scene.contacts.push_back({"faces", {0, 1}, ContactKind::friction, friction});
+  State state = start(scene);
+  advance_to(scene, 4e-6, state);
+  double moved[2][3] = {};  // momentum of the materials [kg m/s]
+  for (std::size_t m = 0; m < 2; ++m) {
+    std::vector<double> sums(3, 0.0);
+    const Particles& set = state.particles[m];
+    for (int p = 0; p < set.count; ++p)
+      for (int d = 0; d < 3; ++d)
+        sums[static_cast<std::size_t>(d)] += set.mass(p) * set.velocity(p, d);
+    sum_over_ranks(*state.grid.comm, sums);
+    std::copy(sums.begin(), sums.end(), moved[m]);
+  }
+  const double mass = 2700.0 * 0.005 * 0.005 * 0.004;
+  const double size = mass * closing;
+  EXPECT_NEAR((moved[0][0] + moved[1][0]) / size, 0.0, 1e-12);
+  EXPECT_NEAR((moved[0][1] + moved[1][1] - mass * 90.0) / size, 0.0, 1e-12);
+  EXPECT_NEAR((moved[0][2] + moved[1][2] + size) / size, 0.0, 1e-12);
+  EXPECT_LT(moved[0][2], -0.3 * size) << "they did meet";
+  // All of the contact slides: 90 m/s is more than friction can stop.
+  EXPECT_NEAR(moved[0][1] / -moved[0][2], friction, 0.02 * friction);
+  EXPECT_NEAR(moved[0][0] / moved[0][2], 0.0, 1e-3);
+}
 
 /// A rigid punch of prescribed motion, with contact or without one.
 Scene punch(bool contact) {

@@ -25,16 +25,21 @@ using testing::start_alone;
 
 constexpr double density = 2300.0;
 
-/// A quarter of a ball at the corner of the grid.
-Scene ball_scene(Mode mode, const Ball& ball, double h, int particles_per_cell = 2) {
-  Scene scene =
-      box_scene(mode, h, {0.0, 0.0, 0.0}, {1.25, 1.25, 0.0}, testing::elastic(20e9, 0.25, density));
+/// A quarter of a ball at the corner of the grid; in three dimensions an octant, whose cells are
+/// twice as large.
+Scene ball_scene(Mode mode, const Ball& ball, double cell, int particles_per_cell = 2) {
+  const bool space = mode == Mode::three_dimensional;
+  const double h = space ? 2.0 * cell : cell;
+  Scene scene = box_scene(
+      mode, h, {0.0, 0.0, 0.0}, {1.25, 1.25, 1.25}, testing::elastic(20e9, 0.25, density)
+  );
   BodySpec body;
   body.name = "ball";
   body.shape = ball;
   body.particles_per_cell = particles_per_cell;
   scene.bodies.push_back(body);
   add_symmetry(scene, Face::x_lower);
+  if (space) add_symmetry(scene, Face::z_lower);
   add_symmetry(scene, Face::y_lower);
   scene.step.linear_viscosity = 0.0;
   scene.step.quadratic_viscosity = 0.0;
@@ -57,7 +62,16 @@ void add_fluid(Scene& scene, double bulk_modulus, double pressure = 0.0) {
   scene.loads.push_back(load);
 }
 
-constexpr Mode modes[] = {Mode::axisymmetric, Mode::plane_strain};
+constexpr Mode modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
+
+/// Of the part of a cavity of radius a that the scene holds, its volume and the area of its wall.
+double cavity(Mode mode, double a) {
+  if (mode == Mode::three_dimensional) return pi * a * a * a / 6.0;
+  return mode == Mode::axisymmetric ? 2.0 / 3.0 * pi * a * a * a : 0.25 * pi * a * a;
+}
+double powers_of(Mode mode) {
+  return mode == Mode::plane_strain ? 2.0 : 3.0;
+}
 
 TEST(SurfaceShare, SharesAddUpToOneAndTheGradientIsTheirSlope) {
   const Ball ball{{0.1, -0.2, 0.3}, 1.0, 0.4};
@@ -108,29 +122,31 @@ double work_error(Mode mode, double h) {
   State state = start(scene);
   advance_to(scene, 1.0, state, 1);  // sorted, with nodes; hardly moved by a small pressure
   const Patch& patch = state.grid.patch;
+  const int dimension = dimensions(mode);
+  const double size = scene.grid.cell_size;
   for (int tile = 0; tile < state.grid.active; ++tile)
     for (int slot = 0; slot < patch.size; ++slot) {
       double* const node =
-          &state.nodes[0].motion(first_motion(patch, tile)) + slot * motion_components(2);
+          &state.nodes[0].motion(first_motion(patch, tile)) + slot * motion_components(dimension);
       const auto place = state.grid.tile_place(tile);
-      const int index[2] = {slot % patch.nodes, slot / patch.nodes};
-      for (int d = 0; d < 2; ++d) {
-        node[d] = h * (place[d] * patch.tile_cells - patch.reach + index[d]);
-        node[2 + d] = 0.0;
+      const int n = patch.nodes;
+      const int index[3] = {slot % n, slot / n % n, slot / (n * n)};
+      for (int d = 0; d < dimension; ++d) {
+        node[d] = size * (place[d] * patch.tile_cells - patch.reach + index[d]);
+        node[dimension + d] = 0.0;
       }
     }
   std::vector<double> work{tally_surface_pressures(scene, dt, state)};
   sum_over_ranks(*state.grid.comm, work);
-  const bool ring = mode == Mode::axisymmetric;
-  // x grows the quarter of the cavity by its dimension times its volume.
-  const double volume = ring ? 2.0 / 3.0 * pi * a * a * a : 0.25 * pi * a * a;
-  return work[0] / (p * dt * (ring ? 3.0 : 2.0) * volume) - 1.0;
+  // x grows the cavity by its powers of the radius times its volume.
+  return work[0] / (p * dt * powers_of(mode) * cavity(mode, a)) - 1.0;
 }
 
 TEST(SurfacePressures, WorkConvergesToThatOfTheSurface) {
   for (const Mode mode : modes) {
     EXPECT_LT(std::abs(work_error(mode, 0.125)), 2e-2);
-    EXPECT_LT(std::abs(work_error(mode, 0.03125)), 1.5e-3);
+    const double fine = mode == Mode::three_dimensional ? 0.0625 / 4.0 : 0.03125;
+    EXPECT_LT(std::abs(work_error(mode, fine)), 1.5e-3);
   }
 }
 
@@ -145,7 +161,9 @@ TEST(SurfacePressures, ClosedSurfaceHasNoResultant) {
     advance_to(scene, 1.0, state, 1);
     std::vector<double> impulse{state.ledger.load_impulse};
     sum_over_ranks(*state.grid.comm, impulse);
-    const double area = mode == Mode::axisymmetric ? pi * inner * inner : inner;
+    const double area = mode == Mode::axisymmetric        ? pi * inner * inner
+                        : mode == Mode::three_dimensional ? 0.25 * pi * inner * inner
+                                                          : inner;
     EXPECT_NEAR(impulse[0] / (1e3 * area * state.clock.dt), 0.0, 5e-3);
   }
 }
@@ -159,10 +177,9 @@ double growth_error(Mode mode, double h) {
   add_fluid(scene, 1.0);
   State state = start(scene);
   const double start_volume = state.cavities[0];
-  const bool ring = mode == Mode::axisymmetric;
-  EXPECT_DOUBLE_EQ(start_volume, ring ? 2.0 / 3.0 * pi * a * a * a : 0.25 * pi * a * a);
+  EXPECT_DOUBLE_EQ(start_volume, cavity(mode, a));
   advance_to(scene, time, state);
-  const double area = ring ? 2.0 * pi * a * a : 0.5 * pi * a;
+  const double area = powers_of(mode) * cavity(mode, a) / a;
   return (state.cavities[0] - start_volume) / (area * speed * time) - 1.0;
 }
 
@@ -173,28 +190,31 @@ TEST(SurfacePressures, CavityGrowsWithItsWall) {
   for (const Mode mode : modes) {
     const double coarse = std::abs(growth_error(mode, 0.0625));
     const double fine = std::abs(growth_error(mode, 0.015625));
-    EXPECT_LT(coarse, 0.15);
+    // Cells are twice as large in three dimensions.
+    EXPECT_LT(coarse, mode == Mode::three_dimensional ? 0.3 : 0.15);
     EXPECT_LT(fine, 0.35 * coarse);
   }
 }
 
 /// A fluid much stiffer than the solid does not make the steps unstable, and keeps its energy.
 TEST(SurfacePressures, AStiffFluidIsStable) {
-  Scene scene = ball_scene(Mode::axisymmetric, {{0.0, 0.0, 0.0}, 1.0, 0.4}, 0.0625);
-  scene.bodies[0].radial_velocity = -1.0;
-  add_fluid(scene, 1e13);
-  State state = start(scene);
-  advance_to(scene, 1e-3, state);
-  const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
-  EXPECT_GT(state.clock.step, 200);
-  EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-4);
-  EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-12);
-  EXPECT_NEAR(
-      state.cavities[0] / cavity_volume(std::get<Ball>(scene.bodies[0].shape), scene.grid),
-      1.0,
-      1e-4
-  );
-  EXPECT_LT(ledger.kinetic, ledger.initial_kinetic);
+  for (const Mode mode : {Mode::axisymmetric, Mode::three_dimensional}) {
+    Scene scene = ball_scene(mode, {{0.0, 0.0, 0.0}, 1.0, 0.4}, 0.0625);
+    scene.bodies[0].radial_velocity = -1.0;
+    add_fluid(scene, 1e13);
+    State state = start(scene);
+    advance_to(scene, 1e-3, state);
+    const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
+    EXPECT_GT(state.clock.step, 100);
+    EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-4);
+    EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-12);
+    EXPECT_NEAR(
+        state.cavities[0] / cavity_volume(std::get<Ball>(scene.bodies[0].shape), scene.grid),
+        1.0,
+        1e-4
+    );
+    EXPECT_LT(ledger.kinetic, ledger.initial_kinetic);
+  }
 }
 
 TEST(SurfacePressures, ACavityThatHasClosedEndsTheRun) {
@@ -207,19 +227,21 @@ TEST(SurfacePressures, ACavityThatHasClosedEndsTheRun) {
 
 /// The fluid's pressure is one number for all ranks, to the last bit.
 TEST(SurfacePressures, PoreFluidGivesTheSameBitsOnAnyRankCount) {
-  Scene scene = ball_scene(Mode::axisymmetric, {{0.0, 0.0, 0.0}, 1.0, 0.4}, 0.03125);
-  scene.bodies[0].radial_velocity = -30.0;
-  add_fluid(scene, 2.2e9, 1e6);
-  add_load(scene, false, true, 3e6);
-  State together = start(scene), alone = start_alone(scene);
-  advance_to(scene, 2e-4, together);
-  advance_to(scene, 2e-4, alone);
-  EXPECT_GT(together.clock.step, 30);
-  EXPECT_LT(
-      alone.cavities[0], 0.999 * cavity_volume(std::get<Ball>(scene.bodies[0].shape), scene.grid)
-  );
-  EXPECT_EQ(together.cavities[0], alone.cavities[0]);
-  EXPECT_EQ(all_rows(together), all_rows(alone));
+  for (const Mode mode : {Mode::axisymmetric, Mode::three_dimensional}) {
+    Scene scene = ball_scene(mode, {{0.0, 0.0, 0.0}, 1.0, 0.4}, 0.03125);
+    scene.bodies[0].radial_velocity = -30.0;
+    add_fluid(scene, 2.2e9, 1e6);
+    add_load(scene, false, true, 3e6);
+    State together = start(scene), alone = start_alone(scene);
+    advance_to(scene, 2e-4, together);
+    advance_to(scene, 2e-4, alone);
+    EXPECT_GT(together.clock.step, 20);
+    EXPECT_LT(
+        alone.cavities[0], 0.999 * cavity_volume(std::get<Ball>(scene.bodies[0].shape), scene.grid)
+    );
+    EXPECT_EQ(together.cavities[0], alone.cavities[0]);
+    EXPECT_EQ(all_rows(together), all_rows(alone));
+  }
 }
 
 TEST(SurfacePressures, DebrisLosesItsShareAndStretchedParticlesKeepIt) {
