@@ -52,8 +52,9 @@ def box_run(barreno, mode, shape, amplitude, cells, per_cell):
     return attempt(barreno, "manufactured_box.xml", settings), motion
 
 
-def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2):
+def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2, domain="1"):
     settings = {
+        "Step/Largest Domain": domain,
         "Grid/Cell Size": repr(h),
         "Body Force/Angle": repr(angle),
         "Bodies/Disk/Particles Per Cell": str(per_cell),
