@@ -19,6 +19,8 @@ SETTLED = 64  # cells from which 1.9 is demanded at the small amplitude
 def cells_of(mode, full):
     if mode == "3D":
         return (4, 8, 16) if full else ()
+    if mode == "axisymmetric":
+        return (8, 16, 32) if full else (8, 16)
     return (8, 16, 32, 64) if full else (8, 16)
 
 
