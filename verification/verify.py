@@ -18,7 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "tools"))
 sys.path.insert(0, str(HERE))
 
-CASES = ["bar_wave", "shock_copper", "taylor_bar", "arenisca_benchmarks", "arenisca_against_oracle", "perforation", "shell_coasting", "shell_material", "manufactured_box", "manufactured_disk", "thick_cylinder", "cylindrical_wave", "simple_motions", "extension", "sliding_block", "incline", "contact_disks", "pressed_blocks", "preloaded_bar", "thick_sphere", "spherical_wave", "shell_squeezed"]
+CASES = ["bar_wave", "shock_copper", "taylor_bar", "arenisca_benchmarks", "arenisca_against_oracle", "perforation", "shell_coasting", "shell_material", "manufactured_box", "manufactured_disk", "thick_cylinder", "cylindrical_wave", "simple_motions", "extension", "integrators", "sliding_block", "incline", "contact_disks", "pressed_blocks", "preloaded_bar", "thick_sphere", "spherical_wave", "shell_squeezed"]
 RESULTS = HERE / "results"
 PAGE = HERE.parent / "docs" / "verification.md"
 

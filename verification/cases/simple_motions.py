@@ -4,11 +4,12 @@ import numpy as np
 from case import Result
 from choices import shape_functions
 from drive import drive
-from manufactured_runs import centres
+from manufactured_runs import Failed, attempt, centres
 from runs import order, run_deck
 
 RADIANS = 1e4
-SPIN = 30.0  # of long_spin [1/s]: the bar's ends at a tenth of its wave speed
+CONTROL = "linear"  # gains energy at edges (src/shape/splines.hpp): its spinning bar may break
+SPIN = 30.0  # [1/s]: the bar's ends at a tenth of its wave speed
 MATERIALS = {
     "Linear Elastic": {"Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"},
     "Neo-Hookean": {"Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"},
@@ -33,32 +34,24 @@ def turned_point(barreno, model):
     return float(np.abs(principal - principal[:, :1]).max() / scale), float(abs(xx[-1] - end) / scale)
 
 
-def spinning_bar(barreno, shape, h):
-    """What a bar loses of angular momentum and kinetic energy in one turn."""
-    run = run_deck(barreno, "spinning_bar.xml", {"Step/Shape Function": shape, "Grid/Cell Size": repr(h)})
-
-    def momentum(now):  # every particle has the same mass
-        x, y = centres(now)
-        return float(np.sum(x * now["velocity_y"] - y * now["velocity_x"]))
-
-    kinetic = run.table("history.csv")["kinetic"]
-    return momentum(run.particles()) / momentum(run.particles(0)) - 1.0, kinetic[-1] / kinetic[0] - 1.0
-
-
-def long_spin(barreno, shape, radians):
-    """Energy of a bar that spins ten times as fast, as long as a rigid one would take for so many radians: the greatest at any time
-    and the last, over that at the start."""
+def spin(barreno, shape, h, radians, rows):
+    """A finished run of the bar that turns so far, or Failed."""
     end = radians / SPIN
     settings = {
         "Step/Shape Function": shape,
+        "Grid/Cell Size": repr(h),
         "Bodies/Bar/Spin": repr(SPIN),
         "Time/End Time": repr(end),
         "Output/Field Interval": repr(end),
-        "Output/History Interval": repr(end / 1000),
+        "Output/History Interval": repr(end / rows),
     }
-    table = run_deck(barreno, "spinning_bar.xml", settings).table("history.csv")
-    energy = (table["kinetic"] + table["elastic"]) / table["kinetic"][0]
-    return float(energy.max()), float(energy[-1])
+    return attempt(barreno, "spinning_bar.xml", settings)
+
+
+def angular_momentum(now):
+    """Every particle has the same mass."""
+    x, y = centres(now)
+    return float(np.sum(x * now["velocity_y"] - y * now["velocity_x"]))
 
 
 def colliding_bars(barreno, shape, cells):
@@ -97,22 +90,40 @@ def check_points(barreno, result):
 
 
 def check_spin(barreno, shape, sizes, result):
+    """One turn: what is lost of angular momentum and kinetic energy."""
     lost = []
     for h in sizes:
-        momentum, kinetic = spinning_bar(barreno, shape, h)
         name = f"{shape}, {0.04 / h:g} cells thick"
+        run = spin(barreno, shape, h, 2.0 * np.pi, 20)
+        if isinstance(run, Failed):
+            result.rows.append(["spinning bar", name, "one turn", run.why])
+            if shape != CONTROL:
+                result.demand(f"spinning bar, {name}: turns", 0, 1, at_least=True)
+            continue
+        momentum = angular_momentum(run.particles()) / angular_momentum(run.particles(0)) - 1.0
+        kinetic = run.table("history.csv")["kinetic"]
         result.rows.append(["spinning bar", name, "change of angular momentum in a turn", momentum])
-        result.rows.append(["spinning bar", name, "change of kinetic energy in a turn", kinetic])
-        result.demand(f"spinning bar, {name}: energy gained", kinetic, 1e-3)
+        result.rows.append(["spinning bar", name, "change of kinetic energy in a turn", kinetic[-1] / kinetic[0] - 1.0])
+        result.demand(f"spinning bar, {name}: energy gained", kinetic[-1] / kinetic[0] - 1.0, 1e-3)
         lost.append(abs(momentum))
-    result.demand(f"spinning bar, {shape}: order of the angular momentum lost", order(lost)[-1], 0.9, at_least=True)
+    if len(lost) == len(sizes):
+        result.demand(f"spinning bar, {shape}: order of the angular momentum lost", order(lost)[-1], 0.9, at_least=True)
 
 
 def check_long_spin(barreno, shape, radians, result):
-    greatest, last = long_spin(barreno, shape, radians)
-    result.rows.append(["spinning bar", shape, f"greatest energy in {radians:.4g} rad, less 1", greatest - 1.0])
-    result.rows.append(["spinning bar", shape, f"energy left after {radians:.4g} rad", last])
-    result.demand(f"spinning bar, {shape}: energy gained in {radians:.4g} rad", greatest - 1.0, 1e-3)
+    """Many turns, or as long as a rigid bar would take for them: the bar must not gain energy at any time."""
+    run = spin(barreno, shape, 0.02, radians, 1000)
+    if isinstance(run, Failed):
+        result.rows.append(["spinning bar", shape, f"{radians:.4g} rad", run.why])
+        if shape != CONTROL:
+            result.demand(f"spinning bar, {shape}: {radians:.4g} rad", 0, 1, at_least=True)
+        return
+    table = run.table("history.csv")
+    energy = (table["kinetic"] + table["elastic"]) / table["kinetic"][0]
+    result.rows.append(["spinning bar", shape, f"greatest energy in {radians:.4g} rad, less 1", float(energy.max()) - 1.0])
+    result.rows.append(["spinning bar", shape, f"energy left after {radians:.4g} rad", float(energy[-1])])
+    if shape != CONTROL:
+        result.demand(f"spinning bar, {shape}: energy gained in {radians:.4g} rad", float(energy.max()) - 1.0, 1e-3)
 
 
 def check_impacts(barreno, shape, cells, result):

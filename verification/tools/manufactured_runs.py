@@ -30,8 +30,8 @@ def corner(mode, value):
     return "{" + ", ".join([f"{value!r} m"] * GRID_CORNER[mode]) + "}"
 
 
-def box_run(barreno, mode, shape, amplitude, cells, per_cell):
-    """Axis-aligned displacement of the unit box, half a period; its exact motion as x(X, t)."""
+def box_run(barreno, mode, shape, amplitude, cells, per_cell, extra=None):
+    """Axis-aligned displacement of the unit box, half a period, with further deck words; its exact motion as x(X, t)."""
     settings = {
         "Grid/Mode": mode,
         "Grid/Cell Size": repr(1.0 / cells),
@@ -49,10 +49,10 @@ def box_run(barreno, mode, shape, amplitude, cells, per_cell):
         motion = lambda X, t: exact.axisymmetric(BOX, amplitude, PHASES[1], X, t)[0]  # noqa: E731
     else:
         motion = lambda X, t: exact.aligned(BOX, amplitude, PHASES[: len(X)], X, t)[0]  # noqa: E731
-    return attempt(barreno, "manufactured_box.xml", settings), motion
+    return attempt(barreno, "manufactured_box.xml", {**settings, **(extra or {})}), motion
 
 
-def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2, domain="1"):
+def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2, domain="1", extra=None):
     settings = {
         "Step/Largest Domain": domain,
         "Grid/Cell Size": repr(h),
@@ -62,6 +62,7 @@ def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2, domain="1"):
         "Time/End Time": repr(end),
         "Output/Field Interval": repr(0.1 * end),
     }
+    settings.update(extra or {})
     return attempt(barreno, "manufactured_vortex.xml", settings), lambda X, t: exact.vortex(VORTEX, angle, X, t)[0]
 
 
