@@ -73,7 +73,7 @@ def measure(barreno, scheme, full):
 
 
 def cost_at(levels, cost, wanted):
-    """CPU seconds for an error, between levels on logarithmic axes; nothing where it is not reached."""
+    """CPU seconds for an error, between levels on logarithmic axes; nothing where it is not at these levels."""
     for (_, coarse, little), (_, fine, much) in zip(levels, levels[1:]):
         if fine <= wanted <= coarse:
             share = np.log(coarse / wanted) / np.log(coarse / fine)
@@ -82,7 +82,7 @@ def cost_at(levels, cost, wanted):
 
 
 def text_of(seconds):
-    return "not reached" if seconds is None else f"{seconds:.3g}"
+    return "not at these levels" if seconds is None else f"{seconds:.3g}"
 
 
 def run(barreno, full):
