@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Motions whose answer needs no theory: rotation, even extension, impact of equal bodies."""
+"""Motions whose answer needs no theory: rotation, impact of equal bodies."""
 import numpy as np
 from case import Result
 from choices import shape_functions
 from drive import drive
-from manufactured_runs import centres
+from manufactured_runs import Failed, attempt, centres
 from runs import order, run_deck
 
 RADIANS = 1e4
-FOLLOWS_ITS_PARTICLES = ("CPDI", "contiguous GIMP")
+CONTROL = "linear"  # gains energy at edges (src/shape/splines.hpp): its spinning bar may break
+SPIN = 30.0  # [1/s]: the bar's ends at a tenth of its wave speed
 MATERIALS = {
     "Linear Elastic": {"Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"},
     "Neo-Hookean": {"Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"},
@@ -33,28 +34,24 @@ def turned_point(barreno, model):
     return float(np.abs(principal - principal[:, :1]).max() / scale), float(abs(xx[-1] - end) / scale)
 
 
-def spinning_bar(barreno, shape, h):
-    """What a bar loses of angular momentum and kinetic energy in one turn."""
-    run = run_deck(barreno, "spinning_bar.xml", {"Step/Shape Function": shape, "Grid/Cell Size": repr(h)})
+def spin(barreno, shape, h, radians, rows):
+    """A finished run of the bar that turns so far, or Failed."""
+    end = radians / SPIN
+    settings = {
+        "Step/Shape Function": shape,
+        "Grid/Cell Size": repr(h),
+        "Bodies/Bar/Spin": repr(SPIN),
+        "Time/End Time": repr(end),
+        "Output/Field Interval": repr(end),
+        "Output/History Interval": repr(end / rows),
+    }
+    return attempt(barreno, "spinning_bar.xml", settings)
 
-    def momentum(now):  # every particle has the same mass
-        x, y = centres(now)
-        return float(np.sum(x * now["velocity_y"] - y * now["velocity_x"]))
 
-    kinetic = run.table("history.csv")["kinetic"]
-    return momentum(run.particles()) / momentum(run.particles(0)) - 1.0, kinetic[-1] / kinetic[0] - 1.0
-
-
-def stretched_bar(barreno, shape):
-    """Largest error of any particle's volume ratio over the even stretch 1 + t, by stretch; and the stretch at which it first
-    exceeds 1 %."""
-    run = run_deck(barreno, "stretched_bar.xml", {"Step/Shape Function": shape})
-    errors = {}
-    for step in range(run.instants()):
-        now = run.particles(step)
-        stretch = 1.0 + now["time"]
-        errors[round(stretch, 6)] = float(np.abs(now["volume_ratio"] / stretch - 1.0).max())
-    return errors
+def angular_momentum(now):
+    """Every particle has the same mass."""
+    x, y = centres(now)
+    return float(np.sum(x * now["velocity_y"] - y * now["velocity_x"]))
 
 
 def colliding_bars(barreno, shape, cells):
@@ -93,25 +90,40 @@ def check_points(barreno, result):
 
 
 def check_spin(barreno, shape, sizes, result):
+    """One turn: what is lost of angular momentum and kinetic energy."""
     lost = []
     for h in sizes:
-        momentum, kinetic = spinning_bar(barreno, shape, h)
         name = f"{shape}, {0.04 / h:g} cells thick"
+        run = spin(barreno, shape, h, 2.0 * np.pi, 20)
+        if isinstance(run, Failed):
+            result.rows.append(["spinning bar", name, "one turn", run.why])
+            if shape != CONTROL:
+                result.demand(f"spinning bar, {name}: turns", 0, 1, at_least=True)
+            continue
+        momentum = angular_momentum(run.particles()) / angular_momentum(run.particles(0)) - 1.0
+        kinetic = run.table("history.csv")["kinetic"]
         result.rows.append(["spinning bar", name, "change of angular momentum in a turn", momentum])
-        result.rows.append(["spinning bar", name, "change of kinetic energy in a turn", kinetic])
-        result.demand(f"spinning bar, {name}: energy gained", kinetic, 1e-3)
+        result.rows.append(["spinning bar", name, "change of kinetic energy in a turn", kinetic[-1] / kinetic[0] - 1.0])
+        result.demand(f"spinning bar, {name}: energy gained", kinetic[-1] / kinetic[0] - 1.0, 1e-3)
         lost.append(abs(momentum))
-    result.demand(f"spinning bar, {shape}: order of the angular momentum lost", order(lost)[-1], 0.9, at_least=True)
+    if len(lost) == len(sizes):
+        result.demand(f"spinning bar, {shape}: order of the angular momentum lost", order(lost)[-1], 0.9, at_least=True)
 
 
-def check_stretch(barreno, shape, result):
-    errors = stretched_bar(barreno, shape)
-    for stretch in (1.5, 2.0, 3.0, 5.0):
-        result.rows.append(["stretched bar", shape, f"greatest error of a particle's stretch at {stretch:g}", errors[stretch]])
-    if shape in FOLLOWS_ITS_PARTICLES:
-        result.demand(f"stretched bar, {shape}: error at a stretch of 5", errors[5.0], 1e-2)
-    elif shape == "GIMP":
-        result.demand(f"stretched bar, {shape}: separation at a stretch of 5 (documented)", errors[5.0], 0.5, at_least=True)
+def check_long_spin(barreno, shape, radians, result):
+    """Many turns, or as long as a rigid bar would take for them: the bar must not gain energy at any time."""
+    run = spin(barreno, shape, 0.02, radians, 1000)
+    if isinstance(run, Failed):
+        result.rows.append(["spinning bar", shape, f"{radians:.4g} rad", run.why])
+        if shape != CONTROL:
+            result.demand(f"spinning bar, {shape}: {radians:.4g} rad", 0, 1, at_least=True)
+        return
+    table = run.table("history.csv")
+    energy = (table["kinetic"] + table["elastic"]) / table["kinetic"][0]
+    result.rows.append(["spinning bar", shape, f"greatest energy in {radians:.4g} rad, less 1", float(energy.max()) - 1.0])
+    result.rows.append(["spinning bar", shape, f"energy left after {radians:.4g} rad", float(energy[-1])])
+    if shape != CONTROL:
+        result.demand(f"spinning bar, {shape}: energy gained in {radians:.4g} rad", float(energy.max()) - 1.0, 1e-3)
 
 
 def check_impacts(barreno, shape, cells, result):
@@ -140,7 +152,7 @@ def check_disks(barreno, shape, result):
 def run(barreno, full):
     result = Result(
         "Simple motions",
-        "Rotation leaves stress and energy alone; even extension stays even; equal bodies exchange their velocities.",
+        "Rotation leaves stress and energy alone; equal bodies exchange their velocities.",
         "kinematics; restitution 1, contact stress rho c v and contact time 2 L / c of equal elastic bars.",
         ["motion", "of", "what", "value"],
         [],
@@ -148,13 +160,12 @@ def run(barreno, full):
     check_points(barreno, result)
     for shape in shape_functions(barreno):
         check_spin(barreno, shape, (0.02, 0.01, 0.005) if full else (0.02, 0.01), result)
-        check_stretch(barreno, shape, result)
+        check_long_spin(barreno, shape, RADIANS if full else 6.0 * np.pi, result)
         for cells in (20, 40, 80) if full else (20,):
             check_impacts(barreno, shape, cells, result)
         check_disks(barreno, shape, result)
     result.notes = (
-        "A support of fixed size loses its neighbours when a bar is stretched beyond the size of its cells: GIMP's particles then "
-        "see no more stretch, each in nodes of its own (numerical fracture). FLIP does not keep angular momentum: particles move "
+        "A material point turns for 1e4 rad and its stress with it; a bar on the grid comes to rest. FLIP does not keep angular momentum: particles move "
         "with velocities that the grid has smoothed, and a body of few cells loses its spin; the loss falls with the cells. Bodies "
         "share one velocity field: bars that touch in a common node press each other as they should, but are one bar afterwards "
         "and do not part (the exact ratio is 1), while disks that approach from afar rebound and lose some energy between "

@@ -33,7 +33,6 @@ def corner(mode, value):
 def box_run(barreno, mode, shape, amplitude, cells, per_cell, more=None):
     """Axis-aligned displacement of the unit box, half a period, with more settings; its exact motion as x(X, t)."""
     settings = {
-        **(more or {}),
         "Grid/Mode": mode,
         "Grid/Cell Size": repr(1.0 / cells),
         "Body Force/Amplitude": repr(amplitude),
@@ -50,11 +49,12 @@ def box_run(barreno, mode, shape, amplitude, cells, per_cell, more=None):
         motion = lambda X, t: exact.axisymmetric(BOX, amplitude, PHASES[1], X, t)[0]  # noqa: E731
     else:
         motion = lambda X, t: exact.aligned(BOX, amplitude, PHASES[: len(X)], X, t)[0]  # noqa: E731
-    return attempt(barreno, "manufactured_box.xml", settings), motion
+    return attempt(barreno, "manufactured_box.xml", {**settings, **(more or {})}), motion
 
 
-def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2):
+def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2, domain="1", extra=None):
     settings = {
+        "Step/Largest Domain": domain,
         "Grid/Cell Size": repr(h),
         "Body Force/Angle": repr(angle),
         "Bodies/Disk/Particles Per Cell": str(per_cell),
@@ -62,6 +62,7 @@ def vortex_run(barreno, shape, angle, h, end=1.0, per_cell=2):
         "Time/End Time": repr(end),
         "Output/Field Interval": repr(0.1 * end),
     }
+    settings.update(extra or {})
     return attempt(barreno, "manufactured_vortex.xml", settings), lambda X, t: exact.vortex(VORTEX, angle, X, t)[0]
 
 
