@@ -264,11 +264,9 @@ KOKKOS_INLINE_FUNCTION bool stretches(const SpaceTensor& f, const SpaceRotation&
   return u.xx > 0.0 && u.xx * u.yy - u.xy * u.yx > 0.0 && determinant(u) > 0.0;
 }
 
-/// R of F = R U for any F with det F > 0, exact to round-off; fast from a rotation near it. An F
-/// that is inside out has none and keeps the one before, which is finite, until its policy acts.
+/// R of F = R U for any F with det F > 0, exact to round-off; fast from a rotation near it.
 KOKKOS_INLINE_FUNCTION SpaceRotation
 polar_rotation(const SpaceTensor& f, const SpaceRotation& near) {
-  if (!(determinant(f) > 0.0)) return near;
   SpaceRotation r = near;
   double left = 1.0;
   for (int i = 0; i < 3; ++i) {

@@ -214,20 +214,5 @@ TEST(LargestStretch3d, IsTheLargestSingularValue) {
   EXPECT_NEAR(largest_stretch(SpaceTensor{3, 0, 0, 0, 3, 0, 0, 0, 3}), 3.0, 1e-15);
 }
 
-TEST(PolarRotation3d, OfWhatIsInsideOutIsTheOneBefore) {
-  const SpaceRotation before = unit(SpaceRotation{0.9, 0.1, -0.2, 0.3});
-  SpaceTensor f{};
-  f.xx = -1.0;
-  f.yy = f.zz = 1.0;
-  for (const double xx : {-1.0, 0.0}) {
-    f.xx = xx;
-    const SpaceRotation r = polar_rotation(f, before);
-    EXPECT_EQ(r.w, before.w);
-    EXPECT_EQ(r.x, before.x);
-    EXPECT_EQ(r.y, before.y);
-    EXPECT_EQ(r.z, before.z);
-  }
-}
-
 }  // namespace
 }  // namespace barreno
