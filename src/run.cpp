@@ -2,29 +2,51 @@
 #include "run.hpp"
 
 #include "base/error.hpp"
+#include "base/gather.hpp"
 #include "step/advance.hpp"
 #include "step/place_particles.hpp"
 #include "step/stable_step.hpp"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace barreno {
 namespace {
 
-std::string failure_sentence(const Scene& scene, const State& state, const StepResult& result) {
-  std::ostringstream text;
-  text << "Particle " << result.failed << " of material '"
-       << scene.materials[static_cast<std::size_t>(result.material)].material.name
-       << "' failed in its stress update at t = " << state.clock.time
-       << " s, dt = " << state.clock.dt
-       << " s, and its policy is to stop. Set its \"Bad Particles\" to remove or hold, or take a "
-          "smaller "
-          "\"Courant Fraction\".";
-  return text.str();
+/// What went wrong with the particle that stopped the run, by its cause.
+constexpr std::array<const char*, removal_causes> what_failed{
+    "left the grid",
+    "moved to a place or with a velocity that is no number",
+    "failed in its stress update",
+    "expanded beyond \"Largest Expansion\"",
+    "was turned inside out or flat by its deformation"};
+
+/// Its cause, known to the rank that holds it and told to all.
+int failure_cause(const State& state, const StepResult& result) {
+  std::array<double, 1> cause{-1.0};
+  for (const Particles& particles : state.particles)
+    for (int p = 0; p < particles.count; ++p)
+      if (particles.id(p) == result.failed && particles.material == result.material)
+        cause[0] = removal_cause(state.grid, particles, p);
+  max_over_ranks(*state.grid.comm, cause);
+  return static_cast<int>(cause[0]);
 }
 
 }  // namespace
+
+std::string failure_sentence(const Scene& scene, const State& state, const StepResult& result) {
+  const int cause = failure_cause(state, result);
+  const int failed = static_cast<int>(RemovalCause::material_failure);
+  std::ostringstream text;
+  text << "Particle " << result.failed << " of material '"
+       << scene.materials[static_cast<std::size_t>(result.material)].material.name << "' "
+       << what_failed[static_cast<std::size_t>(cause < 0 ? failed : cause)]
+       << " at t = " << state.clock.time << " s, dt = " << state.clock.dt
+       << " s, and its policy is to stop. Set its \"Bad Particles\" to remove or hold, or take a "
+          "smaller \"Courant Fraction\".";
+  return text.str();
+}
 
 RunVerdict run(const Scene& scene, State& state, Output& output) {
   for (const Particles& particles : state.particles)

@@ -4,8 +4,12 @@
 #include "output/output.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
+#include "step/advance.hpp"
 
 namespace barreno {
+
+/// Which particle stopped the run, why, and what to do. Collective.
+std::string failure_sentence(const Scene& scene, const State& state, const StepResult& result);
 
 /// Advance the state to the scene's end, writing what is due on the way.
 RunVerdict run(const Scene& scene, State& state, Output& output);

@@ -210,7 +210,9 @@ input::Section any_material_section() {
        word(
            "Bad Particles",
            {"remove", "hold", "stop"},
-           "what becomes of particles whose update fails"
+           "what becomes of a particle whose update fails, that expands too far or is turned "
+           "inside "
+           "out; one that leaves the grid is always removed"
        )
            .by_default("remove")},
       {},

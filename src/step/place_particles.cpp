@@ -34,7 +34,8 @@ void tally_removal(const Particles& particles, int p, RemovalCause cause, Ledger
   ledger.kinetic -= 0.5 * m * square;
 }
 
-/// -1: stays; else why it goes.
+}  // namespace
+
 int removal_cause(const Grid& grid, const Particles& particles, int p) {
   const Vector x = vector_of(particles.position, p);
   const Vector v = vector_of(particles.velocity, p);
@@ -46,6 +47,8 @@ int removal_cause(const Grid& grid, const Particles& particles, int p) {
   if (!grid.holds(x)) return static_cast<int>(RemovalCause::left_grid);
   return -1;
 }
+
+namespace {
 
 void remove_lost(const Grid& grid, Particles& particles, Ledger& ledger) {
   std::vector<char> keep(static_cast<std::size_t>(particles.count), 1);

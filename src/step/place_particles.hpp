@@ -12,6 +12,9 @@ struct Placement {
   int interrupt = 0;          ///< signal that was received
 };
 
+/// Why row p is to be taken out, a RemovalCause; -1: it stays.
+int removal_cause(const Grid& grid, const Particles& particles, int p);
+
 /// Find every particle's cell. Particles outside the grid, not finite or given up by their material
 /// are taken out and tallied by cause.
 Placement locate_particles(const Scene& scene, State& state);

@@ -72,15 +72,17 @@ struct DeformInSpace {
   }
 };
 
-/// Rows whose rotation two Newton steps did not find: drawn out far, or turned far in one step.
+/// Rows whose rotation two Newton steps did not find: drawn out far, or turned far in one step. An
+/// F that is inside out has none and keeps the one before: held debris must stay finite.
 struct FindRotation {
   FieldView deformation, rotation, scratch;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
     if (scratch(p, rotation_left) <= last_turn) return;
     using M = ThreeDimensional;
-    const SpaceRotation r =
-        polar_rotation(load_tensor<M>(deformation, p), load_rotation<M>(deformation, rotation, p));
+    const SpaceTensor f = load_tensor<M>(deformation, p);
+    const SpaceRotation before = load_rotation<M>(deformation, rotation, p);
+    const SpaceRotation r = determinant(f) > 0.0 ? polar_rotation(f, before) : before;
     scratch(p, new_rotation) = r.w;
     scratch(p, new_rotation + 1) = r.x;
     scratch(p, new_rotation + 2) = r.y;

@@ -117,7 +117,9 @@ struct UpdateStress {
     const PointsOutcome<R>& outcome = update.outcome;
     const Mask here = alive(group);
     const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
-    const Mask good = here & (!expanded) & outcome.sound;
+    // Not every model looks at what it is given: a motion that is no number fails here.
+    const Mask sound = outcome.sound & (increment.volume_ratio_end > 0.0);
+    const Mask good = here & (!expanded) & sound;
 
     group.put_tensor(
         select_points(good, update.stress, begun.old_stress), particles.stress, components
@@ -129,7 +131,7 @@ struct UpdateStress {
         particles.longitudinal_modulus
     );
     treat_failures(group, expanded, expanded_key, sums);
-    treat_failures(group, here & (!expanded) & (!outcome.sound), failed_key, sums);
+    treat_failures(group, here & (!expanded) & (!sound), failed_key, sums);
 
     const R reference_volume = begun.mass * (1.0 / reference_density);
     const R mean_volume = 0.5 * (begun.old_volume + begun.volume);

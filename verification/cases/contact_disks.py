@@ -20,7 +20,7 @@ def run(barreno, full):
         ["cell [m]", "gap one step of output before contact [cells]", "smallest gap [cells]", "speed after / before", "energy lost to transfer", "ledger remainder"],
         [],
     )
-    for h in [0.02, 0.01, 0.005] if full else [0.02, 0.01]:
+    for h in [0.02, 0.01, 0.005, 0.0025] if full else [0.02, 0.01]:
         finished = run_deck(barreno, "contact_disks.xml", {"Grid/Cell Size": f"{h} m"})
         first = finished.particles(0)
         low = first["y"] < 0.15
@@ -39,4 +39,14 @@ def run(barreno, full):
         result.demand(f"energy balance, {h} m", np.max(np.abs(rows["energy_error"])), 1e-12)
         result.demand(f"gap at the end, {h} m", gaps[-1] * h, GAP / 2, at_least=True)
     result.demand("speed after / before, 0.01 m", result.rows[1][3], 0.92, at_least=True)
+    if full:
+        # What is missing halves with the cell: 0.203, 0.063, 0.040, 0.019.
+        result.demand("speed missing at 0.0025 m over that at 0.005 m", (1 - result.rows[3][3]) / (1 - result.rows[2][3]), 0.6)
+    result.notes = (
+        "The ratio tends to 1 with the cells, 0.797, 0.937, 0.960 and 0.981 at 5, 10, 20 and 40 cells per diameter. "
+        "Kinetic and elastic energy lose 36, 11, 5.6 and 1.6 % of the start, half between particles and grid (transfer), half in "
+        "the work of the nodal forces (stress_integration); the likely cause, not isolated, is that nodes whose fields come into "
+        "touch agree on one velocity, an inelastic impact of the masses within about a cell of the surface. What is missing in the mean speed beyond that "
+        "stays in the disks as vibration."
+    )
     return result
