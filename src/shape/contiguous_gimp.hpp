@@ -58,9 +58,20 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
     const double most = largest_half(place);
     for (int d = 0; d < M::dimensions; ++d) {
       const double wanted = place.half[d] * place.stretch[d];
-      place.half[d] = wanted < most ? wanted : most;  // not a number: the largest
+      const double least = place.half[d] < thinnest_half ? place.half[d] : thinnest_half;
+      const double wide = wanted < least ? least : wanted;
+      place.half[d] = wide < most ? wide : most;  // not a number: the largest
     }
     return place;
+  }
+
+  /// Half width of the box where it is narrowest [cells].
+  template <class M>
+  KOKKOS_INLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
+    const ParticlePlace own = stretched<M>(place);
+    double least = own.half[0];
+    for (int d = 1; d < M::dimensions; ++d) least = own.half[d] < least ? own.half[d] : least;
+    return least;
   }
 
   template <class M>

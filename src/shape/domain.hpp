@@ -108,6 +108,28 @@ KOKKOS_INLINE_FUNCTION Domain<D> scale_domain(const Domain<D>& domain, double la
   return rebuilt;
 }
 
+/// How far a domain reaches from its centre along an axis of the grid.
+template <int D>
+KOKKOS_INLINE_FUNCTION double reach_along(const Domain<D>& domain, int axis) {
+  double reach = 0.0;
+  for (int i = 0; i < D; ++i) reach += std::fabs(domain.e[i][axis]);
+  return reach;
+}
+
+/// Stretched along every axis of the grid along which it reaches less than `least` (one number for
+/// each axis), until it does. A thin domain that reaches into a cell by little gives next to no
+/// mass to the nodes there but the whole gradient of its stress: without a least width there is no
+/// stable step. Domains that are wide enough keep their bits.
+template <int D>
+KOKKOS_INLINE_FUNCTION Domain<D> widen_domain(Domain<D> domain, const double (&least)[extent<D>]) {
+  for (int d = 0; d < D; ++d) {
+    const double reach = reach_along(domain, d);
+    const double ratio = reach < least[d] && reach > 0.0 ? least[d] / reach : 1.0;
+    for (int i = 0; i < D; ++i) domain.e[i][d] *= ratio;
+  }
+  return domain;
+}
+
 /// Gradients of the domain's own coordinates, each of which runs from -1 to 1 between two faces:
 /// grad xi_i . e_j = 1 if i = j, else 0. The domain's face i has the area vector
 /// 2^(D-1) measure grad xi_i.

@@ -15,6 +15,10 @@ struct ShapeFields {
   const FieldView& rotation;  ///< three dimensions only
 };
 
+/// So many cells beyond a symmetry plane is the end of the grid: as far as any support reaches
+/// there are nodes, whose values mirror_walls knows.
+inline constexpr double no_end = 1024.0;
+
 /// Turns positions into places in the patch of a tile; captured by value in kernels.
 template <unsigned D>
 struct PatchFrame {
@@ -22,7 +26,7 @@ struct PatchFrame {
   Patch patch;
   ArrayView<TilePlace> tile_place;
   double lower[D];
-  double cells[D];
+  double first_end[D], last_end[D];  ///< ParticlePlace::low and high, from the grid's lower corner
   double per_cell;
   double largest;
 
@@ -33,7 +37,13 @@ struct PatchFrame {
         largest(scene.step.largest_domain) {
     for (int d = 0; d < dimensions; ++d) {
       lower[d] = grid.lower[d];
-      cells[d] = grid.cells[d];
+      first_end[d] = 0.0;
+      last_end[d] = grid.cells[d];
+    }
+    for (const ConditionSpec& condition : scene.conditions) {
+      const int face = static_cast<int>(condition.face);
+      if (condition.kind != ConditionKind::symmetry || face / 2 >= dimensions) continue;
+      (face % 2 == 0 ? first_end : last_end)[face / 2] += face % 2 == 0 ? -no_end : no_end;
     }
   }
 
@@ -56,8 +66,8 @@ struct PatchFrame {
     for (int d = 0; d < dimensions; ++d) {
       out.x[d] = (fields.position(p, d) - lower[d]) * per_cell - first.node[d];
       out.half[d] = fields.half_size(p, d) * per_cell;
-      out.low[d] = -first.node[d];
-      out.high[d] = cells[d] - first.node[d];
+      out.low[d] = first_end[d] - first.node[d];
+      out.high[d] = last_end[d] - first.node[d];
     }
     out.axis = lower[0] * per_cell + first.node[0];
     out.per_cell = per_cell;

@@ -32,6 +32,13 @@ struct StepRule {
     return density * h_rate * (linear * real::sqrt(R(modulus / density)) + quadratic * h_rate);
   }
 
+  /// A rate of tr D at least as fast as the one that gave this viscous pressure, as stable_step
+  /// takes it [1/time].
+  KOKKOS_INLINE_FUNCTION double compression(double density, double viscous) const {
+    if (!(viscous > 0.0)) return 0.0;
+    return quadratic > 0.0 ? -std::sqrt(viscous / (density * quadratic)) / cell_size : -1.0;
+  }
+
   /// dt = C h / (Q + sqrt(Q^2 + c^2) + |v|), Q = A1 c + A2 h |tr D| the viscosity as a speed
   /// [time].
   ///

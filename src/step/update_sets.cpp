@@ -38,6 +38,7 @@ void add(const DomainTally& domains, StressTally& set, double& clipped) {
   failed.failures = domains.inverted;
   failed.first_failed = domains.first_bad;
   add(failed, set);
+  set.stable_step = std::min(set.stable_step, domains.stable_step);
 }
 
 /// What the set's particle policy says to its failures.
