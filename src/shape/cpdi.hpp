@@ -78,25 +78,23 @@ struct Cpdi {
     const bool none = flat(out);
     for (int i = 0; i < D; ++i)
       for (int k = 0; k < D; ++k) out.e[i][k] = none ? (i == k ? place.half[i] : 0.0) : out.e[i][k];
-    double least[extent<D>];
-    for (int d = 0; d < D; ++d)
-      least[d] = place.half[d] < thinnest_half ? place.half[d] : thinnest_half;
-    if constexpr (M::hoop) {
-      const double radius = place.axis + place.x[0];
-      out = narrow_at_axis(out, radius);
-      least[0] = least[0] < radius ? least[0] : radius;
-    }
-    return widen_domain(scale_domain(out, place.largest), least);
+    double least = thinnest_half;
+    for (int d = 0; d < D; ++d) least = place.half[d] < least ? place.half[d] : least;
+    const double radius = place.axis + place.x[0];
+    if constexpr (M::hoop) out = narrow_at_axis(out, radius);
+    out = widen_domain(scale_domain(out, place.largest), least);
+    if constexpr (M::hoop) out = narrow_at_axis(out, radius);
+    return out;
   }
 
   /// Half width of the domain where it is narrowest [cells].
   template <class M>
   KOKKOS_INLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
-    const Domain<M::dimensions> own = domain<M>(place);
-    double least = reach_along(own, 0);
-    for (int d = 1; d < M::dimensions; ++d) {
-      const double reach = reach_along(own, d);
-      least = reach < least ? reach : least;
+    const Domain<M::dimensions> slope = dual(domain<M>(place));
+    double least = half_width(slope, 0);
+    for (int i = 1; i < M::dimensions; ++i) {
+      const double width = half_width(slope, i);
+      least = width < least ? width : least;
     }
     return least;
   }

@@ -108,28 +108,6 @@ KOKKOS_INLINE_FUNCTION Domain<D> scale_domain(const Domain<D>& domain, double la
   return rebuilt;
 }
 
-/// How far a domain reaches from its centre along an axis of the grid.
-template <int D>
-KOKKOS_INLINE_FUNCTION double reach_along(const Domain<D>& domain, int axis) {
-  double reach = 0.0;
-  for (int i = 0; i < D; ++i) reach += std::fabs(domain.e[i][axis]);
-  return reach;
-}
-
-/// Stretched along every axis of the grid along which it reaches less than `least` (one number for
-/// each axis), until it does. A thin domain that reaches into a cell by little gives next to no
-/// mass to the nodes there but the whole gradient of its stress: without a least width there is no
-/// stable step. Domains that are wide enough keep their bits.
-template <int D>
-KOKKOS_INLINE_FUNCTION Domain<D> widen_domain(Domain<D> domain, const double (&least)[extent<D>]) {
-  for (int d = 0; d < D; ++d) {
-    const double reach = reach_along(domain, d);
-    const double ratio = reach < least[d] && reach > 0.0 ? least[d] / reach : 1.0;
-    for (int i = 0; i < D; ++i) domain.e[i][d] *= ratio;
-  }
-  return domain;
-}
-
 /// Gradients of the domain's own coordinates, each of which runs from -1 to 1 between two faces:
 /// grad xi_i . e_j = 1 if i = j, else 0. The domain's face i has the area vector
 /// 2^(D-1) measure grad xi_i.
@@ -148,6 +126,29 @@ KOKKOS_INLINE_FUNCTION Domain<3> dual(const Domain<3>& d) {
       out.e[i][k] = (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]) * inverse;
   }
   return out;
+}
+
+/// From the centre to face i: 1 / |grad xi_i|.
+template <int D>
+KOKKOS_INLINE_FUNCTION double half_width(const Domain<D>& dual, int i) {
+  return 1.0 / std::sqrt(length_squared(dual.e[i]));
+}
+
+/// Faces that are nearer to the centre than `least` are moved out along their normals. A needle
+/// that reaches into a cell by little gives next to no mass to the nodes there but the whole
+/// gradient of its stress: without a least width there is no stable step. Domains that are wide
+/// enough keep their bits.
+template <int D>
+KOKKOS_INLINE_FUNCTION Domain<D> widen_domain(Domain<D> domain, double least) {
+  for (int i = 0; i < D; ++i) {
+    const Domain<D> slope = dual(domain);
+    const double width = half_width(slope, i);
+    // Along the normal, whose length is 1 / width.
+    const double more = width < least ? (least - width) * width : 0.0;
+    for (int d = 0; d < D; ++d)
+      domain.e[i][d] = width < least ? domain.e[i][d] + more * slope.e[i][d] : domain.e[i][d];
+  }
+  return domain;
 }
 
 /// A domain that reaches across the axis is made narrower until it ends there: radial components

@@ -17,6 +17,7 @@ from runs import DECKS, Run, mpi_environment  # noqa: E402
 def run(policy, folder):
     command = [sys.argv[1], "run", DECKS / "stretched_bar.xml", "--out", folder]
     command += ["--set", f"Materials/Soft/Bad Particles={policy}", "--set", "Step/Largest Expansion=2"]
+    command += ["--set", "Step/Shape Function=CPDI", "--set", "Step/Largest Domain=0"]  # which does not part before
     result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, timeout=120)
     summary = json.loads((folder / "summary.json").read_text())
     assert summary["exit_code"] == result.returncode, f"{policy}: exit {result.returncode}, summary says {summary['exit_code']}"

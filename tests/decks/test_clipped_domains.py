@@ -13,7 +13,7 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
 from runs import run_deck  # noqa: E402
 
-LARGEST = 0.8  # corners of the undeformed particles are 0.354 cells from their centre
+LARGEST = 0.4  # corners of the undeformed particles are 0.354 cells from their centre
 HALF = 0.25  # [cells]
 
 

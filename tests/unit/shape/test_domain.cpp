@@ -34,10 +34,48 @@ double longest_corner(const Domain<D>& domain) {
   return longest;
 }
 
+template <int D>
+double narrowest(const Domain<D>& domain) {
+  const Domain<D> slope = dual(domain);
+  double least = half_width(slope, 0);
+  for (int i = 1; i < D; ++i) least = std::min(least, half_width(slope, i));
+  return least;
+}
+
 template <class Dimension>
 class DomainContract : public ::testing::Test {};
 using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(DomainContract, Dimensions);
+
+/// Edges of a box are as far from the centre as they are long.
+TYPED_TEST(DomainContract, WidthsOfABoxAreItsHalfEdges) {
+  constexpr int D = TypeParam::value;
+  Domain<D> box;
+  for (int i = 0; i < D; ++i) box.e[i][i] = 0.1 * (i + 1);
+  for (int i = 0; i < D; ++i) EXPECT_NEAR(half_width(dual(box), i), 0.1 * (i + 1), 1e-16);
+}
+
+TYPED_TEST(DomainContract, NeedlesAreWidenedAndOthersKeepTheirBits) {
+  constexpr int D = TypeParam::value;
+  std::mt19937 random(23);
+  int widened = 0;
+  for (int n = 0; n < 10000; ++n) {
+    const Domain<D> before = random_domain<D>(random);
+    const Domain<D> after = widen_domain(before, 0.0625);
+    EXPECT_GT(measure(after), 0.0);
+    if (narrowest(before) >= 0.0625) {
+      for (int i = 0; i < D; ++i)
+        for (int d = 0; d < D; ++d) ASSERT_EQ(after.e[i][d], before.e[i][d]);
+      continue;
+    }
+    ++widened;
+    // A face that moves out leaves the others where they are, but for their edges.
+    EXPECT_GE(narrowest(after), (D == 2 ? 0.5 : 0.25) * 0.0625);
+    EXPECT_GE(measure(after), measure(before));
+    EXPECT_LE(longest_corner(after), longest_corner(before) + D * 0.0625);
+  }
+  EXPECT_GT(widened, 100);
+}
 
 TYPED_TEST(DomainContract, DualVectorsAreThoseOfTheInverse) {
   constexpr int D = TypeParam::value;
