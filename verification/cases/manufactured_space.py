@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Axis-aligned displacement of the unit box in three dimensions: order of accuracy of uniform GIMP and CPDI."""
 from case import Result
-from cases.manufactured_box import FLOOR, FOLLOWS_ITS_PARTICLES, refine
+from cases.manufactured_box import FOLLOWS_ITS_PARTICLES, SMALL, refine
 from runs import order
 
 MODE = "3D"
@@ -21,7 +21,7 @@ def run(barreno, full):
     for shape, amplitude, levels in runs if full else [("GIMP", 0.01, (4, 8)), ("CPDI", 0.01, (4, 8))]:
         errors = refine(barreno, MODE, shape, amplitude, 2, levels, result)
         what = f"{shape}, A = {amplitude}: order of the last halving"
-        if shape in FOLLOWS_ITS_PARTICLES or amplitude <= FLOOR:
+        if shape in FOLLOWS_ITS_PARTICLES or amplitude == SMALL:
             least = 1.9 if shape in FOLLOWS_ITS_PARTICLES and full else 1.8
             result.demand(what, order(errors)[-1] if len(errors) == len(levels) else -1.0, least, at_least=True)
     result.notes = (

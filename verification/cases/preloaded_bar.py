@@ -78,6 +78,10 @@ def run(barreno, full):
          "final place", "drift", "energy ledger remainder"],
         [],
     )  # fmt: skip
+    result.open = {
+        "linear": "no step is stable where nodes have next to no mass",
+        "B-spline": "one point for each particle leaves part of a face's force on nodes beside it, see Loads in docs/method.md",
+    }
     levels = (25, 50, 100) if full else (25, 50)
     for mode in ("plane strain", "axisymmetric"):
         for shape in shape_functions(barreno) or ("GIMP",):

@@ -157,6 +157,12 @@ def run(barreno, full):
         ["motion", "of", "what", "value"],
         [],
     )
+    result.open = {
+        "spinning bar, CPDI: energy": "a gain of the first instants that is larger with wider supports; the cause is not found",
+        "spinning bar, quadratic B-spline: energy": "a gain of the first instants that is larger with wider supports; the cause is not found",
+        "spinning bar, cubic B-spline: energy": "a gain of the first instants that is larger with wider supports; the cause is not found",
+        "colliding disks, linear: energy": "no step is stable where nodes have next to no mass",
+    }
     check_points(barreno, result)
     for shape in shape_functions(barreno):
         check_spin(barreno, shape, (0.02, 0.01, 0.005) if full else (0.02, 0.01), result)
