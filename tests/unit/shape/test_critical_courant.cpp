@@ -38,7 +38,9 @@ template <class S>
 double critical_courant(int per_cell, double offset) {
   const Patch patch = make_patch(2, margin);
   const int n = patch.nodes;
-  const auto at = [n](int i, int j) { return static_cast<std::size_t>(i * n + j); };
+  const auto at = [n](int i, int j) {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(n) + static_cast<std::size_t>(j);
+  };
   std::vector<double> mass(static_cast<std::size_t>(n), 0.0), stiffness(at(n, 0), 0.0);
   for (int p = 0; p < bar_cells * per_cell; ++p) {
     ParticlePlace place;
@@ -74,6 +76,7 @@ double critical_courant(int per_cell, double offset) {
 template <class S>
 double measure(int per_cell) {
   std::vector<double> found;
+  found.reserve(offsets);
   for (int k = 0; k < offsets; ++k)
     found.push_back(critical_courant<S>(per_cell, (k + 0.5) / offsets));
   std::sort(found.begin(), found.end());
