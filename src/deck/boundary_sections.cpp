@@ -7,17 +7,21 @@ namespace {
 using namespace input;
 namespace dim = dimension;
 
-const std::vector<std::string> faces = {
-    "x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"};
+std::vector<std::string> face_words() {
+  return {face_names.begin(), face_names.end()};
+}
 
 }  // namespace
+
+const std::array<std::string, 6> face_names = {
+    "x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"};
 
 Section conditions_section() {
   const Section condition = {
       "*",
       "one condition",
       Presence::required,
-      {word("Face", faces, "face of the grid box"),
+      {word("Face", face_words(), "face of the grid box"),
        word(
            "Kind",
            {"symmetry", "fixed", "prescribed velocity"},
@@ -52,7 +56,7 @@ Section loads_section() {
            "/ V0)"
        ),
        text("Body", "name of a list in Bodies"),
-       words("Faces", faces, "of a box: faces that are loaded").if_given(),
+       words("Faces", face_words(), "of a box: faces that are loaded").if_given(),
        words("Surfaces", {"inner", "outer"}, "of a ball: that of its hollow, that around it")
            .if_given(),
        number(

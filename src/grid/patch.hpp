@@ -3,6 +3,8 @@
 
 #include <Kokkos_Macros.hpp>
 
+#include <cstddef>
+
 namespace barreno {
 
 /// Sizes of a tile and of its patch: the tile's own nodes and the ones that its particles can reach
@@ -30,6 +32,12 @@ struct Patch {
     return offset < 0 ? nodes + offset * tile_cells : nodes;
   }
 };
+
+/// Place of a slot in its patch along each of N axes.
+template <class T, std::size_t N>
+KOKKOS_INLINE_FUNCTION void place_of_slot(const Patch& patch, int slot, T (&at)[N]) {
+  for (std::size_t d = 0; d < N; ++d, slot /= patch.nodes) at[d] = slot % patch.nodes;
+}
 
 /// Nodes per direction of the largest patch: kernels keep one row of nodes on their stack.
 inline constexpr int most_patch_nodes = 64;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deck/boundary_sections.hpp"
 #include "scene/geometry.hpp"
 #include "scene/load_tables.hpp"
 #include "scene/scene_parts.hpp"
@@ -8,9 +9,6 @@
 
 namespace barreno {
 namespace {
-
-const std::array<std::string, 6> face_names = {
-    "x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"};
 
 std::size_t axis_of(Face face) {
   return static_cast<std::size_t>(face) / 2;

@@ -35,7 +35,7 @@ struct GatherAffine {
     double first[extent<dimensions>][extent<dimensions>] = {};
     support.for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
       double at[extent<dimensions>];
-      place_of_slot<dimensions>(frame.patch, slot, at);
+      place_of_slot(frame.patch, slot, at);
       const double* const v = patch + slot * motion_components(dimensions);
       for (int i = 0; i < dimensions; ++i)
         for (int d = 0; d < dimensions; ++d) first[i][d] += s * v[i] * (at[d] - moments.centre[d]);

@@ -14,9 +14,7 @@ struct NodeCopies {
 
   /// Place of a slot in its patch along each axis.
   KOKKOS_INLINE_FUNCTION void place(int slot, int (&at)[3]) const {
-    at[0] = slot % patch.nodes;
-    at[1] = slot / patch.nodes % patch.nodes;
-    at[2] = slot / (patch.nodes * patch.nodes);
+    place_of_slot(patch, slot, at);
   }
 
   /// visit(tile, slot) for every copy of a node of an own tile, its own included, in lexicographic

@@ -6,12 +6,6 @@
 
 namespace barreno {
 
-/// A node of a patch by its place along each axis [cells].
-template <int D>
-KOKKOS_INLINE_FUNCTION void place_of_slot(const Patch& patch, int slot, double (&at)[extent<D>]) {
-  for (int d = 0; d < D; ++d, slot /= patch.nodes) at[d] = slot % patch.nodes;
-}
-
 /// First and second moments of a particle's weights S_Ip, in cells: x = sum S x_I, and
 /// D = sum S (x_I - x) (x_I - x)^T. D is diagonal for products of functions along the axes, 1/4 and
 /// 1/3 of a square cell for quadratic and cubic splines off the walls; it depends on where the
@@ -25,12 +19,12 @@ struct NodeMoments {
   KOKKOS_INLINE_FUNCTION NodeMoments(const Patch& patch, const Support& support) {
     support.for_each_node(patch, [&](int slot, double s, const double*, double) {
       double at[extent<D>];
-      place_of_slot<D>(patch, slot, at);
+      place_of_slot(patch, slot, at);
       for (int d = 0; d < D; ++d) centre[d] += s * at[d];
     });
     support.for_each_node(patch, [&](int slot, double s, const double*, double) {
       double at[extent<D>];
-      place_of_slot<D>(patch, slot, at);
+      place_of_slot(patch, slot, at);
       for (int d = 0; d < D; ++d) at[d] -= centre[d];
       for (int d = 0; d < D; ++d)
         for (int e = 0; e < D; ++e) second[d][e] += s * at[d] * at[e];

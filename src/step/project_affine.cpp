@@ -43,7 +43,7 @@ struct ProjectAffine {
     }
     support.for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
       double at[extent<dimensions>];
-      place_of_slot<dimensions>(frame.patch, slot, at);
+      place_of_slot(frame.patch, slot, at);
       double* const momentum = patch + slot * sum_components + 1;
       for (int i = 0; i < dimensions; ++i)
         for (int d = 0; d < dimensions; ++d)

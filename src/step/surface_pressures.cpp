@@ -118,16 +118,24 @@ double power_of(
   return power;
 }
 
+/// Volumes of the cavities that hold a fluid at the start, by load; 0: none.
+ByLoad first_volumes(const Scene& scene) {
+  ByLoad volumes{};
+  for (std::size_t l = 0; l < scene.loads.size(); ++l)
+    if (scene.loads[l].kind == LoadKind::pore_fluid)
+      volumes[l] = cavity_volume(ball_of(scene, scene.loads[l]), scene.grid);
+  return volumes;
+}
+
 /// Shares of a cavity's volume are counted in these, whole numbers that add up without rounding.
 constexpr double share_unit = 1.0 / (1LL << 50);
 
 /// New volumes of the cavities from the shares of this rank, by load.
-void grow_cavities(const Scene& scene, ByLoad& shares, State& state) {
+void grow_cavities(const Scene& scene, const ByLoad& start, ByLoad& shares, State& state) {
   sum_over_ranks(*state.grid.comm, shares);
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     if (scene.loads[l].kind != LoadKind::pore_fluid) continue;
-    const double start = cavity_volume(ball_of(scene, scene.loads[l]), scene.grid);
-    state.cavities[l] += start * (share_unit * shares[l]);
+    state.cavities[l] += start[l] * (share_unit * shares[l]);
   }
 }
 
@@ -190,10 +198,7 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
   const Region region("tally_surface_pressures");
   const ByLoad pressures = load_pressures(scene, state);
   const std::size_t loads = scene.loads.size();
-  const bool fluids =
-      std::any_of(scene.loads.begin(), scene.loads.end(), [](const PressureLoadSpec& load) {
-        return load.kind == LoadKind::pore_fluid;
-      });
+  const ByLoad start = first_volumes(scene);
   ByLoad shares{};
   double work = 0.0;
   visit_kernels(scene, [&](auto mode, auto shape) {
@@ -215,18 +220,18 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
           // The weights add up to 1 and their slopes to 0.
           state.ledger.load_impulse -= dt * volume * inside.gradient[1];
           for (std::size_t l = 0; l < loads; ++l) {
-            if (scene.loads[l].kind != LoadKind::pore_fluid) continue;
+            if (!(start[l] > 0.0)) continue;
             ByLoad unit{};
             unit[l] = 1.0;
-            const double start = cavity_volume(ball_of(scene, scene.loads[l]), scene.grid);
             const double grown = work_under(pressure_inside<M>(scene, particles, p, unit), 0.0);
-            shares[l] += std::nearbyint(grown / (start * share_unit));
+            shares[l] += std::nearbyint(grown / (start[l] * share_unit));
           }
         }
     );
   });
   state.ledger.boundary_work += work;
-  if (fluids) grow_cavities(scene, shares, state);
+  const bool fluids = std::any_of(start.begin(), start.end(), [](double v) { return v > 0.0; });
+  if (fluids) grow_cavities(scene, start, shares, state);
   return work;
 }
 

@@ -21,7 +21,7 @@ struct TallyDomains {
   StepRule rule;
 
   void operator()(int p, DomainTally& tally) const {
-    // Neither question depends on where the particle is.
+    // What is asked depends on the radius at most, not on the tile.
     const typename PatchFrame<M::dimensions>::First anywhere{};
     const ParticlePlace place = frame.template place<S>(anywhere, shape_fields(particles), p);
     const bool clipped = S::template clipped<M>(place);

@@ -141,6 +141,9 @@ def run(barreno, full):
         [],
     )  # fmt: skip
     runs = FULL if full else CHEAP
+    result.open = {
+        f"{cells} cells: residual hoop stress": "the wall's sixteenth has no layer of particles to itself below 16 cells" for cells in (6, 8)
+    }
     for fluid, ratio, cells, slow in runs:
         m = measure(barreno, fluid, ratio, cells, slow)
         result.rows.append([fluid, ratio, cells, 200.0 * slow, m["reached"], m["load"], m["release"], m["fluid"], m["peak"][0],
@@ -162,6 +165,5 @@ def demand(name, fluid, cells, m, result):
     if fluid:
         result.demand(f"{name}: pressure of the fluid", m["fluid"], 0.02)
     result.demand(f"{name}: s at the wall", abs(m["peak"][1]), 0.02)
-    if cells >= 16:  # the wall's sixteenth has a layer of particles to itself
-        result.demand(f"{name}: residual hoop stress at the wall", abs(m["end"][2]), 0.1)
+    result.demand(f"{name}: residual hoop stress at the wall", abs(m["end"][2]), 0.1)
     result.demand(f"{name}: energy ledger remainder", m["remainder"], 1e-3)

@@ -13,9 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
 from thick_cylinder import Cylinder, MisesCylinder  # noqa: E402
 
 STEEL = Cylinder(1.0, 2.0, 200e9, 0.3, 0.4e6)
-# One point per particle does not integrate the gradient of a cubic: a node at the loaded wall keeps part of a face's force
-# (docs/method.md 1, Loads), an error of the stress in a fixed number of cells: of order 1/2 in its rms, of 1 in the displacement.
-LEAVES_FORCES = ("cubic B-spline",)
+POINTS = "one point for each particle leaves part of a face's force on nodes beside it"
 ELASTIC, PLASTIC = 0.1e6, 0.2e6  # pressures; the wall yields from 0.17 MPa on and collapses at 0.32 MPa
 
 
@@ -41,9 +39,8 @@ def rms(x):
     return float(np.sqrt(np.mean(np.square(x))))
 
 
-def refine(barreno, name, material, pressure, exact, shape, levels, limit, result):
-    """Rows of one refinement; errors of displacement and stress. At rest: what still moves cannot change the displacement by more
-    than the limit of its error (energies go with its square)."""
+def refine(barreno, name, material, pressure, exact, shape, levels, result):
+    """Rows of one refinement; errors of displacement and stress."""
     errors, stress_errors = [], []
     scale = float(exact(np.array([STEEL.a]))[0][0])
     for cells in levels:
@@ -54,7 +51,7 @@ def refine(barreno, name, material, pressure, exact, shape, levels, limit, resul
         rates = [order(e)[-1] if len(e) > 1 else float("nan") for e in (errors, stress_errors)]
         remainder = run.summary["balances"]["energy"]["error"]
         result.rows.append([name, shape, cells, errors[-1], rates[0], stress_errors[-1], rates[1], moving, remainder])
-        result.demand(f"{name}, {shape}, {cells} cells: kinetic over elastic energy", moving, limit**2)
+        result.demand(f"{name}, {shape}, {cells} cells: kinetic over elastic energy", moving, 1e-8)
     return errors, stress_errors
 
 
@@ -69,18 +66,23 @@ def run(barreno, full):
          "kinetic / elastic energy", "energy ledger remainder"],
         [],
     )  # fmt: skip
+    result.open = {
+        **{
+            f"{wall}, {kind} B-spline, {cells} cells: kinetic": POINTS + "; it falls with the fifth power of the cells"
+            for wall in ("elastic", "elastic-plastic") for kind in ("quadratic", "cubic") for cells in (8, 16)
+        },
+        **{f"{wall}, cubic B-spline: order": POINTS for wall in ("elastic", "elastic-plastic")},
+    }  # fmt: skip
     levels = (8, 16, 32, 64) if full else (8, 16)
     mises = MisesCylinder(STEEL).load(PLASTIC)
     for shape in shape_functions(barreno):
-        errors, stresses = refine(barreno, "elastic", "Elastic", ELASTIC, lambda r: STEEL.lame(ELASTIC, r), shape, levels, 2e-3, result)
+        errors, stresses = refine(barreno, "elastic", "Elastic", ELASTIC, lambda r: STEEL.lame(ELASTIC, r), shape, levels, result)
         result.demand(f"elastic, {shape}, 16 cells: displacement error", errors[1], 2e-3)
-        result.demand(f"elastic, {shape}: order of the displacement", order(errors)[-1], 1.0 if shape in LEAVES_FORCES else 1.8, at_least=True)
-        if shape not in LEAVES_FORCES:
-            result.demand(f"elastic, {shape}: order of the stress", order(stresses)[-1], 0.9, at_least=True)
-        errors, stresses = refine(barreno, "elastic-plastic", "Mises", PLASTIC, mises.at, shape, levels, 5e-3, result)
+        result.demand(f"elastic, {shape}: order of the displacement", order(errors)[-1], 1.8, at_least=True)
+        result.demand(f"elastic, {shape}: order of the stress", order(stresses)[-1], 0.9, at_least=True)
+        errors, stresses = refine(barreno, "elastic-plastic", "Mises", PLASTIC, mises.at, shape, levels, result)
         result.demand(f"elastic-plastic, {shape}, 16 cells: displacement error", errors[1], 5e-3)
-        if shape not in LEAVES_FORCES:
-            result.demand(f"elastic-plastic, {shape}: order of the stress", order(stresses)[-1], 0.9, at_least=True)
+        result.demand(f"elastic-plastic, {shape}: order of the stress", order(stresses)[-1], 0.9, at_least=True)
     result.notes = (
         "Stresses are those at the particles, which do not lie where the gradients of linear functions are second order. The "
         "front of the plastic zone (a kink) leaves the displacement's order as it is at these meshes. Quadratic B-splines have the smallest stress errors (a sixth to an "

@@ -62,9 +62,11 @@ def run(barreno, full):
         [],
     )  # fmt: skip
     result.open = {
-        "linear": "no step is stable where nodes have next to no mass",
-        "B-spline": "one point for each particle leaves part of a face's force on nodes beside it, see Loads in docs/method.md",
-        "CPDI": "it comes to rest more slowly; the cause is not found",
+        "linear, 3 particles per cell, 16 cells:": "no step is stable where nodes have next to no mass",
+        "B-spline, 2 particles per cell, 16 cells: kinetic": "one point for each particle leaves part of a face's force on nodes beside it",
+        "CPDI, 2 particles per cell, 16 cells: stress": "the cause is not found",
+        "CPDI, 2 particles per cell, 16 cells: kinetic": "it comes to rest more slowly; the cause is not found",
+        "CPDI, 3 particles per cell, 16 cells: kinetic": "it comes to rest more slowly; the cause is not found",
     }
     levels = (8, 16, 32) if full else (8, 16)
     for shape in shape_functions(barreno):
