@@ -22,7 +22,7 @@ using testing::box_scene;
 using testing::start;
 using testing::start_alone;
 
-constexpr double young = 20e9, density = 2300.0, h = 1e-3, width = 4.0 * h, length = 24.0 * h;
+constexpr double young = 20e9, density = 2300.0, h = 1e-3, width = 3.0 * h;
 const double wave_speed = std::sqrt(young / density);
 
 /// Of the bar: a circle, a strip of unit thickness, a square.
@@ -37,7 +37,7 @@ std::size_t axial(Mode mode) {
 
 /// A bar along y without Poisson's effect, whose waves travel along it alone, and a rigid plate at
 /// one end of it. Planes of symmetry on two sides, free on the others.
-Scene bar_and_plate(Mode mode, double bar_from, bool plate_above) {
+Scene bar_and_plate(Mode mode, double bar_from, double length, bool plate_above) {
   const bool space = mode == Mode::three_dimensional;
   const double most = space ? 6.0 * h : 8.0 * h;
   Scene scene = box_scene(
@@ -60,30 +60,32 @@ class Reactions : public ::testing::TestWithParam<Mode> {};
 
 /// F = rho c v A until the wave comes back from the free end.
 TEST_P(Reactions, PistonFeelsTheImpedanceOfTheBar) {
-  constexpr double speed = 0.5;
-  Scene scene = bar_and_plate(GetParam(), 4.0 * h, false);
+  constexpr double speed = 0.5, length = 24.0 * h;
+  Scene scene = bar_and_plate(GetParam(), 4.0 * h, length, false);
   scene.bodies[1].motion.velocity = {0.0, speed, 0.0};
   State state = start(scene);
-  const double back = 2.0 * length / wave_speed;
+  const double back =
+      2.0 * length / wave_speed;  // of the first of it; its front is some cells wide
   const double exact = -density * wave_speed * speed * area(GetParam());
-  advance_to(scene, 0.3 * back, state);
+  advance_to(scene, 0.2 * back, state);
   const double early = reaction_impulses(state)[axial(GetParam())];
   const double early_time = state.clock.time;
-  EXPECT_NEAR(early / (exact * early_time), 1.0, 0.05);
-  advance_to(scene, 0.85 * back, state);
+  advance_to(scene, 0.7 * back, state);
   const double late = reaction_impulses(state)[axial(GetParam())];
   EXPECT_NEAR((late - early) / (exact * (state.clock.time - early_time)), 1.0, 2e-3);
-  // The momentum that the piston lost is in the bar.
+  EXPECT_NEAR(late / (exact * state.clock.time), 1.0, 2e-2) << "the front's width included";
+  // What the piston lost is in the bar.
   const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
   EXPECT_NEAR(ledger.momentum / -late, 1.0, 1e-12);
   EXPECT_NEAR(ledger.rigid_impulse / -late, 1.0, 1e-12);
 }
 
-/// Mean axial stress of the bar by its particles.
-double mean_stress(const State& state) {
+/// Mean axial stress of the middle half of the bar by its particles.
+double mean_stress(const State& state, double length) {
   std::vector<double> sums(2, 0.0);
   const Particles& bar = state.particles[0];
   for (int p = 0; p < bar.count; ++p) {
+    if (std::abs(bar.position(p, 1) - 0.5 * length) > 0.25 * length) continue;
     sums[0] += bar.volume(p) * bar.stress(p, 1);
     sums[1] += bar.volume(p);
   }
@@ -91,28 +93,44 @@ double mean_stress(const State& state) {
   return sums[0] / sums[1];
 }
 
-/// F = stress x area, and the stress is that of the shortened column.
-TEST_P(Reactions, PlateCarriesTheStressOfTheColumnTimesItsArea) {
-  Scene scene = bar_and_plate(GetParam(), 0.0, true);
+/// Force on a plate that has slowly shortened a column on a floor, against the stress of the column
+/// and what the floor feels. @return its error against the shortening, E ln(1 - travel / length)
+double column_error(Mode mode, double length) {
+  Scene scene = bar_and_plate(mode, 0.0, length, true);
   add_symmetry(scene, Face::y_lower);
-  const double transit = length / wave_speed, travel = 0.5 * h;
+  const double transit = length / wave_speed, travel = 0.25 * h;
   scene.bodies[1].motion.velocity = {0.0, -travel / (2.0 * transit), 0.0};
   scene.bodies[1].motion.factor = {{0.0, 2.0 * transit, 4.0 * transit}, {0.0, 1.0, 0.0}};
-  scene.step.damping = 2.0 / transit;
+  scene.step.damping = 3.0 / transit;
+  scene.step.pic_fraction = 0.05;  // or particles at the plate keep velocities that no node sees
   State state = start(scene);
+  advance_to(scene, 12.0 * transit, state);
+  const double before = reaction_impulses(state)[axial(mode)], time = state.clock.time;
+  const Ledger then = sum_over_ranks(*state.grid.comm, state.ledger);
   advance_to(scene, 16.0 * transit, state);
-  const double before = reaction_impulses(state)[axial(GetParam())], time = state.clock.time;
-  advance_to(scene, 20.0 * transit, state);
-  const double now = reaction_impulses(state)[axial(GetParam())];
-  const double force = (now - before) / (state.clock.time - time);
-  EXPECT_NEAR(force / (-mean_stress(state) * area(GetParam())), 1.0, 2e-3);
-  EXPECT_NEAR(force / (-young * std::log(1.0 - travel / length) * area(GetParam())), 1.0, 2e-2);
+  const double given = reaction_impulses(state)[axial(mode)] - before;
+  const Ledger now = sum_over_ranks(*state.grid.comm, state.ledger);
+  EXPECT_NEAR((now.condition_impulse - then.condition_impulse) / given, 1.0, 1e-6);
+  const double pressure = given / (state.clock.time - time) / area(mode);
+  // Particles whose shape functions are as wide as before meet in a shortened column.
+  EXPECT_NEAR(pressure / -mean_stress(state, length), 1.0, 0.5 * travel / length);
+  return pressure / (-young * std::log(1.0 - travel / length)) - 1.0;
+}
+
+/// The cell at the plate is strained too little, which is of the first order.
+TEST_P(Reactions, PlateCarriesTheStressOfTheColumnTimesItsArea) {
+  const bool space = GetParam() == Mode::three_dimensional;  // which takes longer
+  const double coarse = column_error(GetParam(), 8.0 * h);
+  EXPECT_LT(std::abs(coarse), 1.0 / 8.0);
+  if (space) return;
+  const double fine = column_error(GetParam(), 32.0 * h);
+  EXPECT_LT(std::abs(fine), 0.3 * std::abs(coarse));
 }
 
 TEST_P(Reactions, AreTheSameOnAnyRankCountWithEveryTransferOfMomentum) {
   for (const double pic_fraction : {0.0, 0.3})
     for (const ContactKind kind : {ContactKind::frictionless, ContactKind::stick}) {
-      Scene scene = bar_and_plate(GetParam(), 4.0 * h, true);
+      Scene scene = bar_and_plate(GetParam(), 4.0 * h, 12.0 * h, true);
       scene.conditions.clear();
       scene.contacts[0].kind = kind;
       scene.step.pic_fraction = pic_fraction;
@@ -133,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
 );
 
 TEST(ReactionColumns, ForceIsTheImpulseSinceTheRowBefore) {
-  Scene scene = bar_and_plate(Mode::plane_strain, 0.0, true);
+  Scene scene = bar_and_plate(Mode::plane_strain, 0.0, 12.0 * h, true);
   scene.bodies[1].name = "my plate";
   const std::vector<std::string> names{
       "my_plate_force_x", "my_plate_impulse_x", "my_plate_force_y", "my_plate_impulse_y"};
