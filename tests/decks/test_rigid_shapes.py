@@ -39,8 +39,10 @@ def box(mode, half, top):
     return {"Lower": f"{{{left} mm, {CLEARANCE} mm{back}}}", "Upper": f"{{{half} mm, {top} mm{front}}}"}
 
 
-def ball(mode, radius):
-    return {"Shape": "ball", "Centre": vector(mode, 0, radius + CLEARANCE), "Radius": f"{radius} mm"}
+def part_ball(mode):
+    """In three dimensions off the planes of symmetry, which cut a ball but not what is made of one."""
+    centre = f"{{2 mm, {2 + CLEARANCE} mm, 2 mm}}" if mode == "3D" else vector(mode, 0, 2 + CLEARANCE)
+    return {"Shape": "ball", "Centre": centre, "Radius": "2 mm"}
 
 
 def above(mode, height):
@@ -55,17 +57,17 @@ def wedge(mode):
 
 def samples(mode):
     """By the deck's word for a shape: its own parameters, the lists of Shapes that it needs; None where a mode has none."""
-    parts = {"One": {"Shape": "box", **box(mode, 3, 4)}, "Other": ball(mode, 2)}
+    parts = {"One": {"Shape": "box", **box(mode, 3, 4)}, "Other": part_ball(mode)}
     joined = {"Parts": "{One, Other}"}
     return {
         "box": (box(mode, 3, 4), {}),
-        "ball": (ball(mode, 3), {}),
+        "ball": ({"Centre": vector(mode, 0, 3 + CLEARANCE), "Radius": "3 mm"}, {}),
         "cylinder": (line(mode, 3), {}),
         "cone": None if mode == "plane strain" else (line(mode, 3), {}),
         "polygon": (wedge(mode), {}),
         "half-space": (above(mode, CLEARANCE), {}),
         "union": (joined, parts),
-        "difference": ({"Parts": "{Other, One}"}, {"One": above(mode, 3), "Other": ball(mode, 3)}),
+        "difference": ({"Parts": "{Other, One}"}, {"One": above(mode, 3), "Other": part_ball(mode)}),
         "intersection": (joined, parts),
         "STL": ({"File": "pyramid.stl", "File Unit": "1 mm"}, {}) if mode == "3D" else None,
     }
