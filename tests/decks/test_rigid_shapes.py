@@ -136,15 +136,27 @@ def deck(mode, shape, parameters, parts, target):
     return '<?xml version="1.0"?>\n' + xml("Barreno", lists) + "\n"
 
 
-def check(barreno, folder, mode, shape, target):
+def run_sample(barreno, folder, mode, shape, target, ranks=1):
     parameters, parts = samples(mode)[shape]
-    path = folder / f"{MODES[mode]}-{mode[0]}-{shape}-{target}.xml"
+    path = folder / f"{MODES[mode]}-{mode[0]}-{shape}-{target}-{ranks}.xml"
     path.write_text(deck(mode, shape, parameters, parts, target))
     out = path.with_suffix("")
     command = [barreno, "run", path, "--out", out]
-    result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, timeout=120)
+    if ranks > 1:
+        command = ["mpirun", "--quiet", "-n", str(ranks)] + command
+    result = subprocess.run(command, env=mpi_environment(ranks), capture_output=True, text=True, timeout=120)
     assert result.returncode == 0, f"exit {result.returncode}: {result.stderr.strip()}"
-    run = Run(out)
+    return Run(out)
+
+
+def check_ranks(barreno, folder, mode):
+    one, two = (run_sample(barreno, folder, mode, "ball", "plate", ranks).table("history.csv") for ranks in (1, 2))
+    for column in (name for name in one if name.startswith("Punch_")):
+        assert (one[column] == two[column]).all(), f"{mode}: {column} is not the same on two ranks"
+
+
+def check(barreno, folder, mode, shape, target):
+    run = run_sample(barreno, folder, mode, shape, target)
     history = run.table("history.csv")
     for axis in "y" + ACROSS[mode]:
         assert f"Punch_force_{axis}" in history, f"no force along {axis}: {sorted(history)}"
@@ -174,6 +186,7 @@ def main():
         for mode in MODES:
             known = samples(mode)
             assert list(known) == shapes, f"a shape without a sample: the code has {shapes}"
+            check_ranks(barreno, folder, mode)
             for shape in (word for word in shapes if known[word]):
                 for target in ("block", "plate"):
                     try:
