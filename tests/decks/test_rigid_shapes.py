@@ -150,6 +150,7 @@ def run_sample(barreno, folder, mode, shape, target, ranks=1):
 
 
 def check_ranks(barreno, folder, mode):
+    folder = pathlib.Path(tempfile.mkdtemp(dir=folder))
     one, two = (run_sample(barreno, folder, mode, "ball", "plate", ranks).table("history.csv") for ranks in (1, 2))
     for column in (name for name in one if name.startswith("Punch_")):
         assert (one[column] == two[column]).all(), f"{mode}: {column} is not the same on two ranks"
