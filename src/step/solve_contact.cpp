@@ -217,8 +217,8 @@ RigidTally solve_contact(
   if (state.fields.count == 1) return {};
   const Region region("solve_contact");
   const auto values = static_cast<std::size_t>(state.grid.active) * tally_components;
-  const auto whole =
-      static_cast<std::size_t>(state.grid.active * dimensions(scene.grid.mode) * WholeSum::parts);
+  const std::size_t whole = static_cast<std::size_t>(state.grid.active) *
+                            static_cast<std::size_t>(dimensions(scene.grid.mode)) * WholeSum::parts;
   make_room("tally", values, state.contact.tally);
   make_room("given", whole * state.reactions.size(), state.contact.given);
   visit_mode(scene.grid.mode, [&](auto mode) {

@@ -21,6 +21,7 @@ WholeSum sum_of(const std::vector<double>& numbers) {
 /// Numbers of many sizes and both signs.
 std::vector<double> various() {
   std::vector<double> numbers;
+  numbers.reserve(2000);
   for (int i = 0; i < 2000; ++i)
     numbers.push_back(std::sin(1.7 * i + 0.3) * std::pow(10.0, 12.0 * std::sin(0.9 * i)));
   return numbers;
