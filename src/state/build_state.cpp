@@ -224,6 +224,10 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     particles.field = static_cast<int>(field);
     particles.rigid = state.fields.rigid_body[field] >= 0;
   }
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+    for (int f = 0; f < state.fields.count; ++f)
+      if (state.fields.rigid_body[static_cast<std::size_t>(f)] == b)
+        state.reactions.push_back({b, f, {}});
   const std::vector<ParticleId> first = first_ids(scene);
   state.slug_ids.assign(
       first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()

@@ -2,6 +2,14 @@
 #include "step/tally_step.hpp"
 
 namespace barreno {
+namespace {
+
+void add(const WholeSum& of_step, WholeSum& sum) {
+  sum.add(of_step);
+  sum.carry();
+}
+
+}  // namespace
 
 void tally_step(const Scene& scene, const StepTally& tally, State& state) {
   const auto& [grid, rigid, applied_work, filter, moved, stress] = tally;
@@ -18,7 +26,10 @@ void tally_step(const Scene& scene, const StepTally& tally, State& state) {
   ledger.transfer +=
       grid.kinetic_before - moved.kinetic_before + moved.kinetic_after - grid.kinetic_after;
   ledger.boundary_work += rigid.work;
-  ledger.rigid_impulse += rigid.impulse + scene.step.pic_fraction * rigid.filter_impulse;
+  for (std::size_t r = 0; r < state.reactions.size(); ++r) {
+    ledger.rigid_impulse -= rigid.reaction[r][1].value();
+    for (std::size_t d = 0; d < 3; ++d) add(rigid.reaction[r][d], state.reactions[r].impulse[d]);
+  }
   const double lost_along = rigid.tangential_work - grid.tangential_work;
   ledger.friction += lost_along;
   ledger.transfer -= rigid.work - grid.contact_work - lost_along;
