@@ -15,6 +15,7 @@
 #include "step/seek_normals.hpp"
 #include "step/share_nodes.hpp"
 #include "step/stable_step.hpp"
+#include "step/start_affine.hpp"
 #include "step/surface_pressures.hpp"
 #include "step/tally_step.hpp"
 #include "step/update_sets.hpp"
@@ -92,6 +93,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   Placement placement = locate_particles(scene, state);  // cell of each; the lost are tallied
   double dt = agree_on_step(scene, next_time, placement, state);  // the one reduction
   place_particles(scene, placement, state);                       // ranks, tiles, order
+  start_affine(scene, state);                                     // APIC, first step
 
   StepTally tally;
   StepResult result;
