@@ -25,7 +25,7 @@ HistoryWriter::HistoryWriter(const Comm& comm, const std::filesystem::path& path
       "body_work,damped,stress_integration,transfer,removed_kinetic,energy_error,mass_error,"
       "momentum_error";
   for (const char* cause : removal_names) header += std::string(",removed_") + cause;
-  header += ",held,retried,friction,rigid_impulse,clipped";
+  header += ",held,retried,friction,rigid_impulse,clipped,remembered";
   RootWork work(comm);
   work.run([&] {
     file_ = std::make_unique<LineFile>(path);
@@ -34,7 +34,8 @@ HistoryWriter::HistoryWriter(const Comm& comm, const std::filesystem::path& path
         "material) along y kg m/s; energies and work J; plane "
         "strain: per "
         "m of thickness; errors relative; removed, held, clipped (at Largest Domain, now): "
-        "particles; retried: steps"
+        "particles; retried: steps; remembered: kinetic energy that APIC's particles hold beside "
+        "kinetic"
     );
     file_->append(header);
   });
@@ -66,7 +67,9 @@ void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals&
       mass_balance(l).error(),
       momentum_balance(l).error()};
   for (const RemovalTally& tally : l.removed) row.push_back(tally.count);
-  row.insert(row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped});
+  row.insert(
+      row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered}
+  );
   RootWork work(comm);
   work.run([&] { file_->append(csv_line(row)); });
   work.agree();

@@ -2,7 +2,7 @@
 #include "step/move_particles.hpp"
 
 #include "base/region.hpp"
-#include "shape/generator.hpp"
+#include "shape/kinematics.hpp"
 
 namespace barreno {
 
@@ -16,7 +16,7 @@ struct MoveParticles {
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
     for (int d = 0; d < M::dimensions; ++d) {
       if (M::hoop && d == 0)
-        position(p, 0) *= exponential<Short>(generator(increment(p, 4), 1.0));
+        position(p, 0) *= exponential<Short>(increment(p, 4));
       else
         position(p, d) += dt * grid_motion(p, d);
     }

@@ -10,8 +10,7 @@ namespace barreno {
 ///
 ///   x_p <- x_p + dt v
 ///
-/// In axisymmetry the radius follows the hoop stretch, r_p <- r_p exp(A_hoop), that is r_p (1 + dt
-/// L_hoop) but never below zero (shape/generator.hpp): r_p / F_hoop
+/// In axisymmetry the radius follows the hoop stretch, r_p <- r_p exp(dt L_hoop): r_p / F_hoop
 /// stays the radius at the start exactly, and no particle crosses the axis. (The r-weighted average
 /// velocity belongs to the centre of mass of the ring, not to r_p, and would drift from F near the
 /// axis.)

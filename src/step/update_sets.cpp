@@ -90,15 +90,15 @@ void update_sets(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
 ) {
   const auto first = [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, rows, particles), tally.moved);
+    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
     move_particles(scene, dt, rows, particles);
   };
   strain_after(scene, dt, state, tally, result, Gradient::at_start, first);
 }
 
-void accelerate_sets(const Scene& scene, State& state, StepTally& tally) {
+void accelerate_sets(const Scene& scene, double dt, State& state, StepTally& tally) {
   for_each_block_of_sets(state, [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, rows, particles), tally.moved);
+    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
   });
 }
 
@@ -119,7 +119,7 @@ void strain_sets(
 
 void accelerate_and_move_sets(const Scene& scene, double dt, State& state, StepTally& tally) {
   for_each_block_of_sets(state, [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, rows, particles), tally.moved);
+    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
     move_particles(scene, dt, rows, particles);
   });
 }
