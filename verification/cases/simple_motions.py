@@ -10,6 +10,7 @@ from runs import order, run_deck
 RADIANS = 1e4
 CONTROL = "linear"  # gains energy at edges (src/shape/splines.hpp): its spinning bar may break
 SPIN = 30.0  # [1/s]: the bar's ends at a tenth of its wave speed
+BLOCK = {"Bodies/Bar/Lower": "{-0.04, -0.04}", "Bodies/Bar/Upper": "{0.04, 0.04}"}  # 4 cells of 0.02 wide
 MATERIALS = {
     "Linear Elastic": {"Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"},
     "Neo-Hookean": {"Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"},
@@ -145,10 +146,10 @@ def check_gain(barreno, shape, result):
         result.demand(f"spinning bar, {shape}: energy gained in {radians:.4g} rad", gained, 1e-3)
 
 
-def check_apic(barreno, shape, order_of_step, radians, rows, result):
-    """With APIC: a turn with every step in the table, or many."""
+def check_apic(barreno, shape, order_of_step, result, radians=2.0 * np.pi, rows=None, body=None):
+    """With APIC: a turn with every step in the table, or many of another body."""
     name = f"{shape}, APIC, {order_of_step}"
-    run = spin(barreno, shape, 0.02, radians, rows, {"Step/Transfer": "APIC", "Step/Order": order_of_step})
+    run = spin(barreno, shape, 0.02, radians, rows, {"Step/Transfer": "APIC", "Step/Order": order_of_step, **(body or {})})
     if isinstance(run, Failed):
         result.rows.append(["spinning bar", name, f"{radians:.4g} rad", run.why])
         if shape != CONTROL:
@@ -206,15 +207,22 @@ def run(barreno, full):
         check_spin(barreno, shape, (0.02, 0.01, 0.005) if full else (0.02, 0.01), result)
         check_gain(barreno, shape, result)
         for order_of_step in ("stress last", "modified stress last") if full else ("modified stress last",):
-            check_apic(barreno, shape, order_of_step, 2.0 * np.pi, None, result)
+            check_apic(barreno, shape, order_of_step, result)
         if full:
-            check_apic(barreno, shape, "modified stress last", RADIANS, 1000, result)
+            check_apic(barreno, shape, "modified stress last", result, RADIANS, 1000, BLOCK)
         for cells in (20, 40, 80) if full else (20,):
             check_impacts(barreno, shape, cells, result)
         check_disks(barreno, shape, result)
     result.notes = (
-        "A material point turns for 1e4 rad and its stress with it; a bar on the grid comes to rest. FLIP does not keep angular momentum: particles move "
-        "with velocities that the grid has smoothed, and a body of few cells loses its spin; the loss falls with the cells. Bodies "
+        "A body that spins wants APIC with modified stress last (`Step/Transfer`, `Step/Order`). FLIP does not keep angular momentum: particles "
+        "move with velocities that the grid has smoothed, a body of few cells loses its spin and comes to rest, the less the finer the cells. "
+        "APIC keeps angular momentum, that of what particles remember of the velocities around them included. Over 1e4 rad it is a block of 4 "
+        "by 4 cells that turns (cubic splines: angular momentum 0.5 % more, energy never above that at the start and 1.9 % less at the end, while "
+        "the body's moment of inertia creeps by 2.5 %: positions and F part slowly); the bar of 2 by 10 cells holds its shape for some 3000 rad. "
+        "Energy is taken at one level of time: velocities belong to the middle of the step before a row of history.csv and stresses to the row, so that their "
+        "sum at a row is above the energy by half a step's work while stress builds up. That, not the shape functions, was a "
+        "gain of the first instants of 1.3e-3 (CPDI) to 4.4e-3 (cubic splines) with FLIP, where the grid's first velocities are not quite a rotation at "
+        "the edges; it was the same with a tenth of the spin and fell with the step. Bodies "
         "share one velocity field: bars that touch in a common node press each other as they should, but are one bar afterwards "
         "and do not part (the exact ratio is 1), while disks that approach from afar rebound and lose some energy between "
         "particles and grid."

@@ -144,9 +144,9 @@ struct OneParticle {
     add_particle(scene, particles, made, 0, 0.0, {});
   }
   /// Advances F by I + a and gives the strain increment.
-  Sym3 take(const SpaceTensor& a) {
+  Sym3 take(const SpaceTensor& a, Gradient gradient = Gradient::at_start) {
     store_tensor<ThreeDimensional>(a, particles.increment.values, 0);
-    update_deformation(scene, Rows{0, 1}, Gradient::at_start, particles);
+    update_deformation(scene, Rows{0, 1}, gradient, particles);
     const Field& e = particles.increment;
     return {e(0, 0), e(0, 1), e(0, 2), e(0, 3), e(0, 4), e(0, 5)};
   }
@@ -156,12 +156,15 @@ SpaceTensor spin(double x, double y, double z) {
   return {0.0, -z, y, z, 0.0, -x, -y, x, 0.0};
 }
 
-/// Particles move straight, by dt v: a body that turns by Q has dt L = Q - I.
-TEST(ThreeDimensions, RigidTurningStrainsNothing) {
+/// Particles move straight, by dt v: a body that turns by Q has dt L = Q - I where it comes from,
+/// I - Q^-1 where it goes to.
+void turn_rigidly(Gradient gradient) {
   OneParticle one;
-  const SpaceTensor step = plus(-1.0, exponential(spin(0.003, -0.005, 0.002)));
+  const SpaceTensor turn = exponential(spin(0.003, -0.005, 0.002));
+  const SpaceTensor step =
+      gradient == Gradient::at_start ? plus(-1.0, turn) : plus(1.0, scaled(-1.0, transpose(turn)));
   for (int i = 0; i < 10000; ++i) {
-    const Sym3 strain = one.take(step);
+    const Sym3 strain = one.take(step, gradient);
     ASSERT_LT(contract(strain, strain), 1e-31);
   }
   const SpaceTensor whole = exponential(spin(30.0, -50.0, 20.0));
@@ -173,6 +176,10 @@ TEST(ThreeDimensions, RigidTurningStrainsNothing) {
   EXPECT_NEAR(r.zx, whole.zx, 1e-11);
   EXPECT_NEAR(r.yz, whole.yz, 1e-11);
   EXPECT_NEAR(p.volume(0), 1.0, 1e-12);
+}
+TEST(ThreeDimensions, RigidTurningStrainsNothing) {
+  turn_rigidly(Gradient::at_start);
+  turn_rigidly(Gradient::at_end);
 }
 
 /// While it turns by 3 rad, the particle is stretched by exp(D) along fixed axes of its own, so its
