@@ -43,7 +43,7 @@ HistoryWriter::HistoryWriter(
       "body_work,damped,stress_integration,transfer,removed_kinetic,energy_error,mass_error,"
       "momentum_error";
   for (const char* cause : removal_names) header += std::string(",removed_") + cause;
-  header += ",held,retried,friction,rigid_impulse,clipped";
+  header += ",held,retried,friction,rigid_impulse,clipped,remembered";
   const std::vector<std::string> columns = reaction_columns(scene);
   for (const std::string& column : columns) header += "," + column;
   RootWork work(comm);
@@ -54,7 +54,8 @@ HistoryWriter::HistoryWriter(
         "material) along y kg m/s; energies and work J; plane "
         "strain: per "
         "m of thickness; errors relative; removed, held, clipped (at Largest Domain, now): "
-        "particles; retried: steps" +
+        "particles; retried: steps; remembered: kinetic energy that APIC's particles hold beside "
+        "kinetic" +
         (columns.empty() ? std::string() : note_on_reactions(scene))
     );
     file_->append(header);
@@ -87,7 +88,9 @@ void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals&
       mass_balance(l).error(),
       momentum_balance(l).error()};
   for (const RemovalTally& tally : l.removed) row.push_back(tally.count);
-  row.insert(row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped});
+  row.insert(
+      row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered}
+  );
   const bool first = last_reactions_.empty();
   const std::vector<double>& before = first ? totals.reactions : last_reactions_;
   const double elapsed = first ? 0.0 : clock.time - last_time_;

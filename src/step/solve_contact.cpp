@@ -5,6 +5,7 @@
 #include "base/region.hpp"
 #include "scene/rigid_velocity.hpp"
 #include "shape/kinematics.hpp"
+#include "step/accelerate_particles.hpp"
 #include "step/contact_law.hpp"
 #include "step/node_copies.hpp"
 
@@ -45,7 +46,7 @@ struct SolveContact {
   ArrayView<unsigned char> shared_tile, fields, counts;
   ArrayView<double> tally;
   ArrayView<long long> reactions;
-  double dt = 0.0, cell_size = 0.0, damping = 0.0, pic_fraction = 0.0;
+  double dt = 0.0, cell_size = 0.0, damping = 0.0, grid_share = 0.0;
 
   SolveContact(const Grid& grid, const VelocityFields& of)
       : copies(grid), field_count(of.count), pair_count(static_cast<int>(of.pairs.size())) {}
@@ -74,7 +75,7 @@ struct SolveContact {
       for (int f = 0; f < field_count; ++f)
         for (int d = 0; d < dimensions; ++d) {
           node.change[f][d] = node.impulse[f][d] * node.inverse_mass[f];
-          node.taken[f][d] = pic_fraction * node.impulse[f][d];
+          node.taken[f][d] = grid_share * node.impulse[f][d];
           node.impulse[f][d] = node.tangential[f][d] = 0.0;
           if (node.bits >> f & 1U) node.start[f][d] += dt * force[f][d] * node.inverse_mass[f];
         }
@@ -182,7 +183,7 @@ SolveContact<D> make_kernel(
   kernel.counts = state.grid.counts;
   kernel.tally = state.contact.tally;
   kernel.reactions = state.contact.given;
-  kernel.pic_fraction = scene.step.pic_fraction;
+  kernel.grid_share = grid_share(scene.step, dt);
   kernel.dt = dt;
   kernel.cell_size = scene.grid.cell_size;
   kernel.damping = damping;

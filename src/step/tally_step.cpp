@@ -11,9 +11,10 @@ void add(const WholeSum& of_step, WholeSum& sum) {
 
 }  // namespace
 
-void tally_step(const Scene& scene, const StepTally& tally, State& state) {
+void tally_step(const Scene& scene, double dt, const StepTally& tally, State& state) {
   const auto& [grid, rigid, applied_work, filter, moved, stress] = tally;
   Ledger& ledger = state.ledger;
+  const double share = grid_share(scene.step, dt);
   ledger.mass = moved.mass;
   ledger.momentum = moved.momentum;
   ledger.kinetic = moved.kinetic_after;
@@ -21,8 +22,7 @@ void tally_step(const Scene& scene, const StepTally& tally, State& state) {
   ledger.load_impulse += grid.absorbed_impulse;
   ledger.damped += grid.damped;
   ledger.damping_impulse += grid.damping_impulse;
-  ledger.condition_impulse +=
-      grid.condition_impulse + scene.step.pic_fraction * grid.filter_impulse;
+  ledger.condition_impulse += grid.condition_impulse + share * grid.filter_impulse;
   ledger.transfer +=
       grid.kinetic_before - moved.kinetic_before + moved.kinetic_after - grid.kinetic_after;
   ledger.boundary_work += rigid.work;

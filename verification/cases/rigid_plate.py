@@ -31,7 +31,6 @@ def pressed(barreno, settings, area):
         "Bodies/Plate/Motion Times": f"{{0 s, {2.0 * TRANSIT} s, {4.0 * TRANSIT} s}}",
         "Bodies/Plate/Motion Factors": "{0, 1, 0}",
         "Step/Damping": f"{3.0 / TRANSIT} 1/s",
-        "Step/PIC Fraction": 0.05,
         "Time/End Time": f"{16.0 * TRANSIT} s",
     }
     run = run_deck(barreno, "rigid_plate.xml", {**settings, **slowly})

@@ -102,7 +102,6 @@ double column_error(Mode mode, double length) {
   scene.bodies[1].motion.velocity = {0.0, -travel / (2.0 * transit), 0.0};
   scene.bodies[1].motion.factor = {{0.0, 2.0 * transit, 4.0 * transit}, {0.0, 1.0, 0.0}};
   scene.step.damping = 3.0 / transit;
-  scene.step.pic_fraction = 0.05;  // or particles at the plate keep velocities that no node sees
   State state = start(scene);
   advance_to(scene, 12.0 * transit, state);
   const double before = reaction_impulses(state)[axial(mode)], time = state.clock.time;
