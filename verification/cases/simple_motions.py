@@ -201,7 +201,14 @@ def run(barreno, full):
         ["motion", "of", "what", "value"],
         [],
     )
-    result.open = {"colliding disks, linear: energy": "no step is stable where nodes have next to no mass"}
+    creeps = "the block's moment of inertia creeps, and in the end a corner particle may leave it (notes)"
+    result.open = {
+        "colliding disks, linear: energy": "no step is stable where nodes have next to no mass",
+        **{
+            f"spinning bar, {shape}, APIC, modified stress last{sign} {RADIANS:.4g} rad": creeps
+            for shape in ("GIMP", "contiguous GIMP", "CPDI", "quadratic B-spline") for sign in (",", ":")
+        },
+    }  # fmt: skip
     check_points(barreno, result)
     for shape in shape_functions(barreno):
         check_spin(barreno, shape, (0.02, 0.01, 0.005) if full else (0.02, 0.01), result)
@@ -218,7 +225,9 @@ def run(barreno, full):
         "move with velocities that the grid has smoothed, a body of few cells loses its spin and comes to rest, the less the finer the cells. "
         "APIC keeps angular momentum, that of what particles remember of the velocities around them included. Over 1e4 rad it is a block of 4 "
         "by 4 cells that turns (cubic splines: angular momentum 0.5 % more, energy never above that at the start and 1.9 % less at the end, while "
-        "the body's moment of inertia creeps by 2.5 %: positions and F part slowly); the bar of 2 by 10 cells holds its shape for some 3000 rad. "
+        "the body's moment of inertia creeps by 2.5 %: positions and F part slowly). With quadratic splines a corner particle leaves the "
+        "block after some 7500 rad, with GIMP the moment of inertia has grown by 7.6 % after 4000 rad; the bar of 2 by 10 cells comes apart after 1000 to "
+        "6500 rad. "
         "Energy is taken at one level of time: velocities belong to the middle of the step before a row of history.csv and stresses to the row, so that their "
         "sum at a row is above the energy by half a step's work while stress builds up. That, not the shape functions, was a "
         "gain of the first instants of 1.3e-3 (CPDI) to 4.4e-3 (cubic splines) with FLIP, where the grid's first velocities are not quite a rotation at "
