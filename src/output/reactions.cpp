@@ -18,22 +18,15 @@ Axes axes_of(Mode mode) {
 }  // namespace
 
 std::vector<double> reaction_impulses(const State& state) {
-  std::vector<long long> counts;
-  for (const Reaction& reaction : state.reactions)
-    for (const WholeSum& sum : reaction.impulse)
-      counts.insert(counts.end(), std::begin(sum.part), std::end(sum.part));
-  if (counts.empty()) return {};
-  sum_over_ranks(*state.grid.comm, counts);
   const Axes axes = axes_of(state.grid.mode);
+  std::vector<WholeSum> sums;
+  for (const Reaction& reaction : state.reactions)
+    for (int d = axes.first; d < axes.end; ++d)
+      sums.push_back(reaction.impulse[static_cast<std::size_t>(d)]);
+  if (sums.empty()) return {};
+  sum_over_ranks(*state.grid.comm, sums);
   std::vector<double> impulses;
-  for (std::size_t r = 0; r < state.reactions.size(); ++r)
-    for (int d = axes.first; d < axes.end; ++d) {
-      WholeSum sum;
-      for (int i = 0; i < WholeSum::parts; ++i)
-        sum.part[i] = counts
-            [(3 * r + static_cast<std::size_t>(d)) * WholeSum::parts + static_cast<std::size_t>(i)];
-      impulses.push_back(sum.value());
-    }
+  for (const WholeSum& sum : sums) impulses.push_back(sum.value());
   return impulses;
 }
 

@@ -36,9 +36,6 @@ KOKKOS_INLINE_FUNCTION PlaneTensor scaled(double s, const PlaneTensor& a) {
 KOKKOS_INLINE_FUNCTION PlaneTensor plus(double s, const PlaneTensor& a) {
   return {s + a.xx, a.xy, a.yx, s + a.yy, s + a.zz};
 }
-KOKKOS_INLINE_FUNCTION SpaceTensor plus(double s, const SpaceTensor& a) {
-  return {s + a.xx, a.xy, a.xz, a.yx, s + a.yy, a.yz, a.zx, a.zy, s + a.zz};
-}
 
 /// 2 (Z + Z^3 / 3 + Z^5 / 5)
 template <class Tensor>
@@ -74,17 +71,7 @@ KOKKOS_INLINE_FUNCTION SpaceTensor short_generator(const SpaceTensor& x, double 
   const SpaceTensor a = series_of_log(multiply(x, inverse));
   const double xy = 0.5 * (a.xy + a.yx), yz = 0.5 * (a.yz + a.zy), zx = 0.5 * (a.zx + a.xz);
   const SpaceTensor e{a.xx, xy, zx, xy, a.yy, yz, zx, yz, a.zz};
-  const SpaceTensor b = scaled(0.5 * sign, multiply(e, e));
-  return {
-      a.xx + b.xx,
-      a.xy + b.xy,
-      a.xz + b.xz,
-      a.yx + b.yx,
-      a.yy + b.yy,
-      a.yz + b.yz,
-      a.zx + b.zx,
-      a.zy + b.zy,
-      a.zz + b.zz};
+  return plus(a, scaled(0.5 * sign, multiply(e, e)));
 }
 
 KOKKOS_INLINE_FUNCTION double largest_in_plane(const PlaneTensor& x) {

@@ -127,16 +127,14 @@ ByLoad first_volumes(const Scene& scene) {
   return volumes;
 }
 
-/// Shares of a cavity's volume are counted in these, whole numbers that add up without rounding.
-constexpr double share_unit = 1.0 / (1LL << 50);
+/// Growth of cavities over their volumes at the start, by load; the same on any ranks.
+using Growth = std::array<WholeSum, most_loads>;
 
-/// New volumes of the cavities from the shares of this rank, by load.
-void grow_cavities(const Scene& scene, const ByLoad& start, ByLoad& shares, State& state) {
-  sum_over_ranks(*state.grid.comm, shares);
-  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
-    if (scene.loads[l].kind != LoadKind::pore_fluid) continue;
-    state.cavities[l] += start[l] * (share_unit * shares[l]);
-  }
+/// New volumes of the cavities from the growth that this rank found.
+void grow_cavities(const ByLoad& start, Growth& growth, State& state) {
+  sum_over_ranks(*state.grid.comm, growth);
+  for (std::size_t l = 0; l < start.size(); ++l)
+    if (start[l] > 0.0) state.cavities[l] += start[l] * growth[l].value();
 }
 
 [[noreturn]] void refuse_closed(const std::string& name) {
@@ -199,7 +197,7 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
   const ByLoad pressures = load_pressures(scene, state);
   const std::size_t loads = scene.loads.size();
   const ByLoad start = first_volumes(scene);
-  ByLoad shares{};
+  Growth growth{};
   double work = 0.0;
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
@@ -224,14 +222,15 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
             ByLoad unit{};
             unit[l] = 1.0;
             const double grown = work_under(pressure_inside<M>(scene, particles, p, unit), 0.0);
-            shares[l] += std::nearbyint(grown / (start[l] * share_unit));
+            growth[l].add(grown / start[l]);
+            growth[l].carry();  // there may be any number of particles
           }
         }
     );
   });
   state.ledger.boundary_work += work;
   const bool fluids = std::any_of(start.begin(), start.end(), [](double v) { return v > 0.0; });
-  if (fluids) grow_cavities(scene, start, shares, state);
+  if (fluids) grow_cavities(start, growth, state);
   return work;
 }
 
