@@ -39,6 +39,22 @@ KOKKOS_INLINE_FUNCTION SpaceTensor transpose(const SpaceTensor& a) {
 KOKKOS_INLINE_FUNCTION SpaceTensor scaled(double s, const SpaceTensor& a) {
   return {s * a.xx, s * a.xy, s * a.xz, s * a.yx, s * a.yy, s * a.yz, s * a.zx, s * a.zy, s * a.zz};
 }
+KOKKOS_INLINE_FUNCTION SpaceTensor plus(const SpaceTensor& a, const SpaceTensor& b) {
+  return {
+      a.xx + b.xx,
+      a.xy + b.xy,
+      a.xz + b.xz,
+      a.yx + b.yx,
+      a.yy + b.yy,
+      a.yz + b.yz,
+      a.zx + b.zx,
+      a.zy + b.zy,
+      a.zz + b.zz};
+}
+/// s I + a
+KOKKOS_INLINE_FUNCTION SpaceTensor plus(double s, const SpaceTensor& a) {
+  return {s + a.xx, a.xy, a.xz, a.yx, s + a.yy, a.yz, a.zx, a.zy, s + a.zz};
+}
 /// det(A) A^-T: takes an area vector N A to J F^-T N A (Nanson).
 KOKKOS_INLINE_FUNCTION SpaceTensor cofactors(const SpaceTensor& a) {
   return {
@@ -208,17 +224,29 @@ KOKKOS_INLINE_FUNCTION SpaceRotation turned(const SpaceRotation& r, const TurnLe
   return unit(multiply(r, SpaceRotation{1.0, 0.5 * by.x, 0.5 * by.y, 0.5 * by.z}));
 }
 
-/// R of F = R U from a rotation near it, by two Newton steps; without branches.
-/// @param[out] left  size of the last step, squared: R is exact to round-off if it is at most
+/// R of F = R U from a rotation near it, by a Newton step; without branches.
+/// @param[out] left  size of the step, squared: R is exact to round-off if it is at most
 ///                   `last_turn`
 inline constexpr double last_turn = 1e-11;
 KOKKOS_INLINE_FUNCTION SpaceRotation
+nearer_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& left) {
+  const TurnLeft by = turn_left(f, near);
+  left = by.x * by.x + by.y * by.y + by.z * by.z;
+  return turned(near, by);
+}
+/// By two of them.
+KOKKOS_INLINE_FUNCTION SpaceRotation
 near_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& left) {
   // Written out: compilers vectorise over particles only where they see no loop.
-  const SpaceRotation first = turned(near, turn_left(f, near));
-  const TurnLeft by = turn_left(f, first);
-  left = by.x * by.x + by.y * by.y + by.z * by.z;
-  return turned(first, by);
+  return nearer_polar_rotation(f, nearer_polar_rotation(f, near, left), left);
+}
+
+/// R turned by the spin of A, the antisymmetric part: R of exp(A) F but for what the stretch of F
+/// makes of the strain of A, and for third order.
+KOKKOS_INLINE_FUNCTION SpaceRotation spun(const SpaceRotation& r, const SpaceTensor& a) {
+  return unit(multiply(
+      SpaceRotation{1.0, 0.25 * (a.zy - a.yz), 0.25 * (a.xz - a.zx), 0.25 * (a.yx - a.xy)}, r
+  ));
 }
 
 /// Of a matrix that is a rotation to a few digits at least: from the largest of the four.
@@ -242,17 +270,7 @@ KOKKOS_INLINE_FUNCTION SpaceRotation rough_polar_rotation(const SpaceTensor& f) 
     const SpaceTensor y = scaled(1.0 / det, cofactors(x));
     const double ratio = std::sqrt(norm_squared(y) / norm_squared(x));
     const double g = std::sqrt(ratio);
-    const SpaceTensor a = scaled(0.5 * g, x), b = scaled(0.5 / g, y);
-    x = {
-        a.xx + b.xx,
-        a.xy + b.xy,
-        a.xz + b.xz,
-        a.yx + b.yx,
-        a.yy + b.yy,
-        a.yz + b.yz,
-        a.zx + b.zx,
-        a.zy + b.zy,
-        a.zz + b.zz};
+    x = plus(scaled(0.5 * g, x), scaled(0.5 / g, y));
     if (std::fabs(norm_squared(x) - 3.0) < 1e-10 && std::fabs(ratio - 1.0) < 1e-5) break;
   }
   return rotation_of(x);

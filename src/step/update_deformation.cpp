@@ -48,6 +48,22 @@ struct DeformInPlane {
 /// of it.
 enum { new_rotation = 0, rotation_left = 4 };
 
+KOKKOS_INLINE_FUNCTION void store_rotation(
+    const SpaceRotation& r, const FieldView& scratch, int p
+) {
+  scratch(p, new_rotation) = r.w;
+  scratch(p, new_rotation + 1) = r.x;
+  scratch(p, new_rotation + 2) = r.y;
+  scratch(p, new_rotation + 3) = r.z;
+}
+KOKKOS_INLINE_FUNCTION SpaceRotation waiting_rotation(const FieldView& scratch, int p) {
+  return {
+      scratch(p, new_rotation),
+      scratch(p, new_rotation + 1),
+      scratch(p, new_rotation + 2),
+      scratch(p, new_rotation + 3)};
+}
+
 /// In three dimensions first the generator, in the place of dt L: loops are small enough to be
 /// vectorised.
 template <bool Short>
@@ -73,12 +89,9 @@ struct DeformInSpace {
     const SpaceTensor f_n1 = multiply(f, load_tensor<M>(deformation, p));
     const SpaceRotation r_n = load_rotation<M>(deformation, rotation, p);
     double left = 0.0;
-    const SpaceRotation r = near_polar_rotation(f_n1, r_n, left);
+    const SpaceRotation r = nearer_polar_rotation(f_n1, spun(r_n, a), left);
     store_tensor<M>(f_n1, deformation, p);
-    scratch(p, new_rotation) = r.w;
-    scratch(p, new_rotation + 1) = r.x;
-    scratch(p, new_rotation + 2) = r.y;
-    scratch(p, new_rotation + 3) = r.z;
+    store_rotation(r, scratch, p);
     scratch(p, rotation_left) = left;
     const double old_volume = volume(p, 0);
     volume(p, 0) = old_volume * determinant(f);
@@ -89,6 +102,32 @@ struct DeformInSpace {
     increment(p, 4) = 0.5 * (a.yz + a.zy);
     increment(p, 5) = 0.5 * (a.zx + a.xz);
     increment(p, 6) = old_volume;
+  }
+};
+
+bool all_found(const FieldView& scratch, Rows rows) {
+  int left = 0;
+  for (int p = rows.begin; p < rows.end; ++p)
+    left |= static_cast<int>(!(scratch(p, rotation_left) <= last_turn));
+  return left == 0;
+}
+
+/// Another Newton step for the rows that need it, computed for all and without branches.
+struct TurnOnce {
+  FieldView deformation, scratch;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p) const {
+    const double before = scratch(p, rotation_left);
+    const SpaceRotation first = waiting_rotation(scratch, p);
+    double left = 0.0;
+    const SpaceRotation next =
+        nearer_polar_rotation(load_tensor<ThreeDimensional>(deformation, p), first, left);
+    const bool found = before <= last_turn;
+    scratch(p, new_rotation) = found ? first.w : next.w;
+    scratch(p, new_rotation + 1) = found ? first.x : next.x;
+    scratch(p, new_rotation + 2) = found ? first.y : next.y;
+    scratch(p, new_rotation + 3) = found ? first.z : next.z;
+    scratch(p, rotation_left) = found ? before : left;
   }
 };
 
@@ -103,10 +142,7 @@ struct FindRotation {
     const SpaceTensor f = load_tensor<M>(deformation, p);
     const SpaceRotation before = load_rotation<M>(deformation, rotation, p);
     const SpaceRotation r = determinant(f) > 0.0 ? polar_rotation(f, before) : before;
-    scratch(p, new_rotation) = r.w;
-    scratch(p, new_rotation + 1) = r.x;
-    scratch(p, new_rotation + 2) = r.y;
-    scratch(p, new_rotation + 3) = r.z;
+    store_rotation(r, scratch, p);
   }
 };
 
@@ -116,7 +152,7 @@ struct UnrotateStrain {
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
     const SpaceRotation r_n{rotation(p, 0), rotation(p, 1), rotation(p, 2), rotation(p, 3)};
-    const SpaceRotation r{scratch(p, 0), scratch(p, 1), scratch(p, 2), scratch(p, 3)};
+    const SpaceRotation r = waiting_rotation(scratch, p);
     const Sym3 strain = unrotate(
         mean_rotation(r_n, r),
         {increment(p, 0),
@@ -152,7 +188,10 @@ void deform(Rows rows, double sign, const Particles& particles) {
     for_each_row(
         label, rows, DeformInSpace<Short>{increment, deformation, rotation, volume, scratch}
     );
-    for_each_row(label, rows, FindRotation{deformation, rotation, scratch});
+    if (!all_found(scratch, rows)) {
+      for_each_row(label, rows, TurnOnce{deformation, scratch});
+      for_each_row(label, rows, FindRotation{deformation, rotation, scratch});
+    }
     for_each_row(label, rows, UnrotateStrain{increment, rotation, scratch});
   } else {
     for_each_row(label, rows, DeformInPlane<M, Short>{increment, deformation, volume, sign});

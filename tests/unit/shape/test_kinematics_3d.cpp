@@ -166,6 +166,23 @@ TEST(PolarRotation3d, TwoStepsAreEnoughForMostParticles) {
   EXPECT_GT(exact, 0.99 * count);
 }
 
+TEST(PolarRotation3d, OneStepFromTheSpinIsEnoughForStiffSolids) {
+  std::mt19937 engine(7);
+  for (int i = 0; i < 10000; ++i) {
+    // Strains up to 0.01; steps strain by up to 1e-4 and turn by up to 0.01.
+    const SpaceRotation r = random_rotation(engine);
+    const SpaceTensor f_n = multiply(matrix(r), exponential(random_tensor(engine, 0.01)));
+    const SpaceTensor spin = random_tensor(engine, 0.005);
+    const SpaceTensor a =
+        plus(random_tensor(engine, 1e-4), plus(spin, scaled(-1.0, transpose(spin))));
+    const SpaceTensor f = multiply(exponential(a), f_n);
+    double left = 0.0;
+    const SpaceRotation found = nearer_polar_rotation(f, spun(polar_rotation(f_n), a), left);
+    ASSERT_LE(left, last_turn);
+    ASSERT_LT(difference(matrix(found), matrix(polar_rotation(f))), 1e-14);
+  }
+}
+
 TEST(Rotate3d, TurnsATensorIntoTheSpaceFrameAndBack) {
   const SpaceTensor f{1.2, 0.3, -0.4, -0.5, 0.9, 0.7, 0.2, -0.6, 1.5};
   const SpaceRotation r = polar_rotation(f);
