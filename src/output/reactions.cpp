@@ -26,6 +26,7 @@ std::vector<double> reaction_impulses(const State& state) {
   if (sums.empty()) return {};
   sum_over_ranks(*state.grid.comm, sums);
   std::vector<double> impulses;
+  impulses.reserve(sums.size());
   for (const WholeSum& sum : sums) impulses.push_back(sum.value());
   return impulses;
 }
