@@ -37,7 +37,7 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
   }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
     bool out = false;
     for (int d = 0; d < M::dimensions; ++d)
       out = out | !(place.half[d] * place.stretch[d] <= largest_half(place));
@@ -46,7 +46,7 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
 
   /// A box has no inside to turn out; only a stretch that is none counts.
   template <class M>
-  KOKKOS_INLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
     bool out = false;
     for (int d = 0; d < M::dimensions; ++d) out = out | !(place.stretch[d] > 0.0);
     return out;
@@ -54,7 +54,7 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
 
   /// The place with its half sizes stretched and cut.
   template <class M>
-  KOKKOS_INLINE_FUNCTION static ParticlePlace stretched(ParticlePlace place) {
+  KOKKOS_FORCEINLINE_FUNCTION static ParticlePlace stretched(ParticlePlace place) {
     const double most = largest_half(place);
     for (int d = 0; d < M::dimensions; ++d) {
       const double wanted = place.half[d] * place.stretch[d];
@@ -67,7 +67,7 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
 
   /// Half width of the box where it is narrowest [cells].
   template <class M>
-  KOKKOS_INLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
     const ParticlePlace own = stretched<M>(place);
     double least = own.half[0];
     for (int d = 1; d < M::dimensions; ++d) least = own.half[d] < least ? own.half[d] : least;

@@ -45,7 +45,7 @@ struct Cpdi {
 
   /// e_i = F e_i0 [cells].
   template <int D>
-  KOKKOS_INLINE_FUNCTION static Domain<D> deformed(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static Domain<D> deformed(const ParticlePlace& place) {
     Domain<D> out;
     for (int i = 0; i < D; ++i)
       for (int k = 0; k < D; ++k) out.e[i][k] = place.f[k][i] * place.half[i];
@@ -55,19 +55,19 @@ struct Cpdi {
   /// Whether F has turned the domain inside out or flat: its measure is no more than a 1e-12 of
   /// that of a rectangle with its edges.
   template <int D>
-  KOKKOS_INLINE_FUNCTION static bool flat(const Domain<D>& domain) {
+  KOKKOS_FORCEINLINE_FUNCTION static bool flat(const Domain<D>& domain) {
     double squares = 1.0;
     for (int i = 0; i < D; ++i) squares *= length_squared(domain.e[i]);
     return !(measure(domain) > 1e-12 * std::sqrt(squares));
   }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
     return flat(deformed<M::dimensions>(place));
   }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
     return exceeds(deformed<M::dimensions>(place), place.largest);
   }
 
@@ -89,14 +89,14 @@ struct Cpdi {
 
   /// Half width of the domain where it is narrowest [cells].
   template <class M>
-  KOKKOS_INLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
     const Domain<M::dimensions> slope = dual(domain<M>(place));
-    double least = half_width(slope, 0);
+    double steepest = length_squared(slope.e[0]);
     for (int i = 1; i < M::dimensions; ++i) {
-      const double width = half_width(slope, i);
-      least = width < least ? width : least;
+      const double squared = length_squared(slope.e[i]);
+      steepest = squared > steepest ? squared : steepest;
     }
-    return least;
+    return 1.0 / std::sqrt(steepest);
   }
 
   /// A corner of a domain as a place on the grid. It is held inside the patch and, in axisymmetry,

@@ -15,10 +15,10 @@ struct Domain {
 };
 
 /// e[0] x e[1], or e[0] . (e[1] x e[2]): area / 4 or volume / 8.
-KOKKOS_INLINE_FUNCTION double measure(const Domain<2>& d) {
+KOKKOS_FORCEINLINE_FUNCTION double measure(const Domain<2>& d) {
   return d.e[0][0] * d.e[1][1] - d.e[0][1] * d.e[1][0];
 }
-KOKKOS_INLINE_FUNCTION double measure(const Domain<3>& d) {
+KOKKOS_FORCEINLINE_FUNCTION double measure(const Domain<3>& d) {
   const auto& e = d.e;
   return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
          e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
@@ -34,7 +34,7 @@ struct CornerVectors {
 };
 
 template <int D>
-KOKKOS_INLINE_FUNCTION CornerVectors<D> corner_vectors(const Domain<D>& domain) {
+KOKKOS_FORCEINLINE_FUNCTION CornerVectors<D> corner_vectors(const Domain<D>& domain) {
   CornerVectors<D> out;
   for (int k = 0; k < D; ++k) {
     if constexpr (D == 2) {
@@ -54,7 +54,7 @@ KOKKOS_INLINE_FUNCTION CornerVectors<D> corner_vectors(const Domain<D>& domain) 
 
 /// The domain with these corners: exact in 2D, least squares in 3D (four vectors, three edges).
 template <int D>
-KOKKOS_INLINE_FUNCTION Domain<D> rebuild_domain(const CornerVectors<D>& c) {
+KOKKOS_FORCEINLINE_FUNCTION Domain<D> rebuild_domain(const CornerVectors<D>& c) {
   Domain<D> out;
   for (int k = 0; k < D; ++k) {
     if constexpr (D == 2) {
@@ -70,7 +70,7 @@ KOKKOS_INLINE_FUNCTION Domain<D> rebuild_domain(const CornerVectors<D>& c) {
 }
 
 template <std::size_t D>
-KOKKOS_INLINE_FUNCTION double length_squared(const double (&v)[D]) {
+KOKKOS_FORCEINLINE_FUNCTION double length_squared(const double (&v)[D]) {
   double sum = 0.0;
   for (std::size_t k = 0; k < D; ++k) sum += v[k] * v[k];
   return sum;
@@ -78,7 +78,7 @@ KOKKOS_INLINE_FUNCTION double length_squared(const double (&v)[D]) {
 
 /// Whether some corner is further from the centre than `largest`. A corner that is not a number is.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool exceeds(const Domain<D>& domain, double largest) {
+KOKKOS_FORCEINLINE_FUNCTION bool exceeds(const Domain<D>& domain, double largest) {
   const CornerVectors<D> c = corner_vectors(domain);
   bool out = false;
   for (int i = 0; i < CornerVectors<D>::n; ++i)
@@ -92,7 +92,7 @@ KOKKOS_INLINE_FUNCTION bool exceeds(const Domain<D>& domain, double largest) {
 ///
 /// Source: M. Homel, R. Brannon, J. Guilkey, IJNME 107 (2016) 31-48.
 template <int D>
-KOKKOS_INLINE_FUNCTION Domain<D> scale_domain(const Domain<D>& domain, double largest) {
+KOKKOS_FORCEINLINE_FUNCTION Domain<D> scale_domain(const Domain<D>& domain, double largest) {
   CornerVectors<D> c = corner_vectors(domain);
   bool shortened = false;
   for (int i = 0; i < CornerVectors<D>::n; ++i) {
@@ -111,12 +111,12 @@ KOKKOS_INLINE_FUNCTION Domain<D> scale_domain(const Domain<D>& domain, double la
 /// Gradients of the domain's own coordinates, each of which runs from -1 to 1 between two faces:
 /// grad xi_i . e_j = 1 if i = j, else 0. The domain's face i has the area vector
 /// 2^(D-1) measure grad xi_i.
-KOKKOS_INLINE_FUNCTION Domain<2> dual(const Domain<2>& d) {
+KOKKOS_FORCEINLINE_FUNCTION Domain<2> dual(const Domain<2>& d) {
   const double inverse = 1.0 / measure(d);
   return {
       {{d.e[1][1] * inverse, -d.e[1][0] * inverse}, {-d.e[0][1] * inverse, d.e[0][0] * inverse}}};
 }
-KOKKOS_INLINE_FUNCTION Domain<3> dual(const Domain<3>& d) {
+KOKKOS_FORCEINLINE_FUNCTION Domain<3> dual(const Domain<3>& d) {
   const double inverse = 1.0 / measure(d);
   Domain<3> out;
   for (int i = 0; i < 3; ++i) {
@@ -130,7 +130,7 @@ KOKKOS_INLINE_FUNCTION Domain<3> dual(const Domain<3>& d) {
 
 /// From the centre to face i: 1 / |grad xi_i|.
 template <int D>
-KOKKOS_INLINE_FUNCTION double half_width(const Domain<D>& dual, int i) {
+KOKKOS_FORCEINLINE_FUNCTION double half_width(const Domain<D>& dual, int i) {
   return 1.0 / std::sqrt(length_squared(dual.e[i]));
 }
 
@@ -139,7 +139,7 @@ KOKKOS_INLINE_FUNCTION double half_width(const Domain<D>& dual, int i) {
 /// gradient of its stress: without a least width there is no stable step. Domains that are wide
 /// enough keep their bits.
 template <int D>
-KOKKOS_INLINE_FUNCTION Domain<D> widen_domain(Domain<D> domain, double least) {
+KOKKOS_FORCEINLINE_FUNCTION Domain<D> widen_domain(Domain<D> domain, double least) {
   for (int i = 0; i < D; ++i) {
     const Domain<D> slope = dual(domain);
     const double width = half_width(slope, i);
@@ -154,7 +154,7 @@ KOKKOS_INLINE_FUNCTION Domain<D> widen_domain(Domain<D> domain, double least) {
 /// A domain that reaches across the axis is made narrower until it ends there: radial components
 /// are shrunk by r_p / (|e0r| + |e1r|), axial ones are kept, so that it still touches the domains
 /// above and below.
-KOKKOS_INLINE_FUNCTION Domain<2> narrow_at_axis(Domain<2> domain, double radius) {
+KOKKOS_FORCEINLINE_FUNCTION Domain<2> narrow_at_axis(Domain<2> domain, double radius) {
   const double reach = std::fabs(domain.e[0][0]) + std::fabs(domain.e[1][0]);
   const double ratio = reach <= radius ? 1.0 : radius / reach;
   domain.e[0][0] *= ratio;

@@ -60,7 +60,7 @@ struct PatchFrame {
 
   /// The place of row p for shape function S.
   template <class S>
-  KOKKOS_INLINE_FUNCTION ParticlePlace
+  KOKKOS_FORCEINLINE_FUNCTION ParticlePlace
   place(const First& first, const ShapeFields& fields, int p) const {
     ParticlePlace out;
     for (int d = 0; d < dimensions; ++d) {
@@ -84,7 +84,7 @@ struct PatchFrame {
   }
 
   /// Diagonal of U = R^T F.
-  KOKKOS_INLINE_FUNCTION static void find_stretches(
+  KOKKOS_FORCEINLINE_FUNCTION static void find_stretches(
       const FieldView& rotation, int p, ParticlePlace& place
   ) {
     const auto& f = place.f;

@@ -2,6 +2,7 @@
 #include "step/tally_domains.hpp"
 
 #include "base/region.hpp"
+#include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/shape_fields.hpp"
 #include "state/step_rule.hpp"
@@ -13,6 +14,11 @@
 namespace barreno {
 namespace {
 
+/// What the shape function says of the domains of some rows.
+struct Domains {
+  alignas(64) double clipped[rows_per_batch], inverted[rows_per_batch], narrowest[rows_per_batch];
+};
+
 template <class M, class S>
 struct TallyDomains {
   PatchFrame<M::dimensions> frame;
@@ -20,16 +26,46 @@ struct TallyDomains {
   BadParticlePolicy policy;
   StepRule rule;
 
-  void operator()(int p, DomainTally& tally) const {
-    // What is asked depends on the radius at most, not on the tile.
+  void operator()(Rows rows, DomainTally& tally) const {
+    Domains domains;
+    find(rows, domains);
+    for (int k = 0; k < rows.end - rows.begin; ++k) {
+      const int p = rows.begin + k;
+      particles.clipped(p) = domains.clipped[k];
+      tally.clipped += domains.clipped[k];
+      limit_step(p, S::critical_courant(domains.narrowest[k]), tally);
+      if (domains.inverted[k] > 0.0) treat_inverted(p, tally);
+    }
+  }
+
+  /// body(k, place) of the k-th row, without branches for the compiler to vectorise; of the last
+  /// row again where there are fewer. What is asked depends on the radius at most, not on the tile.
+  template <class Body>
+  void for_each_place(Rows rows, const Body& body) const {
     const typename PatchFrame<M::dimensions>::First anywhere{};
-    const ParticlePlace place = frame.template place<S>(anywhere, shape_fields(particles), p);
-    const bool clipped = S::template clipped<M>(place);
-    particles.clipped(p) = clipped ? 1.0 : 0.0;
-    tally.clipped += clipped ? 1.0 : 0.0;
-    limit_step(p, S::critical_courant(S::template narrowest<M>(place)), tally);
-    const bool treated = particles.key(p) <= failed_key || (particles.body(p) & held_bit) != 0;
-    if (treated || !S::template inverted<M>(place)) return;
+    const ShapeFields fields = shape_fields(particles);
+    BARRENO_IVDEP
+    for (int k = 0; k < rows_per_batch; ++k) {
+      const int p = rows.begin + k < rows.end ? rows.begin + k : rows.end - 1;
+      body(k, frame.template place<S>(anywhere, fields, p));
+    }
+  }
+
+  /// One loop for each: together they are too much for the compiler.
+  void find(Rows rows, Domains& out) const {
+    for_each_place(rows, [&](int k, const ParticlePlace& place) {
+      out.clipped[k] = S::template clipped<M>(place) ? 1.0 : 0.0;
+    });
+    for_each_place(rows, [&](int k, const ParticlePlace& place) {
+      out.inverted[k] = S::template inverted<M>(place) ? 1.0 : 0.0;
+    });
+    for_each_place(rows, [&](int k, const ParticlePlace& place) {
+      out.narrowest[k] = S::template narrowest<M>(place);
+    });
+  }
+
+  void treat_inverted(int p, DomainTally& tally) const {
+    if (particles.key(p) <= failed_key || (particles.body(p) & held_bit) != 0) return;
     tally.inverted += 1.0;
     const ParticleId id = particles.id(p);
     if (tally.first_bad < 0 || id < tally.first_bad) tally.first_bad = id;
@@ -67,7 +103,8 @@ DomainTally tally_domains(const Scene& scene, const Grid& grid, Particles& parti
           particles,
           material.bad_particles,
           StepRule(scene, particles.critical_courant)};
-      for (int p = 0; p < particles.count; ++p) kernel(p, tally);
+      for (int begin = 0; begin < particles.count; begin += rows_per_batch)
+        kernel(Rows{begin, std::min(begin + rows_per_batch, particles.count)}, tally);
     }
   });
   return tally;
