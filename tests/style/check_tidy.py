@@ -5,8 +5,8 @@
     check_tidy.py BUILD [FILE ...]
 
 Most of clang-tidy's time goes into the headers of the libraries, so files of one folder with the same compiler
-options are looked at together, in one translation unit that includes them; a group whose files cannot stand together (the same name in
-two unnamed namespaces) is looked at file by file. A group whose text, headers and rules are those of its last clean
+options are looked at together, in one translation unit that includes them, but for those that cannot stand together (the same name in
+two unnamed namespaces): they make groups of their own. A group whose text, headers and rules are those of its last clean
 pass is skipped: what passed is kept in BUILD/tidy.
 """
 import concurrent.futures
@@ -39,9 +39,9 @@ def groups_of(entries):
     by_options = {}
     for entry in entries:
         key = pathlib.Path(entry["file"]).parent, options_of(entry)
-        by_options.setdefault(key, []).append(entry["file"])
-    for (_, options), files in by_options.items():
-        files.sort()
+        by_options.setdefault(key, set()).add(entry["file"])
+    for (_, options), found in by_options.items():
+        files = sorted(found)
         for start in range(0, len(files), TOGETHER):
             yield list(options), files[start : start + TOGETHER]
 
@@ -67,17 +67,27 @@ def tidy(options, path):
     return "" if result.returncode == 0 else result.stdout + result.stderr
 
 
+def clashing(options, unit, files):
+    """The files that cannot stand behind those before them: the compiler's errors are in them."""
+    result = subprocess.run(["c++", *options, "-fsyntax-only", "-w", str(unit)], capture_output=True, text=True)
+    if result.returncode == 0:
+        return []
+    wrong = {line.split(":")[0] for line in result.stderr.splitlines() if ": error: " in line}
+    found = [file for file in files if file in wrong]
+    return found if 0 < len(found) < len(files) else files[len(files) // 2 :]
+
+
 def findings_of(options, files, folder):
     """Findings of a group; an empty text if there are none."""
     if len(files) == 1:
         return tidy(options, files[0])
     unit = folder / (files[0].replace("/", "_") + f".{len(files)}.cpp")
     unit.write_text("".join(f'#include "{file}"  // NOLINT\n' for file in files))
-    findings = tidy(options, unit)
-    if "clang-diagnostic-error" not in findings:
-        return findings
-    half = len(files) // 2
-    return findings_of(options, files[:half], folder) + findings_of(options, files[half:], folder)
+    apart = clashing(options, unit, files)
+    if apart:
+        rest = [file for file in files if file not in apart]
+        return findings_of(options, rest, folder) + findings_of(options, apart, folder)
+    return tidy(options, unit)
 
 
 def check(options, files, folder):

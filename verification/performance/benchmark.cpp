@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 namespace barreno {
 namespace {
@@ -50,14 +51,8 @@ void print_phases(double particle_steps) {
     std::printf("  %-28s %8.1f ns\n", phase.label, phase.seconds / particle_steps * 1e9);
 }
 
-}  // namespace
-}  // namespace barreno
-
-int main(int argc, char** argv) {
-  const Tpetra::ScopeGuard guard(&argc, &argv);
-  using namespace barreno;
+void print_costs(int steps) {
   const double triad = measure_triad();
-  const int steps = argc > 1 ? std::atoi(argv[1]) : 20;
   std::printf("triad %.1f GB/s\n", triad * 1e-9);
   print_cost_of_rock();
   const Scene scene = copper_cylinder(1.0);
@@ -83,5 +78,18 @@ int main(int argc, char** argv) {
   );
   print_phases(147456.0 * 5.0 * steps);
   print_cost_of_shapes(steps, triad);
-  return 0;
+}
+
+}  // namespace
+}  // namespace barreno
+
+int main(int argc, char** argv) {
+  const Tpetra::ScopeGuard guard(&argc, &argv);
+  try {
+    barreno::print_costs(argc > 1 ? std::atoi(argv[1]) : 20);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 4;
+  }
 }
