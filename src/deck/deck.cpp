@@ -60,6 +60,9 @@ double Deck::number(const std::string& path) const {
 int Deck::integer(const std::string& path) const {
   return get<int>(path);
 }
+bool Deck::flag(const std::string& path) const {
+  return get<bool>(path);
+}
 std::string Deck::word(const std::string& path) const {
   return get<std::string>(path);
 }

@@ -38,6 +38,7 @@ public:
 
   double number(const std::string& path) const;
   int integer(const std::string& path) const;
+  bool flag(const std::string& path) const;
   std::string word(const std::string& path) const;
   std::vector<std::string> words(const std::string& path) const;
   std::vector<double> vector(const std::string& path) const;

@@ -2,6 +2,7 @@
 #include "deck/deck_schema.hpp"
 
 #include "deck/boundary_sections.hpp"
+#include "deck/pore_flow_section.hpp"
 #include "deck/shape_entries.hpp"
 #include "deck/step_section.hpp"
 
@@ -187,6 +188,7 @@ Section build_schema() {
        jet_section(),
        body_force_section(),
        contact_section(),
+       pore_flow_section(),
        step_section(),
        time,
        output_section()},

@@ -207,6 +207,7 @@ Scene build_scene(const Deck& deck) {
   add_body_force(deck, scene);
   check_rigid_bodies(deck, scene);
   add_contacts(deck, scene);
+  add_pore_flow(deck, scene);
   scene.step = read_step(deck, scene.grid.mode);
   scene.output = read_output(deck);
   if (scene.bodies.empty() && !scene.jet.present) {

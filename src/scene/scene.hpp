@@ -2,6 +2,8 @@
 #pragma once
 
 #include "geometry/shape.hpp"
+#include "scene/pore_flow_spec.hpp"
+#include "scene/table.hpp"
 
 #include <array>
 #include <barreno/models.hpp>
@@ -30,12 +32,6 @@ enum class BadParticlePolicy { stop, hold, remove };
 struct MaterialSpec {
   Material material;
   BadParticlePolicy bad_particles = BadParticlePolicy::remove;
-};
-
-/// Piecewise-linear function of time, constant outside its range.
-struct Table {
-  std::vector<double> time{0.0}, value{0.0};
-  double operator()(double t) const;
 };
 
 /// Prescribed motion of a rigid body: velocity * factor(t).
@@ -184,6 +180,7 @@ struct Scene {
   std::vector<ContactSpec> contacts;
   JetSpec jet;
   BodyForceSpec body_force;
+  PoreFlowSpec pore_flow;
   StepSpec step;
   double end_time = 0.0;  ///< [time]
   OutputSpec output;

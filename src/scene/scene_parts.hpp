@@ -18,6 +18,7 @@ void add_confinement(const Deck& deck, Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
 void add_body_force(const Deck& deck, Scene& scene);
 void add_contacts(const Deck& deck, Scene& scene);
+void add_pore_flow(const Deck& deck, Scene& scene);
 
 /// Motion of a body that is prescribed to be rigid.
 MotionSpec read_motion(const Deck& deck, const std::string& path, Mode mode);

@@ -8,6 +8,7 @@
 #include "state/ledger.hpp"
 #include "state/nodes.hpp"
 #include "state/particles.hpp"
+#include "state/pore_flow_state.hpp"
 
 #include <limits>
 #include <vector>
@@ -29,6 +30,7 @@ struct State {
   ContactNodes contact;
   Clock clock;
   Ledger ledger;
+  PoreFlowState pore_flow;
   std::vector<double> cavities;  ///< volume of the pore fluid of each load, the same on all ranks
   std::size_t next_slug = 0;     ///< first jet slug that is still to be launched
   std::vector<ParticleId> slug_ids;  ///< first id of every slug

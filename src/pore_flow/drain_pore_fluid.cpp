@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pore_flow/drain_pore_fluid.hpp"
+
+#include "base/error.hpp"
+#include "base/gather.hpp"
+#include "base/region.hpp"
+#include "pore_flow/assemble_system.hpp"
+#include "pore_flow/drain_particles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace barreno {
+namespace {
+
+/// Cells, neighbours and links of now.
+/// @return whether the graph is that of the last solve on every rank
+bool build_network(const Scene& scene, State& state, PoreNetwork& network) {
+  const bool kept = fill_pore_cells(scene, state, network.cells) && network.halo;
+  std::array<double, 1> changed{kept ? 0.0 : 1.0};
+  max_over_ranks(*state.grid.comm, changed);
+  if (changed[0] > 0.0) network.halo = build_pore_halo(state.grid, network.cells);
+  exchange_pore_cells(*network.halo, network.cells);
+  link_pore_cells(scene, state.grid, state.clock.time, network);
+  return changed[0] == 0.0;
+}
+
+void refuse(const Clock& clock, const SolveReport& report) {
+  std::ostringstream text;
+  text
+      << "The pore pressure of t = " << clock.time << " s was not found: " << report.method
+      << " left a residual of " << report.residual << " after " << report.iterations
+      << " iterations. Raise Belos/Maximum Iterations, choose another preconditioner in Pore Flow, "
+         "or solve more often with a smaller Diffusion Number.";
+  throw NumericalError(text.str());
+}
+
+/// Darcy velocity in the middle of a cell: the mean of those in its faces, sealed ones with none.
+Vector cell_flux(const PoreNetwork& network, std::size_t i) {
+  Vector flux{};
+  for (std::size_t face = 0; face < network.links[i].size(); ++face) {
+    const PoreLink& link = network.links[i][face];
+    if (!(link.area > 0.0)) continue;
+    const double into = flow_through(network, i, face, true) / link.area;
+    flux[face / 2] += 0.5 * (face % 2 == 0 ? into : -into);
+  }
+  return flux;
+}
+
+/// What has come in from outside over dt, and the fluxes of the cells.
+double tally_flow(double dt, PoreNetwork& network) {
+  double inflow = 0.0;
+  network.flux.resize(network.links.size());
+  for (std::size_t i = 0; i < network.links.size(); ++i) {
+    network.flux[i] = cell_flux(network, i);
+    for (std::size_t face = 0; face < network.links[i].size(); ++face)
+      if (network.links[i][face].cell < 0) inflow += dt * flow_through(network, i, face, true);
+  }
+  return inflow;
+}
+
+/// Time in which the fastest cell evens out over Diffusion Number cells.
+double drain_interval(const Scene& scene, const State& state, const PoreNetwork& network) {
+  std::array<double, 1> fastest{0.0};
+  for (int i = 0; i < network.cells.own; ++i) {
+    const PoreCell& cell = network.cells.cells[static_cast<std::size_t>(i)];
+    if (!(cell.storage > 0.0)) continue;
+    const double mobility = std::max({cell.mobility[0], cell.mobility[1], cell.mobility[2]});
+    fastest[0] = std::max(fastest[0], mobility * cell.volume / cell.storage);
+  }
+  max_over_ranks(*state.grid.comm, fastest);
+  const double h = state.grid.cell_size;
+  return fastest[0] > 0.0 ? scene.pore_flow.diffusion_number * h * h / fastest[0] : scene.end_time;
+}
+
+}  // namespace
+
+void drain_pore_fluid(const Scene& scene, double dt, State& state) {
+  if (!scene.pore_flow.on()) return;
+  const Region region("drain_pore_fluid");
+  PoreFlowState& flow = state.pore_flow;
+  flow.waiting += dt;
+  if (flow.waiting < flow.interval) return;
+  if (!flow.network) {
+    flow.network = std::make_shared<PoreNetwork>();
+    flow.network->solver = make_linear_solver(state.grid.comm, {});
+  }
+  PoreNetwork& network = *flow.network;
+
+  const bool same_graph = build_network(scene, state, network);
+  assemble_system(flow.waiting, network);
+  const SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
+  if (!report.converged) refuse(state.clock, report);
+  exchange_pore_values(*network.halo, network.change);
+  std::array<double, 1> inflow{tally_flow(flow.waiting, network)};
+  sum_over_ranks(*state.grid.comm, inflow);
+  const DrainTally tally = drain_particles(scene, flow.waiting, state, network);
+  state.ledger.elastic += tally.elastic;
+  state.ledger.plastic += tally.plastic;
+
+  flow.inflow += inflow[0];
+  flow.iterations += report.iterations;
+  ++flow.solves;
+  flow.interval = drain_interval(scene, state, network);
+  flow.waiting = 0.0;
+}
+
+}  // namespace barreno

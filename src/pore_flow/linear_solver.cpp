@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pore_flow/linear_solver.hpp"
+
+#include "base/error.hpp"
+#include "base/region.hpp"
+#include "pore_flow/multigrid.hpp"
+
+#include <BelosLinearProblem.hpp>
+#include <BelosSolverFactory.hpp>
+#include <BelosTpetraAdapter.hpp>
+#include <Ifpack2_Factory.hpp>
+#include <Ifpack2_Preconditioner.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+
+namespace barreno {
+namespace {
+
+using Map = Tpetra::Map<int, long long>;
+using Vectors = Tpetra::MultiVector<double, int, long long>;
+using RowMatrix = Tpetra::RowMatrix<double, int, long long>;
+using Problem = Belos::LinearProblem<double, Vectors, SparseOperator>;
+using Krylov = Belos::SolverManager<double, Vectors, SparseOperator>;
+using Relaxation = Ifpack2::Preconditioner<double, int, long long>;
+
+constexpr double default_tolerance = 1e-10;
+/// Below so many unknowns in all a smoother is as good as grids.
+constexpr long long fewest_for_multigrid = 2000;
+
+}  // namespace
+
+struct LinearSolver {
+  Teuchos::RCP<const Teuchos::Comm<int>> comm;
+  SolverLists lists;
+  std::string krylov = "CG";
+  double tolerance = default_tolerance;
+
+  Teuchos::RCP<const Map> map;
+  Teuchos::RCP<SparseMatrix> matrix;
+  Teuchos::RCP<SparseOperator> preconditioner;
+  bool with_multigrid = false;
+  Teuchos::RCP<Vectors> x, b, residual;
+};
+
+namespace {
+
+/// The matrix with a new graph; what depended on the old one is forgotten.
+void build_matrix(const LinearSystem& system, LinearSolver& solver) {
+  const Region region("build_matrix");
+  const auto count = static_cast<int>(system.ids.size());
+  solver.map = Teuchos::rcp(new Map(
+      Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+      Teuchos::ArrayView<const long long>(system.ids.data(), count),
+      0,
+      solver.comm
+  ));
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < system.ids.size(); ++i)
+    most = std::max(most, system.begin[i + 1] - system.begin[i]);
+  solver.matrix = Teuchos::rcp(new SparseMatrix(solver.map, most));
+  for (std::size_t i = 0; i < system.ids.size(); ++i) {
+    const auto entries = static_cast<int>(system.begin[i + 1] - system.begin[i]);
+    solver.matrix->insertGlobalValues(
+        system.ids[i], entries, &system.value[system.begin[i]], &system.column[system.begin[i]]
+    );
+  }
+  solver.matrix->fillComplete();
+  solver.preconditioner = Teuchos::null;
+  solver.x = Teuchos::rcp(new Vectors(solver.map, 1));
+  solver.b = Teuchos::rcp(new Vectors(solver.map, 1));
+  solver.residual = Teuchos::rcp(new Vectors(solver.map, 1));
+}
+
+/// New values in the old graph.
+void refill_matrix(const LinearSystem& system, LinearSolver& solver) {
+  const Region region("refill_matrix");
+  solver.matrix->resumeFill();
+  for (std::size_t i = 0; i < system.ids.size(); ++i) {
+    const auto entries = static_cast<int>(system.begin[i + 1] - system.begin[i]);
+    solver.matrix->replaceGlobalValues(
+        system.ids[i], entries, &system.value[system.begin[i]], &system.column[system.begin[i]]
+    );
+  }
+  solver.matrix->fillComplete();
+}
+
+/// The deck's own list decides; else the number of unknowns.
+bool wants_multigrid(const LinearSolver& solver) {
+  if (solver.lists.ifpack2.numParams() > 0) return false;
+  if (solver.lists.muelu.numParams() > 0) return true;
+  return static_cast<long long>(solver.map->getGlobalNumElements()) >= fewest_for_multigrid;
+}
+
+void update_relaxation(LinearSolver& solver) {
+  auto relaxation = Teuchos::rcp_dynamic_cast<Relaxation>(solver.preconditioner);
+  if (relaxation.is_null()) {
+    Teuchos::ParameterList list = solver.lists.ifpack2;
+    const std::string kind = list.get("Type", std::string("RELAXATION"));
+    list.remove("Type");
+    if (list.numParams() == 0 && kind == "RELAXATION")
+      list.set("relaxation: type", std::string("Symmetric Gauss-Seidel"));
+    const Teuchos::RCP<const RowMatrix> rows = solver.matrix;
+    relaxation = Ifpack2::Factory::create<RowMatrix>(kind, rows);
+    relaxation->setParameters(list);
+    relaxation->initialize();
+    solver.preconditioner = relaxation;
+  }
+  relaxation->compute();
+}
+
+void update_preconditioner(LinearSolver& solver) {
+  const Region region("update_preconditioner");
+  solver.with_multigrid = wants_multigrid(solver);
+  if (solver.with_multigrid)
+    solver.preconditioner =
+        make_multigrid(solver.matrix, solver.lists.muelu, solver.preconditioner);
+  else
+    update_relaxation(solver);
+}
+
+/// |b - A x| / |b|, 0 where b is.
+double true_residual(LinearSolver& solver) {
+  solver.matrix->apply(*solver.x, *solver.residual);
+  solver.residual->update(1.0, *solver.b, -1.0);
+  Teuchos::Array<double> r(1), b(1);
+  solver.residual->norm2(r());
+  solver.b->norm2(b());
+  return b[0] > 0.0 ? r[0] / b[0] : r[0];
+}
+
+Teuchos::RCP<Teuchos::ParameterList> krylov_list(const LinearSolver& solver) {
+  auto list = Teuchos::rcp(new Teuchos::ParameterList(solver.lists.belos));
+  list->remove("Solver", false);
+  Teuchos::ParameterList usual;
+  usual.set("Convergence Tolerance", solver.tolerance);
+  usual.set("Maximum Iterations", 1000);
+  usual.set("Verbosity", static_cast<int>(Belos::Errors));
+  list->setParametersNotAlreadySet(usual);
+  return list;
+}
+
+}  // namespace
+
+std::shared_ptr<LinearSolver> make_linear_solver(
+    const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const SolverLists& lists
+) {
+  auto solver = std::make_shared<LinearSolver>();
+  solver->comm = comm;
+  solver->lists = lists;
+  if (lists.belos.isParameter("Solver")) solver->krylov = lists.belos.get<std::string>("Solver");
+  if (lists.belos.isParameter("Convergence Tolerance"))
+    solver->tolerance = lists.belos.get<double>("Convergence Tolerance");
+  return solver;
+}
+
+SolveReport solve(
+    const LinearSystem& system, bool same_graph, LinearSolver& solver, std::vector<double>& solution
+) {
+  const Region region("solve_pore_pressure");
+  if (same_graph && !solver.matrix.is_null())
+    refill_matrix(system, solver);
+  else
+    build_matrix(system, solver);
+  update_preconditioner(solver);
+  {
+    const auto b = solver.b->getDataNonConst(0);
+    std::copy(system.right_side.begin(), system.right_side.end(), b.begin());
+  }
+  solver.x->putScalar(0.0);
+  const auto problem = Teuchos::rcp(new Problem(solver.matrix, solver.x, solver.b));
+  problem->setLeftPrec(solver.preconditioner);
+  problem->setProblem();
+  Belos::SolverFactory<double, Vectors, SparseOperator> factory;
+  const Teuchos::RCP<Krylov> krylov = factory.create(solver.krylov, krylov_list(solver));
+  krylov->setProblem(problem);
+  SolveReport report;
+  const bool said = krylov->solve() == Belos::Converged;
+  report.iterations = krylov->getNumIters();
+  report.residual = true_residual(solver);
+  // What a method says of itself is its own recurrence; round-off parts the two by a little.
+  constexpr double slack = 10.0;
+  report.converged = said && report.residual <= slack * solver.tolerance;
+  report.method = solver.krylov + (solver.with_multigrid ? " with MueLu" : " with Ifpack2");
+  const auto x = solver.x->getData(0);
+  solution.assign(x.begin(), x.end());
+  return report;
+}
+
+}  // namespace barreno

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/load_tables.hpp"
+#include "scene/porous.hpp"
+#include "scene/scene_parts.hpp"
+
+namespace barreno {
+namespace {
+
+/// One number for all axes, or one for each.
+Vector read_permeability(const Deck& deck, const std::string& path, Mode mode) {
+  const std::vector<double> given = deck.vector(path);
+  if (given.size() == 1) return {given[0], given[0], given[0]};
+  return vector_at(deck, path, mode);
+}
+
+void add_rocks(const Deck& deck, Scene& scene) {
+  scene.pore_flow.rocks.resize(scene.materials.size());
+  for (const std::string& name : deck.lists("Pore Flow/Rocks")) {
+    const std::string path = "Pore Flow/Rocks/" + name;
+    std::size_t m = 0;
+    while (m < scene.materials.size() && scene.materials[m].material.name != name) ++m;
+    if (m == scene.materials.size())
+      deck.refuse(path, "is not in Materials (a permeability belongs to one); change the name");
+    if (!is_porous(scene.materials[m].material))
+      deck.refuse(
+          path,
+          "has a model without a fluid that drains (Poroelastic, or Arenisca with fluid_B0 > 0, "
+          "have "
+          "one); remove the list or change the Model"
+      );
+    PermeabilitySpec& rock = scene.pore_flow.rocks[m];
+    rock.permeability = read_permeability(deck, path + "/Permeability", scene.grid.mode);
+    rock.kozeny_carman = deck.flag(path + "/Kozeny-Carman");
+  }
+}
+
+void read_faces(const Deck& deck, const std::string& path, Mode mode, std::array<bool, 6>& faces) {
+  if (!deck.has(path)) return;
+  for (const std::string& word : deck.words(path))
+    faces[static_cast<std::size_t>(face_at(deck, path, word, mode))] = true;
+}
+
+Table read_flux(const Deck& deck, const std::string& path) {
+  if (!deck.has(path + "/Flux"))
+    deck.refuse(path + "/Flux", "is missing (the kind 'flux' needs it); add it or change Kind");
+  if (has_pressure(deck, path))
+    deck.refuse(
+        path, "has a pressure, which the kind 'flux' does not use; remove it or change Kind"
+    );
+  return {{0.0}, {deck.number(path + "/Flux")}};
+}
+
+void add_flow_conditions(const Deck& deck, Scene& scene) {
+  for (const std::string& name : deck.lists("Pore Flow/Conditions")) {
+    const std::string path = "Pore Flow/Conditions/" + name;
+    PoreConditionSpec condition;
+    condition.name = name;
+    if (deck.word(path + "/Kind") == "flux") condition.kind = PoreConditionKind::flux;
+    read_faces(deck, path + "/Grid Faces", scene.grid.mode, condition.grid_faces);
+    read_faces(deck, path + "/Open Faces", scene.grid.mode, condition.open_faces);
+    if (!deck.has(path + "/Grid Faces") && !deck.has(path + "/Open Faces"))
+      deck.refuse(path, "acts nowhere; give Grid Faces or Open Faces");
+    const bool flux = condition.kind == PoreConditionKind::flux;
+    if (!flux && deck.has(path + "/Flux"))
+      deck.refuse_value(path + "/Flux", "has no meaning for the kind 'drained'; remove it");
+    condition.value = flux ? read_flux(deck, path) : read_pressure(deck, path);
+    scene.pore_flow.conditions.push_back(condition);
+  }
+}
+
+}  // namespace
+
+void add_pore_flow(const Deck& deck, Scene& scene) {
+  if (!deck.has("Pore Flow/Viscosity")) return;
+  PoreFlowSpec& flow = scene.pore_flow;
+  flow.viscosity = deck.number("Pore Flow/Viscosity");
+  flow.fluid_density = deck.number("Pore Flow/Fluid Density");
+  flow.diffusion_number = deck.number("Pore Flow/Diffusion Number");
+  add_rocks(deck, scene);
+  add_flow_conditions(deck, scene);
+  const std::string drainage = deck.word("Pore Flow/Drainage");
+  flow.drainage = drainage == "off" ? Drainage::off : Drainage::on;
+}
+
+}  // namespace barreno
