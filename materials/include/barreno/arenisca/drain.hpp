@@ -92,6 +92,7 @@ BARRENO_FUNCTION bool is_outside(const PointRock& point, const GeneralState& n, 
 struct DrainEnd {
   GeneralState state;
   bool plastic = false;
+  bool crossed = false;     ///< a gas gap opened or closed at the centre
   double fluid_work = 0.0;  ///< integral of p dv [stress]
   double plastic_work = 0.0;
   int substeps = 0;
@@ -116,6 +117,7 @@ BARRENO_FUNCTION void drain_part(
   GeneralState elastic{n.x, n.s, centre.e, n.shear_strain};
   elastic.x = end_of_path(after.fluid, elasticity, at, strain, n.x, centre.e);
   const bool plastic = is_outside(after, elastic, count);
+  end.crossed = end.crossed || at.gap != before.at_centre(n.e).gap;
   end.state = elastic;
   end.substeps += 1;
   if (plastic) {
@@ -163,7 +165,8 @@ BARRENO_FUNCTION DrainEnd drain_in_parts(
 }
 
 /// Lets fluid in or out at fixed strain until the point holds mass_end. Elastic rock takes it at
-/// once; flowing rock in as many parts as twice as many agree with, to the rock's tolerance.
+/// once, flowing rock in as many parts as twice as many agree with, to the rock's tolerance. Where
+/// a gas gap opens or closes rock may flow on the way although its end is elastic.
 template <class Counter>
 BARRENO_FUNCTION DrainEnd drain_rock(
     const GeneralRock& rock,
@@ -173,9 +176,10 @@ BARRENO_FUNCTION DrainEnd drain_rock(
     double mass_end,
     Counter& count
 ) {
-  constexpr int most_parts = 64;
+  constexpr int most_parts = 64, parts_of_crossing = 8;
   DrainEnd end = drain_in_parts(rock, coherence, begin, mass, mass_end, 1, count);
-  for (int parts = 2; end.plastic && parts <= most_parts; parts *= 2) {
+  const int fewest = end.crossed ? parts_of_crossing : 2;
+  for (int parts = fewest; (end.plastic || end.crossed) && parts <= most_parts; parts *= 2) {
     const DrainEnd finer = drain_in_parts(rock, coherence, begin, mass, mass_end, parts, count);
     if (finer.status != Status::ok) return finer;
     const double floor = larger(rock.stress_floor, size_of(finer.state));
