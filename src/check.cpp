@@ -173,6 +173,24 @@ std::string transfer_lines(const StepSpec& step) {
          );
 }
 
+/// Whether pore fluid drains, and how far.
+std::string pore_flow_line(const Scene& scene) {
+  const PoreFlowSpec& flow = scene.pore_flow;
+  if (flow.rocks.empty()) return feature("pore flow", false, "no Pore Flow list: undrained");
+  const double length = drained_length(scene);
+  const std::string far = format(
+      "pressure diffuses %.3g m in the run, %.2g cells", length, length / scene.grid.cell_size
+  );
+  const bool forced_off = !flow.on() && length >= shortest_drained_length * scene.grid.cell_size;
+  const bool forced_on = flow.on() && length < shortest_drained_length * scene.grid.cell_size;
+  return feature(
+      "pore flow",
+      flow.on(),
+      far + (forced_off || forced_on ? "; Drainage says so"
+                                     : format(" (%g would matter)", shortest_drained_length))
+  );
+}
+
 std::string feature_lines(const Scene& scene) {
   const bool space = scene.grid.mode == Mode::three_dimensional;
   const bool confined =
@@ -206,7 +224,8 @@ std::string feature_lines(const Scene& scene) {
              scene.contacts.empty()
                  ? std::string("no Contact list: materials stick where they meet")
                  : std::to_string(velocity_fields(scene).count) + " velocity fields"
-         );
+         ) +
+         pore_flow_line(scene);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "base/region.hpp"
 #include "pore_flow/porous_points.hpp"
+#include "state/bad_particle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,49 @@ double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, co
   return p;
 }
 
+/// The particles of one material.
+template <class Model>
+struct DrainSet {
+  const Scene& scene;
+  const PoreNetwork& network;
+  const Model& model;
+  double cell_size, dt;
+  const MaterialSpec& spec;
+  double first_porosity = initial_porosity(model);
+
+  /// dp_p of a particle in own cell i. (7.4)
+  double change_of(const PorePoint& point, const Vector& x, std::size_t i) const {
+    const double share = evened_share(network.cells.cells[i], cell_size, dt);
+    const double cell = network.change[i];
+    if (share == 0.0) return cell;
+    return cell + share * (line_at(scene, network, i, x) - point.pressure - cell);
+  }
+
+  void drain(const Particles& particles, int p, std::size_t i, DrainTally& tally) const {
+    auto at = PorousPoint<Model>::read(particles, p);
+    const PorePoint point = model.pore_point(at.stress, at.history);
+    const double whole = fluid_volume(scene, particles, p, first_porosity);
+    tally.fluid_before += whole * point.fluid_mass;
+    tally.fluid += whole * point.fluid_mass;
+    if (!(point.storage > 0.0)) return;
+    const double change = change_of(point, vector_of(particles.position, p), i) * point.storage;
+    const Outcome outcome = model.drain(change, at.stress, at.history);
+    if (outcome.failed()) {
+      if (spec.bad_particles == BadParticlePolicy::hold) tally.held += 1.0;
+      if (spec.bad_particles == BadParticlePolicy::stop) tally.stops += 1.0;
+      treat_bad_particle(particles, p, spec.bad_particles, failed_key);
+      return;
+    }
+    at.write(p, particles);
+    for (int d = 0; d < particles.darcy_velocity.components; ++d)
+      particles.darcy_velocity(p, d) = network.flux[i][static_cast<std::size_t>(d)];
+    tally.fluid += whole * point.mass_per_volume * change;
+    const double volume = particles.volume(p);
+    tally.elastic += volume * outcome.elastic_work;
+    tally.plastic += volume * outcome.plastic_work;
+  }
+};
+
 }  // namespace
 
 DrainTally drain_particles(
@@ -40,31 +84,17 @@ DrainTally drain_particles(
   const Region region("drain_particles");
   DrainTally tally;
   for (const Particles& particles : state.particles) {
+    const MaterialSpec& spec = scene.materials[static_cast<std::size_t>(particles.material)];
     visit_porous(scene, particles, [&](const auto& model) {
       using Model = std::decay_t<decltype(model)>;
+      const DrainSet<Model> set{scene, network, model, state.grid.cell_size, dt, spec};
       for_each_solid_row(state.grid, particles, [&](int p, int key) {
-        const auto i =
-            static_cast<std::size_t>(network.cells.index_of_key[static_cast<std::size_t>(key)]);
-        const double share = evened_share(network.cells.cells[i], state.grid.cell_size, dt);
-        if (share == 0.0 && network.change[i] == 0.0) return;
-        auto at = PorousPoint<Model>::read(particles, p);
-        const PorePoint point = model.pore_point(at.stress, at.history);
-        const double moved = point.pressure + network.change[i];
-        const double line = line_at(scene, network, i, vector_of(particles.position, p));
-        const double change = network.change[i] + share * (line - moved);
-        const Outcome outcome = model.drain(change * point.storage, at.stress, at.history);
-        if (outcome.failed()) {
-          tally.failures += 1.0;
-          return;
-        }
-        at.write(p, particles);
-        for (int d = 0; d < particles.darcy_velocity.components; ++d)
-          particles.darcy_velocity(p, d) = network.flux[i][static_cast<std::size_t>(d)];
-        const double reference =
-            particles.mass(p) /
-            scene.materials[static_cast<std::size_t>(particles.material)].material.density;
-        tally.elastic += reference * outcome.elastic_work;
-        tally.plastic += reference * outcome.plastic_work;
+        set.drain(
+            particles,
+            p,
+            static_cast<std::size_t>(network.cells.index_of_key[static_cast<std::size_t>(key)]),
+            tally
+        );
       });
     });
   }

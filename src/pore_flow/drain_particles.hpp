@@ -5,10 +5,12 @@
 
 namespace barreno {
 
-/// Work and failures of the drained correction of this rank's particles.
+/// What the drained correction did to this rank's particles.
 struct DrainTally {
-  double elastic = 0.0, plastic = 0.0;  ///< [energy]
-  double failures = 0.0;
+  double elastic = 0.0, plastic = 0.0;     ///< [energy]
+  double fluid_before = 0.0, fluid = 0.0;  ///< in the pores, at the initial density [volume]
+  double held = 0.0;                       ///< particles that could not take it and became debris
+  double stops = 0.0;                      ///< the same of materials whose policy is to stop
 };
 
 /// Every particle of rock takes the change of its cell, and so much of the slope within the cell as

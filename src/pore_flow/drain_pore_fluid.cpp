@@ -36,6 +36,16 @@ void refuse(const Clock& clock, const SolveReport& report) {
   throw NumericalError(text.str());
 }
 
+void refuse_drain(const Clock& clock, double failures) {
+  std::ostringstream text;
+  text
+      << "At t = " << clock.time << " s " << failures
+      << " particles could not take the change of their pore pressure (more fluid would leave than "
+         "there is, or their stress update failed), and their policy is to stop. Set \"Bad "
+         "Particles\" to remove or hold, or solve more often with a smaller Diffusion Number.";
+  throw NumericalError(text.str());
+}
+
 /// Darcy velocity in the middle of a cell: the mean of those in its faces, sealed ones with none.
 Vector cell_flux(const PoreNetwork& network, std::size_t i) {
   Vector flux{};
@@ -48,16 +58,26 @@ Vector cell_flux(const PoreNetwork& network, std::size_t i) {
   return flux;
 }
 
-/// What has come in from outside over dt, and the fluxes of the cells.
-double tally_flow(double dt, PoreNetwork& network) {
-  double inflow = 0.0;
+/// What the solve has moved on this rank.
+struct FlowTally {
+  double inflow = 0.0;  ///< from outside [volume]
+  double work = 0.0;    ///< that the fluid brings into the rock where it comes in, p dv [energy]
+};
+
+/// Fluxes of the cells, and the sums over them.
+FlowTally tally_flow(double dt, PoreNetwork& network) {
+  FlowTally tally;
   network.flux.resize(network.links.size());
   for (std::size_t i = 0; i < network.links.size(); ++i) {
+    const PoreCell& cell = network.cells.cells[i];
     network.flux[i] = cell_flux(network, i);
     for (std::size_t face = 0; face < network.links[i].size(); ++face)
-      if (network.links[i][face].cell < 0) inflow += dt * flow_through(network, i, face, true);
+      if (network.links[i][face].cell < 0)
+        tally.inflow += dt * flow_through(network, i, face, true);
+    const double change = network.change[i];
+    tally.work += (cell.pressure + 0.5 * change) * cell.storage * change;
   }
-  return inflow;
+  return tally;
 }
 
 /// Time in which the fastest cell evens out over Diffusion Number cells.
@@ -93,13 +113,19 @@ void drain_pore_fluid(const Scene& scene, double dt, State& state) {
   const SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
   if (!report.converged) refuse(state.clock, report);
   exchange_pore_values(*network.halo, network.change);
-  std::array<double, 1> inflow{tally_flow(flow.waiting, network)};
-  sum_over_ranks(*state.grid.comm, inflow);
-  const DrainTally tally = drain_particles(scene, flow.waiting, state, network);
-  state.ledger.elastic += tally.elastic;
-  state.ledger.plastic += tally.plastic;
+  const FlowTally moved = tally_flow(flow.waiting, network);
+  const DrainTally drained = drain_particles(scene, flow.waiting, state, network);
 
-  flow.inflow += inflow[0];
+  std::array<double, 4> sums{moved.inflow, drained.fluid, drained.stops, drained.fluid_before};
+  sum_over_ranks(*state.grid.comm, sums);
+  if (sums[2] > 0.0) refuse_drain(state.clock, sums[2]);
+  state.ledger.fluid_work += moved.work;
+  state.ledger.elastic += drained.elastic;
+  state.ledger.plastic += drained.plastic;
+  state.ledger.held += drained.held;
+  flow.inflow += sums[0];
+  flow.fluid = sums[1];
+  if (flow.solves == 0) flow.initial_fluid = sums[3];
   flow.iterations += report.iterations;
   ++flow.solves;
   flow.interval = drain_interval(scene, state, network);

@@ -65,14 +65,17 @@ Vector half_lengths(const Particles& particles, int p) {
 }
 
 /// Counts a particle of rock; the means are sums until all are counted.
+///
+/// @param capacity  what a particle's volume of its fluid is at the initial density [volume]
 void count_point(
     const Particles& particles,
     int p,
     const PorePoint& point,
+    double capacity,
     const Vector& mobility,
     PoreCell& cell
 ) {
-  const double volume = particles.volume(p), weight = volume * point.storage;
+  const double volume = particles.volume(p), weight = capacity * point.storage;
   const Vector x = vector_of(particles.position, p), half = half_lengths(particles, p);
   cell.storage += weight;
   cell.pressure += weight * point.pressure;
@@ -80,7 +83,7 @@ void count_point(
     cell.centroid[d] += weight * x[d];
     cell.lower[d] = cell.volume > 0.0 ? std::min(cell.lower[d], x[d] - half[d]) : x[d] - half[d];
     cell.upper[d] = cell.volume > 0.0 ? std::max(cell.upper[d], x[d] + half[d]) : x[d] + half[d];
-    cell.mobility[d] += volume * mobility[d];
+    cell.mobility[d] += capacity * mobility[d];
   }
   cell.volume += volume;
 }
@@ -91,8 +94,7 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
   visit_porous(scene, particles, [&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
     const double per_viscosity = 1.0 / scene.pore_flow.viscosity;
-    const Sym3 none{};
-    const double first = model.pore_point(none, model.initial_history()).porosity;
+    const double first = initial_porosity(model);
     for_each_solid_row(grid, particles, [&](int p, int key) {
       const auto at = PorousPoint<Model>::read(particles, p);
       const PorePoint point = model.pore_point(at.stress, at.history);
@@ -101,7 +103,10 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       Vector mobility = rock.permeability;
       for (double& m : mobility) m *= factor;
       const int index = cells.index_of_key[static_cast<std::size_t>(key)];
-      count_point(particles, p, point, mobility, cells.cells[static_cast<std::size_t>(index)]);
+      const double capacity = fluid_volume(scene, particles, p, first) * point.mass_per_volume;
+      count_point(
+          particles, p, point, capacity, mobility, cells.cells[static_cast<std::size_t>(index)]
+      );
     });
   });
 }

@@ -11,13 +11,14 @@ namespace barreno {
 /// What a cell holds of porous rock: sums over its particles in the order of materials and ids, so
 /// that they do not depend on ranks. Doubles only, ranks exchange it.
 struct PoreCell {
-  double storage = 0.0;   ///< sum V / M; 0: no rock, but something solid that lets no fluid through
+  double storage = 0.0;   ///< sum V / M, fluid at its initial density; 0: solid, but without fluid
                           ///< [volume/stress]
   double pressure = 0.0;  ///< mean of p, weight V / M [stress]
   double volume = 0.0;    ///< of rock [volume]
   Vector centroid{};      ///< weight V / M [length]
   Vector lower{}, upper{};  ///< of the part of the cell that rock fills [length]
-  Vector mobility{};        ///< k / viscosity along the axes, weight V [length^2/(stress time)]
+  Vector mobility{};        ///< k / viscosity along the axes, fluid at its initial density
+                            ///< [length^2/(stress time)]
 };
 
 /// The cells that hold solid material.

@@ -28,7 +28,10 @@ struct PoreConditionSpec {
   Table value;  ///< of drained faces the pressure [stress], else the flux into the rock [velocity]
 };
 
-enum class Drainage { automatic, on, off };
+enum class Drainage { on, off };
+
+/// Where pressure diffuses less far than this in a run, automatic drainage is off [cells].
+inline constexpr double shortest_drained_length = 0.05;
 
 /// Drained pore fluid: Darcy flow between the cells of porous materials. docs/method.md 7
 struct PoreFlowSpec {

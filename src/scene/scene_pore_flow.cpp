@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scene/build_scene.hpp"
 #include "scene/load_tables.hpp"
 #include "scene/porous.hpp"
 #include "scene/scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace barreno {
 namespace {
@@ -70,6 +74,24 @@ void add_flow_conditions(const Deck& deck, Scene& scene) {
 
 }  // namespace
 
+double drained_length(const Scene& scene) {
+  double diffusivity = 0.0;
+  for (std::size_t m = 0; m < scene.pore_flow.rocks.size(); ++m) {
+    const Vector& k = scene.pore_flow.rocks[m].permeability;
+    const double fastest = std::max({k[0], k[1], k[2]}) / scene.pore_flow.viscosity;
+    std::visit(
+        [&](const auto& model) {
+          if constexpr (is_drainable<std::decay_t<decltype(model)>>) {
+            const PorePoint point = model.pore_point(Sym3{}, model.initial_history());
+            if (point.storage > 0.0) diffusivity = std::max(diffusivity, fastest / point.storage);
+          }
+        },
+        scene.materials[m].material.model
+    );
+  }
+  return std::sqrt(diffusivity * scene.end_time);
+}
+
 void add_pore_flow(const Deck& deck, Scene& scene) {
   if (!deck.has("Pore Flow/Viscosity")) return;
   PoreFlowSpec& flow = scene.pore_flow;
@@ -79,7 +101,10 @@ void add_pore_flow(const Deck& deck, Scene& scene) {
   add_rocks(deck, scene);
   add_flow_conditions(deck, scene);
   const std::string drainage = deck.word("Pore Flow/Drainage");
-  flow.drainage = drainage == "off" ? Drainage::off : Drainage::on;
+  if (drainage == "on") flow.drainage = Drainage::on;
+  if (drainage == "automatic" &&
+      drained_length(scene) >= shortest_drained_length * scene.grid.cell_size)
+    flow.drainage = Drainage::on;
 }
 
 }  // namespace barreno

@@ -63,7 +63,7 @@ struct Particles {
   /// SurfaceShare of the inner, then the outer surface of a loaded ball; no components without one.
   Field surface_share;
   Field darcy_velocity;  ///< of the fluid, where it drains [length/time]
-  Field affine;  ///< B_p, first moments of the grid's velocity; of APIC [length^2/time]
+  Field affine;          ///< B_p, first moments of the grid's velocity; of APIC [length^2/time]
 
   /// Scratch of the step, not state: what the grid says to the particle.
   Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]
