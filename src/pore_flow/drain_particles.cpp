@@ -26,7 +26,7 @@ double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, co
   const bool gravity = scene.body_force.kind == BodyForceKind::gravity;
   for (std::size_t d = 0; d < 3; ++d) {
     if (!(cell.mobility[d] > 0.0)) continue;
-    double slope = -network.flux[i][d] / cell.mobility[d];
+    double slope = -network.steepness[i] * network.flux[i][d] / cell.mobility[d];
     if (gravity) slope += scene.pore_flow.fluid_density * scene.body_force.acceleration[d];
     p += slope * (x[d] - cell.centroid[d]);
   }

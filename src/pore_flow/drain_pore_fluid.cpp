@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 namespace barreno {
@@ -58,6 +59,26 @@ Vector cell_flux(const PoreNetwork& network, std::size_t i) {
   return flux;
 }
 
+/// So much of its slope that the line through a cell stays between the pressures around it, those
+/// of open faces included: particles take no pressure that is not there. Weight is left aside.
+double cell_steepness(const PoreNetwork& network, std::size_t i) {
+  const PoreCell& cell = network.cells.cells[i];
+  double up = 0.0, down = 0.0, rise = 0.0;
+  for (std::size_t face = 0; face < network.links[i].size(); ++face) {
+    const PoreLink& link = network.links[i][face];
+    if (!(link.conductance > 0.0)) continue;
+    const double difference = flow_through(network, i, face, true) / link.conductance;
+    up = std::max(up, difference);
+    down = std::max(down, -difference);
+  }
+  for (std::size_t d = 0; d < 3; ++d)
+    if (cell.mobility[d] > 0.0)
+      rise += std::abs(network.flux[i][d]) / cell.mobility[d] *
+              std::max(cell.upper[d] - cell.centroid[d], cell.centroid[d] - cell.lower[d]);
+  const double room = std::min(up, down);
+  return rise > room ? room / rise : 1.0;
+}
+
 /// What the solve has moved on this rank.
 struct FlowTally {
   double inflow = 0.0;  ///< from outside [volume]
@@ -68,9 +89,11 @@ struct FlowTally {
 FlowTally tally_flow(double dt, PoreNetwork& network) {
   FlowTally tally;
   network.flux.resize(network.links.size());
+  network.steepness.resize(network.links.size());
   for (std::size_t i = 0; i < network.links.size(); ++i) {
     const PoreCell& cell = network.cells.cells[i];
     network.flux[i] = cell_flux(network, i);
+    network.steepness[i] = cell_steepness(network, i);
     for (std::size_t face = 0; face < network.links[i].size(); ++face)
       if (network.links[i][face].cell < 0)
         tally.inflow += dt * flow_through(network, i, face, true);

@@ -30,9 +30,6 @@ struct SolverLists {
   Teuchos::ParameterList belos, ifpack2, muelu;
 };
 
-/// @throws DeckError if a list has a name that its package does not know
-void check_solver_lists(const std::string& deck, const SolverLists& lists);
-
 std::shared_ptr<LinearSolver> make_linear_solver(
     const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const SolverLists& lists
 );

@@ -19,8 +19,9 @@ struct PoreNetwork {
   std::vector<std::array<PoreLink, 6>> links;  ///< of own cells by Face
   LinearSystem system;
   std::shared_ptr<LinearSolver> solver;
-  std::vector<double> change;  ///< dp of all cells, others' included [stress]
-  std::vector<Vector> flux;    ///< Darcy velocity of own cells [velocity]
+  std::vector<double> change;     ///< dp of all cells, others' included [stress]
+  std::vector<double> steepness;  ///< share of its slope that a cell may have, see cell_steepness
+  std::vector<Vector> flux;       ///< Darcy velocity of own cells [velocity]
 };
 
 }  // namespace barreno
