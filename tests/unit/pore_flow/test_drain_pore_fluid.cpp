@@ -108,7 +108,7 @@ TEST(DrainPoreFluid, SealedRockKeepsItsFluid) {
     sum_over_ranks(*state.grid.comm, sums);
     const double stress = rock.count > 0 ? rock.stress(0, 0) : 0.0;
     const double first = rock.count > 0 ? rock.history(0, pressure) : 0.0;
-    drain_pore_fluid(scene, 1e4, state);
+    drain_pore_fluid(scene, 1e5, state);
     EXPECT_NEAR(fluid(state) / before, 1.0, 1e-14);
     for (int p = 0; p < rock.count; ++p)
       EXPECT_NEAR(rock.history(p, pressure), sums[0] / sums[1], 5.0);
@@ -180,7 +180,7 @@ TEST(DrainPoreFluid, HydrostaticPressureIsRest) {
   State state = placed(scene);
   const auto at_rest = [](const Vector& x) { return 1e4 * (5.0 - x[1]); };
   set_pressures(state, at_rest);
-  drain_pore_fluid(scene, 1e4, state);
+  drain_pore_fluid(scene, 1e5, state);
   const Particles& rock = state.particles[0];
   for (int p = 0; p < rock.count; ++p)
     EXPECT_NEAR(rock.history(p, pressure), at_rest(vector_of(rock.position, p)), 1e-4);
