@@ -82,6 +82,12 @@ std::vector<std::vector<double>> Deck::rows(const std::string& path) const {
   return rows;
 }
 
+Teuchos::ParameterList Deck::list(const std::string& path) const {
+  const auto [parent, name] = locate(values_, path);
+  if (parent == nullptr || !parent->isSublist(name)) return {};
+  return parent->sublist(name);
+}
+
 Material Deck::material(const std::string& name) const {
   Teuchos::ParameterList list = values_.sublist("Materials").sublist(name);
   // The deck's own words, which no model knows.

@@ -44,6 +44,9 @@ public:
   std::vector<double> vector(const std::string& path) const;
   std::vector<std::vector<double>> rows(const std::string& path) const;
 
+  /// A list as it is; empty if there is none.
+  Teuchos::ParameterList list(const std::string& path) const;
+
   /// The material of a list below Materials, its model's own rules checked.
   Material material(const std::string& name) const;
 

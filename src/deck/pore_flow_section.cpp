@@ -64,6 +64,13 @@ Section conditions_of_flow() {
       {condition}};
 }
 
+/// Handed on as it is.
+Section library_section(const std::string& name, const std::string& meaning) {
+  Section section{name, meaning, Presence::optional, {}, {}, {}};
+  section.read_elsewhere = true;
+  return section;
+}
+
 }  // namespace
 
 Section pore_flow_section() {
@@ -87,7 +94,24 @@ Section pore_flow_section() {
            "largest c dt / h^2 that waits for one solve, c the diffusivity at fixed strain"
        )
            .by_default("1")},
-      {rocks_section(), conditions_of_flow()},
+      {rocks_section(),
+       conditions_of_flow(),
+       library_section(
+           "Belos",
+           "the linear solver in its own words, and Solver, its name: CG without it; Convergence "
+           "Tolerance is of the true residual, 1e-10 without it"
+       ),
+       library_section(
+           "Ifpack2",
+           "a preconditioner in its own words, and Type, its name; symmetric Gauss-Seidel without "
+           "it, "
+           "for up to 2000 cells"
+       ),
+       library_section(
+           "MueLu",
+           "a multigrid preconditioner in its own words; smoothed aggregation without it, for more "
+           "cells"
+       )},
       {}};
 }
 

@@ -127,7 +127,9 @@ void drain_pore_fluid(const Scene& scene, double dt, State& state) {
   if (flow.waiting < flow.interval) return;
   if (!flow.network) {
     flow.network = std::make_shared<PoreNetwork>();
-    flow.network->solver = make_linear_solver(state.grid.comm, {});
+    flow.network->solver = make_linear_solver(
+        state.grid.comm, scene.pore_flow.solver ? *scene.pore_flow.solver : Teuchos::ParameterList()
+    );
   }
   PoreNetwork& network = *flow.network;
 

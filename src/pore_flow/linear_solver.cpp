@@ -34,7 +34,7 @@ constexpr long long fewest_for_multigrid = 2000;
 
 struct LinearSolver {
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
-  SolverLists lists;
+  Teuchos::ParameterList belos, ifpack2, muelu;
   std::string krylov = "CG";
   double tolerance = default_tolerance;
 
@@ -90,15 +90,15 @@ void refill_matrix(const LinearSystem& system, LinearSolver& solver) {
 
 /// The deck's own list decides; else the number of unknowns.
 bool wants_multigrid(const LinearSolver& solver) {
-  if (solver.lists.ifpack2.numParams() > 0) return false;
-  if (solver.lists.muelu.numParams() > 0) return true;
+  if (solver.ifpack2.numParams() > 0) return false;
+  if (solver.muelu.numParams() > 0) return true;
   return static_cast<long long>(solver.map->getGlobalNumElements()) >= fewest_for_multigrid;
 }
 
 void update_relaxation(LinearSolver& solver) {
   auto relaxation = Teuchos::rcp_dynamic_cast<Relaxation>(solver.preconditioner);
   if (relaxation.is_null()) {
-    Teuchos::ParameterList list = solver.lists.ifpack2;
+    Teuchos::ParameterList list = solver.ifpack2;
     const std::string kind = list.get("Type", std::string("RELAXATION"));
     list.remove("Type");
     if (list.numParams() == 0 && kind == "RELAXATION")
@@ -116,8 +116,7 @@ void update_preconditioner(LinearSolver& solver) {
   const Region region("update_preconditioner");
   solver.with_multigrid = wants_multigrid(solver);
   if (solver.with_multigrid)
-    solver.preconditioner =
-        make_multigrid(solver.matrix, solver.lists.muelu, solver.preconditioner);
+    solver.preconditioner = make_multigrid(solver.matrix, solver.muelu, solver.preconditioner);
   else
     update_relaxation(solver);
 }
@@ -146,7 +145,7 @@ void correct_mean(LinearSolver& solver) {
 }
 
 Teuchos::RCP<Teuchos::ParameterList> krylov_list(const LinearSolver& solver, double tolerance) {
-  auto list = Teuchos::rcp(new Teuchos::ParameterList(solver.lists.belos));
+  auto list = Teuchos::rcp(new Teuchos::ParameterList(solver.belos));
   list->remove("Solver", false);
   Teuchos::ParameterList usual;
   usual.set("Maximum Iterations", 1000);
@@ -196,15 +195,27 @@ SolveReport refine(double size, LinearSolver& solver) {
 
 }  // namespace
 
+std::vector<std::string> known_names(const std::string& method) {
+  Belos::SolverFactory<double, Vectors, SparseOperator> factory;
+  const auto list = factory.create(method, Teuchos::parameterList())->getValidParameters();
+  std::vector<std::string> names;
+  for (auto item = list->begin(); item != list->end(); ++item) names.push_back(list->name(item));
+  return names;
+}
+
 std::shared_ptr<LinearSolver> make_linear_solver(
-    const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const SolverLists& lists
+    const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const Teuchos::ParameterList& lists
 ) {
   auto solver = std::make_shared<LinearSolver>();
   solver->comm = comm;
-  solver->lists = lists;
-  if (lists.belos.isParameter("Solver")) solver->krylov = lists.belos.get<std::string>("Solver");
-  if (lists.belos.isParameter("Convergence Tolerance"))
-    solver->tolerance = lists.belos.get<double>("Convergence Tolerance");
+  const auto part = [&](const char* name) {
+    return lists.isSublist(name) ? lists.sublist(name) : Teuchos::ParameterList();
+  };
+  solver->belos = part("Belos");
+  solver->ifpack2 = part("Ifpack2");
+  solver->muelu = part("MueLu");
+  solver->krylov = solver->belos.get("Solver", solver->krylov);
+  solver->tolerance = solver->belos.get("Convergence Tolerance", solver->tolerance);
   return solver;
 }
 

@@ -25,14 +25,14 @@ struct SolveReport {
   std::string method;  ///< for sentences: "Pseudoblock CG with MueLu"
 };
 
-/// What the deck's sublists say; an empty list means the defaults.
-struct SolverLists {
-  Teuchos::ParameterList belos, ifpack2, muelu;
-};
-
+/// @param lists  Belos, Ifpack2 and MueLu, a sublist each; empty ones mean the defaults
+/// @throws std::exception of the packages if one does not know what its list says
 std::shared_ptr<LinearSolver> make_linear_solver(
-    const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const SolverLists& lists
+    const Teuchos::RCP<const Teuchos::Comm<int>>& comm, const Teuchos::ParameterList& lists
 );
+
+/// Names that a method of Belos knows. @throws std::exception if Belos has no such method
+std::vector<std::string> known_names(const std::string& method);
 
 /// Solve from x = 0. Collective. The graph of the last call is kept where `same_graph` holds on
 /// every rank, and with it what the preconditioner knows of the graph.

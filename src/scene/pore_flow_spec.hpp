@@ -5,8 +5,13 @@
 #include "scene/table.hpp"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
+
+namespace Teuchos {
+class ParameterList;
+}
 
 namespace barreno {
 
@@ -41,7 +46,8 @@ struct PoreFlowSpec {
   double diffusion_number = 1.0;        ///< c dt / h^2 between two solves
   std::vector<PermeabilitySpec> rocks;  ///< by material
   std::vector<PoreConditionSpec> conditions;
-  std::string solver;  ///< the deck's solver lists as a text of XML; empty: the defaults
+  /// Belos, Ifpack2 and MueLu, a sublist each; empty ones mean the defaults.
+  std::shared_ptr<const Teuchos::ParameterList> solver;
   bool on() const { return drainage == Drainage::on; }
 };
 

@@ -98,6 +98,10 @@ void add_pore_flow(const Deck& deck, Scene& scene) {
   flow.viscosity = deck.number("Pore Flow/Viscosity");
   flow.fluid_density = deck.number("Pore Flow/Fluid Density");
   flow.diffusion_number = deck.number("Pore Flow/Diffusion Number");
+  auto solver = std::make_shared<Teuchos::ParameterList>("Pore Flow");
+  for (const char* name : {"Belos", "Ifpack2", "MueLu"})
+    solver->sublist(name) = deck.list(std::string("Pore Flow/") + name);
+  flow.solver = solver;
   add_rocks(deck, scene);
   add_flow_conditions(deck, scene);
   const std::string drainage = deck.word("Pore Flow/Drainage");
