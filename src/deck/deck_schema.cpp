@@ -143,7 +143,8 @@ Section output_section() {
            "History Interval",
            dim::time,
            at_least(0.0),
-           "between rows of history and depth; 0: every step"
+           "between rows of history and depth; 0: every step; forces on rigid bodies are means "
+           "over it"
        )
            .by_default("0"),
        word("Particle Glyph", {"deformed", "point"}, "particles as deformed cells or as points")

@@ -2,6 +2,7 @@
 #include "output/history_writer.hpp"
 
 #include "base/region.hpp"
+#include "output/reactions.hpp"
 #include "state/balance.hpp"
 
 namespace barreno {
@@ -15,17 +16,36 @@ RunTotals sum_totals(const State& state) {
   sum_over_ranks(comm, counts);
   totals.particles = counts[0];
   totals.particle_steps = counts[1];
+  totals.reactions = reaction_impulses(state);
   return totals;
 }
 
-HistoryWriter::HistoryWriter(const Comm& comm, const std::filesystem::path& path) {
+namespace {
+
+/// What the comment of the file says of rigid bodies.
+std::string note_on_reactions(const Scene& scene) {
+  std::string note =
+      "; of a rigid body force N (mean over the time since the row before) and impulse kg m/s "
+      "(since the start) that the other bodies gave it";
+  if (scene.grid.mode == Mode::axisymmetric) return note + ", along the axis, of the full circle";
+  if (scene.grid.mode == Mode::three_dimensional) return note + ", of the part inside the grid";
+  return note;
+}
+
+}  // namespace
+
+HistoryWriter::HistoryWriter(
+    const Scene& scene, const Comm& comm, const std::filesystem::path& path
+) {
   std::string header =
       "time,step,dt,particles,mass,momentum,kinetic,elastic,plastic,viscous,boundary_work,launched_"
       "kinetic,"
       "body_work,damped,stress_integration,transfer,removed_kinetic,energy_error,mass_error,"
       "momentum_error";
   for (const char* cause : removal_names) header += std::string(",removed_") + cause;
-  header += ",held,retried,friction,rigid_impulse,clipped";
+  header += ",held,retried,friction,rigid_impulse,clipped,remembered";
+  const std::vector<std::string> columns = reaction_columns(scene);
+  for (const std::string& column : columns) header += "," + column;
   RootWork work(comm);
   work.run([&] {
     file_ = std::make_unique<LineFile>(path);
@@ -34,7 +54,9 @@ HistoryWriter::HistoryWriter(const Comm& comm, const std::filesystem::path& path
         "material) along y kg m/s; energies and work J; plane "
         "strain: per "
         "m of thickness; errors relative; removed, held, clipped (at Largest Domain, now): "
-        "particles; retried: steps"
+        "particles; retried: steps; remembered: kinetic energy that APIC's particles hold beside "
+        "kinetic" +
+        (columns.empty() ? std::string() : note_on_reactions(scene))
     );
     file_->append(header);
   });
@@ -66,7 +88,16 @@ void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals&
       mass_balance(l).error(),
       momentum_balance(l).error()};
   for (const RemovalTally& tally : l.removed) row.push_back(tally.count);
-  row.insert(row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped});
+  row.insert(
+      row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered}
+  );
+  const bool first = last_reactions_.empty();
+  const std::vector<double>& before = first ? totals.reactions : last_reactions_;
+  const double elapsed = first ? 0.0 : clock.time - last_time_;
+  const std::vector<double> reactions = reaction_values(totals.reactions, before, elapsed);
+  row.insert(row.end(), reactions.begin(), reactions.end());
+  last_time_ = clock.time;
+  last_reactions_ = totals.reactions;
   RootWork work(comm);
   work.run([&] { file_->append(csv_line(row)); });
   work.agree();

@@ -6,6 +6,7 @@
 #include "state/state.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace barreno {
 
@@ -14,21 +15,24 @@ struct RunTotals {
   Ledger ledger;
   double particles = 0.0;
   double particle_steps = 0.0;
+  std::vector<double> reactions;  ///< impulses on rigid bodies, see reaction_impulses
 };
 
 /// Collective.
 RunTotals sum_totals(const State& state);
 
 /// history.csv: time, particles, every term of the ledger, the errors of the three balances and the
-/// tally of removed and held particles; a row per call.
+/// tally of removed and held particles, and the reactions of rigid bodies; a row per call.
 class HistoryWriter {
 public:
-  HistoryWriter(const Comm& comm, const std::filesystem::path& path);
+  HistoryWriter(const Scene& scene, const Comm& comm, const std::filesystem::path& path);
   /// Collective. @throws FileError on every rank
   void write(const Comm& comm, const Clock& clock, const RunTotals& totals);
 
 private:
   std::unique_ptr<LineFile> file_;  ///< root only
+  double last_time_ = 0.0;
+  std::vector<double> last_reactions_;  ///< of the last row; none before the first
 };
 
 }  // namespace barreno

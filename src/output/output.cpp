@@ -144,7 +144,7 @@ Output::Parts::Parts(const Scene& scene, const State& state, const RunDescriptio
       run.version,
       lines_of(run.deck_text)
   );
-  history = std::make_unique<HistoryWriter>(*comm, run.folder / "history.csv");
+  history = std::make_unique<HistoryWriter>(scene, *comm, run.folder / "history.csv");
   if (scene.jet.present)
     depth = std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv");
   if (!hollow_balls(scene).empty())

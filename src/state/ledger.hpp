@@ -28,6 +28,8 @@ struct Ledger {
   double mass = 0.0, momentum = 0.0, kinetic = 0.0;  ///< of the particles now
   double initial_mass = 0.0, initial_momentum = 0.0, initial_kinetic = 0.0;
   double launched_mass = 0.0, launched_momentum = 0.0, launched_kinetic = 0.0;
+  /// What APIC's particles remember of the grid's kinetic energy now, beside `kinetic`.
+  double remembered = 0.0;
   double prestress = 0.0;      ///< elastic energy of the initial equilibrium
   double elastic = 0.0;        ///< prestress plus recoverable work since then
   double plastic = 0.0;        ///< dissipated work of the materials

@@ -63,7 +63,9 @@ struct Particles {
   /// SurfaceShare of the inner, then the outer surface of a loaded ball; no components without one.
   Field surface_share;
   Field darcy_velocity;  ///< of the fluid, where it drains [length/time]
-  Field affine;          ///< B_p, first moments of the grid's velocity; of APIC [length^2/time]
+  /// Of APIC: B_p, first moments of the grid's velocity [length^2/time]; before the first step the
+  /// gradient of the initial velocity [1/time].
+  Field affine;
 
   /// Scratch of the step, not state: what the grid says to the particle.
   Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]

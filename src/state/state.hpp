@@ -9,6 +9,7 @@
 #include "state/nodes.hpp"
 #include "state/particles.hpp"
 #include "state/pore_flow_state.hpp"
+#include "state/reaction.hpp"
 
 #include <limits>
 #include <vector>
@@ -31,6 +32,7 @@ struct State {
   Clock clock;
   Ledger ledger;
   PoreFlowState pore_flow;
+  std::vector<Reaction> reactions;  ///< of rigid bodies, in the order of Scene::bodies
   std::vector<double> cavities;  ///< volume of the pore fluid of each load, the same on all ranks
   std::size_t next_slug = 0;     ///< first jet slug that is still to be launched
   std::vector<ParticleId> slug_ids;  ///< first id of every slug

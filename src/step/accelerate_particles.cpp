@@ -5,6 +5,8 @@
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 
+#include <algorithm>
+
 namespace barreno {
 
 namespace {
@@ -76,7 +78,12 @@ ParticleTally accelerate_rows(const Kernel& kernel, Rows rows) {
 
 }  // namespace
 
-ParticleTally accelerate_particles(const Scene& scene, Rows rows, Particles& particles) {
+double grid_share(const StepSpec& step, double dt) {
+  const double damped = std::min(1.0, step.damping * dt);
+  return step.pic_fraction + (1.0 - step.pic_fraction) * damped;
+}
+
+ParticleTally accelerate_particles(const Scene& scene, double dt, Rows rows, Particles& particles) {
   const Region region("accelerate_particles");
   return visit_mode(scene.grid.mode, [&](auto mode) {
     return accelerate_rows(
@@ -84,7 +91,7 @@ ParticleTally accelerate_particles(const Scene& scene, Rows rows, Particles& par
             particles.velocity.values,
             particles.grid_motion.values,
             particles.mass.values,
-            scene.step.pic_fraction},
+            grid_share(scene.step, dt)},
         rows
     );
   });

@@ -21,7 +21,12 @@ inline void add(const ParticleTally& part, ParticleTally& sum) {
 
 /// Commit the grid's velocity to the particles. docs/method.md (2.7)
 ///
-///   v_p <- (1 - a) (v_p + dv) + a v,   a the PIC fraction
-ParticleTally accelerate_particles(const Scene& scene, Rows rows, Particles& particles);
+///   v_p <- (1 - a) (v_p + dv) + a v,   a the grid's share
+ParticleTally accelerate_particles(const Scene& scene, double dt, Rows rows, Particles& particles);
+
+/// Share of the grid's own velocity in a particle's new one: the PIC fraction, and damping for what
+/// of v_p the grid does not see. Forces of damping act on nodes alone; particles that move against
+/// each other within their cells, seen by no node, would go on for ever.
+double grid_share(const StepSpec& step, double dt);
 
 }  // namespace barreno

@@ -16,6 +16,7 @@
 #include "step/seek_normals.hpp"
 #include "step/share_nodes.hpp"
 #include "step/stable_step.hpp"
+#include "step/start_affine.hpp"
 #include "step/surface_pressures.hpp"
 #include "step/tally_step.hpp"
 #include "step/update_sets.hpp"
@@ -65,7 +66,7 @@ void step_usl(const Scene& scene, double& dt, State& state, StepTally& tally, St
 /// Modified stress last (MUSL): strain from the new velocities of particles, weights as before.
 void step_musl(const Scene& scene, double& dt, State& state, StepTally& tally, StepResult& result) {
   solve_motion(scene, dt, state, tally);
-  accelerate_sets(scene, state, tally);
+  accelerate_sets(scene, dt, state, tally);
   strain_again(scene, state.clock, dt, state);
   move_and_strain_sets(scene, dt, state, tally, result);
 }
@@ -93,6 +94,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   Placement placement = locate_particles(scene, state);  // cell of each; the lost are tallied
   double dt = agree_on_step(scene, next_time, placement, state);  // the one reduction
   place_particles(scene, placement, state);                       // ranks, tiles, order
+  start_affine(scene, state);                                     // APIC, first step
 
   StepTally tally;
   StepResult result;
@@ -102,7 +104,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
                                                                       : step_usf;
   step(scene, dt, state, tally, result);
   move_rigid_sets(scene, dt, state, tally);
-  tally_step(scene, tally, state);  // energy and momentum, term by term
+  tally_step(scene, dt, tally, state);  // energy and momentum, term by term
   agree_on_failure(scene, state, result);
 
   for (const Particles& particles : state.particles)

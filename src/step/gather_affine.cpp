@@ -18,19 +18,22 @@ struct GatherAffine {
   Particles particles;
   ArrayView<double> motion;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int tile, double& energy) const {
     const double* const patch = &motion(first_motion(frame.patch, tile));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch) {
       const BatchRows rows(particles.order, k, end);
       SupportBatch<typename S::template Support<M>> supports;
       find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
-      for (int i = 0; i < rows.count; ++i) gather_row(rows.row[i], supports.get(i), patch);
+      for (int i = 0; i < rows.count; ++i)
+        energy += gather_row(rows.row[i], supports.get(i), patch);
     }
   }
 
+  /// @return the energy that the row remembers
   template <class Support>
-  KOKKOS_INLINE_FUNCTION void gather_row(int p, const Support& support, const double* patch) const {
+  KOKKOS_INLINE_FUNCTION double gather_row(int p, const Support& support, const double* patch)
+      const {
     const NodeMoments<dimensions> moments(frame.patch, support);
     double first[extent<dimensions>][extent<dimensions>] = {};
     support.for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
@@ -40,9 +43,17 @@ struct GatherAffine {
       for (int i = 0; i < dimensions; ++i)
         for (int d = 0; d < dimensions; ++d) first[i][d] += s * v[i] * (at[d] - moments.centre[d]);
     });
-    for (int i = 0; i < dimensions; ++i)
-      for (int d = 0; d < dimensions; ++d)
+    const InverseMoments<dimensions> inverse(moments.second);
+    double square = 0.0;
+    for (int i = 0; i < dimensions; ++i) {
+      double slope[extent<dimensions>];
+      inverse.solve(first[i], slope);
+      for (int d = 0; d < dimensions; ++d) {
         particles.affine(p, dimensions * i + d) = first[i][d] / frame.per_cell;
+        square += first[i][d] * slope[d];
+      }
+    }
+    return 0.5 * particles.mass(p) * square;
   }
 };
 
@@ -51,13 +62,18 @@ struct GatherAffine {
 void gather_affine(const Scene& scene, State& state) {
   if (scene.step.transfer != Transfer::apic) return;
   const Region region("gather_affine");
+  state.ledger.remembered = 0.0;
   visit_kernels(scene, [&](auto mode, auto shape) {
     using Kernel = GatherAffine<decltype(mode), decltype(shape)>;
     const PatchFrame<decltype(mode)::dimensions> frame(scene, state.grid);
     for (const Particles& particles : state.particles) {
       if (particles.rigid) continue;
       const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
-      launch("gather_affine", range(state.grid.active), Kernel{frame, particles, nodes.motion});
+      double energy = 0.0;
+      launch_reduction(
+          "gather_affine", range(state.grid.active), Kernel{frame, particles, nodes.motion}, energy
+      );
+      state.ledger.remembered += energy;
     }
   });
 }

@@ -10,6 +10,7 @@ namespace barreno {
 ///
 ///   B_p = sum_I S_Ip v_I' (x_I - x_p)^T,   x_p = sum_I S_Ip x_I
 ///
+/// Their kinetic energy, sum_p 1/2 m_p tr(B_p D_p^-1 B_p^T), goes to the ledger as `remembered`.
 /// Nothing to do for other transfers.
 /// @pre nodes.motion is that of the step, positions and F are those before it
 void gather_affine(const Scene& scene, State& state);

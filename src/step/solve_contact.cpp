@@ -5,13 +5,16 @@
 #include "base/region.hpp"
 #include "scene/rigid_velocity.hpp"
 #include "shape/kinematics.hpp"
+#include "step/accelerate_particles.hpp"
 #include "step/contact_law.hpp"
 #include "step/node_copies.hpp"
+
+#include <string>
 
 namespace barreno {
 namespace {
 
-constexpr int tally_components = 4;
+constexpr int tally_components = 2;
 constexpr int most_pairs = most_velocity_fields * (most_velocity_fields - 1) / 2;
 /// Turns of the pairs where three fields or more meet.
 constexpr int turns = 8;
@@ -24,6 +27,7 @@ struct SharedNode {
   double start[most_velocity_fields][D];      ///< v^n, then v^n + dt f / m; contact included
   double change[most_velocity_fields][D];
   double impulse[most_velocity_fields][D], tangential[most_velocity_fields][D];
+  double taken[most_velocity_fields][D];  ///< of the first impulse, what particles take by PIC
 };
 
 template <unsigned D>
@@ -34,18 +38,23 @@ struct SolveContact {
   int field_count, pair_count;
   FieldPair pairs[most_pairs] = {};
   bool rigid[most_velocity_fields] = {};
+  int reaction_count = 0;
+  int reaction_of[most_velocity_fields] = {};  ///< of a rigid field its place in State::reactions
   double rigid_velocity[most_velocity_fields][3] = {};
   Kokkos::Array<ArrayView<double>, most_velocity_fields> sums, impulse;
   Kokkos::Array<ArrayView<double>, most_pairs> normal;
   ArrayView<unsigned char> shared_tile, fields, counts;
   ArrayView<double> tally;
-  double dt = 0.0, cell_size = 0.0, damping = 0.0;
+  ArrayView<long long> reactions;
+  double dt = 0.0, cell_size = 0.0, damping = 0.0, grid_share = 0.0;
 
   SolveContact(const Grid& grid, const VelocityFields& of)
       : copies(grid), field_count(of.count), pair_count(static_cast<int>(of.pairs.size())) {}
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     double part[tally_components] = {};
+    for (int i = 0; i < reaction_count * dimensions * WholeSum::parts; ++i)
+      reactions(tile * reaction_count * dimensions * WholeSum::parts + i) = 0;
     if (shared_tile(tile) != 0)
       for (int slot = 0; slot < copies.patch.size; ++slot) solve_node(tile, slot, part);
     for (int i = 0; i < tally_components; ++i) tally(tile * tally_components + i) = part[i];
@@ -66,13 +75,12 @@ struct SolveContact {
       for (int f = 0; f < field_count; ++f)
         for (int d = 0; d < dimensions; ++d) {
           node.change[f][d] = node.impulse[f][d] * node.inverse_mass[f];
-          if (rigid[f] && d == 1 && counts(tile * patch.size + slot) != 0 && (node.bits >> f & 1U))
-            part[3] -= node.impulse[f][d];
+          node.taken[f][d] = grid_share * node.impulse[f][d];
           node.impulse[f][d] = node.tangential[f][d] = 0.0;
           if (node.bits >> f & 1U) node.start[f][d] += dt * force[f][d] * node.inverse_mass[f];
         }
       apply_pairs(tile, slot, node);
-      if (counts(tile * patch.size + slot) != 0) tally_rigid(node, part);
+      if (counts(tile * patch.size + slot) != 0) tally_rigid(tile, node, part);
     }
     for (int f = 0; f < field_count; ++f) {
       double* const out = &impulse[f](first_value(patch, tile, components)) + slot * components;
@@ -133,14 +141,18 @@ struct SolveContact {
     }
   }
 
-  KOKKOS_INLINE_FUNCTION void tally_rigid(const SharedNode<D>& node, double* part) const {
+  KOKKOS_INLINE_FUNCTION void tally_rigid(int tile, const SharedNode<D>& node, double* part) const {
     for (int f = 0; f < field_count; ++f) {
       if (!rigid[f] || !(node.bits >> f & 1U)) continue;
       for (int d = 0; d < dimensions; ++d) {
         part[0] -= node.impulse[f][d] * rigid_velocity[f][d];
         part[1] -= node.tangential[f][d] * rigid_velocity[f][d];
+        WholeSum sum;
+        sum.add(node.impulse[f][d] + node.taken[f][d]);
+        const int first =
+            ((tile * reaction_count + reaction_of[f]) * dimensions + d) * WholeSum::parts;
+        for (int i = 0; i < WholeSum::parts; ++i) reactions(first + i) += sum.part[i];
       }
-      part[2] -= node.impulse[f][1];
     }
   }
 };
@@ -163,14 +175,39 @@ SolveContact<D> make_kernel(
     const Vector v = rigid_velocity(scene.bodies[static_cast<std::size_t>(body)], clock.time, dt);
     for (std::size_t d = 0; d < 3; ++d) kernel.rigid_velocity[f][d] = v[d];
   }
+  kernel.reaction_count = static_cast<int>(state.reactions.size());
+  for (int r = 0; r < kernel.reaction_count; ++r)
+    kernel.reaction_of[state.reactions[static_cast<std::size_t>(r)].field] = r;
   kernel.shared_tile = state.contact.shared_tile;
   kernel.fields = state.contact.fields;
   kernel.counts = state.grid.counts;
   kernel.tally = state.contact.tally;
+  kernel.reactions = state.contact.given;
+  kernel.grid_share = grid_share(scene.step, dt);
   kernel.dt = dt;
   kernel.cell_size = scene.grid.cell_size;
   kernel.damping = damping;
   return kernel;
+}
+
+/// The tiles' impulses on rigid bodies.
+RigidImpulses add_reactions(const Scene& scene, const State& state) {
+  RigidImpulses sum{};
+  const auto axes = static_cast<std::size_t>(dimensions(scene.grid.mode));
+  std::size_t i = 0;
+  for (int tile = 0; tile < state.grid.active; ++tile)
+    for (std::size_t r = 0; r < state.reactions.size(); ++r)
+      for (std::size_t d = 0; d < axes; ++d) {
+        for (long long& part : sum[r][d].part) part += state.contact.given(i++);
+        sum[r][d].carry();
+      }
+  return sum;
+}
+
+/// A view of at least so many values; twice as long when it must grow.
+template <class View>
+void make_room(const char* name, std::size_t values, View& view) {
+  if (view.extent(0) < values) view = View(std::string(name), 2 * values);
 }
 
 }  // namespace
@@ -181,8 +218,10 @@ RigidTally solve_contact(
   if (state.fields.count == 1) return {};
   const Region region("solve_contact");
   const auto values = static_cast<std::size_t>(state.grid.active) * tally_components;
-  if (state.contact.tally.extent(0) < values)
-    state.contact.tally = ArrayView<double>("tally", 2 * values);
+  const std::size_t whole = static_cast<std::size_t>(state.grid.active) *
+                            static_cast<std::size_t>(dimensions(scene.grid.mode)) * WholeSum::parts;
+  make_room("tally", values, state.contact.tally);
+  make_room("given", whole * state.reactions.size(), state.contact.given);
   visit_mode(scene.grid.mode, [&](auto mode) {
     launch(
         "solve_contact",
@@ -192,7 +231,7 @@ RigidTally solve_contact(
   });
   double sum[tally_components] = {};
   for (std::size_t i = 0; i < values; ++i) sum[i % tally_components] += state.contact.tally(i);
-  return {sum[0], sum[1], sum[2], sum[3]};
+  return {sum[0], sum[1], add_reactions(scene, state)};
 }
 
 }  // namespace barreno

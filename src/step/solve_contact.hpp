@@ -9,9 +9,7 @@ namespace barreno {
 struct RigidTally {
   double work = 0.0;             ///< impulses on the material times velocities of the bodies
   double tangential_work = 0.0;  ///< the same of the parts along surfaces
-  double impulse = 0.0;          ///< axial
-  double filter_impulse =
-      0.0;  ///< axial, of what contact changed in v^n (reaches particles by PIC only)
+  RigidImpulses reaction{};      ///< what the bodies got, by State::reactions
 };
 
 /// What the velocity fields do to each other at the nodes that they share. docs/method.md 6
@@ -21,7 +19,9 @@ struct RigidTally {
 ///
 /// The pairs take their turns; three fields and more at a node repeat them, each pair with what the
 /// others left. Momentum is kept by every pair. What changes v^n is seen by the particles only
-/// through the velocity that they move with; the impulse of the second joins the forces.
+/// through the velocity that they move with, and by the share of it that PIC gives them; the
+/// impulse of the second joins the forces. Both count as reactions of rigid bodies as far as
+/// particles feel them.
 ///
 /// @pre  share_nodes, fit_normals, seek_normals
 /// @param clock  at the start of the step, for the motion of rigid bodies

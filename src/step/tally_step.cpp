@@ -2,10 +2,19 @@
 #include "step/tally_step.hpp"
 
 namespace barreno {
+namespace {
 
-void tally_step(const Scene& scene, const StepTally& tally, State& state) {
+void add(const WholeSum& of_step, WholeSum& sum) {
+  sum.add(of_step);
+  sum.carry();
+}
+
+}  // namespace
+
+void tally_step(const Scene& scene, double dt, const StepTally& tally, State& state) {
   const auto& [grid, rigid, applied_work, filter, moved, stress] = tally;
   Ledger& ledger = state.ledger;
+  const double share = grid_share(scene.step, dt);
   ledger.mass = moved.mass;
   ledger.momentum = moved.momentum;
   ledger.kinetic = moved.kinetic_after;
@@ -13,12 +22,14 @@ void tally_step(const Scene& scene, const StepTally& tally, State& state) {
   ledger.load_impulse += grid.absorbed_impulse;
   ledger.damped += grid.damped;
   ledger.damping_impulse += grid.damping_impulse;
-  ledger.condition_impulse +=
-      grid.condition_impulse + scene.step.pic_fraction * grid.filter_impulse;
+  ledger.condition_impulse += grid.condition_impulse + share * grid.filter_impulse;
   ledger.transfer +=
       grid.kinetic_before - moved.kinetic_before + moved.kinetic_after - grid.kinetic_after;
   ledger.boundary_work += rigid.work;
-  ledger.rigid_impulse += rigid.impulse + scene.step.pic_fraction * rigid.filter_impulse;
+  for (std::size_t r = 0; r < state.reactions.size(); ++r) {
+    ledger.rigid_impulse -= rigid.reaction[r][1].value();
+    for (std::size_t d = 0; d < 3; ++d) add(rigid.reaction[r][d], state.reactions[r].impulse[d]);
+  }
   const double lost_along = rigid.tangential_work - grid.tangential_work;
   ledger.friction += lost_along;
   ledger.transfer -= rigid.work - grid.contact_work - lost_along;

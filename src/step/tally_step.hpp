@@ -22,6 +22,6 @@ struct StepTally {
 };
 
 /// Each term where it arises; see Ledger.
-void tally_step(const Scene& scene, const StepTally& tally, State& state);
+void tally_step(const Scene& scene, double dt, const StepTally& tally, State& state);
 
 }  // namespace barreno

@@ -2,30 +2,37 @@
 #include "step/update_deformation.hpp"
 
 #include "base/region.hpp"
-#include "shape/kinematics.hpp"
+#include "shape/generator.hpp"
 
 namespace barreno {
 namespace {
 
 template <class M, bool Short>
-KOKKOS_INLINE_FUNCTION typename M::Tensor exponential_of(const typename M::Tensor& dt_l) {
-  if constexpr (Short) return short_exponential(dt_l);
-  return exponential(dt_l);
+KOKKOS_INLINE_FUNCTION typename M::Tensor generator_of(
+    const typename M::Tensor& dt_l, double sign
+) {
+  if constexpr (Short) return short_generator(dt_l, sign);
+  return generator(dt_l, sign);
+}
+template <class M, bool Short>
+KOKKOS_INLINE_FUNCTION typename M::Tensor exponential_of(const typename M::Tensor& a) {
+  if constexpr (Short) return short_exponential(a);
+  return exponential(a);
 }
 
 /// New F, volume and unrotated strain of one row in two dimensions; `Short` for small dt L.
 template <class M, bool Short>
 struct DeformInPlane {
   FieldView increment, deformation, volume;
+  double sign;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
-    const PlaneTensor dt_l = load_tensor<M>(increment, p, 0.0);
+    const PlaneTensor a = generator_of<M, Short>(load_tensor<M>(increment, p, 0.0), sign);
     const PlaneTensor f_n = load_tensor<M>(deformation, p);
-    const PlaneTensor f = exponential_of<M, Short>(dt_l);
+    const PlaneTensor f = exponential_of<M, Short>(a);
     const PlaneTensor f_n1 = multiply(f, f_n);
     const PlaneRotation r_m = mean_polar_rotation(f_n, f_n1);
-    const Sym3 strain =
-        unrotate(r_m, {dt_l.xx, dt_l.yy, dt_l.zz, 0.5 * (dt_l.xy + dt_l.yx), 0.0, 0.0});
+    const Sym3 strain = unrotate(r_m, {a.xx, a.yy, a.zz, 0.5 * (a.xy + a.yx), 0.0, 0.0});
     store_tensor<M>(f_n1, deformation, p);
     const double old_volume = volume(p, 0);
     volume(p, 0) = old_volume * determinant(f);
@@ -46,10 +53,11 @@ template <bool Short>
 struct DeformInSpace {
   using M = ThreeDimensional;
   FieldView increment, deformation, rotation, volume, scratch;
+  double sign;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
-    const SpaceTensor dt_l = load_tensor<M>(increment, p, 0.0);
-    const SpaceTensor f = exponential_of<M, Short>(dt_l);
+    const SpaceTensor a = generator_of<M, Short>(load_tensor<M>(increment, p, 0.0), sign);
+    const SpaceTensor f = exponential_of<M, Short>(a);
     const SpaceTensor f_n1 = multiply(f, load_tensor<M>(deformation, p));
     const SpaceRotation r_n = load_rotation<M>(deformation, rotation, p);
     double left = 0.0;
@@ -62,12 +70,12 @@ struct DeformInSpace {
     scratch(p, rotation_left) = left;
     const double old_volume = volume(p, 0);
     volume(p, 0) = old_volume * determinant(f);
-    increment(p, 0) = dt_l.xx;
-    increment(p, 1) = dt_l.yy;
-    increment(p, 2) = dt_l.zz;
-    increment(p, 3) = 0.5 * (dt_l.xy + dt_l.yx);
-    increment(p, 4) = 0.5 * (dt_l.yz + dt_l.zy);
-    increment(p, 5) = 0.5 * (dt_l.zx + dt_l.xz);
+    increment(p, 0) = a.xx;
+    increment(p, 1) = a.yy;
+    increment(p, 2) = a.zz;
+    increment(p, 3) = 0.5 * (a.xy + a.yx);
+    increment(p, 4) = 0.5 * (a.yz + a.zy);
+    increment(p, 5) = 0.5 * (a.zx + a.xz);
     increment(p, 6) = old_volume;
   }
 };
@@ -120,7 +128,7 @@ struct UnrotateStrain {
 };
 
 template <class M, bool Short>
-void deform(Rows rows, const Particles& particles) {
+void deform(Rows rows, double sign, const Particles& particles) {
   const FieldView& increment = particles.increment.values;
   const FieldView& deformation = particles.deformation_gradient.values;
   const FieldView& volume = particles.volume.values;
@@ -129,27 +137,27 @@ void deform(Rows rows, const Particles& particles) {
     const FieldView& rotation = particles.rotation.values;
     const FieldView& scratch = particles.grid_motion.values;  // what it held has been used
     for_each_row(
-        label, rows, DeformInSpace<Short>{increment, deformation, rotation, volume, scratch}
+        label, rows, DeformInSpace<Short>{increment, deformation, rotation, volume, scratch, sign}
     );
     for_each_row(label, rows, FindRotation{deformation, rotation, scratch});
     for_each_row(label, rows, UnrotateStrain{increment, rotation, scratch});
   } else {
-    for_each_row(label, rows, DeformInPlane<M, Short>{increment, deformation, volume});
+    for_each_row(label, rows, DeformInPlane<M, Short>{increment, deformation, volume, sign});
   }
 }
 
 }  // namespace
 
-void update_deformation(const Scene& scene, Rows rows, Particles& particles) {
+void update_deformation(const Scene& scene, Rows rows, Gradient gradient, Particles& particles) {
   const Region region("update_deformation");
   visit_mode(scene.grid.mode, [&](auto mode) {
     using M = decltype(mode);
     // The general form takes the short one where that holds, row by row: the answer does not depend
     // on which rows share a block.
     if (all_short(particles.increment.values, rows, 0, M::deformation_components))
-      deform<M, true>(rows, particles);
+      deform<M, true>(rows, sign_of(gradient), particles);
     else
-      deform<M, false>(rows, particles);
+      deform<M, false>(rows, sign_of(gradient), particles);
   });
 }
 

@@ -65,6 +65,7 @@ void strain_after(
     State& state,
     StepTally& tally,
     StepResult& result,
+    Gradient gradient,
     const First& first
 ) {
   double clipped = 0.0;
@@ -73,7 +74,7 @@ void strain_after(
     StressTally set;
     for_each_set_block(state, s, [&](Rows rows, Particles& particles) {
       first(rows, particles);
-      update_deformation(scene, rows, particles);
+      update_deformation(scene, rows, gradient, particles);
       add(update_stress(scene, dt, rows, particles), set);
     });
     add(tally_domains(scene, state.grid, state.particles[s]), set, clipped);
@@ -88,35 +89,37 @@ void strain_after(
 void update_sets(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
 ) {
-  strain_after(scene, dt, state, tally, result, [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, rows, particles), tally.moved);
+  const auto first = [&](Rows rows, Particles& particles) {
+    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
     move_particles(scene, dt, rows, particles);
-  });
+  };
+  strain_after(scene, dt, state, tally, result, Gradient::at_start, first);
 }
 
-void accelerate_sets(const Scene& scene, State& state, StepTally& tally) {
+void accelerate_sets(const Scene& scene, double dt, State& state, StepTally& tally) {
   for_each_block_of_sets(state, [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, rows, particles), tally.moved);
+    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
   });
 }
 
 void move_and_strain_sets(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
 ) {
-  strain_after(scene, dt, state, tally, result, [&](Rows rows, Particles& particles) {
+  const auto first = [&](Rows rows, Particles& particles) {
     move_particles(scene, dt, rows, particles);
-  });
+  };
+  strain_after(scene, dt, state, tally, result, Gradient::at_start, first);
 }
 
 void strain_sets(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
 ) {
-  strain_after(scene, dt, state, tally, result, [](Rows, Particles&) {});
+  strain_after(scene, dt, state, tally, result, Gradient::at_end, [](Rows, Particles&) {});
 }
 
 void accelerate_and_move_sets(const Scene& scene, double dt, State& state, StepTally& tally) {
   for_each_block_of_sets(state, [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, rows, particles), tally.moved);
+    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
     move_particles(scene, dt, rows, particles);
   });
 }

@@ -15,7 +15,7 @@ namespace barreno {
 /// v, x, F, sigma.
 void update_sets(const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result);
 /// v.
-void accelerate_sets(const Scene& scene, State& state, StepTally& tally);
+void accelerate_sets(const Scene& scene, double dt, State& state, StepTally& tally);
 /// x, F, sigma.
 void move_and_strain_sets(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result

@@ -22,7 +22,7 @@ from shell_statics import Shell  # noqa: E402
 A0, B0, STRENGTH, SHEAR, PEAK = 0.02, 0.03419951893353395, 300e6, 15e9, -0.06
 MICRO = 1e-6
 POINTS = 49
-STEPS = 100  # of the one-dimensional shell: its pressures are those of 400 to 1e-5 of the largest
+STEPS = 100  # of the one-dimensional shell: its pressures differ from those of 400 by less than 5e-4 of the largest
 
 
 @functools.lru_cache(None)
@@ -124,8 +124,8 @@ def measure(barreno, fluid, ratio, cells, slow):
 
 # Fluid modulus, K/G, cells in the wall, and how slow.
 CHEAP = ((0.0, 10.0, 6, 2.0), (2.2e9, 10.0, 6, 1.0))
-FULL = ((0.0, 10.0, 8, 1.0), (0.0, 10.0, 8, 2.0), (0.0, 10.0, 16, 2.0), (2.2e9, 10.0, 8, 1.0), (2.2e9, 10.0, 16, 1.0),
-        (0.0, 13.0 / 6.0, 8, 2.0), (0.0, 40.0, 8, 2.0))  # fmt: skip
+FULL = ((0.0, 10.0, 8, 1.0), (0.0, 10.0, 8, 2.0), (0.0, 10.0, 16, 2.0), (2.2e9, 10.0, 8, 1.0), (2.2e9, 10.0, 16, 2.0),
+        (0.0, 13.0 / 6.0, 8, 2.0), (0.0, 40.0, 8, 2.0), (0.0, 40.0, 16, 2.0))  # fmt: skip
 
 
 def run(barreno, full):

@@ -50,7 +50,7 @@ TEST(History, HasAHeaderAndARowThatMatch) {
   const State state = synthetic::make_state(scene, comm);
   const RunTotals totals = sum_totals(state);
   EXPECT_EQ(totals.particles, 800.0);
-  HistoryWriter writer(*comm, folder.path() / "history.csv");
+  HistoryWriter writer(scene, *comm, folder.path() / "history.csv");
   writer.write(*comm, state.clock, totals);
   comm->barrier();
   std::istringstream text(synthetic::read_text(folder.path() / "history.csv"));

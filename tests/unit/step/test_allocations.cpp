@@ -139,5 +139,24 @@ TEST(Allocations, ContactMakesNone) {
   }
 }
 
+TEST(Allocations, ARigidBodyMakesNone) {
+  for (const Mode mode : all_modes) {
+    Scene scene = shaking_block(mode, testing::elastic(70e9, 0.3, 2700.0));
+    scene.materials.push_back(scene.materials[0]);
+    BodySpec punch = scene.bodies[0];
+    Box& block = std::get<Box>(scene.bodies[0].shape);
+    Box& face = std::get<Box>(punch.shape);
+    block.upper[1] = face.lower[1] = 7.5e-3;
+    punch.name = "punch";
+    punch.material = 1;
+    punch.velocity = {};
+    punch.motion.prescribed = true;
+    punch.motion.velocity = {0.0, -1.0, 0.0};
+    scene.bodies.push_back(punch);
+    scene.contacts.push_back({"face", {0, 1}, ContactKind::friction, 0.3});
+    EXPECT_EQ(later_allocations(scene), 0) << "mode " << static_cast<int>(mode);
+  }
+}
+
 }  // namespace
 }  // namespace barreno

@@ -76,11 +76,11 @@ StepResult take_steps(const Scene& scene, State& state) {
 }
 
 /// The last row of history.csv by its header.
-std::map<std::string, double> history_row(const State& state) {
+std::map<std::string, double> history_row(const Scene& scene, const State& state) {
   const Comm& comm = *state.grid.comm;
   const std::filesystem::path path = std::filesystem::temp_directory_path() /
                                      ("bad_particles_" + std::to_string(comm.getSize()) + ".csv");
-  HistoryWriter(comm, path).write(comm, state.clock, sum_totals(state));
+  HistoryWriter(scene, comm, path).write(comm, state.clock, sum_totals(state));
   comm.barrier();
   std::ifstream file(path);
   std::string comment, header, row, name, value;
@@ -107,7 +107,7 @@ TEST_P(BadParticles, AreRemovedAndTalliedByTheirCause) {
     harm(state, c.change);
     EXPECT_FALSE(take_steps(scene, state).stopped);
     EXPECT_EQ(state.clock.step, steps);
-    const std::map<std::string, double> row = history_row(state);
+    const std::map<std::string, double> row = history_row(scene, state);
     for (int cause = 0; cause < removal_causes; ++cause)
       EXPECT_EQ(
           row.at(std::string("removed_") + removal_names[static_cast<std::size_t>(cause)]),
@@ -126,7 +126,7 @@ TEST_P(BadParticles, AreHeldWithoutStressOnce) {
     const double before = sum_totals(state).particles;
     harm(state, c.change);
     EXPECT_FALSE(take_steps(scene, state).stopped);
-    const std::map<std::string, double> row = history_row(state);
+    const std::map<std::string, double> row = history_row(scene, state);
     EXPECT_EQ(row.at("held"), 1.0);
     EXPECT_EQ(row.at("particles"), before);
     harm(state, [](Particles& particles, int p) {
@@ -170,7 +170,7 @@ TEST_P(BadParticles, WithoutAPlaceAreRemoved) {
   const double before = sum_totals(state).particles;
   harm(state, lose_place);
   EXPECT_FALSE(take_steps(scene, state).stopped);
-  const std::map<std::string, double> row = history_row(state);
+  const std::map<std::string, double> row = history_row(scene, state);
   EXPECT_EQ(row.at("removed_not_finite"), 1.0);
   EXPECT_EQ(row.at("particles"), before - 1.0);
 }
@@ -183,7 +183,7 @@ TEST_P(BadParticles, AreRemovedWhereTheyLeaveTheGridWhateverThePolicy) {
     const double before = sum_totals(state).particles;
     harm(state, run_away);
     EXPECT_FALSE(take_steps(scene, state).stopped);
-    const std::map<std::string, double> row = history_row(state);
+    const std::map<std::string, double> row = history_row(scene, state);
     EXPECT_EQ(row.at("removed_left_grid"), 1.0);
     EXPECT_EQ(row.at("particles"), before - 1.0);
     EXPECT_EQ(row.at("held"), 0.0);

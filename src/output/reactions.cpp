@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/reactions.hpp"
+
+#include "base/gather.hpp"
+#include "output/text_file.hpp"
+
+namespace barreno {
+namespace {
+
+/// Axes along which a rigid body can have a resultant, as [first, end).
+struct Axes {
+  int first, end;
+};
+Axes axes_of(Mode mode) {
+  return {mode == Mode::axisymmetric ? 1 : 0, dimensions(mode)};
+}
+
+}  // namespace
+
+std::vector<double> reaction_impulses(const State& state) {
+  std::vector<long long> counts;
+  for (const Reaction& reaction : state.reactions)
+    for (const WholeSum& sum : reaction.impulse)
+      counts.insert(counts.end(), std::begin(sum.part), std::end(sum.part));
+  if (counts.empty()) return {};
+  sum_over_ranks(*state.grid.comm, counts);
+  const Axes axes = axes_of(state.grid.mode);
+  std::vector<double> impulses;
+  for (std::size_t r = 0; r < state.reactions.size(); ++r)
+    for (int d = axes.first; d < axes.end; ++d) {
+      WholeSum sum;
+      for (int i = 0; i < WholeSum::parts; ++i)
+        sum.part[i] = counts
+            [(3 * r + static_cast<std::size_t>(d)) * WholeSum::parts + static_cast<std::size_t>(i)];
+      impulses.push_back(sum.value());
+    }
+  return impulses;
+}
+
+std::vector<std::string> reaction_columns(const Scene& scene) {
+  std::vector<std::string> columns;
+  const Axes axes = axes_of(scene.grid.mode);
+  for (const BodySpec& body : scene.bodies) {
+    if (!body.motion.prescribed) continue;
+    for (int d = axes.first; d < axes.end; ++d)
+      for (const char* what : {"_force_", "_impulse_"})
+        columns.push_back(column_name(body.name) + what + "xyz"[d]);
+  }
+  return columns;
+}
+
+std::vector<double> reaction_values(
+    const std::vector<double>& impulses, const std::vector<double>& before, double elapsed
+) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < impulses.size(); ++i) {
+    values.push_back(elapsed > 0.0 ? (impulses[i] - before[i]) / elapsed : 0.0);
+    values.push_back(impulses[i]);
+  }
+  return values;
+}
+
+}  // namespace barreno
