@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/bisection.hpp"
+#include "barreno/arenisca/centre_path.hpp"
 #include "barreno/arenisca/crush_curve.hpp"
 #include "barreno/arenisca/elasticity.hpp"
 #include "barreno/arenisca/lode.hpp"
@@ -100,9 +101,28 @@ struct PointRock {
     const double pressure = e > filling ? 0.0 : fluid.centre_pressure(e, mu);
     return fluid.porosity_at(e, mu, pressure);
   }
+  /// Pressure of the fluid, not that at the centre: elastic compression about it raises it by
+  /// Skempton's B of every state on the way [stress].
   BARRENO_FUNCTION double pore_pressure(double x, double e) const {
     if (!fluid.present()) return 0.0;
-    return actual_pressure(fluid, rock.elasticity, at_centre(e), x, e);
+    return centre_path(fluid, rock.elasticity, at_centre(e), x, e).pressure;
+  }
+
+  /// All that a host is told of a state.
+  struct Seen {
+    double zeta, porosity, pore_pressure;
+    Moduli moduli;
+  };
+  BARRENO_FUNCTION Seen seen(double x, double e) const {
+    if (rock.published.present() || !fluid.present()) {
+      return {zeta(e), porosity(e), pore_pressure(x, e), moduli(x, e)};
+    }
+    const FluidState at = at_centre(e);
+    return {
+        at.gap ? 0.0 : -3.0 * at.pressure,
+        at.porosity,
+        centre_path(fluid, rock.elasticity, at, x, e).pressure,
+        saturated_moduli(fluid, rock.elasticity, at, x, e)};
   }
 };
 
