@@ -56,12 +56,12 @@ BARRENO_FUNCTION PorePoint fluid_of(const PointRock& point, double x, double e) 
 }
 
 /// The elastic centre after fluid has flowed at fixed strain. What the rock has undergone stays, so
-/// grains and pores of the centre change alike, as under a pressure from within and without:
+/// grains and pores of the centre change alike, as under one pressure within and without:
 ///
-///   e + e_v + p_c/Km and phi are as before,   ln(mass/volume) follows (p_c)(1/Kf - 1/Km)
+///   e + e_v + p_c/Km and phi are as before,   d ln(mass) = (1/Kf - 1/Km) d p_c
 ///
-/// with e_v = (p_i - p_v)/Km where virgin rock has its centre with that mass
-/// (PoreFluid::holding()).
+/// with e_v = (p_i - p_v)/Km and p_v of virgin rock with that mass (PoreFluid::holding()). Where
+/// p_c comes to 0 a gas gap opens.
 struct DrainedCentre {
   double e;
   double rise;  ///< of p_c [stress]
