@@ -37,20 +37,18 @@ struct GeneralRock {
 struct PointRock {
   const GeneralRock& rock;
   YieldSurface surface;
-  PoreFluid fluid;  ///< as in virgin rock with that mass of it: e counts from there
-  double mu;        ///< 1, or less where that rock is not full
-  double density;   ///< mass of fluid over mu
-  double p3;        ///< -ln(1 - porosity), as the returns ask for it
-  double filling;   ///< e at which the fluid just fills the pores
+  PoreFluid fluid;       ///< as in virgin rock with that mass of it: e counts from there
+  double mu;             ///< 1, or less where that rock is not full
+  double density = 1.0;  ///< mass of fluid over mu
+  double p3;             ///< -ln(1 - porosity), as the returns ask for it
+  double filling = 0.0;  ///< e at which the fluid just fills the pores
 
   BARRENO_FUNCTION PointRock(const GeneralRock& r, double coherence, double fluid_mass_ratio)
       : rock(r),
         surface(make_yield_surface(coherence * r.PEAKI1, r.FSLOPE, r.STREN, r.YSLOPE, r.CR)),
         fluid(r.fluid),
         mu(fluid_mass_ratio),
-        density(1.0),
-        p3(r.crush.p3),
-        filling(0.0) {
+        p3(r.crush.p3) {
     if (!r.fluid.present()) return;
     if (!r.published.present() && !r.plastic_backstress) {
       const PoreFluid::Held held = r.fluid.holding(fluid_mass_ratio);
