@@ -16,7 +16,7 @@ using Parameters = Poroelastic::Parameters;
 
 /// K = 8, Ks = 36, G = 6 GPa, phi = 0.19.
 Parameters berea(double fluid) {
-  return {8e9, 6e9, 0.19, fluid, 36e9, 0.0, 0.0};
+  return {8e9, 6e9, 0.19, fluid, 36e9, 1.0, 0.0};
 }
 
 struct Row {
@@ -72,7 +72,7 @@ TEST(Poroelastic, GrainsOrBiotCoefficient) {
   p.grain_bulk_modulus = 0.0;
   const PorePoint by_biot = Poroelastic(p, 2300.0).pore_point({}, {});
   EXPECT_NEAR(by_biot.storage / by_grains.storage, 1.0, 1e-14);
-  p.biot_coefficient = 0.0;
+  p.biot_coefficient = 1.0;
   const PorePoint rigid = Poroelastic(p, 2300.0).pore_point({}, {});
   EXPECT_EQ(rigid.biot, 1.0);
   EXPECT_NEAR(rigid.storage * 2.25e9 / 0.19, 1.0, 1e-15);
