@@ -56,7 +56,7 @@ inline constexpr bool is_drainable = IsDrainable<Model>::value;
 BARRENO_FUNCTION double fluid_mass_after(const PorePoint& point, double fluid_volume) {
   constexpr double round_off = 1e-15;
   const double mass = point.fluid_mass + fluid_volume * point.mass_per_volume;
-  return std::fabs(mass) <= round_off * point.fluid_mass ? 0.0 : mass;
+  return std::fabs(mass) < round_off * point.fluid_mass ? 0.0 : mass;
 }
 
 }  // namespace barreno

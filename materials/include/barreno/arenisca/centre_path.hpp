@@ -51,9 +51,10 @@ BARRENO_FUNCTION CentrePath integrate_path(
     return phi < 0.0 ? CentrePath{1.0 / (3.0 * drained), 0.0} : slope_of_path(fluid, drained, phi);
   };
   CentrePath sum{0.0, 0.0};
+  constexpr int most_panels = 60;
   double far = to;
-  while (far < from) {
-    const bool last = constant || far >= -negligible * elasticity.B2;
+  for (int panel = 1; far < from; ++panel) {
+    const bool last = constant || far >= -negligible * elasticity.B2 || panel == most_panels;
     const double near = last ? from : smaller(from, 0.5 * far);
     const double middle = 0.5 * (far + near), half = 0.5 * (far - near);
     for (int i = 0; i < points; ++i) {

@@ -56,12 +56,12 @@ BARRENO_FUNCTION PorePoint fluid_of(const PointRock& point, double x, double e) 
 }
 
 /// The elastic centre after fluid has flowed at fixed strain. What the rock has undergone stays, so
-/// grains and pores of the centre change alike, as under a pressure from within and without:
+/// grains and pores of the centre change alike, as under one pressure within and without:
 ///
-///   e + e_v + p_c/Km and phi are as before,   ln(mass/volume) follows (p_c)(1/Kf - 1/Km)
+///   e + e_v + p_c/Km and phi are as before,   d ln(mass) = (1/Kf - 1/Km) d p_c
 ///
-/// with e_v = (p_i - p_v)/Km where virgin rock has its centre with that mass
-/// (PoreFluid::holding()).
+/// with e_v = (p_i - p_v)/Km and p_v of virgin rock with that mass (PoreFluid::holding()). Where
+/// p_c comes to 0 a gas gap opens.
 struct DrainedCentre {
   double e;
   double rise;  ///< of p_c [stress]
@@ -165,8 +165,9 @@ BARRENO_FUNCTION DrainEnd drain_in_parts(
 }
 
 /// Lets fluid in or out at fixed strain until the point holds mass_end. Elastic rock takes it at
-/// once, flowing rock in as many parts as twice as many agree with, to the rock's tolerance. Where
-/// a gas gap opens or closes rock may flow on the way although its end is elastic.
+/// once, flowing rock in as many parts as twice as many agree with, to the rock's tolerance (in one
+/// if less than that changes). Where a gas gap opens or closes rock may flow on the way although
+/// its end is elastic.
 template <class Counter>
 BARRENO_FUNCTION DrainEnd drain_rock(
     const GeneralRock& rock,
@@ -178,12 +179,15 @@ BARRENO_FUNCTION DrainEnd drain_rock(
 ) {
   constexpr int most_parts = 64, parts_of_crossing = 8;
   DrainEnd end = drain_in_parts(rock, coherence, begin, mass, mass_end, 1, count);
+  const auto agree = [&](const GeneralState& a, const DrainEnd& b) {
+    const double allowed = rock.tolerance * larger(rock.stress_floor, size_of(b.state));
+    return b.status == Status::ok && distance(a, b.state) <= allowed;
+  };
+  if (agree(begin, end)) return end;
   const int fewest = end.crossed ? parts_of_crossing : 2;
   for (int parts = fewest; (end.plastic || end.crossed) && parts <= most_parts; parts *= 2) {
     const DrainEnd finer = drain_in_parts(rock, coherence, begin, mass, mass_end, parts, count);
-    if (finer.status != Status::ok) return finer;
-    const double floor = larger(rock.stress_floor, size_of(finer.state));
-    const bool agreed = distance(end.state, finer.state) <= rock.tolerance * floor;
+    const bool agreed = end.status == Status::ok && agree(end.state, finer);
     const int before = end.substeps;
     end = finer;
     end.substeps += before;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/bisection.hpp"
+#include "barreno/arenisca/centre_path.hpp"
 #include "barreno/arenisca/crush_curve.hpp"
 #include "barreno/arenisca/elasticity.hpp"
 #include "barreno/arenisca/lode.hpp"
@@ -36,20 +37,18 @@ struct GeneralRock {
 struct PointRock {
   const GeneralRock& rock;
   YieldSurface surface;
-  PoreFluid fluid;  ///< as in virgin rock with that mass of it: e counts from there
-  double mu;        ///< 1, or less where that rock is not full
-  double density;   ///< mass of fluid over mu
-  double p3;        ///< -ln(1 - porosity), as the returns ask for it
-  double filling;   ///< e at which the fluid just fills the pores
+  PoreFluid fluid;       ///< as in virgin rock with that mass of it: e counts from there
+  double mu;             ///< 1, or less where that rock is not full
+  double density = 1.0;  ///< mass of fluid over mu
+  double p3;             ///< -ln(1 - porosity), as the returns ask for it
+  double filling = 0.0;  ///< e at which the fluid just fills the pores
 
   BARRENO_FUNCTION PointRock(const GeneralRock& r, double coherence, double fluid_mass_ratio)
       : rock(r),
         surface(make_yield_surface(coherence * r.PEAKI1, r.FSLOPE, r.STREN, r.YSLOPE, r.CR)),
         fluid(r.fluid),
         mu(fluid_mass_ratio),
-        density(1.0),
-        p3(r.crush.p3),
-        filling(0.0) {
+        p3(r.crush.p3) {
     if (!r.fluid.present()) return;
     if (!r.published.present() && !r.plastic_backstress) {
       const PoreFluid::Held held = r.fluid.holding(fluid_mass_ratio);
@@ -100,9 +99,28 @@ struct PointRock {
     const double pressure = e > filling ? 0.0 : fluid.centre_pressure(e, mu);
     return fluid.porosity_at(e, mu, pressure);
   }
+  /// Pressure of the fluid, not that at the centre: elastic compression about it raises it by
+  /// Skempton's B of every state on the way [stress].
   BARRENO_FUNCTION double pore_pressure(double x, double e) const {
     if (!fluid.present()) return 0.0;
-    return actual_pressure(fluid, rock.elasticity, at_centre(e), x, e);
+    return centre_path(fluid, rock.elasticity, at_centre(e), x, e).pressure;
+  }
+
+  /// All that a host is told of a state.
+  struct Seen {
+    double zeta, porosity, pore_pressure;
+    Moduli moduli;
+  };
+  BARRENO_FUNCTION Seen seen(double x, double e) const {
+    if (rock.published.present() || !fluid.present()) {
+      return {zeta(e), porosity(e), pore_pressure(x, e), moduli(x, e)};
+    }
+    const FluidState at = at_centre(e);
+    return {
+        at.gap ? 0.0 : -3.0 * at.pressure,
+        at.porosity,
+        centre_path(fluid, rock.elasticity, at, x, e).pressure,
+        saturated_moduli(fluid, rock.elasticity, at, x, e)};
   }
 };
 

@@ -182,15 +182,4 @@ BARRENO_FUNCTION double saturated_strength(
   return at.threshold <= dry ? dry : at.threshold + (dry - at.threshold) * ratio;
 }
 
-/// Pressure of the fluid: p = p_c + B (P - p_c) with P - p_c = -x/3, never negative [stress].
-BARRENO_FUNCTION double actual_pressure(
-    const PoreFluid& fluid, const Elasticity& elasticity, const FluidState& at, double x, double e
-) {
-  const bool engaged = (x <= 0.0 && !at.gap) || x < at.threshold;
-  if (!engaged) return 0.0;
-  const double b = fluid.skempton(elasticity.moduli_at(x, e).bulk, at.porosity);
-  const double start = at.gap ? at.threshold : 0.0;
-  return larger(0.0, at.pressure - b * (x - start) / 3.0);
-}
-
 }  // namespace barreno::arenisca

@@ -150,8 +150,8 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
     refused.substeps = step.outcome.substeps;
     return refused;
   }
-  const double zeta_end = point.zeta(end.e);
-  const Sym3 new_quasi_static = end.s + isotropic((end.x + zeta_end) / 3.0);
+  const arenisca::PointRock::Seen seen = point.seen(end.x, end.e);
+  const Sym3 new_quasi_static = end.s + isotropic((end.x + seen.zeta) / 3.0);
   Sym3 new_over{};
   if (rock_.T1 > 0.0) {
     const Sym3 elastic = step.elastic_s + isotropic(step.elastic_x / 3.0);
@@ -159,22 +159,21 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
     new_over = arenisca::relax(rock_.T1, rock_.T2, increment, elastic, change, over);
   }
   const Sym3 new_stress = new_quasi_static + new_over;
-  const arenisca::Moduli m = point.moduli(end.x, end.e);
-  const double pore_pressure = point.pore_pressure(end.x, end.e);
-  if (!is_finite(new_stress) || !std::isfinite(pore_pressure + m.bulk + m.shear)) {
+  const arenisca::Moduli& m = seen.moduli;
+  if (!is_finite(new_stress) || !std::isfinite(seen.pore_pressure + m.bulk + m.shear)) {
     refused.status = Status::not_converged;
     return refused;
   }
   if (rock_.T1 > 0.0) {
     arenisca::split_work(
-        increment.strain, stress, new_stress, 0.5 * (zeta + zeta_end), step.last, step.outcome
+        increment.strain, stress, new_stress, 0.5 * (zeta + seen.zeta), step.last, step.outcome
     );
   }
   stress = new_stress;
   h.plastic_volume_strain = end.e;
   h.equivalent_plastic_strain = end.shear_strain;
-  h.pore_pressure = pore_pressure;
-  h.porosity = point.porosity(end.e);
+  h.pore_pressure = seen.pore_pressure;
+  h.porosity = seen.porosity;
   h.overstress_xx = new_over.xx;
   h.overstress_yy = new_over.yy;
   h.overstress_zz = new_over.zz;
@@ -186,65 +185,6 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
   step.outcome.plastic_work *= mean_ratio;
   step.outcome.longitudinal_modulus = m.bulk + 4.0 / 3.0 * m.shear;
   return step.outcome;
-}
-
-BARRENO_FUNCTION PorePoint GeneralArenisca::pore_point(const Sym3& stress, const History& h) const {
-  PorePoint p{h.pore_pressure, 0.0, 0.0, h.porosity, h.fluid_mass_ratio, 0.0};
-  if (!holds_fluid()) return p;
-  const arenisca::PointRock point(rock_, h.coherence, h.fluid_mass_ratio);
-  const double x = trace(stress - overstress(h)) - point.zeta(h.plastic_volume_strain);
-  p = arenisca::fluid_of(point, x, h.plastic_volume_strain);
-  p.fluid_mass = h.fluid_mass_ratio;
-  return p;
-}
-
-BARRENO_FUNCTION Outcome
-GeneralArenisca::drain(double fluid_volume, Sym3& stress, History& h) const {
-  Outcome outcome;
-  if (fluid_volume == 0.0) {
-    outcome.longitudinal_modulus = longitudinal_modulus(stress, h, 1.0);
-    return outcome;
-  }
-  Outcome refused;
-  refused.substeps = 0;
-  refused.status = Status::bad_input;
-  if (!holds_fluid() || !sound_history(h) || !is_finite(stress)) return refused;
-  const PorePoint before = pore_point(stress, h);
-  const double mass = fluid_mass_after(before, fluid_volume);
-  if (!(before.storage > 0.0) || !(mass >= 0.0) || !std::isfinite(mass)) return refused;
-  const Sym3 over = overstress(h), quasi_static = stress - over;
-  const arenisca::PointRock old(rock_, h.coherence, h.fluid_mass_ratio);
-  const double zeta = old.zeta(h.plastic_volume_strain);
-  const arenisca::GeneralState begin{
-      trace(quasi_static) - zeta,
-      deviator(quasi_static),
-      h.plastic_volume_strain,
-      h.equivalent_plastic_strain};
-  arenisca::NoCounter none;
-  const arenisca::DrainEnd end =
-      arenisca::drain_rock(rock_, h.coherence, begin, h.fluid_mass_ratio, mass, none);
-  const arenisca::PointRock point(rock_, h.coherence, mass);
-  const arenisca::GeneralState& n = end.state;
-  const Sym3 new_stress = n.s + isotropic((n.x + point.zeta(n.e)) / 3.0) + over;
-  const arenisca::Moduli m = point.moduli(n.x, n.e);
-  const PorePoint after = arenisca::fluid_of(point, n.x, n.e);
-  const double sum = end.fluid_work + end.plastic_work + m.bulk + m.shear + after.pressure;
-  if (end.status != Status::ok || !is_finite(new_stress) || !std::isfinite(sum)) {
-    refused.status = end.status != Status::ok ? end.status : Status::not_converged;
-    refused.substeps = end.substeps;
-    return refused;
-  }
-  stress = new_stress;
-  h.plastic_volume_strain = n.e;
-  h.equivalent_plastic_strain = n.shear_strain;
-  h.fluid_mass_ratio = mass;
-  h.pore_pressure = after.pressure;
-  h.porosity = after.porosity;
-  outcome.substeps = end.substeps;
-  outcome.plastic_work = end.plastic_work;
-  outcome.elastic_work = end.fluid_work - end.plastic_work;
-  outcome.longitudinal_modulus = m.bulk + 4.0 / 3.0 * m.shear;
-  return outcome;
 }
 
 inline std::vector<HistoryField> GeneralArenisca::history_table() {
@@ -343,3 +283,5 @@ inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_s
 }
 
 }  // namespace barreno
+
+#include "barreno/models/arenisca_drain.hpp"

@@ -11,7 +11,7 @@ namespace barreno {
 /// Parameters of Poroelastic, their table and what contradicts among them.
 struct PoroelasticParameters {
   double bulk_modulus, shear_modulus, porosity, fluid_bulk_modulus;
-  double grain_bulk_modulus = 0.0, biot_coefficient = 0.0, initial_pressure = 0.0;
+  double grain_bulk_modulus = 0.0, biot_coefficient = 1.0, initial_pressure = 0.0;
 };
 
 inline ParameterTable<PoroelasticParameters> poroelastic_table() {
@@ -35,16 +35,15 @@ inline ParameterTable<PoroelasticParameters> poroelastic_table() {
            d::stress,
            at_least(0.0),
            0.0,
-           "bulk modulus of the grains, Ks: alpha = 1 - K/Ks; 0: by the Biot coefficient, and "
-           "incompressible if that is not given"
+           "bulk modulus of the grains, Ks: alpha = 1 - K/Ks; 0: by the Biot coefficient"
        ),
        optional(
            &P::biot_coefficient,
            "Biot Coefficient",
            d::none,
            between(0.0, 1.0),
-           0.0,
-           "alpha, instead of the grains' modulus Ks = K/(1 - alpha); 0: by that"
+           1.0,
+           "alpha, instead of the grains' modulus Ks = K/(1 - alpha); 1: incompressible grains"
        ),
        optional(
            &P::initial_pressure,
@@ -57,10 +56,10 @@ inline ParameterTable<PoroelasticParameters> poroelastic_table() {
       {}};
 }
 
-/// alpha = 1 - K/Ks; 1 for incompressible grains.
+/// alpha = 1 - K/Ks; as given where the grains are not.
 inline double biot_coefficient(const PoroelasticParameters& p) {
-  if (p.biot_coefficient > 0.0) return p.biot_coefficient;
-  return p.grain_bulk_modulus > 0.0 ? 1.0 - p.bulk_modulus / p.grain_bulk_modulus : 1.0;
+  if (p.grain_bulk_modulus > 0.0) return 1.0 - p.bulk_modulus / p.grain_bulk_modulus;
+  return p.biot_coefficient;
 }
 
 /// 1/M = phi/Kf + (alpha - phi)/Ks with 1/Ks = (1 - alpha)/K; 0 without fluid [1/stress].
@@ -77,7 +76,7 @@ inline std::string check_poroelastic(const PoroelasticParameters& p) {
     std::snprintf(text, sizeof text, format, a, b);
     return std::string(text);
   };
-  if (p.grain_bulk_modulus > 0.0 && p.biot_coefficient > 0.0) {
+  if (p.grain_bulk_modulus > 0.0 && p.biot_coefficient != 1.0) {
     return say(
         "Grain Bulk Modulus = %.6g and Biot Coefficient = %.6g are both given (one follows from "
         "the other, alpha = 1 - K/Ks). Leave one out.",
