@@ -256,6 +256,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     for (int f = 0; f < state.fields.count; ++f)
       if (state.fields.rigid_body[static_cast<std::size_t>(f)] == b)
         state.reactions.push_back({b, f, {}});
+  state.pore_flow.on = scene.pore_flow.on();
   const std::vector<ParticleId> first = first_ids(scene);
   state.slug_ids.assign(
       first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()

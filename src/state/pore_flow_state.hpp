@@ -10,6 +10,7 @@ struct PoreNetwork;
 
 /// What the pore flow keeps between its solves, the same on every rank.
 struct PoreFlowState {
+  bool on = false;        ///< the scene has it
   double waiting = 0.0;   ///< time that has not drained yet [time]
   double interval = 0.0;  ///< between two solves [time]
   double inflow = 0.0;    ///< fluid through the surfaces of rock since t = 0 [volume]
