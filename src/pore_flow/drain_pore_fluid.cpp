@@ -120,7 +120,7 @@ double drain_interval(const Scene& scene, const State& state, const PoreNetwork&
 }  // namespace
 
 void drain_pore_fluid(const Scene& scene, double dt, State& state) {
-  if (!state.pore_flow.on) return;
+  if (!scene.pore_flow.on()) return;
   const Region region("drain_pore_fluid");
   PoreFlowState& flow = state.pore_flow;
   flow.waiting += dt;
