@@ -41,7 +41,7 @@ struct DrainSet {
   const Model& model;
   double cell_size, dt;
   const MaterialSpec& spec;
-  double first_porosity = initial_porosity(model);
+  double first_porosity = initial_pore_point(model).porosity;
 
   /// dp_p of a particle in own cell i. (7.4)
   double change_of(const PorePoint& point, const Vector& x, std::size_t i) const {

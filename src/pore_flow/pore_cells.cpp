@@ -94,7 +94,7 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
   visit_porous(scene, particles, [&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
     const double per_viscosity = 1.0 / scene.pore_flow.viscosity;
-    const double first = initial_porosity(model);
+    const double first = initial_pore_point(model).porosity;
     for_each_solid_row(grid, particles, [&](int p, int key) {
       const auto at = PorousPoint<Model>::read(particles, p);
       const PorePoint point = model.pore_point(at.stress, at.history);

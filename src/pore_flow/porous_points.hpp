@@ -41,12 +41,6 @@ void visit_porous(const Scene& scene, const Particles& particles, Visitor&& visi
   );
 }
 
-/// Porosity of the undeformed rock.
-template <class Model>
-double initial_porosity(const Model& model) {
-  return model.pore_point(Sym3{}, model.initial_history()).porosity;
-}
-
 /// Fluid of a particle that has its initial mass, as volume at the initial density: fluid_mass of
 /// that is what it has. All flow is counted so, which keeps the mass of a fluid that is compressed.
 inline double fluid_volume(

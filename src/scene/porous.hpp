@@ -15,4 +15,11 @@ inline bool is_porous(const Material& material) {
   );
 }
 
+/// A point of rock before anything has happened to it.
+template <class Model>
+PorePoint initial_pore_point(const Model& model) {
+  const auto start = model.initial_state(0.0);
+  return model.pore_point(start.stress, start.history);
+}
+
 }  // namespace barreno

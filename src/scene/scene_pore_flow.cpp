@@ -82,7 +82,7 @@ double drained_length(const Scene& scene) {
     std::visit(
         [&](const auto& model) {
           if constexpr (is_drainable<std::decay_t<decltype(model)>>) {
-            const PorePoint point = model.pore_point(Sym3{}, model.initial_history());
+            const PorePoint point = initial_pore_point(model);
             if (point.storage > 0.0) diffusivity = std::max(diffusivity, fastest / point.storage);
           }
         },
