@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/gather.hpp"
 #include "deck/deck.hpp"
 #include "scene/scene.hpp"
 
