@@ -33,6 +33,37 @@ double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, co
   return p;
 }
 
+/// The material's own drain, in pieces where it does not manage at once (rock that jumps on the way).
+/// A point that fails is as before.
+template <class Model>
+Outcome drain_point(const Model& model, double fluid_volume, PorousPoint<Model>& point) {
+  constexpr int most_pieces = 64;
+  const PorousPoint<Model> before = point;
+  const double mass_per_volume = model.pore_point(point.stress, point.history).mass_per_volume;
+  Outcome outcome;
+  for (int pieces = 1; pieces <= most_pieces; pieces *= 4) {
+    Outcome sum;
+    sum.substeps = 0;
+    point = before;
+    for (int i = 0; i < pieces && !sum.failed(); ++i) {
+      double volume = fluid_volume / pieces;
+      // The mass counts: its density changes on the way.
+      if (i > 0)
+        volume *= mass_per_volume / model.pore_point(point.stress, point.history).mass_per_volume;
+      outcome = model.drain(volume, point.stress, point.history);
+      sum.status = outcome.status;
+      sum.substeps += outcome.substeps;
+      sum.elastic_work += outcome.elastic_work;
+      sum.plastic_work += outcome.plastic_work;
+      sum.longitudinal_modulus = outcome.longitudinal_modulus;
+    }
+    outcome = sum;
+    if (!sum.failed() || sum.status == Status::bad_input) break;
+  }
+  if (outcome.failed()) point = before;
+  return outcome;
+}
+
 /// The particles of one material.
 template <class Model>
 struct DrainSet {
@@ -59,7 +90,7 @@ struct DrainSet {
     tally.fluid += whole * point.fluid_mass;
     if (!(point.storage > 0.0)) return;
     const double change = change_of(point, vector_of(particles.position, p), i) * point.storage;
-    const Outcome outcome = model.drain(change, at.stress, at.history);
+    const Outcome outcome = drain_point(model, change, at);
     if (outcome.failed()) {
       if (spec.bad_particles == BadParticlePolicy::hold) tally.held += 1.0;
       if (spec.bad_particles == BadParticlePolicy::stop) tally.stops += 1.0;
