@@ -173,6 +173,17 @@ std::vector<std::string> scene_lines(
       (scene.contacts.empty() ? ", friction between bodies (one velocity field)" : "") +
       (scene.jet.present ? "" : ", jet")
   );
+  if (scene.quasi_static.on())
+    lines.push_back(
+        "  slow       " +
+        format(
+            "inertia x %.4g, which mass, momentum and kinetic energy show: a wave crosses in %.3g "
+            "of the time of diffusion; damping %.4g 1/s",
+            scene.quasi_static.inertia_factor,
+            scene.quasi_static.transit_time / scene.quasi_static.slow_time,
+            scene.step.damping
+        )
+    );
   for (const std::string& note : run.notes) lines.push_back("  note       " + note);
   lines.push_back(
       "  run        " + format(

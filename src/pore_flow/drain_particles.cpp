@@ -23,11 +23,10 @@ double evened_share(const PoreCell& cell, double cell_size, double dt) {
 double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, const Vector& x) {
   const PoreCell& cell = network.cells.cells[i];
   double p = cell.pressure + network.change[i];
-  const bool gravity = scene.body_force.kind == BodyForceKind::gravity;
   for (std::size_t d = 0; d < 3; ++d) {
     if (!(cell.mobility[d] > 0.0)) continue;
-    double slope = -network.steepness[i] * network.flux[i][d] / cell.mobility[d];
-    if (gravity) slope += scene.pore_flow.fluid_density * scene.body_force.acceleration[d];
+    const double slope = scene.pore_flow.fluid_weight[d] -
+                         network.steepness[i] * network.flux[i][d] / cell.mobility[d];
     p += slope * (x[d] - cell.centroid[d]);
   }
   return p;
