@@ -46,7 +46,7 @@ def main():
     figure, (field, history) = plt.subplots(1, 2, figsize=(11, 6), width_ratios=(1.0, 1.1), layout="constrained")
     draw_half(field, run.particles(early), -1.0)
     shapes = draw_half(field, run.particles(-1), 1.0)
-    field.set(xlim=(-50, 50), ylim=(152, -32), aspect="equal", xlabel="distance from the axis [mm]", ylabel="depth [mm]")
+    field.set(xlim=(-60, 60), ylim=(155, -20), aspect="equal", xlabel="distance from the axis [mm]", ylabel="depth [mm]")
     field.set_title(f"pore pressure at {times[early] / MILLI:.2g} ms and at {times[-1] / MILLI:.2g} ms")
     figure.colorbar(shapes, ax=field, label="pore pressure [MPa]")
     table = run.table("history.csv")
