@@ -5,7 +5,7 @@ if(NOT MPI_CXX_FOUND)
   message(FATAL_ERROR "Open MPI is missing: install the packages libopenmpi-dev and openmpi-bin.")
 endif()
 
-find_package(Trilinos QUIET COMPONENTS Teuchos Kokkos Tpetra)
+find_package(Trilinos QUIET COMPONENTS Teuchos Kokkos Tpetra Belos Ifpack2 MueLu)
 if(NOT Trilinos_FOUND)
   message(FATAL_ERROR "Trilinos is missing: install the packages trilinos-all-dev, libptscotch-dev and libscotch-dev.")
 endif()

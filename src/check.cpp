@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check.hpp"
 
+#include "check_flow.hpp"
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/velocity_fields.hpp"
@@ -173,6 +174,10 @@ std::string transfer_lines(const StepSpec& step) {
          );
 }
 
+std::string choice_line(const char* name, const Choice& choice) {
+  return feature(name, choice.on, choice.why);
+}
+
 std::string feature_lines(const Scene& scene) {
   const bool space = scene.grid.mode == Mode::three_dimensional;
   const bool confined =
@@ -206,7 +211,9 @@ std::string feature_lines(const Scene& scene) {
              scene.contacts.empty()
                  ? std::string("no Contact list: materials stick where they meet")
                  : std::to_string(velocity_fields(scene).count) + " velocity fields"
-         );
+         ) +
+         choice_line("pore flow", pore_flow_choice(scene)) +
+         choice_line("quasi-static", quasi_static_choice(scene));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "drive/drive.hpp"
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
+#include "pore_flow/check_solver_lists.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
 #include "state/build_state.hpp"
@@ -32,6 +33,7 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
+  check_solver_lists(deck, scene, *comm);
   State state = build_state(scene, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
@@ -50,6 +52,7 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
+  check_solver_lists(deck, scene, *comm);
   if (is_root(*comm)) std::cout << plan_text(scene, notes_of(deck, scene));
   return static_cast<int>(ExitCode::finished);
 }

@@ -14,6 +14,7 @@ const std::vector<NamedDimension>& named_dimensions() {
   static const std::vector<NamedDimension> names = {
       {dimension::none, "a number without unit", "", "0.5"},
       {dimension::length, "a length", "m", "12.7 mm"},
+      {dimension::area, "an area", "m2", "1e-15 m2"},
       {dimension::volume, "a volume", "m3", "1 cm3"},
       {dimension::time, "a time", "s", "100 us"},
       {dimension::mass, "a mass", "kg", "20 g"},
@@ -21,6 +22,7 @@ const std::vector<NamedDimension>& named_dimensions() {
       {dimension::velocity, "a velocity", "m/s", "4340 m/s"},
       {dimension::density, "a density", "kg/m3", "2.3 g/cm3"},
       {dimension::stress, "a stress", "Pa", "10 ksi"},
+      {dimension::viscosity, "a viscosity", "Pa s", "1e-3 Pa s"},
       {dimension::compliance, "a compliance", "1/Pa", "1.5 1/GPa"},
       {dimension::rate, "a rate", "1/s", "1000 1/s"},
       {dimension::specific_energy, "an energy per mass", "J/kg", "300 kJ/kg"},

@@ -204,7 +204,7 @@ void scan_named_lists(
           "has a '/' in its name (it separates path and name); rename it"
       );
     }
-    if (!is_fixed && section.named_read_elsewhere) continue;
+    if (is_fixed ? fixed->read_elsewhere : section.named_read_elsewhere) continue;
     const Section& table = is_fixed ? *fixed : section.named.front();
     list.sublist(name, false, table.meaning) =
         scan_list(child, table, join(path, name), source, completeness);

@@ -55,6 +55,8 @@ const std::vector<NamedUnit>& prefixed_units() {
       {"J", {1.0, 0, {2, -2, 1, 0}}},
       {"W", {1.0, 0, {2, -3, 1, 0}}},
       {"Hz", {1.0, 0, dimension::rate}},
+      {"D", {9.869232667160130, -13, dimension::area}},  // darcy: 1 cP cm2/s per atm/cm
+      {"P", {1.0, -1, dimension::viscosity}},            // poise
   };
   return units;
 }

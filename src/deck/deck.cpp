@@ -60,6 +60,9 @@ double Deck::number(const std::string& path) const {
 int Deck::integer(const std::string& path) const {
   return get<int>(path);
 }
+bool Deck::flag(const std::string& path) const {
+  return get<bool>(path);
+}
 std::string Deck::word(const std::string& path) const {
   return get<std::string>(path);
 }
@@ -77,6 +80,12 @@ std::vector<std::vector<double>> Deck::rows(const std::string& path) const {
     rows.emplace_back(table[i].begin(), table[i].end());
   }
   return rows;
+}
+
+Teuchos::ParameterList Deck::list(const std::string& path) const {
+  const auto [parent, name] = locate(values_, path);
+  if (parent == nullptr || !parent->isSublist(name)) return {};
+  return parent->sublist(name);
 }
 
 Material Deck::material(const std::string& name) const {

@@ -38,10 +38,14 @@ public:
 
   double number(const std::string& path) const;
   int integer(const std::string& path) const;
+  bool flag(const std::string& path) const;
   std::string word(const std::string& path) const;
   std::vector<std::string> words(const std::string& path) const;
   std::vector<double> vector(const std::string& path) const;
   std::vector<std::vector<double>> rows(const std::string& path) const;
+
+  /// A list as it is; empty if there is none.
+  Teuchos::ParameterList list(const std::string& path) const;
 
   /// The material of a list below Materials, its model's own rules checked.
   Material material(const std::string& name) const;

@@ -2,6 +2,7 @@
 #include "deck/deck_schema.hpp"
 
 #include "deck/boundary_sections.hpp"
+#include "deck/pore_flow_section.hpp"
 #include "deck/shape_entries.hpp"
 #include "deck/step_section.hpp"
 
@@ -38,6 +39,14 @@ Section bodies_section() {
   for (const Entry& entry :
        {integer("Particles Per Cell", between(1, 16), "per direction").by_default("2"),
         vector("Velocity", dim::velocity, any(), "initial velocity; zero without it").if_given(),
+        number(
+            "Pore Pressure",
+            dim::stress,
+            at_least(0.0),
+            "of the fluid at the start, whatever Confinement presses; without it that of the "
+            "material, which in Arenisca the confinement raises undrained"
+        )
+            .if_given(),
         number("Spin", dim::rate, any(), "about the body's middle, added to Velocity; plane strain")
             .if_given(),
         vector(
@@ -188,7 +197,9 @@ Section build_schema() {
        jet_section(),
        body_force_section(),
        contact_section(),
+       pore_flow_section(),
        step_section(),
+       quasi_static_section(),
        time,
        output_section()},
       {}};

@@ -20,7 +20,6 @@ ExodusWriter::ExodusWriter(
     const std::vector<std::string>& information
 )
     : dimensions_(dimensions(scene.grid.mode)),
-      clipped_(follows_deformation(scene)),
       nodes_(
           scene.output.glyph == Glyph::point ? 1
           : dimensions_ == 3                 ? 8
@@ -60,7 +59,10 @@ ExodusLayout ExodusWriter::describe(const Scene& scene, const std::string& versi
   layout.global_variables = {"step", "time_step", "particles"};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Material& material = scene.materials[b].material;
-    ExodusBlock block{material.name, {}, particle_field_names(material, dimensions_, clipped_)};
+    ExodusBlock block{
+        material.name,
+        {},
+        particle_field_names(material, dimensions_, optional_fields(scene, material))};
     for (const Range& range : blocks_[b].ranges)
       for (long long i = 0; i < range.count; ++i) block.ids.push_back(range.first + i);
     layout.blocks.push_back(std::move(block));
@@ -100,7 +102,9 @@ ExodusWriter::Rows ExodusWriter::gather_rows(
   const HostParticles particles(state.particles[set]);
   const Material& material = scene.materials[set].material;
   Rows rows;
-  rows.width = node_values() + particle_field_names(material, dimensions_, clipped_).size() + 1;
+  rows.width =
+      node_values() +
+      particle_field_names(material, dimensions_, optional_fields(scene, material)).size() + 1;
   std::vector<ParticleId> ids;
   std::vector<double> values;
   ids.reserve(static_cast<std::size_t>(particles.count));
@@ -150,8 +154,11 @@ void ExodusWriter::move_nodes(const Rows& rows) {
 
 void ExodusWriter::put_block(const Scene& scene, std::size_t set, const Rows& rows) {
   const Block& block = blocks_[set];
-  const std::vector<std::string> names =
-      particle_field_names(scene.materials[set].material, dimensions_, clipped_);
+  const std::vector<std::string> names = particle_field_names(
+      scene.materials[set].material,
+      dimensions_,
+      optional_fields(scene, scene.materials[set].material)
+  );
   std::vector<double> values(block.count);
   for (std::size_t v = 0; v < names.size(); ++v) {
     std::fill(values.begin(), values.end(), 0.0);

@@ -66,7 +66,6 @@ private:
   }
 
   int dimensions_ = 2;
-  bool clipped_;   ///< particles say whether their domain is cut
   int nodes_ = 4;  ///< per element
   std::vector<Block> blocks_;
   std::vector<std::vector<double>> start_, displacement_;  ///< per direction, per node; root only

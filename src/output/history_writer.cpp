@@ -2,6 +2,7 @@
 #include "output/history_writer.hpp"
 
 #include "base/region.hpp"
+#include "output/pore_flow_columns.hpp"
 #include "output/reactions.hpp"
 #include "state/balance.hpp"
 
@@ -17,6 +18,7 @@ RunTotals sum_totals(const State& state) {
   totals.particles = counts[0];
   totals.particle_steps = counts[1];
   totals.reactions = reaction_impulses(state);
+  totals.pore_flow = pore_flow_values(state, totals.ledger);
   return totals;
 }
 
@@ -44,6 +46,7 @@ HistoryWriter::HistoryWriter(
       "momentum_error";
   for (const char* cause : removal_names) header += std::string(",removed_") + cause;
   header += ",held,retried,friction,rigid_impulse,clipped,remembered";
+  for (const std::string& column : pore_flow_columns(scene)) header += "," + column;
   const std::vector<std::string> columns = reaction_columns(scene);
   for (const std::string& column : columns) header += "," + column;
   RootWork work(comm);
@@ -56,6 +59,7 @@ HistoryWriter::HistoryWriter(
         "m of thickness; errors relative; removed, held, clipped (at Largest Domain, now): "
         "particles; retried: steps; remembered: kinetic energy that APIC's particles hold beside "
         "kinetic" +
+        (scene.pore_flow.on() ? std::string(pore_flow_note) : std::string()) +
         (columns.empty() ? std::string() : note_on_reactions(scene))
     );
     file_->append(header);
@@ -91,6 +95,7 @@ void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals&
   row.insert(
       row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered}
   );
+  row.insert(row.end(), totals.pore_flow.begin(), totals.pore_flow.end());
   const bool first = last_reactions_.empty();
   const std::vector<double>& before = first ? totals.reactions : last_reactions_;
   const double elapsed = first ? 0.0 : clock.time - last_time_;

@@ -15,6 +15,7 @@ struct RunTotals {
   Ledger ledger;
   double particles = 0.0;
   double particle_steps = 0.0;
+  std::vector<double> pore_flow;  ///< see pore_flow_values
   std::vector<double> reactions;  ///< impulses on rigid bodies, see reaction_impulses
 };
 

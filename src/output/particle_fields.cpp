@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/particle_fields.hpp"
 
+#include "scene/porous.hpp"
 #include "shape/kinematics_3d.hpp"
+#include "shape/shape_facts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +109,8 @@ HostParticles::HostParticles(const Particles& particles)
       half_size(on_host(particles.half_size.values)),
       viscous_pressure(on_host(particles.viscous_pressure.values)),
       history(on_host(particles.history.values)),
-      clipped(on_host(particles.clipped.values)) {}
+      clipped(on_host(particles.clipped.values)),
+      darcy_velocity(on_host(particles.darcy_velocity.values)) {}
 
 void HostParticles::append_corners(int p, std::vector<double>& values) const {
   double x[3], h[3], F[9];
@@ -126,8 +129,12 @@ void HostParticles::append_corners(int p, std::vector<double>& values) const {
   append(domain_corners_3d(x, F, h));
 }
 
+OptionalFields optional_fields(const Scene& scene, const Material& material) {
+  return {follows_deformation(scene), scene.pore_flow.on() && is_porous(material)};
+}
+
 std::vector<std::string> particle_field_names(
-    const Material& material, int dimensions, bool clipped
+    const Material& material, int dimensions, const OptionalFields& optional
 ) {
   std::vector<std::string> names{"status", "velocity_x", "velocity_y"};
   if (dimensions == 3) names.emplace_back("velocity_z");
@@ -137,7 +144,9 @@ std::vector<std::string> particle_field_names(
   for (const char* name :
        {"pressure", "shear_stress", "density", "volume_ratio", "viscous_pressure"})
     names.emplace_back(name);
-  if (clipped) names.emplace_back("domain_clipped");
+  if (optional.clipped) names.emplace_back("domain_clipped");
+  if (optional.darcy_velocity)
+    for (int d = 0; d < dimensions; ++d) names.push_back(std::string("darcy_velocity_") + "xyz"[d]);
   std::visit(
       [&](const auto& model) {
         for (const HistoryField& field : model.history_table()) names.emplace_back(field.name);
@@ -169,6 +178,8 @@ void append_particle_fields(
        particles.viscous_pressure(p, 0)}
   );
   if (particles.clipped.extent(1) > 0) values.push_back(particles.clipped(p, 0));
+  for (std::size_t d = 0; d < particles.darcy_velocity.extent(1); ++d)
+    values.push_back(particles.darcy_velocity(p, d));
   for (std::size_t c = 0; c < particles.history.extent(1); ++c)
     values.push_back(particles.history(p, c));
 }

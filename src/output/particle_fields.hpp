@@ -43,16 +43,23 @@ struct HostParticles {
   ArrayView<ParticleId>::HostMirror id;
   ArrayView<unsigned char>::HostMirror body;
   Values position, velocity, deformation_gradient, rotation, stress, mass, volume, half_size;
-  Values viscous_pressure, history, clipped;
+  Values viscous_pressure, history, clipped, darcy_velocity;
 
   int dimensions() const { return static_cast<int>(position.extent(1)); }
   void append_corners(int p, std::vector<double>& values) const;
 };
 
-/// Element variables of a material in files: the common ones, then `domain_clipped` if particles
-/// have it, then the model's history by its own names.
+/// What particles of some scenes have.
+struct OptionalFields {
+  bool clipped = false;         ///< `domain_clipped`
+  bool darcy_velocity = false;  ///< of the pore fluid, where it drains
+};
+OptionalFields optional_fields(const Scene& scene, const Material& material);
+
+/// Element variables of a material in files: the common ones, then the optional ones, then the
+/// model's history by its own names.
 std::vector<std::string> particle_field_names(
-    const Material& material, int dimensions, bool clipped = false
+    const Material& material, int dimensions, const OptionalFields& optional = {}
 );
 
 /// Their values for one particle, in that order; `status` is 1.

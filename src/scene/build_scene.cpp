@@ -203,12 +203,15 @@ Scene build_scene(const Deck& deck) {
   add_conditions(deck, scene);
   add_loads(deck, scene);
   add_confinement(deck, scene);
+  check_pore_pressures(deck, scene);
   add_jet(deck, scene);
   add_body_force(deck, scene);
   check_rigid_bodies(deck, scene);
   add_contacts(deck, scene);
+  add_pore_flow(deck, scene);
   scene.step = read_step(deck, scene.grid.mode);
   scene.output = read_output(deck);
+  add_quasi_static(deck, scene);
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse("Bodies", "is empty and there is no Jet (nothing would move); add a body or a jet");
   }

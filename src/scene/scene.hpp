@@ -2,9 +2,13 @@
 #pragma once
 
 #include "geometry/shape.hpp"
+#include "scene/pore_flow_spec.hpp"
+#include "scene/quasi_static_spec.hpp"
+#include "scene/table.hpp"
 
 #include <array>
 #include <barreno/models.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +36,6 @@ struct MaterialSpec {
   BadParticlePolicy bad_particles = BadParticlePolicy::remove;
 };
 
-/// Piecewise-linear function of time, constant outside its range.
-struct Table {
-  std::vector<double> time{0.0}, value{0.0};
-  double operator()(double t) const;
-};
-
 /// Prescribed motion of a rigid body: velocity * factor(t).
 struct MotionSpec {
   bool prescribed = false;
@@ -53,6 +51,7 @@ struct BodySpec {
   int particles_per_cell = 2;     ///< per direction
   Vector velocity{};              ///< [length/time]
   double initial_pressure = 0.0;  ///< the body starts in equilibrium under this pressure [stress]
+  std::optional<double> pore_pressure;  ///< at the start; without: as its material has it [stress]
   /// Initial velocity v = amplitude * sin(wave_number . x): the standing wave of the bar tests.
   Vector velocity_wave_number{};  ///< all zero: uniform velocity [1/length]
   double spin = 0.0;              ///< about the body's own middle, plane strain only [1/time]
@@ -184,6 +183,8 @@ struct Scene {
   std::vector<ContactSpec> contacts;
   JetSpec jet;
   BodyForceSpec body_force;
+  PoreFlowSpec pore_flow;
+  QuasiStaticSpec quasi_static;
   StepSpec step;
   double end_time = 0.0;  ///< [time]
   OutputSpec output;

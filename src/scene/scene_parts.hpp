@@ -15,9 +15,14 @@ void add_bodies(const Deck& deck, Scene& scene);
 void add_conditions(const Deck& deck, Scene& scene);
 void add_loads(const Deck& deck, Scene& scene);
 void add_confinement(const Deck& deck, Scene& scene);
+/// After the confinement: refuses fluid under a pressure that its rock cannot start with.
+void check_pore_pressures(const Deck& deck, const Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
 void add_body_force(const Deck& deck, Scene& scene);
+/// After all else: densities and gravity are scaled.
+void add_quasi_static(const Deck& deck, Scene& scene);
 void add_contacts(const Deck& deck, Scene& scene);
+void add_pore_flow(const Deck& deck, Scene& scene);
 
 /// Motion of a body that is prescribed to be rigid.
 MotionSpec read_motion(const Deck& deck, const std::string& path, Mode mode);

@@ -68,7 +68,7 @@ Balance energy_balance(const Ledger& l) {
       l.initial_kinetic + l.launched_kinetic + l.prestress + l.boundary_work + l.body_work;
   const double scale = l.initial_kinetic + l.launched_kinetic + l.prestress +
                        std::abs(l.boundary_work) + std::abs(l.body_work);
-  return {found - put_in - l.transfer - l.stress_integration, scale};
+  return {found - put_in - l.fluid_work - l.transfer - l.stress_integration, scale};
 }
 
 namespace {

@@ -20,8 +20,8 @@ struct RemovalTally {
 /// difference. Sums over this rank since t = 0 unless said otherwise; the writers add the ranks.
 ///
 ///   kinetic + elastic + plastic + viscous + friction + damped + removed
-///     = initial_kinetic + launched + prestress + boundary_work + body_work + transfer +
-///     stress_integration + remainder
+///     = initial_kinetic + launched + prestress + boundary_work + body_work + fluid_work + transfer
+///     + stress_integration + remainder
 ///
 /// `elastic` keeps what later removed particles had stored; `removed` is their kinetic energy.
 struct Ledger {
@@ -36,6 +36,7 @@ struct Ledger {
   double viscous = 0.0;        ///< work of the artificial viscosity
   double friction = 0.0;       ///< dissipated by surfaces that slide on each other
   double boundary_work = 0.0;  ///< of loads, moving conditions and rigid bodies on the material
+  double fluid_work = 0.0;     ///< that pore fluid brings into the rock where it flows in
   double body_work = 0.0;      ///< of the body force
   double damped = 0.0;         ///< work done against the damping of the step
   double stress_integration =

@@ -2,6 +2,7 @@
 #include "state/particles.hpp"
 
 #include "scene/body_force.hpp"
+#include "scene/porous.hpp"
 #include "shape/shape_facts.hpp"
 #include "state/surface_share.hpp"
 
@@ -74,6 +75,8 @@ Particles make_particles(const Scene& scene, int material) {
   p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material, false) ? 1 : 0, {}};
   p.surface_share = {
       "surface_share", dim::none, has_loads(scene, material, true) ? 2 * (1 + d) : 0, {}};
+  const bool drains = scene.pore_flow.on() && is_porous(m);
+  p.darcy_velocity = {"darcy_velocity", dim::velocity, drains ? d : 0, {}};
   add_transfer_fields(scene, p);
   reserve(p, 1);
   return p;

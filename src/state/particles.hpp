@@ -62,6 +62,7 @@ struct Particles {
   Field loaded_faces;  ///< bits of pressure loads on own faces; no components if there are none
   /// SurfaceShare of the inner, then the outer surface of a loaded ball; no components without one.
   Field surface_share;
+  Field darcy_velocity;  ///< of the fluid, where it drains [length/time]
   /// Of APIC: B_p, first moments of the grid's velocity [length^2/time]; before the first step the
   /// gradient of the initial velocity [1/time].
   Field affine;
@@ -101,6 +102,7 @@ struct Particles {
     f(loaded_faces);
     f(surface_share);
     f(affine);
+    f(darcy_velocity);
   }
   template <class F>
   void for_each_scratch_field(F&& f) {

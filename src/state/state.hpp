@@ -8,6 +8,7 @@
 #include "state/ledger.hpp"
 #include "state/nodes.hpp"
 #include "state/particles.hpp"
+#include "state/pore_flow_state.hpp"
 #include "state/reaction.hpp"
 
 #include <limits>
@@ -30,6 +31,7 @@ struct State {
   ContactNodes contact;
   Clock clock;
   Ledger ledger;
+  PoreFlowState pore_flow;
   std::vector<Reaction> reactions;  ///< of rigid bodies, in the order of Scene::bodies
   std::vector<double> cavities;  ///< volume of the pore fluid of each load, the same on all ranks
   std::size_t next_slug = 0;     ///< first jet slug that is still to be launched

@@ -2,6 +2,7 @@
 #include "step/advance.hpp"
 
 #include "base/region.hpp"
+#include "pore_flow/drain_pore_fluid.hpp"
 #include "step/balance_load.hpp"
 #include "step/filter_velocity.hpp"
 #include "step/find_motion.hpp"
@@ -111,6 +112,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   state.stable_step = tally.stress.stable_step;
   const double left = next_time - state.clock.time;
   state.clock = {dt >= left ? next_time : state.clock.time + dt, dt, state.clock.step + 1};
+  result.not_drained = drain_pore_fluid(scene, dt, state);  // (7)
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include "shape/visit_kernels.hpp"
 #include "state/shape_fields.hpp"
 #include "state/step_rule.hpp"
-#include "step/bad_particle.hpp"
+#include "state/bad_particle.hpp"
 
 #include <algorithm>
 #include <cmath>

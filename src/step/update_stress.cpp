@@ -4,7 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "state/step_rule.hpp"
-#include "step/bad_particle.hpp"
+#include "state/bad_particle.hpp"
 #include "step/point_group.hpp"
 
 #include <limits>

@@ -7,14 +7,17 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "step", "output", "drive", "."]
+ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_flow", "step", "output", "drive", "."]
 ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "exodusII": {"output"},
     "hdf5": {"output"},
     "mpi.h": {"base", "grid", "."},
-    "Tpetra_": {"grid", "."},
+    "Tpetra_": {"grid", "pore_flow", "."},
+    "Belos": {"pore_flow"},
+    "Ifpack2_": {"pore_flow"},
+    "MueLu_": {"pore_flow"},
     "Teuchos_XML": {"deck"},
-    "Teuchos_ParameterList": {"deck"},
+    "Teuchos_ParameterList": {"deck", "pore_flow"},
     "CGAL": {"deck"},
 }
 LONGEST = 500

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/models.hpp"
+#include "barreno/pore_point.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,21 @@ struct TypesOf<std::variant<Model...>> {
   using type = ::testing::Types<Model...>;
 };
 using AllModels = TypesOf<AnyModel>::type;
+
+/// Those whose fluid a host can move.
+template <class Variant, class... Taken>
+struct DrainableOf;
+template <class... Taken>
+struct DrainableOf<std::variant<>, Taken...> {
+  using type = ::testing::Types<Taken...>;
+};
+template <class First, class... Rest, class... Taken>
+struct DrainableOf<std::variant<First, Rest...>, Taken...>
+    : std::conditional_t<
+          is_drainable<First>,
+          DrainableOf<std::variant<Rest...>, Taken..., First>,
+          DrainableOf<std::variant<Rest...>, Taken...>> {};
+using DrainableModels = DrainableOf<AnyModel>::type;
 
 template <class Model, class = void>
 struct FormName {

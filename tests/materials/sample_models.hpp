@@ -34,6 +34,30 @@ struct Sample<LinearElastic> {
   }
 };
 
+/// Berea-like sandstone full of water: alpha = 7/9, B = 0.55.
+template <>
+struct Sample<Poroelastic> {
+  static constexpr double density = 2300.0, elastic = 1e-3, plastic = 2e-2, pressure = 68.95e6;
+  static Poroelastic::Parameters parameters() { return {8e9, 6e9, 0.19, 2.25e9, 36e9, 1.0, 5e6}; }
+  static std::vector<std::pair<Poroelastic::Parameters, std::string>> contradictions() {
+    std::vector<std::pair<Poroelastic::Parameters, std::string>> list(
+        6, {parameters(), "Biot Coefficient"}
+    );
+    list[0].first.biot_coefficient = 0.8;
+    list[1].first.grain_bulk_modulus = 0.0;
+    list[1].first.biot_coefficient = 0.18;
+    list[2].first.grain_bulk_modulus = 9.5e9;
+    list[2].second = "Grain Bulk Modulus";
+    list[3].first.grain_bulk_modulus = 7e9;
+    list[3].second = "Grain Bulk Modulus";
+    list[4].first.fluid_bulk_modulus = 0.0;
+    list[4].second = "Initial Pore Pressure";
+    list[5].first.grain_bulk_modulus = 0.0;
+    list[5].first.biot_coefficient = 0.0;
+    return list;
+  }
+};
+
 template <>
 struct Sample<NeoHookean> {
   static constexpr double density = 1000.0, elastic = 1e-3, plastic = 2e-2, pressure = 0.5e6;

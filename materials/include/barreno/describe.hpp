@@ -19,6 +19,7 @@ inline bool operator==(const Dimension& a, const Dimension& b) {
 namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension length{1, 0, 0, 0};
+inline constexpr Dimension area{2, 0, 0, 0};
 inline constexpr Dimension volume{3, 0, 0, 0};
 inline constexpr Dimension time{0, 1, 0, 0};
 inline constexpr Dimension mass{0, 0, 1, 0};
@@ -26,6 +27,7 @@ inline constexpr Dimension temperature{0, 0, 0, 1};
 inline constexpr Dimension velocity{1, -1, 0, 0};
 inline constexpr Dimension density{-3, 0, 1, 0};
 inline constexpr Dimension stress{-1, -2, 1, 0};
+inline constexpr Dimension viscosity{-1, -1, 1, 0};
 inline constexpr Dimension compliance{1, 2, -1, 0};
 inline constexpr Dimension rate{0, -1, 0, 0};
 inline constexpr Dimension specific_energy{2, -2, 0, 0};

@@ -6,6 +6,7 @@
 #include "barreno/models/johnson_cook.hpp"
 #include "barreno/models/linear_elastic.hpp"
 #include "barreno/models/neo_hookean.hpp"
+#include "barreno/models/poroelastic.hpp"
 
 #include <string>
 #include <variant>
@@ -17,7 +18,8 @@ namespace barreno {
 ///
 /// A model with a SpecialForm is not asked for by name: it serves those parameter sets of that
 /// other model for which its needed() says so.
-using AnyModel = std::variant<LinearElastic, NeoHookean, JohnsonCook, Arenisca, GeneralArenisca>;
+using AnyModel =
+    std::variant<LinearElastic, Poroelastic, NeoHookean, JohnsonCook, Arenisca, GeneralArenisca>;
 
 /// A model with its parameters, as a deck or a host asked for it.
 struct Material {

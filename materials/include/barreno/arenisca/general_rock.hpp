@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/bisection.hpp"
+#include "barreno/arenisca/centre_path.hpp"
 #include "barreno/arenisca/crush_curve.hpp"
 #include "barreno/arenisca/elasticity.hpp"
 #include "barreno/arenisca/lode.hpp"
@@ -36,16 +37,27 @@ struct GeneralRock {
 struct PointRock {
   const GeneralRock& rock;
   YieldSurface surface;
-  double mu;       ///< mass of fluid over its initial mass
-  double p3;       ///< -ln(1 - porosity), as the returns ask for it
-  double filling;  ///< e at which the fluid just fills the pores
+  PoreFluid fluid;       ///< as in virgin rock with that mass of it: e counts from there
+  double mu;             ///< 1, or less where that rock is not full
+  double density = 1.0;  ///< mass of fluid over mu
+  double p3;             ///< -ln(1 - porosity), as the returns ask for it
+  double filling = 0.0;  ///< e at which the fluid just fills the pores
 
   BARRENO_FUNCTION PointRock(const GeneralRock& r, double coherence, double fluid_mass_ratio)
       : rock(r),
         surface(make_yield_surface(coherence * r.PEAKI1, r.FSLOPE, r.STREN, r.YSLOPE, r.CR)),
+        fluid(r.fluid),
         mu(fluid_mass_ratio),
-        p3(r.crush.p3),
-        filling(r.fluid.present() ? r.fluid.filling_strain(fluid_mass_ratio) : 0.0) {}
+        p3(r.crush.p3) {
+    if (!r.fluid.present()) return;
+    if (!r.published.present() && !r.plastic_backstress) {
+      const PoreFluid::Held held = r.fluid.holding(fluid_mass_ratio);
+      fluid.initial_pressure = held.pressure;
+      mu = held.mu;
+      density = held.density;
+    }
+    filling = fluid.filling_strain(mu);
+  }
 
   /// The meridian at a Lode angle of which Gamma is this.
   BARRENO_FUNCTION YieldSurface scaled_surface(double gamma) const {
@@ -61,35 +73,54 @@ struct PointRock {
   BARRENO_FUNCTION double strength(double e) const {
     const double dry = rock.crush.strength(e);
     if (rock.published.present()) return rock.published.strength(rock.elasticity, dry, e);
-    if (!rock.fluid.present()) return dry;
-    return saturated_strength(rock.fluid, rock.elasticity, at_centre(e), dry, e);
+    if (!fluid.present()) return dry;
+    return saturated_strength(fluid, rock.elasticity, at_centre(e), dry, e);
   }
   BARRENO_FUNCTION Cap cap_at(double e) const {
     return has_cap(e) ? surface.cap_at(strength(e)) : Cap{};
   }
   BARRENO_FUNCTION FluidState at_centre(double e) const {
-    return fluid_at(rock.fluid, rock.elasticity, e, mu, filling);
+    return fluid_at(fluid, rock.elasticity, e, mu, filling);
   }
   /// I1 at the elastic centre [stress].
   BARRENO_FUNCTION double zeta(double e) const {
     if (rock.published.present()) return rock.published.zeta(e);
-    if (!rock.fluid.present()) return 0.0;
-    return e > filling ? 0.0 : -3.0 * rock.fluid.centre_pressure(e, mu);
+    if (!fluid.present()) return 0.0;
+    return e > filling ? 0.0 : -3.0 * fluid.centre_pressure(e, mu);
   }
   BARRENO_FUNCTION Moduli moduli(double x, double e) const {
     if (rock.published.present()) return rock.published.moduli(rock.elasticity, x, e);
-    if (!rock.fluid.present()) return rock.elasticity.moduli_at(x, e);
-    return saturated_moduli(rock.fluid, rock.elasticity, at_centre(e), x, e);
+    if (!fluid.present()) return rock.elasticity.moduli_at(x, e);
+    return saturated_moduli(fluid, rock.elasticity, at_centre(e), x, e);
   }
   BARRENO_FUNCTION double porosity(double e) const {
     if (p3 == 0.0) return 0.0;
-    if (!rock.fluid.present()) return larger(0.0, -std::expm1(-p3 - e));
-    const double pressure = e > filling ? 0.0 : rock.fluid.centre_pressure(e, mu);
-    return rock.fluid.porosity_at(e, mu, pressure);
+    if (!fluid.present()) return larger(0.0, -std::expm1(-p3 - e));
+    const double pressure = e > filling ? 0.0 : fluid.centre_pressure(e, mu);
+    return fluid.porosity_at(e, mu, pressure);
   }
+  /// Pressure of the fluid, not that at the centre: elastic compression about it raises it by
+  /// Skempton's B of every state on the way [stress].
   BARRENO_FUNCTION double pore_pressure(double x, double e) const {
-    if (!rock.fluid.present()) return 0.0;
-    return actual_pressure(rock.fluid, rock.elasticity, at_centre(e), x, e);
+    if (!fluid.present()) return 0.0;
+    return centre_path(fluid, rock.elasticity, at_centre(e), x, e).pressure;
+  }
+
+  /// All that a host is told of a state.
+  struct Seen {
+    double zeta, porosity, pore_pressure;
+    Moduli moduli;
+  };
+  BARRENO_FUNCTION Seen seen(double x, double e) const {
+    if (rock.published.present() || !fluid.present()) {
+      return {zeta(e), porosity(e), pore_pressure(x, e), moduli(x, e)};
+    }
+    const FluidState at = at_centre(e);
+    return {
+        at.gap ? 0.0 : -3.0 * at.pressure,
+        at.porosity,
+        centre_path(fluid, rock.elasticity, at, x, e).pressure,
+        saturated_moduli(fluid, rock.elasticity, at, x, e)};
   }
 };
 

@@ -16,6 +16,9 @@ namespace barreno::arenisca {
 ///
 /// with mu the mass of fluid over its initial mass. Where the pores are larger than the fluid there
 /// is a gas gap and p_c = 0; the fluid engages again when elastic compression has closed the gap.
+///
+/// Where fluid has flowed, e counts from the elastic centre of virgin rock with as much fluid:
+/// grains that were relieved of pressure are no dilation of the rock. See holding().
 struct PoreFluid {
   double bulk = 0.0;              ///< Kf, 0: no fluid [stress]
   double matrix = 0.0;            ///< Km, bulk modulus of the grains [stress]
@@ -23,6 +26,23 @@ struct PoreFluid {
   double porosity = 0.0;          ///< phi_i
 
   BARRENO_FUNCTION bool present() const { return bulk > 0.0; }
+
+  /// Virgin rock with some mass of fluid: the pressure at its elastic centre, which is at e = 0,
+  /// and mu, 1 where the pores are full. mass = mu density.
+  struct Held {
+    double pressure, mu, density;
+  };
+  /// Grains and pores under one pressure keep the porosity, so that
+  /// ln(mass) = (pressure - p_i)(1/Kf - 1/Km).
+  BARRENO_FUNCTION Held holding(double mass) const {
+    if (mass == 1.0 || !present()) return {initial_pressure, mass, 1.0};
+    const double per_pressure = 1.0 / bulk - 1.0 / matrix;
+    const double pressure =
+        mass > 0.0 ? initial_pressure + std::log(mass) / per_pressure : -HUGE_VAL;
+    if (pressure >= 0.0) return {pressure, 1.0, mass};
+    const double full = std::exp(-initial_pressure * per_pressure);
+    return {0.0, mass / full, full};
+  }
 
   /// e at which the fluid just fills the pores without pressure.
   BARRENO_FUNCTION double filling_strain(double mu) const {
@@ -160,17 +180,6 @@ BARRENO_FUNCTION double saturated_strength(
   const double ratio = fluid.saturated(drained, at.porosity) / drained;
   if (!at.gap) return dry * ratio;
   return at.threshold <= dry ? dry : at.threshold + (dry - at.threshold) * ratio;
-}
-
-/// Pressure of the fluid: p = p_c + B (P - p_c) with P - p_c = -x/3, never negative [stress].
-BARRENO_FUNCTION double actual_pressure(
-    const PoreFluid& fluid, const Elasticity& elasticity, const FluidState& at, double x, double e
-) {
-  const bool engaged = (x <= 0.0 && !at.gap) || x < at.threshold;
-  if (!engaged) return 0.0;
-  const double b = fluid.skempton(elasticity.moduli_at(x, e).bulk, at.porosity);
-  const double start = at.gap ? at.threshold : 0.0;
-  return larger(0.0, at.pressure - b * (x - start) / 3.0);
 }
 
 }  // namespace barreno::arenisca

@@ -102,6 +102,8 @@ struct Section {
   /// The sub-lists of free name are left to the caller, because their table depends on what they
   /// hold.
   bool named_read_elsewhere = false;
+  /// What is in the list is the business of another library: the caller reads it.
+  bool read_elsewhere = false;
 };
 
 }  // namespace barreno::input

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/drain.hpp"
 #include "barreno/arenisca/general_step.hpp"
 #include "barreno/arenisca/rate.hpp"
 #include "barreno/arenisca/weibull.hpp"
 #include "barreno/models/arenisca.hpp"
+#include "barreno/pore_point.hpp"
 
 #include <cmath>
 #include <string>
@@ -52,6 +54,9 @@ struct GeneralArenisca {
 
   History initial_history() const;
   InitialStateOf<Sym3, History> initial_state(double pressure) const;
+  /// At rest under a total pressure with a pore pressure of its own, as if the confinement had been
+  /// put on slowly: fluid has flowed until it had that pressure. Not possible above the total one.
+  InitialStateOf<Sym3, History> initial_state(double pressure, double pore_pressure) const;
   /// Pressure of rock and fluid where the rock itself carries nothing: -p_i I is the virgin stress.
   double virgin_pressure() const { return rock_.fluid.initial_pressure; }
 
@@ -63,6 +68,13 @@ struct GeneralArenisca {
   template <class Counter>
   BARRENO_FUNCTION Outcome
   update_counted(const Increment& increment, Sym3& stress, History& h, Counter& count) const;
+
+  /// The fluid of a point; rock without fluid or pores, and the published forms, which are for
+  /// undrained calibrations, have storage = 0.
+  BARRENO_FUNCTION PorePoint pore_point(const Sym3& stress, const History& h) const;
+  /// Lets fluid in or out at fixed strain: mass exactly, stress and centre by the model's own
+  /// elasticity, plastic flow where that leaves the surface. Overstress stays.
+  BARRENO_FUNCTION Outcome drain(double fluid_volume, Sym3& stress, History& h) const;
 
   /// Bound on K + 4G/3 over all reachable states: saturated rock without pores is grain [stress].
   BARRENO_FUNCTION double longitudinal_modulus() const {
@@ -90,6 +102,10 @@ struct GeneralArenisca {
   }
 
 private:
+  InitialStateOf<Sym3, History> state_at_rest(double pressure, double fluid_mass_ratio) const;
+  BARRENO_FUNCTION bool holds_fluid() const {
+    return rock_.fluid.present() && !rock_.published.present() && !rock_.plastic_backstress;
+  }
   static arenisca::GeneralRock make_rock(const Parameters& p);
   static arenisca::Weibull make_weibull(const Parameters& p);
 
@@ -138,8 +154,8 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
     refused.substeps = step.outcome.substeps;
     return refused;
   }
-  const double zeta_end = point.zeta(end.e);
-  const Sym3 new_quasi_static = end.s + isotropic((end.x + zeta_end) / 3.0);
+  const arenisca::PointRock::Seen seen = point.seen(end.x, end.e);
+  const Sym3 new_quasi_static = end.s + isotropic((end.x + seen.zeta) / 3.0);
   Sym3 new_over{};
   if (rock_.T1 > 0.0) {
     const Sym3 elastic = step.elastic_s + isotropic(step.elastic_x / 3.0);
@@ -147,22 +163,21 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
     new_over = arenisca::relax(rock_.T1, rock_.T2, increment, elastic, change, over);
   }
   const Sym3 new_stress = new_quasi_static + new_over;
-  const arenisca::Moduli m = point.moduli(end.x, end.e);
-  const double pore_pressure = point.pore_pressure(end.x, end.e);
-  if (!is_finite(new_stress) || !std::isfinite(pore_pressure + m.bulk + m.shear)) {
+  const arenisca::Moduli& m = seen.moduli;
+  if (!is_finite(new_stress) || !std::isfinite(seen.pore_pressure + m.bulk + m.shear)) {
     refused.status = Status::not_converged;
     return refused;
   }
   if (rock_.T1 > 0.0) {
     arenisca::split_work(
-        increment.strain, stress, new_stress, 0.5 * (zeta + zeta_end), step.last, step.outcome
+        increment.strain, stress, new_stress, 0.5 * (zeta + seen.zeta), step.last, step.outcome
     );
   }
   stress = new_stress;
   h.plastic_volume_strain = end.e;
   h.equivalent_plastic_strain = end.shear_strain;
-  h.pore_pressure = pore_pressure;
-  h.porosity = point.porosity(end.e);
+  h.pore_pressure = seen.pore_pressure;
+  h.porosity = seen.porosity;
   h.overstress_xx = new_over.xx;
   h.overstress_yy = new_over.yy;
   h.overstress_zz = new_over.zz;
@@ -253,13 +268,41 @@ inline GeneralArenisca::History GeneralArenisca::initial_history() const {
 inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_state(
     double confinement
 ) const {
-  const double pressure = confinement == 0.0 ? rock_.fluid.initial_pressure : confinement;
+  return state_at_rest(confinement == 0.0 ? rock_.fluid.initial_pressure : confinement, 1.0);
+}
+
+/// The pore pressure grows with the mass of fluid: halving finds it.
+inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_state(
+    double pressure, double pore_pressure
+) const {
+  constexpr int halvings = 100;
+  const double per_pressure = 1.0 / rock_.fluid.bulk - 1.0 / rock_.fluid.matrix;
+  double less = 0.0, more = std::exp((pressure - rock_.fluid.initial_pressure) * per_pressure);
+  if (!holds_fluid() || !(pore_pressure >= 0.0 && pore_pressure <= pressure)) {
+    auto start = state_at_rest(pressure, 1.0);
+    start.possible = start.possible && !holds_fluid() && pore_pressure == 0.0;
+    return start;
+  }
+  for (int i = 0; i < halvings; ++i) {
+    const double mass = 0.5 * (less + more);
+    const arenisca::PointRock point(rock_, 1.0, mass);
+    const double p = point.pore_pressure(-3.0 * pressure - point.zeta(0.0), 0.0);
+    (p > pore_pressure ? more : less) = mass;
+  }
+  return state_at_rest(pressure, less > 0.0 ? less : more);
+}
+
+inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::state_at_rest(
+    double pressure, double fluid_mass_ratio
+) const {
   History h = initial_history();
+  h.fluid_mass_ratio = fluid_mass_ratio;
   const arenisca::PointRock point(rock_, h.coherence, h.fluid_mass_ratio);
   const double zeta = point.zeta(0.0), x = -3.0 * pressure - zeta;
   const arenisca::Cap cap = point.cap_at(0.0);
   const bool possible = pressure >= 0.0 && (!cap.present || x > cap.X) && x <= point.surface.vertex;
   h.pore_pressure = point.pore_pressure(x, 0.0);
+  h.porosity = point.porosity(0.0);
   constexpr int intervals = 1000;  // of Simpson's rule for the integral of p dp/K
   const double step = pressure / intervals;
   double sum = 0.0;
@@ -272,3 +315,5 @@ inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_s
 }
 
 }  // namespace barreno
+
+#include "barreno/models/arenisca_drain.hpp"

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// Columns of history.csv that a scene with draining pore fluid has, and what the comment of the
+/// file says of them.
+std::vector<std::string> pore_flow_columns(const Scene& scene);
+inline constexpr const char* pore_flow_note =
+    "; fluid in the pores and fluid_inflow through the surfaces of rock: m3 at the initial "
+    "density, of "
+    "the last solve; fluid_error: what they leave over, over fluid; fluid_work J: p dv where fluid "
+    "flows in; pore_iterations: of all solves";
+
+/// Their values, from the ledger of all ranks; none in other scenes.
+std::vector<double> pore_flow_values(const State& state, const Ledger& ledger);
+
+}  // namespace barreno

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pore_flow/drain_pore_fluid.hpp"
+
+#include "base/gather.hpp"
+#include "base/region.hpp"
+#include "pore_flow/assemble_system.hpp"
+#include "pore_flow/drain_particles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace barreno {
+namespace {
+
+/// Cells, neighbours and links of now.
+/// @return whether the graph is that of the last solve on every rank
+bool build_network(const Scene& scene, State& state, PoreNetwork& network) {
+  const bool kept = fill_pore_cells(scene, state, network.cells) && network.halo;
+  std::array<double, 1> changed{kept ? 0.0 : 1.0};
+  max_over_ranks(*state.grid.comm, changed);
+  if (changed[0] > 0.0) network.halo = build_pore_halo(state.grid, network.cells);
+  exchange_pore_cells(*network.halo, network.cells);
+  link_pore_cells(scene, state.grid, state.clock.time, network);
+  return changed[0] == 0.0;
+}
+
+std::string not_converged(const Clock& clock, const SolveReport& report) {
+  std::ostringstream text;
+  text
+      << "The pore pressure of t = " << clock.time << " s was not found: " << report.method
+      << " left a residual of " << report.residual << " after " << report.iterations
+      << " iterations. Raise Belos/Maximum Iterations, choose another preconditioner in Pore Flow, "
+         "or solve more often with a smaller Diffusion Number.";
+  return text.str();
+}
+
+std::string not_drained(const Clock& clock, double failures) {
+  std::ostringstream text;
+  text
+      << "At t = " << clock.time << " s " << failures
+      << " particles could not take the change of their pore pressure (more fluid would leave than "
+         "there is, or their stress update failed), and their policy is to stop. Set \"Bad "
+         "Particles\" to remove or hold, or solve more often with a smaller Diffusion Number.";
+  return text.str();
+}
+
+/// Darcy velocity in the middle of a cell: the mean of those in its faces, sealed ones with none.
+Vector cell_flux(const PoreNetwork& network, std::size_t i) {
+  Vector flux{};
+  for (std::size_t face = 0; face < network.links[i].size(); ++face) {
+    const PoreLink& link = network.links[i][face];
+    if (!(link.area > 0.0)) continue;
+    const double into = flow_through(network, i, face, true) / link.area;
+    flux[face / 2] += 0.5 * (face % 2 == 0 ? into : -into);
+  }
+  return flux;
+}
+
+/// So much of its slope that the line through a cell stays between the pressures around it, those
+/// of open faces included: particles take no pressure that is not there. Weight is left aside.
+double cell_steepness(const PoreNetwork& network, std::size_t i) {
+  const PoreCell& cell = network.cells.cells[i];
+  double up = 0.0, down = 0.0, rise = 0.0;
+  for (std::size_t face = 0; face < network.links[i].size(); ++face) {
+    const PoreLink& link = network.links[i][face];
+    if (!(link.conductance > 0.0)) continue;
+    const double difference = flow_through(network, i, face, true) / link.conductance;
+    up = std::max(up, difference);
+    down = std::max(down, -difference);
+  }
+  for (std::size_t d = 0; d < 3; ++d)
+    if (cell.mobility[d] > 0.0)
+      rise += std::abs(network.flux[i][d]) / cell.mobility[d] *
+              std::max(cell.upper[d] - cell.centroid[d], cell.centroid[d] - cell.lower[d]);
+  const double room = std::min(up, down);
+  return rise > room ? room / rise : 1.0;
+}
+
+/// What the solve has moved on this rank.
+struct FlowTally {
+  double inflow = 0.0;  ///< from outside [volume]
+  double work = 0.0;    ///< that the fluid brings into the rock where it comes in, p dv [energy]
+};
+
+/// Fluxes of the cells, and the sums over them.
+FlowTally tally_flow(double dt, PoreNetwork& network) {
+  FlowTally tally;
+  network.flux.resize(network.links.size());
+  network.steepness.resize(network.links.size());
+  for (std::size_t i = 0; i < network.links.size(); ++i) {
+    const PoreCell& cell = network.cells.cells[i];
+    network.flux[i] = cell_flux(network, i);
+    network.steepness[i] = cell_steepness(network, i);
+    for (std::size_t face = 0; face < network.links[i].size(); ++face)
+      if (network.links[i][face].cell < 0)
+        tally.inflow += dt * flow_through(network, i, face, true);
+    const double change = network.change[i];
+    tally.work += (cell.pressure + 0.5 * change) * cell.storage * change;
+  }
+  return tally;
+}
+
+/// Time in which the fastest cell evens out over Diffusion Number cells.
+double drain_interval(const Scene& scene, const State& state, const PoreNetwork& network) {
+  std::array<double, 1> fastest{0.0};
+  for (int i = 0; i < network.cells.own; ++i) {
+    const PoreCell& cell = network.cells.cells[static_cast<std::size_t>(i)];
+    if (!(cell.storage > 0.0)) continue;
+    const double mobility = std::max({cell.mobility[0], cell.mobility[1], cell.mobility[2]});
+    fastest[0] = std::max(fastest[0], mobility * cell.volume / cell.storage);
+  }
+  max_over_ranks(*state.grid.comm, fastest);
+  const double h = state.grid.cell_size;
+  return fastest[0] > 0.0 ? scene.pore_flow.diffusion_number * h * h / fastest[0] : scene.end_time;
+}
+
+}  // namespace
+
+std::string drain_pore_fluid(const Scene& scene, double dt, State& state) {
+  if (!scene.pore_flow.on()) return {};
+  const Region region("drain_pore_fluid");
+  PoreFlowState& flow = state.pore_flow;
+  flow.waiting += dt;
+  if (flow.waiting < flow.interval) return {};
+  if (!flow.network) {
+    flow.network = std::make_shared<PoreNetwork>();
+    flow.network->solver = make_linear_solver(
+        state.grid.comm, scene.pore_flow.solver ? *scene.pore_flow.solver : Teuchos::ParameterList()
+    );
+  }
+  PoreNetwork& network = *flow.network;
+
+  const bool same_graph = build_network(scene, state, network);
+  assemble_system(flow.waiting, network);
+  const SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
+  if (!report.converged) return not_converged(state.clock, report);
+  exchange_pore_values(*network.halo, network.change);
+  const FlowTally moved = tally_flow(flow.waiting, network);
+  const DrainTally drained = drain_particles(scene, flow.waiting, state, network);
+
+  std::array<double, 4> sums{moved.inflow, drained.fluid, drained.stops, drained.fluid_before};
+  sum_over_ranks(*state.grid.comm, sums);
+  state.ledger.fluid_work += moved.work;
+  state.ledger.elastic += drained.elastic;
+  state.ledger.plastic += drained.plastic;
+  state.ledger.held += drained.held;
+  flow.inflow += sums[0];
+  flow.fluid = sums[1];
+  if (flow.solves == 0) flow.initial_fluid = sums[3];
+  flow.iterations += report.iterations;
+  ++flow.solves;
+  flow.interval = drain_interval(scene, state, network);
+  flow.waiting = 0.0;
+  return sums[2] > 0.0 ? not_drained(state.clock, sums[2]) : std::string();
+}
+
+}  // namespace barreno

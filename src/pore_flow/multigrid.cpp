@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pore_flow/multigrid.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Operator.hpp>
+
+#include <MueLu_CreateTpetraPreconditioner.hpp>
+
+namespace barreno {
+namespace {
+
+using Hierarchy = MueLu::TpetraOperator<double, int, long long>;
+
+Teuchos::ParameterList defaults() {
+  Teuchos::ParameterList list;
+  list.set("verbosity", std::string("none"));
+  list.set("multigrid algorithm", std::string("sa"));
+  list.set("reuse: type", std::string("S"));
+  list.set("max levels", 10);
+  list.set("coarse: max size", 500);
+  list.set("smoother: type", std::string("CHEBYSHEV"));
+  list.sublist("smoother: params").set("chebyshev: degree", 2);
+  list.set("coarse: type", std::string("RELAXATION"));
+  Teuchos::ParameterList& coarse = list.sublist("coarse: params");
+  coarse.set("relaxation: type", std::string("Symmetric Gauss-Seidel"));
+  coarse.set("relaxation: sweeps", 20);
+  return list;
+}
+
+}  // namespace
+
+Teuchos::RCP<SparseOperator> make_multigrid(
+    const Teuchos::RCP<SparseMatrix>& matrix,
+    const Teuchos::ParameterList& lists,
+    const Teuchos::RCP<SparseOperator>& old
+) {
+  if (const auto hierarchy = Teuchos::rcp_dynamic_cast<Hierarchy>(old); !hierarchy.is_null()) {
+    MueLu::ReuseTpetraPreconditioner(matrix, *hierarchy);
+    return hierarchy;
+  }
+  Teuchos::ParameterList list = lists;
+  list.setParametersNotAlreadySet(defaults());
+  const Teuchos::RCP<SparseOperator> as_operator = matrix;
+  return MueLu::CreateTpetraPreconditioner<double, int, long long>(as_operator, list);
+}
+
+}  // namespace barreno

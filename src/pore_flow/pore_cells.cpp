@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pore_flow/pore_cells.hpp"
+
+#include "base/region.hpp"
+#include "pore_flow/porous_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace barreno {
+namespace {
+
+/// The id of the cell with this key.
+long long id_of_key(const Grid& grid, int key) {
+  const Patch& patch = grid.patch;
+  const TilePlace& tile = grid.tile_place(static_cast<std::size_t>(key / patch.cells));
+  int inside = key % patch.cells;
+  long long at[3] = {0, 0, 0};
+  for (int d = 0; d < patch.dimensions; ++d, inside >>= patch.tile_bits)
+    at[d] = static_cast<long long>(tile[d]) * patch.tile_cells + inside % patch.tile_cells;
+  return (at[2] * grid.cells[1] + at[1]) * grid.cells[0] + at[0];
+}
+
+/// Jets flow: what they fill is open to the fluid.
+bool is_solid(const Scene& scene, const Particles& particles) {
+  return !scene.jet.present || particles.material != scene.jet.material;
+}
+
+/// Cells with something solid get their place in the list, in the order of keys.
+void number_cells(const Scene& scene, const State& state, PoreCells& cells) {
+  const Grid& grid = state.grid;
+  const auto keys =
+      static_cast<std::size_t>(grid.active) * static_cast<std::size_t>(grid.patch.cells);
+  cells.index_of_key.assign(keys, -1);
+  for (const Particles& particles : state.particles)
+    if (is_solid(scene, particles))
+      for_each_solid_row(grid, particles, [&](int, int key) {
+        cells.index_of_key[static_cast<std::size_t>(key)] = 0;
+      });
+  cells.own = 0;
+  cells.ids.clear();
+  for (std::size_t key = 0; key < keys; ++key) {
+    if (cells.index_of_key[key] < 0) continue;
+    cells.index_of_key[key] = cells.own++;
+    cells.ids.push_back(id_of_key(grid, static_cast<int>(key)));
+  }
+}
+
+/// (phi / phi0)^3 ((1 - phi0) / (1 - phi))^2
+double kozeny_carman(double porosity, double first) {
+  const double pores = porosity / first, grains = (1.0 - first) / (1.0 - porosity);
+  return pores * pores * pores * grains * grains;
+}
+
+/// Half the length of a deformed particle along each axis.
+Vector half_lengths(const Particles& particles, int p) {
+  const int dimensions = particles.position.components;
+  Vector half{};
+  for (int d = 0; d < dimensions; ++d)
+    for (int e = 0; e < dimensions; ++e)
+      half[static_cast<std::size_t>(d)] +=
+          std::abs(particles.deformation_gradient(p, d * dimensions + e)) *
+          particles.half_size(p, e);
+  return half;
+}
+
+/// Counts a particle of rock; the means are sums until all are counted.
+///
+/// @param capacity  what a particle's volume of its fluid is at the initial density [volume]
+void count_point(
+    const Particles& particles,
+    int p,
+    const PorePoint& point,
+    double capacity,
+    const Vector& mobility,
+    PoreCell& cell
+) {
+  const double volume = particles.volume(p), weight = capacity * point.storage;
+  const Vector x = vector_of(particles.position, p), half = half_lengths(particles, p);
+  cell.storage += weight;
+  cell.pressure += weight * point.pressure;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(particles.position.components); ++d) {
+    cell.centroid[d] += weight * x[d];
+    cell.lower[d] = cell.volume > 0.0 ? std::min(cell.lower[d], x[d] - half[d]) : x[d] - half[d];
+    cell.upper[d] = cell.volume > 0.0 ? std::max(cell.upper[d], x[d] + half[d]) : x[d] + half[d];
+    cell.mobility[d] += capacity * mobility[d];
+  }
+  cell.volume += volume;
+}
+
+void count_set(const Scene& scene, const Grid& grid, const Particles& particles, PoreCells& cells) {
+  const PermeabilitySpec& rock =
+      scene.pore_flow.rocks[static_cast<std::size_t>(particles.material)];
+  visit_porous(scene, particles, [&](const auto& model) {
+    using Model = std::decay_t<decltype(model)>;
+    const double per_viscosity = 1.0 / scene.pore_flow.viscosity;
+    const double first = initial_pore_point(model).porosity;
+    for_each_solid_row(grid, particles, [&](int p, int key) {
+      const auto at = PorousPoint<Model>::read(particles, p);
+      const PorePoint point = model.pore_point(at.stress, at.history);
+      const double factor =
+          per_viscosity * (rock.kozeny_carman ? kozeny_carman(point.porosity, first) : 1.0);
+      Vector mobility = rock.permeability;
+      for (double& m : mobility) m *= factor;
+      const int index = cells.index_of_key[static_cast<std::size_t>(key)];
+      const double capacity = fluid_volume(scene, particles, p, first) * point.mass_per_volume;
+      count_point(
+          particles, p, point, capacity, mobility, cells.cells[static_cast<std::size_t>(index)]
+      );
+    });
+  });
+}
+
+/// From sums to means, and the filled part cut at the faces of the cell.
+void finish_cell(const Grid& grid, long long id, PoreCell& cell) {
+  if (!(cell.storage > 0.0)) return;
+  const std::array<int, 3> place = place_of_cell(grid, id);
+  cell.pressure /= cell.storage;
+  for (int d = 0; d < grid.patch.dimensions; ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    const double begin = grid.lower[d] + place[axis] * grid.cell_size;
+    cell.centroid[axis] /= cell.storage;
+    cell.mobility[axis] /= cell.volume;
+    cell.lower[axis] = std::max(cell.lower[axis], begin);
+    cell.upper[axis] = std::min(cell.upper[axis], begin + grid.cell_size);
+  }
+}
+
+}  // namespace
+
+std::array<int, 3> place_of_cell(const Grid& grid, long long id) {
+  const long long x = id % grid.cells[0], rest = id / grid.cells[0];
+  return {
+      static_cast<int>(x),
+      static_cast<int>(rest % grid.cells[1]),
+      static_cast<int>(rest / grid.cells[1])};
+}
+
+bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
+  const Region region("fill_pore_cells");
+  std::vector<long long> before;
+  std::swap(before, cells.ids);
+  const int own_before = cells.own;
+  number_cells(scene, state, cells);
+  const bool same = cells.own == own_before &&
+                    std::equal(cells.ids.begin(), cells.ids.end(), before.begin());
+  if (same) cells.ids = std::move(before);  // with the others', which the halo still has
+  cells.cells.assign(static_cast<std::size_t>(cells.own), PoreCell{});
+  for (const Particles& particles : state.particles) count_set(scene, state.grid, particles, cells);
+  for (std::size_t i = 0; i < cells.cells.size(); ++i)
+    finish_cell(state.grid, cells.ids[i], cells.cells[i]);
+  return same;
+}
+
+}  // namespace barreno

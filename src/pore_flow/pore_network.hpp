@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pore_flow/linear_solver.hpp"
+#include "pore_flow/pore_cells.hpp"
+#include "pore_flow/pore_halo.hpp"
+#include "pore_flow/pore_links.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace barreno {
+
+/// Scratch of the pore flow, kept from solve to solve for its memory and its graph.
+struct PoreNetwork {
+  PoreCells cells;
+  std::shared_ptr<PoreHalo> halo;
+  std::vector<std::array<PoreLink, 6>> links;  ///< of own cells by Face
+  LinearSystem system;
+  std::shared_ptr<LinearSolver> solver;
+  std::vector<double> change;     ///< dp of all cells, others' included [stress]
+  std::vector<double> steepness;  ///< share of its slope that a cell may have, see cell_steepness
+  std::vector<Vector> flux;       ///< Darcy velocity of own cells [velocity]
+};
+
+}  // namespace barreno

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene/porous.hpp"
+#include "state/state.hpp"
+
+#include <type_traits>
+#include <variant>
+
+namespace barreno {
+
+/// Stress and history of one particle, as its model knows them.
+template <class Model>
+struct PorousPoint {
+  Sym3 stress;
+  typename Model::History history;
+
+  static PorousPoint read(const Particles& particles, int p) {
+    PorousPoint point{};
+    for (int c = 0; c < particles.stress.components; ++c)
+      (&point.stress.xx)[c] = particles.stress(p, c);
+    auto* const h = reinterpret_cast<double*>(&point.history);
+    for (int c = 0; c < Model::history_count; ++c) h[c] = particles.history(p, c);
+    return point;
+  }
+  void write(int p, const Particles& particles) const {
+    for (int c = 0; c < particles.stress.components; ++c) particles.stress(p, c) = (&stress.xx)[c];
+    const auto* const h = reinterpret_cast<const double*>(&history);
+    for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
+  }
+};
+
+/// visit(model) with the model of a set of porous particles.
+template <class Visitor>
+void visit_porous(const Scene& scene, const Particles& particles, Visitor&& visit) {
+  std::visit(
+      [&](const auto& model) {
+        if constexpr (is_drainable<std::decay_t<decltype(model)>>) visit(model);
+      },
+      scene.materials[static_cast<std::size_t>(particles.material)].material.model
+  );
+}
+
+/// Fluid of a particle that has its initial mass, as volume at the initial density: fluid_mass of
+/// that is what it has. All flow is counted so, which keeps the mass of a fluid that is compressed.
+inline double fluid_volume(
+    const Scene& scene, const Particles& particles, int p, double initial_porosity
+) {
+  const double density =
+      scene.materials[static_cast<std::size_t>(particles.material)].material.density;
+  return initial_porosity * particles.mass(p) / density;
+}
+
+/// visit(row, key) for the rows of a set, tile by tile in the order of cells and ids; rows that are
+/// held as debris are no rock.
+template <class Visitor>
+void for_each_solid_row(const Grid& grid, const Particles& particles, Visitor&& visit) {
+  for (int i = particles.tile_begin(0);
+       i < particles.tile_begin(static_cast<std::size_t>(grid.active));
+       ++i) {
+    const int p = particles.order(i);
+    if (!(particles.body(p) & held_bit) && particles.key(p) >= 0) visit(p, particles.key(p));
+  }
+}
+
+}  // namespace barreno
