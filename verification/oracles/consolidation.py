@@ -42,16 +42,25 @@ class Rock:
     @property
     def uniaxial_storage(self):
         """At fixed stress along one axis and no strain across."""
-        return self.storage + self.biot**2 / (self.bulk + 4.0 / 3.0 * self.shear)
+        return self.storage + self.biot**2 / self.confined
 
     @property
     def diffusivity(self):
         return self.mobility / self.uniaxial_storage
 
     @property
+    def confined(self):
+        """Stress over strain along one axis, drained, no strain across."""
+        return self.bulk + 4.0 / 3.0 * self.shear
+
+    @property
+    def undrained_confined(self):
+        return self.undrained_bulk + 4.0 / 3.0 * self.shear
+
+    @property
     def uniaxial_loading(self):
         """Undrained pore pressure over a stress along one axis, no strain across."""
-        return self.biot / (self.storage * (self.undrained_bulk + 4.0 / 3.0 * self.shear))
+        return self.biot / (self.storage * self.undrained_confined)
 
 
 BEREA = Rock(8e9, 6e9, 36e9, 2.25e9, 0.19)
@@ -69,6 +78,13 @@ def terzaghi_ramped(depth, T, ramp, terms=2000):
     on = min(T, ramp)
     decay = np.exp(-(m**2) * (T - on)) * -np.expm1(-(m**2) * on) / m**2 / ramp
     return np.sum(2.0 / m * np.sin(np.multiply.outer(depth, m)) * decay, axis=-1)
+
+
+def terzaghi_settled(T, ramp, terms=2000):
+    """Degree of consolidation, the mean over the height of load(T) - p, under a load that rises to 1 until T = ramp."""
+    m = (np.arange(terms) + 0.5) * np.pi
+    on = min(T, ramp)
+    return on / ramp + np.sum(2.0 / m**4 * np.exp(-(m**2) * (T - on)) * np.expm1(-(m**2) * on)) / ramp
 
 
 def terzaghi_by_images(depth, T, images=8):
@@ -129,6 +145,10 @@ def self_check():
     for T in (0.01, 0.1, 0.5):
         assert abs(terzaghi(0.25, T) - terzaghi_by_images(0.25, T)) < 1e-12
     assert abs(terzaghi_ramped(0.5, 0.2, 1e-6) - terzaghi(0.5, 0.2)) < 1e-5
+    heights = (np.arange(2000) + 0.5) / 2000
+    for T in (0.005, 0.05, 0.5):
+        mean = np.mean(terzaghi_ramped(heights, T, 0.01))
+        assert abs(min(T, 0.01) / 0.01 - mean - terzaghi_settled(T, 0.01)) < 1e-5
     assert abs(BEREA.uniaxial_loading - 0.3507795100) < 1e-9
     assert abs(BEREA.uniaxial_storage - 1.38580246914e-10) < 1e-20
     assert abs(BEREA.skempton - 0.5511811024) < 1e-9
