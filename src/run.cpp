@@ -55,6 +55,8 @@ RunVerdict run(const Scene& scene, State& state, Output& output) {
     const StepResult result = advance(scene, output.next_time(state.clock.time), state);
     if (result.stopped)
       return {false, failure_sentence(scene, state, result), static_cast<int>(ExitCode::numerical)};
+    if (!result.not_drained.empty())
+      return {false, result.not_drained, static_cast<int>(ExitCode::numerical)};
     if (result.interrupt != 0)
       return {
           false,

@@ -39,6 +39,14 @@ Section bodies_section() {
   for (const Entry& entry :
        {integer("Particles Per Cell", between(1, 16), "per direction").by_default("2"),
         vector("Velocity", dim::velocity, any(), "initial velocity; zero without it").if_given(),
+        number(
+            "Pore Pressure",
+            dim::stress,
+            at_least(0.0),
+            "of the fluid at the start, whatever Confinement presses; without it that of the "
+            "material, which in Arenisca the confinement raises undrained"
+        )
+            .if_given(),
         number("Spin", dim::rate, any(), "about the body's middle, added to Velocity; plane strain")
             .if_given(),
         vector(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pore_flow/drain_pore_fluid.hpp"
 
-#include "base/error.hpp"
 #include "base/gather.hpp"
 #include "base/region.hpp"
 #include "pore_flow/assemble_system.hpp"
@@ -27,24 +26,24 @@ bool build_network(const Scene& scene, State& state, PoreNetwork& network) {
   return changed[0] == 0.0;
 }
 
-void refuse(const Clock& clock, const SolveReport& report) {
+std::string not_converged(const Clock& clock, const SolveReport& report) {
   std::ostringstream text;
   text
       << "The pore pressure of t = " << clock.time << " s was not found: " << report.method
       << " left a residual of " << report.residual << " after " << report.iterations
       << " iterations. Raise Belos/Maximum Iterations, choose another preconditioner in Pore Flow, "
          "or solve more often with a smaller Diffusion Number.";
-  throw NumericalError(text.str());
+  return text.str();
 }
 
-void refuse_drain(const Clock& clock, double failures) {
+std::string not_drained(const Clock& clock, double failures) {
   std::ostringstream text;
   text
       << "At t = " << clock.time << " s " << failures
       << " particles could not take the change of their pore pressure (more fluid would leave than "
          "there is, or their stress update failed), and their policy is to stop. Set \"Bad "
          "Particles\" to remove or hold, or solve more often with a smaller Diffusion Number.";
-  throw NumericalError(text.str());
+  return text.str();
 }
 
 /// Darcy velocity in the middle of a cell: the mean of those in its faces, sealed ones with none.
@@ -119,12 +118,12 @@ double drain_interval(const Scene& scene, const State& state, const PoreNetwork&
 
 }  // namespace
 
-void drain_pore_fluid(const Scene& scene, double dt, State& state) {
-  if (!scene.pore_flow.on()) return;
+std::string drain_pore_fluid(const Scene& scene, double dt, State& state) {
+  if (!scene.pore_flow.on()) return {};
   const Region region("drain_pore_fluid");
   PoreFlowState& flow = state.pore_flow;
   flow.waiting += dt;
-  if (flow.waiting < flow.interval) return;
+  if (flow.waiting < flow.interval) return {};
   if (!flow.network) {
     flow.network = std::make_shared<PoreNetwork>();
     flow.network->solver = make_linear_solver(
@@ -136,14 +135,13 @@ void drain_pore_fluid(const Scene& scene, double dt, State& state) {
   const bool same_graph = build_network(scene, state, network);
   assemble_system(flow.waiting, network);
   const SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
-  if (!report.converged) refuse(state.clock, report);
+  if (!report.converged) return not_converged(state.clock, report);
   exchange_pore_values(*network.halo, network.change);
   const FlowTally moved = tally_flow(flow.waiting, network);
   const DrainTally drained = drain_particles(scene, flow.waiting, state, network);
 
   std::array<double, 4> sums{moved.inflow, drained.fluid, drained.stops, drained.fluid_before};
   sum_over_ranks(*state.grid.comm, sums);
-  if (sums[2] > 0.0) refuse_drain(state.clock, sums[2]);
   state.ledger.fluid_work += moved.work;
   state.ledger.elastic += drained.elastic;
   state.ledger.plastic += drained.plastic;
@@ -155,6 +153,7 @@ void drain_pore_fluid(const Scene& scene, double dt, State& state) {
   ++flow.solves;
   flow.interval = drain_interval(scene, state, network);
   flow.waiting = 0.0;
+  return sums[2] > 0.0 ? not_drained(state.clock, sums[2]) : std::string();
 }
 
 }  // namespace barreno

@@ -203,6 +203,7 @@ Scene build_scene(const Deck& deck) {
   add_conditions(deck, scene);
   add_loads(deck, scene);
   add_confinement(deck, scene);
+  check_pore_pressures(deck, scene);
   add_jet(deck, scene);
   add_body_force(deck, scene);
   check_rigid_bodies(deck, scene);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "scene/scene.hpp"
+
 #include <barreno/models.hpp>
 #include <barreno/pore_point.hpp>
 #include <type_traits>
@@ -13,6 +15,18 @@ inline bool is_porous(const Material& material) {
   return std::visit(
       [](const auto& model) { return is_drainable<std::decay_t<decltype(model)>>; }, material.model
   );
+}
+
+/// Stress, fluid and density of a body's points at rest under its initial pressure, with the pore
+/// pressure that it is given; not possible where its material has no fluid to give one.
+template <class Model>
+auto initial_state_of(const Model& model, const BodySpec& body) {
+  if constexpr (is_drainable<Model>)
+    if (body.pore_pressure)
+      return model.initial_state(body.initial_pressure, *body.pore_pressure);
+  auto start = model.initial_state(body.initial_pressure);
+  start.possible = start.possible && !body.pore_pressure;
+  return start;
 }
 
 /// A point of rock before anything has happened to it.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <barreno/models.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct BodySpec {
   int particles_per_cell = 2;     ///< per direction
   Vector velocity{};              ///< [length/time]
   double initial_pressure = 0.0;  ///< the body starts in equilibrium under this pressure [stress]
+  std::optional<double> pore_pressure;  ///< at the start; without: as its material has it [stress]
   /// Initial velocity v = amplitude * sin(wave_number . x): the standing wave of the bar tests.
   Vector velocity_wave_number{};  ///< all zero: uniform velocity [1/length]
   double spin = 0.0;              ///< about the body's own middle, plane strain only [1/time]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/geometry.hpp"
+#include "scene/porous.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ BodySpec read_body(const Deck& deck, const std::string& name, const GridSpec& gr
   }
   read_radial_velocity(deck, path, body);
   read_spin(deck, path, grid.mode, body);
+  if (deck.has(path + "/Pore Pressure")) body.pore_pressure = deck.number(path + "/Pore Pressure");
   body.motion = read_motion(deck, path, grid.mode);
   if (!inside(body.shape, grid)) {
     deck.refuse(
@@ -171,6 +173,23 @@ int body_named(
     );
   }
   return static_cast<int>(index);
+}
+
+void check_pore_pressures(const Deck& deck, const Scene& scene) {
+  for (const BodySpec& body : scene.bodies) {
+    if (!body.pore_pressure) continue;
+    const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+    const bool possible = std::visit(
+        [&](const auto& model) { return initial_state_of(model, body).possible; }, material.model
+    );
+    if (!possible)
+      deck.refuse_value(
+          "Bodies/" + body.name + "/Pore Pressure",
+          "is nothing that '" + material.name +
+              "' can start with (Arenisca needs fluid_B0 and a Confinement of at least that, "
+              "Poroelastic a Fluid Bulk Modulus); remove it or change one of them"
+      );
+  }
 }
 
 void add_bodies(const Deck& deck, Scene& scene) {

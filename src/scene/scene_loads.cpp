@@ -161,10 +161,10 @@ void add_conditions(const Deck& deck, Scene& scene) {
       condition.velocity = vector_at(deck, path + "/Velocity", scene.grid.mode);
       condition.factor = read_factors(deck, path, "");
     } else {
-      for (const char* name : {"/Velocity", "/Times", "/Factors"})
-        if (deck.has(path + name))
+      for (const char* entry : {"/Velocity", "/Times", "/Factors"})
+        if (deck.has(path + entry))
           deck.refuse_value(
-              path + name, "has no meaning for this Kind; remove it or write prescribed velocity"
+              path + entry, "has no meaning for this Kind; remove it or write prescribed velocity"
           );
     }
     if (const ConditionSpec* other = condition_on(scene, condition.face)) {

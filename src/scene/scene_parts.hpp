@@ -15,6 +15,8 @@ void add_bodies(const Deck& deck, Scene& scene);
 void add_conditions(const Deck& deck, Scene& scene);
 void add_loads(const Deck& deck, Scene& scene);
 void add_confinement(const Deck& deck, Scene& scene);
+/// After the confinement: refuses fluid under a pressure that its rock cannot start with.
+void check_pore_pressures(const Deck& deck, const Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
 void add_body_force(const Deck& deck, Scene& scene);
 void add_contacts(const Deck& deck, Scene& scene);

@@ -17,6 +17,48 @@ Vector read_permeability(const Deck& deck, const std::string& path, Mode mode) {
   return vector_at(deck, path, mode);
 }
 
+/// Of a material before anything has happened to it; without storage if its fluid cannot drain.
+PorePoint first_point(const MaterialSpec& material) {
+  return std::visit(
+      [](const auto& model) {
+        PorePoint point;
+        if constexpr (is_drainable<std::decay_t<decltype(model)>>)
+          point = initial_pore_point(model);
+        return point;
+      },
+      material.material.model
+  );
+}
+
+/// (K + 4G/3) / (alpha^2 M): undrained moduli are that sum and alpha^2 M.
+double softness_of_fluid(const MaterialSpec& material) {
+  const PorePoint point = first_point(material);
+  const double undrained = std::visit(
+      [](const auto& model) {
+        const auto start = model.initial_state(0.0);
+        return model.longitudinal_modulus(start.stress, start.history, 1.0);
+      },
+      material.material.model
+  );
+  return undrained * point.storage / (point.biot * point.biot) - 1.0;
+}
+
+/// Fluid and grains that do not give leave the pressure of sealed rock without an answer.
+void refuse_singular(const Deck& deck, const Scene& scene, std::size_t m, const std::string& path) {
+  constexpr double least = 1e-8;
+  const auto& conditions = scene.pore_flow.conditions;
+  const bool sealed = std::none_of(conditions.begin(), conditions.end(), [](const auto& condition) {
+    return condition.kind == PoreConditionKind::drained;
+  });
+  if (sealed && softness_of_fluid(scene.materials[m]) < least)
+    deck.refuse(
+        path,
+        "holds a fluid and grains that are incompressible, and no condition is drained (the "
+        "pressure of sealed rock could be anything); add a condition of the kind 'drained' or "
+        "lower the fluid's bulk modulus"
+    );
+}
+
 void add_rocks(const Deck& deck, Scene& scene) {
   scene.pore_flow.rocks.resize(scene.materials.size());
   for (const std::string& name : deck.lists("Pore Flow/Rocks")) {
@@ -25,16 +67,16 @@ void add_rocks(const Deck& deck, Scene& scene) {
     while (m < scene.materials.size() && scene.materials[m].material.name != name) ++m;
     if (m == scene.materials.size())
       deck.refuse(path, "is not in Materials (a permeability belongs to one); change the name");
-    if (!is_porous(scene.materials[m].material))
+    if (!(first_point(scene.materials[m]).storage > 0.0))
       deck.refuse(
           path,
-          "has a model without a fluid that drains (Poroelastic, or Arenisca with fluid_B0 > 0, "
-          "have "
-          "one); remove the list or change the Model"
+          "has no fluid that drains (Poroelastic with a Fluid Bulk Modulus, and Arenisca with "
+          "fluid_B0, have one); remove the list or change the material"
       );
     PermeabilitySpec& rock = scene.pore_flow.rocks[m];
     rock.permeability = read_permeability(deck, path + "/Permeability", scene.grid.mode);
     rock.kozeny_carman = deck.flag(path + "/Kozeny-Carman");
+    refuse_singular(deck, scene, m, path);
   }
 }
 
@@ -79,15 +121,8 @@ double drained_length(const Scene& scene) {
   for (std::size_t m = 0; m < scene.pore_flow.rocks.size(); ++m) {
     const Vector& k = scene.pore_flow.rocks[m].permeability;
     const double fastest = std::max({k[0], k[1], k[2]}) / scene.pore_flow.viscosity;
-    std::visit(
-        [&](const auto& model) {
-          if constexpr (is_drainable<std::decay_t<decltype(model)>>) {
-            const PorePoint point = initial_pore_point(model);
-            if (point.storage > 0.0) diffusivity = std::max(diffusivity, fastest / point.storage);
-          }
-        },
-        scene.materials[m].material.model
-    );
+    const PorePoint point = first_point(scene.materials[m]);
+    if (point.storage > 0.0) diffusivity = std::max(diffusivity, fastest / point.storage);
   }
   return std::sqrt(diffusivity * scene.end_time);
 }
@@ -102,8 +137,8 @@ void add_pore_flow(const Deck& deck, Scene& scene) {
   for (const char* name : {"Belos", "Ifpack2", "MueLu"})
     solver->sublist(name) = deck.list(std::string("Pore Flow/") + name);
   flow.solver = solver;
-  add_rocks(deck, scene);
   add_flow_conditions(deck, scene);
+  add_rocks(deck, scene);
   const std::string drainage = deck.word("Pore Flow/Drainage");
   if (drainage == "on") flow.drainage = Drainage::on;
   if (drainage == "automatic" &&

@@ -6,6 +6,7 @@
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
 #include "scene/body_force.hpp"
+#include "scene/porous.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/surface_share.hpp"
 
@@ -155,7 +156,7 @@ double initial_energy(const Scene& scene, const BodySpec& body) {
   const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
   return std::visit(
       [&](const auto& model) {
-        const auto start = model.initial_state(body.initial_pressure);
+        const auto start = initial_state_of(model, body);
         if (start.possible) return start.stored_energy / material.density;
         std::ostringstream text;
         text << "Bodies/" << body.name << " starts under " << body.initial_pressure
@@ -174,7 +175,6 @@ int add_particle(
     Particles& particles,
     const NewParticle& made,
     unsigned body,
-    double pressure,
     const Vector& velocity
 ) {
   reserve(particles, particles.count + 1);
@@ -212,7 +212,8 @@ int add_particle(
   std::visit(
       [&](const auto& model) {
         using Model = std::decay_t<decltype(model)>;
-        auto start = model.initial_state(pressure);
+        auto start = body < scene.bodies.size() ? initial_state_of(model, scene.bodies[body])
+                                                : model.initial_state(0.0);
         if constexpr (VariesByPiece<Model>::value)
           model.vary(start.history, {static_cast<std::uint64_t>(made.id), made.volume, section});
         for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&start.stress.xx)[c];
@@ -270,7 +271,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       if (owner_of(state.grid, made.x) != comm->getRank()) return;
       const Vector velocity = start_velocity(scene, body, made.x);
       const int p = add_particle(
-          scene, particles, made, static_cast<unsigned>(b), body.initial_pressure, velocity
+          scene, particles, made, static_cast<unsigned>(b), velocity
       );
       put_velocity_gradient(scene, body, made, p, particles);
     });

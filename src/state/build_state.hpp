@@ -19,7 +19,6 @@ int add_particle(
     Particles& particles,
     const NewParticle& made,
     unsigned body,
-    double pressure,
     const Vector& velocity
 );
 

@@ -112,7 +112,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   state.stable_step = tally.stress.stable_step;
   const double left = next_time - state.clock.time;
   state.clock = {dt >= left ? next_time : state.clock.time + dt, dt, state.clock.step + 1};
-  drain_pore_fluid(scene, dt, state);  // (7)
+  result.not_drained = drain_pore_fluid(scene, dt, state);  // (7)
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include "state/state.hpp"
 
+#include <string>
+
 namespace barreno {
 
 /// How a step went; the same on every rank.
@@ -11,6 +13,7 @@ struct StepResult {
   ParticleId failed = -1;  ///< the first particle that failed, in the order of ids
   int material = -1;       ///< its material
   int interrupt = 0;       ///< signal that some rank received
+  std::string not_drained;  ///< why the pore fluid could not flow; empty: it could
 };
 
 /// One explicit step in the scene's order (Order), at most to `next_time`. docs/method.md numbers

@@ -21,7 +21,7 @@ void launch_slug(const Scene& scene, std::size_t index, State& state) {
     made.x[1] += centre;
     if (!state.grid.holds(made.x) || owner_of(state.grid, made.x) != state.grid.comm->getRank())
       return;
-    const int p = add_particle(scene, particles, made, body, 0.0, velocity);
+    const int p = add_particle(scene, particles, made, body, velocity);
     const double m = particles.mass(p);
     state.ledger.launched_mass += m;
     state.ledger.launched_momentum += m * velocity[1];

@@ -54,7 +54,7 @@ void apply_policy(
   if (policy == BadParticlePolicy::hold) state.ledger.held += set.failures;
   const bool stops = policy == BadParticlePolicy::stop;
   if (set.failures > 0.0 && stops && (result.failed < 0 || set.first_failed < result.failed))
-    result = {true, set.first_failed, particles.material, result.interrupt};
+    result = {true, set.first_failed, particles.material, result.interrupt, {}};
 }
 
 /// F and sigma of all sets, after first(rows, particles) of each block.
@@ -147,7 +147,7 @@ void agree_on_failure(const Scene& scene, const State& state, StepResult& result
       static_cast<double>(result.failed) == first[0] ? result.material : -1.0};
   max_over_ranks(*state.grid.comm, material);
   result = {
-      true, static_cast<ParticleId>(first[0]), static_cast<int>(material[0]), result.interrupt};
+      true, static_cast<ParticleId>(first[0]), static_cast<int>(material[0]), result.interrupt, {}};
 }
 
 }  // namespace barreno

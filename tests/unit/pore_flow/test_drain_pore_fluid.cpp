@@ -112,8 +112,9 @@ TEST(DrainPoreFluid, SealedRockKeepsItsFluid) {
     EXPECT_NEAR(fluid(state) / before, 1.0, 1e-14);
     for (int p = 0; p < rock.count; ++p)
       EXPECT_NEAR(rock.history(p, pressure), sums[0] / sums[1], 5.0);
-    if (rock.count > 0)
+    if (rock.count > 0) {
       EXPECT_NEAR(rock.stress(0, 0) - stress, -biot * (rock.history(0, pressure) - first), 1e-6);
+    }
   }
 }
 

@@ -87,8 +87,8 @@ TEST(LinearSolver, KeepsTheGraphWithNewValues) {
 
 TEST(LinearSolver, SaysThatItDidNotConverge) {
   const auto comm = Tpetra::getDefaultComm();
-  SolverLists lists;
-  lists.belos.set("Maximum Iterations", 2);
+  Teuchos::ParameterList lists;
+  lists.sublist("Belos").set("Maximum Iterations", 2);
   const auto solver = make_linear_solver(comm, lists);
   std::vector<double> found;
   const SolveReport report = solve(make_strip(*comm, 60, 1e-3).system, false, *solver, found);

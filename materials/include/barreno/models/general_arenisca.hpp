@@ -54,6 +54,9 @@ struct GeneralArenisca {
 
   History initial_history() const;
   InitialStateOf<Sym3, History> initial_state(double pressure) const;
+  /// At rest under a total pressure with a pore pressure of its own, as if the confinement had been
+  /// put on slowly: fluid has flowed until it had that pressure. Not possible above the total one.
+  InitialStateOf<Sym3, History> initial_state(double pressure, double pore_pressure) const;
   /// Pressure of rock and fluid where the rock itself carries nothing: -p_i I is the virgin stress.
   double virgin_pressure() const { return rock_.fluid.initial_pressure; }
 
@@ -99,6 +102,7 @@ struct GeneralArenisca {
   }
 
 private:
+  InitialStateOf<Sym3, History> state_at_rest(double pressure, double fluid_mass_ratio) const;
   BARRENO_FUNCTION bool holds_fluid() const {
     return rock_.fluid.present() && !rock_.published.present() && !rock_.plastic_backstress;
   }
@@ -264,13 +268,41 @@ inline GeneralArenisca::History GeneralArenisca::initial_history() const {
 inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_state(
     double confinement
 ) const {
-  const double pressure = confinement == 0.0 ? rock_.fluid.initial_pressure : confinement;
+  return state_at_rest(confinement == 0.0 ? rock_.fluid.initial_pressure : confinement, 1.0);
+}
+
+/// The pore pressure grows with the mass of fluid: halving finds it.
+inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::initial_state(
+    double pressure, double pore_pressure
+) const {
+  constexpr int halvings = 100;
+  const double per_pressure = 1.0 / rock_.fluid.bulk - 1.0 / rock_.fluid.matrix;
+  double less = 0.0, more = std::exp((pressure - rock_.fluid.initial_pressure) * per_pressure);
+  if (!holds_fluid() || !(pore_pressure >= 0.0 && pore_pressure <= pressure)) {
+    auto start = state_at_rest(pressure, 1.0);
+    start.possible = start.possible && !holds_fluid() && pore_pressure == 0.0;
+    return start;
+  }
+  for (int i = 0; i < halvings; ++i) {
+    const double mass = 0.5 * (less + more);
+    const arenisca::PointRock point(rock_, 1.0, mass);
+    const double p = point.pore_pressure(-3.0 * pressure - point.zeta(0.0), 0.0);
+    (p > pore_pressure ? more : less) = mass;
+  }
+  return state_at_rest(pressure, less > 0.0 ? less : more);
+}
+
+inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::state_at_rest(
+    double pressure, double fluid_mass_ratio
+) const {
   History h = initial_history();
+  h.fluid_mass_ratio = fluid_mass_ratio;
   const arenisca::PointRock point(rock_, h.coherence, h.fluid_mass_ratio);
   const double zeta = point.zeta(0.0), x = -3.0 * pressure - zeta;
   const arenisca::Cap cap = point.cap_at(0.0);
   const bool possible = pressure >= 0.0 && (!cap.present || x > cap.X) && x <= point.surface.vertex;
   h.pore_pressure = point.pore_pressure(x, 0.0);
+  h.porosity = point.porosity(0.0);
   constexpr int intervals = 1000;  // of Simpson's rule for the integral of p dp/K
   const double step = pressure / intervals;
   double sum = 0.0;

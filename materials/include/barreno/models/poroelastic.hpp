@@ -49,9 +49,13 @@ struct Poroelastic {
 
   /// Stress and fluid of a point at rest: total pressure as given, pore pressure that of the card.
   InitialStateOf<Sym3, History> initial_state(double pressure) const {
-    const double p = p_.initial_pressure, effective = pressure - biot_ * p;
+    return initial_state(pressure, p_.initial_pressure);
+  }
+  /// The same with this pore pressure, which leaves the fluid its initial mass.
+  InitialStateOf<Sym3, History> initial_state(double pressure, double p) const {
+    const double effective = pressure - biot_ * p;
     const double stored = 0.5 * (effective * effective / p_.bulk_modulus + p * p * storage_);
-    return {isotropic(-pressure), initial_history(), 1.0, stored, true};
+    return {isotropic(-pressure), {p, 1.0}, 1.0, stored, storage_ > 0.0 || p == 0.0};
   }
 
   /// Undrained: d sigma = (K + alpha^2 M - 2G/3) tr(d eps) I + 2G d eps, dp = -alpha M tr(d eps).
