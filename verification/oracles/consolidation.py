@@ -175,7 +175,9 @@ class Mandel:
         return self.factor * np.sum(weight * (np.cos(np.multiply.outer(x, a)) - np.cos(a)), axis=-1)
 
     def settlement(self, T):
-        """Displacement of a plate towards the middle, times 2 G (plate width 2, height 2b) over (F b)."""
+        """Displacement of a plate towards the middle, times 2 G (plate width 2, height 2b) over (F b); 0 before the load."""
+        if T <= 0.0:
+            return 0.0
         a = self.roots
         sum_ = np.sum(np.sin(a) * np.cos(a) / (a - np.sin(a) * np.cos(a)) * np.exp(-(a**2) * T))
         return (1 - self.nu) - 2.0 * (1 - self.nu_u) * sum_
@@ -227,6 +229,7 @@ def self_check():
     # Undrained at first, and what both halves of the plates' pressure must come to.
     mandel, cryer = Mandel(BEREA), Cryer(BEREA)
     assert abs(mandel.pressure(0.0, 1e-3) - mandel.factor / 2.0) < 2e-3
+    assert abs(mandel.settlement(1e-8) - (1 - mandel.nu_u)) < 1e-2 and abs(mandel.settlement(9.0) - (1 - mandel.nu)) < 1e-9
     assert abs(cryer.centre(2e-4) - BEREA.skempton) < 2e-2
 
 
