@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A perforation into saturated sandstone at both ends of permeability: none is the undrained rock, very much the drained one."""
+import numpy as np
+from case import Result
+from wet_perforation import dry, undrained, with_flow
+
+STRESSES = ("stress_xx", "stress_yy", "stress_zz", "stress_xy")
+
+
+def different_bits(one, other):
+    """Names of fields, at all instants, and of columns of the history that both runs have and that are not the same to the bit."""
+    names = set()
+    for instant in range(one.instants()):
+        a, b = one.particles(instant), other.particles(instant)
+        names |= {name for name in a if not np.array_equal(a[name], b[name], equal_nan=True)}
+    a, b = one.table("history.csv"), other.table("history.csv")
+    return names | {name for name in a if not np.array_equal(a[name], b[name])}
+
+
+def apart(one, other):
+    """rms difference of stresses over their rms, and largest distance of particles [m], of the rock: particles with a crush curve."""
+    a, b = one.particles(), other.particles()
+    rock = np.isfinite(a["plastic_volume_strain"]) & (a["status"] > 0.5) & (b["status"] > 0.5)
+    difference = np.mean([np.mean((a[name] - b[name])[rock] ** 2) for name in STRESSES])
+    size = np.mean([np.mean(a[name][rock] ** 2) for name in STRESSES])
+    distance = np.hypot(a["x"] - b["x"], a["y"] - b["y"])[rock]
+    return float(np.sqrt(difference / size)), float(distance.max())
+
+
+def depth(run):
+    return run.summary["penetration"]["depth"]
+
+
+def row(name, run, drained):
+    table = run.table("history.csv")
+    stress, distance = apart(drained, run)
+    missing = abs(table["fluid_error"][-1]) if "fluid_error" in table else 0.0
+    return [name, 1e3 * depth(run), table["plastic"][-1], stress, 1e3 * distance, missing]
+
+
+def run(barreno, full):
+    result = Result(
+        "Perforation without and with all drainage",
+        "Pore flow switched on without permeability changes nothing; with very much of it rock behaves as drained rock.",
+        "the undrained run, bit for bit; the run of dry rock of equal density, whose pores are empty (pores of the others are full "
+        "at no pressure, as is everything outside). Stresses: rms difference over all particles of the rock.",
+        ["rock", "depth [mm]", "plastic work [J]", "stresses against drained", "particles against drained [mm]", "fluid that is missing"],
+        [],
+    )
+    result.open = {"drained, 20 us": "points with a gas gap take more fluid than it holds in one solve, and fail"}
+    for end in (6.0, 20.0) if full else (6.0,):
+        drained, closed = dry(barreno, end), undrained(barreno, end)
+        none = with_flow(barreno, 0.0, end)
+        result.rows += [row(f"drained, {end:g} us", drained, drained), row(f"undrained, {end:g} us", closed, drained)]
+        result.rows.append(row(f"permeability 0, {end:g} us", none, drained))
+        result.demand(f"fields and columns of the history with permeability 0 that differ from the undrained run, {end:g} us", len(different_bits(closed, none)), 0.0)
+        for permeability in (1e-11, 1e-9, 1e-7) if full else (1e-9, 1e-7):
+            result.rows.append(row(f"{permeability:g} m2, {end:g} us", with_flow(barreno, permeability, end), drained))
+        undrained_apart, open_apart = result.rows[-4 if not full else -5][3], result.rows[-1][3]
+        result.demand(f"against drained, {end:g} us: stresses with the most permeability, over those of undrained rock", open_apart / undrained_apart, 0.1)
+        result.demand(f"against drained, {end:g} us: depth with the most permeability, relative", abs(result.rows[-1][1] / (1e3 * depth(drained)) - 1.0), 1e-3)
+        result.demand(f"against drained, {end:g} us: fluid that is missing", result.rows[-1][-1], 1e-9)
+    return result

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Depth of a perforation against the permeability of saturated rock, from undrained to drained.
+
+    pore_sweep.py [PNG]     draw the stored measurement (docs/pictures/depth_against_permeability.png)
+"""
+import json
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / "tools")]
+
+import numpy as np  # noqa: E402
+from case import Result  # noqa: E402
+from wet_perforation import dry, undrained, with_flow  # noqa: E402
+
+STORED = HERE.parent / "results" / "pore_sweep.json"
+PICTURE = HERE.parents[1] / "docs" / "pictures" / "depth_against_permeability.png"
+PERMEABILITIES = (0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9)  # m2
+END = 20.0  # us
+
+
+def removed(run):
+    table = run.table("history.csv")
+    return sum(table[name][-1] for name in table if name.startswith("removed_") and name != "removed_kinetic")
+
+
+def row(name, permeability, run):
+    table, particles = run.table("history.csv"), run.particles()
+    drained = -100.0 * table["fluid_inflow"][-1] / table["fluid"][0 if table["fluid"][0] > 0.0 else 1] if "fluid_inflow" in table else 0.0
+    missing = abs(table["fluid_error"][-1]) if "fluid_error" in table else 0.0
+    pressure = float(np.nanmax(particles["pore_pressure"])) / 1e6 if "pore_pressure" in particles else 0.0
+    return [name, permeability, 1e3 * run.summary["penetration"]["depth"], table["plastic"][-1], pressure, drained, missing, removed(run)]
+
+
+def run(barreno, full):
+    end = END if full else 6.0
+    result = Result(
+        "Depth against permeability",
+        "One deck from undrained to drained rock.",
+        "none between the ends; permeability 0 is the undrained run, the most is near the drained one (dry rock of equal density).",
+        ["rock", "permeability [m2]", "depth [mm]", "plastic work [J]", "highest pore pressure [MPa]", "fluid that left [%]", "fluid that is missing",
+         "particles removed"],
+        [],
+    )  # fmt: skip
+    result.rows.append(row("undrained", float("nan"), undrained(barreno, end)))
+    for permeability in PERMEABILITIES if full else (0.0, 1e-11, 1e-9):
+        result.rows.append(row("saturated", permeability, with_flow(barreno, permeability, end)))
+    result.rows.append(row("drained", float("inf"), dry(barreno, end)))
+    result.open = {} if not full else {
+        "most permeability": "points with a gas gap take more fluid than it holds in one solve, and fail",
+        "missing": "points with a gas gap take more fluid than it holds in one solve, and fail",
+    }  # fmt: skip
+    result.demand("depth with permeability 0 less the undrained one [mm]", abs(result.rows[1][2] - result.rows[0][2]), 0.0)
+    result.demand("depth with the most permeability over the drained one", abs(result.rows[-2][2] / result.rows[-1][2] - 1.0), 5e-3)
+    result.demand("fluid that is missing, the worst of all", max(r[-2] for r in result.rows), 1e-9)
+    result.notes = (
+        "![depth against permeability](pictures/depth_against_permeability.png)\n\n`verification/depth_against_permeability.py BARRENO` runs the "
+        f"sweep and draws. Cells of 4 mm, {END:g} us."
+    )
+    return result
+
+
+def draw(file):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    rows = json.loads(STORED.read_text())["rows"]
+    flow = [r for r in rows if r[0] == "saturated" and r[1] > 0.0]
+    figure, axes = plt.subplots(1, 2, figsize=(10.0, 4.0), layout="constrained")
+    for one, column, label in ((axes[0], 2, "depth [mm]"), (axes[1], 3, "plastic work [J]")):
+        one.semilogx([r[1] for r in flow], [r[column] for r in flow], "o-", ms=4, color="C0", label="saturated")
+        one.axhline(rows[0][column], color="C1", ls="--", label="undrained")
+        one.axhline(rows[-1][column], color="C2", ls="--", label="drained, equal density")
+        one.set_xlabel("permeability [m2]")
+        one.set_ylabel(label)
+        one.grid(alpha=0.3)
+    axes[0].legend(fontsize=8)
+    figure.savefig(file, dpi=110)
+
+
+if __name__ == "__main__":
+    draw(sys.argv[1] if len(sys.argv) > 1 else PICTURE)
