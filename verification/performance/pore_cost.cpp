@@ -105,7 +105,8 @@ int main(int argc, char** argv) {
   const double largest = argc > 1 ? std::atof(argv[1]) : 1e6;
   if (comm->getRank() == 0)
     std::printf(
-        "%d ranks\n unknowns  c dt/hh package iterations residual  new graph kept graph  unknowns/s\n"
+        "%d ranks\n unknowns  c dt/hh package iterations residual  new graph kept graph  "
+        "unknowns/s\n"
         "                                              [us per unknown]\n",
         comm->getSize()
     );
