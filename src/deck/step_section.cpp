@@ -104,7 +104,8 @@ std::vector<Entry> remaining_entries() {
 Section quasi_static_section() {
   return {
       "Quasi-Static",
-      "slow loading in few steps: inertia is scaled, loads and weight are not, and what vibrates is "
+      "slow loading in few steps: inertia is scaled, loads and weight are not, and what vibrates "
+      "is "
       "damped critically unless Step/Damping says how; mass, momentum and kinetic energy of the "
       "output are those of the scaled inertia",
       Presence::optional,
@@ -112,7 +113,8 @@ Section quasi_static_section() {
            "Transit Ratio",
            dim::none,
            above_up_to(0.0, 0.1),
-           "time of a wave through the bodies over the time in which pore pressure diffuses through "
+           "time of a wave through the bodies over the time in which pore pressure diffuses "
+           "through "
            "them (or the run, if that is shorter): answers are late by about three times as much"
        )
            .by_default("0.001"),

@@ -32,8 +32,8 @@ double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, co
   return p;
 }
 
-/// The material's own drain, in pieces where it does not manage at once (rock that jumps on the way).
-/// A point that fails is as before.
+/// The material's own drain, in pieces where it does not manage at once (rock that jumps on the
+/// way). A point that fails is as before.
 template <class Model>
 Outcome drain_point(const Model& model, double fluid_volume, PorousPoint<Model>& point) {
   constexpr int most_pieces = 64;

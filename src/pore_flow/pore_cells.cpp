@@ -143,8 +143,8 @@ bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
   std::swap(before, cells.ids);
   const int own_before = cells.own;
   number_cells(scene, state, cells);
-  const bool same = cells.own == own_before &&
-                    std::equal(cells.ids.begin(), cells.ids.end(), before.begin());
+  const bool same =
+      cells.own == own_before && std::equal(cells.ids.begin(), cells.ids.end(), before.begin());
   if (same) cells.ids = std::move(before);  // with the others', which the halo still has
   cells.cells.assign(static_cast<std::size_t>(cells.own), PoreCell{});
   for (const Particles& particles : state.particles) count_set(scene, state.grid, particles, cells);

@@ -282,9 +282,8 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     for_each_body_particle(scene.grid, body, first[b], [&](const NewParticle& made) {
       if (owner_of(state.grid, made.x) != comm->getRank()) return;
       const Vector velocity = start_velocity(scene, body, made.x);
-      const int p = add_particle(
-          scene, particles, made, static_cast<unsigned>(b), at_rest, velocity
-      );
+      const int p =
+          add_particle(scene, particles, made, static_cast<unsigned>(b), at_rest, velocity);
       put_velocity_gradient(scene, body, made, p, particles);
     });
     if (!particles.rigid) enter(particles, first_row, energy, state.ledger);

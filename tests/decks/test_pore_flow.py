@@ -18,7 +18,7 @@ from runs import DECKS, Run, run_deck  # noqa: E402
 
 SLOW = 1e6  # times the fluid's viscosity and all times of the deck
 LOAD_PRESSURE = 0.3508e6  # that the load of terzaghi.xml leaves in the pores
-COLUMN = {"Grid/Cell Size": "0.1 m", "Output/History Interval": "0.5 ms"}
+COLUMN = {"Grid/Cell Size": "0.1 m", "Pore Flow/Diffusion Number": "0.1", "Output/History Interval": "0.5 ms"}
 
 
 def program(barreno, *arguments):
@@ -68,18 +68,23 @@ def check_failure(barreno, folder):
     assert run.table("history.csv")["pore_solves"][-1] == 1  # the first, of rock without pressure
     at = run.particles()["time"]
     assert at == undrained.particles(1)["time"]
-    for name in ("pressure", "pore_pressure", "velocity_y"):
-        assert np.array_equal(run.particles()[name], undrained.particles(1)[name]), name
+    # The first solve found next to no pressure; the one that failed would have taken a good part of it from the top.
+    failed, other = run.particles()["pore_pressure"], undrained.particles(1)["pore_pressure"]
+    off = np.max(np.abs(failed - other)) / np.max(other)
+    assert off < 5e-3, f"the pore pressure is off by {off:g} from the undrained one"
+    drained = run_deck(barreno, "terzaghi.xml", {"Time/End Time": f"{1.001 * run.summary['time']!r} s"}, folder=folder / "drained")
+    gone = np.max(np.abs(drained.particles()["pore_pressure"] - other)) / np.max(other)
+    assert gone > 0.05, f"a solve would have changed the pore pressure by {gone:g} only"
 
 
 def check_pore_pressure(barreno, folder):
-    """Fluid of 10 MPa in rock under 30 MPa, everything at rest: it stays so. The same of Poroelastic."""
-    more = {"Time/End Time": "1 us", "Pore Flow/Conditions/Channel/Pressure": "10 MPa"}
+    """Fluid of 35 MPa in rock under 69 MPa, everything at rest: it stays so. The same of Poroelastic."""
+    more = {"Time/End Time": "1 us", "Pore Flow/Conditions/Channel/Pressure": "35 MPa"}
     first = run_deck(barreno, "perforation_drainage.xml", more, folder=folder / "arenisca").particles(0)
     rock = np.isfinite(first["pore_pressure"])
     assert rock.sum() > 1000
-    assert np.max(np.abs(first["pore_pressure"][rock] - 10e6)) < 1.0, first["pore_pressure"][rock]
-    assert np.max(np.abs(first["pressure"][rock] - 30e6)) < 1e-3
+    assert np.max(np.abs(first["pore_pressure"][rock] - 35e6)) < 1.0, first["pore_pressure"][rock]
+    assert np.max(np.abs(first["pressure"][rock] - 69e6)) < 1e-3
     column = run_deck(
         barreno,
         "terzaghi.xml",
@@ -104,7 +109,7 @@ def check_slow(barreno, folder):
         barreno,
         "terzaghi.xml",
         {
-            "Grid/Cell Size": "0.1 m",
+            **COLUMN,
             "Pore Flow/Rocks/Rock/Permeability": f"{{{1.38580246914e-12 / SLOW!r} m2}}",
             "Loads/Piston/Times": f"{{0 s, {1e-3 * SLOW!r} s}}",
             "Step/Damping": "0 1/s",

@@ -106,7 +106,8 @@ TEST(PoreFlowLimits, AnyRankCountGivesTheSameAnswer) {
       advance_to(scene, 2e-6, alone);
       EXPECT_GT(alone.pore_flow.solves, 1);
       EXPECT_LT(alone.pore_flow.inflow, 0.0);
-      EXPECT_LT(difference(all_rows(alone), all_rows(together)), 1e-9) << mode_name(mode) << rock.density;
+      EXPECT_LT(difference(all_rows(alone), all_rows(together)), 1e-9)
+          << mode_name(mode) << rock.density;
       EXPECT_NEAR(alone.pore_flow.inflow / together.pore_flow.inflow, 1.0, 1e-10);
       Scene undrained = scene;
       undrained.pore_flow.drainage = Drainage::off;
