@@ -20,6 +20,7 @@ void add_row(double dt, std::size_t i, PoreNetwork& network) {
     return;
   }
   double diagonal = cells.cells[i].storage / dt, inflow = 0.0;
+  if (cells.filled[i]) inflow -= cells.cells[i].gap / dt;
   for (std::size_t face = 0; face < network.links[i].size(); ++face) {
     const PoreLink& link = network.links[i][face];
     diagonal += link.conductance;

@@ -66,19 +66,21 @@ Vector half_lengths(const Particles& particles, int p) {
 
 /// Counts a particle of rock; the means are sums until all are counted.
 ///
+/// @param storage   1/M of the point, of full pores where the solve fills its gap [1/stress]
 /// @param capacity  what a particle's volume of its fluid is at the initial density [volume]
 void count_point(
     const Particles& particles,
     int p,
-    const PorePoint& point,
+    double pressure,
+    double storage,
     double capacity,
     const Vector& mobility,
     PoreCell& cell
 ) {
-  const double volume = particles.volume(p), weight = capacity * point.storage;
+  const double volume = particles.volume(p), weight = capacity * storage;
   const Vector x = vector_of(particles.position, p), half = half_lengths(particles, p);
   cell.storage += weight;
-  cell.pressure += weight * point.pressure;
+  cell.pressure += weight * pressure;
   for (std::size_t d = 0; d < static_cast<std::size_t>(particles.position.components); ++d) {
     cell.centroid[d] += weight * x[d];
     cell.lower[d] = cell.volume > 0.0 ? std::min(cell.lower[d], x[d] - half[d]) : x[d] - half[d];
@@ -104,9 +106,14 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       for (double& m : mobility) m *= factor;
       const int index = cells.index_of_key[static_cast<std::size_t>(key)];
       const double capacity = fluid_volume(scene, particles, p, first) * point.mass_per_volume;
-      count_point(
-          particles, p, point, capacity, mobility, cells.cells[static_cast<std::size_t>(index)]
-      );
+      PoreCell& cell = cells.cells[static_cast<std::size_t>(index)];
+      const GasGap gap = gas_gap(model, point);
+      cell.gap += capacity * gap.volume;
+      cell.gap_pressure = std::max(cell.gap_pressure, gap.pressure);
+      double storage = point.storage;
+      if (gap.volume > 0.0 && cells.filled[static_cast<std::size_t>(index)])
+        storage -= gap.volume / gap.pressure;
+      count_point(particles, p, point.pressure, storage, capacity, mobility, cell);
     });
   });
 }
@@ -140,11 +147,16 @@ bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
   const Region region("fill_pore_cells");
   const std::vector<long long> before(cells.ids.begin(), cells.ids.begin() + cells.own);
   number_cells(scene, state, cells);
+  cells.filled.assign(static_cast<std::size_t>(cells.own), 0);
+  sum_pore_cells(scene, state, cells);
+  return before == cells.ids;
+}
+
+void sum_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
   cells.cells.assign(static_cast<std::size_t>(cells.own), PoreCell{});
   for (const Particles& particles : state.particles) count_set(scene, state.grid, particles, cells);
   for (std::size_t i = 0; i < cells.cells.size(); ++i)
     finish_cell(state.grid, cells.ids[i], cells.cells[i]);
-  return before == cells.ids;
 }
 
 }  // namespace barreno
