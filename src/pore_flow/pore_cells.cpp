@@ -110,7 +110,8 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       const GasGap gap = gas_gap(model, point);
       cell.gap += capacity * gap.volume;
       cell.gap_pressure = std::max(cell.gap_pressure, gap.pressure);
-      double storage = point.storage;
+      // Points that take no fluid do not count, as in drain_particles.
+      double storage = std::max(point.storage, 0.0);
       if (gap.volume > 0.0 && cells.filled[static_cast<std::size_t>(index)])
         storage -= gap.volume / gap.pressure;
       count_point(particles, p, point.pressure, storage, capacity, mobility, cell);
