@@ -15,6 +15,9 @@ void add_row(double dt, std::size_t i, PoreNetwork& network) {
   const PoreCells& cells = network.cells;
   LinearSystem& system = network.system;
   if (!(cells.cells[i].storage > 0.0)) {
+    // The graph of a row with rock: rock may come into a cell of the same list.
+    for (const int next : cells.next[i])
+      if (next >= 0) system.add(cells.ids[static_cast<std::size_t>(next)], 0.0);
     system.add(cells.ids[i], 1.0);
     system.end_row(cells.ids[i], 0.0);
     return;
