@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check.hpp"
 
+#include "check_flow.hpp"
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/velocity_fields.hpp"
@@ -173,22 +174,8 @@ std::string transfer_lines(const StepSpec& step) {
          );
 }
 
-/// Whether pore fluid drains, and how far.
-std::string pore_flow_line(const Scene& scene) {
-  const PoreFlowSpec& flow = scene.pore_flow;
-  if (flow.rocks.empty()) return feature("pore flow", false, "no Pore Flow list: undrained");
-  const double length = drained_length(scene);
-  const std::string far = format(
-      "pressure diffuses %.3g m in the run, %.2g cells", length, length / scene.grid.cell_size
-  );
-  const bool forced_off = !flow.on() && length >= shortest_drained_length * scene.grid.cell_size;
-  const bool forced_on = flow.on() && length < shortest_drained_length * scene.grid.cell_size;
-  return feature(
-      "pore flow",
-      flow.on(),
-      far + (forced_off || forced_on ? "; Drainage says so"
-                                     : format(" (%g would matter)", shortest_drained_length))
-  );
+std::string choice_line(const char* name, const Choice& choice) {
+  return feature(name, choice.on, choice.why);
 }
 
 std::string feature_lines(const Scene& scene) {
@@ -225,7 +212,8 @@ std::string feature_lines(const Scene& scene) {
                  ? std::string("no Contact list: materials stick where they meet")
                  : std::to_string(velocity_fields(scene).count) + " velocity fields"
          ) +
-         pore_flow_line(scene);
+         choice_line("pore flow", pore_flow_choice(scene)) +
+         choice_line("quasi-static", quasi_static_choice(scene));
 }
 
 }  // namespace

@@ -199,6 +199,7 @@ Section build_schema() {
        contact_section(),
        pore_flow_section(),
        step_section(),
+       quasi_static_section(),
        time,
        output_section()},
       {}};

@@ -101,6 +101,34 @@ std::vector<Entry> remaining_entries() {
 
 }  // namespace
 
+Section quasi_static_section() {
+  return {
+      "Quasi-Static",
+      "slow loading in few steps: inertia is scaled, loads and weight are not, and what vibrates "
+      "is "
+      "damped critically unless Step/Damping says how; mass, momentum and kinetic energy of the "
+      "output are those of the scaled inertia",
+      Presence::optional,
+      {number(
+           "Transit Ratio",
+           dim::none,
+           above_up_to(0.0, 0.1),
+           "time of a wave through the bodies over the time in which pore pressure diffuses "
+           "through "
+           "them (or the run, if that is shorter): answers are late by about three times as much"
+       )
+           .by_default("0.001"),
+       number(
+           "Inertia Factor",
+           dim::none,
+           at_least(1.0),
+           "densities that move times this; chosen by Transit Ratio without it"
+       )
+           .if_given()},
+      {},
+      {}};
+}
+
 Section step_section() {
   std::vector<Entry> entries = support_entries();
   for (const auto& more : {limit_entries(), scheme_entries(), remaining_entries()})

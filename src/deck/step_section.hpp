@@ -7,5 +7,6 @@ namespace barreno {
 
 /// The list of a deck that says how a step is taken.
 input::Section step_section();
+input::Section quasi_static_section();
 
 }  // namespace barreno

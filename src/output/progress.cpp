@@ -144,8 +144,7 @@ std::vector<std::string> scene_lines(
                        " particles per cell and direction";
     if (body.initial_pressure != 0.0)
       text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
-    if (body.pore_pressure)
-      text += ", fluid under " + si(1e-6 * *body.pore_pressure, "MPa");
+    if (body.pore_pressure) text += ", fluid under " + si(1e-6 * *body.pore_pressure, "MPa");
     lines.push_back(text);
   }
   if (scene.jet.present) {
@@ -163,9 +162,8 @@ std::vector<std::string> scene_lines(
   lines.push_back(
       "  modelled   explicit dynamics, " + scene.step.shape + ", " + transfer_text(scene.step) +
       ", " + order_name(scene.step.order) + ", artificial viscosity, " +
-      (scene.pore_flow.on() ? "pore fluid flow, " : "") +
-      std::to_string(scene.conditions.size()) + " conditions, " +
-      std::to_string(scene.loads.size()) + " loads"
+      (scene.pore_flow.on() ? "pore fluid flow, " : "") + std::to_string(scene.conditions.size()) +
+      " conditions, " + std::to_string(scene.loads.size()) + " loads"
   );
   lines.push_back(
       std::string("  not        ") + (scene.pore_flow.on() ? "" : "pore fluid flow, ") +
@@ -173,6 +171,17 @@ std::vector<std::string> scene_lines(
       (scene.contacts.empty() ? ", friction between bodies (one velocity field)" : "") +
       (scene.jet.present ? "" : ", jet")
   );
+  if (scene.quasi_static.on())
+    lines.push_back(
+        "  slow       " +
+        format(
+            "inertia x %.4g, which mass, momentum and kinetic energy show: a wave crosses in %.3g "
+            "of the time of diffusion; damping %.4g 1/s",
+            scene.quasi_static.inertia_factor,
+            scene.quasi_static.transit_time / scene.quasi_static.slow_time,
+            scene.step.damping
+        )
+    );
   for (const std::string& note : run.notes) lines.push_back("  note       " + note);
   lines.push_back(
       "  run        " + format(

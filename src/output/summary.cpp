@@ -197,6 +197,8 @@ std::string summary_text(
   json.text("reason", verdict.reason);
   json.integer("exit_code", verdict.exit_code);
   json.integer("ranks", summary.ranks);
+  // Of mass, momentum and kinetic energy below.
+  if (scene.quasi_static.on()) json.number("inertia_factor", scene.quasi_static.inertia_factor);
   json.number("time", state.clock.time);
   json.number("end_time", scene.end_time);
   json.number("particles", totals.particles);

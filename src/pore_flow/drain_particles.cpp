@@ -23,14 +23,44 @@ double evened_share(const PoreCell& cell, double cell_size, double dt) {
 double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, const Vector& x) {
   const PoreCell& cell = network.cells.cells[i];
   double p = cell.pressure + network.change[i];
-  const bool gravity = scene.body_force.kind == BodyForceKind::gravity;
   for (std::size_t d = 0; d < 3; ++d) {
     if (!(cell.mobility[d] > 0.0)) continue;
-    double slope = -network.steepness[i] * network.flux[i][d] / cell.mobility[d];
-    if (gravity) slope += scene.pore_flow.fluid_density * scene.body_force.acceleration[d];
+    const double slope = scene.pore_flow.fluid_weight[d] -
+                         network.steepness[i] * network.flux[i][d] / cell.mobility[d];
     p += slope * (x[d] - cell.centroid[d]);
   }
   return p;
+}
+
+/// The material's own drain, in pieces where it does not manage at once (rock that jumps on the
+/// way). A point that fails is as before.
+template <class Model>
+Outcome drain_point(const Model& model, double fluid_volume, PorousPoint<Model>& point) {
+  constexpr int most_pieces = 64;
+  const PorousPoint<Model> before = point;
+  const double mass_per_volume = model.pore_point(point.stress, point.history).mass_per_volume;
+  Outcome outcome;
+  for (int pieces = 1; pieces <= most_pieces; pieces *= 4) {
+    Outcome sum;
+    sum.substeps = 0;
+    point = before;
+    for (int i = 0; i < pieces && !sum.failed(); ++i) {
+      double volume = fluid_volume / pieces;
+      // The mass counts: its density changes on the way.
+      if (i > 0)
+        volume *= mass_per_volume / model.pore_point(point.stress, point.history).mass_per_volume;
+      outcome = model.drain(volume, point.stress, point.history);
+      sum.status = outcome.status;
+      sum.substeps += outcome.substeps;
+      sum.elastic_work += outcome.elastic_work;
+      sum.plastic_work += outcome.plastic_work;
+      sum.longitudinal_modulus = outcome.longitudinal_modulus;
+    }
+    outcome = sum;
+    if (!sum.failed() || sum.status == Status::bad_input) break;
+  }
+  if (outcome.failed()) point = before;
+  return outcome;
 }
 
 /// The particles of one material.
@@ -65,7 +95,7 @@ struct DrainSet {
       change = gap.volume;
     }
     change += change_of(point, vector_of(particles.position, p), i) * storage;
-    const Outcome outcome = model.drain(change, at.stress, at.history);
+    const Outcome outcome = drain_point(model, change, at);
     if (outcome.failed()) {
       if (spec.bad_particles == BadParticlePolicy::hold) tally.held += 1.0;
       if (spec.bad_particles == BadParticlePolicy::stop) tally.stops += 1.0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace barreno {
 namespace {
@@ -146,17 +147,22 @@ std::array<int, 3> place_of_cell(const Grid& grid, long long id) {
 
 bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
   const Region region("fill_pore_cells");
-  const std::vector<long long> before(cells.ids.begin(), cells.ids.begin() + cells.own);
+  std::vector<long long> before;
+  std::swap(before, cells.ids);
+  const int own_before = cells.own;
   number_cells(scene, state, cells);
+  const bool same =
+      cells.own == own_before && std::equal(cells.ids.begin(), cells.ids.end(), before.begin());
+  if (same) cells.ids = std::move(before);  // with the others', which the halo still has
   cells.filled.assign(static_cast<std::size_t>(cells.own), 0);
   sum_pore_cells(scene, state, cells);
-  return before == cells.ids;
+  return same;
 }
 
 void sum_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
   cells.cells.assign(static_cast<std::size_t>(cells.own), PoreCell{});
   for (const Particles& particles : state.particles) count_set(scene, state.grid, particles, cells);
-  for (std::size_t i = 0; i < cells.cells.size(); ++i)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.own); ++i)
     finish_cell(state.grid, cells.ids[i], cells.cells[i]);
 }
 

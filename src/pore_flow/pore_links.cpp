@@ -31,8 +31,7 @@ HalfLink half_link(const Grid& grid, const PoreCell& cell, std::size_t d, double
 
 /// rho g . (to - from) along axis d: what a column of fluid at rest adds on the way.
 double column(const Scene& scene, std::size_t d, double from, double to) {
-  if (scene.body_force.kind != BodyForceKind::gravity) return 0.0;
-  return scene.pore_flow.fluid_density * scene.body_force.acceleration[d] * (to - from);
+  return scene.pore_flow.fluid_weight[d] * (to - from);
 }
 
 const PoreConditionSpec* condition_at(const Scene& scene, std::size_t face, bool end_of_grid) {

@@ -8,8 +8,8 @@
 
 namespace barreno {
 
-/// Names of a list that a preconditioner of Ifpack2 did not look at, and what else it knows. Most of
-/// them do not mind what they do not know.
+/// Names of a list that a preconditioner of Ifpack2 did not look at, and what else it knows. Most
+/// of them do not mind what they do not know.
 struct SmootherNames {
   std::vector<std::string> unread, known;
 };

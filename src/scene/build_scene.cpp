@@ -211,6 +211,7 @@ Scene build_scene(const Deck& deck) {
   add_pore_flow(deck, scene);
   scene.step = read_step(deck, scene.grid.mode);
   scene.output = read_output(deck);
+  add_quasi_static(deck, scene);
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse("Bodies", "is empty and there is no Jet (nothing would move); add a body or a jet");
   }

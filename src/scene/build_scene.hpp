@@ -18,8 +18,8 @@ double memory_estimate(const Scene& scene);
 /// Particles of the bodies and of the whole jet.
 double particle_estimate(const Scene& scene);
 
-/// sqrt(c t) over the run, c = k M / viscosity of the fastest rock as it starts: how far pore pressure
-/// diffuses [length].
+/// sqrt(c t) over the run, c = k M / viscosity of the fastest rock as it starts: how far pore
+/// pressure diffuses [length].
 double drained_length(const Scene& scene);
 
 }  // namespace barreno

@@ -42,7 +42,7 @@ inline constexpr double shortest_drained_length = 0.05;
 struct PoreFlowSpec {
   Drainage drainage = Drainage::off;
   double viscosity = 0.0;               ///< [stress time]
-  double fluid_density = 0.0;           ///< [mass/length^3]
+  Vector fluid_weight{};                ///< rho_f g [force/length^3]
   double diffusion_number = 1.0;        ///< c dt / h^2 between two solves
   std::vector<PermeabilitySpec> rocks;  ///< by material
   std::vector<PoreConditionSpec> conditions;

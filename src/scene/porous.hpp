@@ -22,8 +22,7 @@ inline bool is_porous(const Material& material) {
 template <class Model>
 auto initial_state_of(const Model& model, const BodySpec& body) {
   if constexpr (is_drainable<Model>)
-    if (body.pore_pressure)
-      return model.initial_state(body.initial_pressure, *body.pore_pressure);
+    if (body.pore_pressure) return model.initial_state(body.initial_pressure, *body.pore_pressure);
   auto start = model.initial_state(body.initial_pressure);
   start.possible = start.possible && !body.pore_pressure;
   return start;

@@ -3,6 +3,7 @@
 
 #include "geometry/shape.hpp"
 #include "scene/pore_flow_spec.hpp"
+#include "scene/quasi_static_spec.hpp"
 #include "scene/table.hpp"
 
 #include <array>
@@ -183,6 +184,7 @@ struct Scene {
   JetSpec jet;
   BodyForceSpec body_force;
   PoreFlowSpec pore_flow;
+  QuasiStaticSpec quasi_static;
   StepSpec step;
   double end_time = 0.0;  ///< [time]
   OutputSpec output;

@@ -19,6 +19,8 @@ void add_confinement(const Deck& deck, Scene& scene);
 void check_pore_pressures(const Deck& deck, const Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
 void add_body_force(const Deck& deck, Scene& scene);
+/// After all else: densities and gravity are scaled.
+void add_quasi_static(const Deck& deck, Scene& scene);
 void add_contacts(const Deck& deck, Scene& scene);
 void add_pore_flow(const Deck& deck, Scene& scene);
 

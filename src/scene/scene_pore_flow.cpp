@@ -131,7 +131,10 @@ void add_pore_flow(const Deck& deck, Scene& scene) {
   if (!deck.has("Pore Flow/Viscosity")) return;
   PoreFlowSpec& flow = scene.pore_flow;
   flow.viscosity = deck.number("Pore Flow/Viscosity");
-  flow.fluid_density = deck.number("Pore Flow/Fluid Density");
+  if (scene.body_force.kind == BodyForceKind::gravity)
+    for (std::size_t d = 0; d < 3; ++d)
+      flow.fluid_weight[d] =
+          deck.number("Pore Flow/Fluid Density") * scene.body_force.acceleration[d];
   flow.diffusion_number = deck.number("Pore Flow/Diffusion Number");
   auto solver = std::make_shared<Teuchos::ParameterList>("Pore Flow");
   for (const char* name : {"Belos", "Ifpack2", "MueLu"})

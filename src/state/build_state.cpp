@@ -170,11 +170,24 @@ double initial_energy(const Scene& scene, const BodySpec& body) {
 
 }  // namespace
 
+StartPoint start_point(const Scene& scene, int material, const BodySpec* body) {
+  return std::visit(
+      [&](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        const auto start = body ? initial_state_of(model, *body) : model.initial_state(0.0);
+        const auto* const h = reinterpret_cast<const double*>(&start.history);
+        return StartPoint{start.stress, {h, h + Model::history_count}, start.volume_ratio};
+      },
+      scene.materials[static_cast<std::size_t>(material)].material.model
+  );
+}
+
 int add_particle(
     const Scene& scene,
     Particles& particles,
     const NewParticle& made,
     unsigned body,
+    const StartPoint& start,
     const Vector& velocity
 ) {
   reserve(particles, particles.count + 1);
@@ -212,18 +225,16 @@ int add_particle(
   std::visit(
       [&](const auto& model) {
         using Model = std::decay_t<decltype(model)>;
-        auto start = body < scene.bodies.size() ? initial_state_of(model, scene.bodies[body])
-                                                : model.initial_state(0.0);
+        auto history = model.initial_history();
+        auto* const h = reinterpret_cast<double*>(&history);
+        std::copy(start.history.begin(), start.history.end(), h);
         if constexpr (VariesByPiece<Model>::value)
-          model.vary(start.history, {static_cast<std::uint64_t>(made.id), made.volume, section});
+          model.vary(history, {static_cast<std::uint64_t>(made.id), made.volume, section});
         for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&start.stress.xx)[c];
-        if constexpr (Model::history_count > 0) {
-          const auto* const h = reinterpret_cast<const double*>(&start.history);
-          for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
-        }
+        for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
         particles.mass(p) = material.density / start.volume_ratio * made.volume;
         particles.longitudinal_modulus(p) =
-            model.longitudinal_modulus(start.stress, start.history, start.volume_ratio);
+            model.longitudinal_modulus(start.stress, history, start.volume_ratio);
       },
       material.model
   );
@@ -265,14 +276,14 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const BodySpec& body = scene.bodies[b];
     const double energy = initial_energy(scene, body);
+    const StartPoint at_rest = start_point(scene, body.material, &body);
     Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
     const int first_row = particles.count;
     for_each_body_particle(scene.grid, body, first[b], [&](const NewParticle& made) {
       if (owner_of(state.grid, made.x) != comm->getRank()) return;
       const Vector velocity = start_velocity(scene, body, made.x);
-      const int p = add_particle(
-          scene, particles, made, static_cast<unsigned>(b), velocity
-      );
+      const int p =
+          add_particle(scene, particles, made, static_cast<unsigned>(b), at_rest, velocity);
       put_velocity_gradient(scene, body, made, p, particles);
     });
     if (!particles.rigid) enter(particles, first_row, energy, state.ledger);

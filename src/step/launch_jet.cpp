@@ -17,11 +17,12 @@ void launch_slug(const Scene& scene, std::size_t index, State& state) {
                         scene.jet.direction * slug.velocity * (state.clock.time - slug.time);
   const Vector velocity{0.0, scene.jet.direction * slug.velocity, 0.0};
   const auto body = static_cast<unsigned>(scene.bodies.size());
+  const StartPoint start = start_point(scene, scene.jet.material, nullptr);
   for_each_slug_particle(scene, slug, state.slug_ids[index], [&](NewParticle made) {
     made.x[1] += centre;
     if (!state.grid.holds(made.x) || owner_of(state.grid, made.x) != state.grid.comm->getRank())
       return;
-    const int p = add_particle(scene, particles, made, body, velocity);
+    const int p = add_particle(scene, particles, made, body, start, velocity);
     const double m = particles.mass(p);
     state.ledger.launched_mass += m;
     state.ledger.launched_momentum += m * velocity[1];

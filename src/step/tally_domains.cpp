@@ -3,9 +3,9 @@
 
 #include "base/region.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/bad_particle.hpp"
 #include "state/shape_fields.hpp"
 #include "state/step_rule.hpp"
-#include "state/bad_particle.hpp"
 
 #include <algorithm>
 #include <cmath>

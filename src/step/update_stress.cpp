@@ -3,8 +3,8 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
-#include "state/step_rule.hpp"
 #include "state/bad_particle.hpp"
+#include "state/step_rule.hpp"
 #include "step/point_group.hpp"
 
 #include <limits>

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every deck of input_xml takes its first steps on one and on two ranks, with sound files that agree bit for bit.
+"""Every deck of input_xml takes its first steps on one and on two ranks, with sound files that agree bit for bit; those
+with a Pore Flow, whose linear solver sums in the order of ranks, to 1e-7 of the largest value of each variable.
 
     test_shipped_decks.py BARRENO
 """
@@ -9,6 +10,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+import numpy as np
 
 TESTS = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
@@ -26,6 +29,15 @@ def script(name, *arguments):
     assert result.returncode == 0, f"{name}: {result.stdout}{result.stderr}"
 
 
+def same_to(tolerance, one, two):
+    """Whether two runs end alike, variable by variable."""
+    first, second = one.particles(), two.particles()
+    for name, values in first.items():
+        off = np.max(np.abs(np.asarray(values) - second[name]))
+        size = np.max(np.abs(values))
+        assert off <= tolerance * size, f"{name} differs by {off:g}, its largest value is {size:g}"
+
+
 def check_deck(barreno, deck, folder):
     runs = [run_deck(barreno, deck, early(deck), ranks=ranks, folder=folder / f"{deck}-{ranks}") for ranks in (1, 2)]
     for run in runs:
@@ -37,8 +49,11 @@ def check_deck(barreno, deck, folder):
         for name in ("history.csv", "deck.xml", "run.log"):
             assert (run.folder / name).stat().st_size > 0, f"{name} is empty"
         script("check_exodus.py", run.folder / "particles.e")
-    script("exodiff_lite.py", "-f", TESTS / "scripts" / "same.exodiff", *[r.folder / "particles.e" for r in runs])
     print(f"{deck}: {runs[0].summary['steps']} steps")
+    if "Pore Flow" in (DECKS / deck).read_text():
+        same_to(1e-7, *runs)
+        return
+    script("exodiff_lite.py", "-f", TESTS / "scripts" / "same.exodiff", *[r.folder / "particles.e" for r in runs])
 
 
 def main():

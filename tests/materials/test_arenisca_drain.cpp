@@ -232,5 +232,32 @@ TEST(AreniscaDrain, OverstressStays) {
   EXPECT_EQ(rock.history.overstress_xy, before.overstress_xy);
 }
 
+/// Rock at rest with a pore pressure of its own is where slow confinement leads: undrained, then
+/// drained at fixed strain and pressed again until both pressures are there.
+TEST(AreniscaDrain, StartsWithAPorePressureOfItsOwn) {
+  const GeneralArenisca model(wet(), 2300.0);
+  for (const double pore : {0.5e6, 10e6, 29e6}) {
+    const auto start = model.initial_state(30e6, pore);
+    EXPECT_TRUE(start.possible);
+    EXPECT_LE(norm(start.stress + isotropic(30e6)), 1e-6);
+    EXPECT_NEAR(start.history.pore_pressure, pore, 1e-2);
+    Rock rock(model);
+    const auto undrained = model.initial_state(30e6);
+    rock.stress = undrained.stress;
+    rock.history = undrained.history;
+    for (int round = 0; round < 60; ++round) {
+      bring_to(rock, pore, 1);
+      const double left = -90e6 - trace(rock.stress);
+      strain(rock, isotropic(left / (9.0 * model.moduli(rock.stress, rock.history).bulk)), 1);
+    }
+    EXPECT_NEAR(trace(rock.stress), -90e6, 10.0);
+    EXPECT_NEAR(fluid(rock).pressure, pore, 10.0);
+    EXPECT_NEAR(rock.history.fluid_mass_ratio, start.history.fluid_mass_ratio, 1e-7);
+    EXPECT_NEAR(fluid(rock).porosity, start.history.porosity, 1e-7);
+  }
+  EXPECT_FALSE(model.initial_state(30e6, 31e6).possible);
+  EXPECT_FALSE(model.initial_state(30e6, -1.0).possible);
+}
+
 }  // namespace
 }  // namespace barreno::test

@@ -175,9 +175,7 @@ TEST(DrainPoreFluid, NeverOvershoots) {
 /// Fluid at rest under gravity stays at rest.
 TEST(DrainPoreFluid, HydrostaticPressureIsRest) {
   Scene scene = block_scene(Mode::plane_strain, 5, 1e-12);
-  scene.body_force.kind = BodyForceKind::gravity;
-  scene.body_force.acceleration = {0.0, -10.0, 0.0};
-  scene.pore_flow.fluid_density = 1000.0;
+  scene.pore_flow.fluid_weight = {0.0, -1e4, 0.0};
   State state = placed(scene);
   const auto at_rest = [](const Vector& x) { return 1e4 * (5.0 - x[1]); };
   set_pressures(state, at_rest);

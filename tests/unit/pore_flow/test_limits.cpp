@@ -3,6 +3,8 @@
 #include "barreno/registry.hpp"
 #include "support/scenes.hpp"
 
+#include <Teuchos_ParameterList.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,9 +32,9 @@ Material berea() {
 
 /// A block of rock that flies into another, sides and ends open to the fluid.
 Scene impact(Mode mode, const Material& rock, double permeability) {
-  Scene scene = box_scene(mode, 1e-3, {0, 0, 0}, {0.012, 0.020, 0.012}, rock);
-  add_box(scene, "ball", {0, 0.002, 0}, {0.0041, 0.0079, 0.0041}, 2).velocity = {0, 300.0, 0};
-  add_box(scene, "block", {0, 0.0083, 0}, {0.0082, 0.0152, 0.0061}, 2);
+  Scene scene = box_scene(mode, 1e-3, {0, 0, 0}, {0.012, 0.020, 0.008}, rock);
+  add_box(scene, "ball", {0, 0.002, 0}, {0.0041, 0.0079, 0.0041}, 2).velocity = {0, 30.0, 0};
+  add_box(scene, "block", {0, 0.0083, 0}, {0.0082, 0.0132, 0.0041}, 2);
   add_symmetry(scene, Face::x_lower);
   PoreConditionSpec open;
   open.open_faces = {true, true, true, true, true, true};
@@ -40,7 +42,7 @@ Scene impact(Mode mode, const Material& rock, double permeability) {
   scene.pore_flow.drainage = Drainage::on;
   scene.pore_flow.viscosity = 1e-3;
   scene.pore_flow.rocks = {{{permeability, permeability, permeability}, true}};
-  scene.end_time = 1.0;
+  scene.end_time = 0.0;  // rock that nothing moves in drains at every step
   return scene;
 }
 
@@ -62,11 +64,11 @@ TEST(PoreFlowLimits, WithoutPermeabilityARunIsTheUndrainedOneBitForBit) {
     for (const Mode mode : modes) {
       Scene scene = impact(mode, rock, 0.0);
       State drained = start(scene);
-      advance_to(scene, 4e-6, drained);
+      advance_to(scene, 2e-6, drained);
       EXPECT_EQ(drained.pore_flow.solves, drained.clock.step);
       scene.pore_flow.drainage = Drainage::off;
       State undrained = start(scene);
-      advance_to(scene, 4e-6, undrained);
+      advance_to(scene, 2e-6, undrained);
       EXPECT_GT(undrained.clock.step, 10);
       EXPECT_TRUE(numbers_of(drained) == numbers_of(undrained)) << mode_name(mode);
     }
@@ -89,24 +91,28 @@ double difference(
   return largest;
 }
 
-/// The linear solver's inner products depend on ranks, so not to the bit: within what its tolerance
-/// of 1e-10 makes of a hundred steps.
+/// The linear solver's inner products depend on ranks, so not to the bit but within what is made of
+/// its tolerance: rock that yields makes more of it.
 TEST(PoreFlowLimits, AnyRankCountGivesTheSameAnswer) {
   for (const Material& rock : {wet_sandstone(), berea()})
     for (const Mode mode : modes) {
-      const Scene scene = impact(mode, rock, 1e-13);
+      Scene scene = impact(mode, rock, 1e-13);
+      auto lists = std::make_shared<Teuchos::ParameterList>();
+      lists->sublist("Belos").set("Convergence Tolerance", 1e-13);
+      scene.pore_flow.solver = lists;
       State together = start(scene);
-      advance_to(scene, 4e-6, together);
+      advance_to(scene, 2e-6, together);
       State alone = start_alone(scene);
-      advance_to(scene, 4e-6, alone);
-      EXPECT_GT(alone.pore_flow.solves, 10);
+      advance_to(scene, 2e-6, alone);
+      EXPECT_GT(alone.pore_flow.solves, 1);
       EXPECT_LT(alone.pore_flow.inflow, 0.0);
-      EXPECT_LT(difference(all_rows(alone), all_rows(together)), 1e-8) << mode_name(mode);
-      EXPECT_NEAR(alone.pore_flow.inflow / together.pore_flow.inflow, 1.0, 1e-8);
+      EXPECT_LT(difference(all_rows(alone), all_rows(together)), 1e-9)
+          << mode_name(mode) << rock.density;
+      EXPECT_NEAR(alone.pore_flow.inflow / together.pore_flow.inflow, 1.0, 1e-10);
       Scene undrained = scene;
       undrained.pore_flow.drainage = Drainage::off;
       State other = start_alone(undrained);
-      advance_to(undrained, 4e-6, other);
+      advance_to(undrained, 2e-6, other);
       EXPECT_GT(difference(all_rows(alone), all_rows(other)), 1e-4) << mode_name(mode);
     }
 }

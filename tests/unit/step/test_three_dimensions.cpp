@@ -141,7 +141,7 @@ struct OneParticle {
     NewParticle made;
     made.x = made.half = {0.5, 0.5, 0.5};
     made.volume = 1.0;
-    add_particle(scene, particles, made, 0, {});
+    add_particle(scene, particles, made, 0, start_point(scene, 0, nullptr), {});
   }
   /// Advances F by I + a and gives the strain increment.
   Sym3 take(const SpaceTensor& a, Gradient gradient = Gradient::at_start) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_flow.hpp"
+
+#include "scene/build_scene.hpp"
+
+#include <cstdio>
+
+namespace barreno {
+
+Choice pore_flow_choice(const Scene& scene) {
+  const PoreFlowSpec& flow = scene.pore_flow;
+  if (flow.rocks.empty()) return {false, "no Pore Flow list: undrained"};
+  const double length = drained_length(scene), cells = length / scene.grid.cell_size;
+  const bool matters = cells >= shortest_drained_length;
+  const char* const verdict = flow.on() ? (matters ? "" : "; Drainage is on all the same")
+                              : matters ? "; Drainage is off"
+                                        : ": too little to matter (Drainage = on forces it)";
+  char text[160];
+  std::snprintf(
+      text,
+      sizeof text,
+      "pressure diffuses %.3g m in the run, %.2g cells (limit %g)%s",
+      length,
+      cells,
+      shortest_drained_length,
+      verdict
+  );
+  return {flow.on(), text};
+}
+
+Choice quasi_static_choice(const Scene& scene) {
+  const QuasiStaticSpec& slow = scene.quasi_static;
+  if (!slow.on()) return {false, "no Quasi-Static list: true inertia"};
+  char text[200];
+  std::snprintf(
+      text,
+      sizeof text,
+      "inertia x %.3g: waves cross in %.3g s, %.2g of the %.3g s of diffusion; damping %.3g 1/s",
+      slow.inertia_factor,
+      slow.transit_time,
+      slow.transit_time / slow.slow_time,
+      slow.slow_time,
+      scene.step.damping
+  );
+  return {true, text};
+}
+
+}  // namespace barreno
