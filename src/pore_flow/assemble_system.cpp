@@ -15,11 +15,15 @@ void add_row(double dt, std::size_t i, PoreNetwork& network) {
   const PoreCells& cells = network.cells;
   LinearSystem& system = network.system;
   if (!(cells.cells[i].storage > 0.0)) {
+    // The graph of a row with rock: rock may come into a cell of the same list.
+    for (const int next : cells.next[i])
+      if (next >= 0) system.add(cells.ids[static_cast<std::size_t>(next)], 0.0);
     system.add(cells.ids[i], 1.0);
     system.end_row(cells.ids[i], 0.0);
     return;
   }
   double diagonal = cells.cells[i].storage / dt, inflow = 0.0;
+  if (cells.filled[i]) inflow -= cells.cells[i].gap / dt;
   for (std::size_t face = 0; face < network.links[i].size(); ++face) {
     const PoreLink& link = network.links[i][face];
     diagonal += link.conductance;

@@ -88,7 +88,13 @@ struct DrainSet {
     tally.fluid_before += whole * point.fluid_mass;
     tally.fluid += whole * point.fluid_mass;
     if (!(point.storage > 0.0)) return;
-    const double change = change_of(point, vector_of(particles.position, p), i) * point.storage;
+    const GasGap gap = gas_gap(model, point);
+    double storage = point.storage, change = 0.0;
+    if (gap.volume > 0.0 && network.cells.filled[i]) {
+      storage -= gap.volume / gap.pressure;
+      change = gap.volume;
+    }
+    change += change_of(point, vector_of(particles.position, p), i) * storage;
     const Outcome outcome = drain_point(model, change, at);
     if (outcome.failed()) {
       if (spec.bad_particles == BadParticlePolicy::hold) tally.held += 1.0;

@@ -97,7 +97,8 @@ FlowTally tally_flow(double dt, PoreNetwork& network) {
       if (network.links[i][face].cell < 0)
         tally.inflow += dt * flow_through(network, i, face, true);
     const double change = network.change[i];
-    tally.work += (cell.pressure + 0.5 * change) * cell.storage * change;
+    const double taken = network.cells.filled[i] ? cell.gap : 0.0;
+    tally.work += (cell.pressure + 0.5 * change) * (cell.storage * change + taken);
   }
   return tally;
 }
@@ -116,6 +117,41 @@ double drain_interval(const Scene& scene, const State& state, const PoreNetwork&
   return fastest[0] > 0.0 ? scene.pore_flow.diffusion_number * h * h / fastest[0] : scene.end_time;
 }
 
+/// Cells whose gap a rise of pressure fills. Their pressure rises steeply beyond: without this they
+/// would take what the gas alone could, many times the gap. More of them only raise pressures, so
+/// the set grows until it holds.
+bool fill_gaps(const Scene& scene, const State& state, PoreNetwork& network) {
+  PoreCells& cells = network.cells;
+  std::array<double, 1> more{0.0};
+  for (std::size_t i = 0; i < cells.filled.size(); ++i) {
+    const PoreCell& cell = cells.cells[i];
+    if (cells.filled[i] || !(cell.gap > 0.0) || !(network.change[i] > cell.gap_pressure)) continue;
+    cells.filled[i] = 1;
+    more[0] = 1.0;
+  }
+  max_over_ranks(*state.grid.comm, more);
+  if (!(more[0] > 0.0)) return false;
+  sum_pore_cells(scene, state, cells);
+  exchange_pore_cells(*network.halo, cells);
+  link_pore_cells(scene, state.grid, state.clock.time, network);
+  return true;
+}
+
+/// The change of pressure in all cells. Newton's method: storage changes where gaps are filled.
+SolveReport find_change(const Scene& scene, double dt, State& state, PoreNetwork& network) {
+  constexpr int most_rounds = 20;
+  bool same_graph = build_network(scene, state, network);
+  int iterations = 0;
+  for (int round = 1;; ++round) {
+    assemble_system(dt, network);
+    SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
+    report.iterations = iterations += report.iterations;
+    if (!report.converged || round == most_rounds || !fill_gaps(scene, state, network))
+      return report;
+    same_graph = true;
+  }
+}
+
 }  // namespace
 
 std::string drain_pore_fluid(const Scene& scene, double dt, State& state) {
@@ -132,9 +168,7 @@ std::string drain_pore_fluid(const Scene& scene, double dt, State& state) {
   }
   PoreNetwork& network = *flow.network;
 
-  const bool same_graph = build_network(scene, state, network);
-  assemble_system(flow.waiting, network);
-  const SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
+  const SolveReport report = find_change(scene, flow.waiting, state, network);
   if (!report.converged) return not_converged(state.clock, report);
   exchange_pore_values(*network.halo, network.change);
   const FlowTally moved = tally_flow(flow.waiting, network);

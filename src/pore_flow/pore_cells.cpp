@@ -67,19 +67,21 @@ Vector half_lengths(const Particles& particles, int p) {
 
 /// Counts a particle of rock; the means are sums until all are counted.
 ///
+/// @param storage   1/M of the point, of full pores where the solve fills its gap [1/stress]
 /// @param capacity  what a particle's volume of its fluid is at the initial density [volume]
 void count_point(
     const Particles& particles,
     int p,
-    const PorePoint& point,
+    double pressure,
+    double storage,
     double capacity,
     const Vector& mobility,
     PoreCell& cell
 ) {
-  const double volume = particles.volume(p), weight = capacity * point.storage;
+  const double volume = particles.volume(p), weight = capacity * storage;
   const Vector x = vector_of(particles.position, p), half = half_lengths(particles, p);
   cell.storage += weight;
-  cell.pressure += weight * point.pressure;
+  cell.pressure += weight * pressure;
   for (std::size_t d = 0; d < static_cast<std::size_t>(particles.position.components); ++d) {
     cell.centroid[d] += weight * x[d];
     cell.lower[d] = cell.volume > 0.0 ? std::min(cell.lower[d], x[d] - half[d]) : x[d] - half[d];
@@ -105,9 +107,15 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       for (double& m : mobility) m *= factor;
       const int index = cells.index_of_key[static_cast<std::size_t>(key)];
       const double capacity = fluid_volume(scene, particles, p, first) * point.mass_per_volume;
-      count_point(
-          particles, p, point, capacity, mobility, cells.cells[static_cast<std::size_t>(index)]
-      );
+      PoreCell& cell = cells.cells[static_cast<std::size_t>(index)];
+      const GasGap gap = gas_gap(model, point);
+      cell.gap += capacity * gap.volume;
+      cell.gap_pressure = std::max(cell.gap_pressure, gap.pressure);
+      // Points that take no fluid do not count, as in drain_particles.
+      double storage = std::max(point.storage, 0.0);
+      if (gap.volume > 0.0 && cells.filled[static_cast<std::size_t>(index)])
+        storage -= gap.volume / gap.pressure;
+      count_point(particles, p, point.pressure, storage, capacity, mobility, cell);
     });
   });
 }
@@ -146,11 +154,16 @@ bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
   const bool same =
       cells.own == own_before && std::equal(cells.ids.begin(), cells.ids.end(), before.begin());
   if (same) cells.ids = std::move(before);  // with the others', which the halo still has
+  cells.filled.assign(static_cast<std::size_t>(cells.own), 0);
+  sum_pore_cells(scene, state, cells);
+  return same;
+}
+
+void sum_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
   cells.cells.assign(static_cast<std::size_t>(cells.own), PoreCell{});
   for (const Particles& particles : state.particles) count_set(scene, state.grid, particles, cells);
-  for (std::size_t i = 0; i < cells.cells.size(); ++i)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.own); ++i)
     finish_cell(state.grid, cells.ids[i], cells.cells[i]);
-  return same;
 }
 
 }  // namespace barreno

@@ -15,10 +15,12 @@ struct PoreCell {
                           ///< [volume/stress]
   double pressure = 0.0;  ///< mean of p, weight V / M [stress]
   double volume = 0.0;    ///< of rock [volume]
-  Vector centroid{};      ///< weight V / M [length]
-  Vector lower{}, upper{};  ///< of the part of the cell that rock fills [length]
-  Vector mobility{};        ///< k / viscosity along the axes, fluid at its initial density
-                            ///< [length^2/(stress time)]
+  double gap = 0.0;       ///< of gas in its pores, fluid at its initial density [volume]
+  double gap_pressure = 0.0;  ///< rise of the pressure that fills it [stress]
+  Vector centroid{};          ///< weight V / M [length]
+  Vector lower{}, upper{};    ///< of the part of the cell that rock fills [length]
+  Vector mobility{};          ///< k / viscosity along the axes, fluid at its initial density
+                              ///< [length^2/(stress time)]
 };
 
 /// The cells that hold solid material.
@@ -26,6 +28,8 @@ struct PoreCells {
   int own = 0;                 ///< of this rank, then those next to them of other ranks
   std::vector<long long> ids;  ///< number of the cell in the box
   std::vector<PoreCell> cells;
+  std::vector<char> filled;  ///< own cells whose gap this solve fills: its storage is that of full
+                             ///< pores then, and the gap is taken beside it
   std::vector<int> index_of_key;         ///< Particles::key -> own cell, or -1
   std::vector<std::array<int, 6>> next;  ///< neighbours of own cells by Face; -1: nothing solid
 };
@@ -37,5 +41,8 @@ std::array<int, 3> place_of_cell(const Grid& grid, long long id);
 /// and has a permeability, or none.
 /// @return whether they are the cells of the last time
 bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells);
+
+/// Sum up once more with other cells `filled`.
+void sum_pore_cells(const Scene& scene, const State& state, PoreCells& cells);
 
 }  // namespace barreno
