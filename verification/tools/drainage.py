@@ -19,7 +19,7 @@ from runs import Run
 
 EARLY = 0.1e-3  # s, when the jet has stopped
 MILLI, MEGA = 1e-3, 1e6
-MOST = 20.0  # MPa at the end of the colours
+MOST = 40.0  # MPa at the end of the colours
 
 
 def times_of(run):
