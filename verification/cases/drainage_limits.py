@@ -47,13 +47,14 @@ def run(barreno, full):
         ["rock", "depth [mm]", "plastic work [J]", "stresses against drained", "particles against drained [mm]", "fluid that is missing"],
         [],
     )
-    result.open = {"drained, 20 us": "points with a gas gap take more fluid than it holds in one solve, and fail"}
+    result.open = {"drained, 20 us": "one point in ten, crushed or at a gas gap, does not manage to drain and is removed with its fluid"}
     for end in (6.0, 20.0) if full else (6.0,):
         drained, closed = dry(barreno, end), undrained(barreno, end)
         none = with_flow(barreno, 0.0, end)
         result.rows += [row(f"drained, {end:g} us", drained, drained), row(f"undrained, {end:g} us", closed, drained)]
         result.rows.append(row(f"permeability 0, {end:g} us", none, drained))
-        result.demand(f"fields and columns with permeability 0 that differ from the undrained run, {end:g} us", len(different_bits(closed, none)), 0.0)
+        other = len(different_bits(closed, none))
+        result.demand(f"fields and columns with permeability 0 that differ from the undrained run, {end:g} us", other, 0.0)
         for permeability in (1e-11, 1e-9, 1e-7) if full else (1e-9, 1e-7):
             result.rows.append(row(f"{permeability:g} m2, {end:g} us", with_flow(barreno, permeability, end), drained))
         where, most = f"against drained, {end:g} us", result.rows[-1]
