@@ -14,6 +14,7 @@
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace barreno {
@@ -81,9 +82,10 @@ void refill_matrix(const LinearSystem& system, LinearSolver& solver) {
   solver.matrix->resumeFill();
   for (std::size_t i = 0; i < system.ids.size(); ++i) {
     const auto entries = static_cast<int>(system.begin[i + 1] - system.begin[i]);
-    solver.matrix->replaceGlobalValues(
+    const int replaced = solver.matrix->replaceGlobalValues(
         system.ids[i], entries, &system.value[system.begin[i]], &system.column[system.begin[i]]
     );
+    if (replaced != entries) throw std::logic_error("a link of pore cells that the graph lacks");
   }
   solver.matrix->fillComplete();
 }
