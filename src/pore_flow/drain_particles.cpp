@@ -38,7 +38,8 @@ template <class Model>
 Outcome drain_point(const Model& model, double fluid_volume, PorousPoint<Model>& point) {
   constexpr int most_pieces = 64;
   const PorousPoint<Model> before = point;
-  const double mass_per_volume = model.pore_point(point.stress, point.history).mass_per_volume;
+  const PorePoint start = model.pore_point(point.stress, point.history);
+  const bool emptied = fluid_mass_after(start, fluid_volume) == 0.0;
   Outcome outcome;
   for (int pieces = 1; pieces <= most_pieces; pieces *= 4) {
     Outcome sum;
@@ -47,8 +48,11 @@ Outcome drain_point(const Model& model, double fluid_volume, PorousPoint<Model>&
     for (int i = 0; i < pieces && !sum.failed(); ++i) {
       double volume = fluid_volume / pieces;
       // The mass counts: its density changes on the way.
-      if (i > 0)
-        volume *= mass_per_volume / model.pore_point(point.stress, point.history).mass_per_volume;
+      if (i > 0) {
+        const PorePoint now = model.pore_point(point.stress, point.history);
+        volume *= start.mass_per_volume / now.mass_per_volume;
+        if (emptied && i + 1 == pieces) volume = -now.fluid_mass / now.mass_per_volume;
+      }
       outcome = model.drain(volume, point.stress, point.history);
       sum.status = outcome.status;
       sum.substeps += outcome.substeps;
@@ -81,13 +85,12 @@ struct DrainSet {
     return cell + share * (line_at(scene, network, i, x) - point.pressure - cell);
   }
 
-  void drain(const Particles& particles, int p, std::size_t i, DrainTally& tally) const {
-    auto at = PorousPoint<Model>::read(particles, p);
+  /// The fluid that a particle of own cell i wants, and what it and its cell can spare.
+  void want(const Particles& particles, int p, std::size_t i, PoreShares& shares) const {
+    const auto at = PorousPoint<Model>::read(particles, p);
     const PorePoint point = model.pore_point(at.stress, at.history);
-    const double whole = fluid_volume(scene, particles, p, first_porosity);
-    tally.fluid_before += whole * point.fluid_mass;
-    tally.fluid += whole * point.fluid_mass;
-    if (!(point.storage > 0.0)) return;
+    shares.points.push_back({point, 0.0});
+    if (!(storage_of(point) > 0.0)) return;
     const GasGap gap = gas_gap(model, point);
     double storage = point.storage, change = 0.0;
     if (gap.volume > 0.0 && network.cells.filled[i]) {
@@ -95,6 +98,38 @@ struct DrainSet {
       change = gap.volume;
     }
     change += change_of(point, vector_of(particles.position, p), i) * storage;
+    const double held = point.fluid_mass / point.mass_per_volume;
+    if (network.cells.emptied[i]) change = -held;
+    shares.points.back().wanted = change;
+    const double whole = fluid_volume(scene, particles, p, first_porosity);
+    (change < -held ? shares.lacking : shares.spare)[i] +=
+        whole * point.mass_per_volume * std::fabs(held + change);
+  }
+
+  /// What the particle gets: no point loses more than it holds, the others of its cell give the
+  /// rest.
+  double granted(const PoreShare& share, std::size_t i, const PoreShares& shares) const {
+    const double held = share.point.fluid_mass / share.point.mass_per_volume;
+    if (share.wanted <= -held) return -held;
+    if (!(shares.lacking[i] > 0.0)) return share.wanted;
+    return (held + share.wanted) * std::max(0.0, 1.0 - shares.lacking[i] / shares.spare[i]) - held;
+  }
+
+  void drain(
+      const Particles& particles,
+      int p,
+      std::size_t i,
+      const PoreShare& share,
+      const PoreShares& shares,
+      DrainTally& tally
+  ) const {
+    const PorePoint& point = share.point;
+    const double whole = fluid_volume(scene, particles, p, first_porosity);
+    tally.fluid_before += whole * point.fluid_mass;
+    tally.fluid += whole * point.fluid_mass;
+    if (!(storage_of(point) > 0.0)) return;
+    auto at = PorousPoint<Model>::read(particles, p);
+    const double change = granted(share, i, shares);
     const Outcome outcome = drain_point(model, change, at);
     if (outcome.failed()) {
       if (spec.bad_particles == BadParticlePolicy::hold) tally.held += 1.0;
@@ -112,28 +147,40 @@ struct DrainSet {
   }
 };
 
-}  // namespace
-
-DrainTally drain_particles(
-    const Scene& scene, double dt, State& state, const PoreNetwork& network
+/// visit(set, particles, row, own cell) for every particle of rock.
+template <class Visitor>
+void for_each_porous(
+    const Scene& scene, double dt, const State& state, const PoreNetwork& network, Visitor&& visit
 ) {
-  const Region region("drain_particles");
-  DrainTally tally;
   for (const Particles& particles : state.particles) {
     const MaterialSpec& spec = scene.materials[static_cast<std::size_t>(particles.material)];
     visit_porous(scene, particles, [&](const auto& model) {
       using Model = std::decay_t<decltype(model)>;
       const DrainSet<Model> set{scene, network, model, state.grid.cell_size, dt, spec};
       for_each_solid_row(state.grid, particles, [&](int p, int key) {
-        set.drain(
-            particles,
-            p,
-            static_cast<std::size_t>(network.cells.index_of_key[static_cast<std::size_t>(key)]),
-            tally
-        );
+        const int cell = network.cells.index_of_key[static_cast<std::size_t>(key)];
+        visit(set, particles, p, static_cast<std::size_t>(cell));
       });
     });
   }
+}
+
+}  // namespace
+
+DrainTally drain_particles(const Scene& scene, double dt, State& state, PoreNetwork& network) {
+  const Region region("drain_particles");
+  PoreShares& shares = network.shares;
+  shares.points.clear();
+  shares.lacking.assign(network.links.size(), 0.0);
+  shares.spare.assign(network.links.size(), 0.0);
+  for_each_porous(scene, dt, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
+    set.want(rock, p, i, shares);
+  });
+  DrainTally tally;
+  std::size_t next = 0;
+  for_each_porous(scene, dt, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
+    set.drain(rock, p, i, shares.points[next++], shares, tally);
+  });
   return tally;
 }
 

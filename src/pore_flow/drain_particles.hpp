@@ -19,7 +19,8 @@ struct DrainTally {
 ///   dp_p = dp + (1 - exp(-pi^2 c dt / h^2)) (p + dp + G . (x_p - x) - p_p - dp)
 ///
 /// with p, x means of weight V / M, so that what particles take adds up to what the cell takes.
-/// Without flow nothing changes, bit for bit.
-DrainTally drain_particles(const Scene& scene, double dt, State& state, const PoreNetwork& network);
+/// Without flow nothing changes, bit for bit. No particle gives more than it holds; what its cell
+/// still owes is taken from the others of the cell.
+DrainTally drain_particles(const Scene& scene, double dt, State& state, PoreNetwork& network);
 
 }  // namespace barreno

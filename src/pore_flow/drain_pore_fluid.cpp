@@ -84,6 +84,13 @@ struct FlowTally {
   double work = 0.0;    ///< that the fluid brings into the rock where it comes in, p dv [energy]
 };
 
+/// Fluid that comes into an own cell, at its initial density [volume].
+double fluid_taken(const PoreNetwork& network, std::size_t i) {
+  const PoreCell& cell = network.cells.cells[i];
+  if (network.cells.emptied[i]) return -cell.held;
+  return cell.storage * network.change[i] + (network.cells.filled[i] ? cell.gap : 0.0);
+}
+
 /// Fluxes of the cells, and the sums over them.
 FlowTally tally_flow(double dt, PoreNetwork& network) {
   FlowTally tally;
@@ -96,9 +103,8 @@ FlowTally tally_flow(double dt, PoreNetwork& network) {
     for (std::size_t face = 0; face < network.links[i].size(); ++face)
       if (network.links[i][face].cell < 0)
         tally.inflow += dt * flow_through(network, i, face, true);
-    const double change = network.change[i];
-    const double taken = network.cells.filled[i] ? cell.gap : 0.0;
-    tally.work += (cell.pressure + 0.5 * change) * (cell.storage * change + taken);
+    const double change = std::max(network.change[i], -cell.pressure);
+    tally.work += (cell.pressure + 0.5 * change) * fluid_taken(network, i);
   }
   return tally;
 }
@@ -117,27 +123,55 @@ double drain_interval(const Scene& scene, const State& state, const PoreNetwork&
   return fastest[0] > 0.0 ? scene.pore_flow.diffusion_number * h * h / fastest[0] : scene.end_time;
 }
 
-/// Cells whose gap a rise of pressure fills. Their pressure rises steeply beyond: without this they
-/// would take what the gas alone could, many times the gap. More of them only raise pressures, so
-/// the set grows until it holds.
-bool fill_gaps(const Scene& scene, const State& state, PoreNetwork& network) {
-  PoreCells& cells = network.cells;
-  std::array<double, 1> more{0.0};
-  for (std::size_t i = 0; i < cells.filled.size(); ++i) {
-    const PoreCell& cell = cells.cells[i];
-    if (cells.filled[i] || !(cell.gap > 0.0) || !(network.change[i] > cell.gap_pressure)) continue;
-    cells.filled[i] = 1;
-    more[0] = 1.0;
-  }
-  max_over_ranks(*state.grid.comm, more);
-  if (!(more[0] > 0.0)) return false;
-  sum_pore_cells(scene, state, cells);
-  exchange_pore_cells(*network.halo, cells);
-  link_pore_cells(scene, state.grid, state.clock.time, network);
-  return true;
+bool leaks(const PoreNetwork& network, std::size_t i) {
+  const auto& links = network.links[i];
+  return std::any_of(links.begin(), links.end(), [](const PoreLink& link) {
+    return link.conductance > 0.0;
+  });
 }
 
-/// The change of pressure in all cells. Newton's method: storage changes where gaps are filled.
+/// Whether the rise of pressure fills the gap of a cell.
+bool fills(const PoreNetwork& network, std::size_t i) {
+  const PoreCell& cell = network.cells.cells[i];
+  if (!(cell.gap > 0.0)) return false;
+  // Full pores have another mean pressure than those with gas.
+  const double rise = network.change[i] + (network.cells.filled[i] ? cell.pressure : 0.0);
+  return rise > cell.gap_pressure;
+}
+
+/// Whether the fall of pressure takes all that a cell holds.
+bool empties(const PoreNetwork& network, std::size_t i) {
+  const PoreCell& cell = network.cells.cells[i];
+  const double gap = network.cells.filled[i] ? cell.gap : 0.0;
+  return -(cell.storage * network.change[i] + gap) > cell.held && leaks(network, i);
+}
+
+/// Finds the cells whose gap is filled, and those that are emptied. Pressures rise and fall steeply
+/// beyond: without this the first would take what the gas alone could, many times the gap, and the
+/// others lose more than they hold (pores of crushed rock close before their pressure is gone).
+/// @return whether they are others than before
+bool fill_or_empty(const Scene& scene, const State& state, PoreNetwork& network) {
+  PoreCells& cells = network.cells;
+  std::array<double, 2> others{0.0, 0.0};
+  for (std::size_t i = 0; i < cells.filled.size(); ++i) {
+    const char filled = fills(network, i) ? 1 : 0, emptied = empties(network, i) ? 1 : 0;
+    if (filled != cells.filled[i]) others[0] = 1.0;
+    if (filled != cells.filled[i] || emptied != cells.emptied[i]) others[1] = 1.0;
+    cells.filled[i] = filled;
+    cells.emptied[i] = emptied;
+  }
+  max_over_ranks(*state.grid.comm, others);
+  if (others[0] > 0.0) {
+    sum_pore_cells(scene, state, cells);
+    exchange_pore_cells(*network.halo, cells);
+    link_pore_cells(scene, state.grid, state.clock.time, network);
+  }
+  return others[1] > 0.0;
+}
+
+/// The change of pressure in all cells, by Newton's method: the fluid that a cell takes is linear
+/// in the pressure but for where a gap is full and where nothing is left. A cell on the edge of its
+/// gap may go to and fro: the last round keeps the mass as well.
 SolveReport find_change(const Scene& scene, double dt, State& state, PoreNetwork& network) {
   constexpr int most_rounds = 20;
   bool same_graph = build_network(scene, state, network);
@@ -146,7 +180,7 @@ SolveReport find_change(const Scene& scene, double dt, State& state, PoreNetwork
     assemble_system(dt, network);
     SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
     report.iterations = iterations += report.iterations;
-    if (!report.converged || round == most_rounds || !fill_gaps(scene, state, network))
+    if (!report.converged || round == most_rounds || !fill_or_empty(scene, state, network))
       return report;
     same_graph = true;
   }

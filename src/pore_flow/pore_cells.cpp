@@ -106,13 +106,15 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       Vector mobility = rock.permeability;
       for (double& m : mobility) m *= factor;
       const int index = cells.index_of_key[static_cast<std::size_t>(key)];
-      const double capacity = fluid_volume(scene, particles, p, first) * point.mass_per_volume;
+      const double whole = fluid_volume(scene, particles, p, first);
+      const double capacity = whole * point.mass_per_volume;
       PoreCell& cell = cells.cells[static_cast<std::size_t>(index)];
       const GasGap gap = gas_gap(model, point);
       cell.gap += capacity * gap.volume;
       cell.gap_pressure = std::max(cell.gap_pressure, gap.pressure);
       // Points that take no fluid do not count, as in drain_particles.
-      double storage = std::max(point.storage, 0.0);
+      double storage = storage_of(point);
+      if (storage > 0.0) cell.held += whole * point.fluid_mass;
       if (gap.volume > 0.0 && cells.filled[static_cast<std::size_t>(index)])
         storage -= gap.volume / gap.pressure;
       count_point(particles, p, point.pressure, storage, capacity, mobility, cell);
@@ -155,6 +157,7 @@ bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
       cells.own == own_before && std::equal(cells.ids.begin(), cells.ids.end(), before.begin());
   if (same) cells.ids = std::move(before);  // with the others', which the halo still has
   cells.filled.assign(static_cast<std::size_t>(cells.own), 0);
+  cells.emptied.assign(static_cast<std::size_t>(cells.own), 0);
   sum_pore_cells(scene, state, cells);
   return same;
 }

@@ -7,10 +7,23 @@
 #include "pore_flow/pore_links.hpp"
 
 #include <array>
+#include <barreno/pore_point.hpp>
 #include <memory>
 #include <vector>
 
 namespace barreno {
+
+/// A particle of rock while it drains.
+struct PoreShare {
+  PorePoint point;
+  double wanted = 0.0;  ///< fluid that comes in by (7.4), per volume
+};
+struct PoreShares {
+  std::vector<PoreShare> points;  ///< in the order of for_each_solid_row, material by material
+  std::vector<double>
+      lacking;                ///< what points of an own cell do not hold, initial density [volume]
+  std::vector<double> spare;  ///< what the others would still hold [volume]
+};
 
 /// Scratch of the pore flow, kept from solve to solve for its memory and its graph.
 struct PoreNetwork {
@@ -22,6 +35,7 @@ struct PoreNetwork {
   std::vector<double> change;     ///< dp of all cells, others' included [stress]
   std::vector<double> steepness;  ///< share of its slope that a cell may have, see cell_steepness
   std::vector<Vector> flux;       ///< Darcy velocity of own cells [velocity]
+  PoreShares shares;
 };
 
 }  // namespace barreno

@@ -63,6 +63,13 @@ GasGap gas_gap(const Model& model, const PorePoint& point) {
   return gap;
 }
 
+/// Storage of a point that takes or gives fluid, else 0: closed pores without fluid have a pressure
+/// that nothing feels.
+inline double storage_of(const PorePoint& point) {
+  const bool closed = !(point.fluid_mass > 0.0) && point.pressure > 0.0;
+  return point.storage > 0.0 && !closed ? point.storage : 0.0;
+}
+
 /// Fluid of a particle that has its initial mass, as volume at the initial density: fluid_mass of
 /// that is what it has. All flow is counted so, which keeps the mass of a fluid that is compressed.
 inline double fluid_volume(
