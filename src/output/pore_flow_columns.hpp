@@ -12,10 +12,9 @@ namespace barreno {
 /// file says of them.
 std::vector<std::string> pore_flow_columns(const Scene& scene);
 inline constexpr const char* pore_flow_note =
-    "; fluid in the pores and fluid_inflow through the surfaces of rock: m3 at the initial "
-    "density, of "
-    "the last solve; fluid_error: what they leave over, over fluid; fluid_work J: p dv where fluid "
-    "flows in; pore_iterations: of all solves";
+    "; fluid in the pores, fluid_inflow through the surfaces of rock and fluid_removed with "
+    "particles: m3 at the initial density, of the last solve; fluid_error: what they leave over, "
+    "over fluid; fluid_work J: p dv where fluid flows in; pore_iterations: of all solves";
 
 /// Their values, from the ledger of all ranks; none in other scenes.
 std::vector<double> pore_flow_values(const State& state, const Ledger& ledger);

@@ -215,8 +215,12 @@ std::string drain_pore_fluid(const Scene& scene, double dt, State& state) {
   state.ledger.plastic += drained.plastic;
   state.ledger.held += drained.held;
   flow.inflow += sums[0];
+  // Only the flow changes the fluid of a particle.
+  if (flow.solves == 0)
+    flow.initial_fluid = sums[3];
+  else
+    flow.removed += flow.fluid - sums[3];
   flow.fluid = sums[1];
-  if (flow.solves == 0) flow.initial_fluid = sums[3];
   flow.iterations += report.iterations;
   ++flow.solves;
   flow.interval = drain_interval(scene, state, network);

@@ -118,6 +118,28 @@ TEST(DrainPoreFluid, SealedRockKeepsItsFluid) {
   }
 }
 
+/// What leaves with particles is told apart from what a solve loses.
+TEST(DrainPoreFluid, CountsTheFluidOfRemovedParticles) {
+  Scene scene = block_scene(Mode::plane_strain, 4, 1e-12);
+  State state = placed(scene);
+  set_pressures(state, [](const Vector&) { return 1e6; });
+  drain_pore_fluid(scene, 1e5, state);
+  EXPECT_EQ(state.pore_flow.removed, 0.0);
+  Particles& rock = state.particles[0];
+  std::array<double, 1> gone{0.0};
+  for (int p = 0; p < rock.count; ++p) {
+    if (vector_of(rock.position, p)[1] > 1.0) continue;
+    rock.body(p) |= held_bit;
+    gone[0] += 0.19 * rock.mass(p) / 2300.0 * rock.history(p, 1);
+  }
+  sum_over_ranks(*state.grid.comm, gone);
+  const double before = state.pore_flow.fluid;
+  drain_pore_fluid(scene, 1e5, state);
+  EXPECT_GT(gone[0], 0.0);
+  EXPECT_NEAR(state.pore_flow.removed, gone[0], 1e-13 * before);
+  EXPECT_NEAR(state.pore_flow.fluid + state.pore_flow.removed, before, 1e-13 * before);
+}
+
 /// Backward Euler over n layers by hand: what leaves a column at its open top.
 TEST(DrainPoreFluid, IsBackwardEulerOfTheLayers) {
   constexpr int n = 4;
