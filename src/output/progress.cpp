@@ -126,71 +126,72 @@ std::string grid_text(const GridSpec& grid) {
   return text + si(1e3 * grid.cell_size, "mm");
 }
 
+std::string body_text(const Scene& scene, const BodySpec& body) {
+  const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+  const std::string model =
+      std::visit([](const auto& m) { return std::string(m.name); }, material.model);
+  std::string text = body.name + ": " + material.name + " (" + model + "), " +
+                     std::to_string(body.particles_per_cell) + " particles per cell and direction";
+  if (body.initial_pressure != 0.0)
+    text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
+  if (body.pore_pressure) text += ", fluid under " + si(1e-6 * *body.pore_pressure, "MPa");
+  return text;
+}
+
+std::string jet_text(const Scene& scene) {
+  const auto& slugs = scene.jet.slugs;
+  const Material& material = scene.materials[static_cast<std::size_t>(scene.jet.material)].material;
+  const std::string text =
+      std::to_string(slugs.size()) + " slugs of " + material.name + " from " + scene.jet.table_file;
+  if (slugs.empty()) return text;
+  return text + ", " + format("%.4g to %.4g m/s", slugs.front().velocity, slugs.back().velocity);
+}
+
+std::string modelled_text(const Scene& scene) {
+  return "explicit dynamics, " + scene.step.shape + ", " + transfer_text(scene.step) + ", " +
+         order_name(scene.step.order) + ", artificial viscosity, " +
+         (scene.pore_flow.on() ? "pore fluid flow, " : "") +
+         std::to_string(scene.conditions.size()) + " conditions, " +
+         std::to_string(scene.loads.size()) + " loads";
+}
+
+std::string left_out_text(const Scene& scene) {
+  return std::string(scene.pore_flow.on() ? "" : "pore fluid flow, ") + "heat conduction" +
+         (scene.contacts.empty() ? ", friction between bodies (one velocity field)" : "") +
+         (scene.jet.present ? "" : ", jet");
+}
+
+std::string slow_text(const Scene& scene) {
+  return format(
+      "inertia x %.4g, which mass, momentum and kinetic energy show: a wave crosses in %.3g of the "
+      "time of diffusion; damping %.4g 1/s",
+      scene.quasi_static.inertia_factor,
+      scene.quasi_static.transit_time / scene.quasi_static.slow_time,
+      scene.step.damping
+  );
+}
+
 }  // namespace
 
 std::vector<std::string> scene_lines(
     const Scene& scene, const RunDescription& run, int ranks, double particles
 ) {
-  const GridSpec& grid = scene.grid;
   std::vector<std::string> lines;
   lines.push_back("Barreno " + run.version + ": " + run.deck_name + ", " + scene.title);
-  lines.push_back("  grid       " + grid_text(grid));
-  for (const BodySpec& body : scene.bodies) {
-    const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
-    const std::string model =
-        std::visit([](const auto& m) { return std::string(m.name); }, material.model);
-    std::string text = "  body       " + body.name + ": " + material.name + " (" + model + "), " +
-                       std::to_string(body.particles_per_cell) +
-                       " particles per cell and direction";
-    if (body.initial_pressure != 0.0)
-      text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
-    if (body.pore_pressure) text += ", fluid under " + si(1e-6 * *body.pore_pressure, "MPa");
-    lines.push_back(text);
-  }
-  if (scene.jet.present) {
-    const auto& slugs = scene.jet.slugs;
-    const Material& material =
-        scene.materials[static_cast<std::size_t>(scene.jet.material)].material;
-    lines.push_back(
-        "  jet        " + std::to_string(slugs.size()) + " slugs of " + material.name + " from " +
-        scene.jet.table_file +
-        (slugs.empty()
-             ? std::string()
-             : ", " + format("%.4g to %.4g m/s", slugs.front().velocity, slugs.back().velocity))
-    );
-  }
-  lines.push_back(
-      "  modelled   explicit dynamics, " + scene.step.shape + ", " + transfer_text(scene.step) +
-      ", " + order_name(scene.step.order) + ", artificial viscosity, " +
-      (scene.pore_flow.on() ? "pore fluid flow, " : "") + std::to_string(scene.conditions.size()) +
-      " conditions, " + std::to_string(scene.loads.size()) + " loads"
-  );
-  lines.push_back(
-      std::string("  not        ") + (scene.pore_flow.on() ? "" : "pore fluid flow, ") +
-      "heat conduction" +
-      (scene.contacts.empty() ? ", friction between bodies (one velocity field)" : "") +
-      (scene.jet.present ? "" : ", jet")
-  );
-  if (scene.quasi_static.on())
-    lines.push_back(
-        "  slow       " +
-        format(
-            "inertia x %.4g, which mass, momentum and kinetic energy show: a wave crosses in %.3g "
-            "of the time of diffusion; damping %.4g 1/s",
-            scene.quasi_static.inertia_factor,
-            scene.quasi_static.transit_time / scene.quasi_static.slow_time,
-            scene.step.damping
-        )
-    );
+  lines.push_back("  grid       " + grid_text(scene.grid));
+  for (const BodySpec& body : scene.bodies)
+    lines.push_back("  body       " + body_text(scene, body));
+  if (scene.jet.present) lines.push_back("  jet        " + jet_text(scene));
+  lines.push_back("  modelled   " + modelled_text(scene));
+  lines.push_back("  not        " + left_out_text(scene));
+  if (scene.quasi_static.on()) lines.push_back("  slow       " + slow_text(scene));
   for (const std::string& note : run.notes) lines.push_back("  note       " + note);
+  const char* const plural = ranks == 1 ? "" : "s";
   lines.push_back(
-      "  run        " + format(
-                            "%.0f particles now, to t = %.4g s, %d rank%s",
-                            particles,
-                            scene.end_time,
-                            ranks,
-                            ranks == 1 ? "" : "s"
-                        )
+      "  run        " +
+      format(
+          "%.0f particles now, to t = %.4g s, %d rank%s", particles, scene.end_time, ranks, plural
+      )
   );
   lines.push_back("  files      " + run.folder.string());
   return lines;

@@ -77,8 +77,9 @@ TEST(DrainPoreFluid, WithoutPermeabilityChangesNoBit) {
     std::vector<double> before;
     for (int p = 0; p < rock.count; ++p)
       for (int c = 0; c < rock.stress.components; ++c) before.push_back(rock.stress(p, c));
-    std::vector<double> pressures;
-    for (int p = 0; p < rock.count; ++p) pressures.push_back(rock.history(p, pressure));
+    std::vector<double> pressures(static_cast<std::size_t>(rock.count));
+    for (int p = 0; p < rock.count; ++p)
+      pressures[static_cast<std::size_t>(p)] = rock.history(p, pressure);
     drain_pore_fluid(scene, 1.0, state);
     EXPECT_EQ(state.pore_flow.solves, 1);
     std::size_t k = 0;
