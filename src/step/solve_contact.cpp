@@ -66,6 +66,7 @@ struct SolveContact {
     node.bits = fields(tile * patch.size + slot);
     double force[most_velocity_fields][D];
     for (int f = 0; f < field_count; ++f) {
+      node.inverse_mass[f] = 0.0;  // of a field that is not here: no impulse changes it
       for (int d = 0; d < dimensions; ++d) node.impulse[f][d] = node.tangential[f][d] = 0.0;
       for (int d = 0; d < dimensions; ++d) node.change[f][d] = 0.0;
       if (node.bits >> f & 1U) load(tile, slot, f, node, force[f]);
