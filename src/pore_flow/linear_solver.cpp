@@ -209,7 +209,7 @@ SolveReport refine(double size, LinearSolver& solver) {
 /// nobody has asked for.
 SolveReport solve_with_fallback(LinearSolver& solver) {
   const double size = norm(*solver.b);
-  const SolveReport first = refine(size, solver);
+  SolveReport first = refine(size, solver);
   if (first.converged || !solver.with_multigrid || solver.muelu.numParams() > 0) return first;
   solver.with_multigrid = false;
   solver.preconditioner = Teuchos::null;
@@ -258,7 +258,7 @@ SolveReport solve(
     const auto b = solver.b->getDataNonConst(0);
     std::copy(system.right_side.begin(), system.right_side.end(), b.begin());
   }
-  const SolveReport report = solve_with_fallback(solver);
+  SolveReport report = solve_with_fallback(solver);
   const auto x = solver.x->getData(0);
   solution.assign(x.begin(), x.end());
   return report;

@@ -130,7 +130,7 @@ void exchange_pore_cells(const PoreHalo& halo, PoreCells& cells) {
   cells.cells.resize(cells.ids.size());
   for (std::size_t c = 0; c < cell_values; ++c) {
     const auto column = to.getData(c);
-    for (std::size_t i = static_cast<std::size_t>(cells.own); i < cells.cells.size(); ++i)
+    for (auto i = static_cast<std::size_t>(cells.own); i < cells.cells.size(); ++i)
       std::memcpy(
           reinterpret_cast<char*>(&cells.cells[i]) + c * sizeof(double),
           &column[static_cast<int>(i) - cells.own],
