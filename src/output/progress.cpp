@@ -141,7 +141,7 @@ std::string body_text(const Scene& scene, const BodySpec& body) {
 std::string jet_text(const Scene& scene) {
   const auto& slugs = scene.jet.slugs;
   const Material& material = scene.materials[static_cast<std::size_t>(scene.jet.material)].material;
-  const std::string text =
+  std::string text =
       std::to_string(slugs.size()) + " slugs of " + material.name + " from " + scene.jet.table_file;
   if (slugs.empty()) return text;
   return text + ", " + format("%.4g to %.4g m/s", slugs.front().velocity, slugs.back().velocity);
