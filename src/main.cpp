@@ -102,12 +102,13 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
   }
 }
 
-/// Only a run needs MPI, and whatever mpirun has started. A point, a plan or a page of text comes
-/// ten times sooner without.
+/// A run needs MPI, whatever mpirun has started, and the plan of one: MueLu cannot set its grids up
+/// without. A point or a page of text comes ten times sooner.
 bool needs_mpi(int argc, char** argv) {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
     if (std::getenv(name)) return true;
-  return argc > 1 && std::string(argv[1]) == "run";
+  const std::string command = argc > 1 ? argv[1] : "";
+  return command == "run" || command == "check";
 }
 
 }  // namespace

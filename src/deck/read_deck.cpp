@@ -7,9 +7,8 @@
 #include "deck/jet_table.hpp"
 #include "deck/load_material.hpp"
 #include "deck/read_once.hpp"
+#include "deck/read_solver_lists.hpp"
 #include "deck/read_surface.hpp"
-
-#include <Teuchos_XMLParameterListReader.hpp>
 
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
@@ -186,16 +185,6 @@ Surfaces read_surfaces(const Reading& reading, ParameterList& values) {
   return surfaces;
 }
 
-/// Lists that other libraries check, in their own form of XML.
-void read_solver_lists(const XMLObject& root, ParameterList& values) {
-  const auto flow = input::find_list(root, "Pore Flow");
-  if (!flow) return;
-  for (const char* name : {"Belos", "Ifpack2", "MueLu"})
-    if (const auto list = input::find_list(*flow, name))
-      values.sublist("Pore Flow").sublist(name) =
-          Teuchos::XMLParameterListReader().toParameterList(*list);
-}
-
 void check_version(const ParameterList& values, const std::string& source) {
   const int version = values.get<int>("Schema Version");
   if (version == deck_schema_version) return;
@@ -231,7 +220,7 @@ Deck read_deck(
   check_version(values, name);
   values.set("Units", "SI");
   read_materials(root, reading, values);
-  read_solver_lists(root, values);
+  read_solver_lists(root, name, values);
   const std::string jet_table = include_jet_table(reading, values);
   const auto surfaces = read_surfaces(reading, values);
   Deck deck(name, values, root);

@@ -34,11 +34,14 @@ double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, co
 
 /// The material's own drain, in pieces where it does not manage at once (rock that jumps on the
 /// way). A point that fails is as before.
+///
+/// @param start  what the flow sees of the point
 template <class Model>
-Outcome drain_point(const Model& model, double fluid_volume, PorousPoint<Model>& point) {
+Outcome drain_point(
+    const Model& model, const PorePoint& start, double fluid_volume, PorousPoint<Model>& point
+) {
   constexpr int most_pieces = 64;
   const PorousPoint<Model> before = point;
-  const PorePoint start = model.pore_point(point.stress, point.history);
   const bool emptied = fluid_mass_after(start, fluid_volume) == 0.0;
   Outcome outcome;
   for (int pieces = 1; pieces <= most_pieces; pieces *= 4) {
@@ -73,13 +76,12 @@ struct DrainSet {
   const Scene& scene;
   const PoreNetwork& network;
   const Model& model;
-  double cell_size, dt;
   const MaterialSpec& spec;
   double first_porosity = initial_pore_point(model).porosity;
 
   /// dp_p of a particle in own cell i. (7.4)
   double change_of(const PorePoint& point, const Vector& x, std::size_t i) const {
-    const double share = evened_share(network.cells.cells[i], cell_size, dt);
+    const double share = network.shares.evened[i];
     const double cell = network.change[i];
     if (share == 0.0) return cell;
     return cell + share * (line_at(scene, network, i, x) - point.pressure - cell);
@@ -90,12 +92,11 @@ struct DrainSet {
     const auto at = PorousPoint<Model>::read(particles, p);
     const PorePoint point = model.pore_point(at.stress, at.history);
     shares.points.push_back({point, 0.0});
-    if (!(storage_of(point) > 0.0)) return;
-    const GasGap gap = gas_gap(model, point);
+    if (!(point.storage > 0.0)) return;
     double storage = point.storage, change = 0.0;
-    if (gap.volume > 0.0 && network.cells.filled[i]) {
-      storage -= gap.volume / gap.pressure;
-      change = gap.volume;
+    if (point.gap > 0.0 && network.cells.filled[i]) {
+      storage -= point.gap / point.gap_pressure;
+      change = point.gap;
     }
     change += change_of(point, vector_of(particles.position, p), i) * storage;
     const double held = point.fluid_mass / point.mass_per_volume;
@@ -127,10 +128,10 @@ struct DrainSet {
     const double whole = fluid_volume(scene, particles, p, first_porosity);
     tally.fluid_before += whole * point.fluid_mass;
     tally.fluid += whole * point.fluid_mass;
-    if (!(storage_of(point) > 0.0)) return;
+    if (!(point.storage > 0.0)) return;
     auto at = PorousPoint<Model>::read(particles, p);
     const double change = granted(share, i, shares);
-    const Outcome outcome = drain_point(model, change, at);
+    const Outcome outcome = drain_point(model, point, change, at);
     if (outcome.failed()) {
       if (spec.bad_particles == BadParticlePolicy::hold) tally.held += 1.0;
       if (spec.bad_particles == BadParticlePolicy::stop) tally.stops += 1.0;
@@ -150,13 +151,13 @@ struct DrainSet {
 /// visit(set, particles, row, own cell) for every particle of rock.
 template <class Visitor>
 void for_each_porous(
-    const Scene& scene, double dt, const State& state, const PoreNetwork& network, Visitor&& visit
+    const Scene& scene, const State& state, const PoreNetwork& network, Visitor&& visit
 ) {
   for (const Particles& particles : state.particles) {
     const MaterialSpec& spec = scene.materials[static_cast<std::size_t>(particles.material)];
     visit_porous(scene, particles, [&](const auto& model) {
       using Model = std::decay_t<decltype(model)>;
-      const DrainSet<Model> set{scene, network, model, state.grid.cell_size, dt, spec};
+      const DrainSet<Model> set{scene, network, model, spec};
       for_each_solid_row(state.grid, particles, [&](int p, int key) {
         const int cell = network.cells.index_of_key[static_cast<std::size_t>(key)];
         visit(set, particles, p, static_cast<std::size_t>(cell));
@@ -171,14 +172,17 @@ DrainTally drain_particles(const Scene& scene, double dt, State& state, PoreNetw
   const Region region("drain_particles");
   PoreShares& shares = network.shares;
   shares.points.clear();
+  shares.evened.clear();
+  for (std::size_t i = 0; i < network.links.size(); ++i)
+    shares.evened.push_back(evened_share(network.cells.cells[i], state.grid.cell_size, dt));
   shares.lacking.assign(network.links.size(), 0.0);
   shares.spare.assign(network.links.size(), 0.0);
-  for_each_porous(scene, dt, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
+  for_each_porous(scene, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
     set.want(rock, p, i, shares);
   });
   DrainTally tally;
   std::size_t next = 0;
-  for_each_porous(scene, dt, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
+  for_each_porous(scene, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
     set.drain(rock, p, i, shares.points[next++], shares, tally);
   });
   return tally;

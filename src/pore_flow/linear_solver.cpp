@@ -28,8 +28,10 @@ using Krylov = Belos::SolverManager<double, Vectors, SparseOperator>;
 using Relaxation = Ifpack2::Preconditioner<double, int, long long>;
 
 constexpr double default_tolerance = 1e-10;
-/// Below so many unknowns in all a smoother is as good as grids.
+/// Below so many unknowns in all, or so much flow to neighbours over what is stored (2 d c dt/h^2
+/// of a uniform rock in d dimensions), a smoother is cheaper than grids (docs/performance.md).
 constexpr long long fewest_for_multigrid = 2000;
+constexpr double least_flow_for_multigrid = 100.0;
 
 }  // namespace
 
@@ -43,6 +45,7 @@ struct LinearSolver {
   Teuchos::RCP<SparseMatrix> matrix;
   Teuchos::RCP<SparseOperator> preconditioner;
   bool with_multigrid = false;
+  double flow_over_storage = 0.0;
   Teuchos::RCP<Vectors> x, b, residual, change, row_sums;
 };
 
@@ -90,11 +93,12 @@ void refill_matrix(const LinearSystem& system, LinearSolver& solver) {
   solver.matrix->fillComplete();
 }
 
-/// The deck's own list decides; else the number of unknowns.
+/// The deck's own list decides; else what is cheaper.
 bool wants_multigrid(const LinearSolver& solver) {
   if (solver.ifpack2.numParams() > 0) return false;
   if (solver.muelu.numParams() > 0) return true;
-  return static_cast<long long>(solver.map->getGlobalNumElements()) >= fewest_for_multigrid;
+  return static_cast<long long>(solver.map->getGlobalNumElements()) >= fewest_for_multigrid &&
+         solver.flow_over_storage >= least_flow_for_multigrid;
 }
 
 void update_relaxation(LinearSolver& solver) {
@@ -253,6 +257,7 @@ SolveReport solve(
     refill_matrix(system, solver);
   else
     build_matrix(system, solver);
+  solver.flow_over_storage = flow_over_storage(system, *solver.comm);
   update_preconditioner(solver);
   {
     const auto b = solver.b->getDataNonConst(0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Teuchos_Comm.hpp>
+
 #include <cstddef>
 #include <vector>
 
@@ -33,5 +35,9 @@ struct LinearSystem {
     right_side.push_back(b);
   }
 };
+
+/// Greatest flow to neighbours over storage of all rows that store anything, sum of |a_ij| over
+/// a_ii less that sum: 2 d c dt/h^2 of a uniform rock in d dimensions. Collective.
+double flow_over_storage(const LinearSystem& system, const Teuchos::Comm<int>& comm);
 
 }  // namespace barreno

@@ -42,8 +42,11 @@ Teuchos::RCP<SparseOperator> make_multigrid(
     MueLu::ReuseTpetraPreconditioner(matrix, *hierarchy);
     return hierarchy;
   }
-  Teuchos::ParameterList list = lists;
-  list.setParametersNotAlreadySet(defaults());
+  Teuchos::ParameterList list = lists, usual = defaults();
+  // Another smoother does not know these parameters.
+  for (const std::string name : {"smoother", "coarse"})
+    if (lists.isParameter(name + ": type")) usual.remove(name + ": params");
+  list.setParametersNotAlreadySet(usual);
   const Teuchos::RCP<SparseOperator> as_operator = matrix;
   return MueLu::CreateTpetraPreconditioner<double, int, long long>(as_operator, list);
 }

@@ -109,14 +109,12 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       const double whole = fluid_volume(scene, particles, p, first);
       const double capacity = whole * point.mass_per_volume;
       PoreCell& cell = cells.cells[static_cast<std::size_t>(index)];
-      const GasGap gap = gas_gap(model, point);
-      cell.gap += capacity * gap.volume;
-      cell.gap_pressure = std::max(cell.gap_pressure, gap.pressure);
-      // Points that take no fluid do not count, as in drain_particles.
-      double storage = storage_of(point);
+      cell.gap += capacity * point.gap;
+      cell.gap_pressure = std::max(cell.gap_pressure, point.gap_pressure);
+      double storage = point.storage;
       if (storage > 0.0) cell.held += whole * point.fluid_mass;
-      if (gap.volume > 0.0 && cells.filled[static_cast<std::size_t>(index)])
-        storage -= gap.volume / gap.pressure;
+      if (point.gap > 0.0 && cells.filled[static_cast<std::size_t>(index)])
+        storage -= point.gap / point.gap_pressure;
       count_point(particles, p, point.pressure, storage, capacity, mobility, cell);
     });
   });

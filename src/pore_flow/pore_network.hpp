@@ -20,9 +20,10 @@ struct PoreShare {
 };
 struct PoreShares {
   std::vector<PoreShare> points;  ///< in the order of for_each_solid_row, material by material
-  std::vector<double>
-      lacking;                ///< what points of an own cell do not hold, initial density [volume]
-  std::vector<double> spare;  ///< what the others would still hold [volume]
+  /// Of own cells, volumes at the initial density:
+  std::vector<double> lacking;  ///< what points are asked for beyond what they hold [volume]
+  std::vector<double> spare;    ///< what the others would still hold [volume]
+  std::vector<double> evened;   ///< how far the pressures within a cell have come to a line [-]
 };
 
 /// Scratch of the pore flow, kept from solve to solve for its memory and its graph.

@@ -41,35 +41,6 @@ void visit_porous(const Scene& scene, const Particles& particles, Visitor&& visi
   );
 }
 
-/// Gas in pores that fluid does not fill.
-struct GasGap {
-  double volume = 0.0;    ///< per volume; 0: full pores
-  double pressure = 0.0;  ///< rise of the fluid's pressure that fills it [stress]
-};
-
-/// The gap of a point. Its storage (fluid_of) is that of full pores and volume/pressure of the gas.
-template <class Model>
-GasGap gas_gap(const Model& model, const PorePoint& point) {
-  GasGap gap;
-  if constexpr (std::is_same_v<Model, GeneralArenisca>) {
-    constexpr double gas = 5e-5;  // bulk modulus over the fluid's, as in fluid_of
-    const auto& fluid = model.rock().fluid;
-    const double full =
-        point.biot / fluid.matrix + point.porosity * (1.0 / fluid.bulk - 1.0 / fluid.matrix);
-    gap.pressure = gas * fluid.bulk;
-    if (!(point.pressure > 0.0) && point.storage > full)
-      gap.volume = (point.storage - full) * gap.pressure;
-  }
-  return gap;
-}
-
-/// Storage of a point that takes or gives fluid, else 0: closed pores without fluid have a pressure
-/// that nothing feels.
-inline double storage_of(const PorePoint& point) {
-  const bool closed = !(point.fluid_mass > 0.0) && point.pressure > 0.0;
-  return point.storage > 0.0 && !closed ? point.storage : 0.0;
-}
-
 /// Fluid of a particle that has its initial mass, as volume at the initial density: fluid_mass of
 /// that is what it has. All flow is counted so, which keeps the mass of a fluid that is compressed.
 inline double fluid_volume(

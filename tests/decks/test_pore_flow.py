@@ -47,6 +47,21 @@ def check_planner(barreno):
         assert line.split()[2] == state and reason in line, line
 
 
+def check_solver_words(barreno):
+    """A solver's word may be set though the deck has no list of it; what does not fit its type is refused by name."""
+    for path, value, exit_code, words in (
+        ("Belos/Maximum Iterations", "500", 0, "on"),
+        ("Belos/Maximum Iterations", "many", 1, "Pore Flow/Belos"),
+        ("Ifpack2/relaxation: sweeps", "2", 0, "on"),
+        ("MueLu/smoother: type", "RELAXATION", 0, "on"),
+        ("MueLu/max levels", "several", 1, "Pore Flow/MueLu"),
+    ):
+        result = program(barreno, "check", str(DECKS / "terzaghi.xml"), *settings({f"Pore Flow/{path}": value}))
+        assert result.returncode == exit_code, f"{path}={value}: exit {result.returncode}: {result.stderr}"
+        said = result.stdout + result.stderr
+        assert words in said and (exit_code == 0 or len(result.stderr.strip().splitlines()) == 1), said
+
+
 def check_failure(barreno, folder):
     """A solver that gives up ends the run: exit 3, a sentence that helps, and the state before it, undrained."""
     more = {"Pore Flow/Belos/Maximum Iterations": "1", "Time/End Time": "1 ms"}
@@ -144,6 +159,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         check_planner(barreno)
+        check_solver_words(barreno)
         for check in (check_failure, check_pore_pressure, same_on_ranks, check_slow):
             check(barreno, folder)
 

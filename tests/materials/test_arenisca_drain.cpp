@@ -218,6 +218,28 @@ TEST(AreniscaDrain, WhatHoldsNoFluidThatFlows) {
   }
 }
 
+/// Pores that are emptied and then crushed shut: their walls press on each other, but there is no
+/// fluid with a pressure, and none comes in.
+TEST(AreniscaDrain, EmptyPoresHaveNoPressure) {
+  const GeneralArenisca model(wet(), 2300.0);
+  Rock rock = virgin(model);
+  strain(rock, isotropic(-0.02), 40);
+  EXPECT_GT(rock.history.pore_pressure, 1e6);
+  const PorePoint full = fluid(rock);
+  ASSERT_FALSE(
+      model.drain(-full.fluid_mass / full.mass_per_volume, rock.stress, rock.history).failed()
+  );
+  EXPECT_EQ(rock.history.fluid_mass_ratio, 0.0);
+  for (int i = 0; i < 40; ++i) {
+    strain(rock, isotropic(-0.01), 20);
+    EXPECT_EQ(rock.history.pore_pressure, 0.0);
+    EXPECT_EQ(fluid(rock).pressure, 0.0);
+  }
+  EXPECT_LT(trace(rock.stress), -3e9);
+  EXPECT_EQ(fluid(rock).storage, 0.0);
+  EXPECT_EQ(model.drain(1e-6, rock.stress, rock.history).status, Status::bad_input);
+}
+
 /// Overstress is not the fluid's: it stays.
 TEST(AreniscaDrain, OverstressStays) {
   Parameters p = wet();

@@ -2,6 +2,7 @@
 """A perforation into saturated sandstone at both ends of permeability: none is the undrained rock, very much the drained one."""
 import numpy as np
 from case import Result
+from runs import missing_fluid
 from wet_perforation import dry, undrained, with_flow
 
 STRESSES = ("stress_xx", "stress_yy", "stress_zz", "stress_xy")
@@ -34,8 +35,7 @@ def depth(run):
 def row(name, run, drained):
     table = run.table("history.csv")
     stress, distance = apart(drained, run)
-    missing = abs(table["fluid_error"][-1]) if "fluid_error" in table else 0.0
-    return [name, 1e3 * depth(run), table["plastic"][-1], stress, 1e3 * distance, missing]
+    return [name, 1e3 * depth(run), table["plastic"][-1], stress, 1e3 * distance, missing_fluid(run)]
 
 
 def run(barreno, full):

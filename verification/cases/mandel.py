@@ -6,7 +6,7 @@ import numpy as np
 from case import Result
 from columns import DIFFUSIVITY, ROCK, exact
 from manufactured_runs import centres
-from runs import order, run_deck
+from runs import missing_fluid, order, run_deck
 
 LOAD, RAMP = 1e6, 4e-3  # Pa, s; the slab is 1 m wide to its open side
 RATE = DIFFUSIVITY / 4.0  # m2/s: of the deck, T = RATE t
@@ -36,7 +36,7 @@ def measure(barreno, h):
         pressure, wanted = particles["pore_pressure"][inside] / LOAD, np.interp(x[inside], *profile(T))
         middle = x[inside] < 0.1
         rows.append((T, pressure[middle].mean(), wanted[middle].mean(), np.max(np.abs(pressure - wanted))))
-    return np.array(rows), abs(finished.table("history.csv")["fluid_error"][-1])
+    return np.array(rows), missing_fluid(finished)
 
 
 def run(barreno, full):

@@ -12,6 +12,7 @@ sys.path[:0] = [str(HERE.parent / "tools")]
 
 import numpy as np  # noqa: E402
 from case import Result  # noqa: E402
+from runs import missing_fluid  # noqa: E402
 from wet_perforation import dry, undrained, with_flow  # noqa: E402
 
 STORED = HERE.parent / "results" / "pore_sweep.json"
@@ -28,9 +29,8 @@ def removed(run):
 def row(name, permeability, run):
     table, particles = run.table("history.csv"), run.particles()
     drained = -100.0 * table["fluid_inflow"][-1] / table["fluid"][0 if table["fluid"][0] > 0.0 else 1] if "fluid_inflow" in table else 0.0
-    missing = abs(table["fluid_error"][-1]) if "fluid_error" in table else 0.0
     pressure = float(np.nanmax(particles["pore_pressure"])) / 1e6 if "pore_pressure" in particles else 0.0
-    return [name, permeability, 1e3 * run.summary["penetration"]["depth"], table["plastic"][-1], pressure, drained, missing, removed(run)]
+    return [name, permeability, 1e3 * run.summary["penetration"]["depth"], table["plastic"][-1], pressure, drained, missing_fluid(run), removed(run)]
 
 
 def run(barreno, full):
@@ -56,8 +56,7 @@ def run(barreno, full):
     result.demand("particles removed, the most of all", gone, 0.0)
     result.notes = (
         "![depth against permeability](pictures/depth_against_permeability.png)\n\n`verification/depth_against_permeability.py BARRENO` runs the "
-        f"sweep and draws. Cells of 4 mm, {END:g} us: a jet is as deep in undrained as in dry rock of equal density. "
-        "Pores that are closed and empty have the pressure of their walls: no fluid has the 25 GPa of the last rows."
+        f"sweep and draws. Cells of 4 mm, {END:g} us: a jet is as deep in undrained as in dry rock of equal density."
     )
     return result
 

@@ -4,7 +4,7 @@ import numpy as np
 from case import Result
 from choices import modes, shape_functions
 from columns import DIFFUSIVITY, HEIGHT, LOAD, RAMP, ROCK, SLOWER, column_run, diffusion_number, exact, state_of
-from runs import order
+from runs import missing_fluid, order
 
 TIMES = [0.05 * k for k in range(1, 11)]  # c t / height^2
 RAMP_T = RAMP * DIFFUSIVITY / SLOWER / HEIGHT**2
@@ -31,7 +31,7 @@ def errors_of(run):
         worst = max(worst, float(np.max(np.abs(error))))
         middle.append(rms(error))
         settled = max(settled, abs(settles - settlement(T)) / (LOAD * HEIGHT / ROCK.confined))
-    return worst, max(middle), settled, abs(run.table("history.csv")["fluid_error"][-1])
+    return worst, max(middle), settled, missing_fluid(run)
 
 
 def refine(barreno, mode, shape, cells, result):

@@ -104,3 +104,14 @@ def run_deck(barreno, deck, settings=None, ranks=1, folder=None):
 def order(errors, ratio=2.0):
     """Observed orders of successive errors."""
     return [float(np.log(a / b) / np.log(ratio)) for a, b in zip(errors, errors[1:])]
+
+
+def missing_fluid(run):
+    """Share of a run's first pore fluid that is neither in the rock nor has flowed out of it: what solves lose, and what particles
+    took along that were removed. 0 without pore flow."""
+    table = run.table("history.csv")
+    if "fluid_error" not in table:
+        return 0.0
+    first = table["fluid"][-1] + table["fluid_removed"][-1] - table["fluid_inflow"][-1]
+    gone = table["fluid_removed"][-1] / first if first > 0.0 else 0.0
+    return float(abs(table["fluid_error"][-1]) + gone)

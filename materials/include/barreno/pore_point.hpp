@@ -25,6 +25,10 @@ struct PorePoint {
   double porosity = 0.0;         ///< pore volume over volume [-]
   double fluid_mass = 1.0;       ///< over the initial one of the reference volume [-]
   double mass_per_volume = 0.0;  ///< d fluid_mass for v = 1 [-]
+  /// Of pores that gas fills in part: its volume per volume, and the rise of the fluid's pressure
+  /// that closes it. Storage is that of full pores and gap/gap_pressure.
+  double gap = 0.0;
+  double gap_pressure = 0.0;  ///< [stress]
 };
 
 /// True for a model whose points hold fluid that a host can move:
@@ -50,6 +54,12 @@ struct IsDrainable<
     : std::true_type {};
 template <class Model>
 inline constexpr bool is_drainable = IsDrainable<Model>::value;
+
+/// What history and pore points say: closed walls of empty pores press on each other, but no fluid
+/// has that pressure.
+BARRENO_FUNCTION double pressure_of_fluid(double pressure_in_pores, double fluid_mass) {
+  return fluid_mass > 0.0 ? pressure_in_pores : 0.0;
+}
 
 /// Mass that is left when so much has come in, over the initial one; what round-off leaves of an
 /// emptied point is none. Negative: there is not that much.

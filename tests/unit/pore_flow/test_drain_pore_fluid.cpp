@@ -195,6 +195,29 @@ TEST(DrainPoreFluid, NeverOvershoots) {
   }
 }
 
+/// Pressures so high that more than all fluid would leave: some cells are emptied, none loses more,
+/// and what the rock lost has left.
+TEST(DrainPoreFluid, TakesNoMoreThanPoresHold) {
+  for (const Mode mode : modes) {
+    Scene scene = block_scene(mode, 4, 1e-12);
+    scene.pore_flow.conditions = {open_on_top()};
+    State state = placed(scene);
+    set_pressures(state, [](const Vector&) { return 3e9; });
+    const double before = fluid(state);
+    scene.pore_flow.diffusion_number = 1e-9;
+    for (int solve = 0; solve < 40; ++solve) drain_pore_fluid(scene, 0.1, state);
+    EXPECT_EQ(state.pore_flow.solves, 40);
+    const Particles& rock = state.particles[0];
+    std::array<double, 1> least{0.0};
+    for (int p = 0; p < rock.count; ++p) least[0] = std::max(least[0], -rock.history(p, 1));
+    max_over_ranks(*state.grid.comm, least);
+    EXPECT_EQ(least[0], 0.0);
+    EXPECT_EQ(state.ledger.held, 0.0);
+    EXPECT_NEAR(before + state.pore_flow.inflow / 0.19, fluid(state), 1e-12 * before);
+    EXPECT_LT(fluid(state), 0.01 * before);
+  }
+}
+
 /// Fluid at rest under gravity stays at rest.
 TEST(DrainPoreFluid, HydrostaticPressureIsRest) {
   Scene scene = block_scene(Mode::plane_strain, 5, 1e-12);

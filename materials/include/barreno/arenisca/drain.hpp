@@ -44,7 +44,9 @@ BARRENO_FUNCTION PorePoint fluid_of(const PointRock& point, double x, double e) 
         at.gap ? path.strain : (x - start) / (3.0 * elasticity.moduli_at(x, e).bulk);
     const double centre_gap = at.gap ? -std::expm1(point.filling - e) : 0.0;
     const double gap = centre_gap + strain - (x - start) / (3.0 * fluid.matrix);
-    p.storage += larger(0.0, gap) / (gas * fluid.bulk);
+    p.gap = larger(0.0, gap);
+    p.gap_pressure = gas * fluid.bulk;
+    p.storage += p.gap / p.gap_pressure;
   } else if (at.gap) {
     const double at_closing = elasticity.moduli_at(at.threshold, e).bulk;
     const double coupling =

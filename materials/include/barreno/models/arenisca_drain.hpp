@@ -15,6 +15,9 @@ BARRENO_FUNCTION PorePoint GeneralArenisca::pore_point(const Sym3& stress, const
   const double x = trace(stress - overstress(h)) - point.zeta(h.plastic_volume_strain);
   p = arenisca::fluid_of(point, x, h.plastic_volume_strain);
   p.fluid_mass = h.fluid_mass_ratio;
+  const bool dry_and_closed = p.fluid_mass == 0.0 && p.pressure > 0.0;
+  if (dry_and_closed) p.storage = 0.0;  // they take no fluid
+  p.pressure = pressure_of_fluid(p.pressure, p.fluid_mass);
   return p;
 }
 
@@ -58,7 +61,7 @@ GeneralArenisca::drain(double fluid_volume, Sym3& stress, History& h) const {
   h.plastic_volume_strain = n.e;
   h.equivalent_plastic_strain = n.shear_strain;
   h.fluid_mass_ratio = mass;
-  h.pore_pressure = after.pressure;
+  h.pore_pressure = pressure_of_fluid(after.pressure, mass);
   h.porosity = after.porosity;
   outcome.substeps = end.substeps;
   outcome.plastic_work = end.plastic_work;

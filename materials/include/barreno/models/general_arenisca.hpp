@@ -176,7 +176,7 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
   stress = new_stress;
   h.plastic_volume_strain = end.e;
   h.equivalent_plastic_strain = end.shear_strain;
-  h.pore_pressure = seen.pore_pressure;
+  h.pore_pressure = pressure_of_fluid(seen.pore_pressure, h.fluid_mass_ratio);
   h.porosity = seen.porosity;
   h.overstress_xx = new_over.xx;
   h.overstress_yy = new_over.yy;
@@ -301,7 +301,7 @@ inline InitialStateOf<Sym3, GeneralArenisca::History> GeneralArenisca::state_at_
   const double zeta = point.zeta(0.0), x = -3.0 * pressure - zeta;
   const arenisca::Cap cap = point.cap_at(0.0);
   const bool possible = pressure >= 0.0 && (!cap.present || x > cap.X) && x <= point.surface.vertex;
-  h.pore_pressure = point.pore_pressure(x, 0.0);
+  h.pore_pressure = pressure_of_fluid(point.pore_pressure(x, 0.0), h.fluid_mass_ratio);
   h.porosity = point.porosity(0.0);
   constexpr int intervals = 1000;  // of Simpson's rule for the integral of p dp/K
   const double step = pressure / intervals;
