@@ -31,7 +31,7 @@ constexpr double default_tolerance = 1e-10;
 /// Below so many unknowns in all, or so much flow to neighbours over what is stored (2 d c dt/h^2
 /// of a uniform rock in d dimensions), a smoother is cheaper than grids (docs/performance.md).
 constexpr long long fewest_for_multigrid = 2000;
-constexpr double least_flow_for_multigrid = 100.0;
+constexpr double least_flow_for_multigrid = 500.0;
 
 }  // namespace
 
