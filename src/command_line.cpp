@@ -10,9 +10,9 @@
 namespace barreno {
 namespace {
 
-const std::vector<std::string> commands = {"run", "check", "drive", "describe"};
+const std::vector<std::string> commands = {"run", "resume", "check", "drive", "describe"};
 /// Part of the contract with users, but not built yet.
-const std::vector<std::string> later_commands = {"resume", "report"};
+const std::vector<std::string> later_commands = {"report"};
 
 /// The arguments, with a cursor that knows what an option still needs.
 class Arguments {
@@ -52,6 +52,7 @@ Command command_of(const std::string& word) {
   if (word == "--help" || word == "-h" || word == "help") return Command::help;
   if (word == "--version") return Command::version;
   if (word == "run") return Command::run;
+  if (word == "resume") return Command::resume;
   if (word == "check") return Command::check;
   if (word == "drive") return Command::drive;
   if (word == "describe") return Command::describe;
@@ -59,7 +60,8 @@ Command command_of(const std::string& word) {
     if (word == later) {
       throw DeckError(
           "barreno " + word +
-          " is not built yet (this version has run, check, drive and describe); use one of those."
+          " is not built yet (this version has run, resume, check, drive and describe); use one of "
+          "those."
       );
     }
   }
@@ -71,6 +73,7 @@ std::vector<std::string> known_options(Command command) {
   if (command == Command::drive)
     return {"--material", "--path", "--out", "--steps-per-row", "--set", "--help"};
   if (command == Command::check) return {"--set", "--ranks", "--help"};
+  if (command == Command::resume) return {"--until", "--ranks", "--help"};
   return {"--out", "--ranks", "--set", "--overwrite", "--help"};
 }
 
@@ -120,6 +123,8 @@ void parse_option(const std::string& word, Arguments& arguments, Options& option
   if (command == Command::drive) return parse_drive_option(word, arguments, options.drive);
   if (word == "--markdown") options.markdown = true;
   if (word == "--overwrite") options.overwrite = true;
+  if (word == "--until")
+    options.overrides.push_back("Time/End Time=" + arguments.value_of(word, "\"200 us\""));
   if (word == "--out") options.out = arguments.value_of(word, "results");
   if (word == "--ranks")
     options.ranks = count_of(word, arguments.value_of(word, "2"), "number of ranks");
@@ -162,6 +167,12 @@ Options parse_command_line(int argc, const char* const* argv) {
     check_drive(options.drive);
     return options;
   }
+  if (!given && options.command == Command::resume) {
+    throw DeckError(
+        "no run is named (its folder holds the checkpoint); write for example barreno resume "
+        "runs/perforation-1."
+    );
+  }
   if (!given && options.command != Command::describe) {
     throw DeckError(
         "no deck is named (it says what to compute); write for example barreno run "
@@ -175,6 +186,8 @@ std::string help_text() {
   return "barreno run DECK [--out DIR] [--ranks N] [--set \"Sub List/Parameter=value\"]... "
          "[--overwrite]\n"
          "    compute; without --out into runs/<deck name>-<counter>\n"
+         "barreno resume FOLDER [--until TIME] [--ranks N]\n"
+         "    go on from the last checkpoint of a run\n"
          "barreno check DECK [--set \"Sub List/Parameter=value\"]...\n"
          "    validate, print the plan, write nothing\n"
          "barreno drive --material CARD.xml --path PATH.csv --out OUT.csv\n"

@@ -8,13 +8,13 @@
 
 namespace barreno {
 
-enum class Command { help, version, run, check, drive, describe };
+enum class Command { help, version, run, resume, check, drive, describe };
 
 /// What was typed after `barreno`.
 struct Options {
   Command command = Command::help;
-  std::string deck_file;               ///< run, check
-  std::vector<std::string> overrides;  ///< --set, in order
+  std::string deck_file;               ///< run, check; of resume the run's folder
+  std::vector<std::string> overrides;  ///< --set, in order; --until
   DriveRequest drive;
   std::string out;  ///< empty: a new folder below runs/
   bool overwrite = false;

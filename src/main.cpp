@@ -2,6 +2,8 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "check.hpp"
+#include "checkpoint/checkpoints.hpp"
+#include "checkpoint/read_checkpoint.hpp"
 #include "command_line.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
@@ -9,6 +11,7 @@
 #include "drive/drive.hpp"
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
+#include "output/text_file.hpp"
 #include "pore_flow/check_solver_lists.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
@@ -37,13 +40,59 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   State state = build_state(scene, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
-  Output output(
-      scene,
-      state,
-      {folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, notes_of(deck, scene)}
-  );
+  const RunDescription description{
+      folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, notes_of(deck, scene)};
+  Output output(scene, state, description);
   output.write_if_due(scene, state);
-  const RunVerdict verdict = run(scene, state, output);
+  Checkpoints checkpoints(scene, description);
+  const RunVerdict verdict = run(scene, state, output, checkpoints);
+  output.finish(scene, state, verdict);
+  return verdict.exit_code;
+}
+
+/// What keeps a run from being resumed.
+void refuse_resume(
+    const Options& options, const Deck& deck, const Scene& scene, const Checkpoint& checkpoint
+) {
+  const std::string other = deck_difference(checkpoint.deck_text, effective_deck_xml(deck));
+  if (!other.empty())
+    throw DeckError(
+        "cannot resume '" + options.deck_file + "': its deck.xml is not that of its checkpoint (" +
+        other + "); put the deck back, or start a new run with barreno run."
+    );
+  const double time = number_of(checkpoint.numbers, "time");
+  if (time >= scene.end_time)
+    throw DeckError(
+        "'" + options.deck_file + "' has reached its end time (" + to_text(time) +
+        " s); give a later one with --until, for example --until \"" + to_text(2.0 * time) + " s\"."
+    );
+}
+
+int resume_run(const Options& options, const Teuchos::RCP<const Comm>& comm) {
+  const std::filesystem::path folder = options.deck_file;
+  const Checkpoint checkpoint = find_checkpoint(*comm, folder);
+  const std::string file = (folder / "deck.xml").string();
+  const Deck deck = read_deck(file, options.overrides, *comm);
+  const Scene scene = build_scene(deck);
+  refuse_resume(options, deck, scene, checkpoint);
+  State state = build_state(scene, comm);
+  std::vector<std::string> notes = notes_of(deck, scene);
+  notes.insert(notes.end(), checkpoint.notes.begin(), checkpoint.notes.end());
+  notes.push_back(
+      "resumed from " + checkpoint.file.filename().string() +
+      ": t = " + to_text(number_of(checkpoint.numbers, "time")) + " s, step " +
+      to_text(number_of(checkpoint.numbers, "step"))
+  );
+  const std::string text =
+      options.overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
+  const RunDescription description{folder, file, text, BARRENO_VERSION, notes};
+  RunNumbers position = checkpoint.output;
+  position["time"] = checkpoint.numbers.at("time");
+  Output output(scene, state, description, position);  // files begin with the state at t = 0
+  read_checkpoint(checkpoint, state);
+  output.go_on_from(state);
+  Checkpoints checkpoints(scene, description);
+  const RunVerdict verdict = run(scene, state, output, checkpoints);
   output.finish(scene, state, verdict);
   return verdict.exit_code;
 }
@@ -63,6 +112,8 @@ int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
   switch (options.command) {
     case Command::run:
       return run_deck(options, comm);
+    case Command::resume:
+      return resume_run(options, comm);
     case Command::check:
       return check_deck(options, comm);
     case Command::drive: {
@@ -107,8 +158,8 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
 bool needs_mpi(int argc, char** argv) {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
     if (std::getenv(name)) return true;
-  const std::string command = argc > 1 ? argv[1] : "";
-  return command == "run" || command == "check";
+  const std::string word = argc > 1 ? argv[1] : "";
+  return word == "run" || word == "resume" || word == "check";
 }
 
 }  // namespace

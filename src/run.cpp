@@ -33,6 +33,14 @@ int failure_cause(const State& state, const StepResult& result) {
   return static_cast<int>(cause[0]);
 }
 
+RunVerdict interrupted(int signal, bool kept) {
+  return {
+      false,
+      kept ? "The run was interrupted by a signal; its checkpoint is of this step."
+           : "The run was interrupted by a signal, and no checkpoint could be written.",
+      128 + signal};
+}
+
 }  // namespace
 
 std::string failure_sentence(const Scene& scene, const State& state, const StepResult& result) {
@@ -48,22 +56,23 @@ std::string failure_sentence(const Scene& scene, const State& state, const StepR
   return text.str();
 }
 
-RunVerdict run(const Scene& scene, State& state, Output& output) {
+RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& checkpoints) {
   for (const Particles& particles : state.particles)
     state.stable_step = std::min(state.stable_step, stable_step_of_rows(scene, particles, 0));
+  int interrupt = 0;
   while (state.clock.time < scene.end_time) {
     const StepResult result = advance(scene, output.next_time(state.clock.time), state);
     if (result.stopped)
       return {false, failure_sentence(scene, state, result), static_cast<int>(ExitCode::numerical)};
     if (!result.not_drained.empty())
       return {false, result.not_drained, static_cast<int>(ExitCode::numerical)};
-    if (result.interrupt != 0)
-      return {
-          false,
-          "The run was interrupted by a signal and ended after its step.",
-          128 + result.interrupt};
     output.write_if_due(scene, state);
+    interrupt = std::max(interrupt, result.interrupt);
+    if (interrupt != 0 && Checkpoints::may_write(state))
+      return interrupted(interrupt, checkpoints.write(output, state));
+    checkpoints.write_if_due(output, state);
   }
+  checkpoints.write(output, state);
   return {true, "", static_cast<int>(ExitCode::finished)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "checkpoint/checkpoints.hpp"
 #include "output/output.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
@@ -12,6 +13,6 @@ namespace barreno {
 std::string failure_sentence(const Scene& scene, const State& state, const StepResult& result);
 
 /// Advance the state to the scene's end, writing what is due on the way.
-RunVerdict run(const Scene& scene, State& state, Output& output);
+RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& checkpoints);
 
 }  // namespace barreno

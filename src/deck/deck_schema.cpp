@@ -155,6 +155,19 @@ Section output_section() {
            "over it"
        )
            .by_default("0"),
+       number(
+           "Checkpoint Wall Interval",
+           dim::time,
+           at_least(0.0),
+           "of your own time between two checkpoints; 0: no bound. The end of a run and a signal "
+           "write one in any case"
+       )
+           .by_default("600 s"),
+       number(
+           "Checkpoint Interval", dim::time, at_least(0.0), "simulated, likewise; 0: no bound"
+       )
+           .by_default("0"),
+       integer("Checkpoint Steps", at_least(0), "steps, likewise; 0: no bound").by_default("0"),
        word("Particle Glyph", {"deformed", "point"}, "particles as deformed cells or as points")
            .by_default("deformed")},
       {},

@@ -14,7 +14,7 @@ std::vector<int> pore_fluids(const Scene& scene) {
 }
 
 CavitiesWriter::CavitiesWriter(
-    const Scene& scene, const Comm& comm, const std::filesystem::path& path
+    const Scene& scene, const Comm& comm, const std::filesystem::path& path, std::uintmax_t kept
 ) {
   std::string header = "time";
   for (const int load : pore_fluids(scene)) {
@@ -23,7 +23,8 @@ CavitiesWriter::CavitiesWriter(
   }
   RootWork work(comm);
   work.run([&] {
-    file_ = std::make_unique<LineFile>(path);
+    file_ = std::make_unique<LineFile>(path, kept);
+    if (kept > 0) return;  // it has its header
     file_->append("# SI units: time s; volume m3 of the part inside the grid; pressure Pa");
     file_->append(header);
   });

@@ -17,9 +17,16 @@ std::vector<int> pore_fluids(const Scene& scene);
 class CavitiesWriter {
 public:
   /// Collective. @throws FileError on every rank
-  CavitiesWriter(const Scene& scene, const Comm& comm, const std::filesystem::path& path);
+  CavitiesWriter(
+      const Scene& scene,
+      const Comm& comm,
+      const std::filesystem::path& path,
+      std::uintmax_t kept = 0
+  );
   /// Collective. @throws FileError on every rank; NumericalError if a cavity has closed
   void write(const Scene& scene, const State& state);
+
+  std::uintmax_t bytes() const { return file_ ? file_->bytes() : 0; }
 
 private:
   std::unique_ptr<LineFile> file_;  ///< root only

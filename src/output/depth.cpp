@@ -235,11 +235,14 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
   return result;
 }
 
-DepthWriter::DepthWriter(const Scene& scene, const Comm& comm, const std::filesystem::path& path)
+DepthWriter::DepthWriter(
+    const Scene& scene, const Comm& comm, const std::filesystem::path& path, std::uintmax_t kept
+)
     : path_(jet_path(scene)) {
   RootWork work(comm);
   work.run([&] {
-    file_ = std::make_unique<LineFile>(path);
+    file_ = std::make_unique<LineFile>(path, kept);
+    if (kept > 0) return;  // it has its header
     file_->append(
         "# SI units: time s; depth, channel_depth, channel_radius_mid m; jet_mass_inside kg (plane "
         "strain: "

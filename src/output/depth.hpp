@@ -55,10 +55,17 @@ void measure_channel(const std::vector<double>& radii, const JetPath& path, Pene
 /// depth.csv, a row per call; for scenes with a jet.
 class DepthWriter {
 public:
-  DepthWriter(const Scene& scene, const Comm& comm, const std::filesystem::path& path);
+  DepthWriter(
+      const Scene& scene,
+      const Comm& comm,
+      const std::filesystem::path& path,
+      std::uintmax_t kept = 0
+  );
   /// Collective. @throws FileError on every rank
   void write(const Scene& scene, const State& state);
   const Penetration& last() const { return last_; }  ///< valid on the root
+
+  std::uintmax_t bytes() const { return file_ ? file_->bytes() : 0; }
 
 private:
   JetPath path_;

@@ -54,8 +54,10 @@ const char* const directions[3] = {"x", "y", "z"};
 
 }  // namespace
 
-ExodusFile::ExodusFile(const std::filesystem::path& path, const ExodusLayout& layout)
-    : path_(path), aside_(path.string() + ".tmp") {
+ExodusFile::ExodusFile(
+    const std::filesystem::path& path, const ExodusLayout& layout, int first_steps
+)
+    : path_(path), aside_(path.string() + ".tmp"), first_steps_(first_steps) {
   const auto nodes_per_element = static_cast<long long>(layout.nodes_per_element);
   long long largest_id = 0;
   for (const ExodusBlock& block : layout.blocks)
@@ -82,7 +84,7 @@ ExodusFile::~ExodusFile() {
   if (file_ < 0) return;
   ex_close(file_);
   std::error_code ignored;
-  if (step_ == 0) std::filesystem::remove(aside_, ignored);
+  if (step_ < first_steps_) std::filesystem::remove(aside_, ignored);
 }
 
 void ExodusFile::check(int code, const char* what) const {
@@ -254,14 +256,18 @@ void ExodusFile::put_displacement(int direction, const std::vector<double>& valu
   );
 }
 
-void ExodusFile::put_variable(
-    std::size_t block, const std::string& name, const std::vector<double>& values
-) {
+int ExodusFile::index_of(const std::string& name) const {
   const auto found = std::find(variables_.begin(), variables_.end(), name);
   // The library would answer an unknown index with success and a stray variable.
   if (found == variables_.end()) throw std::logic_error("no element variable " + name);
+  return static_cast<int>(found - variables_.begin()) + 1;
+}
+
+void ExodusFile::put_variable(
+    std::size_t block, const std::string& name, const std::vector<double>& values
+) {
+  const int index = index_of(name);
   if (values.empty()) return;
-  const auto index = static_cast<int>(found - variables_.begin()) + 1;
   const auto count = static_cast<int64_t>(values.size());
   check(
       ex_put_var(
@@ -279,7 +285,7 @@ void ExodusFile::put_variable(
 
 void ExodusFile::end_step() {
   check(ex_update(file_), "ex_update");
-  if (step_++ > 0) return;
+  if (++step_ != first_steps_) return;
   std::error_code error;
   std::filesystem::rename(aside_, path_, error);
   if (error) throw FileError("cannot name '" + path_.string() + "' (" + error.message() + ").");

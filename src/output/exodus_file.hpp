@@ -30,11 +30,12 @@ struct ExodusLayout {
 
 /// An Exodus II file that is being written: 64-bit offsets, 8-byte reals, readable while it grows.
 ///
-/// The file gets its final name when the first time step is complete.
+/// The file gets its final name when its first time steps are complete.
 /// Every function throws FileError with Exodus' own words if it fails.
 class ExodusFile {
 public:
-  ExodusFile(const std::filesystem::path& path, const ExodusLayout& layout);
+  /// @param first_steps  so many that the file is of use: one, or those of an old file of that name
+  ExodusFile(const std::filesystem::path& path, const ExodusLayout& layout, int first_steps = 1);
   ~ExodusFile();
   ExodusFile(const ExodusFile&) = delete;
   ExodusFile& operator=(const ExodusFile&) = delete;
@@ -43,6 +44,8 @@ public:
   void put_globals(const std::vector<double>& values);
   void put_displacement(int direction, const std::vector<double>& values);
   void put_variable(std::size_t block, const std::string& name, const std::vector<double>& values);
+  /// The place of an element variable among all, from 1.
+  int index_of(const std::string& name) const;
   /// The step is on disk when this returns.
   void end_step();
   void close();
@@ -56,7 +59,7 @@ private:
 
   std::filesystem::path path_, aside_;
   int file_ = -1;
-  int step_ = 0;
+  int step_ = 0, first_steps_;
   std::vector<std::string> variables_;  ///< of all blocks, in the order of the file
 };
 

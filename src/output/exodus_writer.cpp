@@ -2,6 +2,7 @@
 #include "output/exodus_writer.hpp"
 
 #include "base/region.hpp"
+#include "output/copy_exodus_steps.hpp"
 #include "output/particle_fields.hpp"
 #include "shape/shape_facts.hpp"
 
@@ -17,20 +18,25 @@ ExodusWriter::ExodusWriter(
     const State& state,
     const std::filesystem::path& path,
     const std::string& version,
-    const std::vector<std::string>& information
+    const std::vector<std::string>& information,
+    int kept
 )
     : dimensions_(dimensions(scene.grid.mode)),
       nodes_(
           scene.output.glyph == Glyph::point ? 1
           : dimensions_ == 3                 ? 8
                                              : 4
-      ) {
+      ),
+      steps_(kept) {
   lay_out(scene, slots);
   ExodusLayout layout = describe(scene, version);
   layout.information = information;
   record_start(scene, state, layout);
   RootWork work(*state.grid.comm);
-  work.run([&] { file_ = std::make_unique<ExodusFile>(path, layout); });
+  work.run([&] {
+    file_ = std::make_unique<ExodusFile>(path, layout, std::max(kept, 1));
+    if (kept > 0) displacement_ = copy_exodus_steps(path, layout, kept, *file_);
+  });
   work.agree();
 }
 
@@ -189,6 +195,7 @@ void ExodusWriter::write(const Scene& scene, const State& state) {
     file_->end_step();
   });
   work.agree();
+  ++steps_;
 }
 
 void ExodusWriter::close(const Comm& comm) {

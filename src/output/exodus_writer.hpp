@@ -23,17 +23,20 @@ class ExodusWriter {
 public:
   /// @param slots       all particles that the run has or will have, see all_slots
   /// @param information lines kept in the file's information records
+  /// @param kept        time steps of an old file of that name that stay
   ExodusWriter(
       const Scene& scene,
       const std::vector<SlotRange>& slots,
       const State& state,
       const std::filesystem::path& path,
       const std::string& version,
-      const std::vector<std::string>& information
+      const std::vector<std::string>& information,
+      int kept = 0
   );
   /// Appends the state as a time step. Collective. @throws FileError on every rank
   void write(const Scene& scene, const State& state);
   void close(const Comm& comm);
+  int steps() const { return steps_; }  ///< in the file
 
 private:
   /// Consecutive ids and the element of the first one within its block.
@@ -67,6 +70,7 @@ private:
 
   int dimensions_ = 2;
   int nodes_ = 4;  ///< per element
+  int steps_ = 0;
   std::vector<Block> blocks_;
   std::vector<std::vector<double>> start_, displacement_;  ///< per direction, per node; root only
   std::unique_ptr<ExodusFile> file_;                       ///< root only

@@ -37,8 +37,13 @@ std::string note_on_reactions(const Scene& scene) {
 }  // namespace
 
 HistoryWriter::HistoryWriter(
-    const Scene& scene, const Comm& comm, const std::filesystem::path& path
-) {
+    const Scene& scene,
+    const Comm& comm,
+    const std::filesystem::path& path,
+    std::uintmax_t kept,
+    const RowBefore& before
+)
+    : before_(before) {
   std::string header =
       "time,step,dt,particles,mass,momentum,kinetic,elastic,plastic,viscous,boundary_work,launched_"
       "kinetic,"
@@ -51,7 +56,8 @@ HistoryWriter::HistoryWriter(
   for (const std::string& column : columns) header += "," + column;
   RootWork work(comm);
   work.run([&] {
-    file_ = std::make_unique<LineFile>(path);
+    file_ = std::make_unique<LineFile>(path, kept);
+    if (kept > 0) return;  // it has its header
     file_->append(
         "# SI units: time, dt s; mass kg; momentum, rigid_impulse (of rigid bodies on the "
         "material) along y kg m/s; energies and work J; plane "
@@ -96,13 +102,12 @@ void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals&
       row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered}
   );
   row.insert(row.end(), totals.pore_flow.begin(), totals.pore_flow.end());
-  const bool first = last_reactions_.empty();
-  const std::vector<double>& before = first ? totals.reactions : last_reactions_;
-  const double elapsed = first ? 0.0 : clock.time - last_time_;
+  const bool first = before_.reactions.empty();
+  const std::vector<double>& before = first ? totals.reactions : before_.reactions;
+  const double elapsed = first ? 0.0 : clock.time - before_.time;
   const std::vector<double> reactions = reaction_values(totals.reactions, before, elapsed);
   row.insert(row.end(), reactions.begin(), reactions.end());
-  last_time_ = clock.time;
-  last_reactions_ = totals.reactions;
+  before_ = {clock.time, totals.reactions};
   RootWork work(comm);
   work.run([&] { file_->append(csv_line(row)); });
   work.agree();

@@ -22,18 +22,34 @@ struct RunTotals {
 /// Collective.
 RunTotals sum_totals(const State& state);
 
+/// What a row needs of the one before: forces are means over the time between.
+struct RowBefore {
+  double time = 0.0;
+  std::vector<double> reactions;  ///< none before the first row
+};
+
 /// history.csv: time, particles, every term of the ledger, the errors of the three balances and the
 /// tally of removed and held particles, and the reactions of rigid bodies; a row per call.
 class HistoryWriter {
 public:
-  HistoryWriter(const Scene& scene, const Comm& comm, const std::filesystem::path& path);
+  /// @param kept    bytes of an old file that stay, see LineFile
+  /// @param before  the last row of the old file
+  HistoryWriter(
+      const Scene& scene,
+      const Comm& comm,
+      const std::filesystem::path& path,
+      std::uintmax_t kept = 0,
+      const RowBefore& before = {}
+  );
   /// Collective. @throws FileError on every rank
   void write(const Comm& comm, const Clock& clock, const RunTotals& totals);
 
+  std::uintmax_t bytes() const { return file_ ? file_->bytes() : 0; }
+  const RowBefore& last_row() const { return before_; }
+
 private:
   std::unique_ptr<LineFile> file_;  ///< root only
-  double last_time_ = 0.0;
-  std::vector<double> last_reactions_;  ///< of the last row; none before the first
+  RowBefore before_;
 };
 
 }  // namespace barreno

@@ -92,7 +92,13 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 struct Output::Parts {
-  Parts(const Scene& scene, const State& state, const RunDescription& description);
+  Parts(
+      const Scene& scene,
+      const State& state,
+      const RunDescription& description,
+      const RunNumbers& position
+  );
+  void open_files(const Scene& scene, const State& state, const RunNumbers& position);
   void write_rows(const Scene& scene, const State& state);
   void watch_ledger(const Ledger& ledger, double time);
   void show_progress(const State& state);
@@ -120,7 +126,12 @@ bool has_reader() {
   return said != nullptr && std::string(said) == "1";
 }
 
-Output::Parts::Parts(const Scene& scene, const State& state, const RunDescription& description)
+Output::Parts::Parts(
+    const Scene& scene,
+    const State& state,
+    const RunDescription& description,
+    const RunNumbers& position
+)
     : run(description),
       comm(state.grid.comm),
       end_time(scene.end_time),
@@ -130,27 +141,50 @@ Output::Parts::Parts(const Scene& scene, const State& state, const RunDescriptio
   totals = sum_totals(state);
   RootWork work(*comm);
   work.run([&] {
-    progress = std::make_unique<Progress>(run.folder / "run.log", scene.end_time, has_reader());
+    progress =
+        std::make_unique<Progress>(run.folder / "run.log", scene.end_time, has_reader(), position);
     for (const std::string& line : scene_lines(scene, run, comm->getSize(), totals.particles))
       progress->say(line);
     write_whole_file(run.folder / "deck.xml", run.deck_text);
   });
   work.agree();
+  open_files(scene, state, position);
+  if (position.empty()) return;
+  const double time = number_of(position, "time");
+  for (Schedule* schedule : {&field_schedule, &history_schedule, &progress_schedule})
+    if (schedule->on()) schedule->done(time);
+  fields_step = std::lround(number_of(position, "fields_step"));
+  rows_step = std::lround(number_of(position, "rows_step"));
+}
+
+void Output::Parts::open_files(const Scene& scene, const State& state, const RunNumbers& position) {
+  const auto kept = [&](const char* name) {
+    return static_cast<std::uintmax_t>(number_of(position, name));
+  };
   fields = std::make_unique<ExodusWriter>(
       scene,
       all_slots(scene),
       state,
       run.folder / "particles.e",
       run.version,
-      lines_of(run.deck_text)
+      lines_of(run.deck_text),
+      static_cast<int>(kept("fields_kept"))
   );
-  history = std::make_unique<HistoryWriter>(scene, *comm, run.folder / "history.csv");
+  RowBefore before;
+  if (!position.empty()) before = {number_of(position, "row_time"), position.at("row_reactions")};
+  history = std::make_unique<HistoryWriter>(
+      scene, *comm, run.folder / "history.csv", kept("history_bytes"), before
+  );
   if (scene.jet.present)
-    depth = std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv");
+    depth =
+        std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv", kept("depth_bytes"));
   if (!hollow_balls(scene).empty())
-    radii = std::make_unique<RadiiWriter>(scene, state, run.folder / "radii.csv");
+    radii =
+        std::make_unique<RadiiWriter>(scene, state, run.folder / "radii.csv", kept("radii_bytes"));
   if (!pore_fluids(scene).empty())
-    cavities = std::make_unique<CavitiesWriter>(scene, *comm, run.folder / "cavities.csv");
+    cavities = std::make_unique<CavitiesWriter>(
+        scene, *comm, run.folder / "cavities.csv", kept("cavities_bytes")
+    );
 }
 
 void Output::Parts::write_rows(const Scene& scene, const State& state) {
@@ -193,8 +227,10 @@ void Output::Parts::show_progress(const State& state) {
   );
 }
 
-Output::Output(const Scene& scene, const State& state, const RunDescription& run)
-    : parts_(std::make_unique<Parts>(scene, state, run)) {}
+Output::Output(
+    const Scene& scene, const State& state, const RunDescription& run, const RunNumbers& position
+)
+    : parts_(std::make_unique<Parts>(scene, state, run, position)) {}
 Output::~Output() = default;
 
 void Output::write_if_due(const Scene& scene, const State& state) {
@@ -235,12 +271,40 @@ void Output::warn(const std::string& kind, const std::string& sentence) {
   work.agree();
 }
 
+RunNumbers Output::position() const {
+  const Parts& o = *parts_;
+  const auto bytes = [](const auto& writer) {
+    return writer ? static_cast<double>(writer->bytes()) : 0.0;
+  };
+  return {
+      {"seconds", {seconds()}},
+      {"fields_step", {static_cast<double>(o.fields_step)}},
+      {"rows_step", {static_cast<double>(o.rows_step)}},
+      {"fields_kept", {static_cast<double>(o.fields->steps())}},
+      {"row_time", {o.history->last_row().time}},
+      {"row_reactions", o.history->last_row().reactions},
+      {"history_bytes", {bytes(o.history)}},
+      {"depth_bytes", {bytes(o.depth)}},
+      {"radii_bytes", {bytes(o.radii)}},
+      {"cavities_bytes", {bytes(o.cavities)}}};
+}
+
+void Output::go_on_from(const State& state) {
+  parts_->totals = sum_totals(state);
+  parts_->watched = parts_->totals.ledger;
+  if (parts_->progress) parts_->progress->count_from(parts_->totals.particle_steps);
+}
+
+double Output::seconds() const {
+  return parts_->progress ? parts_->progress->seconds() : 0.0;
+}
+
 void Output::finish(const Scene& scene, const State& state, const RunVerdict& verdict) {
   Parts& o = *parts_;
   if (o.fields_step != state.clock.step) o.fields->write(scene, state);
   if (o.rows_step != state.clock.step) o.write_rows(scene, state);
   o.fields->close(*o.comm);
-  RunSummary summary = summarise(state, o.progress ? o.progress->seconds() : 0.0);
+  RunSummary summary = summarise(state, seconds());
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   RootWork work(*o.comm);
   work.run([&] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/run_numbers.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
 
@@ -33,7 +34,13 @@ struct RunVerdict {
 class Output {
 public:
   /// Prints the first block and opens the files; the state is that at t = 0.
-  Output(const Scene& scene, const State& state, const RunDescription& run);
+  /// @param position  of a run that is resumed, see position(): its files stay as they were there
+  Output(
+      const Scene& scene,
+      const State& state,
+      const RunDescription& run,
+      const RunNumbers& position = {}
+  );
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -48,6 +55,12 @@ public:
 
   /// A warning that every rank gives alike: printed once for each `kind`, later ones are counted.
   void warn(const std::string& kind, const std::string& sentence);
+
+  /// How far the files have come, and the clock on the wall, for a checkpoint. Valid on the root.
+  RunNumbers position() const;
+  /// Called once when a resumed run's state has been read: what it has is no news.
+  void go_on_from(const State& state);
+  double seconds() const;  ///< of work, those before a resume included; valid on the root
 
   /// Last fields and rows, summary.json, and the last block on the screen.
   void finish(const Scene& scene, const State& state, const RunVerdict& verdict);

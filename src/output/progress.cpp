@@ -27,6 +27,13 @@ std::string si(double value, const char* unit) {
   return format("%.4g %s", value, unit);
 }
 
+/// 0 if there is no such file.
+std::uintmax_t size_of_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return error ? 0 : size;
+}
+
 double seconds_between(Clock_::time_point a, Clock_::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
@@ -41,11 +48,18 @@ std::string duration_text(double seconds) {
   return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
 }
 
-Progress::Progress(const std::filesystem::path& log, double end_time, bool terminal)
-    : log_(log), end_time_(end_time), terminal_(terminal), start_(Clock_::now()) {}
+Progress::Progress(
+    const std::filesystem::path& log, double end_time, bool terminal, const RunNumbers& position
+)
+    : log_(log, position.empty() ? 0 : size_of_file(log)),
+      end_time_(end_time),
+      first_time_(number_of(position, "time")),
+      first_seconds_(number_of(position, "seconds")),
+      terminal_(terminal),
+      start_(Clock_::now()) {}
 
 double Progress::seconds() const {
-  return seconds_between(start_, Clock_::now());
+  return first_seconds_ + seconds_between(start_, Clock_::now());
 }
 
 void Progress::say(const std::string& line) {
@@ -57,9 +71,10 @@ void Progress::say(const std::string& line) {
 
 std::string Progress::line(const ProgressNow& now) const {
   const double done = end_time_ > 0.0 ? std::min(1.0, now.time / end_time_) : 1.0;
-  const double elapsed = seconds();
-  const double left = done > 0.0 ? elapsed * (1.0 - done) / done : -1.0;
-  const double rate = elapsed > 0.0 ? now.particle_steps / elapsed : 0.0;
+  const double begun = end_time_ > 0.0 ? std::min(1.0, first_time_ / end_time_) : 0.0;
+  const double elapsed = seconds() - first_seconds_;
+  const double left = done > begun ? elapsed * (1.0 - done) / (done - begun) : -1.0;
+  const double rate = elapsed > 0.0 ? (now.particle_steps - first_steps_) / elapsed : 0.0;
   return format(
       "%3.0f %%  t %.4g s  step %ld  dt %.3g s  %.0f particles  %.3g particle-steps/s  left %s  "
       "energy "
@@ -141,8 +156,8 @@ std::string body_text(const Scene& scene, const BodySpec& body) {
 std::string jet_text(const Scene& scene) {
   const auto& slugs = scene.jet.slugs;
   const Material& material = scene.materials[static_cast<std::size_t>(scene.jet.material)].material;
-  std::string text =
-      std::to_string(slugs.size()) + " slugs of " + material.name + " from " + scene.jet.table_file;
+  std::string text = std::to_string(slugs.size()) + " slugs of " + material.name;
+  if (!scene.jet.table_file.empty()) text += " from " + scene.jet.table_file;
   if (slugs.empty()) return text;
   return text + ", " + format("%.4g to %.4g m/s", slugs.front().velocity, slugs.back().velocity);
 }

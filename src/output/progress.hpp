@@ -23,8 +23,16 @@ struct ProgressNow {
 /// at every tenth of the run.
 class Progress {
 public:
-  Progress(const std::filesystem::path& log, double end_time, bool terminal);
+  /// @param position  of a run that is resumed: the log is continued, and the clock goes on
+  Progress(
+      const std::filesystem::path& log,
+      double end_time,
+      bool terminal,
+      const RunNumbers& position = {}
+  );
 
+  /// Particle-steps that a resumed run had behind it, for the rate.
+  void count_from(double particle_steps) { first_steps_ = particle_steps; }
   /// A line on the screen and in the log.
   void say(const std::string& line);
   void show(const ProgressNow& now);
@@ -33,7 +41,7 @@ public:
   /// Counts of the warnings that came more than once.
   void list_warnings();
   const std::map<std::string, long>& warnings() const { return warnings_; }
-  double seconds() const;  ///< since the construction
+  double seconds() const;  ///< since the construction, and those of a run before its resume
 
 private:
   std::string line(const ProgressNow& now) const;
@@ -41,6 +49,7 @@ private:
   using Time = std::chrono::steady_clock::time_point;
   LineFile log_;
   double end_time_;
+  double first_time_ = 0.0, first_steps_ = 0.0, first_seconds_ = 0.0;  ///< of a resume
   bool terminal_;
   Time start_, drawn_{};
   int tenths_ = -1;       ///< last tenth of the run that was said

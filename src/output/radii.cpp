@@ -60,7 +60,9 @@ std::vector<RadialMoment> radial_moments(
   return moments;
 }
 
-RadiiWriter::RadiiWriter(const Scene& scene, const State& state, const std::filesystem::path& path)
+RadiiWriter::RadiiWriter(
+    const Scene& scene, const State& state, const std::filesystem::path& path, std::uintmax_t kept
+)
     : bodies_(hollow_balls(scene)), start_(radial_moments(scene, state, bodies_)) {
   std::string header = "time";
   for (const int body : bodies_) {
@@ -70,7 +72,8 @@ RadiiWriter::RadiiWriter(const Scene& scene, const State& state, const std::file
   }
   RootWork work(*state.grid.comm);
   work.run([&] {
-    file_ = std::make_unique<LineFile>(path);
+    file_ = std::make_unique<LineFile>(path, kept);
+    if (kept > 0) return;  // it has its header
     file_->append(
         "# SI units: time s; radii m, of hollow balls, from the mass average of r^3 (plane strain: "
         "r^2) and the volume of their particles"

@@ -37,9 +37,16 @@ std::vector<RadialMoment> radial_moments(
 class RadiiWriter {
 public:
   /// Collective; the state is that at t = 0. @throws FileError on every rank
-  RadiiWriter(const Scene& scene, const State& state, const std::filesystem::path& path);
+  RadiiWriter(
+      const Scene& scene,
+      const State& state,
+      const std::filesystem::path& path,
+      std::uintmax_t kept = 0
+  );
   /// Collective. @throws FileError on every rank
   void write(const Scene& scene, const State& state);
+
+  std::uintmax_t bytes() const { return file_ ? file_->bytes() : 0; }
 
 private:
   std::vector<int> bodies_;

@@ -15,16 +15,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Everything that a run writes; a folder with one of these holds a result.
-constexpr std::array<const char*, 10> result_files{
+constexpr std::array<const char*, 12> result_files{
     "run.log",
     "deck.xml",
     "history.csv",
     "depth.csv",
     "radii.csv",
+    "cavities.csv",
     "particles.e",
     "particles.e.tmp",
     "checkpoint.h5",
     "checkpoint_previous.h5",
+    "checkpoint.h5.tmp",
     "summary.json"};
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {

@@ -50,9 +50,23 @@ void write_whole_file(const std::filesystem::path& path, const std::string& text
   refuse(path, "write");
 }
 
-LineFile::LineFile(const std::filesystem::path& path) : path_(path) {
+LineFile::LineFile(const std::filesystem::path& path, std::uintmax_t kept)
+    : path_(path), bytes_(kept) {
   errno = 0;
-  stream_.open(path, std::ios::binary | std::ios::trunc);
+  if (kept == 0) {
+    stream_.open(path, std::ios::binary | std::ios::trunc);
+  } else {
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) < kept || error)
+      throw FileError(
+          "cannot go on with '" + path.string() +
+          "' (it is shorter than when the checkpoint was written); put the file back or start the "
+          "run again with barreno run."
+      );
+    std::filesystem::resize_file(path, kept, error);
+    if (error) refuse(path_, "shorten");
+    stream_.open(path, std::ios::binary | std::ios::app);
+  }
   if (!stream_) refuse(path_, "create");
 }
 
@@ -60,6 +74,7 @@ void LineFile::append(const std::string& line) {
   errno = 0;
   stream_ << line << '\n' << std::flush;
   if (!stream_) refuse(path_, "write");
+  bytes_ += line.size() + 1;
 }
 
 std::string column_name(std::string name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -18,13 +19,17 @@ void write_whole_file(const std::filesystem::path& path, const std::string& text
 /// run.
 class LineFile {
 public:
-  /// @throws FileError if it cannot be created
-  explicit LineFile(const std::filesystem::path& path);
+  /// @param kept  bytes of a file of that name that stay, what follows them is cut off; 0: a new
+  ///              file
+  /// @throws FileError if it cannot be created, or holds fewer bytes
+  explicit LineFile(const std::filesystem::path& path, std::uintmax_t kept = 0);
   /// @throws FileError if the line did not reach the file
   void append(const std::string& line);
+  std::uintmax_t bytes() const { return bytes_; }
 
 private:
   std::filesystem::path path_;
+  std::uintmax_t bytes_ = 0;
   std::ofstream stream_;
 };
 

@@ -145,6 +145,10 @@ OutputSpec read_output(const Deck& deck) {
   OutputSpec output;
   output.field_interval = deck.number("Output/Field Interval");
   output.history_interval = deck.number("Output/History Interval");
+  output.checkpoint = {
+      deck.number("Output/Checkpoint Wall Interval"),
+      deck.number("Output/Checkpoint Interval"),
+      deck.integer("Output/Checkpoint Steps")};
   output.glyph = deck.word("Output/Particle Glyph") == "point" ? Glyph::point : Glyph::deformed;
   return output;
 }

@@ -166,11 +166,19 @@ struct ContactSpec {
 
 enum class Glyph { deformed, point };
 
+/// What may pass between two checkpoints; 0: no bound.
+struct CheckpointSpec {
+  double wall_interval = 600.0;  ///< [s], of the clock on the wall
+  double interval = 0.0;         ///< [time]
+  long steps = 0;
+};
+
 struct OutputSpec {
   double field_interval = 0.0;  ///< between Exodus steps; 0: first and last only [time]
   double history_interval =
       0.0;  ///< between rows of history.csv and depth.csv; 0: every step [time]
   Glyph glyph = Glyph::deformed;
+  CheckpointSpec checkpoint;
 };
 
 struct Scene {

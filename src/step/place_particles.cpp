@@ -15,10 +15,6 @@
 namespace barreno {
 namespace {
 
-/// Steps between two physical sorts of the rows: long enough to cost nothing, short enough to keep
-/// locality.
-constexpr long steps_per_permutation = 50;
-
 void tally_removal(const Particles& particles, int p, RemovalCause cause, Ledger& ledger) {
   RemovalTally& tally = ledger.removed[static_cast<std::size_t>(cause)];
   const double m = particles.mass(p);

@@ -5,6 +5,10 @@
 
 namespace barreno {
 
+/// Steps between two physical sorts of the rows: long enough to cost nothing, short enough to keep
+/// locality.
+inline constexpr long steps_per_permutation = 50;
+
 /// What locate_particles saw on this rank; agreed between the ranks with the step size.
 struct Placement {
   bool someone_left = false;  ///< a particle is in a tile of another rank

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "checkpoint/hdf5_file.hpp"
+
+#include "base/error.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+
+namespace barreno {
+namespace {
+
+/// Rows of a chunk, the unit of checksums and of reading.
+constexpr hsize_t most_chunk_rows = 32768;
+
+/// What HDF5 gives out has to be given back.
+class Handle {
+public:
+  using Closer = herr_t (*)(hid_t);
+  Handle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+  ~Handle() {
+    if (id_ >= 0) closer_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  hid_t get() const { return id_; }
+  bool failed() const { return id_ < 0; }
+
+private:
+  hid_t id_;
+  Closer closer_;
+};
+
+herr_t note_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+bool put_unit(hid_t table, const std::string& unit) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), unit.size() + 1);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(
+      H5Acreate2(table, "unit", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose
+  );
+  return !attribute.failed() && H5Awrite(attribute.get(), type.get(), unit.c_str()) >= 0;
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode)
+    : path_(path), writes_(mode == Mode::create) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the sentence says it
+  if (writes_) {
+    const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    H5Pset_userblock(creation.get(), user_block);
+    file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), H5P_DEFAULT);
+  } else {
+    file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  }
+  if (file_ < 0) refuse(writes_ ? "it cannot be created" : "it is no whole HDF5 file");
+}
+
+Hdf5File::~Hdf5File() {
+  if (file_ >= 0) H5Fclose(file_);
+}
+
+void Hdf5File::refuse(const std::string& what) const {
+  const std::string words = std::string("cannot ") + (writes_ ? "write" : "read") +
+                            " the checkpoint '" + path_.string() + "' (" + what + ")";
+  throw FileError(
+      words + (writes_ ? "; free the disk or give another place with --out."
+                       : "; the one before it is checkpoint_previous.h5.")
+  );
+}
+
+void Hdf5File::close() {
+  const bool fine = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
+  const bool closed = H5Fclose(file_) >= 0;
+  file_ = -1;
+  if (!fine || !closed) refuse("the disk did not take all of it");
+}
+
+void Hdf5File::put(
+    const std::string& name,
+    std::size_t rows,
+    std::size_t columns,
+    long long type,
+    const void* values,
+    const std::string& unit
+) {
+  const hsize_t size[2] = {rows, columns};
+  const hsize_t chunk[2] = {
+      std::clamp<hsize_t>(rows, 1, most_chunk_rows), std::max<hsize_t>(columns, 1)};
+  const Handle space(H5Screate_simple(2, size, nullptr), H5Sclose);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links.get(), 1);
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.get(), false);
+  if (rows * columns > 0) {
+    H5Pset_chunk(creation.get(), 2, chunk);
+    H5Pset_fletcher32(creation.get());
+  }
+  const Handle table(
+      H5Dcreate2(file_, name.c_str(), type, space.get(), links.get(), creation.get(), H5P_DEFAULT),
+      H5Dclose
+  );
+  bool fine = !table.failed();
+  if (fine && rows * columns > 0)
+    fine = H5Dwrite(table.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
+  if (fine && !unit.empty()) fine = put_unit(table.get(), unit);
+  if (!fine) refuse(name);
+}
+
+void Hdf5File::write(
+    const std::string& name, const Hdf5Table<double>& table, const std::string& unit
+) {
+  put(name, table.rows, table.columns, H5T_NATIVE_DOUBLE, table.values.data(), unit);
+}
+
+void Hdf5File::write(const std::string& name, const Hdf5Table<long long>& table) {
+  put(name, table.rows, table.columns, H5T_NATIVE_LLONG, table.values.data(), "");
+}
+
+void Hdf5File::write(const std::string& name, const std::string& text) {
+  put(name, text.size(), 1, H5T_NATIVE_CHAR, text.data(), "");
+}
+
+/// @return the table's handle
+long long Hdf5File::open_table(const std::string& name, std::size_t& rows, std::size_t& columns)
+    const {
+  const hid_t table = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
+  if (table < 0) refuse(name + " is missing");
+  const Handle space(H5Dget_space(table), H5Sclose);
+  hsize_t size[2] = {0, 0};
+  if (H5Sget_simple_extent_ndims(space.get()) != 2 ||
+      H5Sget_simple_extent_dims(space.get(), size, nullptr) < 0) {
+    H5Dclose(table);
+    refuse(name + " is no table");
+  }
+  rows = size[0];
+  columns = size[1];
+  return table;
+}
+
+Hdf5Table<double> Hdf5File::read(const std::string& name) const {
+  Hdf5Table<double> result;
+  const Handle table(open_table(name, result.rows, result.columns), H5Dclose);
+  result.values.resize(result.rows * result.columns);
+  if (!result.values.empty() &&
+      H5Dread(table.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()) <
+          0)
+    refuse(name + " does not have its checksum");
+  return result;
+}
+
+Hdf5Table<long long> Hdf5File::read_integers(const std::string& name) const {
+  Hdf5Table<long long> result;
+  const Handle table(open_table(name, result.rows, result.columns), H5Dclose);
+  result.values.resize(result.rows * result.columns);
+  if (!result.values.empty() &&
+      H5Dread(table.get(), H5T_NATIVE_LLONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()) <
+          0)
+    refuse(name + " does not have its checksum");
+  return result;
+}
+
+std::string Hdf5File::read_text(const std::string& name) const {
+  std::size_t rows = 0, columns = 0;
+  const Handle table(open_table(name, rows, columns), H5Dclose);
+  std::string text(rows * columns, ' ');
+  if (!text.empty() &&
+      H5Dread(table.get(), H5T_NATIVE_CHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    refuse(name + " does not have its checksum");
+  return text;
+}
+
+std::vector<std::string> Hdf5File::names(const std::string& group) const {
+  const Handle handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
+  if (handle.failed()) refuse(group + " is missing");
+  std::vector<std::string> found;
+  H5Literate(handle.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, note_name, &found);
+  return found;
+}
+
+bool Hdf5File::has(const std::string& name) const {
+  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+}  // namespace barreno

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// Length of the block before HDF5's own bytes, where seal_checkpoint() writes (H5Pset_userblock).
+inline constexpr std::size_t user_block = 512;
+
+/// A table of numbers, row after row.
+template <class T>
+struct Hdf5Table {
+  std::size_t rows = 0, columns = 1;
+  std::vector<T> values;
+};
+
+/// An HDF5 file of plain tables that one process writes or reads. Every table has the fletcher32
+/// checksum, which HDF5 compares when it reads.
+///
+/// Every function throws FileError with the path and the table's name if it fails.
+class Hdf5File {
+public:
+  enum class Mode { create, read };
+  Hdf5File(const std::filesystem::path& path, Mode mode);
+  ~Hdf5File();
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+
+  /// Groups on the way are made. @param unit  kept as the attribute "unit"
+  void write(const std::string& name, const Hdf5Table<double>& table, const std::string& unit);
+  void write(const std::string& name, const Hdf5Table<long long>& table);
+  void write(const std::string& name, const std::string& text);
+
+  Hdf5Table<double> read(const std::string& name) const;
+  Hdf5Table<long long> read_integers(const std::string& name) const;
+  std::string read_text(const std::string& name) const;
+  /// Names of what lies in a group, sorted.
+  std::vector<std::string> names(const std::string& group) const;
+  bool has(const std::string& name) const;
+
+  /// All is handed to the system when this returns.
+  void close();
+
+private:
+  [[noreturn]] void refuse(const std::string& what) const;
+  long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
+  void put(
+      const std::string& name,
+      std::size_t rows,
+      std::size_t columns,
+      long long type,
+      const void* values,
+      const std::string& unit
+  );
+
+  std::filesystem::path path_;
+  bool writes_;
+  long long file_ = -1;  ///< HDF5's handle
+};
+
+}  // namespace barreno

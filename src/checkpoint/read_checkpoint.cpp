@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "checkpoint/read_checkpoint.hpp"
+
+#include "base/error.hpp"
+#include "base/gather.hpp"
+#include "base/region.hpp"
+#include "checkpoint/hdf5_file.hpp"
+#include "checkpoint/seal.hpp"
+#include "checkpoint/write_checkpoint.hpp"
+#include "grid/partition.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <cstring>
+#include <memory>
+#include <numeric>
+#include <sstream>
+
+namespace barreno {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What rank 0 reads, on every rank.
+class SharedFile {
+public:
+  SharedFile(const Comm& comm, const fs::path& path) : comm_(comm) {
+    RootWork work(comm);
+    work.run([&] { file_ = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read); });
+    work.agree();
+  }
+  Hdf5Table<double> read(const std::string& name) const {
+    return share<double>([&] { return file_->read(name); });
+  }
+  Hdf5Table<long long> read_integers(const std::string& name) const {
+    return share<long long>([&] { return file_->read_integers(name); });
+  }
+
+private:
+  template <class T, class Read>
+  Hdf5Table<T> share(Read&& read_table) const {
+    Hdf5Table<T> table;
+    RootWork work(comm_);
+    work.run([&] { table = read_table(); });
+    work.agree();
+    long long size[2] = {static_cast<long long>(table.rows), static_cast<long long>(table.columns)};
+    Teuchos::broadcast<int, long long>(comm_, 0, 2, size);
+    table.rows = static_cast<std::size_t>(size[0]);
+    table.columns = static_cast<std::size_t>(size[1]);
+    table.values.resize(table.rows * table.columns);
+    if (!table.values.empty())
+      Teuchos::broadcast<int, T>(
+          comm_, 0, static_cast<int>(table.values.size()), table.values.data()
+      );
+    return table;
+  }
+
+  const Comm& comm_;
+  std::unique_ptr<Hdf5File> file_;  ///< root only
+};
+
+std::string group_of(const Particles& particles) {
+  return "particles/" + std::to_string(particles.material) + "/";
+}
+
+/// The rows of a material that belong to this rank.
+std::vector<std::size_t> own_rows(
+    const State& state, const Particles& particles, const SharedFile& file, bool same_ranks
+) {
+  const Comm& comm = *state.grid.comm;
+  const auto rank = static_cast<std::size_t>(comm.getRank());
+  std::vector<std::size_t> rows;
+  if (same_ranks) {
+    const auto counts = file.read_integers(group_of(particles) + "rank_counts").values;
+    const auto begin = std::accumulate(counts.begin(), counts.begin() + comm.getRank(), 0LL);
+    rows.resize(static_cast<std::size_t>(counts[rank]));
+    std::iota(rows.begin(), rows.end(), static_cast<std::size_t>(begin));
+    return rows;
+  }
+  const auto position = file.read(group_of(particles) + "position");
+  for (std::size_t p = 0; p < position.rows; ++p) {
+    Vector x{};
+    for (std::size_t d = 0; d < position.columns; ++d)
+      x[d] = position.values[p * position.columns + d];
+    // One that has just left the grid is counted and removed by whoever has it.
+    const int owner = state.grid.holds(x) ? owner_of(state.grid, x) : 0;
+    if (owner == comm.getRank()) rows.push_back(p);
+  }
+  return rows;
+}
+
+void read_particles(
+    const std::vector<std::size_t>& rows, const SharedFile& file, Particles& particles
+) {
+  const std::string group = group_of(particles);
+  const auto id = file.read_integers(group + "id").values;
+  const auto body = file.read_integers(group + "body").values;
+  reserve(particles, static_cast<int>(rows.size()));
+  particles.count = static_cast<int>(rows.size());
+  particles.sorted = false;
+  for (std::size_t p = 0; p < rows.size(); ++p) {
+    particles.id(p) = static_cast<ParticleId>(id[rows[p]]);
+    particles.body(p) = static_cast<unsigned char>(body[rows[p]]);
+    particles.key(p) = unplaced_key;
+  }
+  particles.for_each_field([&](Field& field) {
+    if (field.components == 0) return;
+    const auto table = file.read(group + field.name);
+    for (int p = 0; p < particles.count; ++p)
+      for (int c = 0; c < field.components; ++c)
+        field(p, c) =
+            table.values
+                [rows[static_cast<std::size_t>(p)] * table.columns + static_cast<std::size_t>(c)];
+  });
+}
+
+/// Tiles as the ranks had them, or shared by the particles that are in them.
+void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
+  Grid& grid = state.grid;
+  if (same_ranks) {
+    const auto owner = file.read_integers("grid/owner").values;
+    grid.owner.assign(owner.begin(), owner.end());
+    return;
+  }
+  std::vector<double> counts(grid.owner.size(), 0.0);
+  for (const Particles& particles : state.particles) {
+    const auto position = file.read(group_of(particles) + "position");
+    for (std::size_t p = 0; p < position.rows; ++p) {
+      Vector x{};
+      for (std::size_t d = 0; d < position.columns; ++d)
+        x[d] = position.values[p * position.columns + d];
+      if (grid.holds(x)) counts[static_cast<std::size_t>(cell_of(grid, x).tile)] += 1.0;
+    }
+  }
+  grid.owner = bisect_tiles(grid.tiles, counts, grid.comm->getSize());
+}
+
+void read_ledger(const SharedFile& file, bool same_ranks, State& state) {
+  const auto rank = static_cast<std::size_t>(state.grid.comm->getRank());
+  const auto all = file.read("ledger/of_ranks");
+  const auto sum = file.read("ledger/sum").values;
+  const auto steps = file.read("ledger/particle_steps").values;
+  std::vector<double> mine(sizeof(Ledger) / sizeof(double), 0.0);
+  if (same_ranks)
+    mine.assign(
+        all.values.begin() + static_cast<std::ptrdiff_t>(rank * all.columns),
+        all.values.begin() + static_cast<std::ptrdiff_t>((rank + 1) * all.columns)
+    );
+  else if (rank == 0)
+    mine = sum;
+  std::memcpy(static_cast<void*>(&state.ledger), mine.data(), sizeof(Ledger));
+  state.particle_steps = 0.0;
+  if (same_ranks) state.particle_steps = steps[rank];
+  if (!same_ranks && rank == 0)
+    state.particle_steps = std::accumulate(steps.begin(), steps.end(), 0.0);
+  state.stable_step = file.read("run/stable_step").values[0];
+}
+
+/// Rank 0 takes what all have given.
+void read_reactions(const SharedFile& file, State& state) {
+  const auto parts = file.read_integers("run/reactions").values;
+  std::size_t next = 0;
+  for (Reaction& reaction : state.reactions)
+    for (WholeSum& sum : reaction.impulse)
+      for (long long& part : sum.part) {
+        part = is_root(*state.grid.comm) ? parts[next] : 0;
+        ++next;
+      }
+}
+
+/// All tables of a group but integers.
+RunNumbers read_numbers(const Hdf5File& file, const std::string& group) {
+  RunNumbers numbers;
+  for (const std::string& name : file.names(group))
+    if (name != "reactions") numbers[name] = file.read(group + "/" + name).values;
+  return numbers;
+}
+
+/// Whether a file is a whole checkpoint of this version; why not, if it is not.
+std::string fault_of(const fs::path& path, Checkpoint& found) {
+  std::string fault = broken_seal(path);
+  if (!fault.empty()) return fault;
+  try {
+    const Hdf5File file(path, Hdf5File::Mode::read);
+    const int version = static_cast<int>(file.read("run/version").values.at(0));
+    if (version != checkpoint_version)
+      return "it has version " + std::to_string(version) + ", this program reads " +
+             std::to_string(checkpoint_version);
+    found.deck_text = file.read_text("deck");
+    found.numbers = read_numbers(file, "run");
+    found.output = read_numbers(file, "output");
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  found.file = path;
+  return {};
+}
+
+Checkpoint find_on_root(const fs::path& folder) {
+  Checkpoint found;
+  std::string faults;
+  for (const char* name : {checkpoint_name, previous_checkpoint_name}) {
+    const fs::path path = folder / name;
+    if (!fs::exists(path)) continue;
+    const std::string fault = fault_of(path, found);
+    if (fault.empty()) return found;
+    faults += (faults.empty() ? "" : "; ") + std::string(name) + ": " + fault;
+    found.notes.push_back(std::string(name) + " is passed over: " + fault + ".");
+  }
+  throw FileError(
+      "cannot resume from '" + folder.string() + "' (" +
+      (faults.empty() ? "it holds no checkpoint.h5" : faults) +
+      "); name the folder of a run, or start it again with barreno run."
+  );
+}
+
+RunNumbers share(const Comm& comm, const RunNumbers& mine) {
+  std::ostringstream names;
+  std::vector<double> values;
+  for (const auto& [name, numbers] : mine) {
+    names << name << '\n' << numbers.size() << '\n';
+    values.insert(values.end(), numbers.begin(), numbers.end());
+  }
+  std::istringstream shared(broadcast_from_root(comm, names.str()));
+  RunNumbers all;
+  std::size_t total = 0;
+  std::vector<std::pair<std::string, std::size_t>> entries;
+  std::string name;
+  while (std::getline(shared, name)) {
+    std::string size;
+    std::getline(shared, size);
+    entries.emplace_back(name, std::stoul(size));
+    total += entries.back().second;
+  }
+  values.resize(total);
+  if (total > 0) Teuchos::broadcast<int, double>(comm, 0, static_cast<int>(total), values.data());
+  auto next = values.begin();
+  for (const auto& [entry, size] : entries) {
+    all[entry].assign(next, next + static_cast<std::ptrdiff_t>(size));
+    next += static_cast<std::ptrdiff_t>(size);
+  }
+  return all;
+}
+
+std::string trimmed(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(' ');
+  return begin == std::string::npos ? "an empty line" : line.substr(begin);
+}
+
+/// End times may differ, and the name that a comment gives the deck.
+bool may_differ(const std::string& a, const std::string& b) {
+  for (const char* mark : {"<!-- ", "name=\"End Time\""})
+    if (a.find(mark) != std::string::npos && b.find(mark) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+Checkpoint find_checkpoint(const Comm& comm, const fs::path& folder) {
+  Checkpoint found;
+  RootWork work(comm);
+  work.run([&] { found = find_on_root(folder); });
+  work.agree();
+  found.file = broadcast_from_root(comm, found.file.string());
+  found.deck_text = broadcast_from_root(comm, found.deck_text);
+  found.numbers = share(comm, found.numbers);
+  found.output = share(comm, found.output);
+  return found;
+}
+
+void read_checkpoint(const Checkpoint& checkpoint, State& state) {
+  const Region region("read_checkpoint");
+  const Comm& comm = *state.grid.comm;
+  const SharedFile file(comm, checkpoint.file);
+  const auto wrote = file.read("ledger/particle_steps").rows;
+  const bool same_ranks = wrote == static_cast<std::size_t>(comm.getSize());
+  read_ledger(file, same_ranks, state);
+  read_reactions(file, state);
+  share_tiles(file, same_ranks, state);
+  for (Particles& particles : state.particles)
+    read_particles(own_rows(state, particles, file, same_ranks), file, particles);
+  for_each_number(state, [&](const char* name, auto& value) {
+    value = static_cast<std::decay_t<decltype(value)>>(checkpoint.numbers.at(name).at(0));
+  });
+  state.cavities = checkpoint.numbers.at("cavities");
+}
+
+std::string deck_difference(const std::string& kept, const std::string& found) {
+  std::istringstream one(kept), other(found);
+  std::string a, b;
+  for (int line = 1;; ++line) {
+    const bool more = static_cast<bool>(std::getline(one, a));
+    const bool other_more = static_cast<bool>(std::getline(other, b));
+    if (!more && !other_more) return {};
+    if (!more) a = "nothing";
+    if (!other_more) b = "nothing";
+    if (a == b || may_differ(a, b)) continue;
+    return "line " + std::to_string(line) + ": " + trimmed(a) + " against " + trimmed(b);
+  }
+}
+
+}  // namespace barreno

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "checkpoint/state_numbers.hpp"
+#include "state/state.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace barreno {
+
+inline constexpr int checkpoint_version = 1;
+inline constexpr const char* checkpoint_name = "checkpoint.h5";
+inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5";
+
+/// Writes the state to `folder`/checkpoint.h5, the one before becomes checkpoint_previous.h5. The
+/// new file is written aside, closed, read back and compared with its checksums, sealed, brought to
+/// the disk, and only then renamed: whatever happens, one whole checkpoint remains.
+///
+/// Rows are written as they are stored, rank after rank, so that the same number of ranks goes on
+/// with the same sums. Rank 0 gathers and writes one field at a time; docs/checkpoints.md has the
+/// file's contents. Collective. @throws FileError on every rank
+///
+/// @param deck_text  the effective deck
+/// @param output     where the other files of the run are (Output::position)
+void write_checkpoint(
+    const std::filesystem::path& folder,
+    const std::string& deck_text,
+    const RunNumbers& output,
+    const State& state
+);
+
+}  // namespace barreno

@@ -1,0 +1,167 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs that are interrupted, killed, damaged and resumed: test_resume.py BARRENO."""
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
+
+from netCDF4 import Dataset  # noqa: E402
+from runs import DECKS, mpi_environment  # noqa: E402
+
+DECK = str(DECKS / "perforation_quick.xml")
+SHORT = ("--set", "Time/End Time=12 us", "--set", "Output/Field Interval=3 us")
+
+
+def command(barreno, ranks, *words):
+    return (["mpirun", "--quiet", "-n", str(ranks)] if ranks > 1 else []) + [barreno, *words]
+
+
+def program(barreno, ranks, *words):
+    return subprocess.run(command(barreno, ranks, *words), capture_output=True, text=True, env=mpi_environment(ranks), check=False)
+
+
+def straight(barreno, ranks, folder, *more):
+    result = program(barreno, ranks, "run", DECK, "--out", str(folder), *SHORT, *more)
+    assert result.returncode == 0, result.stderr
+    return folder
+
+
+def rows(file):
+    return file.read_text().count("\n") if file.exists() else 0
+
+
+def interrupted(barreno, ranks, folder, wanted, kind, *more):
+    """A run that got a signal when its history had so many rows. @return its exit code"""
+    words = command(barreno, ranks, "run", DECK, "--out", str(folder), *SHORT, *more)
+    run = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=mpi_environment(ranks))
+    begun = time.time()
+    while time.time() - begun < 60.0 and rows(folder / "history.csv") < wanted:
+        time.sleep(0.005)
+    run.send_signal(kind)
+    return run.wait()
+
+
+def different_fields(one, other):
+    """Names of variables of particles.e that are not the same to the bit."""
+    with Dataset(one / "particles.e") as a, Dataset(other / "particles.e") as b:
+        names = [n for n in a.variables if n not in ("qa_records", "info_records")]
+        return [n for n in names if a[n].shape != b[n].shape or not np.array_equal(np.ma.filled(a[n][:], 0), np.ma.filled(b[n][:], 0))]
+
+
+def different_files(one, other):
+    return [name for name in ("history.csv", "depth.csv") if (one / name).read_bytes() != (other / name).read_bytes()]
+
+
+def resumed(barreno, ranks, folder, *words):
+    result = program(barreno, ranks, "resume", str(folder), *words)
+    assert result.returncode == 0, f"exit {result.returncode}: {result.stderr}"
+    return folder
+
+
+def check_signals(barreno, folder, plain):
+    """After Ctrl-C, SIGTERM or SIGKILL the resumed run has the files of the straight one, byte for byte; checkpoints change nothing."""
+    often = ("--set", "Output/Checkpoint Steps=20")
+    for name, kind, code in (("int", signal.SIGINT, 130), ("term", signal.SIGTERM, 143), ("kill", signal.SIGKILL, -9)):
+        run = folder / name
+        found = interrupted(barreno, 1, run, 12, kind, *often)
+        assert found == code, f"{name}: exit {found}"
+        resumed(barreno, 1, run)
+        assert not different_fields(plain, run), f"{name}: {different_fields(plain, run)}"
+        assert not different_files(plain, run), f"{name}: {different_files(plain, run)}"
+
+
+def check_ranks(barreno, folder, plain):
+    """From 2 ranks to 1, 2 and 3: fields to the bit."""
+    whole = folder / "two"
+    assert interrupted(barreno, 2, whole, 9, signal.SIGTERM) != 0
+    for ranks in (1, 2, 3):
+        run = folder / f"on{ranks}"
+        shutil.copytree(whole, run)
+        resumed(barreno, ranks, run)
+        assert not different_fields(plain, run), f"2 ranks, then {ranks}: {different_fields(plain, run)}"
+
+
+def check_damage(barreno, folder, plain):
+    """One flipped bit or a cut: the checkpoint before is taken, and the answer is the same; nothing whole: exit 2."""
+    whole = folder / "whole"
+    assert interrupted(barreno, 1, whole, 14, signal.SIGTERM, "--set", "Output/Checkpoint Steps=20") == 143
+    size = (whole / "checkpoint.h5").stat().st_size
+    rng = np.random.default_rng(1)
+    for turn in range(4):
+        run = folder / f"damaged{turn}"
+        shutil.copytree(whole, run)
+        data = bytearray((run / "checkpoint.h5").read_bytes())
+        if turn % 2 == 0:
+            data[int(rng.integers(size))] ^= 1 << int(rng.integers(8))
+        else:
+            del data[int(rng.integers(size)) :]
+        (run / "checkpoint.h5").write_bytes(data)
+        resumed(barreno, 1, run)
+        assert "passed over" in (run / "run.log").read_text()
+        assert not different_fields(plain, run) and not different_files(plain, run)
+    last = folder / "lost"
+    shutil.copytree(whole, last)
+    for name in ("checkpoint.h5", "checkpoint_previous.h5"):
+        (last / name).write_bytes(b"nothing")
+    before = (last / "history.csv").read_bytes()
+    result = program(barreno, 1, "resume", str(last))
+    assert result.returncode == 2 and result.stderr.count("\n") == 1 and "cannot resume" in result.stderr, result.stderr
+    assert (last / "history.csv").read_bytes() == before
+
+
+def check_refusals(barreno, folder, plain):
+    """What cannot be resumed, and what to do: one sentence each."""
+    changed = folder / "changed"
+    shutil.copytree(plain, changed)
+    deck = changed / "deck.xml"
+    text = deck.read_text()
+    deck.write_text(re.sub(r'(name="Courant Fraction" type="double" value=")[^"]*', r"\g<1>0.7", text))
+    assert deck.read_text() != text
+    short = folder / "short"
+    shutil.copytree(plain, short)
+    (short / "history.csv").write_text("# nothing\n")
+    for words, code, said in (
+        ((str(plain),), 1, "--until"),
+        ((str(changed), "--until", "14 us"), 1, "Courant Fraction"),
+        ((str(short), "--until", "14 us"), 2, "shorter"),
+        ((str(folder / "nowhere"),), 2, "no checkpoint"),
+        ((), 1, "no run is named"),
+        ((str(plain), "--until", "14 kg"), 1, "End Time"),
+    ):
+        result = program(barreno, 1, "resume", *words)
+        assert result.returncode == code and said in result.stderr, f"{words}: exit {result.returncode}: {result.stderr}"
+        assert result.stderr.count("\n") == 1, result.stderr
+
+
+def check_longer(barreno, folder, plain):
+    """A finished run goes on to a later end: times only grow, and the last is the new end."""
+    run = folder / "longer"
+    shutil.copytree(plain, run)
+    resumed(barreno, 1, run, "--until", "15 us")
+    with Dataset(run / "particles.e") as data:
+        times = np.asarray(data["time_whole"][:])
+    assert abs(times[-1] - 15e-6) < 1e-12 and np.all(np.diff(times) > 0.0), times
+    resumed(barreno, 1, run, "--until", "16 us")
+
+
+def main():
+    barreno = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        plain = straight(barreno, 1, folder / "plain")
+        for check in (check_signals, check_damage, check_refusals, check_longer, check_ranks):
+            check(barreno, folder, plain)
+            print(check.__name__, "holds")
+
+
+if __name__ == "__main__":
+    main()
