@@ -3,7 +3,6 @@
 #include "base/interrupt.hpp"
 #include "check.hpp"
 #include "checkpoint/checkpoints.hpp"
-#include "checkpoint/read_checkpoint.hpp"
 #include "command_line.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
@@ -11,8 +10,8 @@
 #include "drive/drive.hpp"
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
-#include "output/text_file.hpp"
 #include "pore_flow/check_solver_lists.hpp"
+#include "resume.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
 #include "state/build_state.hpp"
@@ -50,53 +49,6 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   return verdict.exit_code;
 }
 
-/// What keeps a run from being resumed.
-void refuse_resume(
-    const Options& options, const Deck& deck, const Scene& scene, const Checkpoint& checkpoint
-) {
-  const std::string other = deck_difference(checkpoint.deck_text, effective_deck_xml(deck));
-  if (!other.empty())
-    throw DeckError(
-        "cannot resume '" + options.deck_file + "': its deck.xml is not that of its checkpoint (" +
-        other + "); put the deck back, or start a new run with barreno run."
-    );
-  const double time = number_of(checkpoint.numbers, "time");
-  if (time >= scene.end_time)
-    throw DeckError(
-        "'" + options.deck_file + "' has reached its end time (" + to_text(time) +
-        " s); give a later one with --until, for example --until \"" + to_text(2.0 * time) + " s\"."
-    );
-}
-
-int resume_run(const Options& options, const Teuchos::RCP<const Comm>& comm) {
-  const std::filesystem::path folder = options.deck_file;
-  const Checkpoint checkpoint = find_checkpoint(*comm, folder);
-  const std::string file = (folder / "deck.xml").string();
-  const Deck deck = read_deck(file, options.overrides, *comm);
-  const Scene scene = build_scene(deck);
-  refuse_resume(options, deck, scene, checkpoint);
-  State state = build_state(scene, comm);
-  std::vector<std::string> notes = notes_of(deck, scene);
-  notes.insert(notes.end(), checkpoint.notes.begin(), checkpoint.notes.end());
-  notes.push_back(
-      "resumed from " + checkpoint.file.filename().string() +
-      ": t = " + to_text(number_of(checkpoint.numbers, "time")) + " s, step " +
-      to_text(number_of(checkpoint.numbers, "step"))
-  );
-  const std::string text =
-      options.overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
-  const RunDescription description{folder, file, text, BARRENO_VERSION, notes};
-  RunNumbers position = checkpoint.output;
-  position["time"] = checkpoint.numbers.at("time");
-  Output output(scene, state, description, position);  // files begin with the state at t = 0
-  read_checkpoint(checkpoint, state);
-  output.go_on_from(state);
-  Checkpoints checkpoints(scene, description);
-  const RunVerdict verdict = run(scene, state, output, checkpoints);
-  output.finish(scene, state, verdict);
-  return verdict.exit_code;
-}
-
 int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
@@ -113,7 +65,7 @@ int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
     case Command::run:
       return run_deck(options, comm);
     case Command::resume:
-      return resume_run(options, comm);
+      return resume(options.deck_file, options.overrides, comm);
     case Command::check:
       return check_deck(options, comm);
     case Command::drive: {

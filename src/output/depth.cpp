@@ -256,9 +256,13 @@ DepthWriter::DepthWriter(
   work.agree();
 }
 
+void DepthWriter::measure(const Scene& scene, const State& state) {
+  last_ = measure_penetration(scene, state, path_);
+}
+
 void DepthWriter::write(const Scene& scene, const State& state) {
   const Region region("write_depth");
-  last_ = measure_penetration(scene, state, path_);
+  measure(scene, state);
   RootWork work(*state.grid.comm);
   work.run([&] {
     file_->append(csv_line(

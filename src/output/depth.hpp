@@ -61,6 +61,8 @@ public:
       const std::filesystem::path& path,
       std::uintmax_t kept = 0
   );
+  /// Collective; last() without a row.
+  void measure(const Scene& scene, const State& state);
   /// Collective. @throws FileError on every rank
   void write(const Scene& scene, const State& state);
   const Penetration& last() const { return last_; }  ///< valid on the root

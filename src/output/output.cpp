@@ -289,7 +289,8 @@ RunNumbers Output::position() const {
       {"cavities_bytes", {bytes(o.cavities)}}};
 }
 
-void Output::go_on_from(const State& state) {
+void Output::go_on_from(const Scene& scene, const State& state) {
+  if (parts_->depth) parts_->depth->measure(scene, state);
   parts_->totals = sum_totals(state);
   parts_->watched = parts_->totals.ledger;
   if (parts_->progress) parts_->progress->count_from(parts_->totals.particle_steps);

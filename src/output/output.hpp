@@ -59,7 +59,7 @@ public:
   /// How far the files have come, and the clock on the wall, for a checkpoint. Valid on the root.
   RunNumbers position() const;
   /// Called once when a resumed run's state has been read: what it has is no news.
-  void go_on_from(const State& state);
+  void go_on_from(const Scene& scene, const State& state);
   double seconds() const;  ///< of work, those before a resume included; valid on the root
 
   /// Last fields and rows, summary.json, and the last block on the screen.

@@ -5,65 +5,34 @@ import pathlib
 import re
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
-import time
 
 import numpy as np
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
 
 from netCDF4 import Dataset  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
+from resumed import different_fields, different_files, lines_of, must_work, program, stopped_run  # noqa: E402
+from runs import DECKS  # noqa: E402
 
 DECK = str(DECKS / "perforation_quick.xml")
 SHORT = ("--set", "Time/End Time=12 us", "--set", "Output/Field Interval=3 us")
 
 
-def command(barreno, ranks, *words):
-    return (["mpirun", "--quiet", "-n", str(ranks)] if ranks > 1 else []) + [barreno, *words]
-
-
-def program(barreno, ranks, *words):
-    return subprocess.run(command(barreno, ranks, *words), capture_output=True, text=True, env=mpi_environment(ranks), check=False)
-
-
-def straight(barreno, ranks, folder, *more):
-    result = program(barreno, ranks, "run", DECK, "--out", str(folder), *SHORT, *more)
-    assert result.returncode == 0, result.stderr
+def straight(barreno, folder):
+    must_work(program(barreno, 1, "run", DECK, "--out", folder, *SHORT))
     return folder
-
-
-def rows(file):
-    return file.read_text().count("\n") if file.exists() else 0
 
 
 def interrupted(barreno, ranks, folder, wanted, kind, *more):
     """A run that got a signal when its history had so many rows. @return its exit code"""
-    words = command(barreno, ranks, "run", DECK, "--out", str(folder), *SHORT, *more)
-    run = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=mpi_environment(ranks))
-    begun = time.time()
-    while time.time() - begun < 60.0 and rows(folder / "history.csv") < wanted:
-        time.sleep(0.005)
-    run.send_signal(kind)
-    return run.wait()
-
-
-def different_fields(one, other):
-    """Names of variables of particles.e that are not the same to the bit."""
-    with Dataset(one / "particles.e") as a, Dataset(other / "particles.e") as b:
-        names = [n for n in a.variables if n not in ("qa_records", "info_records")]
-        return [n for n in names if a[n].shape != b[n].shape or not np.array_equal(np.ma.filled(a[n][:], 0), np.ma.filled(b[n][:], 0))]
-
-
-def different_files(one, other):
-    return [name for name in ("history.csv", "depth.csv") if (one / name).read_bytes() != (other / name).read_bytes()]
+    words = ("run", DECK, "--out", folder, *SHORT, *more)
+    return stopped_run(barreno, ranks, words, kind, lambda: lines_of(folder / "history.csv") >= wanted)
 
 
 def resumed(barreno, ranks, folder, *words):
-    result = program(barreno, ranks, "resume", str(folder), *words)
-    assert result.returncode == 0, f"exit {result.returncode}: {result.stderr}"
+    must_work(program(barreno, ranks, "resume", folder, *words))
     return folder
 
 
@@ -113,7 +82,7 @@ def check_damage(barreno, folder, plain):
     for name in ("checkpoint.h5", "checkpoint_previous.h5"):
         (last / name).write_bytes(b"nothing")
     before = (last / "history.csv").read_bytes()
-    result = program(barreno, 1, "resume", str(last))
+    result = program(barreno, 1, "resume", last)
     assert result.returncode == 2 and result.stderr.count("\n") == 1 and "cannot resume" in result.stderr, result.stderr
     assert (last / "history.csv").read_bytes() == before
 
@@ -157,7 +126,7 @@ def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        plain = straight(barreno, 1, folder / "plain")
+        plain = straight(barreno, folder / "plain")
         for check in (check_signals, check_damage, check_refusals, check_longer, check_ranks):
             check(barreno, folder, plain)
             print(check.__name__, "holds")

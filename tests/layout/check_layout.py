@@ -7,10 +7,10 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_flow", "step", "output", "drive", "."]
+ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_flow", "step", "output", "checkpoint", "drive", "."]
 ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "exodusII": {"output"},
-    "hdf5": {"output"},
+    "hdf5": {"checkpoint"},
     "mpi.h": {"base", "grid", "."},
     "Tpetra_": {"grid", "pore_flow", "."},
     "Belos": {"pore_flow"},

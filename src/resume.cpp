@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "resume.hpp"
+
+#include "base/error.hpp"
+#include "check.hpp"
+#include "checkpoint/checkpoints.hpp"
+#include "checkpoint/read_checkpoint.hpp"
+#include "deck/echo_deck.hpp"
+#include "deck/read_deck.hpp"
+#include "output/output.hpp"
+#include "output/text_file.hpp"
+#include "run.hpp"
+#include "scene/build_scene.hpp"
+#include "state/build_state.hpp"
+
+#include <fstream>
+
+namespace barreno {
+namespace {
+
+/// Whether a run's last words are that it has come to this end. One that was killed between its
+/// last checkpoint and those words has them still to say.
+bool says_finished(const std::filesystem::path& summary, double end_time) {
+  std::ifstream stream(summary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return text.find("\"finished\": true") != std::string::npos &&
+         text.find("\"end_time\": " + to_text(end_time) + ",") != std::string::npos;
+}
+
+/// What keeps a run from being resumed.
+void refuse_resume(
+    const std::filesystem::path& folder,
+    const Deck& deck,
+    const Scene& scene,
+    const Checkpoint& checkpoint
+) {
+  const std::string other = deck_difference(checkpoint.deck_text, effective_deck_xml(deck));
+  if (!other.empty())
+    throw DeckError(
+        "cannot resume '" + folder.string() + "': its deck.xml is not that of its checkpoint (" +
+        other + "); put the deck back, or start a new run with barreno run."
+    );
+  const double time = number_of(checkpoint.numbers, "time");
+  const bool over = time > scene.end_time ||
+                    (time == scene.end_time && says_finished(folder / "summary.json", time));
+  if (over)
+    throw DeckError(
+        "'" + folder.string() + "' has reached its end time (" + to_text(time) +
+        " s); give a later one with --until, for example --until \"" + to_text(2.0 * time) + " s\"."
+    );
+}
+
+}  // namespace
+
+int resume(
+    const std::filesystem::path& folder,
+    const std::vector<std::string>& overrides,
+    const Teuchos::RCP<const Comm>& comm
+) {
+  const Checkpoint checkpoint = find_checkpoint(*comm, folder);
+  const std::string file = (folder / "deck.xml").string();
+  const Deck deck = read_deck(file, overrides, *comm);
+  const Scene scene = build_scene(deck);
+  refuse_resume(folder, deck, scene, checkpoint);
+  State state = build_state(scene, comm);
+  std::vector<std::string> notes = notes_of(deck, scene);
+  notes.insert(notes.end(), checkpoint.notes.begin(), checkpoint.notes.end());
+  notes.push_back(
+      "resumed from " + checkpoint.file.filename().string() +
+      ": t = " + to_text(number_of(checkpoint.numbers, "time")) + " s, step " +
+      to_text(number_of(checkpoint.numbers, "step"))
+  );
+  const std::string text = overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
+  const RunDescription description{folder, file, text, BARRENO_VERSION, notes};
+  RunNumbers position = checkpoint.output;
+  position["time"] = checkpoint.numbers.at("time");
+  Output output(scene, state, description, position);  // files begin with the state at t = 0
+  read_checkpoint(checkpoint, state);
+  output.go_on_from(scene, state);
+  Checkpoints checkpoints(scene, description);
+  const RunVerdict verdict = run(scene, state, output, checkpoints);
+  output.finish(scene, state, verdict);
+  return verdict.exit_code;
+}
+
+}  // namespace barreno

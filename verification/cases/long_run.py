@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An elastic bar that swings for 100,000 steps: its energy and its memory."""
+import pathlib
+import subprocess
+import time
+
+import numpy as np
+from case import Result
+from resumed import command
+from runs import DECKS, Run, mpi_environment, scratch_folder
+
+
+PERIOD, ROWS = 4e-3, 20  # s; rows of the history in a period
+
+
+def resident(pid):
+    """Pages of memory in bytes, 0 once the process has ended."""
+    try:
+        return 4096 * int(pathlib.Path(f"/proc/{pid}/statm").read_text().split()[1])
+    except (FileNotFoundError, ProcessLookupError, IndexError):
+        return 0
+
+
+def watched_run(words):
+    """Run to the end. @return resident memory by time"""
+    run = subprocess.Popen(words, stdout=subprocess.DEVNULL, env=mpi_environment(1))
+    seen = []
+    while run.poll() is None:
+        seen.append(resident(run.pid))
+        time.sleep(0.1)
+    assert run.returncode == 0, run.returncode
+    return np.array([s for s in seen if s > 0], dtype=float)
+
+
+def run(barreno, full):
+    steps = 100000 if full else 5000
+    result = Result(
+        "A long run",
+        "Over very many steps energy stays and memory is flat.",
+        "kinetic and elastic energy, which nothing takes: means over a period (velocities are half a step before stresses), against the first; "
+        "memory of the process from a tenth of the run on.",
+        ["steps", "worst error of the energy", "memory at a tenth [MB]", "largest later [MB]"],
+        [],
+    )
+    folder = pathlib.Path(scratch_folder()) / "run"
+    end = 9.5e-6 * steps  # s
+    memory = watched_run(command(barreno, 1, "run", DECKS / "bar_wave.xml", "--out", folder, "--set", f"Time/End Time={end!r} s",
+                                 "--set", f"Output/History Interval={PERIOD / ROWS!r} s", "--set", "Output/Field Interval=0 s"))  # fmt: skip
+    done = Run(folder)
+    table = done.table("history.csv")
+    energy = (table["kinetic"] + table["elastic"])[1:]
+    means = energy[: len(energy) // ROWS * ROWS].reshape(-1, ROWS).mean(axis=1)
+    error = float(np.max(np.abs(means / means[0] - 1.0)))
+    tenth = memory[len(memory) // 10]
+    result.rows.append([done.summary["steps"], error, tenth / 1e6, float(memory[len(memory) // 10 :].max()) / 1e6])
+    result.demand("steps", done.summary["steps"], steps, at_least=True)
+    result.demand("energy", error, 1e-3)
+    result.demand("growth of memory", float(memory[len(memory) // 10 :].max() / tenth) - 1.0, 0.01)
+    return result

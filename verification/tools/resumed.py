@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs that are stopped and resumed, and whether they end as the run that was left alone."""
+import os
+import pathlib
+import subprocess
+import time
+
+import numpy as np
+from runs import mpi_environment
+
+
+def command(barreno, ranks, *words):
+    return (["mpirun", "--quiet", "-n", str(ranks)] if ranks > 1 else []) + [str(barreno), *map(str, words)]
+
+
+def program(barreno, ranks, *words, environment=None):
+    return subprocess.run(
+        command(barreno, ranks, *words), capture_output=True, text=True, env={**mpi_environment(ranks), **(environment or {})}, check=False
+    )
+
+
+def must_work(result):
+    if result.returncode != 0:
+        raise RuntimeError(f"{' '.join(result.args)} ended with {result.returncode}: {result.stderr.strip()}")
+    return result
+
+
+def lines_of(file):
+    return file.read_text().count("\n") if file.exists() else 0
+
+
+def children(pid):
+    """The processes that this one has started, at any depth."""
+    found = []
+    for task in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
+        for child in task.read_text().split():
+            found += [int(child), *children(child)]
+    return found
+
+
+def stopped_run(barreno, ranks, words, kind, when):
+    """Start, send a signal once `when()` holds (to every process for one that cannot be passed on), and wait. @return exit code"""
+    run = subprocess.Popen(
+        command(barreno, ranks, *words), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=mpi_environment(ranks)
+    )
+    while run.poll() is None and not when():
+        time.sleep(0.005)
+    if kind == 9:
+        for pid in children(run.pid):
+            try:
+                os.kill(pid, kind)
+            except ProcessLookupError:
+                pass
+    if run.poll() is None:
+        run.send_signal(kind)
+    return run.wait()
+
+
+def different_fields(one, other):
+    """Names of variables of particles.e that are not the same to the bit."""
+    from netCDF4 import Dataset
+
+    with Dataset(one / "particles.e") as a, Dataset(other / "particles.e") as b:
+        names = [n for n in a.variables if n not in ("qa_records", "info_records")]
+        return [n for n in names if a[n].shape != b[n].shape or not np.array_equal(np.ma.filled(a[n][:], 0), np.ma.filled(b[n][:], 0))]
+
+
+def different_files(one, other, names=("history.csv", "depth.csv")):
+    return [name for name in names if (one / name).read_bytes() != (other / name).read_bytes()]
