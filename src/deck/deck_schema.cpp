@@ -163,9 +163,7 @@ Section output_section() {
            "write one in any case"
        )
            .by_default("600 s"),
-       number(
-           "Checkpoint Interval", dim::time, at_least(0.0), "simulated, likewise; 0: no bound"
-       )
+       number("Checkpoint Interval", dim::time, at_least(0.0), "simulated, likewise; 0: no bound")
            .by_default("0"),
        integer("Checkpoint Steps", at_least(0), "steps, likewise; 0: no bound").by_default("0"),
        word("Particle Glyph", {"deformed", "point"}, "particles as deformed cells or as points")

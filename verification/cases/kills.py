@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """SIGKILL at random moments of a short perforation on two ranks, each resumed."""
+import json
 import pathlib
+import shutil
 import time
 
 import numpy as np
@@ -13,10 +15,17 @@ SHORT = ("--set", "Time/End Time=6 us", "--set", "Output/Field Interval=3 us", "
 MOST = 5  # kills of one run, so that one that is killed before its first checkpoint is begun anew
 
 
+def is_finished(folder):
+    summary = folder / "summary.json"
+    return summary.exists() and json.loads(summary.read_text())["finished"]
+
+
 def killed_and_resumed(barreno, folder, seconds):
     """Kills after so many seconds of running, again and again, until the run has ended. @return kills, resumes, starts"""
     kills = resumes = starts = 0
     while True:
+        if is_finished(folder):  # the kill came too late
+            return kills, resumes, starts
         kept = any((folder / name).exists() for name in ("checkpoint.h5", "checkpoint_previous.h5"))
         words = ("resume", folder) if kept else ("run", DECK, "--out", folder, "--overwrite", *SHORT)
         resumes, starts = resumes + kept, starts + (not kept)
@@ -47,6 +56,7 @@ def run(barreno, full):
     sums, other, runs = np.zeros(3, dtype=int), 0, 0
     while sums[0] < wanted:
         folder = scratch / "killed"
+        shutil.rmtree(folder, ignore_errors=True)
         sums += killed_and_resumed(barreno, folder, rng.uniform(0.1, 1.0, MOST) * whole)
         runs += 1
         other += bool(different_fields(plain, folder))
