@@ -104,13 +104,12 @@ Section pore_flow_section() {
        library_section(
            "Ifpack2",
            "a preconditioner in its own words, and Type, its name; symmetric Gauss-Seidel without "
-           "it, "
-           "for up to 2000 cells"
+           "it, for up to 2000 cells or short intervals"
        ),
        library_section(
            "MueLu",
            "a multigrid preconditioner in its own words; smoothed aggregation without it, for more "
-           "cells"
+           "cells and long intervals (docs/performance.md)"
        )},
       {}};
 }
