@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -26,6 +27,11 @@ double stable_step_of_rows(const Scene& scene, const Particles& particles, int f
   return step;
 }
 
+double damped_step(double dt, double damping, double fraction) {
+  if (damping == 0.0) return dt;
+  return 4.0 * fraction / (damping + std::hypot(damping, 4.0 * fraction / dt));
+}
+
 double agree_on_step(const Scene& scene, double next_time, Placement& placement, State& state) {
   const Region region("agree_on_step");
   std::array<double, 4> flags{
@@ -38,6 +44,7 @@ double agree_on_step(const Scene& scene, double next_time, Placement& placement,
 
   const StepSpec& spec = scene.step;
   double dt = stable_step_with_fluids(scene, state, -flags[0]);
+  dt = damped_step(dt, spec.damping, spec.courant_fraction);
   if (state.clock.step == 0 && spec.initial_step > 0.0) dt = std::min(dt, spec.initial_step);
   if (state.clock.dt > 0.0) dt = std::min(dt, spec.growth_limit * state.clock.dt);
   if (spec.largest_step > 0.0) dt = std::min(dt, spec.largest_step);
