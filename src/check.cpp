@@ -8,6 +8,7 @@
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
+#include "state/lone_courant.hpp"
 #include "state/particles.hpp"
 #include "state/step_rule.hpp"
 
@@ -75,8 +76,11 @@ double first_stable_step(const Scene& scene) {
         material.model
     );
     const double speed = fastest(scene, static_cast<int>(m));
-    step =
-        std::min(step, StepRule(scene, courant).stable_step(material.density, modulus, 0.0, speed));
+    step = std::min(
+        step,
+        StepRule(scene, courant, lone_courant(scene, static_cast<int>(m)))
+            .stable_step(material.density, modulus, 0.0, speed)
+    );
   }
   return step;
 }

@@ -18,8 +18,8 @@ struct RunWatch {
 /// Look at the state after a step. Collective; the energies are looked at every `energy_interval`
 /// steps and at the end, by one reduction.
 ///
-/// Time stands where end time + dt == end time in ten steps in a row of which none grew: that many
-/// steps, 4e15 and more, are never done. Energy is wrong where
+/// Time stands where end time + dt == end time in ten steps in a row of which none grew by 1 %:
+/// that many steps, 4e15 and more, are never done. Energy is wrong where
 ///
 ///   kinetic + |elastic| > 10 max over time of (initial + launched + prestress + |boundary| +
 ///   |body|

@@ -16,7 +16,7 @@
 namespace barreno {
 
 double stable_step_of_rows(const Scene& scene, const Particles& particles, int first_row) {
-  const StepRule rule(scene, particles.critical_courant);
+  const StepRule rule(scene, particles.critical_courant, particles.lone_courant);
   double step = std::numeric_limits<double>::infinity();
   for (int p = first_row; p < particles.count; ++p) {
     const double density = particles.mass(p) / particles.volume(p);
