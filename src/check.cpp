@@ -2,6 +2,7 @@
 #include "check.hpp"
 
 #include "check_flow.hpp"
+#include "check_locking.hpp"
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/velocity_fields.hpp"
@@ -16,6 +17,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <limits>
+#include <utility>
 #include <variant>
 
 namespace barreno {
@@ -239,6 +241,8 @@ void refuse_short_domains(const Deck& deck, const Scene& scene) {
 std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   std::vector<std::string> notes = deck.notes;
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
+  for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
+    if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
   return notes;
 }
 

@@ -2,6 +2,7 @@
 """One material point: no strength, no shear stiffness, whole strains in a step, vertex and cap, stretch and rotation without end."""
 import numpy as np
 from drive import drive
+from extreme import STOPS
 
 # Dry rock of simple numbers: I1 at the vertex 1 MPa, cone to it, cap from p0 on.
 ROCK = {
@@ -37,13 +38,13 @@ def answer(barreno, model, parameters, strains, steps=1):
     try:
         return drive(barreno, model, parameters, rows, steps), ""
     except RuntimeError as error:
-        return None, str(error).split(": ", 1)[-1]
+        return None, str(error)[str(error).index("ended with") :]
 
 
 def within(table, title, setup, what, found, sentence, value, limit, at_least=False, why=""):
     if found is None:
-        good = "ended with 3" in sentence
-        table.add(title, setup, f"{what} {'>=' if at_least else '<='} {limit:.3g}, or exit 3 with a sentence", sentence, good and not why, "stops", why or sentence)
+        refused = sentence.startswith("ended with 1") or sentence.startswith("ended with 3")
+        table.add(title, setup, f"{what} {'>=' if at_least else '<='} {limit:.3g}, or a refusal with a sentence", sentence[:12], refused, STOPS, sentence)
     else:
         table.within(title, setup, what, value(found), limit, at_least, why)
 
