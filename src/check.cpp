@@ -2,12 +2,14 @@
 #include "check.hpp"
 
 #include "check_flow.hpp"
+#include "check_locking.hpp"
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/velocity_fields.hpp"
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
+#include "state/lone_courant.hpp"
 #include "state/particles.hpp"
 #include "state/step_rule.hpp"
 
@@ -15,6 +17,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <limits>
+#include <utility>
 #include <variant>
 
 namespace barreno {
@@ -75,8 +78,11 @@ double first_stable_step(const Scene& scene) {
         material.model
     );
     const double speed = fastest(scene, static_cast<int>(m));
-    step =
-        std::min(step, StepRule(scene, courant).stable_step(material.density, modulus, 0.0, speed));
+    step = std::min(
+        step,
+        StepRule(scene, courant, lone_courant(scene, static_cast<int>(m)))
+            .stable_step(material.density, modulus, 0.0, speed)
+    );
   }
   return step;
 }
@@ -235,6 +241,8 @@ void refuse_short_domains(const Deck& deck, const Scene& scene) {
 std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   std::vector<std::string> notes = deck.notes;
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
+  for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
+    if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
   return notes;
 }
 

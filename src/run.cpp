@@ -6,9 +6,12 @@
 #include "step/advance.hpp"
 #include "step/place_particles.hpp"
 #include "step/stable_step.hpp"
+#include "watch_run.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace barreno {
@@ -41,15 +44,50 @@ RunVerdict interrupted(int signal, bool kept) {
       128 + signal};
 }
 
+bool has_finite_stress(const Particles& particles, int p) {
+  double sum = 0.0;
+  for (int c = 0; c < particles.stress.components; ++c) sum += particles.stress(p, c);
+  return std::isfinite(sum);
+}
+
+/// A particle by its id and material; id -1: none.
+struct Named {
+  ParticleId id = -1;
+  int material = -1;
+};
+
+/// The first particle of all ranks whose stress was no number before the step: it has kept it, and
+/// what failed around it had its forces.
+Named find_source(const State& state) {
+  constexpr double none = std::numeric_limits<double>::max();
+  Named mine;
+  for (const Particles& particles : state.particles)
+    for (int p = 0; p < particles.count; ++p)
+      if (!has_finite_stress(particles, p) && (mine.id < 0 || particles.id(p) < mine.id))
+        mine = {particles.id(p), particles.material};
+  std::array<double, 1> first{mine.id < 0 ? none : static_cast<double>(mine.id)};
+  min_over_ranks(*state.grid.comm, first);
+  if (first[0] == none) return {};
+  const bool here = static_cast<double>(mine.id) == first[0];
+  std::array<double, 1> material{here ? mine.material : -1.0};
+  max_over_ranks(*state.grid.comm, material);
+  return {static_cast<ParticleId>(first[0]), static_cast<int>(material[0])};
+}
+
 }  // namespace
 
 std::string failure_sentence(const Scene& scene, const State& state, const StepResult& result) {
   const int cause = failure_cause(state, result);
   const int failed = static_cast<int>(RemovalCause::material_failure);
+  const char* words = what_failed[static_cast<std::size_t>(cause < 0 ? failed : cause)];
+  Named named{result.failed, result.material};
+  if (const Named source = find_source(state); source.id >= 0) {
+    named = source;
+    words = "has a stress that is no number";
+  }
   std::ostringstream text;
-  text << "Particle " << result.failed << " of material '"
-       << scene.materials[static_cast<std::size_t>(result.material)].material.name << "' "
-       << what_failed[static_cast<std::size_t>(cause < 0 ? failed : cause)]
+  text << "Particle " << named.id << " of material '"
+       << scene.materials[static_cast<std::size_t>(named.material)].material.name << "' " << words
        << " at t = " << state.clock.time << " s, dt = " << state.clock.dt
        << " s, and its policy is to stop. Set its \"Bad Particles\" to remove or hold, or take a "
           "smaller \"Courant Fraction\".";
@@ -57,15 +95,20 @@ std::string failure_sentence(const Scene& scene, const State& state, const StepR
 }
 
 RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& checkpoints) {
-  for (const Particles& particles : state.particles)
-    state.stable_step = std::min(state.stable_step, stable_step_of_rows(scene, particles, 0));
+  if (state.clock.step == 0)
+    for (const Particles& particles : state.particles)
+      state.stable_step = std::min(state.stable_step, stable_step_of_rows(scene, particles, 0));
   int interrupt = 0;
+  RunWatch watch;
   while (state.clock.time < scene.end_time) {
+    const double last_dt = state.clock.dt;
     const StepResult result = advance(scene, output.next_time(state.clock.time), state);
     if (result.stopped)
       return {false, failure_sentence(scene, state, result), static_cast<int>(ExitCode::numerical)};
     if (!result.not_drained.empty())
       return {false, result.not_drained, static_cast<int>(ExitCode::numerical)};
+    const std::string wrong = watch_run(scene, state, last_dt, watch);
+    if (!wrong.empty()) return {false, wrong, static_cast<int>(ExitCode::numerical)};
     output.write_if_due(scene, state);
     interrupt = std::max(interrupt, result.interrupt);
     if (interrupt != 0 && Checkpoints::may_write(state))

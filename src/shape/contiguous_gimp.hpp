@@ -4,6 +4,8 @@
 #include "shape/courant_table.hpp"
 #include "shape/tensor_shape.hpp"
 
+#include <cmath>
+
 namespace barreno {
 
 /// Contiguous-particle GIMP: the box around x_p follows the particle's stretch along each axis,
@@ -100,6 +102,13 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
   /// Of the undeformed particles, as for GIMP.
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{0.868, 0.804, 0.732, 0.665, 0.493, 0.352}}.at(half_size_in_cells);
+  }
+
+  /// As for GIMP: k = sum g^2 / S is 1 / (a (1 - a)) where the box lies in one cell and 1 / a more
+  /// where it touches a third node.
+  static double lone_courant(double half_size_in_cells) {
+    const double a = half_size_in_cells;
+    return std::sqrt(2.0 * a * (1.0 - a) / (2.0 - a));
   }
 };
 

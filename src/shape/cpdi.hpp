@@ -180,6 +180,12 @@ struct Cpdi {
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{1.002, 0.909, 0.781, 0.690, 0.498, 0.353}}.at(half_size_in_cells);
   }
+
+  /// k = sum g^2 / S = 1 / (a (1 - a)) with an end on a node.
+  static double lone_courant(double half_size_in_cells) {
+    const double a = half_size_in_cells;
+    return std::sqrt(2.0 * a * (1.0 - a));
+  }
 };
 
 }  // namespace barreno

@@ -88,6 +88,13 @@ struct Gimp : TensorShape<Gimp, 3> {
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{0.868, 0.804, 0.732, 0.665, 0.493, 0.352}}.at(half_size_in_cells);
   }
+
+  /// k = sum g^2 / S is 1 / (a (1 - a)) where the box lies in one cell and 1 / a more where it
+  /// touches a third node.
+  static double lone_courant(double half_size_in_cells) {
+    const double a = half_size_in_cells;
+    return std::sqrt(2.0 * a * (1.0 - a) / (2.0 - a));
+  }
 };
 
 }  // namespace barreno

@@ -62,6 +62,8 @@ struct Linear : SplineShape<Linear, 1> {
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{0.866, 0.884, 0.846, 0.819, 0.761, 0.725}}.at(half_size_in_cells);
   }
+  /// The median over the places, as above.
+  static double lone_courant(double /*half_size_in_cells*/) { return 0.612; }
 };
 
 /// Quadratic B-splines, knots at the centres of the cells.
@@ -79,6 +81,8 @@ struct QuadraticSpline : SplineShape<QuadraticSpline, 2> {
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{0.868, 0.960, 0.995, 1.023, 1.089, 1.153}}.at(half_size_in_cells);
   }
+  /// k = sum g^2 / S = 6 where a third node comes into reach.
+  static double lone_courant(double /*half_size_in_cells*/) { return 0.577; }
 };
 
 /// Cubic B-splines, knots at the nodes.
@@ -93,6 +97,8 @@ struct CubicSpline : SplineShape<CubicSpline, 3> {
   static double critical_courant(double half_size_in_cells) {
     return CourantTable{{1.404, 1.472, 1.489, 1.495, 1.499, 1.500}}.at(half_size_in_cells);
   }
+  /// The largest sum g^2 / S over the places is 3.14.
+  static double lone_courant(double /*half_size_in_cells*/) { return 0.798; }
 };
 
 }  // namespace barreno

@@ -8,6 +8,7 @@
 #include "scene/body_force.hpp"
 #include "scene/porous.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/lone_courant.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>
@@ -254,6 +255,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     state.particles.back().critical_courant = visit_shape(scene.step.shape, [&](auto shape) {
       return decltype(shape)::critical_courant(smallest_half_size(scene, static_cast<int>(m)));
     });
+    state.particles.back().lone_courant = lone_courant(scene, static_cast<int>(m));
   }
   state.fields = velocity_fields(scene);
   state.nodes.resize(static_cast<std::size_t>(state.fields.count));

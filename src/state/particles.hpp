@@ -40,6 +40,7 @@ struct Particles {
   int count = 0;
   int capacity = 0;
   double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set
+  double lone_courant = 1.0;      ///< of lone_courant()
   bool sorted = false;            ///< order and tile_begin belong to the present rows and tiles
 
   ArrayView<ParticleId> id;  ///< unique over the run; files sort by it

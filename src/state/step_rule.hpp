@@ -13,8 +13,10 @@ namespace barreno {
 /// Artificial viscosity and the step that a particle allows; captured by value in kernels.
 struct StepRule {
   double cell_size, linear, quadratic, courant;
+  double lone_ratio;  ///< courant over the critical number c dt / h of a particle that is alone
 
-  StepRule(const Scene& scene, double critical_courant)
+  /// @param lone_courant  of lone_courant(), infinite if the step of the scene has no such limit
+  StepRule(const Scene& scene, double critical_courant, double lone_courant)
       : cell_size(scene.grid.cell_size),
         linear(scene.step.linear_viscosity),
         quadratic(scene.step.quadratic_viscosity),
@@ -22,7 +24,8 @@ struct StepRule {
         // d.
         courant(
             scene.step.courant_fraction * critical_courant / std::sqrt(dimensions(scene.grid.mode))
-        ) {}
+        ),
+        lone_ratio(courant / lone_courant) {}
 
   /// q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2) in compression, else 0 [stress].
   template <class R>
@@ -40,7 +43,8 @@ struct StepRule {
   }
 
   /// dt = C h / (Q + sqrt(Q^2 + c^2) + |v|), Q = A1 c + A2 h |tr D| the viscosity as a speed
-  /// [time].
+  /// [time]; and no more than a particle that is alone bears, whose speed does not matter,
+  /// C_alone h / (Q + sqrt(Q^2 + c^2)).
   ///
   /// Source of the form: viscous term of a damped oscillator's limit, J. Hallquist, LS-DYNA Theory
   /// (2006), "Time step control".
@@ -51,7 +55,10 @@ struct StepRule {
     const R q = real::select(
         rate < 0.0, linear * real::sqrt(c_squared) - quadratic * cell_size * rate, 0.0
     );
-    return courant * cell_size / (q + real::sqrt(R(q * q + c_squared)) + speed);
+    const R wave = q + real::sqrt(R(q * q + c_squared));
+    const R alone = lone_ratio * wave;
+    const R whole = wave + speed;
+    return courant * cell_size / real::select(alone > whole, alone, whole);
   }
 };
 

@@ -9,13 +9,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 namespace barreno {
 
 double stable_step_of_rows(const Scene& scene, const Particles& particles, int first_row) {
-  const StepRule rule(scene, particles.critical_courant);
+  const StepRule rule(scene, particles.critical_courant, particles.lone_courant);
   double step = std::numeric_limits<double>::infinity();
   for (int p = first_row; p < particles.count; ++p) {
     const double density = particles.mass(p) / particles.volume(p);
@@ -24,6 +25,11 @@ double stable_step_of_rows(const Scene& scene, const Particles& particles, int f
     step = std::min(step, rule.stable_step(density, particles.longitudinal_modulus(p), 0.0, speed));
   }
   return step;
+}
+
+double damped_step(double dt, double damping, double fraction) {
+  if (damping == 0.0) return dt;
+  return 4.0 * fraction / (damping + std::hypot(damping, 4.0 * fraction / dt));
 }
 
 double agree_on_step(const Scene& scene, double next_time, Placement& placement, State& state) {
@@ -38,6 +44,7 @@ double agree_on_step(const Scene& scene, double next_time, Placement& placement,
 
   const StepSpec& spec = scene.step;
   double dt = stable_step_with_fluids(scene, state, -flags[0]);
+  dt = damped_step(dt, spec.damping, spec.courant_fraction);
   if (state.clock.step == 0 && spec.initial_step > 0.0) dt = std::min(dt, spec.initial_step);
   if (state.clock.dt > 0.0) dt = std::min(dt, spec.growth_limit * state.clock.dt);
   if (spec.largest_step > 0.0) dt = std::min(dt, spec.largest_step);

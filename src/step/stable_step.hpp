@@ -10,6 +10,15 @@ namespace barreno {
 /// particles that had no stress update yet (start of a run, launched jet) [time].
 double stable_step_of_rows(const Scene& scene, const Particles& particles, int first_row);
 
+/// The fraction f of the step that is stable with damping a, where `dt` is the fraction of the one
+/// without, 2 / omega:
+///
+///   dt = 4 f / (a + sqrt(a^2 + 4 omega^2))
+///
+/// With v' = (1 - a dt) v - omega^2 dt x and x' = x + dt v' that is where an eigenvalue reaches -1
+/// (tests/unit/step/test_stable_step.cpp); much damping leaves 2 f / a [time].
+double damped_step(double dt, double damping, double fraction);
+
 /// The size of the next step, the same on every rank, and what else the ranks must agree on: one
 /// reduction.
 ///

@@ -102,7 +102,7 @@ DomainTally tally_domains(const Scene& scene, const Grid& grid, Particles& parti
           PatchFrame<M::dimensions>(scene, grid),
           particles,
           material.bad_particles,
-          StepRule(scene, particles.critical_courant)};
+          StepRule(scene, particles.critical_courant, particles.lone_courant)};
       for (int begin = 0; begin < particles.count; begin += rows_per_batch)
         kernel(Rows{begin, std::min(begin + rows_per_batch, particles.count)}, tally);
     }

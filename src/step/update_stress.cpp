@@ -255,7 +255,7 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
             model,
             particles,
             particles.stress.components,
-            StepRule(scene, particles.critical_courant),
+            StepRule(scene, particles.critical_courant, particles.lone_courant),
             spec.bad_particles,
             spec.material.density,
             scene.step.largest_expansion,

@@ -32,17 +32,17 @@ double largest_eigenvalue(std::vector<double> matrix, int n) {
 }
 
 /// c dt / h = 2 / omega of the highest frequency of K v = omega^2 M v, M_i = sum V S_i lumped and
-/// K_ij = sum V S'_i S'_j, of a free bar of bar_cells cells of particles that begins `offset` cells
+/// K_ij = sum V S'_i S'_j, of a free bar of `count` particles that begins `offset` cells
 /// after a node; h = c = 1.
 template <class S>
-double critical_courant(int per_cell, double offset) {
+double critical_courant(int per_cell, double offset, int count) {
   const Patch patch = make_patch(2, margin);
   const int n = patch.nodes;
   const auto at = [n](int i, int j) {
     return static_cast<std::size_t>(i) * static_cast<std::size_t>(n) + static_cast<std::size_t>(j);
   };
   std::vector<double> mass(static_cast<std::size_t>(n), 0.0), stiffness(at(n, 0), 0.0);
-  for (int p = 0; p < bar_cells * per_cell; ++p) {
+  for (int p = 0; p < count; ++p) {
     ParticlePlace place;
     place.x[0] = margin + offset + (p + 0.5) / per_cell;
     place.x[1] = margin + 0.37;
@@ -74,11 +74,11 @@ double critical_courant(int per_cell, double offset) {
 /// The smallest over the places of the particles in their cells; the median for a shape function
 /// that has none and says so in its warning.
 template <class S>
-double measure(int per_cell) {
+double measure(int per_cell, int count) {
   std::vector<double> found;
   found.reserve(offsets);
   for (int k = 0; k < offsets; ++k)
-    found.push_back(critical_courant<S>(per_cell, (k + 0.5) / offsets));
+    found.push_back(critical_courant<S>(per_cell, (k + 0.5) / offsets, count));
   std::sort(found.begin(), found.end());
   return S::warning == nullptr ? found.front() : found[offsets / 2];
 }
@@ -89,7 +89,7 @@ TEST(CriticalCourant, IsThatOfTheWeights) {
     std::string row;
     double worst = 0.0;
     for (const int per_cell : {1, 2, 3, 4, 8, 16}) {
-      const double found = measure<S>(per_cell);
+      const double found = measure<S>(per_cell, bar_cells * per_cell);
       worst = std::max(worst, std::abs(S::critical_courant(0.5 / per_cell) / found - 1.0));
       char number[16];
       std::snprintf(number, sizeof number, "%s%.3f", row.empty() ? "" : ", ", found);
@@ -97,6 +97,18 @@ TEST(CriticalCourant, IsThatOfTheWeights) {
     }
     EXPECT_LT(worst, 0.01) << "the weights of '" << S::word << "' give CourantTable{{" << row
                            << "}}: write that row into its critical_courant";
+  });
+}
+
+/// Stress last decays to w = 2 where a particle is alone, instead of swinging to w = 4.
+TEST(CriticalCourant, OfAParticleAloneIsThatOfItsWeights) {
+  for_each_shape([](auto shape) {
+    using S = decltype(shape);
+    for (const int per_cell : {1, 2, 3, 4, 8}) {
+      const double found = measure<S>(per_cell, 1) / std::sqrt(2.0);
+      EXPECT_NEAR(S::lone_courant(0.5 / per_cell) / found, 1.0, 0.01)
+          << "a particle alone, " << per_cell << " per cell, of '" << S::word << "' has " << found;
+    }
   });
 }
 

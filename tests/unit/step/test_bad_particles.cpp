@@ -49,6 +49,9 @@ void turn_inside_out(Particles& particles, int p) {
 void lose_volume(Particles& particles, int p) {
   particles.volume(p) = std::numeric_limits<double>::quiet_NaN();
 }
+void lose_stress(Particles& particles, int p) {
+  particles.stress(p, 1) = std::numeric_limits<double>::quiet_NaN();
+}
 void lose_place(Particles& particles, int p) {
   particles.position(p, 1) = std::numeric_limits<double>::quiet_NaN();
 }
@@ -162,6 +165,31 @@ TEST_P(BadParticles, StopTheRunWhereTheirMotionIsNoNumber) {
   EXPECT_EQ(state.clock.step, 1);
   const std::string sentence = failure_sentence(scene, state, result);
   EXPECT_NE(sentence.find("with a velocity that is no number"), std::string::npos) << sentence;
+}
+
+/// Its neighbours fail with it, but it is the one to name. The whole run, with its output.
+TEST_P(BadParticles, StopTheRunWithinAStepOfAStressThatIsNoNumber) {
+  Scene scene = block(GetParam(), BadParticlePolicy::stop);
+  scene.end_time = 1.0;
+  State state = testing::start(scene);
+  const Comm& comm = *state.grid.comm;
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("lost_stress_" + std::to_string(comm.getSize()));
+  if (is_root(comm)) std::filesystem::create_directories(folder);
+  comm.barrier();
+  Output output(scene, state, {folder, "deck.xml", "<ParameterList/>", "test", {}});
+  harm(state, lose_stress);
+  const RunVerdict verdict = run(scene, state, output);
+  EXPECT_FALSE(verdict.finished);
+  EXPECT_EQ(verdict.exit_code, 3);
+  EXPECT_EQ(state.clock.step, 1);
+  EXPECT_NE(
+      verdict.reason.find("Particle 7 of material 'elastic' has a stress that is no number at t = "
+      ),
+      std::string::npos
+  ) << verdict.reason;
+  comm.barrier();
+  if (is_root(comm)) std::filesystem::remove_all(folder);
 }
 
 TEST_P(BadParticles, WithoutAPlaceAreRemoved) {

@@ -41,7 +41,11 @@ BARRENO_FUNCTION MaskOf<R> JohnsonCook::return_deviator(
   const MaskOf<R> finite = real::is_finite(trial_squared);
   const R bound = flow_.lower_bound(end.plastic_strain, end.temperature);
   const R least = real::select(bound < limit, bound, limit);
-  const MaskOf<R> may_flow = finite & (trial_squared > least * least);
+  // Ahead of a wave deviators are as small as 1e-150 Pa: their squares are no longer exact, and
+  // without strength the return would not converge on them.
+  const double negligible = 1e-30 * flow_.stiffness;
+  const MaskOf<R> may_flow =
+      finite & (trial_squared > least * least) & (trial_squared > negligible * negligible);
   if (!real::any(may_flow)) return finite;
   const R trial = real::select(may_flow, real::sqrt(trial_squared), 0.0);
   const R safe_trial = real::select(may_flow, trial, 1.0);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_locking.hpp"
+
+#include "state/body_particles.hpp"
+
+#include <barreno/tangent.hpp>
+#include <sstream>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+constexpr double stiffest = 100.0;  ///< K / G
+
+/// K / G at the start; 0 of what has no shear stiffness and cannot lock.
+double bulk_over_shear(const Material& material) {
+  return std::visit(
+      [](const auto& model) {
+        const auto history = model.initial_history();
+        const double shear = shear_modulus(model, Sym3{}, history);
+        const double axial = model.longitudinal_modulus({}, history, 1.0);
+        return shear > 0.0 ? axial / shear - 4.0 / 3.0 : 0.0;
+      },
+      material.model
+  );
+}
+
+}  // namespace
+
+std::string locking_note(const Scene& scene, int material) {
+  const Material& rock = scene.materials[static_cast<std::size_t>(material)].material;
+  const double ratio = bulk_over_shear(rock);
+  const bool spline = scene.step.shape.find("B-spline") != std::string::npos;
+  if (ratio <= stiffest || spline || smallest_half_size(scene, material) >= 0.5) return {};
+  std::ostringstream text;
+  text << "material '" << rock.name << "' hardly changes its volume (K = " << ratio
+       << " G) and will be too stiff by volumetric locking with " << scene.step.shape
+       << " and more than one particle per cell; take Particles Per Cell 1 or Shape Function "
+          "quadratic B-spline";
+  return text.str();
+}
+
+}  // namespace barreno

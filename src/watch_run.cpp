@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "watch_run.hpp"
+
+#include "base/gather.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+constexpr double most_gain = 10.0;
+constexpr int most_standing = 10;
+
+/// Particle, material and speed of the fastest of all ranks; the first of equal ones.
+struct Fastest {
+  ParticleId id = 0;
+  int material = 0;
+  double speed = -1.0;
+};
+
+double speed_of(const Particles& particles, int p) {
+  const Vector v = vector_of(particles.velocity, p);
+  const double speed = std::hypot(v[0], v[1], v[2]);
+  return std::isfinite(speed) ? speed : std::numeric_limits<double>::max();
+}
+
+Fastest find_fastest(const State& state) {
+  Fastest mine;
+  for (const Particles& particles : state.particles)
+    for (int p = 0; p < particles.count; ++p) {
+      const double speed = speed_of(particles, p);
+      if (speed > mine.speed) mine = {particles.id(p), particles.material, speed};
+    }
+  constexpr double none = std::numeric_limits<double>::max();
+  std::array<double, 1> top{mine.speed};
+  max_over_ranks(*state.grid.comm, top);
+  std::array<double, 1> first{mine.speed == top[0] ? static_cast<double>(mine.id) : none};
+  min_over_ranks(*state.grid.comm, first);
+  const bool here = static_cast<double>(mine.id) == first[0];
+  std::array<double, 1> material{here ? mine.material : -1.0};
+  max_over_ranks(*state.grid.comm, material);
+  return {static_cast<ParticleId>(first[0]), static_cast<int>(material[0]), top[0]};
+}
+
+std::string fastest_words(const Scene& scene, const State& state) {
+  const Fastest found = find_fastest(state);
+  std::ostringstream text;
+  if (found.material < 0) return "there is no particle";
+  text << "the fastest particle is " << found.id << " of material '"
+       << scene.materials[static_cast<std::size_t>(found.material)].material.name << "', with "
+       << found.speed << " m/s";
+  return text.str();
+}
+
+std::string standing_sentence(const Scene& scene, const State& state) {
+  std::ostringstream text;
+  text << "Time stands still at t = " << state.clock.time << " s, step " << state.clock.step
+       << ": steps of dt = " << state.clock.dt << " s never come to the end at " << scene.end_time
+       << " s (" << fastest_words(scene, state)
+       << "). Look for a velocity, stiffness or density in a wrong unit, or for a \"Largest Step\" "
+          "that is too small.";
+  return text.str();
+}
+
+bool time_stands(const Scene& scene, const Clock& clock, double last_dt, RunWatch& watch) {
+  const bool tiny = scene.end_time + clock.dt == scene.end_time && !(clock.dt > 1.01 * last_dt);
+  watch.standing = tiny ? watch.standing + 1 : 0;
+  return watch.standing >= most_standing;
+}
+
+/// Energies now, and what was put in, of all ranks.
+struct Energies {
+  double kinetic = 0.0, elastic = 0.0, put_in = 0.0;
+};
+
+Energies sum_energies(const State& state) {
+  const Ledger& l = state.ledger;
+  std::vector<double> sums{
+      l.kinetic,
+      l.elastic,
+      l.initial_kinetic + l.launched_kinetic + l.prestress,
+      l.boundary_work,
+      l.body_work,
+      l.fluid_work};
+  sum_over_ranks(*state.grid.comm, sums);
+  return {sums[0], sums[1], sums[2] + std::abs(sums[3]) + std::abs(sums[4]) + std::abs(sums[5])};
+}
+
+std::string gain_sentence(
+    const Scene& scene, const State& state, const Energies& energies, double most_put_in
+) {
+  std::ostringstream text;
+  text << "The particles have more than " << most_gain
+       << " times the energy that was put in at t = " << state.clock.time << " s, step "
+       << state.clock.step << ", dt = " << state.clock.dt << " s: " << energies.kinetic
+       << " J kinetic and " << energies.elastic << " J elastic of " << most_put_in << " J ("
+       << fastest_words(scene, state)
+       << "). The steps are unstable: take a smaller \"Courant Fraction\" (half of it), \"Order\" "
+          "modified stress last, or \"Bad Particles\" remove with a smaller \"Largest "
+          "Expansion\".";
+  return text.str();
+}
+
+}  // namespace
+
+std::string watch_run(const Scene& scene, const State& state, double last_dt, RunWatch& watch) {
+  const Clock& clock = state.clock;
+  if (time_stands(scene, clock, last_dt, watch)) return standing_sentence(scene, state);
+  if (clock.step % energy_interval != 0 && clock.time < scene.end_time) return {};
+  const Energies energies = sum_energies(state);
+  watch.most_put_in = std::max(watch.most_put_in, energies.put_in);
+  // Neither makes up for the other, and what is no number is wrong too.
+  const double held = energies.kinetic + std::abs(energies.elastic);
+  if (held <= most_gain * watch.most_put_in) return {};
+  return gain_sentence(scene, state, energies, watch.most_put_in);
+}
+
+}  // namespace barreno

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The extremes: every row runs to its criterion or stops with the sentence that names what and why. None hangs, none is
+wrong without a word.
+
+    extremes.py BARRENO [--full] [--document] [ROWS ...]
+
+ROWS: names of files in extreme_rows; all without. --full takes longer forms of some rows; --document writes
+docs/extremes.md and verification/results/extremes.json. Exit code 1 if a row is red whose reason is not known.
+"""
+import argparse
+import dataclasses
+import importlib
+import json
+import pathlib
+import sys
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "tools"))
+sys.path.insert(0, str(HERE))
+
+from extreme import HOLDS, RED, STOPS, Table  # noqa: E402
+
+FILES = ["point", "porous_point", "stable_step", "flight", "impact", "stretch", "grid_edge", "units", "rock", "pore_flow", "time"]
+PAGE = HERE.parent / "docs" / "extremes.md"
+STORED = HERE / "results" / "extremes.json"
+HEAD = """# Extremes
+
+Measured by `verification/extremes.py BARRENO --full --document`; do not edit by hand. Every row runs to its criterion (holds), stops
+with the sentence that names what and why (stops), or does neither (RED, with the reason). The cheap forms run with every test
+(`ctest -R verification.extremes`).
+"""
+
+
+def one_line(text):
+    return " ".join(str(text).split()).replace("|", "/")
+
+
+def page_of(table):
+    counts = {verdict: table.count(verdict) for verdict in (HOLDS, STOPS, RED)}
+    lines = [HEAD, f"{len(table.rows)} rows: {counts[HOLDS]} hold, {counts[STOPS]} stop with their sentence, {counts[RED]} are red.", ""]
+    extreme = None
+    for row in table.rows:
+        if row.extreme != extreme:
+            extreme = row.extreme
+            lines += ["", f"## {extreme}", "", "| set-up | criterion | found | verdict | sentence or reason |", "|---|---|---|---|---|"]
+        lines.append("| " + " | ".join(one_line(v) for v in (row.setup, row.criterion, row.found, row.verdict, row.note)) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("barreno", type=pathlib.Path)
+    parser.add_argument("rows", nargs="*", metavar="ROWS")
+    parser.add_argument("--full", action="store_true")
+    parser.add_argument("--document", action="store_true")
+    options = parser.parse_intermixed_args()
+    unknown = set(options.rows) - set(FILES)
+    if unknown:
+        parser.error(f"no rows {sorted(unknown)}; there are {FILES}")
+    if options.document and options.rows:
+        parser.error("--document writes the whole table: name no rows")
+    table = Table()
+    for name in options.rows or FILES:
+        began, first = time.monotonic(), len(table.rows)
+        importlib.import_module(f"extreme_rows.{name}").run(options.barreno.resolve(), options.full, table)
+        for row in table.rows[first:]:
+            print(f"{row.verdict:6} {row.extreme}: {row.setup}: {one_line(row.criterion)}: {one_line(row.found)} {one_line(row.note)}")
+        print(f"       {name}: {len(table.rows) - first} rows in {time.monotonic() - began:.1f} s", flush=True)
+    print(page_of(table).splitlines()[len(HEAD.splitlines()) + 1])
+    if options.document:
+        STORED.write_text(json.dumps([dataclasses.asdict(row) for row in table.rows], indent=1) + "\n")
+        PAGE.write_text(page_of(table))
+    for row in table.unexplained():
+        print(f"red without a reason: {row.extreme}: {row.setup}: {row.criterion}: {row.found}", file=sys.stderr)
+    return 1 if table.unexplained() or not table.rows else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
