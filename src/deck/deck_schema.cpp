@@ -2,6 +2,7 @@
 #include "deck/deck_schema.hpp"
 
 #include "deck/boundary_sections.hpp"
+#include "deck/fidelity.hpp"
 #include "deck/pore_flow_section.hpp"
 #include "deck/shape_entries.hpp"
 #include "deck/step_section.hpp"
@@ -186,7 +187,14 @@ Section build_schema() {
        ),
        text("Title", "one line for screens and files").by_default(""),
        text("Units", "of plain numbers: SI, or units of length, time and mass (\"mm-us-g\")")
-           .by_default("SI")},
+           .by_default("SI"),
+       word(
+           "Fidelity",
+           fidelity_words(),
+           "a set of choices between error and cost (" + fidelity_text() +
+               "), for what the deck does not say itself; what each buys: docs/trade.md"
+       )
+           .if_given()},
       {grid_section(),
        materials,
        shapes_section(),

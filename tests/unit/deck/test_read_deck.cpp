@@ -132,6 +132,56 @@ TEST_F(ReadDeck, AnOverrideIsCheckedLikeTheDeck) {
   EXPECT_THROW(read("deck.xml", {"Materials/Rubber/Card=nowhere.xml"}), FileError);
 }
 
+/// Whether one of the notes holds the text.
+bool notes_say(const Deck& deck, const std::string& text) {
+  for (const std::string& note : deck.notes)
+    if (note.find(text) != std::string::npos) return true;
+  return false;
+}
+
+TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
+  const Deck plain = read("deck.xml"), fast = read("deck.xml", {"Fidelity=fast"});
+  EXPECT_EQ(plain.word("Step/Shape Function"), "GIMP");
+  EXPECT_EQ(fast.word("Step/Shape Function"), "quadratic B-spline");
+  EXPECT_EQ(fast.number("Step/Courant Fraction"), 0.9);
+  EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 2);
+  EXPECT_EQ(fast.number("Output/Field Interval"), 0.0);
+  EXPECT_EQ(fast.number("Output/History Interval"), 4e-7);  // a hundredth of 40 us
+  EXPECT_TRUE(plain.notes.empty());
+  EXPECT_TRUE(notes_say(fast, "Step/Shape Function = quadratic B-spline, "));
+  EXPECT_FALSE(notes_say(fast, "The deck's own words"));
+}
+
+TEST_F(ReadDeck, TheDecksOwnWordsComeBeforeAFidelity) {
+  const std::vector<std::string> words = {
+      "Fidelity=reference",
+      "Step/Courant Fraction=0.30",
+      "Bodies/Front/Particles Per Cell=2",
+      "Output/History Interval=0.02",  // us; the fidelity's 2e-08 s
+      "Materials/Rock/Card=berea_sandstone.xml"};
+  const Deck deck = read("deck.xml", words);
+  EXPECT_EQ(deck.number("Step/Courant Fraction"), 0.3);
+  EXPECT_EQ(deck.integer("Bodies/Front/Particles Per Cell"), 2);
+  EXPECT_EQ(deck.integer("Bodies/Back/Particles Per Cell"), 3);
+  EXPECT_EQ(deck.number("Materials/Rock/Tolerance"), 1e-4);
+  EXPECT_TRUE(notes_say(
+      deck,
+      "The deck's own words come before fidelity reference: Step/Courant Fraction = 0.30 "
+      "(reference: 0.4), Bodies/Front/Particles Per Cell = 2 (reference: 3)."
+  ));
+  EXPECT_TRUE(notes_say(deck, "Output/History Interval = 2e-08 s, "));
+}
+
+TEST_F(ReadDeck, TheEffectiveDeckOfAFidelityIsTheSameDeck) {
+  const Deck deck = read("deck.xml", {"Fidelity=fast", "Materials/Rock/Card=berea_sandstone.xml"});
+  write("effective.xml", effective_deck_xml(deck));
+  const Deck again = read("effective.xml");
+  EXPECT_EQ(again.values(), deck.values());
+  EXPECT_EQ(again.word("Fidelity"), "fast");
+  EXPECT_FALSE(notes_say(again, "The deck's own words"));
+  EXPECT_THROW(read("deck.xml", {"Fidelity=quick"}), DeckError);
+}
+
 TEST_F(ReadDeck, MemoryIsEstimatedFromTheScene) {
   const Scene scene = build_scene(read("deck.xml"));
   EXPECT_GT(particle_estimate(scene), 4.0 * 300.0);
