@@ -2,6 +2,7 @@
 #pragma once
 
 #include "deck/deck.hpp"
+#include "probe_cost.hpp"
 #include "scene/scene.hpp"
 
 #include <string>
@@ -17,6 +18,9 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene);
 
 /// What a run of this scene will do: bodies, what is modelled and what is not and why, particles,
 /// memory, step size and number of steps. Nothing is written and no particle is kept.
-std::string plan_text(const Scene& scene, const std::vector<std::string>& notes);
+/// @param ranks  of the run that is asked for; the probe is of one
+std::string plan_text(
+    const Scene& scene, const Probe& probe, int ranks, const std::vector<std::string>& notes
+);
 
 }  // namespace barreno

@@ -10,6 +10,7 @@
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
 #include "pore_flow/check_solver_lists.hpp"
+#include "predict_cost.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
 #include "state/build_state.hpp"
@@ -20,6 +21,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -34,13 +36,19 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   check_solver_lists(deck, scene, *comm);
+  const Prediction prediction = predict_cost(scene, probe_cost(scene), comm->getSize());
   State state = build_state(scene, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
   Output output(
       scene,
       state,
-      {folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, notes_of(deck, scene)}
+      {folder,
+       options.deck_file,
+       effective_deck_xml(deck),
+       BARRENO_VERSION,
+       notes_of(deck, scene),
+       prediction}
   );
   output.write_if_due(scene, state);
   const RunVerdict verdict = run(scene, state, output);
@@ -53,7 +61,10 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   check_solver_lists(deck, scene, *comm);
-  if (is_root(*comm)) std::cout << plan_text(scene, notes_of(deck, scene));
+  if (is_root(*comm))
+    std::cout << plan_text(
+        scene, probe_cost(scene), std::max(1, options.ranks), notes_of(deck, scene)
+    );
   return static_cast<int>(ExitCode::finished);
 }
 

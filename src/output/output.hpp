@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "output/prediction.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
 
@@ -18,6 +19,7 @@ struct RunDescription {
   std::string deck_text;         ///< the effective deck: re-runnable, written as deck.xml
   std::string version;
   std::vector<std::string> notes;  ///< further lines for the first block on the screen
+  Prediction prediction{};         ///< of its cost
 };
 
 /// How a run ended.
