@@ -31,7 +31,7 @@ struct Choices {
 constexpr Choices table[] = {
     {"fast", "quadratic B-spline", "FLIP", "stress last", "0.9", "2", "2", "0.1", 0.0, 100.0},
     {"balanced", "GIMP", "FLIP", "stress last", "0.8", "2", "4", "0.01", 20.0, 500.0},
-    {"reference", "CPDI", "FLIP", "stress last", "0.4", "2", "4", "0.001", 50.0, 2000.0},
+    {"reference", "CPDI", "FLIP", "stress last", "0.8", "2", "4", "0.001", 50.0, 2000.0},
 };
 
 const Choices* choices_of(const std::string& name) {
