@@ -95,37 +95,18 @@ Choice domains_choice(const Scene& scene) {
   return {on, "Shape Function is " + scene.step.shape};
 }
 
-std::vector<Feature> features_of(const Scene& scene) {
+/// It costs no more memory.
+void keep_all(Scene& /*scene*/) {}
+
+/// Of how a step is taken.
+std::vector<Feature> step_features(const Scene& scene) {
   const StepSpec& step = scene.step;
-  const bool space = scene.grid.mode == Mode::three_dimensional;
   const bool pic = step.transfer == Transfer::flip && step.pic_fraction > 0.0;
   const bool viscous = step.linear_viscosity + step.quadratic_viscosity > 0.0;
-  const bool forced = scene.body_force.kind != BodyForceKind::none;
-  const auto nothing = [](Scene&) {};
   return {
-      {"jet",
-       {scene.jet.present, scene.jet.present ? "the deck has a Jet list" : "no Jet list"},
-       nothing,
-       {"launch_jet"}},
-      {"initial confinement", confinement_choice(scene), nothing, {}},
-      {"pressure loads",
-       loads_of(scene, LoadKind::pressure),
-       leave_out_loads,
-       {"project_loads",
-        "tally_loads",
-        "project_surface_pressures",
-        "tally_surface_pressures",
-        "release_torn_faces"}},
-      {"non-reflecting faces", loads_of(scene, LoadKind::non_reflecting), leave_out_loads, {}},
-      {"fluid in cavities", loads_of(scene, LoadKind::pore_fluid), leave_out_loads, {}},
-      {"walls moved by tables", tables_choice(scene), nothing, {}},
-      {"body force",
-       {forced, forced ? "the deck has a Body Force list" : "no Body Force list"},
-       [](Scene& without) { without.body_force = {}; },
-       {"project_body_force", "tally_body_force"}},
       {"artificial viscosity",
        {viscous, format("A1 = %g, A2 = %g", step.linear_viscosity, step.quadratic_viscosity)},
-       nothing,
+       keep_all,
        {}},
       {"domains that deform",
        domains_choice(scene),
@@ -133,7 +114,7 @@ std::vector<Feature> features_of(const Scene& scene) {
        {"tally_domains"}},
       {"PIC share",
        {pic, pic ? format("PIC Fraction = %g", step.pic_fraction) : no_pic},
-       nothing,
+       keep_all,
        {}},
       {"XPIC",
        transfer_choice(
@@ -150,19 +131,46 @@ std::vector<Feature> features_of(const Scene& scene) {
       {"second projection",
        {step.order != Order::stress_last, std::string("Order is ") + order_name(step.order)},
        [](Scene& without) { without.step.order = Order::stress_last; },
-       {}},
+       {}}};
+}
+
+/// Of what is in the scene.
+std::vector<Feature> scene_features(const Scene& scene) {
+  const bool space = scene.grid.mode == Mode::three_dimensional;
+  const bool forced = scene.body_force.kind != BodyForceKind::none;
+  return {
+      {"jet",
+       {scene.jet.present, scene.jet.present ? "the deck has a Jet list" : "no Jet list"},
+       keep_all,
+       {"launch_jet"}},
+      {"initial confinement", confinement_choice(scene), keep_all, {}},
+      {"pressure loads",
+       loads_of(scene, LoadKind::pressure),
+       leave_out_loads,
+       {"project_loads",
+        "tally_loads",
+        "project_surface_pressures",
+        "tally_surface_pressures",
+        "release_torn_faces"}},
+      {"non-reflecting faces", loads_of(scene, LoadKind::non_reflecting), leave_out_loads, {}},
+      {"fluid in cavities", loads_of(scene, LoadKind::pore_fluid), leave_out_loads, {}},
+      {"walls moved by tables", tables_choice(scene), keep_all, {}},
+      {"body force",
+       {forced, forced ? "the deck has a Body Force list" : "no Body Force list"},
+       [](Scene& without) { without.body_force = {}; },
+       {"project_body_force", "tally_body_force"}},
       {"third dimension",
        {space,
         space ? "nodes and particles have three coordinates"
               : "the mode is two-dimensional: 2D data"},
-       nothing,
+       keep_all,
        {}},
       {"contact",
        contact_choice(scene),
-       nothing,
+       keep_all,
        {"seek_normals", "fit_normals", "solve_contact", "share_nodes"}},
       {"pore flow", pore_flow_choice(scene), [](Scene& without) { without.pore_flow = {}; }, {}},
-      {"quasi-static", quasi_static_choice(scene), nothing, {}}};
+      {"quasi-static", quasi_static_choice(scene), keep_all, {}}};
 }
 
 }  // namespace
@@ -170,7 +178,8 @@ std::vector<Feature> features_of(const Scene& scene) {
 std::string feature_table(const Scene& scene, const Probe& probe) {
   std::string text =
       "Features                   bytes   time  (per particle; of the first steps)\n";
-  for (const Feature& feature : features_of(scene)) text += row(scene, probe, feature);
+  for (const auto& features : {scene_features(scene), step_features(scene)})
+    for (const Feature& feature : features) text += row(scene, probe, feature);
   return text;
 }
 
