@@ -3,6 +3,7 @@
 
 #include "check_features.hpp"
 #include "check_text.hpp"
+#include "deck/fidelity.hpp"
 #include "geometry/piece.hpp"
 #include "output/progress.hpp"
 #include "predict_cost.hpp"
@@ -97,6 +98,25 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   std::vector<std::string> notes = deck.notes;
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
   return notes;
+}
+
+std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
+  std::string text =
+      "Fidelity (--fidelity NAME chooses what the deck does not say; errors measured in "
+      "docs/trade.md: depth of a jet at cells of its radius, pressures of a shock, smooth strains "
+      "of 0.3)\n";
+  for (const std::string& name : fidelity_words()) {
+    const Scene scene = scene_with(name);
+    const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);
+    text += format(
+        "  %-22s %s, %.3g particle-steps; errors %s\n",
+        name.c_str(),
+        cost_text(cost.seconds).c_str(),
+        cost.particle_steps,
+        fidelity_errors(name).c_str()
+    );
+  }
+  return text;
 }
 
 std::string plan_text(

@@ -61,10 +61,15 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   check_solver_lists(deck, scene, *comm);
+  const int ranks = std::max(1, options.ranks);
+  const auto scene_with = [&](const std::string& fidelity) {
+    std::vector<std::string> overrides = options.overrides;
+    overrides.push_back("Fidelity=" + fidelity);
+    return build_scene(read_deck(options.deck_file, overrides, *comm));
+  };
+  const std::string fidelities = fidelity_lines(scene_with, ranks);
   if (is_root(*comm))
-    std::cout << plan_text(
-        scene, probe_cost(scene), std::max(1, options.ranks), notes_of(deck, scene)
-    );
+    std::cout << plan_text(scene, probe_cost(scene), ranks, notes_of(deck, scene)) << fidelities;
   return static_cast<int>(ExitCode::finished);
 }
 

@@ -192,7 +192,10 @@ Section build_schema() {
            "Fidelity",
            fidelity_words(),
            "a set of choices between error and cost (" + fidelity_text() +
-               "), for what the deck does not say itself; what each buys: docs/trade.md"
+               "), for what the deck does not say itself; errors were measured for the depth of a "
+               "jet with "
+               "cells of its radius, the pressures of a shock and smooth strains of 0.3: "
+               "docs/trade.md"
        )
            .if_given()},
       {grid_section(),

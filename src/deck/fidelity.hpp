@@ -14,6 +14,9 @@ namespace barreno {
 /// docs/trade.md.
 std::vector<std::string> fidelity_words();
 
+/// What errors were measured with a set, in one line for `check`.
+std::string fidelity_errors(const std::string& name);
+
 /// All sets in one line, for the manual.
 std::string fidelity_text();
 

@@ -17,8 +17,9 @@ Measured by `verification/trade.py build/release/src/barreno --document`; do not
 
 One knob at a time from the defaults (GIMP, FLIP, stress last, Courant Fraction 0.8, 2 particles per cell and direction, Tolerance
 0.01). Cost is user time of one core: particle-steps times the ns of the largest run of a choice, the least of three where that is
-shorter than 1.5 s, start-up taken off. The machine had other work at the same time: user time suffers little from that (some 10 to 30 %),
-wall seconds are given beside it and are those of a loaded machine, to be measured again on a quiet one.
+shorter than 1.5 s, start-up taken off. The machine had other work at the same time, which makes even user time uncertain by up to a half: the rows *default* and
+*balanced* are the same runs. Particle-steps are exact. Wall seconds are those of the loaded machine; costs are to be measured again on
+a quiet one.
 """
 
 
