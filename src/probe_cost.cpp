@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <map>
 
 namespace barreno {
 namespace {
@@ -51,6 +52,12 @@ double moving_particles(const State& state) {
   return count;
 }
 
+/// What a step takes without what else the machine does: that only makes steps longer.
+double usual(std::vector<double>& seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 4];
+}
+
 /// Whether the verb holds others: its time is theirs.
 bool is_whole(const PhaseTime& phase) {
   return std::string(phase.label) == "advance";
@@ -65,27 +72,26 @@ Probe probe_cost(const Scene& scene) {
     state.stable_step = std::min(state.stable_step, stable_step_of_rows(probed, particles, 0));
   Probe probe;
   std::vector<double> seconds;
+  std::map<std::string, std::vector<double>> verbs;
   const double start = cpu_seconds();
   for (int i = 0; i < warm_up + most_steps && state.clock.time < probed.end_time; ++i) {
-    if (i == warm_up) clear_phase_times();
+    clear_phase_times();
     const double before = cpu_seconds();
     if (advance(probed, probed.end_time, state).stopped) break;
     if (i < warm_up) continue;
     seconds.push_back(cpu_seconds() - before);
+    for (const PhaseTime& phase : phase_times())
+      if (!is_whole(phase)) verbs[phase.name].push_back(phase.seconds);
     // A jet's first touch shortens the step for a moment only.
     probe.dt = std::max(probe.dt, state.clock.dt * scene.grid.cell_size / probed.grid.cell_size);
     if (seconds.size() > fewest_steps && cpu_seconds() - start > enough_seconds) break;
   }
+  clear_phase_times();
   if (seconds.empty()) return probe;
   double total = 0.0;
-  for (const PhaseTime& phase : phase_times())
-    if (!is_whole(phase)) total += phase.seconds;
-  for (const PhaseTime& phase : phase_times())
-    if (!is_whole(phase)) probe.shares.emplace_back(phase.label, phase.seconds / total);
-  clear_phase_times();
-  // What shares the caches only makes steps longer.
-  std::sort(seconds.begin(), seconds.end());
-  probe.seconds = seconds[seconds.size() / 4];
+  for (auto& [name, times] : verbs) total += usual(times);
+  for (auto& [name, times] : verbs) probe.shares.emplace_back(name, usual(times) / total);
+  probe.seconds = usual(seconds);
   probe.particles = moving_particles(state);
   return probe;
 }

@@ -32,7 +32,8 @@ last block on the screen). Measured by `verification/predictions.py build/releas
 - ns: a probe takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
   that mode, shape function, transfer, loads and contact are those of the run. Stresses of what will flow are taken as
   `src/cost_growth.hpp` says times as dear as in the first steps.
-- Not in it: start-up (0.1 s), files, implicit solves of the pore flow, waiting ranks.
+- Files: 350 ns for a particle and instant of `particles.e`, 12 ns for one in a row of `history.csv`.
+- Not in it: start-up (0.1 s), implicit solves of the pore flow, waiting ranks.
 
 The machine had other work at the same time: seconds of one core (user and system time) are compared, wall seconds are beside them.
 """
