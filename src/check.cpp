@@ -1,36 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check.hpp"
 
-#include "check_flow.hpp"
+#include "check_features.hpp"
 #include "check_locking.hpp"
+#include "check_text.hpp"
+#include "deck/fidelity.hpp"
 #include "geometry/piece.hpp"
+#include "output/progress.hpp"
+#include "predict_cost.hpp"
 #include "scene/build_scene.hpp"
-#include "scene/velocity_fields.hpp"
 #include "shape/shape_facts.hpp"
-#include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
-#include "state/lone_courant.hpp"
 #include "state/particles.hpp"
-#include "state/step_rule.hpp"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
-#include <limits>
 #include <utility>
 #include <variant>
 
 namespace barreno {
 namespace {
-
-std::string format(const char* pattern, ...) {
-  char text[256];
-  std::va_list values;
-  va_start(values, pattern);
-  std::vsnprintf(text, sizeof(text), pattern, values);
-  va_end(values);
-  return text;
-}
 
 std::string box_text(const GridSpec& grid) {
   std::string text;
@@ -39,52 +27,8 @@ std::string box_text(const GridSpec& grid) {
   return text;
 }
 
-/// One row of the table: feature, on or off, why.
-std::string feature(const char* name, bool on, const std::string& why) {
-  return format("  %-22s %-4s %s\n", name, on ? "on" : "off", why.c_str());
-}
-
 const char* model_name(const Material& material) {
   return std::visit([](const auto& model) { return model.name; }, material.model);
-}
-
-/// Fastest particle that a material's bodies or the jet bring in.
-double fastest(const Scene& scene, int material) {
-  double speed = 0.0;
-  for (const BodySpec& body : scene.bodies)
-    if (body.material == material)
-      speed = std::max(
-          speed,
-          std::hypot(body.velocity[0], body.velocity[1], body.velocity[2]) +
-              std::abs(body.radial_velocity)
-      );
-  if (scene.jet.present && scene.jet.material == material)
-    for (const JetSlug& slug : scene.jet.slugs) speed = std::max(speed, slug.velocity);
-  return speed;
-}
-
-/// The step that the scene's materials allow before anything has deformed.
-double first_stable_step(const Scene& scene) {
-  double step = std::numeric_limits<double>::infinity();
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m].material;
-    const double courant = visit_shape(scene.step.shape, [&](auto shape) {
-      return decltype(shape)::critical_courant(smallest_half_size(scene, static_cast<int>(m)));
-    });
-    const double modulus = std::visit(
-        [](const auto& model) {
-          return model.longitudinal_modulus({}, model.initial_history(), 1.0);
-        },
-        material.model
-    );
-    const double speed = fastest(scene, static_cast<int>(m));
-    step = std::min(
-        step,
-        StepRule(scene, courant, lone_courant(scene, static_cast<int>(m)))
-            .stable_step(material.density, modulus, 0.0, speed)
-    );
-  }
-  return step;
 }
 
 std::string material_lines(const Scene& scene) {
@@ -126,100 +70,14 @@ std::string body_lines(const Scene& scene) {
   return text;
 }
 
-int count_loads(const Scene& scene, LoadKind kind) {
-  return static_cast<int>(std::count_if(
-      scene.loads.begin(),
-      scene.loads.end(),
-      [&](const PressureLoadSpec& load) { return load.kind == kind; }
-  ));
-}
-
-std::string load_lines(const Scene& scene) {
-  const auto line = [&](const char* name, LoadKind kind) {
-    const int count = count_loads(scene, kind);
-    return feature(name, count > 0, std::to_string(count) + " asked for");
-  };
-  const auto moves = [](const ConditionSpec& c) { return c.factor.time.size() > 1; };
-  const bool tables = std::any_of(scene.conditions.begin(), scene.conditions.end(), moves);
-  return line("pressure loads", LoadKind::pressure) +
-         line("non-reflecting faces", LoadKind::non_reflecting) +
-         line("fluid in cavities", LoadKind::pore_fluid) +
-         feature(
-             "walls moved by tables",
-             tables,
-             tables ? "a condition has Times" : "no condition has Times"
-         );
-}
-
-/// What differs from FLIP, stress last.
-std::string transfer_lines(const StepSpec& step) {
-  const bool flip = step.transfer == Transfer::flip;
-  const std::string name = transfer_name(step);
-  return feature(
-             "PIC share",
-             flip && step.pic_fraction > 0.0,
-             flip ? format("PIC Fraction = %g", step.pic_fraction) : "Transfer is " + name
-         ) +
-         feature(
-             "XPIC",
-             step.transfer == Transfer::xpic,
-             step.transfer == Transfer::xpic
-                 ? format("order %d: %d more projections", step.xpic_order, step.xpic_order - 1)
-                 : "Transfer is " + name
-         ) +
-         feature(
-             "APIC",
-             step.transfer == Transfer::apic,
-             step.transfer == Transfer::apic ? "particles keep first moments of the velocity"
-                                             : "Transfer is " + name
-         ) +
-         feature(
-             "second projection",
-             step.order != Order::stress_last,
-             std::string("Order is ") + order_name(step.order)
-         );
-}
-
-std::string choice_line(const char* name, const Choice& choice) {
-  return feature(name, choice.on, choice.why);
-}
-
-std::string feature_lines(const Scene& scene) {
-  const bool space = scene.grid.mode == Mode::three_dimensional;
-  const bool confined =
-      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) {
-        return body.initial_pressure > 0.0;
-      });
-  return feature(
-             "jet", scene.jet.present, scene.jet.present ? "the deck has a Jet list" : "no Jet list"
-         ) +
-         feature(
-             "initial confinement",
-             confined,
-             confined ? "bodies start in equilibrium" : "no Confinement list"
-         ) +
-         load_lines(scene) +
-         feature(
-             "artificial viscosity",
-             scene.step.linear_viscosity + scene.step.quadratic_viscosity > 0.0,
-             format("A1 = %g, A2 = %g", scene.step.linear_viscosity, scene.step.quadratic_viscosity)
-         ) +
-         transfer_lines(scene.step) +
-         feature(
-             "third dimension",
-             space,
-             space ? "nodes and particles have three coordinates"
-                   : "the mode is two-dimensional: 2D data"
-         ) +
-         feature(
-             "contact",
-             !scene.contacts.empty(),
-             scene.contacts.empty()
-                 ? std::string("no Contact list: materials stick where they meet")
-                 : std::to_string(velocity_fields(scene).count) + " velocity fields"
-         ) +
-         choice_line("pore flow", pore_flow_choice(scene)) +
-         choice_line("quasi-static", quasi_static_choice(scene));
+std::string cost_line(const Prediction& cost, int ranks) {
+  return format(
+      "Cost      about %s of computing on %d rank%s, %.0f ns per particle-step of one core\n",
+      cost_text(cost.seconds).c_str(),
+      ranks,
+      ranks == 1 ? "" : "s",
+      cost.nanoseconds
+  );
 }
 
 }  // namespace
@@ -246,9 +104,30 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   return notes;
 }
 
-std::string plan_text(const Scene& scene, const std::vector<std::string>& notes) {
+std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
+  std::string text =
+      "Fidelity (--fidelity NAME chooses what the deck does not say; errors measured in "
+      "docs/trade.md: depth of a jet at cells of its radius, pressures of a shock, smooth strains "
+      "of 0.3)\n";
+  for (const std::string& name : fidelity_words()) {
+    const Scene scene = scene_with(name);
+    const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);
+    text += format(
+        "  %-22s %s, %.3g particle-steps; errors %s\n",
+        name.c_str(),
+        cost_text(cost.seconds).c_str(),
+        cost.particle_steps,
+        fidelity_errors(name).c_str()
+    );
+  }
+  return text;
+}
+
+std::string plan_text(
+    const Scene& scene, const Probe& probe, int ranks, const std::vector<std::string>& notes
+) {
   const double particles = static_cast<double>(first_ids(scene).back() - 1);
-  const double step = first_stable_step(scene);
+  const Prediction cost = predict_cost(scene, probe, ranks);
   std::string text = scene.title.empty() ? std::string("The deck is sound.\n")
                                          : scene.title + "\nThe deck is sound.\n";
   text += format(
@@ -258,19 +137,18 @@ std::string plan_text(const Scene& scene, const std::vector<std::string>& notes)
       scene.grid.cell_size
   );
   text += format(
-      "Particles %.0f, the whole jet included; about %.0f MB in all\n",
-      particles,
-      memory_estimate(scene) * 1e-6
+      "Particles %.0f, the whole jet included; about %.0f MB in all\n", particles, cost.bytes * 1e-6
   );
   text += format(
       "Time      to %g s, first steps of %.3g s: about %.0f steps, %.3g particle-steps\n",
       scene.end_time,
-      step,
-      scene.end_time / step,
-      particles * scene.end_time / step
+      cost.first_step,
+      cost.steps,
+      cost.particle_steps
   );
+  text += cost_line(cost, ranks);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
-  text += "Materials\n" + material_lines(scene) + "Features\n" + feature_lines(scene);
+  text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);
   for (const std::string& note : notes) text += "Note: " + note + "\n";
   return text;
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "deck/deck.hpp"
+#include "probe_cost.hpp"
 #include "scene/scene.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,15 @@ void refuse_short_domains(const Deck& deck, const Scene& scene);
 /// What the user should know of deck and scene although it is no error, a sentence each.
 std::vector<std::string> notes_of(const Deck& deck, const Scene& scene);
 
+/// What the run would cost with each fidelity, a line each.
+/// @param scene_with  the scene of the same deck with that fidelity
+std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks);
+
 /// What a run of this scene will do: bodies, what is modelled and what is not and why, particles,
 /// memory, step size and number of steps. Nothing is written and no particle is kept.
-std::string plan_text(const Scene& scene, const std::vector<std::string>& notes);
+/// @param ranks  of the run that is asked for; the probe is of one
+std::string plan_text(
+    const Scene& scene, const Probe& probe, int ranks, const std::vector<std::string>& notes
+);
 
 }  // namespace barreno

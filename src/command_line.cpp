@@ -2,7 +2,9 @@
 #include "command_line.hpp"
 
 #include "base/error.hpp"
+#include "deck/fidelity.hpp"
 
+#include <algorithm>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
 #include <charconv>
@@ -72,19 +74,28 @@ std::vector<std::string> known_options(Command command) {
   if (command == Command::describe) return {"--markdown", "--help"};
   if (command == Command::drive)
     return {"--material", "--path", "--out", "--steps-per-row", "--set", "--help"};
-  if (command == Command::check) return {"--set", "--ranks", "--help"};
+  if (command == Command::check) return {"--set", "--fidelity", "--ranks", "--help"};
   if (command == Command::resume) return {"--until", "--ranks", "--help"};
-  return {"--out", "--ranks", "--set", "--overwrite", "--help"};
+  return {"--out", "--ranks", "--set", "--fidelity", "--overwrite", "--help"};
 }
 
 [[noreturn]] void refuse_option(const std::string& word, Command command) {
-  if (word == "--fidelity") {
-    throw DeckError("--fidelity is not built yet (a deck's own values hold); remove it.");
-  }
   throw DeckError(
       word + " is not an option of this command; " +
       input::suggest_name(word, known_options(command))
   );
+}
+
+/// As the deck would say it, so that it can be read back from the effective deck.
+std::string fidelity_override(const std::string& name) {
+  const std::vector<std::string> known = fidelity_words();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw DeckError(
+        "--fidelity " + input::shown(name) + " names no set of choices; " +
+        input::suggest_name(name, known)
+    );
+  }
+  return "Fidelity=" + name;
 }
 
 /// The options that have another meaning for `drive`, or none elsewhere.
@@ -130,6 +141,8 @@ void parse_option(const std::string& word, Arguments& arguments, Options& option
     options.ranks = count_of(word, arguments.value_of(word, "2"), "number of ranks");
   if (word == "--set")
     options.overrides.push_back(arguments.value_of(word, "\"Time/End Time=50 us\""));
+  if (word == "--fidelity")
+    options.overrides.push_back(fidelity_override(arguments.value_of(word, "balanced")));
 }
 
 }  // namespace
@@ -185,11 +198,13 @@ Options parse_command_line(int argc, const char* const* argv) {
 std::string help_text() {
   return "barreno run DECK [--out DIR] [--ranks N] [--set \"Sub List/Parameter=value\"]... "
          "[--overwrite]\n"
+         "        [--fidelity fast|balanced|reference]\n"
          "    compute; without --out into runs/<deck name>-<counter>\n"
          "barreno resume FOLDER [--until TIME] [--ranks N]\n"
          "    go on from the last checkpoint of a run\n"
-         "barreno check DECK [--set \"Sub List/Parameter=value\"]...\n"
-         "    validate, print the plan, write nothing\n"
+         "barreno check DECK [--set \"Sub List/Parameter=value\"]... [--fidelity ...]\n"
+         "    validate, print the plan, write nothing; a fidelity chooses between error and cost\n"
+         "    what the deck does not say (docs/trade.md)\n"
          "barreno drive --material CARD.xml --path PATH.csv --out OUT.csv\n"
          "        [--steps-per-row N] [--set PARAMETER=value]...\n"
          "    one material point along a path of the deformation gradient (docs/drive.md)\n"

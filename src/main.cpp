@@ -11,6 +11,7 @@
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
 #include "pore_flow/check_solver_lists.hpp"
+#include "predict_cost.hpp"
 #include "resume.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
@@ -22,6 +23,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -36,11 +38,17 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   check_solver_lists(deck, scene, *comm);
+  const Prediction prediction = predict_cost(scene, probe_cost(scene), comm->getSize());
   State state = build_state(scene, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
   const RunDescription description{
-      folder, options.deck_file, effective_deck_xml(deck), BARRENO_VERSION, notes_of(deck, scene)};
+      folder,
+      options.deck_file,
+      effective_deck_xml(deck),
+      BARRENO_VERSION,
+      notes_of(deck, scene),
+      prediction};
   Output output(scene, state, description);
   output.write_if_due(scene, state);
   Checkpoints checkpoints(scene, description);
@@ -54,7 +62,15 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   check_solver_lists(deck, scene, *comm);
-  if (is_root(*comm)) std::cout << plan_text(scene, notes_of(deck, scene));
+  const int ranks = std::max(1, options.ranks);
+  const auto scene_with = [&](const std::string& fidelity) {
+    std::vector<std::string> overrides = options.overrides;
+    overrides.push_back("Fidelity=" + fidelity);
+    return build_scene(read_deck(options.deck_file, overrides, *comm));
+  };
+  const std::string fidelities = fidelity_lines(scene_with, ranks);
+  if (is_root(*comm))
+    std::cout << plan_text(scene, probe_cost(scene), ranks, notes_of(deck, scene)) << fidelities;
   return static_cast<int>(ExitCode::finished);
 }
 

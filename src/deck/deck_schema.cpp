@@ -2,6 +2,7 @@
 #include "deck/deck_schema.hpp"
 
 #include "deck/boundary_sections.hpp"
+#include "deck/fidelity.hpp"
 #include "deck/pore_flow_section.hpp"
 #include "deck/shape_entries.hpp"
 #include "deck/step_section.hpp"
@@ -197,7 +198,17 @@ Section build_schema() {
        ),
        text("Title", "one line for screens and files").by_default(""),
        text("Units", "of plain numbers: SI, or units of length, time and mass (\"mm-us-g\")")
-           .by_default("SI")},
+           .by_default("SI"),
+       word(
+           "Fidelity",
+           fidelity_words(),
+           "a set of choices between error and cost (" + fidelity_text() +
+               "), for what the deck does not say itself; errors were measured for the depth of a "
+               "jet with "
+               "cells of its radius, the pressures of a shock and smooth strains of 0.3: "
+               "docs/trade.md"
+       )
+           .if_given()},
       {grid_section(),
        materials,
        shapes_section(),

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "deck/deck_schema.hpp"
+#include "deck/fidelity.hpp"
 #include "deck/find_card.hpp"
 #include "deck/jet_table.hpp"
 #include "deck/load_material.hpp"
@@ -10,6 +11,7 @@
 #include "deck/read_solver_lists.hpp"
 #include "deck/read_surface.hpp"
 
+#include <algorithm>
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
 
@@ -24,6 +26,7 @@ struct Reading {
   input::Source source;
   std::string directory;  ///< of the deck
   const Teuchos::Comm<int>& comm;
+  Fidelity fidelity;
   std::vector<std::string> notes;
 };
 
@@ -50,6 +53,12 @@ const ModelDescription& model_of(
   }
 }
 
+/// The model integrates with an error that it controls.
+bool has_tolerance(const input::Section& section) {
+  const auto is = [](const input::Entry& entry) { return entry.name == "Tolerance"; };
+  return std::any_of(section.entries.begin(), section.entries.end(), is);
+}
+
 std::string load_card(const std::string& card, const std::string& path, const Reading& reading) {
   const auto read = [&] {
     try {
@@ -72,6 +81,8 @@ ParameterList read_card_material(
   ParameterList list = scan_card(card_xml, source);
   const auto model = list.get<std::string>("Model");
   const input::Section section = material_section(find_model(model));
+  if (has_tolerance(section))
+    reading.fidelity.choose_tolerance(xml, path, input::find_text(card_xml, "Tolerance"));
   ParameterList overrides =
       input::scan_list(xml, section, path, reading.source, input::Completeness::partial);
   if (overrides.isParameter("Model") && overrides.get<std::string>("Model") != model) {
@@ -96,8 +107,9 @@ ParameterList read_card_material(
 ParameterList read_material(const XMLObject& xml, const std::string& path, Reading& reading) {
   if (const auto card = input::find_text(xml, "Card"))
     return read_card_material(xml, *card, path, reading);
-  const ModelDescription& model = model_of(xml, path, reading.source.name);
-  return input::scan_list(xml, material_section(model), path, reading.source);
+  const input::Section section = material_section(model_of(xml, path, reading.source.name));
+  if (has_tolerance(section)) reading.fidelity.choose_tolerance(xml, path, {});
+  return input::scan_list(xml, section, path, reading.source);
 }
 
 void read_materials(const XMLObject& root, Reading& reading, ParameterList& values) {
@@ -210,11 +222,14 @@ Deck read_deck(
   const std::string name = path.filename().string();
   const XMLObject root = input::parse_xml(text, name);
   for (const std::string& assignment : overrides) input::override_value(root, assignment);
+  const input::UnitSystem units = input::units_of(root, name);
   Reading reading{
-      {name, input::units_of(root, name)},
+      {name, units},
       path.has_parent_path() ? path.parent_path().string() : ".",
       comm,
+      {input::find_text(root, "Fidelity").value_or(""), units},
       {}};
+  reading.fidelity.choose_for_deck(root);
 
   ParameterList values = input::scan_list(root, deck_schema(), "", reading.source);
   check_version(values, name);
@@ -226,7 +241,8 @@ Deck read_deck(
   Deck deck(name, values, root);
   deck.surfaces = surfaces;
   deck.jet_table = jet_table;
-  deck.notes = reading.notes;
+  deck.notes = reading.fidelity.notes();
+  deck.notes.insert(deck.notes.end(), reading.notes.begin(), reading.notes.end());
   return deck;
 }
 

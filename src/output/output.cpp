@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <unistd.h>
 
 namespace barreno {
@@ -41,17 +42,23 @@ private:
   long count_ = 0;
 };
 
-std::string number_line(const char* pattern, double a, double b = 0.0) {
+std::string number_line(const char* pattern, double a, double b = 0.0, double c = 0.0) {
   char text[160];
-  std::snprintf(text, sizeof text, pattern, a, b);
+  std::snprintf(text, sizeof text, pattern, a, b, c);
   return text;
+}
+
+/// Of this rank since its start.
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 std::vector<std::string> result_numbers(
     const Scene& scene,
     const RunTotals& totals,
     const Penetration& penetration,
-    const RunSummary& summary
+    const RunSummary& summary,
+    const Prediction& prediction
 ) {
   std::vector<std::string> lines;
   if (scene.jet.present)
@@ -78,6 +85,15 @@ std::vector<std::string> result_numbers(
           ", %.0f ns per particle-step, %.0f MB at most",
           totals.particle_steps > 0.0 ? 1e9 * summary.wall_seconds / totals.particle_steps : 0.0,
           1e-6 * summary.peak_resident_bytes
+      )
+  );
+  lines.push_back(
+      "predicted: " + cost_text(prediction.seconds) +
+      number_line(
+          ", %.0f ns per particle-step, %.3g particle-steps (%.3g came)",
+          prediction.nanoseconds,
+          prediction.particle_steps,
+          totals.particle_steps
       )
   );
   return lines;
@@ -116,6 +132,7 @@ struct Output::Parts {
   RunTotals totals;  ///< of the last row
   Ledger watched;    ///< tallies that were warned about
   long fields_step = -1, rows_step = -1;
+  double cpu_start = cpu_seconds();
 };
 
 /// Whether somebody watches a terminal. mpirun gives its ranks terminals of its own: there the
@@ -305,7 +322,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   if (o.fields_step != state.clock.step) o.fields->write(scene, state);
   if (o.rows_step != state.clock.step) o.write_rows(scene, state);
   o.fields->close(*o.comm);
-  RunSummary summary = summarise(state, seconds());
+  RunSummary summary = summarise(state, seconds(), cpu_seconds() - o.cpu_start);
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   RootWork work(*o.comm);
   work.run([&] {
@@ -317,7 +334,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
         o.run.folder / "summary.json",
         summary_text(scene, state, o.run, o.totals, penetration, summary, verdict)
     );
-    const auto numbers = result_numbers(scene, o.totals, penetration, summary);
+    const auto numbers = result_numbers(scene, o.totals, penetration, summary, o.run.prediction);
     for (const std::string& line : result_lines(scene, state, o.run, verdict, numbers))
       o.progress->say(line);
   });

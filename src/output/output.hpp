@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_numbers.hpp"
+#include "output/prediction.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
 
@@ -19,6 +20,7 @@ struct RunDescription {
   std::string deck_text;         ///< the effective deck: re-runnable, written as deck.xml
   std::string version;
   std::vector<std::string> notes;  ///< further lines for the first block on the screen
+  Prediction prediction{};         ///< of its cost
 };
 
 /// How a run ended.

@@ -48,6 +48,10 @@ std::string duration_text(double seconds) {
   return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
 }
 
+std::string cost_text(double seconds) {
+  return seconds < 10.0 ? format("%.2g s", seconds) : duration_text(seconds);
+}
+
 Progress::Progress(
     const std::filesystem::path& log, double end_time, bool terminal, const RunNumbers& position
 )

@@ -60,6 +60,9 @@ private:
 /// Seconds as a person says them: 42 s, 3 min 20 s, 2 h 5 min.
 std::string duration_text(double seconds);
 
+/// The same with tenths below ten seconds.
+std::string cost_text(double seconds);
+
 /// Lines that say what was read, what is modelled and what is not.
 std::vector<std::string> scene_lines(
     const Scene& scene, const RunDescription& run, int ranks, double particles

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/summary.hpp"
 
+#include "base/memory.hpp"
 #include "base/region.hpp"
 #include "output/json.hpp"
 #include "state/balance.hpp"
 
 #include <sstream>
-#include <sys/resource.h>
 
 namespace barreno {
 namespace {
-
-double peak_resident_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  constexpr double kibibyte = 1024.0;  // the unit of ru_maxrss on Linux
-  return kibibyte * static_cast<double>(usage.ru_maxrss);
-}
 
 /// Phases by the root's labels: every rank runs the same verbs.
 std::vector<PhaseSummary> collect_phases(const Comm& comm) {
@@ -62,6 +55,18 @@ void put_cost(JsonWriter& json, const RunSummary& summary, const RunTotals& tota
     json.number("ns_per_particle_step", steps > 0.0 ? 1e9 * phase.mean_seconds / steps : 0.0);
     json.end_object();
   }
+  json.end_object();
+}
+
+/// What was expected before the run, beside what came.
+void put_prediction(JsonWriter& json, const RunDescription& run, const RunSummary& summary) {
+  json.number("cpu_seconds", summary.cpu_seconds);
+  json.begin_object("prediction");
+  json.number("steps", run.prediction.steps);
+  json.number("particle_steps", run.prediction.particle_steps);
+  json.number("ns_per_particle_step", run.prediction.nanoseconds);
+  json.number("wall_seconds", run.prediction.seconds);
+  json.number("bytes", run.prediction.bytes);
   json.end_object();
 }
 
@@ -158,7 +163,7 @@ void put_removed(JsonWriter& json, const Ledger& l) {
 
 }  // namespace
 
-RunSummary summarise(const State& state, double wall_seconds) {
+RunSummary summarise(const State& state, double wall_seconds, double cpu_seconds) {
   const Comm& comm = *state.grid.comm;
   RunSummary summary;
   summary.ranks = comm.getSize();
@@ -169,11 +174,12 @@ RunSummary summarise(const State& state, double wall_seconds) {
     bytes += static_cast<double>(set.count) * static_cast<double>(bytes_per_particle(set));
   }
   const double peak = peak_resident_bytes();
-  std::vector<double> sums{particles, bytes, peak}, largest{peak};
+  std::vector<double> sums{particles, bytes, peak, cpu_seconds}, largest{peak};
   sum_over_ranks(comm, sums);
   max_over_ranks(comm, largest);
   summary.bytes_per_particle = sums[0] > 0.0 ? sums[1] / sums[0] : 0.0;
   summary.peak_resident_bytes = sums[2];
+  summary.cpu_seconds = sums[3];
   summary.largest_rank_peak_bytes = largest[0];
   summary.phases = collect_phases(comm);
   return summary;
@@ -204,6 +210,7 @@ std::string summary_text(
   json.number("particles", totals.particles);
   json.integer("steps", state.clock.step);
   put_cost(json, summary, totals);
+  put_prediction(json, run, summary);
   if (scene.jet.present) put_penetration(json, penetration);
   put_balances(json, totals.ledger);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);

@@ -20,6 +20,7 @@ struct PhaseSummary {
 struct RunSummary {
   int ranks = 1;
   double wall_seconds = 0.0;  ///< from the first output to the last
+  double cpu_seconds = 0.0;   ///< of the processors in the same time, over all ranks
   double bytes_per_particle = 0.0;
   double peak_resident_bytes = 0.0;  ///< sum of the ranks' peaks
   double largest_rank_peak_bytes = 0.0;
@@ -28,7 +29,8 @@ struct RunSummary {
 };
 
 /// Collects memory and phases over the ranks. Collective.
-RunSummary summarise(const State& state, double wall_seconds);
+/// @param cpu_seconds  of this rank
+RunSummary summarise(const State& state, double wall_seconds, double cpu_seconds);
 
 /// The text of summary.json.
 std::string summary_text(

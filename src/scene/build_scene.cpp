@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/build_scene.hpp"
 
+#include "base/memory.hpp"
 #include "scene/geometry.hpp"
 #include "scene/scene_parts.hpp"
 
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <unistd.h>
 
 namespace barreno {
 namespace {
@@ -157,8 +157,7 @@ OutputSpec read_output(const Deck& deck) {
 /// bodies.
 void check_memory(const Deck& deck, const Scene& scene) {
   const double bytes = memory_estimate(scene);
-  const double available =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double available = machine_bytes();
   // Tiles are numbered with int.
   const bool countable =
       tiles_of(scene.grid) < static_cast<double>(std::numeric_limits<int>::max());
@@ -166,7 +165,10 @@ void check_memory(const Deck& deck, const Scene& scene) {
   deck.refuse_value(
       "Grid/Cell Size",
       "makes the run too large for memory (grid and particles need " + text_of("%.0f", bytes) +
-          " bytes, more than this machine has); choose larger cells or a smaller box"
+          " bytes, more than this machine has); choose larger cells or a smaller box" +
+          (countable ? ", or ranks on " + text_of("%.0f", std::ceil(bytes / available)) +
+                           " machines of this size"
+                     : "")
   );
 }
 

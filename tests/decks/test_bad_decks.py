@@ -88,6 +88,9 @@ def main():
         missing_deck=["nowhere.xml"],
         bad_override=["good.xml", "--set", "Time/End Tim=1 us"],
         override_without_value=["good.xml", "--set", "Time/End Time"],
+        unknown_fidelity=["good.xml", "--fidelity", "quick"],
+        fidelity_without_word=["good.xml", "--fidelity"],
+        unknown_fidelity_word=["good.xml", "--set", "Fidelity=quick"],
     )
     chosen = [name for name in cases if not options.names or name in options.names]
     jobs = [(name, ranks) for name in chosen for ranks in options.ranks]

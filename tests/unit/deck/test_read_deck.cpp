@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
@@ -12,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <barreno/input/scan_xml.hpp>
 #include <barreno/registry.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -132,11 +135,72 @@ TEST_F(ReadDeck, AnOverrideIsCheckedLikeTheDeck) {
   EXPECT_THROW(read("deck.xml", {"Materials/Rubber/Card=nowhere.xml"}), FileError);
 }
 
+/// Whether one of the notes holds the text.
+bool notes_say(const Deck& deck, const std::string& text) {
+  for (const std::string& note : deck.notes)
+    if (note.find(text) != std::string::npos) return true;
+  return false;
+}
+
+TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
+  const Deck plain = read("deck.xml"), fast = read("deck.xml", {"Fidelity=fast"});
+  EXPECT_EQ(plain.word("Step/Shape Function"), "GIMP");
+  EXPECT_EQ(fast.word("Step/Shape Function"), "quadratic B-spline");
+  EXPECT_EQ(fast.number("Step/Courant Fraction"), 0.9);
+  EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 2);
+  EXPECT_EQ(fast.number("Output/Field Interval"), 0.0);
+  EXPECT_EQ(fast.number("Output/History Interval"), 4e-7);  // a hundredth of 40 us
+  EXPECT_TRUE(plain.notes.empty());
+  EXPECT_TRUE(notes_say(fast, "Step/Shape Function = quadratic B-spline, "));
+  EXPECT_FALSE(notes_say(fast, "The deck's own words"));
+}
+
+TEST_F(ReadDeck, TheDecksOwnWordsComeBeforeAFidelity) {
+  const std::vector<std::string> words = {
+      "Fidelity=reference",
+      "Step/Courant Fraction=0.30",
+      "Bodies/Front/Particles Per Cell=4",
+      "Output/History Interval=0.02",  // us; the fidelity's 2e-08 s
+      "Materials/Rock/Card=berea_sandstone.xml"};
+  const Deck deck = read("deck.xml", words);
+  EXPECT_EQ(deck.number("Step/Courant Fraction"), 0.3);
+  EXPECT_EQ(deck.integer("Bodies/Front/Particles Per Cell"), 4);
+  EXPECT_EQ(deck.integer("Bodies/Back/Particles Per Cell"), 2);
+  EXPECT_EQ(deck.number("Materials/Rock/Tolerance"), 1e-3);
+  EXPECT_TRUE(notes_say(
+      deck,
+      "The deck's own words come before fidelity reference: Step/Courant Fraction = 0.30 "
+      "(reference: 0.8), Bodies/Front/Particles Per Cell = 4 (reference: 2)."
+  ));
+  EXPECT_TRUE(notes_say(deck, "Output/History Interval = 2e-08 s, "));
+}
+
+TEST_F(ReadDeck, TheEffectiveDeckOfAFidelityIsTheSameDeck) {
+  const Deck deck = read("deck.xml", {"Fidelity=fast", "Materials/Rock/Card=berea_sandstone.xml"});
+  write("effective.xml", effective_deck_xml(deck));
+  const Deck again = read("effective.xml");
+  EXPECT_EQ(again.values(), deck.values());
+  EXPECT_EQ(again.word("Fidelity"), "fast");
+  EXPECT_FALSE(notes_say(again, "The deck's own words"));
+  EXPECT_THROW(read("deck.xml", {"Fidelity=quick"}), DeckError);
+}
+
 TEST_F(ReadDeck, MemoryIsEstimatedFromTheScene) {
   const Scene scene = build_scene(read("deck.xml"));
   EXPECT_GT(particle_estimate(scene), 4.0 * 300.0);
   EXPECT_GT(memory_estimate(scene), 200.0 * 4.0 * 300.0);
   EXPECT_THROW(build_scene(read("deck.xml", {"Grid/Cell Size=1 nm"})), DeckError);
+  // In two dimensions the memory goes with the square of the cell size.
+  const double times = 2.5 * machine_bytes() / memory_estimate(scene);
+  const double parts = std::ceil(std::sqrt(times));  // of a millimetre
+  try {
+    build_scene(read("deck.xml", {"Grid/Cell Size=" + input::exact_text(1.0 / parts)}));
+    FAIL() << "a run of 2.5 times the memory was not refused";
+  } catch (const DeckError& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("or ranks on 3 machines of this size."), std::string::npos
+    ) << error.what();
+  }
 }
 
 TEST(TableOfPressures, IsLinearBetweenAndConstantOutside) {

@@ -20,7 +20,7 @@ TEST(Summary, ComparesTheLaunchedJetWithItsTable) {
   synthetic::move_to(scene, state, 2.5e-6);
   RunTotals totals = sum_totals(state);
   totals.ledger.launched_mass = 1.5 * jet_table_totals(scene, 3).mass;
-  const RunSummary summary = summarise(state, 2.0);
+  const RunSummary summary = summarise(state, 2.0, 1.5);
   EXPECT_GT(summary.bytes_per_particle, 100.0);
   EXPECT_GE(summary.peak_resident_bytes, summary.largest_rank_peak_bytes);
   const std::string text = summary_text(

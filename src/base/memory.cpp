@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/memory.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace barreno {
+
+double peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr double kibibyte = 1024.0;  // the unit of ru_maxrss on Linux
+  return kibibyte * static_cast<double>(usage.ru_maxrss);
+}
+
+double machine_bytes() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace barreno

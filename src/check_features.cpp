@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_features.hpp"
+
+#include "check_flow.hpp"
+#include "check_text.hpp"
+#include "scene/velocity_fields.hpp"
+#include "shape/shape_facts.hpp"
+#include "state/particles.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+constexpr const char* no_pic = "Transfer is not FLIP, or PIC Fraction is 0";
+
+/// A row of the table, but for its numbers.
+struct Feature {
+  const char* name;
+  Choice choice;
+  void (*leave_out)(Scene&);       ///< makes the scene that does without it
+  std::vector<const char*> verbs;  ///< that do nothing else
+};
+
+/// Of the particles of that material that need most.
+std::size_t most_bytes(const Scene& scene) {
+  std::size_t most = 0;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    most = std::max(most, bytes_per_particle(make_particles(scene, static_cast<int>(m))));
+  return most;
+}
+
+std::string row(const Scene& scene, const Probe& probe, const Feature& feature) {
+  if (!feature.choice.on)
+    return format("  %-22s off      -      -  %s\n", feature.name, feature.choice.why.c_str());
+  Scene without = scene;
+  feature.leave_out(without);
+  double share = 0.0;
+  for (const char* verb : feature.verbs) share += share_of(probe, verb);
+  const auto more = static_cast<long>(most_bytes(scene)) - static_cast<long>(most_bytes(without));
+  return format(
+      "  %-22s on  %5ld  %3.0f %%  %s\n",
+      feature.name,
+      std::max(0L, more),
+      100.0 * share,
+      feature.choice.why.c_str()
+  );
+}
+
+Choice loads_of(const Scene& scene, LoadKind kind) {
+  const auto count = std::count_if(scene.loads.begin(), scene.loads.end(), [&](const auto& load) {
+    return load.kind == kind;
+  });
+  return {count > 0, std::to_string(count) + " asked for"};
+}
+
+/// All of them: they share what they keep of a particle.
+void leave_out_loads(Scene& scene) {
+  scene.loads.clear();
+}
+
+void leave_out_transfer(Scene& scene) {
+  scene.step.transfer = Transfer::flip;
+}
+
+Choice transfer_choice(const StepSpec& step, Transfer transfer, const std::string& why) {
+  const bool on = step.transfer == transfer;
+  return {on, on ? why : std::string("Transfer is ") + transfer_name(step)};
+}
+
+Choice confinement_choice(const Scene& scene) {
+  const bool on = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) {
+    return body.initial_pressure > 0.0;
+  });
+  return {on, on ? "bodies start in equilibrium" : "no Confinement list"};
+}
+
+Choice tables_choice(const Scene& scene) {
+  const bool on = std::any_of(
+      scene.conditions.begin(),
+      scene.conditions.end(),
+      [](const ConditionSpec& condition) { return condition.factor.time.size() > 1; }
+  );
+  return {on, on ? "a condition has Times" : "no condition has Times"};
+}
+
+Choice contact_choice(const Scene& scene) {
+  if (scene.contacts.empty()) return {false, "no Contact list: materials stick where they meet"};
+  return {true, std::to_string(velocity_fields(scene).count) + " velocity fields"};
+}
+
+Choice domains_choice(const Scene& scene) {
+  const bool on = follows_deformation(scene);
+  return {on, "Shape Function is " + scene.step.shape};
+}
+
+/// It costs no more memory.
+void keep_all(Scene& /*scene*/) {}
+
+/// Of how a step is taken.
+std::vector<Feature> step_features(const Scene& scene) {
+  const StepSpec& step = scene.step;
+  const bool pic = step.transfer == Transfer::flip && step.pic_fraction > 0.0;
+  const bool viscous = step.linear_viscosity + step.quadratic_viscosity > 0.0;
+  return {
+      {"artificial viscosity",
+       {viscous, format("A1 = %g, A2 = %g", step.linear_viscosity, step.quadratic_viscosity)},
+       keep_all,
+       {}},
+      {"domains that deform",
+       domains_choice(scene),
+       [](Scene& without) { without.step.shape = StepSpec{}.shape; },
+       {"tally_domains"}},
+      {"PIC share",
+       {pic, pic ? format("PIC Fraction = %g", step.pic_fraction) : no_pic},
+       keep_all,
+       {}},
+      {"XPIC",
+       transfer_choice(
+           step,
+           Transfer::xpic,
+           format("order %d: %d more projections", step.xpic_order, step.xpic_order - 1)
+       ),
+       leave_out_transfer,
+       {"filter_velocity"}},
+      {"APIC",
+       transfer_choice(step, Transfer::apic, "particles keep first moments of the velocity"),
+       leave_out_transfer,
+       {"project_affine", "gather_affine", "start_affine"}},
+      {"second projection",
+       {step.order != Order::stress_last, std::string("Order is ") + order_name(step.order)},
+       [](Scene& without) { without.step.order = Order::stress_last; },
+       {}}};
+}
+
+/// Of what is in the scene.
+std::vector<Feature> scene_features(const Scene& scene) {
+  const bool space = scene.grid.mode == Mode::three_dimensional;
+  const bool forced = scene.body_force.kind != BodyForceKind::none;
+  return {
+      {"jet",
+       {scene.jet.present, scene.jet.present ? "the deck has a Jet list" : "no Jet list"},
+       keep_all,
+       {"launch_jet"}},
+      {"initial confinement", confinement_choice(scene), keep_all, {}},
+      {"pressure loads",
+       loads_of(scene, LoadKind::pressure),
+       leave_out_loads,
+       {"project_loads",
+        "tally_loads",
+        "project_surface_pressures",
+        "tally_surface_pressures",
+        "release_torn_faces"}},
+      {"non-reflecting faces", loads_of(scene, LoadKind::non_reflecting), leave_out_loads, {}},
+      {"fluid in cavities", loads_of(scene, LoadKind::pore_fluid), leave_out_loads, {}},
+      {"walls moved by tables", tables_choice(scene), keep_all, {}},
+      {"body force",
+       {forced, forced ? "the deck has a Body Force list" : "no Body Force list"},
+       [](Scene& without) { without.body_force = {}; },
+       {"project_body_force", "tally_body_force"}},
+      {"third dimension",
+       {space,
+        space ? "nodes and particles have three coordinates"
+              : "the mode is two-dimensional: 2D data"},
+       keep_all,
+       {}},
+      {"contact",
+       contact_choice(scene),
+       keep_all,
+       {"seek_normals", "fit_normals", "solve_contact", "share_nodes"}},
+      {"pore flow", pore_flow_choice(scene), [](Scene& without) { without.pore_flow = {}; }, {}},
+      {"quasi-static", quasi_static_choice(scene), keep_all, {}}};
+}
+
+}  // namespace
+
+std::string feature_table(const Scene& scene, const Probe& probe) {
+  std::string text =
+      "Features                   bytes   time  (per particle; of the first steps)\n";
+  for (const auto& features : {scene_features(scene), step_features(scene)})
+    for (const Feature& feature : features) text += row(scene, probe, feature);
+  return text;
+}
+
+}  // namespace barreno

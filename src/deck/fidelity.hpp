@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Teuchos_XMLObject.hpp>
+
+#include <barreno/input/units.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// Named sets of choices between error and cost, cheapest first. What each buys is measured in
+/// docs/trade.md.
+std::vector<std::string> fidelity_words();
+
+/// What errors were measured with a set, in one line for `check`.
+std::string fidelity_errors(const std::string& name);
+
+/// All sets in one line, for the manual.
+std::string fidelity_text();
+
+/// A set of choices at work on a deck: it fills what the deck does not say, and remembers both.
+class Fidelity {
+public:
+  /// @param name  empty: no choices are made
+  /// @param units  of the deck's plain numbers
+  Fidelity(const std::string& name, const input::UnitSystem& units);
+
+  /// Everything but the materials. Bodies, jet and step are chosen for where the deck has no word
+  /// of its own; the intervals of the output are parts of the run's time.
+  void choose_for_deck(const Teuchos::XMLObject& root);
+
+  /// The tolerance of a material whose model has one.
+  /// @param card  what its card says, if it has one that does
+  void choose_tolerance(
+      const Teuchos::XMLObject& material,
+      const std::string& path,
+      const std::optional<std::string>& card
+  );
+
+  /// All choices in force, and where the deck has other words of its own: a sentence each.
+  std::vector<std::string> notes() const;
+
+private:
+  void choose(
+      const Teuchos::XMLObject& list,
+      const std::string& path,
+      const std::string& name,
+      const std::string& value
+  );
+  void keep(const std::string& path, const std::string& said, const std::string& value);
+
+  std::string name_;
+  input::UnitSystem units_;
+  std::vector<std::string> chosen_, kept_;
+};
+
+}  // namespace barreno

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace barreno {
+
+/// What a run was expected to cost, before it began.
+struct Prediction {
+  double steps = 0.0;
+  double particle_steps = 0.0;  ///< slugs of the jet count from their launch on
+  double nanoseconds = 0.0;     ///< of one core per particle-step
+  double seconds = 0.0;         ///< of the steps, on all ranks
+  double bytes = 0.0;           ///< of particles, grid and the program on all ranks
+  double first_step = 0.0;      ///< [time]
+};
+
+}  // namespace barreno

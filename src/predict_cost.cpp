@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "predict_cost.hpp"
+
+#include "base/memory.hpp"
+#include "cost_growth.hpp"
+#include "scene/build_scene.hpp"
+#include "shape/shape_facts.hpp"
+#include "shape/visit_kernels.hpp"
+#include "state/body_particles.hpp"
+#include "state/lone_courant.hpp"
+#include "state/step_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+/// Compression of what collides, over the speed of its bodies: h |tr D| / v. Fits the steps of
+/// shock_copper.xml, where the shocked metal is also stiffer.
+constexpr double compression = 0.5;
+/// The same for a jet, which flows more than it is compressed: perforation_plane_gimp.xml.
+constexpr double compression_of_jet = 0.05;
+
+double body_speed(const Scene& scene, int material) {
+  double speed = 0.0;
+  for (const BodySpec& body : scene.bodies)
+    if (body.material == material)
+      speed = std::max(
+          speed,
+          std::hypot(body.velocity[0], body.velocity[1], body.velocity[2]) +
+              std::abs(body.radial_velocity)
+      );
+  return speed;
+}
+
+double jet_speed(const Scene& scene, int material) {
+  double speed = 0.0;
+  if (scene.jet.present && scene.jet.material == material)
+    for (const JetSlug& slug : scene.jet.slugs) speed = std::max(speed, slug.velocity);
+  return speed;
+}
+
+bool is_rigid(const Scene& scene, const BodySpec& body) {
+  return scene.bodies.size() > 1 && body.motion.prescribed;
+}
+
+/// Instants of an output; an interval of 0 means the given number.
+double instants(const Scene& scene, double interval, double otherwise) {
+  return interval > 0.0 ? scene.end_time / interval : otherwise;
+}
+
+double written_nanoseconds(const Scene& scene, const Prediction& prediction) {
+  const double particles = prediction.particle_steps / prediction.steps;
+  const double fields = instants(scene, scene.output.field_interval, 1.0) + 1.0;
+  const double rows = instants(scene, scene.output.history_interval, prediction.steps);
+  return particles * (field_nanoseconds * fields + row_nanoseconds * rows);
+}
+
+}  // namespace
+
+double stable_step_of_scene(const Scene& scene, bool viscous) {
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const int index = static_cast<int>(m);
+    const Material& material = scene.materials[m].material;
+    const double courant = visit_shape(scene.step.shape, [&](auto shape) {
+      return decltype(shape)::critical_courant(smallest_half_size(scene, index));
+    });
+    const double modulus = std::visit(
+        [](const auto& model) {
+          return model.longitudinal_modulus({}, model.initial_history(), 1.0);
+        },
+        material.model
+    );
+    const double slow = body_speed(scene, index), jet = jet_speed(scene, index);
+    const double jump = std::max(compression * slow, compression_of_jet * jet);
+    // Any rate below zero brings the linear part; that of the colliding bodies the quadratic one.
+    const double rate = viscous ? -(jump + 1e-9) / scene.grid.cell_size : 0.0;
+    const StepRule rule(scene, courant, lone_courant(scene, static_cast<int>(m)));
+    step = std::min(step, rule.stable_step(material.density, modulus, rate, std::max(slow, jet)));
+  }
+  return step;
+}
+
+double growth_of(const Scene& scene, const std::string& verb) {
+  for (const UpdateCost& cost : update_costs)
+    if (verb == cost.verb) return cost.running / cost.elastic;
+  if (verb == "update_deformation" && scene.grid.mode == Mode::three_dimensional)
+    return growth_of_rotations;
+  for (const char* reaching : {"project_particles", "interpolate_motion", "update_deformation"})
+    if (verb == reaching && follows_deformation(scene)) return growth_of_domains;
+  return 1.0;
+}
+
+Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks) {
+  Prediction prediction;
+  prediction.first_step = stable_step_of_scene(scene, false);
+  double dt = stable_step_of_scene(scene, true);
+  if (probe.dt > 0.0) dt = std::min(dt, probe.dt);
+  if (scene.step.largest_step > 0.0) dt = std::min(dt, scene.step.largest_step);
+  prediction.steps = scene.end_time / dt;
+  for (const BodySpec& body : scene.bodies)
+    if (!is_rigid(scene, body))
+      prediction.particle_steps +=
+          static_cast<double>(count_body_particles(scene.grid, body)) * scene.end_time / dt;
+  if (scene.jet.present)
+    for (const JetSlug& slug : scene.jet.slugs)
+      prediction.particle_steps += static_cast<double>(count_slug_particles(scene, slug)) *
+                                   std::max(0.0, scene.end_time - slug.time) / dt;
+  double grown = 1.0;
+  for (const auto& [verb, share] : probe.shares) grown += share * (growth_of(scene, verb) - 1.0);
+  if (probe.particles > 0.0) prediction.nanoseconds = 1e9 * probe.seconds / probe.particles * grown;
+  const double computed = prediction.nanoseconds * prediction.particle_steps;
+  prediction.seconds = 1e-9 * (computed + written_nanoseconds(scene, prediction)) / ranks;
+  // Every rank holds the program and its libraries, which are loaded by now.
+  prediction.bytes = memory_estimate(scene) + ranks * peak_resident_bytes();
+  return prediction;
+}
+
+}  // namespace barreno

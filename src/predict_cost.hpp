@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/prediction.hpp"
+#include "probe_cost.hpp"
+#include "scene/scene.hpp"
+
+#include <string>
+
+namespace barreno {
+
+/// The step that the scene allows before anything has deformed, speeds of bodies and jet included
+/// [time].
+/// @param viscous  with the artificial viscosity that compression brings
+double stable_step_of_scene(const Scene& scene, bool viscous);
+
+/// What a run will cost on so many ranks: particle-steps by the stable step and by the launch of
+/// each slug, times what the probe's particles took, times what flow will add to their materials.
+Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks);
+
+/// How many times as long as in the probe a verb will take over the run, as measured in runs
+/// (cost_growth.hpp): stresses of what flows cost more than those of the first steps.
+double growth_of(const Scene& scene, const std::string& verb);
+
+}  // namespace barreno

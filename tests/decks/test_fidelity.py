@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A fidelity is good for every deck of input_xml, is said once, and its effective deck runs again to the same bits.
+
+    test_fidelity.py BARRENO
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
+from runs import DECKS, mpi_environment  # noqa: E402
+
+NAMES = ("fast", "balanced", "reference")
+
+
+def barreno(*words):
+    result = subprocess.run([sys.argv[1], *map(str, words)], env=mpi_environment(), capture_output=True, text=True)
+    assert result.returncode == 0, f"{words}: {result.returncode} {result.stderr}"
+    return result.stdout
+
+
+def check_every_deck():
+    for deck in sorted(DECKS.glob("*.xml")):
+        for name in NAMES:
+            plan = barreno("check", deck, "--fidelity", name)
+            assert plan.count(f"Note: Fidelity {name}: ") == 1, f"{deck.name}: the plan does not say what {name} means"
+
+
+def run_again(folder):
+    """perforation_quick.xml has output intervals of its own; --set comes before a fidelity like the deck."""
+    words = ("--fidelity", "fast", "--set", "Step/Courant Fraction=0.7", "--set", "Time/End Time=3 us")
+    barreno("run", DECKS / "perforation_quick.xml", *words, "--out", folder / "first")
+    log = (folder / "first" / "run.log").read_text()
+    assert log.count("Fidelity fast: Step/Shape Function = quadratic B-spline, ") == 1, log
+    kept = re.findall("The deck's own words come before fidelity fast: (.*)", log)
+    assert len(kept) == 1 and "Step/Courant Fraction = 0.7 (fast: 0.9)" in kept[0] and "Field Interval = 5 us" in kept[0], kept
+    barreno("run", folder / "first" / "deck.xml", "--out", folder / "again")
+    barreno("run", DECKS / "perforation_quick.xml", "--set", "Time/End Time=3 us", "--out", folder / "plain")
+    compare = [sys.executable, TESTS / "scripts" / "exodiff_lite.py", "-f", TESTS / "scripts" / "same.exodiff"]
+    for other, same in (("again", True), ("plain", False)):
+        command = [*compare, folder / "first" / "particles.e", folder / other / "particles.e"]
+        code = subprocess.run(command, capture_output=True, text=True).returncode
+        assert (code == 0) == same, f"first and {other} run: exodiff_lite.py says {code}"
+
+
+def main():
+    check_every_deck()
+    with tempfile.TemporaryDirectory() as folder:
+        run_again(pathlib.Path(folder))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""`check` predicts the work of a run and says what features cost; the run compares. Seconds depend on what else the machine does,
+particle-steps do not.
+
+    test_predictions.py BARRENO
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
+from runs import DECKS, mpi_environment  # noqa: E402
+
+CLOSE = 0.3
+SHOCK, JET, SHELL = "shock_copper", "perforation_quick", "shell_coasting"
+
+
+def barreno(*words):
+    result = subprocess.run([sys.argv[1], *map(str, words)], env=mpi_environment(), capture_output=True, text=True)
+    assert result.returncode == 0, f"{words}: {result.returncode} {result.stderr}"
+    return result.stdout
+
+
+def compare(deck, folder):
+    plan = barreno("check", DECKS / f"{deck}.xml")
+    said = re.search(r"about (\d+) steps, (\S+) particle-steps\nCost      about \S+.* of computing on 1 rank, (\d+) ns", plan)
+    assert said and float(said.group(3)) > 1.0, plan
+    screen = barreno("run", DECKS / f"{deck}.xml", "--out", folder / deck)
+    summary = json.loads((folder / deck / "summary.json").read_text())
+    predicted = summary["prediction"]
+    assert abs(predicted["particle_steps"] / float(said.group(2)) - 1.0) < 0.1, f"{deck}: check and run predict differently: {said.groups()}, {predicted}"
+    for name in ("steps", "particle_steps"):
+        off = predicted[name] / summary[name] - 1.0
+        assert abs(off) < CLOSE, f"{deck}: {name} were predicted {off:+.0%} off"
+    off = predicted["bytes"] / summary["peak_resident_bytes"] - 1.0
+    assert abs(off) < CLOSE, f"{deck}: memory was predicted {off:+.0%} off"
+    assert summary["cpu_seconds"] > 0.0 and predicted["wall_seconds"] > 0.0
+    assert screen.count("\n  predicted: ") == 1, screen
+
+
+def row(plan, feature):
+    return re.search(rf"^  {feature} +(on|off) +(\S+) +(\S+)", plan, re.MULTILINE).groups()
+
+
+def check_features():
+    """XPIC keeps eleven numbers of a particle in two dimensions: seen in its bytes, and its time is not nothing."""
+    plain = barreno("check", DECKS / f"{SHELL}.xml")
+    assert row(plain, "XPIC") == ("off", "-", "-"), plain
+    xpic = barreno("check", DECKS / f"{SHELL}.xml", "--set", "Step/Transfer=XPIC", "--set", "Step/XPIC Order=3")
+    on, size, share = row(xpic, "XPIC")
+    assert (on, size) == ("on", "88") and 0.0 < float(share) < 100.0, xpic
+
+
+def main():
+    check_features()
+    with tempfile.TemporaryDirectory() as folder:
+        for deck in (SHOCK, JET, SHELL):
+            compare(deck, pathlib.Path(folder))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cost that `check` predicts against the cost of the run, for shipped decks.
+
+    predictions.py BARRENO [--document]     a table; with --document into docs/cost.md
+
+Also prints what stress updates cost in the first steps and over the run, from which src/cost_growth.hpp has its numbers: scaled by
+how much slower the rest of a step was then, which other work on the machine makes it.
+"""
+import argparse
+import pathlib
+import re
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE / "tools"), str(HERE)]
+from runs import DECKS, run_deck  # noqa: E402
+
+PAGE = HERE.parent / "docs" / "cost.md"
+TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
+         "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave")  # fmt: skip
+FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact")
+COLUMNS = ("deck", "steps, predicted / came", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / came")
+
+HEAD = """# What a run costs, predicted and measured
+
+`barreno check` predicts particle-steps and seconds, and every run compares them with what came (`prediction` in `summary.json`, the
+last block on the screen). Measured by `verification/predictions.py build/release/src/barreno --document`; do not edit by hand.
+
+- Particle-steps: the stable step of the scene with the artificial viscosity of what collides, or the longest step of the probe if
+  that is shorter; a slug of the jet counts from its launch on.
+- ns: a probe takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
+  that mode, shape function, transfer, loads and contact are those of the run. Stresses of what will flow are taken as
+  `src/cost_growth.hpp` says times as dear as in the first steps.
+- Files: 350 ns for a particle and instant of `particles.e`, 12 ns for one in a row of `history.csv`.
+- Not in it: start-up (0.1 s), implicit solves of the pore flow, waiting ranks.
+
+The machine had other work at the same time: seconds of one core (user and system time) are compared, wall seconds are beside them.
+"""
+
+
+def end_time(deck):
+    return re.search(r'name="End Time"[^>]*value="([\d.e+-]+) *(\w*)"', (DECKS / f"{deck}.xml").read_text()).groups()
+
+
+def ratio(predicted, came):
+    return f"{predicted:.3g} / {came:.3g} = {predicted / came:.2f}"
+
+
+def row(deck, summary):
+    said = summary["prediction"]
+    cpu = summary["cpu_seconds"]
+    ns = 1e9 * cpu / summary["particle_steps"]
+    return (f"{deck}.xml", ratio(said["steps"], summary["steps"]), ratio(said["particle_steps"], summary["particle_steps"]),
+            ratio(said["ns_per_particle_step"], ns), ratio(said["wall_seconds"], cpu), f"{summary['wall_seconds']:.3g}",
+            ratio(said["bytes"] / 1e6, summary["peak_resident_bytes"] / 1e6))  # fmt: skip
+
+
+def growth(barreno, deck, whole):
+    """Lines of src/cost_growth.hpp from one deck: ns of each stress update in the first hundredth of the run and over all of it."""
+    value, unit = end_time(deck)
+    short = {"Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s"}
+    first = {}
+    for _ in range(3):
+        for name, phase in run_deck(barreno, f"{deck}.xml", short).summary["phases"].items():
+            first[name] = min(first.get(name, 1e9), phase["ns_per_particle_step"])
+    slower = whole["project_particles"]["ns_per_particle_step"] / first["project_particles"]
+    return [
+        f'    {{"{name}", {first[name]:.1f}, {phase["ns_per_particle_step"] / slower:.1f}}},  // {deck}'
+        for name, phase in whole.items()
+        if name.startswith("update_stress") and first.get(name, 0.0) > 10.0
+    ]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("barreno", type=pathlib.Path)
+    parser.add_argument("--document", action="store_true")
+    options = parser.parse_args()
+    barreno = options.barreno.resolve()
+    lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
+    updates = []
+    for deck in TABLE:
+        summary = run_deck(barreno, f"{deck}.xml").summary
+        lines.append("| " + " | ".join(row(deck, summary)) + " |")
+        print(lines[-1], flush=True)
+        if deck in FLOWING:
+            updates += growth(barreno, deck, summary["phases"])
+    print("\n".join(updates))
+    if options.document:
+        PAGE.write_text(HEAD + "\n" + "\n".join(lines) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

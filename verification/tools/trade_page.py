@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""docs/trade.md and its pictures, from verification/results/trade.json."""
+import pathlib
+
+from trade_checks import verdict
+from trade_problems import PROBLEMS
+
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+KNOBS = ("shape function", "fidelity", "particles per cell", "Courant Fraction", "transfer", "order of the step",
+         "artificial viscosity", "Arenisca tolerance", "particles per cell of the jet")  # fmt: skip
+FIDELITIES = ("fast", "balanced", "reference")
+WORDS = ("Shape Function", "Transfer", "Order", "Courant Fraction", "Tolerance", "Jet")
+
+HEAD = """# The trade between error and cost
+
+Measured by `verification/trade.py build/release/src/barreno --document`; do not edit by hand.
+
+One knob at a time from the defaults (GIMP, FLIP, stress last, Courant Fraction 0.8, 2 particles per cell and direction, Tolerance
+0.01). Cost is user time of one core: particle-steps times the ns of the largest run of a choice, the least of three where that is
+shorter than 1.5 s, start-up taken off. The machine had other work at the same time, which makes even user time uncertain by up to a half: the rows *default* and
+*balanced* are the same runs. Particle-steps are exact. Wall seconds are those of the loaded machine; costs are to be measured again on
+a quiet one.
+"""
+
+
+def fidelity_section(data):
+    at = {(p["problem"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
+    lines = ["## What a fidelity buys", "", "`--fidelity NAME` sets what the deck does not say itself:", "",
+             "| fidelity | " + " | ".join(WORDS[:-1]) + " | particles per cell | in the jet |", "|---|" + "---|" * 7]  # fmt: skip
+    for name in FIDELITIES:
+        said, per_cell = data["chosen"][name]
+        lines.append(f"| {name} | " + " | ".join(said[word] for word in WORDS[:-1]) + f" | {per_cell} | {said['Jet']} |")
+    lines += ["", "Error (and cost over that of balanced) at equal cells:", "",
+              "| fidelity | " + " | ".join(f"{p.title}: {p.error}, {unit_text(p, p.levels[-1])}" for p in PROBLEMS) + " |",
+              "|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
+    for name in FIDELITIES:
+        cells = []
+        for p in PROBLEMS:
+            one, base = at.get((p.name, name, p.levels[-1])), at.get((p.name, "balanced", p.levels[-1]))
+            cells.append(f"{100 * one['error']:.2g} % ({one['cpu'] / base['cpu']:.2f})" if one and base else "failed")
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def unit_text(problem, level):
+    return f"{level:g} {problem.unit}"
+
+
+def depth_lines(depth):
+    lines = ["The depth has no exact answer. Its limit by Richardson's extrapolation over cells of 2, 1 and 0.5 mm:", "",
+             "| shape function | depths [mm] | order | limit [mm] |", "|---|---|---|---|"]  # fmt: skip
+    for name, one in depth["limits"].items():
+        lines.append(f"| {name} | " + ", ".join(f"{d:.2f}" for d in one["depths"]) + f" | {one['order']:.2f} | {one['limit']:.1f} |")
+    lines += ["", f"Errors below are against the middle of the limits, {depth['limit']:.1f} mm, which is uncertain by "
+              f"{depth['uncertainty']:.1f} mm or {100 * depth['uncertainty'] / depth['limit']:.1f} %; the last column is the difference to the finest "
+              f"run, {depth['finest']:.2f} mm (GIMP, 0.5 mm).", ""]  # fmt: skip
+    return lines
+
+
+def table(problem, data):
+    lines = [f"## {problem.title}", "", f"![error against cost](pictures/trade_{problem.name}.png)", ""]
+    if problem.name == "depth":
+        lines += depth_lines(data["depth"])
+    lines += [f"| knob | choice | {problem.unit} | {problem.error} | {problem.second} | particle-steps | ns | CPU s | wall s |",
+              "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
+    for p in data["points"]:
+        if p["problem"] != problem.name:
+            continue
+        start = f"| {p['knob']} | {p['name']} | {p['level']:g} |"
+        if "failed" in p:
+            lines.append(f"{start} {p['failed']} | | | | | |")
+        else:
+            lines.append(f"{start} {p['error']:.4g} | {p['second']:.3g} | {p['work']:.3g} | {p['ns']:.0f} | {p['cpu']:.3g} | {p['wall']:.3g} |")
+    return "\n".join(lines) + "\n"
+
+
+def reading(data):
+    """What the numbers say, worked out from them: cost and error of each choice over those of the default at the same level."""
+    lines = ["## What each knob does", "", "Error and cost of a choice over those of the default at the same, finest common level:", "",
+             "| knob | choice | " + " | ".join(p.title.split(" (")[0] for p in PROBLEMS) + " |", "|---|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
+    at = {(p["problem"], p["knob"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
+    names = list(dict.fromkeys((p["knob"], p["name"]) for p in data["points"] if p["knob"] != "default"))
+    names.sort(key=lambda name: KNOBS.index(name[0]))
+    for knob, name in names:
+        cells = []
+        for p in PROBLEMS:
+            one, base = at.get((p.name, knob, name, p.levels[-1])), at[p.name, "default", "default", p.levels[-1]]
+            cells.append(f"{one['error'] / base['error']:.2f} at {one['cpu'] / base['cpu']:.2f}" if one else "")
+        lines.append(f"| {knob} | {name} | " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def check_lines(data):
+    lines = ["## What must hold", ""]
+    for check in data["checks"]:
+        sign = ">=" if check["at_least"] else "<="
+        lines.append(f"- {check['what']}: {check['value']:.3g} {sign} {check['limit']:.3g}, {verdict(check)}")
+    return "\n".join(lines) + "\n"
+
+
+def write_page(data):
+    text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
+    parts = [HEAD, fidelity_section(data), text, reading(data), *(table(problem, data) for problem in PROBLEMS), check_lines(data)]
+    (DOCS / "trade.md").write_text("\n".join(parts))
+
+
+def curve(axes, points, style, label, colour):
+    found = sorted((p["cpu"], p["error"]) for p in points if "error" in p)
+    if found:
+        axes.loglog(*zip(*found), style, color=colour, ms=4, lw=1, label=label)
+
+
+def draw(data):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    for problem in PROBLEMS:
+        mine = [p for p in data["points"] if p["problem"] == problem.name]
+        knobs = [knob for knob in KNOBS if any(p["knob"] == knob for p in mine)]
+        columns = (len(knobs) + 1) // 2
+        figure, grid = plt.subplots(2, columns, figsize=(3.6 * columns, 6.4), sharex=True, sharey=True, layout="constrained", squeeze=False)
+        for axes, knob in zip(grid.flat, knobs):
+            curve(axes, [p for p in mine if p["knob"] == "default"], "o-", "default", "k")
+            for i, name in enumerate(dict.fromkeys(p["name"] for p in mine if p["knob"] == knob)):
+                curve(axes, [p for p in mine if p["knob"] == knob and p["name"] == name], "o-", name, f"C{i}")
+            axes.set_title(knob, fontsize=10)
+            axes.grid(alpha=0.3)
+            axes.legend(fontsize=7)
+        for axes in list(grid.flat)[len(knobs) :]:
+            axes.axis("off")
+        figure.supxlabel("CPU seconds")
+        figure.supylabel(problem.error)
+        figure.suptitle(problem.title, fontsize=11)
+        figure.savefig(DOCS / "pictures" / f"trade_{problem.name}.png", dpi=90)
+        plt.close(figure)

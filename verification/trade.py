@@ -1,0 +1,204 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Error against cost for every knob of a run.
+
+    trade.py BARRENO [--document]     all problems and knobs: verification/results/trade.json, and with --document
+                                      docs/trade.md and docs/pictures/trade_*.png
+    trade.py BARRENO --only KNOB      the same for one knob, for example fidelity; the rest stays as it was measured
+    trade.py BARRENO --tiny           two problems, few knobs: only whether what must hold does
+    trade.py --draw                   the page and the pictures of the last measurement
+
+Cost is the user time of the processor on one core: particle-steps times the ns of the largest run of a choice, the least of three
+where that is short, start-up taken off. Other work on the machine hardly shows in it; wall seconds do show it.
+Exit code 1 if a figure does not hold.
+"""
+import argparse
+import json
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE / "tools"), str(HERE)]
+from choices import shape_functions, words  # noqa: E402
+from runs import DECKS, mpi_environment, run_deck  # noqa: E402
+from trade_checks import demands, verdict  # noqa: E402
+from trade_page import draw, write_page  # noqa: E402
+from trade_problems import PROBLEMS, Lost, has, richardson  # noqa: E402
+
+STORED = HERE / "results" / "trade.json"
+SHORT = 1.5  # s of the processor: below it, three runs
+FIDELITIES = ("fast", "balanced", "reference")
+LIMITS = ("GIMP", "quadratic B-spline", "CPDI")  # whose depths at 2, 1 and 0.5 mm give the limit
+FINEST = 0.5  # mm
+
+
+def fidelity_words(barreno, name):
+    """(words of Step and others, particles per cell) of a fidelity, as `check` prints them."""
+    command = [str(barreno), "check", str(DECKS / "perforation_quick.xml"), "--fidelity", name]
+    plan = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, check=True).stdout
+    line = re.search(rf"Note: Fidelity {name}: (.*)\.\n", plan).group(1)
+    said = dict(part.split(" = ") for part in line.split(", "))
+    out = {path.removeprefix("Step/"): value for path, value in said.items() if path.startswith("Step/")}
+    out["Tolerance"] = said["Materials/Sandstone/Tolerance"]
+    out["Jet"] = said["Jet/Particles Per Cell"]
+    return out, int(said["Bodies/Rock/Particles Per Cell"])
+
+
+def variants(barreno, tiny):
+    """(knob, name, words, particles per cell): the default first, then one knob at a time, then the fidelities."""
+    out = [("default", "default", {}, 2)]
+    out += [("shape function", shape, {"Shape Function": shape}, 2) for shape in shape_functions(barreno)[1:]]
+    if not tiny:
+        out += [("particles per cell", f"{n} per direction", {}, n) for n in (1, 3, 4)]
+        out += [("Courant Fraction", value, {"Courant Fraction": value}, 2) for value in ("1", "0.6", "0.4", "0.2")]
+        out += [("Arenisca tolerance", value, {"Tolerance": value}, 2) for value in ("0.1", "0.001", "1e-4")]
+        out += [("particles per cell of the jet", value, {"Jet": value}, 2) for value in ("2", "6")]
+        out += [("transfer", "FLIP, 1 % PIC", {"PIC Fraction": "0.01"}, 2)]
+        out += [("transfer", f"XPIC({m})", {"Transfer": "XPIC", "XPIC Order": m}, 2) for m in ("2", "3", "5")]
+        out += [("transfer", word, {"Transfer": word}, 2) for word in ("PIC", "APIC")]
+        out += [("transfer", "APIC, CPDI", {"Transfer": "APIC", "Shape Function": "CPDI"}, 2)]
+        out += [("order of the step", word, {"Order": word}, 2) for word in words(barreno, "Step", "Order")[1:]]
+        for a1, a2 in (("0", "0"), ("0.1", "1"), ("0.6", "4")):
+            out.append(("artificial viscosity", f"A1 = {a1}, A2 = {a2}", {"Linear Viscosity": a1, "Quadratic Viscosity": a2}, 2))
+    return out + [("fidelity", name, *fidelity_words(barreno, name)) for name in FIDELITIES]
+
+
+def applies(problem, knob, chosen):
+    """Smooth motions have no shock to smear."""
+    if knob == "artificial viscosity" and problem.name not in ("shock", "depth"):
+        return False
+    return knob == "fidelity" or all(has(problem.name, word) for word in chosen)
+
+
+def user_seconds(call):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    out = call()
+    return out, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def point(barreno, problem, level, variant, repeat=False):
+    """One measurement, as the results hold it; the least time of three if it is repeated and short."""
+    knob, name, chosen, per_cell = variant
+    out = {"problem": problem.name, "knob": knob, "name": name, "level": level}
+    try:
+        (error, second, run), seconds = user_seconds(lambda: problem.measure(barreno, level, chosen, per_cell))
+        wall = run.summary["wall_seconds"]
+        for _ in range(2 if repeat and seconds < SHORT else 0):
+            (_, _, again), more = user_seconds(lambda: problem.measure(barreno, level, chosen, per_cell))
+            seconds, wall = min(seconds, more), min(wall, again.summary["wall_seconds"])
+    except Lost as why:
+        return {**out, "failed": str(why)}
+    return {**out, "error": error, "second": second, "work": run.summary["particle_steps"], "seconds": seconds, "wall": wall}
+
+
+def add_costs(points, start_up):
+    """User time of every point from the ns of the largest run of its choice: short runs are little else than start-up."""
+    for p in points:
+        if "work" in p:
+            of_choice = [q for q in points if "work" in q and all(q[key] == p[key] for key in ("problem", "knob", "name"))]
+            largest = max(of_choice, key=lambda q: q["work"])
+            p["ns"] = 1e9 * max(largest["seconds"] - start_up, 1e-3) / largest["work"]
+            p["cpu"] = 1e-9 * p["ns"] * p["work"]
+
+
+def start_up_seconds(barreno):
+    """User time of a run with hardly a step, the least of three."""
+    nothing = lambda: run_deck(barreno, "shock_copper.xml", {"Time/End Time": "1e-12"})  # noqa: E731
+    return min(user_seconds(nothing)[1] for _ in range(3))
+
+
+def levels_of(problem, variant, tiny):
+    knob, name, _, _ = variant
+    if tiny:
+        return problem.tiny
+    # In axisymmetry its stable steps are the shortest by far.
+    if problem.name == "depth" and name == "linear":
+        return problem.levels[:1]
+    return problem.levels + (problem.finest if knob in ("default", "shape function", "fidelity") else ())
+
+
+def measure(barreno, tiny, only):
+    points = []
+    for problem in PROBLEMS:
+        for variant in variants(barreno, tiny):
+            if only and variant[0] != only:
+                continue
+            levels = levels_of(problem, variant, tiny) if applies(problem, variant[0], variant[2]) else ()
+            for level in levels:
+                points.append(point(barreno, problem, level, variant, not tiny and level == levels[-1]))
+                print(json.dumps(points[-1]), flush=True)
+    if only:
+        stored = json.loads(STORED.read_text())["points"]
+        for p in stored:  # as it was measured, before the limit of the depth was known
+            p["error"] = p.pop("depth", p.get("error"))
+        points = [p for p in stored if p["knob"] != only] + points
+    elif not tiny:
+        points += finest_depths(barreno)
+    if not tiny:
+        add_costs(points, start_up_seconds(barreno))
+    return points
+
+
+def finest_depths(barreno):
+    chosen = [v for v in variants(barreno, False) if v[0] in ("default", "shape function") and v[1] in ("default", *LIMITS)]
+    return [point(barreno, PROBLEMS[-1], FINEST, variant) for variant in chosen]
+
+
+def depth_limit(points):
+    """Depths of three shape functions at three cells, the limit of each, and the errors of all depths against their middle."""
+    depths = {(p["name"], p["level"]): p["error"] for p in points if p["problem"] == "depth" and "error" in p}
+    limits = {}
+    for shape in LIMITS:
+        name = "default" if shape == "GIMP" else shape
+        values = [depths[name, level] for level in (2.0, 1.0, FINEST)]
+        found = richardson(values)
+        if found:
+            limits[shape] = {"depths": values, "limit": found[0], "order": found[1]}
+    ends = [one["limit"] for one in limits.values()]
+    middle = 0.5 * (min(ends) + max(ends))
+    finest = depths["default", FINEST]
+    for p in points:
+        if p["problem"] == "depth" and "error" in p:
+            p["depth"] = p["error"]
+            p["error"] = abs(p["depth"] - middle) / middle
+            p["second"] = (p["depth"] - finest) / finest
+    return {"limits": limits, "limit": middle, "uncertainty": 0.5 * (max(ends) - min(ends)), "finest": finest}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("barreno", nargs="?", type=pathlib.Path)
+    parser.add_argument("--document", action="store_true")
+    parser.add_argument("--tiny", action="store_true")
+    parser.add_argument("--only", metavar="KNOB")
+    parser.add_argument("--draw", action="store_true")
+    options = parser.parse_args()
+    if options.draw:
+        data = json.loads(STORED.read_text())
+        draw(data)
+        write_page(data)
+        return 0
+    if options.barreno is None:
+        parser.error("name the program, for example build/release/src/barreno")
+    barreno = options.barreno.resolve()
+    points = measure(barreno, options.tiny, options.only)
+    data = {"points": points, "chosen": {name: fidelity_words(barreno, name) for name in FIDELITIES}}
+    if not options.tiny:
+        data["depth"] = depth_limit(points)
+    data["checks"] = demands(points, options.tiny)
+    for check in data["checks"]:
+        print(f"{check['what']}: {check['value']:.3g}, {'at least' if check['at_least'] else 'at most'} {check['limit']:.3g}: "
+              f"{verdict(check)}")  # fmt: skip
+    if not options.tiny:
+        STORED.write_text(json.dumps(data, indent=1) + "\n")
+    if options.document:
+        draw(data)
+        write_page(data)
+    return 0 if all(check["passed"] or check["open"] for check in data["checks"]) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
