@@ -31,19 +31,20 @@ std::size_t most_bytes(const Scene& scene) {
   return most;
 }
 
+/// Counted and measured whether it is on or off: what is off must show that it costs nothing.
 std::string row(const Scene& scene, const Probe& probe, const Feature& feature) {
-  if (!feature.choice.on)
-    return format("  %-22s off      -      -  %s\n", feature.name, feature.choice.why.c_str());
   Scene without = scene;
   feature.leave_out(without);
   double share = 0.0;
   for (const char* verb : feature.verbs) share += share_of(probe, verb);
   const auto more = static_cast<long>(most_bytes(scene)) - static_cast<long>(most_bytes(without));
+  const std::string time = feature.verbs.empty() ? "     -" : format("%4.1f %%", 100.0 * share);
   return format(
-      "  %-22s on  %5ld  %3.0f %%  %s\n",
+      "  %-22s %-3s %5ld  %s  %s\n",
       feature.name,
+      feature.choice.on ? "on" : "off",
       std::max(0L, more),
-      100.0 * share,
+      time.c_str(),
       feature.choice.why.c_str()
   );
 }
@@ -55,9 +56,11 @@ Choice loads_of(const Scene& scene, LoadKind kind) {
   return {count > 0, std::to_string(count) + " asked for"};
 }
 
-/// All of them: they share what they keep of a particle.
+template <LoadKind kind>
 void leave_out_loads(Scene& scene) {
-  scene.loads.clear();
+  auto& loads = scene.loads;
+  const auto is_of_kind = [](const PressureLoadSpec& load) { return load.kind == kind; };
+  loads.erase(std::remove_if(loads.begin(), loads.end(), is_of_kind), loads.end());
 }
 
 void leave_out_transfer(Scene& scene) {
@@ -146,14 +149,20 @@ std::vector<Feature> scene_features(const Scene& scene) {
       {"initial confinement", confinement_choice(scene), keep_all, {}},
       {"pressure loads",
        loads_of(scene, LoadKind::pressure),
-       leave_out_loads,
+       leave_out_loads<LoadKind::pressure>,
        {"project_loads",
         "tally_loads",
         "project_surface_pressures",
         "tally_surface_pressures",
         "release_torn_faces"}},
-      {"non-reflecting faces", loads_of(scene, LoadKind::non_reflecting), leave_out_loads, {}},
-      {"fluid in cavities", loads_of(scene, LoadKind::pore_fluid), leave_out_loads, {}},
+      {"non-reflecting faces",
+       loads_of(scene, LoadKind::non_reflecting),
+       leave_out_loads<LoadKind::non_reflecting>,
+       {}},
+      {"fluid in cavities",
+       loads_of(scene, LoadKind::pore_fluid),
+       leave_out_loads<LoadKind::pore_fluid>,
+       {}},
       {"walls moved by tables", tables_choice(scene), keep_all, {}},
       {"body force",
        {forced, forced ? "the deck has a Body Force list" : "no Body Force list"},
@@ -177,7 +186,8 @@ std::vector<Feature> scene_features(const Scene& scene) {
 
 std::string feature_table(const Scene& scene, const Probe& probe) {
   std::string text =
-      "Features                   bytes   time  (per particle; of the first steps)\n";
+      "Features                     bytes   time  (of a particle, saved without it; of the first "
+      "steps, in verbs of its own)\n";
   for (const auto& features : {scene_features(scene), step_features(scene)})
     for (const Feature& feature : features) text += row(scene, probe, feature);
   return text;

@@ -17,7 +17,7 @@ sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
 from runs import DECKS, mpi_environment  # noqa: E402
 
 CLOSE = 0.3
-SHOCK, JET, SHELL = "shock_copper", "perforation_quick", "shell_coasting"
+SHOCK, JET, SHELL, BOX = "shock_copper", "perforation_quick", "shell_coasting", "manufactured_box"
 
 
 def barreno(*words):
@@ -49,15 +49,24 @@ def row(plan, feature):
 
 def check_features():
     """XPIC keeps eleven numbers of a particle in two dimensions: seen in its bytes, and its time is not nothing."""
-    plain = barreno("check", DECKS / f"{SHELL}.xml")
-    assert row(plain, "XPIC") == ("off", "-", "-"), plain
     xpic = barreno("check", DECKS / f"{SHELL}.xml", "--set", "Step/Transfer=XPIC", "--set", "Step/XPIC Order=3")
     on, size, share = row(xpic, "XPIC")
-    assert (on, size) == ("on", "88") and 0.0 < float(share) < 100.0, xpic
+    assert (on, size) == ("on", "88") and 1.0 < float(share) < 100.0, xpic
+
+
+def check_what_is_off(deck):
+    """No byte of a particle, and less than a hundredth of the time."""
+    plan = barreno("check", DECKS / f"{deck}.xml")
+    off = re.findall(r"^  (.{22}) off +(\d+) +(\S+)", plan, re.MULTILINE)
+    assert len(off) > 8, plan
+    for name, size, share in off:
+        assert size == "0" and (share == "-" or float(share) < 1.0), f"{deck}: {name.strip()} is off and costs {size} bytes, {share} % of the time"
 
 
 def main():
     check_features()
+    for deck in (BOX, JET):
+        check_what_is_off(deck)
     with tempfile.TemporaryDirectory() as folder:
         for deck in (SHOCK, JET, SHELL):
             compare(deck, pathlib.Path(folder))

@@ -17,7 +17,7 @@ def front(points, problem, cost):
     return min(p["error"] for p in points if p["problem"] == problem and "error" in p and p["work"] <= cost)
 
 
-def demands(points, tiny):
+def demands(points, tiny, said):
     """The checks, as verification cases store them. Cost is counted in particle-steps here, which do not depend on the machine."""
     at = {(p["problem"], p["name"], p["level"]): p for p in points if "error" in p}
     checks = []
@@ -37,6 +37,10 @@ def demands(points, tiny):
         costs = [at[problem, name, fine]["work"] for name in FIDELITIES]
         demand(f"{problem}: particle-steps of fast over balanced", costs[0] / costs[1], 1.0)
         demand(f"{problem}: particle-steps of balanced over reference", costs[1] / costs[2], 1.0)
+    for (name, problem, level), error in said.items():
+        if (problem, name, level) in at and not tiny:
+            off = abs(error / at[problem, name, level]["error"] - 1.0)
+            demand(f"{problem}, {name}: the error that check names, over that measured, less 1", off, 0.1)
     smooth = [at["box", name, 16]["error"] for name in FIDELITIES]
     demand("box, 16 cells: error of balanced over fast", smooth[1] / smooth[0], 1.0)
     demand("box, 16 cells: error of reference over balanced", smooth[2] / smooth[1], 1.0)
