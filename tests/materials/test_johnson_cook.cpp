@@ -246,6 +246,26 @@ TEST(JohnsonCook, MoltenMetalHasNoDeviator) {
   EXPECT_GT(point.last.plastic_work, 0.0) << "the elastic energy of the old deviator became heat";
 }
 
+/// Explicit steps carry strains a cell ahead each time, a millionth of a millionth and less: down
+/// to squares that are no longer exact.
+TEST(JohnsonCook, WithoutStrengthTheLeastStrainIsNoFailure) {
+  auto p = Sample<JohnsonCook>::parameters();
+  p.a = p.b = 0.0;
+  const JohnsonCook model(p, 880.0);
+  for (int power = -330; power <= 0; ++power) {
+    const double strain = -0.3 * std::pow(10.0, power);
+    Increment increment;
+    increment.strain.xx = strain;
+    increment.dt = 1e-8;
+    increment.volume_ratio_begin = 1.0;
+    increment.volume_ratio_end = std::exp(strain);
+    Sym3 stress;
+    JohnsonCook::History history = model.initial_history();
+    EXPECT_EQ(model.update(increment, stress, history).status, Status::ok) << "strain " << strain;
+    EXPECT_LT(equivalent(stress), 1e-18) << "strain " << strain;
+  }
+}
+
 TEST(JohnsonCook, StrongHeatMelts) {
   const auto model = sample_model<JohnsonCook>();
   CopperPoint point(model);

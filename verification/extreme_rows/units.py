@@ -59,7 +59,7 @@ def run(barreno, full, table):
     for name, words, length, time, mass in (
         ("millimetre, microsecond, gram", "mm-us-g", 1e-3, 1e-6, 1e-3),
         ("centimetre, second, gram", "cm-s-g", 1e-2, 1.0, 1e-3),
-        ("kilometre, year, kilogram", "km-yr-kg", 1e3, year, 1.0),
+        ("kilometre, year, kilogram (years are no unit of decks)", "km-yr-kg", 1e3, year, 1.0),
         ("kilometre, hour, tonne", "km-h-t", 1e3, 3600.0, 1e3),
     ):
         done = attempt(barreno, pressed(words, length, time, mass))
@@ -73,6 +73,7 @@ def run(barreno, full, table):
         ("lengths and times 1e12", 1e12, 1e12, 1.0),
         ("masses and stresses 1e-12", 1.0, 1.0, 1e-12),
         ("masses and stresses 1e12", 1.0, 1.0, 1e12),
+        ("kilometres and years", 1e3, year, 1.0),
         ("times 1e-12: stresses 1e24", 1.0, 1e-12, 1.0),
         ("times 1e12: stresses 1e-24", 1.0, 1e12, 1.0),
     ):
