@@ -146,6 +146,8 @@ struct StepSpec {
   double quadratic_viscosity = 2.0;  ///< A2
   double initial_step = 0.0;         ///< 0: the stable step [time]
   double largest_step = 0.0;         ///< 0: no limit [time]
+  bool skip_dormant = true;          ///< tiles at rest (scene/dormant.hpp)
+  std::optional<double> rest_motion;  ///< of their nodes in a step; without: rest_motion() [cells]
 };
 
 /// Longest Largest Domain that the patches of tiles are made for, which is what 0 in a deck means

@@ -6,6 +6,7 @@
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
 #include "scene/body_force.hpp"
+#include "scene/dormant.hpp"
 #include "scene/porous.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/surface_share.hpp"
@@ -269,6 +270,8 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       if (state.fields.rigid_body[static_cast<std::size_t>(f)] == b)
         state.reactions.push_back({b, f, {}});
   state.pore_flow.on = scene.pore_flow.on();
+  state.dormancy.on = why_all_awake(scene).empty();
+  state.dormancy.motion = rest_motion(scene);
   const std::vector<ParticleId> first = first_ids(scene);
   state.slug_ids.assign(
       first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/particles.hpp"
 
+#include "base/rows.hpp"
 #include "scene/body_force.hpp"
 #include "scene/porous.hpp"
 #include "shape/shape_facts.hpp"
@@ -92,6 +93,7 @@ void reserve(Particles& particles, int capacity) {
   grow(particles.spare, n);
   grow(particles.spare_id, n);
   grow(particles.order, n);
+  grow(particles.dormant_run, n / rows_per_run + 1);
   const auto grow_field = [n](Field& field) {
     Kokkos::resize(
         field.values, static_cast<std::size_t>(n), static_cast<std::size_t>(field.components)

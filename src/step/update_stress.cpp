@@ -151,7 +151,18 @@ struct UpdateStress {
     const R step = rule.stable_step(
         begun.density, outcome.longitudinal_modulus, begun.rate, real::sqrt(speed_squared)
     );
+    limit_step(good, step, tally);
+  }
+
+  KOKKOS_INLINE_FUNCTION static void limit_step(const Mask& good, const R& step, Tally& tally) {
     tally.stable_step = real::select(good & (step < tally.stable_step), step, tally.stable_step);
+  }
+
+  /// A group that stays as it is: all that it does is allow a step.
+  KOKKOS_INLINE_FUNCTION void leave(const Group& group, Tally& tally) const {
+    const R density = group.get(particles.mass) / group.get(particles.volume);
+    const R modulus = group.get(particles.longitudinal_modulus);
+    limit_step(alive(group), rule.stable_step(density, modulus, R{}, R{}), tally);
   }
 
   KOKKOS_INLINE_FUNCTION static Group group_at(int row, Rows rows) {
@@ -161,6 +172,10 @@ struct UpdateStress {
   KOKKOS_INLINE_FUNCTION void update_groups(Rows rows, Tally& tally, StressTally& sums) const {
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
+      if (rows.are_dormant_at(row)) {
+        leave(group, tally);
+        continue;
+      }
       Begun begun;
       Update update = begin(group, begun);
       update.outcome = update_points(model, update.increment, update.stress, update.history);
@@ -177,8 +192,18 @@ struct UpdateStress {
     Mask rest[room];
     Begun begun[room];
     int count = 0;
+    const auto finish = [&] {
+      if (count == 0) return;
+      model.finish_points(waiting, rest, count);
+      for (int g = 0; g < count; ++g) end(groups[g], waiting[g], begun[g], tally, sums);
+      count = 0;
+    };
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
+      if (rows.are_dormant_at(row)) {
+        leave(group, tally);
+        continue;
+      }
       Update update = begin(group, begun[count]);
       // Points that are held or have expanded too far need no end of their update.
       const Mask left = model.start_points(update) & alive(group) &
@@ -190,12 +215,9 @@ struct UpdateStress {
       } else {
         end(group, update, begun[count], tally, sums);
       }
-      const bool last = row + width<R> >= rows.end;
-      if (count == 0 || (count < most && !last)) continue;
-      model.finish_points(waiting, rest, count);
-      for (int g = 0; g < count; ++g) end(groups[g], waiting[g], begun[g], tally, sums);
-      count = 0;
+      if (count == most) finish();
     }
+    finish();
   }
 
   /// A run of rows, so that the lanes' sums meet rarely.
@@ -266,7 +288,8 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
             range((rows.end - rows.begin + run - 1) / run),
             KOKKOS_LAMBDA(const int r, StressTally& part) {
               const int begin = rows.begin + r * run;
-              kernel(Rows{begin, rows.end - begin < run ? rows.end : begin + run}, part);
+              const int end = rows.end - begin < run ? rows.end : begin + run;
+              kernel(Rows{begin, end, rows.dormant}, part);
             },
             StressReducer(sums)
         );
