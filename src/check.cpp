@@ -213,6 +213,7 @@ std::string feature_lines(const Scene& scene) {
                  : std::to_string(velocity_fields(scene).count) + " velocity fields"
          ) +
          choice_line("pore flow", pore_flow_choice(scene)) +
+         choice_line("dormant tiles", dormancy_choice(scene)) +
          choice_line("quasi-static", quasi_static_choice(scene));
 }
 

@@ -11,15 +11,16 @@ namespace barreno {
 /// Rows that kernels take one after the other: their sums have one order.
 inline constexpr int rows_per_run = 64;
 
+/// What a step does to a run: rows that it leaves as they are may be all of it, or some.
+enum RunPart : unsigned char { whole_run, part_of_run, no_part_of_run };
+
 /// Rows [begin, end) of a particle set.
 struct Rows {
   int begin = 0, end = 0;
-  /// By run of the whole set: 1 if none of its rows changes in this step (state/dormancy.hpp); null
-  /// if all may.
-  const unsigned char* dormant = nullptr;
+  const unsigned char* runs = nullptr;  ///< RunPart of each run of the set; null: all of every run
 
-  KOKKOS_INLINE_FUNCTION bool are_dormant_at(int row) const {
-    return dormant != nullptr && dormant[row / rows_per_run] != 0;
+  KOKKOS_INLINE_FUNCTION bool skips(int row) const {
+    return runs != nullptr && runs[row / rows_per_run] == no_part_of_run;
   }
 };
 
@@ -34,9 +35,9 @@ inline constexpr int rows_per_block =
 
 /// update(rows) for block after block of [0, count).
 template <class Update>
-void for_each_block(int count, Update&& update, const unsigned char* dormant = nullptr) {
+void for_each_block(int count, Update&& update, const unsigned char* runs = nullptr) {
   for (int begin = 0; begin < count; begin += std::min(rows_per_block, count - begin))
-    update(Rows{begin, begin + std::min(rows_per_block, count - begin), dormant});
+    update(Rows{begin, begin + std::min(rows_per_block, count - begin), runs});
 }
 
 #if defined(__GNUC__) && !defined(__clang__)
@@ -67,7 +68,7 @@ void for_each_row(const char* label, Rows rows, const Body& body) {
       KOKKOS_LAMBDA(const int r) {
         const int begin = rows.begin + r * rows_per_run;
         const int end = begin + rows_per_run < rows.end ? begin + rows_per_run : rows.end;
-        if (rows.are_dormant_at(begin)) return;
+        if (rows.skips(begin)) return;
         BARRENO_IVDEP
         for (int p = begin; p < end; ++p) body(p);
       }

@@ -17,11 +17,12 @@ bool is_steady(const PressureLoadSpec& load) {
 }  // namespace
 
 std::string why_all_awake(const Scene& scene) {
-  if (!scene.step.skip_dormant) return "Skip Dormant Tiles is false";
   if (scene.step.order != Order::stress_last)
     return std::string("Order is ") + order_name(scene.step.order) + ", which asks all tiles twice";
-  if (scene.step.transfer != Transfer::flip)
-    return std::string("Transfer is ") + transfer_name(scene.step) + ", which asks all tiles twice";
+  if (scene.step.transfer == Transfer::xpic)
+    return "Transfer is XPIC, which asks all tiles several times";
+  if (scene.step.transfer == Transfer::apic)
+    return "Transfer is APIC, whose particles keep more than a velocity";
   if (!scene.contacts.empty()) return "surfaces that meet are sought in all tiles";
   if (scene.body_force.kind != BodyForceKind::none) return "a body force acts on all particles";
   if (scene.pore_flow.on()) return "pore fluid flows through all rock";

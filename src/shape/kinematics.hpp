@@ -160,7 +160,7 @@ inline constexpr double short_series = 0.1;
 inline bool all_short(const FieldView& increment, Rows rows, int first, int last) {
   int large = 0;
   for (int begin = rows.begin; begin < rows.end; begin += rows_per_run) {
-    if (rows.are_dormant_at(begin)) continue;
+    if (rows.skips(begin)) continue;
     const int end = std::min(begin + rows_per_run, rows.end);
     for (int c = first; c < last; ++c)
       for (int p = begin; p < end; ++p)

@@ -169,6 +169,15 @@ double initial_energy(const Scene& scene, const BodySpec& body) {
   );
 }
 
+/// Without skipping, tiles that rest only matter where their nodes may move a little.
+Dormancy make_dormancy(const Scene& scene) {
+  Dormancy dormancy;
+  dormancy.motion = rest_motion(scene);
+  dormancy.skips = scene.step.skip_dormant;
+  dormancy.on = why_all_awake(scene).empty() && (dormancy.skips || dormancy.motion > 0.0);
+  return dormancy;
+}
+
 }  // namespace
 
 StartPoint start_point(const Scene& scene, int material, const BodySpec* body) {
@@ -270,8 +279,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       if (state.fields.rigid_body[static_cast<std::size_t>(f)] == b)
         state.reactions.push_back({b, f, {}});
   state.pore_flow.on = scene.pore_flow.on();
-  state.dormancy.on = why_all_awake(scene).empty();
-  state.dormancy.motion = rest_motion(scene);
+  state.dormancy = make_dormancy(scene);
   const std::vector<ParticleId> first = first_ids(scene);
   state.slug_ids.assign(
       first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()

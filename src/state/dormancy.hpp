@@ -8,7 +8,8 @@ namespace barreno {
 /// Tiles whose particles a step leaves as they are. It follows from the particles and the motion of
 /// the nodes anew in every step, so that it is the same on any ranks; by own tile.
 struct Dormancy {
-  bool on = false;      ///< without it nothing here is used and no particle is left out
+  bool on = false;      ///< without it nothing here is used
+  bool skips = false;   ///< without it dormant particles are updated too, with no motion
   double motion = 0.0;  ///< what a node may move by in a step without waking a tile [cells]
   ArrayView<unsigned char> rests;    ///< its particles have no velocity
   ArrayView<unsigned char> dormant;  ///< and none of its nodes moves

@@ -65,7 +65,7 @@ ParticleTally accelerate_rows(const Kernel& kernel, Rows rows) {
         const int left = rows.end - begin;
         const int count = left < rows_per_run ? left : rows_per_run;
         ParticleTally part;
-        if (rows.are_dormant_at(begin))
+        if (rows.skips(begin))
           kernel.add_masses(begin, count, part);
         else
           kernel(begin, count, part);

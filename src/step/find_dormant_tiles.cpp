@@ -58,17 +58,23 @@ bool is_still(const Patch& patch, const Nodes& nodes, int tile, double limit) {
   return moves == 0;
 }
 
-/// Runs of rows all of whose tiles are dormant.
-/// @return their rows
-int find_dormant_runs(const Patch& patch, const Dormancy& dormancy, const Particles& particles) {
+/// Which rows of which runs are in dormant tiles.
+/// @return the rows that are skipped
+int find_run_parts(const Patch& patch, const Dormancy& dormancy, const Particles& particles) {
   const int bits = patch.tile_bits * patch.dimensions;
   int skipped = 0;
   for (int begin = 0; begin < particles.count; begin += rows_per_run) {
     const int end = std::min(begin + rows_per_run, particles.count);
-    int p = begin;
-    while (p < end && dormancy.dormant(particles.key(p) >> bits) != 0) ++p;
-    particles.dormant_run(begin / rows_per_run) = p == end ? 1 : 0;
-    if (p == end) skipped += end - begin;
+    int left_out = 0;
+    for (int p = begin; p < end; ++p) {
+      particles.left_out(p) = dormancy.dormant(particles.key(p) >> bits);
+      left_out += particles.left_out(p);
+    }
+    const bool skips = dormancy.skips && left_out == end - begin;
+    particles.run_part(begin / rows_per_run) = skips ? no_part_of_run
+                                               : left_out > 0 ? part_of_run
+                                                              : whole_run;
+    if (skips) skipped += left_out;
   }
   return skipped;
 }
@@ -82,9 +88,10 @@ void find_resting_tiles(const Scene& scene, State& state) {
   Nodes& nodes = state.nodes.front();
   start_afresh(state.grid, dormancy, nodes);
   for (int tile = 0; tile < state.grid.active; ++tile) {
-    const bool rests = is_at_rest(state, tile);
+    const int rows = rows_in(state, tile);
+    const bool rests = rows > 0 && is_at_rest(state, tile);
     dormancy.rests(tile) = rests ? 1 : 0;
-    nodes.kept(tile) = rests && dormancy.rows(tile) == rows_in(state, tile) &&
+    nodes.kept(tile) = rests && dormancy.rows(tile) == rows &&
                                !is_mirrored_along_axis(scene, state.grid, tile)
                            ? 1
                            : 0;
@@ -102,12 +109,12 @@ void find_dormant_tiles(const Scene& scene, double dt, State& state) {
     const bool dormant = dormancy.rests(tile) != 0 &&
                          is_still(state.grid.patch, state.nodes.front(), tile, limit);
     dormancy.dormant(tile) = dormant ? 1 : 0;
-    dormancy.rows(tile) = dormant && !first ? rows_in(state, tile) : 0;
+    dormancy.rows(tile) = dormant && dormancy.skips && !first ? rows_in(state, tile) : 0;
   }
   dormancy.skipped = 0;
-  for (const Particles& particles : state.particles) {
-    if (!first) dormancy.skipped += find_dormant_runs(state.grid.patch, dormancy, particles);
-  }
+  if (first) return;
+  for (const Particles& particles : state.particles)
+    dormancy.skipped += find_run_parts(state.grid.patch, dormancy, particles);
 }
 
 }  // namespace barreno

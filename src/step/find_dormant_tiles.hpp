@@ -6,7 +6,7 @@
 namespace barreno {
 
 /// Tiles whose particles have no velocity, and those whose sums still hold from the step before
-/// (Nodes::kept): their particles have not changed since. docs/method.md (2.16)
+/// (Nodes::kept): their particles have not changed since. docs/method.md 9
 ///
 /// @pre the particles are in their tiles (place_particles)
 void find_resting_tiles(const Scene& scene, State& state);

@@ -36,13 +36,13 @@ struct InterpolateMotion {
       largest = larger(largest, batch(tile, BatchRows(particles.order, k, end), patch));
   }
 
-  /// Rows of a dormant tile, as far as they share their run with others and are updated with them.
+  /// Rows of a dormant tile move by nothing, as far as they are in a run that is updated.
   KOKKOS_INLINE_FUNCTION void stay(int tile) const {
     const FieldView grid_motion = particles.grid_motion.values;
     const FieldView increment = particles.increment.values;
     for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
       const int p = particles.order(k);
-      if (particles.dormant_run(p / rows_per_run) != 0) continue;
+      if (particles.run_part(p / rows_per_run) == no_part_of_run) continue;
       for (int c = 0; c < particles.grid_motion.components; ++c) grid_motion(p, c) = 0.0;
       for (int c = 0; c < particles.increment.components; ++c) increment(p, c) = 0.0;
     }

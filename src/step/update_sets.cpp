@@ -25,7 +25,7 @@ void for_each_set_block(State& state, std::size_t s, const Update& update) {
     state.effort.add(s, block++, watch.seconds());
   };
   for_each_block(
-      particles.count, update_block, state.dormancy.on ? particles.dormant_run.data() : nullptr
+      particles.count, update_block, state.dormancy.on ? particles.run_part.data() : nullptr
   );
 }
 template <class Update>
