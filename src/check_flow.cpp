@@ -37,7 +37,10 @@ Choice dormancy_choice(const Scene& scene) {
   if (motion == 0.0) return {true, "tiles at rest are left out: the same to the last bit"};
   char text[120];
   std::snprintf(
-      text, sizeof text, "tiles at rest are left out until a node moves %.2g cells in a step", motion
+      text,
+      sizeof text,
+      "tiles at rest are left out until a node moves %.2g cells in a step",
+      motion
   );
   return {true, text};
 }

@@ -13,9 +13,9 @@ struct Dormancy {
   double motion = 0.0;  ///< what a node may move by in a step without waking a tile [cells]
   ArrayView<unsigned char> rests;    ///< its particles have no velocity
   ArrayView<unsigned char> dormant;  ///< and none of its nodes moves
-  ArrayView<int> rows;    ///< particles that its sums of the last step belong to; 0: sum afresh
-  long activation = -1;   ///< Grid::activations that all this belongs to
-  int skipped = 0;        ///< particles that the last step left out on this rank
+  ArrayView<int> rows;   ///< particles that its sums of the last step belong to; 0: sum afresh
+  long activation = -1;  ///< Grid::activations that all this belongs to
+  int skipped = 0;       ///< particles that the last step left out on this rank
 
   /// Whether the particles of a tile stay as they are.
   KOKKOS_INLINE_FUNCTION bool leaves(int tile) const { return on && dormant(tile) != 0; }

@@ -71,7 +71,7 @@ int find_run_parts(const Patch& patch, const Dormancy& dormancy, const Particles
       left_out += particles.left_out(p);
     }
     const bool skips = dormancy.skips && left_out == end - begin;
-    particles.run_part(begin / rows_per_run) = skips ? no_part_of_run
+    particles.run_part(begin / rows_per_run) = skips          ? no_part_of_run
                                                : left_out > 0 ? part_of_run
                                                               : whole_run;
     if (skips) skipped += left_out;
@@ -91,10 +91,10 @@ void find_resting_tiles(const Scene& scene, State& state) {
     const int rows = rows_in(state, tile);
     const bool rests = rows > 0 && is_at_rest(state, tile);
     dormancy.rests(tile) = rests ? 1 : 0;
-    nodes.kept(tile) = rests && dormancy.rows(tile) == rows &&
-                               !is_mirrored_along_axis(scene, state.grid, tile)
-                           ? 1
-                           : 0;
+    nodes.kept(tile) =
+        rests && dormancy.rows(tile) == rows && !is_mirrored_along_axis(scene, state.grid, tile)
+            ? 1
+            : 0;
   }
 }
 
@@ -106,8 +106,8 @@ void find_dormant_tiles(const Scene& scene, double dt, State& state) {
   // The first update settles what a material makes of its initial state: nobody misses it.
   const bool first = state.clock.step == 0;
   for (int tile = 0; tile < state.grid.active; ++tile) {
-    const bool dormant = dormancy.rests(tile) != 0 &&
-                         is_still(state.grid.patch, state.nodes.front(), tile, limit);
+    const bool dormant =
+        dormancy.rests(tile) != 0 && is_still(state.grid.patch, state.nodes.front(), tile, limit);
     dormancy.dormant(tile) = dormant ? 1 : 0;
     dormancy.rows(tile) = dormant && dormancy.skips && !first ? rows_in(state, tile) : 0;
   }

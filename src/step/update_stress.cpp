@@ -156,8 +156,7 @@ struct UpdateStress {
       const R v = group.get(particles.velocity, d);
       speed_squared += v * v;
     }
-    const R step =
-        rule.stable_step(begun.density, modulus, begun.rate, real::sqrt(speed_squared));
+    const R step = rule.stable_step(begun.density, modulus, begun.rate, real::sqrt(speed_squared));
     limit_step(good | stays, step, tally);
   }
 
@@ -213,8 +212,8 @@ struct UpdateStress {
       }
       Update update = begin(group, begun[count]);
       // Points that are held or have expanded too far need no end of their update.
-      const Mask left = model.start_points(update) & alive(group) &
-                        (!left_out(group)) & (update.increment.volume_ratio_end <= largest_expansion);
+      const Mask left = model.start_points(update) & alive(group) & (!left_out(group)) &
+                        (update.increment.volume_ratio_end <= largest_expansion);
       if (real::any(left)) {
         groups[count] = group;
         rest[count] = left;

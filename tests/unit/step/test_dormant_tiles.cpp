@@ -33,14 +33,12 @@ Material sandstone() {
 
 /// A copper rod that crosses tiles, leaves some empty and hits the end of a long block.
 Scene impact(Mode mode, const Material& target) {
-  Scene scene = box_scene(
-      mode, 1e-3, {0.0, 0.0, 0.0}, {0.024, 0.100, 0.012}, testing::copper()
-  );
+  Scene scene = box_scene(mode, 1e-3, {0.0, 0.0, 0.0}, {0.024, 0.100, 0.012}, testing::copper());
   scene.materials.push_back({target, BadParticlePolicy::hold});
   const bool space = mode == Mode::three_dimensional;
   add_box(scene, "rod", {0.0, 0.001, 0.0}, {0.0041, 0.0125, 0.0042}, 2).velocity = {0, 1500.0, 0};
-  const double long_end = space ? 0.0607 : 0.0907;
-  add_box(scene, "block", {0.0, 0.0129, 0.0}, {0.0172, long_end, 0.0082}, 2).material = 1;
+  const Vector upper{space ? 0.0092 : 0.0172, space ? 0.0607 : 0.0907, 0.0052};
+  add_box(scene, "block", {0.0, 0.0129, 0.0}, upper, 2).material = 1;
   add_symmetry(scene, Face::x_lower);
   if (space) add_symmetry(scene, Face::z_lower);
   return scene;
@@ -65,26 +63,26 @@ Scene confined(Mode mode, bool held = false) {
   return scene;
 }
 
-struct Run {
+struct Ended {
   State state;
   std::vector<std::vector<double>> rows;
   double advanced = 0.0, skipped = 0.0;
   double share() const { return skipped / (skipped + advanced); }
 };
 
-Run finish(const Scene& scene, State state) {
-  advance_to(scene, end_time, state);
+Ended finish(const Scene& scene, State state, double time = end_time) {
+  advance_to(scene, time, state);
   std::array<double, 2> counts{state.particle_steps, state.skipped_steps};
   sum_over_ranks(*state.grid.comm, counts);
   auto rows = all_rows(state);
   return {std::move(state), std::move(rows), counts[0], counts[1]};
 }
-Run run(const Scene& scene) {
-  return finish(scene, start(scene));
+Ended run(const Scene& scene, double time = end_time) {
+  return finish(scene, start(scene), time);
 }
-Run run_without(Scene scene) {
+Ended run_without(Scene scene, double time = end_time) {
   scene.step.skip_dormant = false;
-  Run without = run(scene);
+  Ended without = run(scene, time);
   EXPECT_EQ(without.skipped, 0.0);
   return without;
 }
@@ -105,8 +103,8 @@ void expect_same_ledger(const Ledger& a, const Ledger& b) {
 
 /// Skipping changes no bit of particles, steps and ledger, and skips at least a share.
 void expect_same_without(const Scene& scene, double least_share) {
-  const Run with = run(scene);
-  const Run without = run_without(scene);
+  const Ended with = run(scene);
+  const Ended without = run_without(scene);
   EXPECT_GT(with.share(), least_share);
   EXPECT_EQ(with.skipped + with.advanced, without.advanced);
   EXPECT_GT(with.state.clock.step, 20);
@@ -121,31 +119,37 @@ void expect_same_without(const Scene& scene, double least_share) {
 constexpr Mode modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
 
 TEST(DormantTiles, NobodyCanTellInUnstressedMetal) {
-  for (const Mode mode : modes) expect_same_without(impact(mode, testing::copper()), 0.2);
+  for (const Mode mode : {Mode::plane_strain, Mode::three_dimensional})
+    expect_same_without(impact(mode, testing::copper()), 0.05);
+  // An equation of state makes a stress of the round-off in volumes of rings: no node is still.
+  expect_same_without(impact(Mode::axisymmetric, testing::copper()), -1.0);
 }
 TEST(DormantTiles, NobodyCanTellInUnstressedRock) {
-  for (const Mode mode : modes) expect_same_without(impact(mode, sandstone()), 0.2);
+  for (const Mode mode : modes) expect_same_without(impact(mode, sandstone()), 0.05);
 }
 TEST(DormantTiles, NobodyCanTellInConfinedRock) {
   for (const Mode mode : modes) {
-    expect_same_without(confined(mode), 0.3);
-    expect_same_without(confined(mode, true), 0.3);
+    expect_same_without(confined(mode), 0.25);
+    expect_same_without(confined(mode, true), 0.25);
   }
 }
 TEST(DormantTiles, MoreRestWhereRoundOffWakesNobody) {
-  Scene scene = impact(Mode::axisymmetric, sandstone());
-  const double exact = run(scene).share();
-  scene.step.rest_motion = 1e-16;
-  expect_same_without(scene, exact + 0.1);
+  for (const Material& target : {testing::copper(), sandstone()}) {
+    Scene scene = impact(Mode::axisymmetric, target);
+    const double exact = run(scene).share();
+    scene.step.rest_motion = 1e-16;
+    expect_same_without(scene, exact + 0.1);
+  }
 }
 
 /// Against the step without any rule, before chaos has made digits of round-off.
 TEST(DormantTiles, ConfinedRockMovesAsItDoesWhenAllIsAwake) {
   for (const Mode mode : modes) {
     Scene awake = confined(mode);
-    const Run with = run(awake);
+    const Ended with = run(awake, 0.5 * end_time);
+    EXPECT_GT(with.share(), 0.25);
     awake.step.rest_motion = 0.0;
-    const Run without = run_without(awake);
+    const Ended without = run_without(awake, 0.5 * end_time);
     ASSERT_EQ(with.rows.size(), without.rows.size());
     for (std::size_t c = 0; c < with.rows.front().size(); ++c) {
       double size = 0.0, worst = 0.0;
@@ -162,7 +166,7 @@ TEST(DormantTiles, ConfinedRockMovesAsItDoesWhenAllIsAwake) {
 TEST(DormantTiles, AnyRankCountAndOrderGivesTheSameBits) {
   for (const Mode mode : modes) {
     const Scene scene = confined(mode);
-    const Run together = run(scene);
+    const Ended together = run(scene);
     EXPECT_EQ(together.rows, finish(scene, start_alone(scene)).rows);
     State shuffled = start(scene);
     for (Particles& particles : shuffled.particles) {
