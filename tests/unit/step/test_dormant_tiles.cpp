@@ -129,8 +129,8 @@ TEST(DormantTiles, NobodyCanTellInUnstressedRock) {
 }
 TEST(DormantTiles, NobodyCanTellInConfinedRock) {
   for (const Mode mode : modes) {
-    expect_same_without(confined(mode), 0.25);
-    expect_same_without(confined(mode, true), 0.25);
+    expect_same_without(confined(mode), 0.2);
+    expect_same_without(confined(mode, true), 0.2);
   }
 }
 TEST(DormantTiles, MoreRestWhereRoundOffWakesNobody) {
