@@ -70,9 +70,10 @@ std::string body_lines(const Scene& scene) {
   return text;
 }
 
-std::string cost_line(const Prediction& cost, int ranks) {
+std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
   return format(
-      "Cost      about %s of computing on %d rank%s, %.0f ns per particle-step of one core\n",
+      "Cost      %s %s of computing on %d rank%s, %.0f ns per particle-step of one core\n",
+      dormancy_choice(scene).on ? "at most" : "about",  // tiles that rest take none
       cost_text(cost.seconds).c_str(),
       ranks,
       ranks == 1 ? "" : "s",
@@ -146,7 +147,7 @@ std::string plan_text(
       cost.steps,
       cost.particle_steps
   );
-  text += cost_line(cost, ranks);
+  text += cost_line(scene, cost, ranks);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);
   for (const std::string& note : notes) text += "Note: " + note + "\n";

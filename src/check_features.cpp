@@ -179,6 +179,10 @@ std::vector<Feature> scene_features(const Scene& scene) {
        keep_all,
        {"seek_normals", "fit_normals", "solve_contact", "share_nodes"}},
       {"pore flow", pore_flow_choice(scene), [](Scene& without) { without.pore_flow = {}; }, {}},
+      {"dormant tiles",
+       dormancy_choice(scene),
+       [](Scene& without) { without.step.skip_dormant = false; },
+       {}},
       {"quasi-static", quasi_static_choice(scene), keep_all, {}}};
 }
 

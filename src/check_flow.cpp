@@ -2,6 +2,7 @@
 #include "check_flow.hpp"
 
 #include "scene/build_scene.hpp"
+#include "scene/dormant.hpp"
 
 #include <cstdio>
 
@@ -26,6 +27,22 @@ Choice pore_flow_choice(const Scene& scene) {
       verdict
   );
   return {flow.on(), text};
+}
+
+Choice dormancy_choice(const Scene& scene) {
+  if (!scene.step.skip_dormant) return {false, "Skip Dormant Tiles is false"};
+  const std::string why = why_all_awake(scene);
+  if (!why.empty()) return {false, why};
+  const double motion = rest_motion(scene);
+  if (motion == 0.0) return {true, "tiles at rest are left out: the same to the last bit"};
+  char text[120];
+  std::snprintf(
+      text,
+      sizeof text,
+      "tiles at rest are left out until a node moves %.2g cells in a step",
+      motion
+  );
+  return {true, text};
 }
 
 Choice quasi_static_choice(const Scene& scene) {

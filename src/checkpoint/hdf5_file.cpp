@@ -143,26 +143,23 @@ long long Hdf5File::open_table(const std::string& name, std::size_t& rows, std::
   return table;
 }
 
-Hdf5Table<double> Hdf5File::read(const std::string& name) const {
-  Hdf5Table<double> result;
+template <class T>
+Hdf5Table<T> Hdf5File::read_as(const std::string& name, long long type) const {
+  Hdf5Table<T> result;
   const Handle table(open_table(name, result.rows, result.columns), H5Dclose);
   result.values.resize(result.rows * result.columns);
   if (!result.values.empty() &&
-      H5Dread(table.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()) <
-          0)
+      H5Dread(table.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()) < 0)
     refuse(name + " does not have its checksum");
   return result;
 }
 
+Hdf5Table<double> Hdf5File::read(const std::string& name) const {
+  return read_as<double>(name, H5T_NATIVE_DOUBLE);
+}
+
 Hdf5Table<long long> Hdf5File::read_integers(const std::string& name) const {
-  Hdf5Table<long long> result;
-  const Handle table(open_table(name, result.rows, result.columns), H5Dclose);
-  result.values.resize(result.rows * result.columns);
-  if (!result.values.empty() &&
-      H5Dread(table.get(), H5T_NATIVE_LLONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()) <
-          0)
-    refuse(name + " does not have its checksum");
-  return result;
+  return read_as<long long>(name, H5T_NATIVE_LLONG);
 }
 
 std::string Hdf5File::read_text(const std::string& name) const {

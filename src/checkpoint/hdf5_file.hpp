@@ -48,6 +48,8 @@ public:
 private:
   [[noreturn]] void refuse(const std::string& what) const;
   long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
+  template <class T>
+  Hdf5Table<T> read_as(const std::string& name, long long type) const;
   void put(
       const std::string& name,
       std::size_t rows,

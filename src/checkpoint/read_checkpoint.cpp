@@ -135,11 +135,16 @@ void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
   grid.owner = bisect_tiles(grid.tiles, counts, grid.comm->getSize());
 }
 
+/// A rank's own number, or of all for rank 0.
+double own_part(const std::vector<double>& of_ranks, std::size_t rank, bool same_ranks) {
+  if (same_ranks) return of_ranks[rank];
+  return rank == 0 ? std::accumulate(of_ranks.begin(), of_ranks.end(), 0.0) : 0.0;
+}
+
 void read_ledger(const SharedFile& file, bool same_ranks, State& state) {
   const auto rank = static_cast<std::size_t>(state.grid.comm->getRank());
   const auto all = file.read("ledger/of_ranks");
   const auto sum = file.read("ledger/sum").values;
-  const auto steps = file.read("ledger/particle_steps").values;
   std::vector<double> mine(sizeof(Ledger) / sizeof(double), 0.0);
   if (same_ranks)
     mine.assign(
@@ -149,10 +154,8 @@ void read_ledger(const SharedFile& file, bool same_ranks, State& state) {
   else if (rank == 0)
     mine = sum;
   std::memcpy(static_cast<void*>(&state.ledger), mine.data(), sizeof(Ledger));
-  state.particle_steps = 0.0;
-  if (same_ranks) state.particle_steps = steps[rank];
-  if (!same_ranks && rank == 0)
-    state.particle_steps = std::accumulate(steps.begin(), steps.end(), 0.0);
+  state.particle_steps = own_part(file.read("ledger/particle_steps").values, rank, same_ranks);
+  state.skipped_steps = own_part(file.read("ledger/skipped_steps").values, rank, same_ranks);
   state.stable_step = file.read("run/stable_step").values[0];
 }
 

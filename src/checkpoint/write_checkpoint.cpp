@@ -82,12 +82,15 @@ void write_ledgers(
   const std::vector<double> sum = ledger_numbers(sum_over_ranks(comm, state.ledger));
   std::vector<double> all = gather_to_root(comm, mine);
   const std::vector<double> steps = gather_to_root(comm, std::vector<double>{state.particle_steps});
+  const std::vector<double> skipped =
+      gather_to_root(comm, std::vector<double>{state.skipped_steps});
   std::array<double, 1> stable{state.stable_step};
   min_over_ranks(comm, stable);
   work.run([&] {
     file->write("ledger/of_ranks", {ranks, mine.size(), std::move(all)}, "");
     file->write("ledger/sum", one_column(sum), "");
     file->write("ledger/particle_steps", one_column(steps), "");
+    file->write("ledger/skipped_steps", one_column(skipped), "");
     file->write("run/stable_step", one_column(std::vector<double>{stable[0]}), "s");
   });
 }

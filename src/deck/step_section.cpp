@@ -96,7 +96,22 @@ std::vector<Entry> remaining_entries() {
       number("Initial Step", dim::time, at_least(0.0), "first step; 0: the stable one")
           .by_default("0"),
       number("Largest Step", dim::time, at_least(0.0), "limit of every step; 0: none")
-          .by_default("0")};
+          .by_default("0"),
+      flag(
+          "Skip Dormant Tiles",
+          "particles at rest where no node moves are left as they are, where the scene allows it "
+          "(`barreno check` says why not)"
+      )
+          .by_default("true"),
+      number(
+          "Rest Motion",
+          dim::none,
+          between(0.0, 1e-6),
+          "what a node may move by in a step, in cells, without waking a tile at rest; 0: the "
+          "answer is the same to the last bit; 1e-16, round-off, lets nearly all rock ahead of "
+          "the wave rest. Without it 0 where all bodies start without stress, else 2^-53"
+      )
+          .if_given()};
 }
 
 }  // namespace

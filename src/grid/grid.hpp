@@ -43,7 +43,8 @@ struct Grid {
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
   std::vector<int> owner;  ///< rank of every tile of the box
 
-  int active = 0;  ///< tiles that this rank owns and stores
+  long activations = 0;  ///< times that the local tiles were numbered anew
+  int active = 0;        ///< tiles that this rank owns and stores
   int ghosts = 0;  ///< tiles of other ranks whose patch overlaps one of ours, stored behind ours
   ArrayView<TilePlace> tile_place;  ///< of the active tiles and the ghosts
   ArrayView<int> directory;         ///< tile of the box -> local tile, or -1

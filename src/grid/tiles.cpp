@@ -80,6 +80,7 @@ void activate_tiles(Grid& grid, const std::vector<int>& owned) {
     grid.directory(static_cast<std::size_t>(grid.tile_id(at[0], at[1], at[2]))) = -1;
   }
 
+  ++grid.activations;
   const std::vector<int> ghosts = build_halo(grid, owned);
   grid.active = static_cast<int>(owned.size());
   grid.ghosts = static_cast<int>(ghosts.size());

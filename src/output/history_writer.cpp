@@ -12,11 +12,12 @@ RunTotals sum_totals(const State& state) {
   const Comm& comm = *state.grid.comm;
   RunTotals totals;
   totals.ledger = sum_over_ranks(comm, state.ledger);
-  std::vector<double> counts{0.0, state.particle_steps};
+  std::vector<double> counts{0.0, state.particle_steps, state.skipped_steps};
   for (const Particles& particles : state.particles) counts[0] += particles.count;
   sum_over_ranks(comm, counts);
   totals.particles = counts[0];
   totals.particle_steps = counts[1];
+  totals.skipped_steps = counts[2];
   totals.reactions = reaction_impulses(state);
   totals.pore_flow = pore_flow_values(state, totals.ledger);
   return totals;

@@ -96,6 +96,11 @@ std::vector<std::string> result_numbers(
           totals.particle_steps
       )
   );
+  if (totals.skipped_steps > 0.0)
+    lines.push_back(number_line(
+        "%.0f %% of all particle-steps were skipped: in tiles at rest",
+        100.0 * totals.skipped_steps / (totals.skipped_steps + totals.particle_steps)
+    ));
   return lines;
 }
 

@@ -40,6 +40,7 @@ std::vector<PhaseSummary> collect_phases(const Comm& comm) {
 
 void put_cost(JsonWriter& json, const RunSummary& summary, const RunTotals& totals) {
   json.number("particle_steps", totals.particle_steps);
+  json.number("skipped_particle_steps", totals.skipped_steps);
   json.number("wall_seconds", summary.wall_seconds);
   const double steps = totals.particle_steps;
   json.number("ns_per_particle_step", steps > 0.0 ? 1e9 * summary.wall_seconds / steps : 0.0);

@@ -138,6 +138,8 @@ StepSpec read_step(const Deck& deck, Mode mode) {
   step.quadratic_viscosity = deck.number("Step/Quadratic Viscosity");
   step.initial_step = deck.number("Step/Initial Step");
   step.largest_step = deck.number("Step/Largest Step");
+  step.skip_dormant = deck.flag("Step/Skip Dormant Tiles");
+  if (deck.has("Step/Rest Motion")) step.rest_motion = deck.number("Step/Rest Motion");
   return step;
 }
 

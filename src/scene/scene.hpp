@@ -141,11 +141,13 @@ struct StepSpec {
   double pic_fraction = 0.0;  ///< share of the grid's own velocity: 0 = FLIP, 1 = PIC, APIC
   int xpic_order = 2;         ///< m of XPIC(m), at least 2
   Order order = Order::stress_last;
-  double damping = 0.0;              ///< f_I -= damping p_I [1/time]
-  double linear_viscosity = 0.3;     ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
-  double quadratic_viscosity = 2.0;  ///< A2
-  double initial_step = 0.0;         ///< 0: the stable step [time]
-  double largest_step = 0.0;         ///< 0: no limit [time]
+  double damping = 0.0;               ///< f_I -= damping p_I [1/time]
+  double linear_viscosity = 0.3;      ///< A1 of q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)
+  double quadratic_viscosity = 2.0;   ///< A2
+  double initial_step = 0.0;          ///< 0: the stable step [time]
+  double largest_step = 0.0;          ///< 0: no limit [time]
+  bool skip_dormant = true;           ///< tiles at rest (scene/dormant.hpp)
+  std::optional<double> rest_motion;  ///< of their nodes in a step; without: rest_motion() [cells]
 };
 
 /// Longest Largest Domain that the patches of tiles are made for, which is what 0 in a deck means

@@ -6,6 +6,7 @@
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
 #include "scene/body_force.hpp"
+#include "scene/dormant.hpp"
 #include "scene/porous.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/lone_courant.hpp"
@@ -169,6 +170,15 @@ double initial_energy(const Scene& scene, const BodySpec& body) {
   );
 }
 
+/// Without skipping, tiles that rest only matter where their nodes may move a little.
+Dormancy make_dormancy(const Scene& scene) {
+  Dormancy dormancy;
+  dormancy.motion = rest_motion(scene);
+  dormancy.skips = scene.step.skip_dormant;
+  dormancy.on = why_all_awake(scene).empty() && (dormancy.skips || dormancy.motion > 0.0);
+  return dormancy;
+}
+
 }  // namespace
 
 StartPoint start_point(const Scene& scene, int material, const BodySpec* body) {
@@ -271,6 +281,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       if (state.fields.rigid_body[static_cast<std::size_t>(f)] == b)
         state.reactions.push_back({b, f, {}});
   state.pore_flow.on = scene.pore_flow.on();
+  state.dormancy = make_dormancy(scene);
   const std::vector<ParticleId> first = first_ids(scene);
   state.slug_ids.assign(
       first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()

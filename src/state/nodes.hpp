@@ -36,9 +36,14 @@ KOKKOS_INLINE_FUNCTION std::size_t first_motion(const Patch& patch, int tile) {
 struct Nodes {
   ArrayView<double>
       sums;  ///< own tiles, then ghosts; partial until solve_velocity adds the overlaps
-  ArrayView<double> motion;   ///< own tiles only
-  ArrayView<double> tally;    ///< energy and impulse of each tile over the step, scratch
-  ArrayView<double> impulse;  ///< of contact, in shared tiles (ContactNodes); empty without it
+  ArrayView<unsigned char> kept;  ///< by own tile: 1 if its sums of the step before still hold
+  ArrayView<double> motion;       ///< own tiles only
+  ArrayView<double> tally;        ///< energy and impulse of each tile over the step, scratch
+  ArrayView<double> impulse;      ///< of contact, in shared tiles (ContactNodes); empty without it
+
+  KOKKOS_INLINE_FUNCTION bool keeps(int tile) const {
+    return kept.extent(0) > 0 && kept(tile) != 0;
+  }
 };
 
 }  // namespace barreno

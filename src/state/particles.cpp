@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/particles.hpp"
 
+#include "base/rows.hpp"
 #include "scene/body_force.hpp"
 #include "scene/porous.hpp"
 #include "shape/shape_facts.hpp"
@@ -92,6 +93,8 @@ void reserve(Particles& particles, int capacity) {
   grow(particles.spare, n);
   grow(particles.spare_id, n);
   grow(particles.order, n);
+  grow(particles.run_part, n / rows_per_run + 1);
+  grow(particles.left_out, n);
   const auto grow_field = [n](Field& field) {
     Kokkos::resize(
         field.values, static_cast<std::size_t>(n), static_cast<std::size_t>(field.components)
@@ -148,7 +151,7 @@ std::size_t bytes_per_particle(const Particles& particles) {
   const auto add = [&](Field& field) { doubles += static_cast<std::size_t>(field.components); };
   p.for_each_field(add);
   p.for_each_scratch_field(add);
-  return doubles * sizeof(double) + 2 * sizeof(ParticleId) + sizeof(unsigned char) +
+  return doubles * sizeof(double) + 2 * sizeof(ParticleId) + 2 * sizeof(unsigned char) +
          3 * sizeof(int);
 }
 

@@ -81,6 +81,8 @@ struct Particles {
   ArrayView<ParticleId> spare_id;
   ArrayView<int> order;                 ///< rows sorted by (key, id)
   ArrayView<int> cell_begin, cell_end;  ///< scratch of the sort
+  ArrayView<unsigned char> run_part;    ///< RunPart of each run of rows
+  ArrayView<unsigned char> left_out;    ///< 1 for rows of a run in part that stay as they are
   ArrayView<int> tile_begin;  ///< order[tile_begin[t] .. tile_begin[t+1]) are the rows in tile t
 
   /// Every field that is state: migration, restart, output and the finiteness audit walk this one

@@ -4,6 +4,7 @@
 #include "grid/grid.hpp"
 #include "scene/velocity_fields.hpp"
 #include "state/contact_nodes.hpp"
+#include "state/dormancy.hpp"
 #include "state/effort.hpp"
 #include "state/ledger.hpp"
 #include "state/nodes.hpp"
@@ -38,7 +39,9 @@ struct State {
   std::vector<ParticleId> slug_ids;  ///< first id of every slug
   double stable_step =
       std::numeric_limits<double>::infinity();  ///< of this rank, by the last stress update [time]
+  Dormancy dormancy;
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
+  double skipped_steps = 0.0;   ///< of those that were left as they were
   Effort effort;
 };
 

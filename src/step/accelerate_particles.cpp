@@ -11,10 +11,8 @@ namespace barreno {
 
 namespace {
 
-/// Particles that are taken together: their loop vectorises, the sums over them follow in storage
-/// order.
-constexpr int rows_per_run = 64;
-
+/// Particles of a run are taken together: their loop vectorises, the sums over them follow in
+/// storage order.
 template <class M>
 struct AccelerateParticles {
   FieldView velocity, grid_motion, mass;
@@ -43,12 +41,16 @@ struct AccelerateParticles {
       before[k] = 0.5 * m * old_square;
       after[k] = 0.5 * m * new_square;
     }
+    add_masses(begin, count, tally);
     for (int k = 0; k < count; ++k) {
       tally.kinetic_before += before[k];
       tally.kinetic_after += after[k];
       tally.momentum += momentum[k];
-      tally.mass += mass(begin + k, 0);
     }
+  }
+
+  KOKKOS_INLINE_FUNCTION void add_masses(int begin, int count, ParticleTally& tally) const {
+    for (int k = 0; k < count; ++k) tally.mass += mass(begin + k, 0);
   }
 };
 
@@ -61,8 +63,12 @@ ParticleTally accelerate_rows(const Kernel& kernel, Rows rows) {
       KOKKOS_LAMBDA(const int run, double& before, double& after, double& mass, double& momentum) {
         const int begin = rows.begin + run * rows_per_run;
         const int left = rows.end - begin;
+        const int count = left < rows_per_run ? left : rows_per_run;
         ParticleTally part;
-        kernel(begin, left < rows_per_run ? left : rows_per_run, part);
+        if (rows.skips(begin))
+          kernel.add_masses(begin, count, part);
+        else
+          kernel(begin, count, part);
         before += part.kinetic_before;
         after += part.kinetic_after;
         mass += part.mass;

@@ -5,6 +5,7 @@
 #include "pore_flow/drain_pore_fluid.hpp"
 #include "step/balance_load.hpp"
 #include "step/filter_velocity.hpp"
+#include "step/find_dormant_tiles.hpp"
 #include "step/find_motion.hpp"
 #include "step/fit_normals.hpp"
 #include "step/gather_affine.hpp"
@@ -33,6 +34,7 @@ void meet_fields(const Scene& scene, State& state) {
 
 /// From forces to the velocity of the step, which every order of the step has in the middle.
 void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally) {
+  find_resting_tiles(scene, state);  // which may keep their sums
   project_sets(scene, state);        // m, p, f                    (2.1-2.3)
   release_torn_faces(scene, state);  // debris has none
   project_loads(scene, state);       // pressure on faces          (2.4)
@@ -107,8 +109,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   tally_step(scene, dt, tally, state);  // energy and momentum, term by term
   agree_on_failure(scene, state, result);
 
-  for (const Particles& particles : state.particles)
-    if (!particles.rigid) state.particle_steps += particles.count;
+  tally_particle_steps(state);  // advanced, and left as they were
   state.stable_step = tally.stress.stable_step;
   const double left = next_time - state.clock.time;
   state.clock = {dt >= left ? next_time : state.clock.time + dt, dt, state.clock.step + 1};

@@ -26,20 +26,36 @@ double heaviest_rank(const std::vector<int>& owner, const std::vector<double>& c
   return *std::max_element(sums.begin(), sums.end());
 }
 
+/// 1 for a row that the last step advanced, 0 for one of a dormant tile, which costs next to
+/// nothing.
+int is_awake(const Particles& particles, int p) {
+  const unsigned char part = particles.run_part(p / rows_per_run);
+  return part == whole_run || (part == part_of_run && particles.left_out(p) == 0) ? 1 : 0;
+}
+
+int count_awake(const Particles& particles, Rows in) {
+  int count = 0;
+  for (int p = in.begin; p < in.end; ++p) count += is_awake(particles, p);
+  return count;
+}
+
 }  // namespace
 
 std::vector<double> tile_costs(const State& state) {
   const Grid& grid = state.grid;
   double rows = 0.0;
-  for (const Particles& particles : state.particles) rows += particles.count;
+  for (const Particles& particles : state.particles)
+    rows += count_awake(particles, {0, particles.count});
   const double everywhere = rows > 0.0 ? state.effort.node_seconds / rows : 0.0;
   std::vector<double> costs(grid.owner.size(), 0.0);
   for (std::size_t set = 0; set < state.particles.size(); ++set) {
     const Particles& particles = state.particles[set];
     std::size_t block = 0;
     for_each_block(particles.count, [&](Rows in) {
-      const double seconds = state.effort.seconds(set, block++) / (in.end - in.begin);
+      const double seconds =
+          state.effort.seconds(set, block++) / std::max(count_awake(particles, in), 1);
       for (int p = in.begin; p < in.end; ++p) {
+        if (is_awake(particles, p) == 0) continue;
         const Vector x = vector_of(particles.position, p);
         if (grid.holds(x))
           costs[static_cast<std::size_t>(cell_of(grid, x).tile)] += everywhere + seconds;

@@ -77,7 +77,7 @@ double smooth_residuals(const Scene& scene, double dt, State& state) {
     if (particles.rigid) continue;
     Particles asking = with_residual(particles);
     const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
-    interpolate_motion(scene, state.grid, nodes, dt, asking);
+    interpolate_motion(scene, state, nodes, dt, asking);
   }
   state.effort.node_seconds += watch.seconds();
   return tally.filter_impulse;

@@ -2,6 +2,7 @@
 #include "step/find_motion.hpp"
 
 #include "base/gather.hpp"
+#include "step/find_dormant_tiles.hpp"
 #include "step/interpolate_motion.hpp"
 
 #include <algorithm>
@@ -60,12 +61,13 @@ void find_motion(
   for (int retry = 0;; ++retry) {
     tally.grid =
         solve_fields(scene, state.clock, dt, scene.step.damping, mirrored, state, tally.rigid);
+    find_dormant_tiles(scene, dt, state);
     std::array<double, 1> strain{0.0};
     const Stopwatch watch;
     for (Particles& particles : state.particles) {
       if (particles.rigid) continue;
       const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
-      strain[0] = std::max(strain[0], interpolate_motion(scene, state.grid, nodes, dt, particles));
+      strain[0] = std::max(strain[0], interpolate_motion(scene, state, nodes, dt, particles));
     }
     state.effort.node_seconds += watch.seconds();
     max_over_ranks(*state.grid.comm, strain);
@@ -86,7 +88,7 @@ void find_strain(
     const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
     Particles asking = particles;  // views of the same rows, but for the motion of the step
     asking.grid_motion = particles.again_motion;
-    interpolate_motion(scene, state.grid, nodes, dt, asking);
+    interpolate_motion(scene, state, nodes, dt, asking);
   }
   state.effort.node_seconds += watch.seconds();
 }

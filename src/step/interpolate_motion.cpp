@@ -25,13 +25,27 @@ struct InterpolateMotion {
   PatchFrame<M::dimensions> frame;
   Particles particles;
   ArrayView<double> motion;
+  Dormancy dormancy;
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, double& largest) const {
+    if (dormancy.leaves(tile)) return stay(tile);
     const Motion* const patch = as_packs<components>(&motion(first_motion(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
       largest = larger(largest, batch(tile, BatchRows(particles.order, k, end), patch));
+  }
+
+  /// Rows of a dormant tile move by nothing, as far as they are in a run that is updated.
+  KOKKOS_INLINE_FUNCTION void stay(int tile) const {
+    const FieldView grid_motion = particles.grid_motion.values;
+    const FieldView increment = particles.increment.values;
+    for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
+      const int p = particles.order(k);
+      if (particles.run_part(p / rows_per_run) == no_part_of_run) continue;
+      for (int c = 0; c < particles.grid_motion.components; ++c) grid_motion(p, c) = 0.0;
+      for (int c = 0; c < particles.increment.components; ++c) increment(p, c) = 0.0;
+    }
   }
 
   /// Square of the Frobenius norm of D, the symmetric part of L; d[j][i] = dv_i / dx_j.
@@ -69,7 +83,7 @@ struct InterpolateMotion {
 }  // namespace
 
 double interpolate_motion(
-    const Scene& scene, const Grid& grid, const Nodes& nodes, double dt, Particles& particles
+    const Scene& scene, const State& state, const Nodes& nodes, double dt, Particles& particles
 ) {
   const Region region("interpolate_motion");
   double largest = 0.0;
@@ -77,8 +91,13 @@ double interpolate_motion(
     using Kernel = InterpolateMotion<decltype(mode), decltype(shape)>;
     launch_reduction(
         "interpolate_motion",
-        range(grid.active),
-        Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.motion, dt},
+        range(state.grid.active),
+        Kernel{
+            PatchFrame<decltype(mode)::dimensions>(scene, state.grid),
+            particles,
+            nodes.motion,
+            state.dormancy,
+            dt},
         Kokkos::Max<double>(largest)
     );
   });

@@ -11,12 +11,14 @@ namespace barreno {
 ///   v = S_Ip v_I',   dv = S_Ip (v_I' - v_I),   dt L = dt v_I' (x) grad S_Ip,   dt L_hoop = dt T_Ip
 ///   v_I,r'
 ///
+/// Particles of dormant tiles get none of it (Dormancy).
+///
 /// Nothing is committed: a step that turns out too large is taken again from solve_velocity.
 ///
 /// @post particles.grid_motion and particles.increment (dt L: xx xy yx yy hoop)
 /// @return largest |D| dt of the set on this rank [-]
 double interpolate_motion(
-    const Scene& scene, const Grid& grid, const Nodes& nodes, double dt, Particles& particles
+    const Scene& scene, const State& state, const Nodes& nodes, double dt, Particles& particles
 );
 
 }  // namespace barreno

@@ -32,12 +32,20 @@ void for_each_plane(const Scene& scene, const Grid& grid, Visitor&& visit) {
     }
 }
 
+int first_node(const Grid& grid, int axis, int tile) {
+  return grid.tile_place(tile)[axis] * grid.patch.tile_cells - grid.patch.reach;
+}
+bool reaches(const Grid& grid, const Plane& plane, int tile) {
+  const int first = first_node(grid, plane.axis, tile);
+  return plane.is_beyond(plane.lower ? first : first + grid.patch.nodes - 1);
+}
+
 /// visit(slot beyond the plane, slot of its image) of a tile's patch.
 template <class Visitor>
 void for_each_image(const Grid& grid, const Plane& plane, int tile, Visitor&& visit) {
+  if (!reaches(grid, plane, tile)) return;
   const Patch& patch = grid.patch;
-  const int first = grid.tile_place(tile)[plane.axis] * patch.tile_cells - patch.reach;
-  if (!plane.is_beyond(plane.lower ? first : first + patch.nodes - 1)) return;
+  const int first = first_node(grid, plane.axis, tile);
   int stride = 1;
   for (int axis = 0; axis < plane.axis; ++axis) stride *= patch.nodes;
   for (int slot = 0; slot < patch.size; ++slot) {
@@ -49,6 +57,14 @@ void for_each_image(const Grid& grid, const Plane& plane, int tile, Visitor&& vi
 }
 
 }  // namespace
+
+bool is_mirrored_along_axis(const Scene& scene, const Grid& grid, int tile) {
+  bool mirrored = false;
+  for_each_plane(scene, grid, [&](const Plane& plane) {
+    mirrored = mirrored || (plane.axis == 1 && reaches(grid, plane, tile));
+  });
+  return mirrored;
+}
 
 MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
   const Region region("fold_walls");

@@ -28,6 +28,9 @@ using MirroredFields = std::array<MirroredSums, most_velocity_fields>;
 /// beyond a plane, the images are in its own patch.
 MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes);
 
+/// Whether a plane across y mirrors a tile: its sums are no longer those that its particles gave.
+bool is_mirrored_along_axis(const Scene& scene, const Grid& grid, int tile);
+
 /// v_I' = M v_I beyond the planes, and what the mirror gives to the axial momentum of the
 /// particles.
 /// @pre nodes.motion holds the velocities of this step (solve_velocity)

@@ -139,11 +139,12 @@ void project_loads(const Scene& scene, State& state) {
     const PatchFrame<M::dimensions> frame(scene, state.grid);
     const auto add =
         [&](const Particles& particles, int tile, int p, int face, const PressureLoadSpec& load) {
+          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+          if (nodes.keeps(tile)) return;
           const Vector force = face_force<M>(scene, load, state.clock.time, particles, p, face);
           const bool absorbs = load.kind == LoadKind::non_reflecting;
           const double resistance =
               absorbs ? impedance(particles, p, face_area<M>(particles, p, face)) : 0.0;
-          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
           double* const patch = &nodes.sums(first_sum(frame.patch, tile));
           face_support<M, S>(frame, particles, tile, p, face)
               .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {

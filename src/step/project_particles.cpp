@@ -126,10 +126,11 @@ template <class M, class S>
 struct ProjectParticles {
   PatchFrame<M::dimensions> frame;
   Particles particles;
-  ArrayView<double> sums;
+  Nodes nodes;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    Sums* const patch = as_packs<sum_components>(&sums(first_sum(frame.patch, tile)));
+    if (nodes.keeps(tile)) return;
+    Sums* const patch = as_packs<sum_components>(&nodes.sums(first_sum(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
       batch(tile, BatchRows(particles.order, k, end), patch);
@@ -158,13 +159,14 @@ void clear_nodes(const Grid& grid, Nodes& nodes) {
   if (nodes.motion.extent(0) < n * width)
     nodes.motion =
         ArrayView<double>(Kokkos::ViewAllocateWithoutInitializing("motion"), 5 * n * width / 4);
-  const auto sums = nodes.sums;
+  const Nodes all = nodes;
   const Patch patch = grid.patch;
   launch(
       "clear_nodes",
       range(grid.active),
       KOKKOS_LAMBDA(const int tile) {
-        double* const values = &sums(first_sum(patch, tile));
+        if (all.keeps(tile)) return;
+        double* const values = &all.sums(first_sum(patch, tile));
         for (int i = 0; i < patch.size * sum_components; ++i) values[i] = 0.0;
       }
   );
@@ -179,7 +181,7 @@ void project_particles(
     launch(
         "project_particles",
         range(grid.active),
-        Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes.sums}
+        Kernel{PatchFrame<decltype(mode)::dimensions>(scene, grid), particles, nodes}
     );
   });
 }

@@ -5,7 +5,7 @@
 
 namespace barreno {
 
-/// Set all nodal sums of the active tiles to zero.
+/// Set all nodal sums of the active tiles to zero, but for those that are kept.
 void clear_nodes(const Grid& grid, Nodes& nodes);
 
 /// Project mass, momentum and internal force of every particle to the nodes of its support, in one
@@ -14,6 +14,8 @@ void clear_nodes(const Grid& grid, Nodes& nodes);
 ///   m_I += S_Ip m_p,   p_I += S_Ip m_p v_p,   f_I -= V_p (sigma_p - q_p I) . grad S_Ip
 ///
 /// and in axisymmetry f_I,r -= V_p (sigma_zz - q_p) T_Ip (z the hoop direction).
+///
+/// Tiles that keep their sums (Nodes::kept) have them already.
 ///
 /// @param[in]     particles  sorted by place_particles since they last moved
 /// @param[in,out] nodes      sums of each tile's own particles in its own patch: partial

@@ -173,9 +173,10 @@ void project_surface_pressures(const Scene& scene, State& state) {
         frame,
         state,
         [&](const Particles& particles, int tile, int p, const auto& support) {
+          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+          if (nodes.keeps(tile)) return;
           const Inside inside = pressure_inside<M>(scene, particles, p, pressures);
           const double volume = particles.volume(p);
-          const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
           double* const patch = &nodes.sums(first_sum(frame.patch, tile));
           support.for_each_node(
               frame.patch,

@@ -42,4 +42,11 @@ void tally_step(const Scene& scene, double dt, const StepTally& tally, State& st
   ledger.transfer += filter.kinetic;
 }
 
+void tally_particle_steps(State& state) {
+  for (const Particles& particles : state.particles)
+    if (!particles.rigid) state.particle_steps += particles.count;
+  state.particle_steps -= state.dormancy.skipped;
+  state.skipped_steps += state.dormancy.skipped;
+}
+
 }  // namespace barreno

@@ -24,4 +24,7 @@ struct StepTally {
 /// Each term where it arises; see Ledger.
 void tally_step(const Scene& scene, double dt, const StepTally& tally, State& state);
 
+/// Particles that the step has advanced, and those that it has left as they were (Dormancy).
+void tally_particle_steps(State& state);
+
 }  // namespace barreno

@@ -19,11 +19,14 @@ template <class Update>
 void for_each_set_block(State& state, std::size_t s, const Update& update) {
   Particles& particles = state.particles[s];
   std::size_t block = 0;
-  for_each_block(particles.count, [&](Rows rows) {
+  const auto update_block = [&](Rows rows) {
     const Stopwatch watch;
     update(rows, particles);
     state.effort.add(s, block++, watch.seconds());
-  });
+  };
+  for_each_block(
+      particles.count, update_block, state.dormancy.on ? particles.run_part.data() : nullptr
+  );
 }
 template <class Update>
 void for_each_block_of_sets(State& state, const Update& update) {

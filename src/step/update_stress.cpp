@@ -76,6 +76,15 @@ struct UpdateStress {
     });
   }
 
+  /// Rows of dormant tiles in a run that is updated: their motion is nothing, and they must not
+  /// change by the round-off that a model makes of nothing.
+  KOKKOS_INLINE_FUNCTION Mask left_out(const Group& group) const {
+    if (particles.run_part(group.first / rows_per_run) == whole_run) return R{} > 0.0;
+    return mask_of<R>([&](int i) {
+      return i < group.count && particles.left_out(group.first + i) != 0;
+    });
+  }
+
   using Update = PointsOf<Sym3Of<R>, typename Group::History>;
 
   /// What end() needs of begin() beside the update itself.
@@ -115,7 +124,8 @@ struct UpdateStress {
   ) const {
     const auto& increment = update.increment;
     const PointsOutcome<R>& outcome = update.outcome;
-    const Mask here = alive(group);
+    const Mask stays = alive(group) & left_out(group);
+    const Mask here = alive(group) & (!stays);
     const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
     // Not every model looks at what it is given: a motion that is no number fails here.
     const Mask sound = outcome.sound & (increment.volume_ratio_end > 0.0);
@@ -126,10 +136,8 @@ struct UpdateStress {
     );
     group.put_history(good, update.history, particles.history);
     group.put(real::select(good, begun.q, begun.old_q), particles.viscous_pressure);
-    group.put(
-        real::select(good, outcome.longitudinal_modulus, begun.old_modulus),
-        particles.longitudinal_modulus
-    );
+    const R modulus = real::select(good, outcome.longitudinal_modulus, begun.old_modulus);
+    group.put(modulus, particles.longitudinal_modulus);
     treat_failures(group, expanded, expanded_key, sums);
     treat_failures(group, here & (!expanded) & (!sound), failed_key, sums);
 
@@ -148,10 +156,19 @@ struct UpdateStress {
       const R v = group.get(particles.velocity, d);
       speed_squared += v * v;
     }
-    const R step = rule.stable_step(
-        begun.density, outcome.longitudinal_modulus, begun.rate, real::sqrt(speed_squared)
-    );
+    const R step = rule.stable_step(begun.density, modulus, begun.rate, real::sqrt(speed_squared));
+    limit_step(good | stays, step, tally);
+  }
+
+  KOKKOS_INLINE_FUNCTION static void limit_step(const Mask& good, const R& step, Tally& tally) {
     tally.stable_step = real::select(good & (step < tally.stable_step), step, tally.stable_step);
+  }
+
+  /// A group that stays as it is: all that it does is allow a step.
+  KOKKOS_INLINE_FUNCTION void leave(const Group& group, Tally& tally) const {
+    const R density = group.get(particles.mass) / group.get(particles.volume);
+    const R modulus = group.get(particles.longitudinal_modulus);
+    limit_step(alive(group), rule.stable_step(density, modulus, R{}, R{}), tally);
   }
 
   KOKKOS_INLINE_FUNCTION static Group group_at(int row, Rows rows) {
@@ -161,6 +178,10 @@ struct UpdateStress {
   KOKKOS_INLINE_FUNCTION void update_groups(Rows rows, Tally& tally, StressTally& sums) const {
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
+      if (rows.skips(row)) {
+        leave(group, tally);
+        continue;
+      }
       Begun begun;
       Update update = begin(group, begun);
       update.outcome = update_points(model, update.increment, update.stress, update.history);
@@ -177,11 +198,21 @@ struct UpdateStress {
     Mask rest[room];
     Begun begun[room];
     int count = 0;
+    const auto finish = [&] {
+      if (count == 0) return;
+      model.finish_points(waiting, rest, count);
+      for (int g = 0; g < count; ++g) end(groups[g], waiting[g], begun[g], tally, sums);
+      count = 0;
+    };
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
+      if (rows.skips(row)) {
+        leave(group, tally);
+        continue;
+      }
       Update update = begin(group, begun[count]);
       // Points that are held or have expanded too far need no end of their update.
-      const Mask left = model.start_points(update) & alive(group) &
+      const Mask left = model.start_points(update) & alive(group) & (!left_out(group)) &
                         (update.increment.volume_ratio_end <= largest_expansion);
       if (real::any(left)) {
         groups[count] = group;
@@ -190,12 +221,9 @@ struct UpdateStress {
       } else {
         end(group, update, begun[count], tally, sums);
       }
-      const bool last = row + width<R> >= rows.end;
-      if (count == 0 || (count < most && !last)) continue;
-      model.finish_points(waiting, rest, count);
-      for (int g = 0; g < count; ++g) end(groups[g], waiting[g], begun[g], tally, sums);
-      count = 0;
+      if (count == most) finish();
     }
+    finish();
   }
 
   /// A run of rows, so that the lanes' sums meet rarely.
@@ -266,7 +294,8 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
             range((rows.end - rows.begin + run - 1) / run),
             KOKKOS_LAMBDA(const int r, StressTally& part) {
               const int begin = rows.begin + r * run;
-              kernel(Rows{begin, rows.end - begin < run ? rows.end : begin + run}, part);
+              const int end = rows.end - begin < run ? rows.end : begin + run;
+              kernel(Rows{begin, end, rows.runs}, part);
             },
             StressReducer(sums)
         );

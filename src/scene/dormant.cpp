@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/dormant.hpp"
+
+#include <algorithm>
+
+namespace barreno {
+namespace {
+
+/// Half of the distance from 1 to the next number: F = 1 does not change by a smaller strain.
+constexpr double round_off = 0x1p-53;
+
+/// The force of a load on a particle at rest does not change as time goes on.
+bool is_steady(const PressureLoadSpec& load) {
+  return load.kind != LoadKind::pore_fluid && load.pressure.time.size() <= 1;
+}
+
+}  // namespace
+
+std::string why_all_awake(const Scene& scene) {
+  if (scene.step.order != Order::stress_last)
+    return std::string("Order is ") + order_name(scene.step.order) + ", which asks all tiles twice";
+  if (scene.step.transfer == Transfer::xpic)
+    return "Transfer is XPIC, which asks all tiles several times";
+  if (scene.step.transfer == Transfer::apic)
+    return "Transfer is APIC, whose particles keep more than a velocity";
+  if (!scene.contacts.empty()) return "surfaces that meet are sought in all tiles";
+  if (scene.body_force.kind != BodyForceKind::none) return "a body force acts on all particles";
+  if (scene.pore_flow.on()) return "pore fluid flows through all rock";
+  if (!std::all_of(scene.loads.begin(), scene.loads.end(), is_steady))
+    return "a load changes with time";
+  return {};
+}
+
+double rest_motion(const Scene& scene) {
+  if (scene.step.rest_motion) return *scene.step.rest_motion;
+  const bool stressed =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) {
+        return body.initial_pressure != 0.0;
+      });
+  return stressed ? round_off : 0.0;
+}
+
+}  // namespace barreno
