@@ -51,7 +51,7 @@ def own_limit_rows(barreno, full, table):
     each bar has its own: a hundredth of a particle's cell in the next cell makes a light node. That bar's critical step is known
     exactly (tools/amplification.py) and far below what the deck may ask for."""
     title = "0.99 and 1.2 of the critical Courant number"
-    probe = attempt(barreno, bar(CONTROL, 1, 1.0, 0.1, offset=0.55))
+    probe = attempt(barreno, bar(CONTROL, 1, 1.0, 0.03, offset=0.55))
     if not probe.finished:
         table.within(title, "the step at Courant Fraction 1", "exit code", 1, 0)
         return
@@ -63,7 +63,8 @@ def own_limit_rows(barreno, full, table):
         setup = f"the bar with linear functions and a light node: critical number {own:.4f}, {part:g} of it (grows by {rate:.4g} a step)"
         done = attempt(barreno, bar(CONTROL, 1, part * own / whole, 2000 * own / SPEED, offset=0.55))
         if part < 1.0:
-            table.finishes(title, setup, done, GAIN, energy_gained, 1e-2)
+            why = "not understood yet: by its matrix this bar is stable, in the run it gains energy (linear functions only)"
+            table.finishes(title, setup, done, GAIN, energy_gained, 1e-2, why=why)
         else:
             table.stops(title, setup, done, 3, "energy that was put in", "Courant Fraction", "fastest particle")
     table.stops(title, "Courant Fraction 1.2", attempt(barreno, bar("GIMP", 2, 1.2, 0.1)), 1, "Courant Fraction")
