@@ -2,6 +2,7 @@
 #include "check.hpp"
 
 #include "check_features.hpp"
+#include "check_flow.hpp"
 #include "check_locking.hpp"
 #include "check_text.hpp"
 #include "deck/fidelity.hpp"
