@@ -95,14 +95,16 @@ std::string gain_sentence(
     const Scene& scene, const State& state, const Energies& energies, double most_put_in
 ) {
   std::ostringstream text;
-  text << "The particles have more than " << most_gain
-       << " times the energy that was put in at t = " << state.clock.time << " s, step "
-       << state.clock.step << ", dt = " << state.clock.dt << " s: " << energies.kinetic
-       << " J kinetic and " << energies.elastic << " J elastic of " << most_put_in << " J ("
-       << fastest_words(scene, state)
-       << "). The steps are unstable: take a smaller \"Courant Fraction\" (half of it), \"Order\" "
-          "modified stress last, or \"Bad Particles\" remove with a smaller \"Largest "
-          "Expansion\".";
+  text
+      << "The particles have more than " << most_gain
+      << " times the energy that was put in at t = " << state.clock.time << " s, step "
+      << state.clock.step << ", dt = " << state.clock.dt << " s: " << energies.kinetic
+      << " J kinetic and " << energies.elastic << " J elastic of " << most_put_in << " J ("
+      << fastest_words(scene, state)
+      << "). The steps are unstable: set \"Stable Alone\" where particles fly alone, take half the "
+         "\"Courant Fraction\" or \"Order\" modified stress last, or \"Bad Particles\" remove with "
+         "a smaller \"Largest "
+         "Expansion\".";
   return text.str();
 }
 

@@ -34,6 +34,12 @@ std::vector<Entry> limit_entries() {
   return {
       number("Courant Fraction", dim::none, above_up_to(0.0, 1.0), "of the critical step")
           .by_default("0.8"),
+      flag(
+          "Stable Alone",
+          "steps in which particles stay stable that fly alone (stress last but with APIC): up to "
+          "1.7 times as many, which whole bodies do not need"
+      )
+          .by_default("false"),
       number("Growth Limit", dim::none, above(1.0), "largest ratio of successive steps")
           .by_default("1.1"),
       number(

@@ -129,6 +129,7 @@ StepSpec read_step(const Deck& deck, Mode mode) {
     );
   }
   step.courant_fraction = deck.number("Step/Courant Fraction");
+  step.stable_alone = deck.flag("Step/Stable Alone");
   step.growth_limit = deck.number("Step/Growth Limit");
   step.largest_strain = deck.number("Step/Largest Strain");
   step.largest_expansion = deck.number("Step/Largest Expansion");

@@ -132,6 +132,7 @@ enum class Order { stress_last, modified_stress_last, stress_first };
 struct StepSpec {
   std::string shape = "GIMP";   ///< the word of one of the list in shape/visit_kernels.hpp
   double largest_domain = 1.0;  ///< l_crit: corners further from x_p are pulled in [cells]
+  bool stable_alone = false;    ///< steps in which a particle is stable that flies alone
   double courant_fraction =
       0.8;                      ///< of the critical Courant number of shape and particles per cell
   double growth_limit = 1.1;    ///< largest ratio of successive steps

@@ -33,7 +33,7 @@ double lateral_share(const Material& material) {
 
 double lone_courant(const Scene& scene, int material) {
   const StepSpec& step = scene.step;
-  if (step.order != Order::stress_last || step.transfer == Transfer::apic)
+  if (!step.stable_alone || step.order != Order::stress_last || step.transfer == Transfer::apic)
     return std::numeric_limits<double>::infinity();
   const double bar = visit_shape(step.shape, [&](auto shape) {
     return decltype(shape)::lone_courant(smallest_half_size(scene, material));

@@ -14,8 +14,8 @@ namespace barreno {
 /// stiffer by 1 + (d - 1) lambda / M, M = K + 4G/3 = lambda + 2G, in the state of the start, which
 /// is what flies alone. In axisymmetry the hoop strain is the third.
 ///
-/// @return infinite for steps that leave the particles' velocities in the strain (modified stress
-/// last, stress first, APIC)
+/// @return infinite if the deck does not ask for it, and for steps that leave the particles'
+/// velocities in the strain (modified stress last, stress first, APIC)
 double lone_courant(const Scene& scene, int material);
 
 }  // namespace barreno

@@ -27,7 +27,7 @@ def flying(mode, shape, per_cell, fraction, poisson, across=1, near_axis=False, 
                 "Material": "Elastic", "Lower": begin, "Upper": [b + size for b in begin], "Particles Per Cell": per_cell, "Velocity": velocity,
             }
         },
-        "Step": {"Shape Function": shape, "Courant Fraction": fraction, **({} if viscosity else BARE)},
+        "Step": {"Shape Function": shape, "Courant Fraction": fraction, "Stable Alone": True, **({} if viscosity else BARE)},
         "Time": {"End Time": 3.0},
         "Output": {"History Interval": 0.1},
     }  # fmt: skip
