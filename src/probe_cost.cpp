@@ -31,6 +31,7 @@ constexpr std::size_t fewest_steps = 4;
 Scene probed_scene(const Scene& scene) {
   Scene probed = scene;
   probed.pore_flow = {};
+  probed.step.skip_dormant = false;  // nearly all is at rest in the first steps
   const int d = dimensions(scene.grid.mode);
   Scene bodies = scene;
   bodies.jet.slugs.clear();

@@ -177,9 +177,11 @@ TEST_P(BadParticles, StopTheRunWithinAStepOfAStressThatIsNoNumber) {
       std::filesystem::temp_directory_path() / ("lost_stress_" + std::to_string(comm.getSize()));
   if (is_root(comm)) std::filesystem::create_directories(folder);
   comm.barrier();
-  Output output(scene, state, {folder, "deck.xml", "<ParameterList/>", "test", {}});
+  const RunDescription description{folder, "deck.xml", "<ParameterList/>", "test", {}, {}};
+  Output output(scene, state, description);
+  Checkpoints checkpoints(scene, description);
   harm(state, lose_stress);
-  const RunVerdict verdict = run(scene, state, output);
+  const RunVerdict verdict = run(scene, state, output, checkpoints);
   EXPECT_FALSE(verdict.finished);
   EXPECT_EQ(verdict.exit_code, 3);
   EXPECT_EQ(state.clock.step, 1);
