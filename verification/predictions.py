@@ -50,8 +50,9 @@ def ratio(predicted, came):
 def row(deck, summary):
     said = summary["prediction"]
     cpu = summary["cpu_seconds"]
-    ns = 1e9 * cpu / summary["particle_steps"]
-    return (f"{deck}.xml", ratio(said["steps"], summary["steps"]), ratio(said["particle_steps"], summary["particle_steps"]),
+    steps = summary["particle_steps"] + summary["skipped_particle_steps"]
+    ns = 1e9 * cpu / steps
+    return (f"{deck}.xml", ratio(said["steps"], summary["steps"]), ratio(said["particle_steps"], steps),
             ratio(said["ns_per_particle_step"], ns), ratio(said["wall_seconds"], cpu), f"{summary['wall_seconds']:.3g}",
             ratio(said["bytes"] / 1e6, summary["peak_resident_bytes"] / 1e6))  # fmt: skip
 

@@ -114,6 +114,9 @@ def tungsten_on_light(speed, h, end=3e-6):
     }
 
 
+NOT_UNDERSTOOD = "not understood yet: light particles at the interface are thrown ahead and squeezed, their means are not those of the plateau"
+
+
 def ratio_rows(barreno, full, table):
     """Bars are the hardest form: no material can give way. The light particles at the interface are thrown ahead and squeezed."""
     title = "Impact at 10 km/s, density ratio 20"
@@ -129,9 +132,9 @@ def ratio_rows(barreno, full, table):
 
         words = ("Particle ", "of material 'Light'", "at t = ")
         table.holds_or_stops(title, setup, done, f"|interface velocity over {velocity:.5g} m/s less 1|",
-                             lambda r, near=near, v=velocity: abs(near(r, "velocity_x") / v - 1.0), 0.02, *words)  # fmt: skip
+                             lambda r, near=near, v=velocity: abs(near(r, "velocity_x") / v - 1.0), 0.02, *words, why=NOT_UNDERSTOOD)  # fmt: skip
         if done.finished:
-            table.within(title, setup, f"|interface pressure over {pressure:.5g} Pa less 1|", abs(near(done.run, "pressure") / pressure - 1.0), 0.02)
+            table.within(title, setup, f"|interface pressure over {pressure:.5g} Pa less 1|", abs(near(done.run, "pressure") / pressure - 1.0), 0.02, why=NOT_UNDERSTOOD)
     settings = {"Time/End Time": "10 us", "Materials/Sandstone/Density": "880 kg/m3"}
     done = attempt_file(barreno, DECKS / "perforation_quick.xml", settings, longest=120.0)
     for name, limit in (("mass", 1e-12), ("momentum", 1e-11), ("energy", 1e-3)):

@@ -65,6 +65,7 @@ double stray_energy(Mode mode, const std::string& shape, double poisson, bool vi
   scene.step.shape = shape;
   scene.step.courant_fraction = viscous ? 0.8 : 1.0;
   if (!viscous) scene.step.linear_viscosity = scene.step.quadratic_viscosity = 0.0;
+  scene.step.stable_alone = true;
   State state = testing::start(scene);
   const double kinetic = state.ledger.kinetic;
   testing::advance_to(scene, 2.0, state);
