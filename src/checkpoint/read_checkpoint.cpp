@@ -175,7 +175,8 @@ void read_reactions(const SharedFile& file, State& state) {
 RunNumbers read_numbers(const Hdf5File& file, const std::string& group) {
   RunNumbers numbers;
   for (const std::string& name : file.names(group))
-    if (name != "reactions") numbers[name] = file.read(group + "/" + name).values;
+    if (name != "reactions")
+      numbers[name] = file.read(std::string(group).append("/").append(name)).values;
   return numbers;
 }
 
