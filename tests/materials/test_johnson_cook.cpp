@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -262,7 +264,9 @@ TEST(JohnsonCook, WithoutStrengthTheLeastStrainIsNoFailure) {
     Sym3 stress;
     JohnsonCook::History history = model.initial_history();
     EXPECT_EQ(model.update(increment, stress, history).status, Status::ok) << "strain " << strain;
-    EXPECT_LT(equivalent(stress), 1e-18) << "strain " << strain;
+    // What the pressure's own last digit leaves between the components.
+    const double round_off = 4.0 * std::numeric_limits<double>::epsilon() * norm(stress);
+    EXPECT_LE(equivalent(stress), std::max(round_off, 1e-18)) << "strain " << strain;
   }
 }
 
