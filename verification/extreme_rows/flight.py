@@ -80,8 +80,8 @@ def why(shape, near_axis, viscous, poisson):
         return NO_STEP
     if near_axis and "spline" in shape:
         return "points near the axis have stiffer hoops than the rule knows; take GIMP there, or half the Courant Fraction"
-    if viscous and (poisson < 0.1 or "spline" in shape):
-        return "artificial viscosity pushes a particle alone out again in one step: bounded by the rule where nu >= 0.3; half the Courant Fraction holds"
+    if viscous:
+        return "artificial viscosity pushes a particle alone out again in one step: bounded by the rule where nu > 0.3; half the Courant Fraction holds"
     return ""
 
 

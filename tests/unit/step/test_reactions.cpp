@@ -17,7 +17,6 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
-using testing::all_rows;
 using testing::box_scene;
 using testing::start;
 using testing::start_alone;

@@ -25,7 +25,7 @@ std::string watched(const Scene& scene, State& state, int steps) {
   for (int i = 0; i < steps; ++i) {
     const double last_dt = state.clock.dt;
     advance(scene, scene.end_time, state);
-    const std::string wrong = watch_run(scene, state, last_dt, watch);
+    std::string wrong = watch_run(scene, state, last_dt, watch);
     if (!wrong.empty()) return wrong;
   }
   return {};
