@@ -29,8 +29,11 @@ find_package(HDF5 QUIET COMPONENTS C)
 if(NOT HDF5_FOUND OR NOT HDF5_IS_PARALLEL)
   message(FATAL_ERROR "The parallel HDF5 is missing: install the package libhdf5-openmpi-dev.")
 endif()
-# CRC-32 of whole checkpoints; HDF5's own package brings it along.
-find_package(ZLIB REQUIRED)
+# CRC-32 of whole checkpoints.
+find_package(ZLIB QUIET)
+if(NOT ZLIB_FOUND)
+  message(FATAL_ERROR "zlib is missing: install the package zlib1g-dev.")
+endif()
 add_library(barreno_hdf5 INTERFACE)
 target_include_directories(barreno_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(barreno_hdf5 INTERFACE ${HDF5_LIBRARIES} ZLIB::ZLIB)

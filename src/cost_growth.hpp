@@ -9,7 +9,7 @@ struct UpdateCost {
   double elastic, running;  ///< ns in the first steps, and on average over a run
 };
 
-/// Printed by `verification/update_costs.py BARRENO`, which runs a deck for each row. Only the
+/// Printed by `verification/predictions.py BARRENO`, which runs a deck for each row. Only the
 /// ratio is used: what a nanosecond of that machine is here, the probe of each run measures.
 constexpr UpdateCost update_costs[] = {
     {"update_stress Arenisca", 31.0, 77.0},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "predict_cost.hpp"
 
-#include "base/memory.hpp"
+#include "base/process.hpp"
 #include "cost_growth.hpp"
 #include "scene/build_scene.hpp"
 #include "shape/shape_facts.hpp"

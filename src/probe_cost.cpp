@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "probe_cost.hpp"
 
+#include "base/process.hpp"
 #include "base/region.hpp"
 #include "scene/build_scene.hpp"
 #include "state/build_state.hpp"
@@ -11,16 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <map>
 
 namespace barreno {
 namespace {
-
-/// Of this process: what other work on the machine takes does not count.
-double cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 constexpr double most_particles = 20000.0;
 constexpr double enough_seconds = 0.02;

@@ -2,6 +2,7 @@
 #include "output/output.hpp"
 
 #include "base/gather.hpp"
+#include "base/process.hpp"
 #include "output/cavities.hpp"
 #include "output/depth.hpp"
 #include "output/exodus_writer.hpp"
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <unistd.h>
 
 namespace barreno {
@@ -46,11 +46,6 @@ std::string number_line(const char* pattern, double a, double b = 0.0, double c 
   char text[160];
   std::snprintf(text, sizeof text, pattern, a, b, c);
   return text;
-}
-
-/// Of this rank since its start.
-double cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 std::vector<std::string> result_numbers(
@@ -87,15 +82,16 @@ std::vector<std::string> result_numbers(
           1e-6 * summary.peak_resident_bytes
       )
   );
-  lines.push_back(
-      "predicted: " + cost_text(prediction.seconds) +
-      number_line(
-          ", %.0f ns per particle-step, %.3g particle-steps (%.3g came)",
-          prediction.nanoseconds,
-          prediction.particle_steps,
-          totals.particle_steps
-      )
-  );
+  if (prediction.seconds > 0.0)
+    lines.push_back(
+        "predicted: " + cost_text(prediction.seconds) +
+        number_line(
+            ", %.0f ns per particle-step, %.3g particle-steps (%.3g came)",
+            prediction.nanoseconds,
+            prediction.particle_steps,
+            totals.particle_steps
+        )
+    );
   if (totals.skipped_steps > 0.0)
     lines.push_back(number_line(
         "%.0f %% of all particle-steps were skipped: in tiles at rest",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/summary.hpp"
 
-#include "base/memory.hpp"
+#include "base/process.hpp"
 #include "base/region.hpp"
 #include "output/json.hpp"
 #include "state/balance.hpp"
@@ -62,6 +62,7 @@ void put_cost(JsonWriter& json, const RunSummary& summary, const RunTotals& tota
 /// What was expected before the run, beside what came.
 void put_prediction(JsonWriter& json, const RunDescription& run, const RunSummary& summary) {
   json.number("cpu_seconds", summary.cpu_seconds);
+  if (!(run.prediction.seconds > 0.0)) return;  // a resumed run has none
   json.begin_object("prediction");
   json.number("steps", run.prediction.steps);
   json.number("particle_steps", run.prediction.particle_steps);

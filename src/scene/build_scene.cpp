@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/build_scene.hpp"
 
-#include "base/memory.hpp"
+#include "base/process.hpp"
 #include "scene/geometry.hpp"
 #include "scene/scene_parts.hpp"
 

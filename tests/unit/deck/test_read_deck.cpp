@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
-#include "base/memory.hpp"
+#include "base/process.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/memory.hpp"
+#include "base/process.hpp"
 
+#include <ctime>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -11,6 +12,10 @@ double peak_resident_bytes() {
   getrusage(RUSAGE_SELF, &usage);
   constexpr double kibibyte = 1024.0;  // the unit of ru_maxrss on Linux
   return kibibyte * static_cast<double>(usage.ru_maxrss);
+}
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 double machine_bytes() {
