@@ -8,8 +8,11 @@ SPEED = 5000.0  # of each plate
 C0, SLOPE, DENSITY = 3940.0, 1.489, 8930.0
 SHOCK = C0 + SLOPE * SPEED
 PRESSURE, SHOCKED, ENERGY = DENSITY * SHOCK * SPEED, DENSITY * SHOCK / (SHOCK - SPEED), 0.5 * SPEED**2
-# What the viscosity's heat lacks is of the first order in the step; its measure at 0.5 mm is in docs/verification.md (shock_copper).
-HEAT = "the heat of a strong shock lacks some per cent: the work of a step is taken with the pressure of its two ends, of the first order in the step"
+# By the run's own ledger (1 mm, 0.8): of 7.6 MJ that should be heat and elastic, 0.11 are lost in `stress_integration` and 0.12 in `transfer`.
+HEAT = (
+    "heat that is lost between particles and nodes, half of it because nodes work with the stress before a step (stress_integration), half"
+    " with velocities that nodes do not see (transfer); 0.5 % with Courant Fraction 0.1, or with A1 = 1"
+)
 
 
 def copper(barreno, h, fraction):
@@ -114,27 +117,37 @@ def tungsten_on_light(speed, h, end=3e-6):
     }
 
 
-NOT_UNDERSTOOD = "not understood yet: light particles at the interface are thrown ahead and squeezed, their means are not those of the plateau"
+# Where light particles are hit by heavy ones FLIP leaves each a velocity of its own that nodes do not see.
+UNSEEN = "FLIP keeps the velocities of single particles at the interface that nodes do not see; XPIC, APIC or PIC Fraction = 0.05 hold (0.1 to 0.7 %)"
+BEHIND = "the light bar's particles are spaced right to 0.3 %, but volumes of F, which follow the same unseen motion, are 0.6 to 1.1 % larger"
+
+
+def interface_rows(barreno, speed, table):
+    """The velocity of the interface and the pressure hold from shock to shock. Ends before a free end of a bar is heard of."""
+    velocity, pressure = matched(speed)
+    done = attempt(barreno, tungsten_on_light(speed, 1e-3, 1.2e-5 if speed < 5e3 else 3e-6), longest=120.0)
+    title = "Impact at 10 km/s, density ratio 20"
+    setup = f"bar of tungsten on one of a twentieth of its density at {1e-3 * speed:g} km/s, cells of 1 mm"
+
+    def mean(run, name, nearest, farthest):
+        now = run.particles()
+        away = np.abs(now["x"] - velocity * now["time"])
+        return now[name][(away > nearest) & (away < farthest)].mean()
+
+    words = ("Particle ", "of material 'Light'", "at t = ")
+    for place, nearest, farthest, why in (("at the interface", -1.0, 2e-3, UNSEEN), ("3 to 8 cells off", 3e-3, 8e-3, BEHIND)):
+        table.holds_or_stops(title, setup, done, f"|velocity {place} over {velocity:.5g} m/s less 1|",
+                             lambda r, a=nearest, b=farthest: abs(mean(r, "velocity_x", a, b) / velocity - 1.0), 0.02, *words, why=why)  # fmt: skip
+        if done.finished:
+            found = abs(mean(done.run, "pressure", nearest, farthest) / pressure - 1.0)
+            table.within(title, setup, f"|pressure {place} over {pressure:.5g} Pa less 1|", found, 0.02, why=BEHIND)
 
 
 def ratio_rows(barreno, full, table):
-    """Bars are the hardest form: no material can give way. The light particles at the interface are thrown ahead and squeezed."""
+    """Bars are the hardest form: no material can give way."""
     title = "Impact at 10 km/s, density ratio 20"
     for speed in (1e4, 1e3):
-        velocity, pressure = matched(speed)
-        done = attempt(barreno, tungsten_on_light(speed, 1e-3, 3e-2 / speed if speed < 5e3 else 3e-6), longest=120.0)
-        setup = f"bar of tungsten on one of a twentieth of its density at {1e-3 * speed:g} km/s, cells of 1 mm"
-
-        def near(run, name, velocity=velocity):
-            now = run.particles()
-            at = np.abs(now["x"] - velocity * now["time"]) < 2e-3
-            return now[name][at].mean()
-
-        words = ("Particle ", "of material 'Light'", "at t = ")
-        table.holds_or_stops(title, setup, done, f"|interface velocity over {velocity:.5g} m/s less 1|",
-                             lambda r, near=near, v=velocity: abs(near(r, "velocity_x") / v - 1.0), 0.02, *words, why=NOT_UNDERSTOOD)  # fmt: skip
-        if done.finished:
-            table.within(title, setup, f"|interface pressure over {pressure:.5g} Pa less 1|", abs(near(done.run, "pressure") / pressure - 1.0), 0.02, why=NOT_UNDERSTOOD)
+        interface_rows(barreno, speed, table)
     settings = {"Time/End Time": "10 us", "Materials/Sandstone/Density": "880 kg/m3"}
     done = attempt_file(barreno, DECKS / "perforation_quick.xml", settings, longest=120.0)
     for name, limit in (("mass", 1e-12), ("momentum", 1e-11), ("energy", 1e-3)):
