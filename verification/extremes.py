@@ -21,6 +21,7 @@ sys.path.insert(0, str(HERE / "tools"))
 sys.path.insert(0, str(HERE))
 
 from extreme import HOLDS, RED, STOPS, Table  # noqa: E402
+from verify import write_page as write_verification  # noqa: E402
 
 FILES = ["point", "porous_point", "stable_step", "flight", "impact", "stretch", "grid_edge", "units", "rock", "pore_flow", "time"]
 PAGE = HERE.parent / "docs" / "extremes.md"
@@ -72,6 +73,7 @@ def main():
     if options.document:
         STORED.write_text(json.dumps([dataclasses.asdict(row) for row in table.rows], indent=1) + "\n")
         PAGE.write_text(page_of(table))
+        write_verification()
     for row in table.unexplained():
         print(f"red without a reason: {row.extreme}: {row.setup}: {row.criterion}: {row.found}", file=sys.stderr)
     return 1 if table.unexplained() or not table.rows else 0

@@ -8,6 +8,7 @@ Also prints what stress updates cost in the first steps and over the run, from w
 how much slower the rest of a step was then, which other work on the machine makes it.
 """
 import argparse
+import json
 import pathlib
 import re
 import sys
@@ -15,8 +16,10 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
 from runs import DECKS, run_deck  # noqa: E402
+from verify import write_page as write_verification  # noqa: E402
 
 PAGE = HERE.parent / "docs" / "cost.md"
+STORED = HERE / "results" / "predictions.json"
 TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
          "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave")  # fmt: skip
 FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact")
@@ -35,7 +38,7 @@ last block on the screen). Measured by `verification/predictions.py build/releas
 - Files: 350 ns for a particle and instant of `particles.e`, 12 ns for one in a row of `history.csv`.
 - Not in it: start-up (0.1 s), implicit solves of the pore flow, waiting ranks.
 
-The machine had other work at the same time: seconds of one core (user and system time) are compared, wall seconds are beside them.
+Seconds of one core (user and system time) are compared; wall seconds, which other work on the machine makes longer, are beside them.
 """
 
 
@@ -80,16 +83,19 @@ def main():
     options = parser.parse_args()
     barreno = options.barreno.resolve()
     lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
-    updates = []
+    updates, ratios = [], {}
     for deck in TABLE:
         summary = run_deck(barreno, f"{deck}.xml").summary
         lines.append("| " + " | ".join(row(deck, summary)) + " |")
+        ratios[deck] = {"seconds": summary["prediction"]["wall_seconds"] / summary["cpu_seconds"]}
         print(lines[-1], flush=True)
         if deck in FLOWING:
             updates += growth(barreno, deck, summary["phases"])
     print("\n".join(updates))
     if options.document:
         PAGE.write_text(HEAD + "\n" + "\n".join(lines) + "\n")
+        STORED.write_text(json.dumps(ratios, indent=1) + "\n")
+        write_verification()
     return 0
 
 

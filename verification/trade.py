@@ -27,6 +27,7 @@ from runs import DECKS, mpi_environment, run_deck  # noqa: E402
 from trade_checks import demands, verdict  # noqa: E402
 from trade_page import draw, write_page  # noqa: E402
 from trade_problems import PROBLEMS, Lost, has, richardson  # noqa: E402
+from verify import write_page as write_verification  # noqa: E402
 
 STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
@@ -181,6 +182,12 @@ def depth_limit(points):
     return {"limits": limits, "limit": middle, "uncertainty": 0.5 * (max(ends) - min(ends)), "finest": finest}
 
 
+def write_pages(data):
+    draw(data)
+    write_page(data)
+    write_verification()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", nargs="?", type=pathlib.Path)
@@ -191,8 +198,7 @@ def main():
     options = parser.parse_args()
     if options.draw:
         data = json.loads(STORED.read_text())
-        draw(data)
-        write_page(data)
+        write_pages(data)
         return 0
     if options.barreno is None:
         parser.error("name the program, for example build/release/src/barreno")
@@ -208,8 +214,7 @@ def main():
     if not options.tiny:
         STORED.write_text(json.dumps(data, indent=1) + "\n")
     if options.document:
-        draw(data)
-        write_page(data)
+        write_pages(data)
     return 0 if all(check["passed"] or check["open"] for check in data["checks"]) else 1
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """docs/trade.md and its pictures, from verification/results/trade.json."""
 import pathlib
+import statistics
 
 from trade_checks import verdict
 from trade_problems import PROBLEMS
@@ -17,10 +18,16 @@ Measured by `verification/trade.py build/release/src/barreno --document`; do not
 
 One knob at a time from the defaults (GIMP, FLIP, stress last, Courant Fraction 0.8, 2 particles per cell and direction, Tolerance
 0.01). Cost is user time of one core: particle-steps times the ns of the largest run of a choice, the least of three where that is
-shorter than 1.5 s, start-up taken off. The machine had other work at the same time, which makes even user time uncertain by up to a half: the rows *default* and
-*balanced* are the same runs. Particle-steps are exact. Wall seconds are those of the loaded machine; costs are to be measured again on
-a quiet one.
-"""
+shorter than 1.5 s, start-up taken off. Particle-steps are exact. How far to trust the seconds: """
+
+
+def trust(data):
+    """Two signs of other work on the machine: waiting, and unequal times of equal runs."""
+    at = {(p["knob"], p["name"], p["problem"], p["level"]): p for p in data["points"] if "cpu" in p}
+    waits = statistics.median(p["wall"] / p["seconds"] for p in data["points"] if p.get("seconds", 0.0) > 1.0)
+    same = [at["fidelity", "balanced", *key[2:]]["cpu"] / p["cpu"] for key, p in at.items() if key[1] == "default" and ("fidelity", "balanced", *key[2:]) in at]
+    return (f"wall seconds are {waits:.2f} times\nthose of the processor in the median, and the rows *default* and *balanced*, which are the same runs, differ by "
+            f"factors of {min(same):.2f} to {max(same):.2f}.\n")  # fmt: skip
 
 
 def fidelity_section(data):
@@ -100,7 +107,7 @@ def check_lines(data):
 
 def write_page(data):
     text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
-    parts = [HEAD, fidelity_section(data), text, reading(data), *(table(problem, data) for problem in PROBLEMS), check_lines(data)]
+    parts = [HEAD + trust(data), fidelity_section(data), text, reading(data), *(table(problem, data) for problem in PROBLEMS), check_lines(data)]
     (DOCS / "trade.md").write_text("\n".join(parts))
 
 
