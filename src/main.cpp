@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "check.hpp"
+#include "check/plan.hpp"
+#include "check/predict_cost.hpp"
 #include "checkpoint/checkpoints.hpp"
 #include "command_line.hpp"
 #include "deck/describe_deck.hpp"
@@ -11,7 +12,6 @@
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
 #include "pore_flow/check_solver_lists.hpp"
-#include "predict_cost.hpp"
 #include "resume.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"

@@ -2,7 +2,7 @@
 #include "resume.hpp"
 
 #include "base/error.hpp"
-#include "check.hpp"
+#include "check/plan.hpp"
 #include "checkpoint/checkpoints.hpp"
 #include "checkpoint/read_checkpoint.hpp"
 #include "deck/echo_deck.hpp"

@@ -4,7 +4,7 @@
 
     predictions.py BARRENO [--document]     a table; with --document into docs/cost.md
 
-Also prints what stress updates cost in the first steps and over the run, from which src/cost_growth.hpp has its numbers: scaled by
+Also prints what stress updates cost in the first steps and over the run, from which src/check/cost_growth.hpp has its numbers: scaled by
 how much slower the rest of a step was then, which other work on the machine makes it.
 """
 import argparse
@@ -34,7 +34,7 @@ last block on the screen). Measured by `verification/predictions.py build/releas
   that is shorter; a slug of the jet counts from its launch on.
 - ns: a probe takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
   that mode, shape function, transfer, loads and contact are those of the run. Stresses of what will flow are taken as
-  `src/cost_growth.hpp` says times as dear as in the first steps.
+  `src/check/cost_growth.hpp` says times as dear as in the first steps.
 - Files: 350 ns for a particle and instant of `particles.e`, 12 ns for one in a row of `history.csv`.
 - Not in it: start-up (0.1 s), implicit solves of the pore flow, waiting ranks.
 
@@ -61,7 +61,7 @@ def row(deck, summary):
 
 
 def growth(barreno, deck, whole):
-    """Lines of src/cost_growth.hpp from one deck: ns of each stress update in the first hundredth of the run and over all of it."""
+    """Lines of src/check/cost_growth.hpp from one deck: ns of each stress update in the first hundredth of the run and over all of it."""
     value, unit = end_time(deck)
     short = {"Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s"}
     first = {}

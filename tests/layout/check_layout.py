@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_flow", "step", "output", "checkpoint", "drive", "."]
+ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_flow", "step", "output", "checkpoint", "drive", "check", "."]
 ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "exodusII": {"output"},
     "hdf5": {"checkpoint"},

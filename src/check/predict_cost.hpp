@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "check/probe_cost.hpp"
 #include "output/prediction.hpp"
-#include "probe_cost.hpp"
 #include "scene/scene.hpp"
 
 #include <string>
@@ -19,7 +19,7 @@ double stable_step_of_scene(const Scene& scene, bool viscous);
 Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks);
 
 /// How many times as long as in the probe a verb will take over the run, as measured in runs
-/// (cost_growth.hpp): stresses of what flows cost more than those of the first steps.
+/// (check/cost_growth.hpp): stresses of what flows cost more than those of the first steps.
 double growth_of(const Scene& scene, const std::string& verb);
 
 }  // namespace barreno

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "probe_cost.hpp"
+#include "check/probe_cost.hpp"
 
 #include "base/process.hpp"
 #include "base/region.hpp"

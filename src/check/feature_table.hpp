@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "probe_cost.hpp"
+#include "check/probe_cost.hpp"
 #include "scene/scene.hpp"
 
 #include <string>

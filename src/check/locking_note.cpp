@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check_locking.hpp"
+#include "check/locking_note.hpp"
 
 #include "state/body_particles.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check_flow.hpp"
+#include "check/choices.hpp"
 
 #include "scene/build_scene.hpp"
 #include "scene/dormant.hpp"

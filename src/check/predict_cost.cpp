@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "predict_cost.hpp"
+#include "check/predict_cost.hpp"
 
 #include "base/process.hpp"
-#include "cost_growth.hpp"
+#include "check/cost_growth.hpp"
 #include "scene/build_scene.hpp"
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"

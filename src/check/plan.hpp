@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "check/probe_cost.hpp"
 #include "deck/deck.hpp"
-#include "probe_cost.hpp"
 #include "scene/scene.hpp"
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check_text.hpp"
+#include "check/format.hpp"
 
 #include <cstdarg>
 #include <cstdio>
