@@ -40,6 +40,8 @@ struct State {
   double stable_step =
       std::numeric_limits<double>::infinity();  ///< of this rank, by the last stress update [time]
   Dormancy dormancy;
+  /// Of the active tiles: 1 where a particle may have a loaded face (release_torn_faces).
+  std::vector<unsigned char> loaded_tiles;
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
   double skipped_steps = 0.0;   ///< of those that were left as they were
   Effort effort;

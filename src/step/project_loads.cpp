@@ -106,7 +106,8 @@ template <class Visitor>
 void for_each_loaded_face(const Scene& scene, const State& state, Visitor&& visit) {
   for (const Particles& particles : state.particles) {
     if (particles.rigid || particles.loaded_faces.components == 0) continue;
-    for (int tile = 0; tile < state.grid.active; ++tile)
+    for (int tile = 0; tile < state.grid.active; ++tile) {
+      if (state.loaded_tiles[static_cast<std::size_t>(tile)] == 0) continue;
       for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
         const int p = particles.order(k);
         auto bits = static_cast<std::uint64_t>(particles.loaded_faces(p));
@@ -116,6 +117,7 @@ void for_each_loaded_face(const Scene& scene, const State& state, Visitor&& visi
             if (!is_on_surfaces(load)) visit(particles, tile, p, i % 6, load);
           }
       }
+    }
   }
 }
 

@@ -29,14 +29,19 @@ bool torn(const Scene& scene, const Particles& particles, int p) {
 void release_torn_faces(const Scene& scene, State& state) {
   if (scene.loads.empty()) return;
   const Region region("release_torn_faces");
+  state.loaded_tiles.assign(static_cast<std::size_t>(state.grid.active), 0);
+  const int bits = state.grid.patch.tile_bits * state.grid.patch.dimensions;
   visit_mode(scene.grid.mode, [&](auto mode) {
     for (Particles& particles : state.particles) {
       if (particles.loaded_faces.components == 0) continue;
       for (int p = 0; p < particles.count; ++p) {
-        if (particles.loaded_faces(p) == 0.0 || !torn<decltype(mode)>(scene, particles, p))
-          continue;
-        particles.loaded_faces(p) = 0.0;
-        state.ledger.unloaded += 1.0;
+        if (particles.loaded_faces(p) == 0.0) continue;
+        if (torn<decltype(mode)>(scene, particles, p)) {
+          particles.loaded_faces(p) = 0.0;
+          state.ledger.unloaded += 1.0;
+        } else {
+          state.loaded_tiles[static_cast<std::size_t>(particles.key(p) >> bits)] = 1;
+        }
       }
     }
   });

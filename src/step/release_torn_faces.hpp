@@ -10,6 +10,9 @@ namespace barreno {
 ///
 /// A fluid presses on a torn-off piece from all sides. With its one loaded face it would be
 /// accelerated for ever: a ring of steel of 0.25 mm by 70 MPa to 3.5 km/s within 100 us.
+///
+/// Also notes the tiles of the faces that remain (State::loaded_tiles), where loads are sought.
+/// @pre the particles are in their tiles (place_particles)
 void release_torn_faces(const Scene& scene, State& state);
 
 }  // namespace barreno

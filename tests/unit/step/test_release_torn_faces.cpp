@@ -2,6 +2,7 @@
 // A pressure acts on a surface as long as its particles are part of one.
 #include "base/gather.hpp"
 #include "shape/kinematics.hpp"
+#include "step/place_particles.hpp"
 #include "step/release_torn_faces.hpp"
 #include "support/scenes.hpp"
 
@@ -60,6 +61,7 @@ TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
   load.pressure = {{0.0}, {70e6}};
   scene.loads.push_back(load);
   State state = start(scene);
+  give_tiles(scene, state.grid.owner, state);  // keys and tiles
   Particles& particles = state.particles.front();
   // By the particle's id, which does not depend on the ranks: whole, stretched, torn, debris.
   double loaded = 0.0, torn = 0.0;
@@ -72,15 +74,19 @@ TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
     loaded += 1.0;
     if (kind >= 2) torn += 1.0;
   }
+  const int bits = state.grid.patch.tile_bits * state.grid.patch.dimensions;
   for (int pass = 0; pass < 2; ++pass) {
     release_torn_faces(scene, state);
     double still_loaded = 0.0;
+    std::vector<unsigned char> tiles(static_cast<std::size_t>(state.grid.active), 0);
     for (int p = 0; p < particles.count; ++p) {
       if (particles.loaded_faces(p) == 0.0) continue;
       still_loaded += 1.0;
+      tiles[static_cast<std::size_t>(particles.key(p) >> bits)] = 1;
       EXPECT_LT(particles.id(p) % 4, 2);
     }
     EXPECT_EQ(still_loaded, loaded - torn);
+    EXPECT_EQ(state.loaded_tiles, tiles);
     EXPECT_EQ(state.ledger.unloaded, torn);
   }
   std::vector<double> sums{loaded, torn};
