@@ -101,22 +101,28 @@ Vector face_force(
   return force;
 }
 
-/// visit(particles, tile, row, face, load) for every loaded face of this rank.
+/// visit(particles, tile, row, face, load) for the loaded faces of a row.
+template <class Visitor>
+void visit_loaded_faces(
+    const Scene& scene, const Particles& particles, int tile, int p, Visitor& visit
+) {
+  auto bits = static_cast<std::uint64_t>(particles.loaded_faces(p));
+  for (int i = 0; bits != 0; ++i, bits >>= 1) {
+    if (!(bits & 1U)) continue;
+    const PressureLoadSpec& load = scene.loads[static_cast<std::size_t>(i / 6)];
+    if (!is_on_surfaces(load)) visit(particles, tile, p, i % 6, load);
+  }
+}
+
+/// The same for every loaded face of this rank.
 template <class Visitor>
 void for_each_loaded_face(const Scene& scene, const State& state, Visitor&& visit) {
   for (const Particles& particles : state.particles) {
     if (particles.rigid || particles.loaded_faces.components == 0) continue;
     for (int tile = 0; tile < state.grid.active; ++tile) {
       if (state.loaded_tiles[static_cast<std::size_t>(tile)] == 0) continue;
-      for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
-        const int p = particles.order(k);
-        auto bits = static_cast<std::uint64_t>(particles.loaded_faces(p));
-        for (int i = 0; bits != 0; ++i, bits >>= 1)
-          if (bits & 1U) {
-            const PressureLoadSpec& load = scene.loads[static_cast<std::size_t>(i / 6)];
-            if (!is_on_surfaces(load)) visit(particles, tile, p, i % 6, load);
-          }
-      }
+      for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k)
+        visit_loaded_faces(scene, particles, tile, particles.order(k), visit);
     }
   }
 }

@@ -4,6 +4,8 @@
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 
+#include <vector>
+
 namespace barreno {
 namespace {
 
@@ -24,26 +26,42 @@ bool torn(const Scene& scene, const Particles& particles, int p) {
   return largest_stretch(f) > torn_stretch;
 }
 
+/// Ends the loads of what is torn.
+/// @param[in,out] loaded_tiles  1 for the tiles of what is still loaded
+/// @return particles that lost their loads
+template <class M>
+double release_set(
+    const Scene& scene,
+    const Patch& patch,
+    Particles& particles,
+    std::vector<unsigned char>& loaded_tiles
+) {
+  double released = 0.0;
+  for (int p = 0; p < particles.count; ++p) {
+    if (particles.loaded_faces(p) == 0.0) continue;
+    if (torn<M>(scene, particles, p)) {
+      particles.loaded_faces(p) = 0.0;
+      released += 1.0;
+    } else {
+      const int tile = particles.key(p) >> (patch.tile_bits * patch.dimensions);
+      loaded_tiles[static_cast<std::size_t>(tile)] = 1;
+    }
+  }
+  return released;
+}
+
 }  // namespace
 
 void release_torn_faces(const Scene& scene, State& state) {
   if (scene.loads.empty()) return;
   const Region region("release_torn_faces");
-  state.loaded_tiles.assign(static_cast<std::size_t>(state.grid.active), 0);
-  const int bits = state.grid.patch.tile_bits * state.grid.patch.dimensions;
+  const Grid& grid = state.grid;
+  state.loaded_tiles.assign(static_cast<std::size_t>(grid.active), 0);
   visit_mode(scene.grid.mode, [&](auto mode) {
-    for (Particles& particles : state.particles) {
-      if (particles.loaded_faces.components == 0) continue;
-      for (int p = 0; p < particles.count; ++p) {
-        if (particles.loaded_faces(p) == 0.0) continue;
-        if (torn<decltype(mode)>(scene, particles, p)) {
-          particles.loaded_faces(p) = 0.0;
-          state.ledger.unloaded += 1.0;
-        } else {
-          state.loaded_tiles[static_cast<std::size_t>(particles.key(p) >> bits)] = 1;
-        }
-      }
-    }
+    for (Particles& particles : state.particles)
+      if (particles.loaded_faces.components > 0)
+        state.ledger.unloaded +=
+            release_set<decltype(mode)>(scene, grid.patch, particles, state.loaded_tiles);
   });
 }
 
