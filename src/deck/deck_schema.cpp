@@ -168,7 +168,14 @@ Section output_section() {
            .by_default("0"),
        integer("Checkpoint Steps", at_least(0), "steps, likewise; 0: no bound").by_default("0"),
        word("Particle Glyph", {"deformed", "point"}, "particles as deformed cells or as points")
-           .by_default("deformed")},
+           .by_default("deformed"),
+       word(
+           "Particle Files",
+           {"one", "one per rank"},
+           "particles.e, or for large runs particles.e.N.0 to .N-1 on N ranks, each written by its "
+           "own rank; ParaView and epu take such a set as one"
+       )
+           .by_default("one")},
       {},
       {}};
 }

@@ -43,6 +43,13 @@ public:
       refuse("a variable is missing");
     return values;
   }
+  void refuse_fewer(int steps) const {
+    if (this->steps() < steps)
+      refuse(
+          "it has " + std::to_string(this->steps()) + " time steps, the checkpoint knows of " +
+          std::to_string(steps)
+      );
+  }
   [[noreturn]] void refuse(const std::string& what) const {
     throw FileError(
         "cannot go on with '" + path_.string() + "' (" + what +
@@ -57,15 +64,15 @@ private:
 
 }  // namespace
 
+void refuse_fewer_steps(const std::filesystem::path& file, int steps) {
+  OldFile(file).refuse_fewer(steps);
+}
+
 std::vector<std::vector<double>> copy_exodus_steps(
     const std::filesystem::path& from, const ExodusLayout& layout, int steps, ExodusFile& to
 ) {
   const OldFile old(from);
-  if (old.steps() < steps)
-    old.refuse(
-        "it has " + std::to_string(old.steps()) + " time steps, the checkpoint knows of " +
-        std::to_string(steps)
-    );
+  old.refuse_fewer(steps);
   std::vector<std::vector<double>> displacement(layout.coordinates.size());
   for (int step = 1; step <= steps; ++step) {
     to.begin_step(old.time(step));

@@ -8,6 +8,9 @@
 
 namespace barreno {
 
+/// @throws FileError if an old file is not whole, or holds fewer time steps
+void refuse_fewer_steps(const std::filesystem::path& file, int steps);
+
 /// Copies the first time steps of a file of the same layout. @return the displacements of the last
 /// one, an array per direction
 /// @throws FileError if the old file is not whole, or holds fewer steps

@@ -14,6 +14,14 @@ struct ExodusBlock {
   std::vector<std::string> variables;
 };
 
+/// What a file says of the set that it belongs to: the information of Nemesis, by which ParaView
+/// and epu take its files as one. Files of a set share no nodes.
+struct ExodusSet {
+  int files = 1;                          ///< 1: the file stands alone and says nothing
+  int file = 0;                           ///< from 0
+  std::vector<long long> block_elements;  ///< in all files
+};
+
 /// All that stays the same during a run. Elements share no nodes: node a of an element is entry
 /// `element * nodes_per_element + a` of the nodal arrays, elements counted block after block.
 struct ExodusLayout {
@@ -26,6 +34,8 @@ struct ExodusLayout {
   std::vector<ExodusBlock> blocks;
   std::vector<std::string> global_variables;
   std::vector<std::string> information;  ///< lines of any length
+  long long largest_id = 0;              ///< of all files of the set
+  ExodusSet set;
 };
 
 /// An Exodus II file that is being written: 64-bit offsets, 8-byte reals, readable while it grows.
@@ -51,9 +61,15 @@ public:
   void close();
 
 private:
+  void create(const ExodusLayout& layout);
   void define(const ExodusLayout& layout);
+  void put_sizes(const ExodusLayout& layout);
+  void put_texts(const ExodusLayout& layout);
+  void put_set(const ExodusLayout& layout);
   void define_blocks(const ExodusLayout& layout);
+  void put_elements(const ExodusLayout& layout);
   void define_variables(const ExodusLayout& layout);
+  void put_truth_table(const ExodusLayout& layout);
   void put_ids(const ExodusLayout& layout);
   void check(int code, const char* what) const;
 

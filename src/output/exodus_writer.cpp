@@ -7,10 +7,22 @@
 #include "shape/shape_facts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include <array>
 
 namespace barreno {
+namespace {
+
+int count_files(const Scene& scene, const Comm& comm, const KeptFields& kept) {
+  if (scene.output.files == ParticleFiles::one) return 1;
+  return kept.files > 0 ? kept.files : comm.getSize();
+}
+
+int nodes_of(Glyph glyph, int dimensions) {
+  if (glyph == Glyph::point) return 1;
+  return dimensions == 3 ? 8 : 4;
+}
+
+}  // namespace
 
 ExodusWriter::ExodusWriter(
     const Scene& scene,
@@ -19,43 +31,56 @@ ExodusWriter::ExodusWriter(
     const std::filesystem::path& path,
     const std::string& version,
     const std::vector<std::string>& information,
-    int kept
+    const KeptFields& kept
 )
     : dimensions_(dimensions(scene.grid.mode)),
-      nodes_(
-          scene.output.glyph == Glyph::point ? 1
-          : dimensions_ == 3                 ? 8
-                                             : 4
-      ),
-      steps_(kept) {
-  lay_out(scene, slots);
-  ExodusLayout layout = describe(scene, version);
-  layout.information = information;
-  record_start(scene, state, layout);
-  RootWork work(*state.grid.comm);
-  work.run([&] {
-    file_ = std::make_unique<ExodusFile>(path, layout, std::max(kept, 1));
-    if (kept > 0) displacement_ = copy_exodus_steps(path, layout, kept, *file_);
-  });
-  work.agree();
+      nodes_(nodes_of(scene.output.glyph, dimensions_)),
+      steps_(kept.steps),
+      shares_(share_out(slots, scene.materials.size(), count_files(scene, *state.grid.comm, kept))
+      ) {
+  const Comm& comm = *state.grid.comm;
+  for (int file = 0; file < shares_.files; ++file)
+    if (holder_of(shares_, file, comm.getSize()) == comm.getRank()) held_.push_back(hold(file));
+  ExodusLayout common = describe(scene, version);
+  common.information = information;
+  const std::vector<ExodusLayout> layouts = record_start(scene, state, common);
+  // No file is touched unless all that shall go on are there.
+  RankWork find(comm);
+  if (steps_ > 0)
+    find.run([&] {
+      for (const Held& held : held_)
+        refuse_fewer_steps(name_in_set(path, shares_, held.number), steps_);
+    });
+  find.agree();
+  RankWork open(comm);
+  open.run([&] { open_files(path, layouts, steps_); });
+  open.agree();
 }
 
-void ExodusWriter::lay_out(const Scene& scene, const std::vector<SlotRange>& slots) {
-  std::vector<SlotRange> sorted = slots;
-  std::sort(sorted.begin(), sorted.end(), [](const SlotRange& a, const SlotRange& b) {
-    return a.first < b.first;
-  });
-  blocks_.resize(scene.materials.size());
-  for (const SlotRange& slot : sorted) {
-    if (slot.first < 1) throw std::logic_error("particle ids must be positive");
-    Block& block = blocks_[static_cast<std::size_t>(slot.material)];
-    block.ranges.push_back({slot.first, slot.count, block.count});
-    block.count += static_cast<std::size_t>(slot.count);
+void ExodusWriter::open_files(
+    const std::filesystem::path& path, const std::vector<ExodusLayout>& layouts, int kept
+) {
+  for (std::size_t h = 0; h < held_.size(); ++h) {
+    Held& held = held_[h];
+    const std::filesystem::path name = name_in_set(path, shares_, held.number);
+    held.file = std::make_unique<ExodusFile>(name, layouts[h], std::max(kept, 1));
+    if (kept > 0) held.displacement = copy_exodus_steps(name, layouts[h], kept, *held.file);
   }
-  for (std::size_t b = 1; b < blocks_.size(); ++b)
-    blocks_[b].begin = blocks_[b - 1].begin + blocks_[b - 1].count;
 }
 
+ExodusWriter::Held ExodusWriter::hold(int file) const {
+  Held held;
+  held.number = file;
+  held.begin.push_back(0);
+  for (std::size_t b = 0; b < shares_.blocks.size(); ++b)
+    held.begin.push_back(
+        held.begin.back() +
+        static_cast<std::size_t>(share_begin(shares_, b, file + 1) - share_begin(shares_, b, file))
+    );
+  return held;
+}
+
+/// What all files have alike.
 ExodusLayout ExodusWriter::describe(const Scene& scene, const std::string& version) const {
   ExodusLayout layout;
   layout.title = scene.title;
@@ -63,144 +88,120 @@ ExodusLayout ExodusWriter::describe(const Scene& scene, const std::string& versi
   layout.topology = nodes_ == 1 ? "SPHERE" : nodes_ == 4 ? "QUAD4" : "HEX8";
   layout.nodes_per_element = nodes_;
   layout.global_variables = {"step", "time_step", "particles"};
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const Material& material = scene.materials[b].material;
-    ExodusBlock block{
-        material.name,
-        {},
-        particle_field_names(material, dimensions_, optional_fields(scene, material))};
-    for (const Range& range : blocks_[b].ranges)
-      for (long long i = 0; i < range.count; ++i) block.ids.push_back(range.first + i);
-    layout.blocks.push_back(std::move(block));
+  layout.set.files = shares_.files;
+  for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
+    const FileShares::Block& block = shares_.blocks[b];
+    layout.blocks.push_back({scene.materials[b].material.name, {}, variables(scene, b)});
+    layout.set.block_elements.push_back(block.count);
+    if (!block.ranges.empty())
+      layout.largest_id =
+          std::max(layout.largest_id, block.ranges.back().first + block.ranges.back().count - 1);
   }
   return layout;
 }
 
-void ExodusWriter::record_start(const Scene& scene, const State& state, ExodusLayout& layout) {
-  const std::size_t elements = blocks_.empty() ? 0 : blocks_.back().begin + blocks_.back().count;
-  const std::size_t nodes = elements * static_cast<std::size_t>(nodes_);
-  const bool root = is_root(*state.grid.comm);
-  const auto directions = static_cast<std::size_t>(dimensions_);
-  if (root) {
-    start_.assign(directions, std::vector<double>(nodes, 0.0));
-    displacement_ = start_;
-    std::fill(start_[1].begin(), start_[1].end(), scene.jet.launch_position);
-    const double launched_size = scene.grid.cell_size / (2.0 * scene.jet.particles_per_cell);
-    if (nodes_ == 1) layout.radius.assign(elements, launched_size);
-  }
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const Rows rows = gather_rows(scene, state, b);
-    for (std::size_t r = 0; r < rows.elements.size(); ++r) {
-      const std::size_t e = rows.elements[r];
-      const double* values = &rows.values[r * rows.width];
-      for (std::size_t v = 0; v < node_values(); ++v)
-        start_[v % directions][e * static_cast<std::size_t>(nodes_) + v / directions] = values[v];
-      if (nodes_ == 1) layout.radius[e] = values[rows.width - 1];
-    }
-  }
-  if (root) layout.coordinates = start_;
+ExodusLayout ExodusWriter::layout_of(const Held& held, const ExodusLayout& common) const {
+  ExodusLayout layout = common;
+  layout.set.file = held.number;
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b)
+    layout.blocks[b].ids = ids_of(shares_, b, held.number);
+  return layout;
 }
 
-/// Node positions, then the element variables, then the radius of a point.
-ExodusWriter::Rows ExodusWriter::gather_rows(
-    const Scene& scene, const State& state, std::size_t set
-) const {
-  const HostParticles particles(state.particles[set]);
+std::vector<ExodusLayout> ExodusWriter::record_start(
+    const Scene& scene, const State& state, const ExodusLayout& common
+) {
+  const auto directions = static_cast<std::size_t>(dimensions_);
+  const auto nodes = static_cast<std::size_t>(nodes_);
+  const double launched_size = scene.grid.cell_size / (2.0 * scene.jet.particles_per_cell);
+  std::vector<ExodusLayout> layouts;
+  for (Held& held : held_) {
+    layouts.push_back(layout_of(held, common));
+    held.start.assign(directions, std::vector<double>(held.begin.back() * nodes, 0.0));
+    held.displacement = held.start;
+    std::fill(held.start[1].begin(), held.start[1].end(), scene.jet.launch_position);
+    if (nodes_ == 1) layouts.back().radius.assign(held.begin.back(), launched_size);
+  }
+  for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
+    const Rows rows = bring_rows(scene, state, b);
+    const std::size_t radius = node_values() + common.blocks[b].variables.size();
+    for (std::size_t h = 0; h < held_.size(); ++h)
+      for (const Rows::Row& row : rows.of_file[h]) {
+        const double* values = &rows.values[row.begin];
+        for (std::size_t v = 0; v < node_values(); ++v)
+          held_[h].start[v % directions][row.element * nodes + v / directions] = values[v];
+        if (nodes_ == 1) layouts[h].radius[row.element] = values[radius];
+      }
+  }
+  for (std::size_t h = 0; h < held_.size(); ++h) layouts[h].coordinates = held_[h].start;
+  return layouts;
+}
+
+std::vector<std::string> ExodusWriter::variables(const Scene& scene, std::size_t set) const {
   const Material& material = scene.materials[set].material;
-  Rows rows;
-  rows.width =
-      node_values() +
-      particle_field_names(material, dimensions_, optional_fields(scene, material)).size() + 1;
-  std::vector<ParticleId> ids;
-  std::vector<double> values;
-  ids.reserve(static_cast<std::size_t>(particles.count));
-  values.reserve(static_cast<std::size_t>(particles.count) * rows.width);
-  for (int p = 0; p < particles.count; ++p) {
-    ids.push_back(particles.id(p));
-    if (nodes_ == 1) {
-      for (int d = 0; d < dimensions_; ++d) values.push_back(particles.position(p, d));
-    } else {
-      particles.append_corners(p, values);
-    }
-    append_particle_fields(particles, p, material.density, values);
-    double size = 1.0;
-    for (int d = 0; d < dimensions_; ++d) size *= particles.half_size(p, d);
-    values.push_back(std::pow(size, 1.0 / dimensions_));
-  }
-  for (const ParticleId id : gather_to_root(*state.grid.comm, ids))
-    rows.elements.push_back(element(blocks_[set], id));
-  rows.values = gather_to_root(*state.grid.comm, values);
-  return rows;
+  return particle_field_names(material, dimensions_, optional_fields(scene, material));
 }
 
-std::size_t ExodusWriter::element(const Block& block, ParticleId id) const {
-  auto after = std::upper_bound(
-      block.ranges.begin(),
-      block.ranges.end(),
-      id,
-      [](ParticleId value, const Range& range) { return value < range.first; }
-  );
-  if (after == block.ranges.begin() || id >= std::prev(after)->first + std::prev(after)->count)
-    throw std::logic_error("particle " + std::to_string(id) + " has no place in the files");
-  --after;
-  return block.begin + after->begin + static_cast<std::size_t>(id - after->first);
-}
-
-void ExodusWriter::move_nodes(const Rows& rows) {
+void ExodusWriter::move_nodes(const Rows& rows, std::size_t h) {
   const auto directions = static_cast<std::size_t>(dimensions_);
-  for (std::size_t r = 0; r < rows.elements.size(); ++r) {
-    const std::size_t e = rows.elements[r];
+  Held& held = held_[h];
+  for (const Rows::Row& row : rows.of_file[h])
     for (std::size_t v = 0; v < node_values(); ++v) {
       const std::size_t d = v % directions;
-      const std::size_t node = e * static_cast<std::size_t>(nodes_) + v / directions;
-      displacement_[d][node] = rows.values[r * rows.width + v] - start_[d][node];
+      const std::size_t node = row.element * static_cast<std::size_t>(nodes_) + v / directions;
+      held.displacement[d][node] = rows.values[row.begin + v] - held.start[d][node];
     }
+}
+
+void ExodusWriter::put_block(const Scene& scene, std::size_t set, const Rows& rows, std::size_t h) {
+  const Held& held = held_[h];
+  const std::vector<std::string> names = variables(scene, set);
+  std::vector<double> values(held.begin[set + 1] - held.begin[set]);
+  for (std::size_t v = 0; v < names.size(); ++v) {
+    std::fill(values.begin(), values.end(), 0.0);
+    for (const Rows::Row& row : rows.of_file[h])
+      values[row.element - held.begin[set]] = rows.values[row.begin + node_values() + v];
+    held.file->put_variable(set, names[v], values);
   }
 }
 
-void ExodusWriter::put_block(const Scene& scene, std::size_t set, const Rows& rows) {
-  const Block& block = blocks_[set];
-  const std::vector<std::string> names = particle_field_names(
-      scene.materials[set].material,
-      dimensions_,
-      optional_fields(scene, scene.materials[set].material)
-  );
-  std::vector<double> values(block.count);
-  for (std::size_t v = 0; v < names.size(); ++v) {
-    std::fill(values.begin(), values.end(), 0.0);
-    for (std::size_t r = 0; r < rows.elements.size(); ++r)
-      values[rows.elements[r] - block.begin] = rows.values[r * rows.width + node_values() + v];
-    file_->put_variable(set, names[v], values);
+void ExodusWriter::end_step(const State& state, double present) {
+  for (const Held& held : held_) {
+    for (int d = 0; d < dimensions_; ++d)
+      held.file->put_displacement(d, held.displacement[static_cast<std::size_t>(d)]);
+    held.file->put_globals({static_cast<double>(state.clock.step), state.clock.dt, present});
+    held.file->end_step();
   }
 }
 
 void ExodusWriter::write(const Scene& scene, const State& state) {
   const Region region("write_fields");
-  const Clock& clock = state.clock;
-  RootWork work(*state.grid.comm);
-  work.run([&] { file_->begin_step(clock.time); });
-  double present = 0.0;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const Rows rows = gather_rows(scene, state, b);
-    present += static_cast<double>(rows.elements.size());
+  RankWork work(*state.grid.comm);
+  work.run([&] {
+    for (const Held& held : held_) held.file->begin_step(state.clock.time);
+  });
+  std::array<double, 1> present{0.0};
+  for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
+    const Rows rows = bring_rows(scene, state, b);
+    present[0] += static_cast<double>(state.particles[b].count);
     work.run([&] {
-      move_nodes(rows);
-      put_block(scene, b, rows);
+      for (std::size_t h = 0; h < held_.size(); ++h) {
+        move_nodes(rows, h);
+        put_block(scene, b, rows, h);
+      }
     });
   }
-  work.run([&] {
-    for (int d = 0; d < dimensions_; ++d)
-      file_->put_displacement(d, displacement_[static_cast<std::size_t>(d)]);
-    file_->put_globals({static_cast<double>(clock.step), clock.dt, present});
-    file_->end_step();
-  });
+  sum_over_ranks(*state.grid.comm, present);
+  work.run([&] { end_step(state, present[0]); });
   work.agree();
   ++steps_;
 }
 
 void ExodusWriter::close(const Comm& comm) {
-  RootWork work(comm);
-  work.run([&] { file_->close(); });
+  RankWork work(comm);
+  work.run([&] {
+    for (const Held& held : held_) held.file->close();
+  });
   work.agree();
 }
 

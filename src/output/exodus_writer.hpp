@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/gather.hpp"
+#include "base/rank_work.hpp"
 #include "output/exodus_file.hpp"
+#include "output/file_shares.hpp"
 #include "scene/scene.hpp"
-#include "state/slots.hpp"
 #include "state/state.hpp"
 
 #include <memory>
 
 namespace barreno {
+
+/// What of an old particles.e, or of its set, stays when a run is resumed.
+struct KeptFields {
+  int steps = 0;  ///< time steps
+  int files = 0;
+};
 
 /// particles.e: every particle an element, a block per material, elements sorted by particle id.
 ///
@@ -18,12 +24,13 @@ namespace barreno {
 /// stay where they were last seen. Corners of a particle that did not exist at the start have their
 /// initial coordinates on the axis in the launch plane.
 ///
-/// The data are gathered on rank 0, which alone holds a file.
+/// One file is written by rank 0. With "one per rank" there are as many as the run began with
+/// ranks, each with its share of the ids (see FileShares), and each rank writes its own. Particles
+/// are brought to the ranks that write them.
 class ExodusWriter {
 public:
   /// @param slots       all particles that the run has or will have, see all_slots
-  /// @param information lines kept in the file's information records
-  /// @param kept        time steps of an old file of that name that stay
+  /// @param information lines kept in the files' information records
   ExodusWriter(
       const Scene& scene,
       const std::vector<SlotRange>& slots,
@@ -31,39 +38,49 @@ public:
       const std::filesystem::path& path,
       const std::string& version,
       const std::vector<std::string>& information,
-      int kept = 0
+      const KeptFields& kept = {}
   );
   /// Appends the state as a time step. Collective. @throws FileError on every rank
   void write(const Scene& scene, const State& state);
   void close(const Comm& comm);
-  int steps() const { return steps_; }  ///< in the file
+  int steps() const { return steps_; }  ///< in each file
+  int files() const { return shares_.files; }
 
 private:
-  /// Consecutive ids and the element of the first one within its block.
-  struct Range {
-    ParticleId first;
-    long long count;
-    std::size_t begin;
+  /// A file that this rank writes.
+  struct Held {
+    int number = 0;                  ///< among the files
+    std::vector<std::size_t> begin;  ///< first element of each block, then the number of all
+    std::vector<std::vector<double>> start, displacement;  ///< per direction, per node
+    std::unique_ptr<ExodusFile> file;
   };
-  struct Block {
-    std::vector<Range> ranges;  ///< ascending
-    std::size_t begin = 0;      ///< element of the block's first one, counted over all blocks
-    std::size_t count = 0;
-  };
-  /// One row of values per particle of a set, on the root only.
+  /// Rows of values of a set's particles, for the files of this rank.
   struct Rows {
-    std::vector<std::size_t> elements;  ///< counted over all blocks
+    struct Row {
+      std::size_t element;  ///< counted over the file's blocks
+      std::size_t begin;    ///< of its values
+    };
     std::vector<double> values;
-    std::size_t width = 0;
+    std::vector<std::vector<Row>> of_file;  ///< as held_
   };
 
-  void lay_out(const Scene& scene, const std::vector<SlotRange>& slots);
+  void open_files(
+      const std::filesystem::path& path, const std::vector<ExodusLayout>& layouts, int kept
+  );
+  Held hold(int file) const;
   ExodusLayout describe(const Scene& scene, const std::string& version) const;
-  void record_start(const Scene& scene, const State& state, ExodusLayout& layout);
-  Rows gather_rows(const Scene& scene, const State& state, std::size_t set) const;
-  void move_nodes(const Rows& rows);
-  void put_block(const Scene& scene, std::size_t set, const Rows& rows);
-  std::size_t element(const Block& block, ParticleId id) const;
+  ExodusLayout layout_of(const Held& held, const ExodusLayout& common) const;
+  std::vector<ExodusLayout> record_start(
+      const Scene& scene, const State& state, const ExodusLayout& common
+  );
+  std::vector<std::string> variables(const Scene& scene, std::size_t set) const;
+  std::vector<double> pack_rows(
+      const Scene& scene, const State& state, std::size_t set, std::vector<int>& counts
+  ) const;
+  Rows bring_rows(const Scene& scene, const State& state, std::size_t set) const;
+  void move_nodes(const Rows& rows, std::size_t h);
+  void put_block(const Scene& scene, std::size_t set, const Rows& rows, std::size_t h);
+  void end_step(const State& state, double present);
   std::size_t node_values() const {
     return static_cast<std::size_t>(dimensions_) * static_cast<std::size_t>(nodes_);
   }
@@ -71,9 +88,8 @@ private:
   int dimensions_ = 2;
   int nodes_ = 4;  ///< per element
   int steps_ = 0;
-  std::vector<Block> blocks_;
-  std::vector<std::vector<double>> start_, displacement_;  ///< per direction, per node; root only
-  std::unique_ptr<ExodusFile> file_;                       ///< root only
+  FileShares shares_;
+  std::vector<Held> held_;  ///< ascending, without a gap
 };
 
 }  // namespace barreno

@@ -186,7 +186,7 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
       run.folder / "particles.e",
       run.version,
       lines_of(run.deck_text),
-      static_cast<int>(kept("fields_kept"))
+      KeptFields{static_cast<int>(kept("fields_kept")), static_cast<int>(kept("fields_files"))}
   );
   RowBefore before;
   if (!position.empty()) before = {number_of(position, "row_time"), position.at("row_reactions")};
@@ -299,6 +299,7 @@ RunNumbers Output::position() const {
       {"fields_step", {static_cast<double>(o.fields_step)}},
       {"rows_step", {static_cast<double>(o.rows_step)}},
       {"fields_kept", {static_cast<double>(o.fields->steps())}},
+      {"fields_files", {static_cast<double>(o.fields->files())}},
       {"row_time", {o.history->last_row().time}},
       {"row_reactions", o.history->last_row().reactions},
       {"history_bytes", {bytes(o.history)}},

@@ -240,7 +240,8 @@ std::vector<std::string> result_lines(
       "Files in " + folder + ": summary.json, history.csv" +
       (scene.jet.present ? ", depth.csv" : "") +
       (hollow_balls(scene).empty() ? "" : ", radii.csv") +
-      ", particles.e (ParaView), deck.xml, run.log"
+      (scene.output.files == ParticleFiles::one ? ", particles.e" : ", particles.e*") +
+      " (ParaView), deck.xml, run.log"
   );
   lines.push_back("Next: ./barreno report " + folder);
   return lines;

@@ -14,20 +14,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything that a run writes; a folder with one of these holds a result.
-constexpr std::array<const char*, 12> result_files{
+/// Everything that a run writes beside its particles; a folder with one of these holds a result.
+constexpr std::array<const char*, 10> result_files{
     "run.log",
     "deck.xml",
     "history.csv",
     "depth.csv",
     "radii.csv",
     "cavities.csv",
-    "particles.e",
-    "particles.e.tmp",
     "checkpoint.h5",
     "checkpoint_previous.h5",
     "checkpoint.h5.tmp",
     "summary.json"};
+
+/// particles.e, a file of its set (particles.e.2.0), or one of them half written.
+bool is_result(const std::string& name) {
+  return name.rfind("particles.e", 0) == 0 ||
+         std::find(result_files.begin(), result_files.end(), name) != result_files.end();
+}
+
+std::vector<fs::path> results_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code ignored;  // the probe finds a folder that cannot be read
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (is_result(entry.path().filename())) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
   throw FileError(
@@ -56,9 +69,7 @@ fs::path use_named(const fs::path& folder, bool overwrite) {
     fs::create_directories(folder, error);
     if (error) refuse(folder, error.message());
   }
-  std::vector<fs::path> found;
-  for (const char* name : result_files)
-    if (fs::exists(folder / name, error)) found.push_back(folder / name);
+  const std::vector<fs::path> found = results_in(folder);
   if (!found.empty() && !overwrite)
     throw FileError(
         "the run folder '" + folder.string() + "' already holds a result (" +

@@ -153,6 +153,8 @@ OutputSpec read_output(const Deck& deck) {
       deck.number("Output/Checkpoint Interval"),
       deck.integer("Output/Checkpoint Steps")};
   output.glyph = deck.word("Output/Particle Glyph") == "point" ? Glyph::point : Glyph::deformed;
+  output.files = deck.word("Output/Particle Files") == "one" ? ParticleFiles::one
+                                                             : ParticleFiles::one_per_rank;
   return output;
 }
 

@@ -169,6 +169,9 @@ struct ContactSpec {
 
 enum class Glyph { deformed, point };
 
+/// Where particles are written: one file, or as many as the run began with ranks.
+enum class ParticleFiles { one, one_per_rank };
+
 /// What may pass between two checkpoints; 0: no bound.
 struct CheckpointSpec {
   double wall_interval = 600.0;  ///< [s], of the clock on the wall
@@ -181,6 +184,7 @@ struct OutputSpec {
   double history_interval =
       0.0;  ///< between rows of history.csv and depth.csv; 0: every step [time]
   Glyph glyph = Glyph::deformed;
+  ParticleFiles files = ParticleFiles::one;
   CheckpointSpec checkpoint;
 };
 

@@ -4,6 +4,8 @@
 
     exodiff_lite.py [-f TOLERANCES] OLD NEW        exit code 0: the same, 2: different, 1: error
 
+particles.e stands for a set of files (particles.e.2.0, particles.e.2.1) where there is no file of that name.
+
 A tolerance file is a subset of exodiff's:
     DEFAULT TOLERANCE relative 1e-8 floor 1e-14
     COORDINATES absolute 1e-12
@@ -15,11 +17,15 @@ relative: |a-b| / max(|a|, |b|); absolute: |a-b|; combined: |a-b| / max(1, |a|, 
 Pairs that both lie within the floor are equal. Not a number equals nothing, not even itself.
 """
 import argparse
+import pathlib
 import re
 import sys
 
 import numpy as np
 from netCDF4 import Dataset, chartostring
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
+from join_exodus import as_one_file  # noqa: E402
 
 KINDS = ("relative", "absolute", "combined", "ignore")
 
@@ -248,9 +254,8 @@ def main():
     parser.add_argument("new")
     options = parser.parse_args()
     try:
-        found = list(
-            differences(Exodus(options.old), Exodus(options.new), Tolerances(options.file))
-        )
+        with as_one_file(options.old) as old, as_one_file(options.new) as new:
+            found = list(differences(Exodus(old), Exodus(new), Tolerances(options.file)))
     except (OSError, KeyError, ValueError, StopIteration) as error:
         print(f"exodiff_lite: {error!r}", file=sys.stderr)
         return 1

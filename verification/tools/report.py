@@ -15,6 +15,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from join_exodus import as_one_file, files_of
 from matplotlib.collections import PolyCollection
 from netCDF4 import Dataset, chartostring
 
@@ -110,7 +111,8 @@ def limits_of(values, areas, percent):
 
 
 def draw_fields(run, summary, folder):
-    fields = Fields(run / "particles.e")
+    with as_one_file(run / "particles.e") as file:
+        fields = Fields(file)
     mirrored = summary.get("mode", "axisymmetric") == "axisymmetric"
     corners = fields.corners / MILLI
     pressure = fields.of_alive(["pressure"]) / MEGA
@@ -241,8 +243,9 @@ def main():
         if (run / "summary.json").exists():
             summary = json.loads((run / "summary.json").read_text(encoding="utf-8"))
         folder = run / "report"
-        if not (run / "particles.e").exists() or not (run / "history.csv").exists():
-            raise OSError("it holds no particles.e and history.csv; give the folder of a run")
+        if not (run / "history.csv").exists():
+            raise OSError("it holds no history.csv; give the folder of a run")
+        files_of(run / "particles.e")
         folder.mkdir(exist_ok=True)
         draw_fields(run, summary, folder)
         depth = draw_depth(run, folder)
