@@ -65,6 +65,8 @@ std::string load_card(const std::string& card, const std::string& path, const Re
       return read_file(find_card(card, reading.directory), input::largest_text, "a card");
     } catch (const FileError& error) {
       throw FileError(included(reading, join(path, "Card"), card) + " " + error.what());
+    } catch (const DeckError& error) {
+      throw DeckError(included(reading, join(path, "Card"), card) + " " + error.what());
     }
   };
   return read_once(read, reading.comm);

@@ -24,7 +24,8 @@
 #include <unistd.h>
 
 extern "C" {
-// Whatever a reader wants at once beyond this is too much; so is a process beyond the second.
+// A reader that wants more than this at once, or a process that has more than the second, has
+// failed.
 const char* __asan_default_options();
 const char* __asan_default_options() {
   return "max_allocation_size_mb=1200:hard_rss_limit_mb=3000:detect_stack_use_after_return=1";
@@ -152,6 +153,27 @@ bool replay(const fs::path& folder, const std::vector<fs::path>& files) {
   return sound;
 }
 
+/// What is read as it is, and what is refused.
+struct Seeds {
+  std::vector<Seed> sound, bad;
+};
+
+Seeds seeds_of(Reader reader, const std::vector<fs::path>& files, const fs::path& folder) {
+  Seeds seeds;
+  for (const fs::path& file : files) {
+    const std::string bytes = bytes_of(file);
+    if (reader_of(file, bytes) != reader || bytes.size() > 64U << 10U) continue;
+    const bool sound = read_input(reader, bytes, folder).accepted;
+    (sound ? seeds.sound : seeds.bad).push_back(seed_of(reader, bytes));
+  }
+  return seeds;
+}
+
+const Seed& any_seed(const Seeds& seeds, Engine& engine) {
+  return seeds.bad.empty() || !one_in(engine, 4) ? any_of(engine, seeds.sound)
+                                                 : any_of(engine, seeds.bad);
+}
+
 bool fuzz(
     const fs::path& folder,
     const std::string& word,
@@ -160,30 +182,20 @@ bool fuzz(
     const std::vector<fs::path>& files
 ) {
   int r = 0;
-  while (r < reader_count && word != name_of(static_cast<Reader>(r))) ++r;
+  while (r + 1 < reader_count && word != name_of(static_cast<Reader>(r))) ++r;
   const auto reader = static_cast<Reader>(r);
-  std::vector<Seed> seeds;
-  for (const fs::path& file : files) {
-    const std::string bytes = bytes_of(file);
-    if (reader_of(file, bytes) == reader && bytes.size() < 64U << 10U)
-      seeds.push_back(seed_of(reader, bytes));
-  }
-  if (seeds.empty()) {
-    std::printf("no file is for the reader '%s'\n", word.c_str());
+  const Seeds seeds = seeds_of(reader, files, folder);
+  if (word != name_of(reader) || seeds.sound.empty()) {
+    std::printf("no sound file is for a reader '%s'\n", word.c_str());
     return false;
   }
   Engine engine(number);
   Tally tally;
   for (long round = 0; round < rounds; ++round) {
-    const Seed& seed = any_of(engine, seeds);
-    const Seed& donor = any_of(engine, seeds);
-    judge(
-        reader,
-        mutated(reader, seed, donor, engine),
-        "round " + std::to_string(round),
-        folder,
-        tally
-    );
+    const Seed& seed = any_seed(seeds, engine);
+    const Seed& donor = any_seed(seeds, engine);
+    const std::string bytes = mutated(reader, seed, donor, engine);
+    judge(reader, bytes, "round " + std::to_string(round), folder, tally);
   }
   return summed_up(reader, tally);
 }

@@ -6,7 +6,7 @@
 namespace barreno {
 
 double machine_bytes() {
-  return 16e6;
+  return 64e6;
 }
 
 }  // namespace barreno
