@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run survives: signals, damaged checkpoints, a full disk, another number of ranks, very many steps. All
-cases in full, with their tables in docs/verification.md.
+"""What a run survives: signals, damaged checkpoints, a full disk, another number of ranks, very many steps,
+input of any kind. All cases in full, with their tables in docs/verification.md.
 
     faults.py BARRENO
 """
@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-CASES = ["kills", "damaged_checkpoints", "full_disk", "restarts", "long_run"]
+CASES = ["kills", "damaged_checkpoints", "full_disk", "restarts", "long_run", "fuzzed_decks"]
 
 if __name__ == "__main__":
     if len(sys.argv) != 2:

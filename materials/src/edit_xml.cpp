@@ -85,24 +85,28 @@ std::string exact_text(double value) {
   return {buffer, result.ptr};
 }
 
+std::string on_one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return text;
+}
+
 std::string shown(const std::string& text) {
   constexpr std::size_t longest = 60;
-  std::string cut = text.size() > longest ? text.substr(0, longest - 3) + "..." : text;
+  const std::string cut = on_one_line(cut_end(text, longest));
   const bool plain =
       !cut.empty() && std::string("0123456789+-.{").find(cut.front()) != std::string::npos;
   return plain ? cut : "\"" + cut + "\"";
 }
 
 void refuse(const std::string& source, const std::string& path, const std::string& problem) {
-  std::string sentence =
-      source + (path.empty() ? "" : ": " + path) + (problem.empty() ? "" : " " + problem);
+  // Names and words of the user may be of any length; a sentence stays one that can be read.
+  constexpr std::size_t longest_path = 300, longest_problem = 2000;
+  std::string sentence = source + (path.empty() ? "" : ": " + cut_middle(path, longest_path)) +
+                         (problem.empty() ? "" : " " + cut_middle(problem, longest_problem));
   if (sentence.back() != '.' && sentence.back() != '?') sentence += '.';
-  // Names and values of the user may hold line ends and control characters; a sentence stays on one
-  // line.
-  for (char& c : sentence) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  throw InputError(sentence);
+  throw InputError(on_one_line(sentence));
 }
 
 void refuse_value(

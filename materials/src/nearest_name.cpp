@@ -42,6 +42,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   std::string nearest;
   std::size_t fewest = name.size() / 3 + 1;
   for (const std::string& candidate : known) {
+    if (candidate.size() > 100) continue;
     const std::size_t n = edits(plain(name), plain(candidate));
     if (n < fewest || (n == fewest && nearest.empty())) {
       fewest = n;

@@ -1,31 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "barreno/input/error.hpp"
 #include "barreno/input/scan_xml.hpp"
+#include "text.hpp"
 
 #include <Teuchos_StringInputSource.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 
 namespace barreno::input {
 namespace {
 
-/// Nesting depth of the tags of a text that need not be well-formed; comments do not count.
+/// Where the markup that begins at `at` ends; values in quotes may hold a '>'.
+std::size_t end_of_markup(const std::string& text, std::size_t at) {
+  if (text.compare(at, 4, "<!--") == 0) return text.find("-->", at + 4);
+  if (text.compare(at, 2, "<?") == 0) return text.find("?>", at + 2);
+  char quote = '\0';
+  for (std::size_t i = at + 1; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quote != '\0') {
+      if (c == quote) quote = '\0';
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '>') {
+      return i;
+    }
+  }
+  return std::string::npos;
+}
+
+/// Nesting depth of the tags of a text that need not be well-formed; comments do not count. Every
+/// character is looked at once.
 int nesting_of(const std::string& text) {
   int depth = 0, deepest = 0;
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
-    if (text.compare(at, 4, "<!--") == 0) {
-      at = text.find("-->", at);
-      if (at == std::string::npos) return deepest;
-      continue;
-    }
-    const std::size_t end = text.find('>', at);
+  std::size_t at = text.find('<');
+  while (at != std::string::npos) {
+    const std::size_t end = end_of_markup(text, at);
     if (end == std::string::npos) return deepest;
     const char next = text[at + 1];
-    if (next == '/') --depth;
+    if (next == '/') depth = std::max(0, depth - 1);
     if (next != '/' && next != '?' && next != '!' && text[end - 1] != '/') ++depth;
     deepest = std::max(deepest, depth);
+    at = text.find('<', end);
   }
   return deepest;
 }
@@ -37,13 +53,17 @@ bool contains_word(const std::string& text, const std::string& word) {
 
 /// Teuchos' message carries the throw's location and number around the part that a user can act on.
 std::string reason_of(const std::string& message) {
-  std::smatch match;
-  const std::regex pattern("XML parse error at (line [0-9]+): (document not well-formed: )?([^\n]*)"
-  );
-  if (std::regex_search(message, match, pattern)) {
-    return "at " + match.str(1) + " (" + match.str(3) + ")";
-  }
-  return "(it has no root element)";
+  const std::string begin = "XML parse error at ", filler = "document not well-formed: ";
+  const std::size_t found = message.find(begin);
+  if (found == std::string::npos) return "(it has no root element)";
+  std::string reason = message.substr(found + begin.size());
+  reason = reason.substr(0, reason.find('\n'));
+  const std::size_t colon = reason.find(": ");
+  if (colon == std::string::npos) return "at " + reason;
+  const std::string place = reason.substr(0, colon);
+  reason.erase(0, colon + 2);
+  if (reason.compare(0, filler.size(), filler) == 0) reason.erase(0, filler.size());
+  return "at " + place + " (" + cut_middle(reason, 200) + ")";
 }
 
 }  // namespace

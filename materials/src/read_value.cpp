@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace barreno::input {
 namespace {
@@ -138,11 +139,12 @@ Teuchos::TwoDArray<double> table_of(
 
 Teuchos::Array<std::string> words_list_of(const std::string& text, const Entry& entry) {
   Teuchos::Array<std::string> values;
+  std::set<std::string> seen;
   const bool any_name = entry.words.empty();
   for (const std::string& part :
        parts_of(text, any_name ? "{A, B}" : "{" + entry.words.front() + "}")) {
     const std::string word = any_name ? part : word_of(part, entry);
-    if (std::find(values.begin(), values.end(), word) != values.end()) {
+    if (!seen.insert(word).second) {
       throw InputError("names '" + word + "' twice; name it once");
     }
     values.push_back(word);

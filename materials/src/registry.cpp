@@ -6,6 +6,7 @@
 #include "barreno/input/scan_xml.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <type_traits>
@@ -245,10 +246,16 @@ ParameterList scan_card(const Teuchos::XMLObject& xml, const std::string& source
 }
 
 Material read_card(const std::string& file) {
-  std::ifstream stream(file);
+  // A pipe without a writer would be waited for without end, and a device has no end.
+  std::error_code ignored;
+  const bool plain = std::filesystem::is_regular_file(file, ignored);
+  if (plain && std::filesystem::file_size(file, ignored) > input::largest_text)
+    input::refuse(file, "", "is too large for a card; is it the right file?");
+  std::ifstream stream;
+  if (plain) stream.open(file);
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream) {
+  if (!plain || !stream) {
     throw FileError(
         file + " cannot be read (it is absent or not readable); give the path of a card."
     );

@@ -22,4 +22,27 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
+namespace {
+
+/// The last place up to `at` where no character of several bytes is cut.
+std::size_t between_characters(std::string_view text, std::size_t at) {
+  while (at > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U)
+    --at;
+  return at;
+}
+
+}  // namespace
+
+std::string cut_end(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
+  return std::string(text.substr(0, between_characters(text, longest - 3))) + "...";
+}
+
+std::string cut_middle(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
+  const std::size_t half = (longest - 3) / 2;
+  return std::string(text.substr(0, between_characters(text, half))) + "..." +
+         std::string(text.substr(between_characters(text, text.size() - half)));
+}
+
 }  // namespace barreno::input

@@ -12,4 +12,8 @@ std::string_view trim(std::string_view text);
 /// Parts between separators, trimmed; "a,,b" has an empty second part, an empty text has no part.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// At most `longest` bytes of a text, "..." where some are left out: at its end, or in its middle.
+std::string cut_end(std::string_view text, std::size_t longest);
+std::string cut_middle(std::string_view text, std::size_t longest);
+
 }  // namespace barreno::input

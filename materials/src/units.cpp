@@ -122,7 +122,7 @@ public:
 private:
   [[noreturn]] void refuse() const {
     throw InputError(
-        "has an unknown unit '" + std::string(text_) +
+        "has an unknown unit '" + cut_end(text_, 60) +
         "' (units are products, quotients and powers of m, s, g, K, Pa, N, J and the like, with "
         "prefixes); "
         "write for example \"12.7 mm\", \"10 ksi\" or \"2.3 g/cm3\""
@@ -143,7 +143,7 @@ private:
       const char c = text_[at_];
       if (c == '*' || c == '/' || c == '.') ++at_;
       const Unit next = factor();
-      unit = product(unit, c == '/' ? power(next, -1) : next);
+      unit = sound(product(unit, c == '/' ? power(next, -1) : next));
     }
     return unit;
   }
@@ -151,8 +151,10 @@ private:
   Unit factor() {
     skip_blanks();
     if (at_ < text_.size() && text_[at_] == '(') {
+      if (++depth_ > deepest) refuse();
       ++at_;
       const Unit unit = expression();
+      --depth_;
       if (at_ >= text_.size() || text_[at_] != ')') refuse();
       ++at_;
       return raise(unit);
@@ -180,7 +182,16 @@ private:
     // Exponents beyond these are no physics and would overflow the decimal exponent.
     if (std::abs(n) > 12) refuse();
     at_ = static_cast<std::size_t>(end - text_.data());
-    return power(unit, n);
+    return sound(power(unit, n));
+  }
+
+  /// Powers of powers and very long products would overflow.
+  Unit sound(const Unit& unit) const {
+    constexpr int most = 1000;
+    const Dimension& d = unit.dimension;
+    for (const int n : {unit.exponent, d.length, d.time, d.mass, d.temperature})
+      if (std::abs(n) > most) refuse();
+    return unit;
   }
 
   static bool is_letter(char c) {
@@ -190,6 +201,8 @@ private:
 
   std::string_view text_;
   std::size_t at_ = 0;
+  static constexpr int deepest = 8;  ///< brackets in brackets
+  int depth_ = 0;
 };
 
 bool is_unit(std::string_view text) {
@@ -271,7 +284,7 @@ double read_quantity(std::string_view text, const Dimension& dimension, const Un
   const Unit unit = suffix.empty() ? units.unit_of(dimension) : read_unit(suffix);
   if (!(unit.dimension == dimension)) {
     throw InputError(
-        "has the unit of " + words_of(unit.dimension) + " ('" + std::string(suffix) + "'), but " +
+        "has the unit of " + words_of(unit.dimension) + " ('" + cut_end(suffix, 60) + "'), but " +
         words_of(dimension) + " belongs here; " + write
     );
   }

@@ -65,6 +65,8 @@ std::string load_card(const std::string& card, const std::string& path, const Re
       return read_file(find_card(card, reading.directory), input::largest_text, "a card");
     } catch (const FileError& error) {
       throw FileError(included(reading, join(path, "Card"), card) + " " + error.what());
+    } catch (const DeckError& error) {
+      throw DeckError(included(reading, join(path, "Card"), card) + " " + error.what());
     }
   };
   return read_once(read, reading.comm);
@@ -121,6 +123,30 @@ void read_materials(const XMLObject& root, Reading& reading, ParameterList& valu
   }
 }
 
+/// The text of a file whose path is relative to the deck. @param source  how sentences name it
+std::string load_beside(
+    const Reading& reading,
+    const std::string& file,
+    const std::string& source,
+    std::size_t largest,
+    const char* what
+) {
+  const auto read = [&] {
+    const auto path = std::filesystem::path(reading.directory) / file;
+    std::error_code ignored;  // a name that no file can have is one that no file has
+    if (!std::filesystem::exists(path, ignored))
+      throw FileError(source + " names no file (paths are relative to the deck); check the path.");
+    try {
+      return read_file(path.string(), largest, what);
+    } catch (const FileError& error) {
+      throw FileError(source + ": " + error.what());
+    } catch (const DeckError& error) {
+      throw DeckError(source + ": " + error.what());
+    }
+  };
+  return read_once(read, reading.comm);
+}
+
 /// The table's rows become part of the deck, so that the effective deck needs no other file.
 std::string include_jet_table(const Reading& reading, ParameterList& values) {
   if (!values.isSublist("Jet")) return {};
@@ -135,19 +161,9 @@ std::string include_jet_table(const Reading& reading, ParameterList& values) {
   }
   if (!jet.isParameter("Table")) return {};
   auto table = jet.get<std::string>("Table");
-  const auto read = [&] {
-    const auto path = std::filesystem::path(reading.directory) / table;
-    if (!std::filesystem::exists(path)) {
-      throw FileError(
-          included(reading, "Jet/Table", table) +
-          " names no file (paths are relative to the deck); check the path."
-      );
-    }
-    return read_file(path.string(), input::largest_text, "a jet table");
-  };
-  jet.set(
-      "Slugs", read_jet_table(read_once(read, reading.comm), included(reading, "Jet/Table", table))
-  );
+  const std::string source = included(reading, "Jet/Table", table);
+  const std::string text = load_beside(reading, table, source, input::largest_text, "a jet table");
+  jet.set("Slugs", read_jet_table(text, source));
   jet.remove("Table");
   return table;
 }
@@ -158,12 +174,7 @@ std::shared_ptr<const Surface> load_surface(
   const auto file = list.get<std::string>("File");
   const auto place = std::filesystem::path(reading.directory) / file;
   const std::string source = included(reading, join(path, "File"), file);
-  const auto read = [&] {
-    if (!std::filesystem::exists(place))
-      throw FileError(source + " names no file (paths are relative to the deck); check the path.");
-    return read_file(place.string(), largest_surface, "an STL surface");
-  };
-  const std::string text = read_once(read, reading.comm);
+  const std::string text = load_beside(reading, file, source, largest_surface, "an STL surface");
   Vector shift{};
   if (list.isParameter("Shift")) {
     const auto given = list.get<Teuchos::Array<double>>("Shift");

@@ -5,8 +5,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include <algorithm>
-#include <cstdint>
+#include <barreno/input/scan_xml.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -53,32 +52,33 @@ std::string read_once(const std::function<std::string()>& read, const Teuchos::C
 }
 
 std::string read_file(const std::string& file, std::size_t largest, const std::string& what) {
+  const std::string name = input::on_one_line(file);
+  const std::string purpose = " (it was to be " + what + "); ";
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) {
-    throw FileError(file + " does not exist (it was to be " + what + "); check the path.");
-  }
-  if (std::filesystem::is_directory(status)) {
-    throw FileError(file + " is a directory (it was to be " + what + "); give the path of a file.");
-  }
+  if (!std::filesystem::exists(status))
+    throw FileError(name + " does not exist" + purpose + "check the path.");
+  if (std::filesystem::is_directory(status))
+    throw FileError(name + " is a directory" + purpose + "give the path of a file.");
+  // A pipe without a writer would be waited for without end, and a device has no end.
+  if (!std::filesystem::is_regular_file(status))
+    throw FileError(name + " is a pipe or a device" + purpose + "give the path of a plain file.");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw FileError(file + " cannot be opened (it was to be " + what + "); check its permissions.");
-  }
-  // Room for what is there; what is no plain file has no size.
+  if (!stream) throw FileError(name + " cannot be opened" + purpose + "check its permissions.");
+  const auto too_large = [&] {
+    const std::string bytes = std::to_string(largest);
+    return DeckError(
+        name + " is larger than " + bytes + " bytes" + purpose + "is it the right file?"
+    );
+  };
   const auto size = std::filesystem::file_size(file, error);
-  std::string text((error ? largest : std::min<std::uintmax_t>(largest, size)) + 1, '\0');
+  if (!error && size > largest) throw too_large();
+  // One byte more than is there shows whether the file grows.
+  std::string text((error ? largest : static_cast<std::size_t>(size)) + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > largest) {
-    throw DeckError(
-        file + " is larger than " + std::to_string(largest) + " bytes (it was to be " + what +
-        "); is it the right file?"
-    );
-  }
-  if (stream.bad()) {
-    throw FileError(file + " cannot be read (it was to be " + what + "); check the disk.");
-  }
+  if (text.size() > largest) throw too_large();
+  if (stream.bad()) throw FileError(name + " cannot be read" + purpose + "check the disk.");
   return text;
 }
 

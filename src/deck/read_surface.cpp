@@ -6,6 +6,8 @@
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <sstream>
 
 namespace barreno {
@@ -24,9 +26,38 @@ struct Soup {
   throw DeckError(source + " " + problem + ".");
 }
 
+/// A binary file has 80 bytes of any text, the number of facets, and 50 bytes for each of them.
+constexpr std::size_t header_bytes = 84, facet_bytes = 50;
+
+std::size_t announced_facets(const std::string& text) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, text.data() + header_bytes - sizeof count, sizeof count);
+  return count;
+}
+
+/// What begins with "solid" is text, unless its size is just that of the facets that it announces.
+bool is_binary(const std::string& text, const std::string& source) {
+  if (text.size() < header_bytes) return false;
+  const std::size_t facets = announced_facets(text);
+  const std::size_t size = header_bytes + facets * facet_bytes;
+  if (size == text.size()) return true;
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin != std::string::npos && text.compare(begin, 5, "solid") == 0) return false;
+  if (size > text.size())
+    refuse(
+        source,
+        "is no whole STL file (it announces " + std::to_string(facets) + " facets, which take " +
+            std::to_string(size) + " bytes, but has " + std::to_string(text.size()) +
+            "); export it again"
+    );
+  return true;
+}
+
 Soup read_soup(const std::string& text, const std::string& source) {
   Soup soup;
   std::istringstream stream(text);
+  // The reader takes a header that begins with "solid" for text.
+  if (is_binary(text, source)) stream.str(std::string(5, '-') + text.substr(5));
   bool sound = false;
   try {
     sound = CGAL::IO::read_STL(stream, soup.points, soup.triangles);

@@ -115,6 +115,9 @@ Surface::Surface(std::vector<Vector> points, std::vector<Facet> facets)
   // About two facets over each bin of a simple surface.
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(facets_.size())));
   bins_ = {std::clamp<std::size_t>(side, 1, 1000), std::clamp<std::size_t>(side, 1, 1000)};
+  // Facets as wide as the whole surface would be in every bin.
+  while (bins_[0] > 1 && members_of_bins() > 64 * facets_.size())
+    bins_ = {bins_[0] / 2, bins_[1] / 2};
   first_.assign(bins_[0] * bins_[1] + 1, 0);
   const auto over_bins = [&](const Box& box, const auto& visit) {
     const auto from = bin_of(box.lower[0], box.lower[1]), to = bin_of(box.upper[0], box.upper[1]);
@@ -127,6 +130,15 @@ Surface::Surface(std::vector<Vector> points, std::vector<Facet> facets)
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t f = 0; f < boxes_.size(); ++f)
     over_bins(boxes_[f], [&](std::size_t bin) { members_[next[bin]++] = static_cast<int>(f); });
+}
+
+std::size_t Surface::members_of_bins() const {
+  std::size_t members = 0;
+  for (const Box& box : boxes_) {
+    const auto from = bin_of(box.lower[0], box.lower[1]), to = bin_of(box.upper[0], box.upper[1]);
+    members += (to[0] - from[0] + 1) * (to[1] - from[1] + 1);
+  }
+  return members;
 }
 
 template <class Visit>

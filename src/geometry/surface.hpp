@@ -36,6 +36,7 @@ private:
   void for_each_near(const Box& box, Visit&& visit) const;
   Box box_of(const Facet& facet) const;
   std::array<std::size_t, 2> bin_of(double x, double y) const;
+  std::size_t members_of_bins() const;
 
   std::vector<Vector> points_;
   std::vector<Facet> facets_;

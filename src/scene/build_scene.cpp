@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <variant>
 
 namespace barreno {
 namespace {
@@ -158,10 +159,27 @@ OutputSpec read_output(const Deck& deck) {
   return output;
 }
 
+/// Of the lattices that are walked through to fill bodies, all that are no boxes: one of a thin
+/// body across the grid is far larger than what it holds.
+double filling_bytes(const Scene& scene) {
+  constexpr double bytes_per_cell = 8.0;
+  double cells = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    if (std::holds_alternative<Box>(body.shape)) continue;
+    const Box around = box_around(body.shape, scene.grid);
+    const double size = scene.grid.cell_size / body.particles_per_cell;
+    double count = 1.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(scene.grid.mode)); ++i)
+      count *= std::max(0.0, around.upper[i] - around.lower[i]) / size;
+    cells = std::max(cells, count);
+  }
+  return bytes_per_cell * cells;
+}
+
 /// Refused before anything is allocated; the grid is counted first, because its size needs no
 /// bodies.
 void check_memory(const Deck& deck, const Scene& scene) {
-  const double bytes = memory_estimate(scene);
+  const double bytes = memory_estimate(scene) + filling_bytes(scene);
   const double available = machine_bytes();
   // Tiles are numbered with int.
   const bool countable =

@@ -192,6 +192,14 @@ Shape read_polygon(const Deck& deck, const std::string& path, Mode mode) {
         path + "/Corners", "enclose no area (the body is empty); give three corners or more"
     );
   }
+  constexpr std::size_t most_corners = 10000;  // every edge is compared with every other
+  if (polygon.corners.size() > most_corners) {
+    deck.refuse_value(
+        path + "/Corners",
+        "has more than " + std::to_string(most_corners) +
+            " corners (that many cannot be compared); leave out those that change little"
+    );
+  }
   const auto edges = crossing_edges(polygon);
   if (!edges.empty()) {
     deck.refuse_value(
@@ -217,16 +225,18 @@ Shape read_surface_shape(const Deck& deck, const std::string& path, Mode mode) {
   return Faceted{deck.surfaces.at(path)};
 }
 
-Shape read_any(
-    const Deck& deck, const std::string& path, Mode mode, std::vector<std::string>& within
-);
+/// Where in the tree of parts a shape is read: the combinations around it, and the shapes read so
+/// far. Shapes that name shapes twice over would else grow without bound.
+struct Reached {
+  std::vector<std::string> within;
+  int shapes = 0;
+};
+constexpr int most_shapes = 1000;
+
+Shape read_any(const Deck& deck, const std::string& path, Mode mode, Reached& reached);
 
 Shape read_combination(
-    const Deck& deck,
-    const std::string& path,
-    const std::string& word,
-    Mode mode,
-    std::vector<std::string>& within
+    const Deck& deck, const std::string& path, const std::string& word, Mode mode, Reached& reached
 ) {
   Combination combination;
   if (word == "difference") combination.operation = Operation::subtract;
@@ -242,22 +252,28 @@ Shape read_combination(
               (names.empty() ? "add that section with the shape" : input::suggest_name(part, names))
       );
     }
+    auto& within = reached.within;
     if (std::find(within.begin(), within.end(), part) != within.end()) {
       deck.refuse_value(
           path + "/Parts",
           "names '" + part + "', which this is a part of (a shape cannot hold itself); remove it"
       );
     }
+    if (++reached.shapes > most_shapes) {
+      deck.refuse_value(
+          path + "/Parts",
+          "makes a shape of more than " + std::to_string(most_shapes) +
+              " shapes (parts of parts count); make it simpler, or an STL surface"
+      );
+    }
     within.push_back(part);
-    combination.parts.push_back(read_any(deck, "Shapes/" + part, mode, within));
+    combination.parts.push_back(read_any(deck, "Shapes/" + part, mode, reached));
     within.pop_back();
   }
   return combination;
 }
 
-Shape read_any(
-    const Deck& deck, const std::string& path, Mode mode, std::vector<std::string>& within
-) {
+Shape read_any(const Deck& deck, const std::string& path, Mode mode, Reached& reached) {
   const std::string word = deck.word(path + "/Shape");
   check_mode(deck, path, word, mode);
   check_keys(deck, path, keys_of(word, mode));
@@ -267,20 +283,20 @@ Shape read_any(
   if (word == "polygon") return read_polygon(deck, path, mode);
   if (word == "half-space") return read_half_space(deck, path, mode);
   if (word == "STL") return read_surface_shape(deck, path, mode);
-  return read_combination(deck, path, word, mode, within);
+  return read_combination(deck, path, word, mode, reached);
 }
 
 }  // namespace
 
 Shape read_shape(const Deck& deck, const std::string& path, Mode mode) {
-  std::vector<std::string> within;
-  return read_any(deck, path, mode, within);
+  Reached reached;
+  return read_any(deck, path, mode, reached);
 }
 
 void check_shapes(const Deck& deck, Mode mode) {
   for (const std::string& name : deck.lists("Shapes")) {
-    std::vector<std::string> within{name};
-    read_any(deck, "Shapes/" + name, mode, within);
+    Reached reached{{name}, 0};
+    read_any(deck, "Shapes/" + name, mode, reached);
   }
 }
 

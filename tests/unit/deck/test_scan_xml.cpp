@@ -176,6 +176,39 @@ TEST(ParseXml, HostileTextsAreRefused) {
   EXPECT_THROW(parse_xml("", "t"), InputError);
 }
 
+/// Quadratic reading would take hours, recursion the stack.
+TEST(ParseXml, LongTextsAreReadInOnePass) {
+  const std::size_t length = 4000000;
+  EXPECT_THROW(parse_xml(std::string(length, '<') + ">", "t"), InputError);
+  try {
+    parse_xml("<" + std::string(length, 'a') + "></b>", "t");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_LT(std::string(error.what()).size(), 400U);
+  }
+}
+
+TEST(ParseXml, ValuesMayHoldWhatLooksLikeTags) {
+  std::string text = "<ParameterList name=\"a\">";
+  for (int i = 0; i < 2 * deepest_nesting; ++i) text += "<Parameter name='b' value=\"c>d'>\"/>";
+  EXPECT_EQ(parse_xml(text + "</ParameterList>", "t").numChildren(), 2 * deepest_nesting);
+  std::string deep = "<ParameterList name=\"/>\">";
+  for (int i = 0; i < deepest_nesting; ++i) deep += deep.substr(0, 25);
+  EXPECT_THROW(parse_xml(deep, "t"), InputError);
+}
+
+TEST(ScanXml, SentencesStayShort) {
+  const std::string problem = problem_of(parameter(std::string(100000, 'n'), "1"));
+  EXPECT_LT(problem.size(), 2500U);
+  EXPECT_NE(problem.find("is not a parameter that is known here"), std::string::npos);
+  EXPECT_EQ(shown("a\nb"), "\"a b\"");
+  // No character of several bytes is cut.
+  EXPECT_EQ(
+      shown(std::string(56, 'a') + "\xc3\xa9\xc3\xa9\xc3\xa9"),
+      "\"" + std::string(56, 'a') + "...\""
+  );
+}
+
 TEST(ParseXml, ErrorsNameTheLine) {
   try {
     parse_xml("<ParameterList name=\"a\">\n\n</Parameter>", "t.xml");

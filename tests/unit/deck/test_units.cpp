@@ -67,6 +67,17 @@ TEST(Units, ANumberIsConsumedWhole) {
   EXPECT_EQ(si("-.5", dimension::none), -0.5);
 }
 
+TEST(Units, BracketsAndPowersHaveBounds) {
+  const auto brackets = [](int n) {
+    const auto count = static_cast<std::size_t>(n);
+    return "2 " + std::string(count, '(') + "mm" + std::string(count, ')');
+  };
+  EXPECT_EQ(read_quantity(brackets(8), dimension::length, {}), 0.002);
+  EXPECT_THROW(read_quantity(brackets(9), dimension::length, {}), InputError);
+  EXPECT_THROW(read_quantity("1 " + std::string(4000000, '('), dimension::length, {}), InputError);
+  EXPECT_THROW(read_quantity("1 (((((m^12)^12)^12)^12)^12)^12", dimension::length, {}), InputError);
+}
+
 TEST(Units, AWrongDimensionSaysBoth) {
   EXPECT_EQ(
       problem_of("12.7 mm", dimension::time),

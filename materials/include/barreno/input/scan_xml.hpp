@@ -88,6 +88,9 @@ std::string join(const std::string& path, const std::string& name);
 /// Shortest decimal text that reads back as the same double.
 std::string exact_text(double value);
 
+/// Line ends and control characters, which names and values of a user may hold, as blanks.
+std::string on_one_line(std::string text);
+
 /// A value inside a sentence: numbers and arrays as written, words in quotes, long ones cut.
 std::string shown(const std::string& text);
 

@@ -26,32 +26,32 @@ inline std::string check_surface(const AreniscaParameters& p) {
   if (p.FSLOPE == 0.0 && p.STREN == 0.0) {
     return FSLOPE + " and " + STREN +
            " leave the rock without any shear strength (the yield surface is "
-           "empty). Set FSLOPE, STREN or both.";
+           "empty); set FSLOPE, STREN or both.";
   }
   if (p.FSLOPE == 0.0 && p.PEAKI1 != 0.0) {
     return PEAKI1 +
            " needs a slope, but FSLOPE = 0 (STREN alone is the von Mises surface, which has no "
-           "vertex). Set FSLOPE, or PEAKI1 = 0.";
+           "vertex); set FSLOPE, or PEAKI1 = 0.";
   }
   if (p.FSLOPE == 0.0 && p.YSLOPE != 0.0) {
     return YSLOPE +
-           " exceeds FSLOPE = 0 (the limit surface would open backwards). Set FSLOPE, or YSLOPE = "
+           " exceeds FSLOPE = 0 (the limit surface would open backwards); set FSLOPE, or YSLOPE = "
            "0 "
            "for von Mises.";
   }
   if (p.STREN == 0.0 && p.YSLOPE != 0.0) {
     return YSLOPE +
-           " is the slope at high pressure of the nonlinear surface, which needs STREN (now 0). "
-           "Set "
+           " is the slope at high pressure of the nonlinear surface, which needs STREN (now 0); "
+           "set "
            "STREN, or YSLOPE = 0 for linear Drucker-Prager.";
   }
   if (p.FSLOPE != 0.0 && p.STREN != 0.0 && !(p.FSLOPE > p.YSLOPE)) {
     return YSLOPE + " is not below " + FSLOPE +
-           " (the limit surface would open backwards). Swap them?";
+           " (the limit surface would open backwards); swap them?";
   }
   if (p.FSLOPE != 0.0 && p.STREN != 0.0 && !(p.STREN > p.YSLOPE * p.PEAKI1)) {
     return STREN + " must exceed YSLOPE*PEAKI1 = " + named("", p.YSLOPE * p.PEAKI1).substr(3) +
-           " (the limit surface would open backwards). Raise STREN or lower YSLOPE.";
+           " (the limit surface would open backwards); raise STREN or lower YSLOPE.";
   }
   return {};
 }
@@ -60,13 +60,13 @@ inline std::string check_crush_curve(const AreniscaParameters& p) {
   if (p.p3_crush_curve == 0.0) return {};  // nonporous: no cap, p0 and p1 are not read
   if (!(p.p0_crush_curve < 0.0)) {
     return named("p0_crush_curve", p.p0_crush_curve) +
-           " must be negative (it is the I1 at which crushing begins, tension positive). Change "
+           " must be negative (it is the I1 at which crushing begins, tension positive); change "
            "its sign, or "
            "set p3_crush_curve = 0 for nonporous rock.";
   }
   if (!(p.p1_crush_curve > 0.0)) {
     return named("p1_crush_curve", p.p1_crush_curve) +
-           " must be positive (else crushing softens the rock). Change its sign, or set "
+           " must be positive (else crushing softens the rock); change its sign, or set "
            "p3_crush_curve = 0 for "
            "nonporous rock.";
   }
@@ -77,29 +77,29 @@ inline std::string check_fluid(const AreniscaParameters& p) {
   if (p.fluid_B0 == 0.0) {
     if (p.fluid_pressure_initial == 0.0) return {};
     return named("fluid_pressure_initial", p.fluid_pressure_initial) +
-           " needs a fluid, but fluid_B0 = 0 (dry rock). Set fluid_B0, or the pressure to 0.";
+           " needs a fluid, but fluid_B0 = 0 (dry rock); set fluid_B0, or the pressure to 0.";
   }
   const double matrix = p.matrix_bulk_modulus > 0.0 ? p.matrix_bulk_modulus : p.B0 + p.B1;
   const double porosity = -std::expm1(-p.p3_crush_curve);
   const std::string grains = named("Matrix bulk modulus", matrix);
   if (p.fluid_B0 > matrix) {
     return named("fluid_B0", p.fluid_B0) + " exceeds " + grains +
-           " (the fluid would be stiffer than the grains). Lower fluid_B0 or raise the other.";
+           " (the fluid would be stiffer than the grains); lower fluid_B0 or raise the other.";
   }
   if (p.B0 + p.B1 > matrix) {
     return grains + " is below B0 + B1 = " + named("", p.B0 + p.B1).substr(3) +
-           " (the rock would be stiffer than its grains). Raise it.";
+           " (the rock would be stiffer than its grains); raise it.";
   }
   if (p.B0 > (1.0 - porosity) * matrix) {
     return named("B0", p.B0) + " exceeds (1 - porosity) times " + grains + " = " +
            named("", (1.0 - porosity) * matrix).substr(3) +
-           " (pores would not soften the rock). Lower B0 or p3_crush_curve, or raise the matrix "
+           " (pores would not soften the rock); lower B0 or p3_crush_curve, or raise the matrix "
            "bulk modulus.";
   }
   if (p.undrained_moduli == AreniscaParameters::arenisca3_moduli &&
       p.backstress_strain != AreniscaParameters::plastic_backstress) {
     return "Undrained moduli = arenisca3 belongs to the published backstress (the two were "
-           "calibrated together). Set Backstress strain to plastic.";
+           "calibrated together); set Backstress strain to plastic.";
   }
   return {};
 }
@@ -109,12 +109,12 @@ inline std::string check_angle(const AreniscaParameters& p) {
   const bool narrow = p.J3_type == 1;
   if (narrow && !(p.J3_psi >= 1.0 / widest && p.J3_psi <= widest)) {
     return named("J3_psi", p.J3_psi) +
-           " makes the Gudehus surface not convex (it is from 7/9 to 9/7). Change it, or take "
+           " makes the Gudehus surface not convex (it is from 7/9 to 9/7); change it, or take "
            "Willam-Warnke, which is convex from 1/2 to 2.";
   }
   if (p.J3_type == 0 && p.J3_psi != 1.0) {
     return named("J3_psi", p.J3_psi) +
-           " has no effect without a J3_type (which says how the strength goes from 1 to it). Set "
+           " has no effect without a J3_type (which says how the strength goes from 1 to it); set "
            "J3_type, or J3_psi to 1.";
   }
   return {};
@@ -124,23 +124,23 @@ inline std::string check_variability(const AreniscaParameters& p) {
   constexpr double most_seeds = 9007199254740992.0;  // 2^53: whole numbers that a double holds
   if (!(p.weibull_seed < most_seeds && p.weibull_seed == std::floor(p.weibull_seed))) {
     return named("Weibull seed", p.weibull_seed) +
-           " is not a whole number below 2^53 (it numbers specimens). Take 0, 1, 2 and so on.";
+           " is not a whole number below 2^53 (it numbers specimens); take 0, 1, 2 and so on.";
   }
   if (p.weibull_modulus == 0.0) {
     if (p.weibull_reference_volume == 0.0) return {};
     return named("Weibull reference volume", p.weibull_reference_volume) +
-           " has no effect without a Weibull modulus (0: no scatter). Set the modulus, or the "
+           " has no effect without a Weibull modulus (0: no scatter); set the modulus, or the "
            "volume to "
            "0.";
   }
   if (p.weibull_reference_volume == 0.0) {
     return named("Weibull modulus", p.weibull_modulus) +
-           " needs a Weibull reference volume (strength depends on size). Set that of the "
+           " needs a Weibull reference volume (strength depends on size); set that of the "
            "specimens that PEAKI1 was measured on.";
   }
   if (p.PEAKI1 == 0.0) {
     return named("Weibull modulus", p.weibull_modulus) +
-           " has no effect with PEAKI1 = 0 (it is PEAKI1 that varies). Set PEAKI1, or the modulus "
+           " has no effect with PEAKI1 = 0 (it is PEAKI1 that varies); set PEAKI1, or the modulus "
            "to 0.";
   }
   return {};
@@ -149,19 +149,19 @@ inline std::string check_variability(const AreniscaParameters& p) {
 inline std::string check_bulk_modulus(const AreniscaParameters& p) {
   if (p.B1 > 0.0 && p.B2 == 0.0) {
     return named("B1", p.B1) +
-           " with B2 = 0 makes the bulk modulus jump at zero pressure. Set B2, the I1 over "
+           " with B2 = 0 makes the bulk modulus jump at zero pressure; set B2, the I1 over "
            "which it rises, or B1 = 0.";
   }
   if (p.B3 > 0.0 && p.B4 == 0.0) {
     return named("B3", p.B3) +
-           " with B4 = 0 makes the bulk modulus jump at the first crushing. Set B4, the "
+           " with B4 = 0 makes the bulk modulus jump at the first crushing; set B4, the "
            "plastic strain over which it falls, or B3 = 0.";
   }
   const double fall = p.p3_crush_curve > 0.0 ? p.B3 * std::exp(-p.B4 / p.p3_crush_curve) : 0.0;
   if (!(p.B0 - fall > 0.0)) {
     return named("B3", p.B3) + " makes the bulk modulus B0 - B3 exp(-B4/p3_crush_curve) = " +
            named("", p.B0 - fall).substr(3) +
-           " negative when the pores are crushed. Lower B3 or raise B0 or B4.";
+           " negative when the pores are crushed; lower B3 or raise B0 or B4.";
   }
   return {};
 }
@@ -170,11 +170,11 @@ inline std::string check_shear_modulus(const AreniscaParameters& p) {
   if (p.G3 != 0.0 || p.G4 != 0.0) {
     const bool third = p.G3 != 0.0;
     return named(third ? "G3" : "G4", third ? p.G3 : p.G4) +
-           " has no effect in the published model and would be ignored. Set it to 0.";
+           " has no effect in the published model and would be ignored; set it to 0.";
   }
   if ((p.G1 != 0.0) != (p.G2 != 0.0)) {
     return named("G1", p.G1) + " and " + named("G2", p.G2) +
-           " have no effect unless both are set (else the shear modulus is G0). Set both, or both "
+           " have no effect unless both are set (else the shear modulus is G0); set both, or both "
            "to 0.";
   }
   if (p.G1 == 0.0) return {};
@@ -182,7 +182,7 @@ inline std::string check_shear_modulus(const AreniscaParameters& p) {
     if (nu > -1.0 && nu < 0.5) continue;
     return named("G1", p.G1) + " and " + named("G2", p.G2) + " give a Poisson's ratio of " +
            named("", nu).substr(3) +
-           ", outside -1 to 0.5 (negative shear modulus). Change G1 or G2.";
+           ", outside -1 to 0.5 (negative shear modulus); change G1 or G2.";
   }
   // Cards carry few digits; a jump of 1e-3 in G at I1 = 0 is below what calibrations resolve.
   constexpr double digits = 1e-3;
@@ -190,7 +190,7 @@ inline std::string check_shear_modulus(const AreniscaParameters& p) {
   if (!(std::fabs(p.G0 - continuous) <= digits * continuous)) {
     return named("G0", p.G0) +
            " must equal 1.5 B0 (1 - 2 G1)/(1 + G1) = " + named("", continuous).substr(3) +
-           " (the shear modulus would jump at zero pressure). Set G0 to that.";
+           " (the shear modulus would jump at zero pressure); set G0 to that.";
   }
   return {};
 }
@@ -201,7 +201,7 @@ inline std::string check_arenisca(const AreniscaParameters& p) {
   for (const auto& entry : arenisca_parameter_table().numbers) {
     if (entry.bounds.contain(p.*entry.member)) continue;
     return arenisca::named(entry.name, p.*entry.member) + " is out of range (" + entry.meaning +
-           "). See the range in the manual.";
+           "); see the range in the manual.";
   }
   for (const auto rule :
        {arenisca::check_surface,

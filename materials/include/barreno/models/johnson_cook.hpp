@@ -191,23 +191,23 @@ struct JohnsonCook {
     if (p.melt_temperature <= p.room_temperature) {
       text << "Melt Temperature = " << p.melt_temperature
            << " does not exceed Room Temperature = " << p.room_temperature
-           << " (the metal would be molten at the start). Give both in kelvin.";
+           << " (the metal would be molten at the start); give both in kelvin.";
     } else if (p.shear_modulus > 1.5 * bulk_modulus) {
       text << "Shear Modulus = " << p.shear_modulus << " exceeds 1.5 times the bulk modulus "
-           << bulk_modulus << " = Density * Sound Speed^2 (Poisson's ratio would be negative)."
-           << " Check the units of the three.";
+           << bulk_modulus << " = Density * Sound Speed^2 (Poisson's ratio would be negative);"
+           << " check the units of the three.";
     } else if (p.a > p.shear_modulus) {
       text << "A = " << p.a << " exceeds Shear Modulus = " << p.shear_modulus
-           << " (the metal would yield at strains above 1/3). Check the units of both.";
+           << " (the metal would yield at strains above 1/3); check the units of both.";
     } else if (p.spall_stress > bulk_modulus) {
       text << "Spall Stress = " << p.spall_stress << " exceeds the bulk modulus " << bulk_modulus
-           << " = Density * Sound Speed^2 (no metal holds that tension). Check its units, or use 0 "
+           << " = Density * Sound Speed^2 (no metal holds that tension); check its units, or use 0 "
               "for no"
            << " limit.";
     } else if (has_damage(p) && p.d1 + p.d2 <= 0.0) {
       text << "D1 + D2 = " << p.d1 + p.d2
-           << " is not positive (the metal would break at no plastic strain)."
-           << " Check both, or set D1 to D5 to 0 for no damage.";
+           << " is not positive (the metal would break at no plastic strain);"
+           << " check both, or set D1 to D5 to 0 for no damage.";
     }
     return text.str();
   }

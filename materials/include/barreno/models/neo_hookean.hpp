@@ -76,7 +76,7 @@ struct NeoHookean {
     std::ostringstream text;
     text << "Bulk Modulus = " << p.bulk_modulus
          << " is below 2/3 of Shear Modulus = " << p.shear_modulus
-         << " (Poisson's ratio would be negative, and the law unstable under pressure). Raise it.";
+         << " (Poisson's ratio would be negative, and the law unstable under pressure); raise it.";
     return text.str();
   }
 

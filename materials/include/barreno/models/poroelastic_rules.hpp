@@ -79,7 +79,7 @@ inline std::string check_poroelastic(const PoroelasticParameters& p) {
   if (p.grain_bulk_modulus > 0.0 && p.biot_coefficient != 1.0) {
     return say(
         "Grain Bulk Modulus = %.6g and Biot Coefficient = %.6g are both given (one follows from "
-        "the other, alpha = 1 - K/Ks). Leave one out.",
+        "the other, alpha = 1 - K/Ks); leave one out.",
         p.grain_bulk_modulus,
         p.biot_coefficient
     );
@@ -88,7 +88,7 @@ inline std::string check_poroelastic(const PoroelasticParameters& p) {
   if (alpha < p.porosity && p.grain_bulk_modulus > 0.0) {
     return say(
         "Grain Bulk Modulus = %.6g gives a Biot coefficient 1 - K/Ks = %.6g below the porosity "
-        "(the rock would be stiffer than its grains leave it). Raise it, or lower Bulk Modulus or "
+        "(the rock would be stiffer than its grains leave it); raise it, or lower Bulk Modulus or "
         "Porosity.",
         p.grain_bulk_modulus,
         alpha
@@ -97,14 +97,14 @@ inline std::string check_poroelastic(const PoroelasticParameters& p) {
   if (alpha < p.porosity) {
     return say(
         "Biot Coefficient = %.6g is below Porosity = %.6g (the grains would store negative "
-        "volume). It lies between the porosity and 1.",
+        "volume); choose one between the porosity and 1.",
         alpha,
         p.porosity
     );
   }
   if (p.initial_pressure != 0.0 && p.fluid_bulk_modulus == 0.0) {
     return say(
-        "Initial Pore Pressure = %.6g needs a fluid, but Fluid Bulk Modulus = %.6g (dry rock). Set "
+        "Initial Pore Pressure = %.6g needs a fluid, but Fluid Bulk Modulus = %.6g (dry rock); set "
         "that, or the pressure to 0.",
         p.initial_pressure,
         p.fluid_bulk_modulus
