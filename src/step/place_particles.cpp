@@ -15,8 +15,8 @@
 namespace barreno {
 namespace {
 
-void tally_removal(const Particles& particles, int p, RemovalCause cause, Ledger& ledger) {
-  RemovalTally& tally = ledger.removed[static_cast<std::size_t>(cause)];
+void tally_removal(const Particles& particles, int p, RemovalCause cause, OwnLedger& ledger) {
+  auto& tally = ledger.removed[static_cast<std::size_t>(cause)];
   const double m = particles.mass(p);
   const Vector v = vector_of(particles.velocity, p);
   tally.count += 1.0;
@@ -46,7 +46,7 @@ int removal_cause(const Grid& grid, const Particles& particles, int p) {
 
 namespace {
 
-void remove_lost(const Grid& grid, Particles& particles, Ledger& ledger) {
+void remove_lost(const Grid& grid, Particles& particles, OwnLedger& ledger) {
   std::vector<char> keep(static_cast<std::size_t>(particles.count), 1);
   for (int p = 0; p < particles.count; ++p) {
     const int cause = removal_cause(grid, particles, p);
