@@ -33,12 +33,22 @@
 namespace barreno {
 namespace {
 
+/// On rank 0, which prints it. What the scene cannot do is said by all ranks when they build it.
+Prediction predict_run(const Scene& scene, const Comm& comm) {
+  if (!is_root(comm)) return {};
+  try {
+    return predict_cost(scene, probe_cost(scene), comm.getSize());
+  } catch (const NumericalError&) {
+    return {};
+  }
+}
+
 int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   check_solver_lists(deck, scene, *comm);
-  const Prediction prediction = predict_cost(scene, probe_cost(scene), comm->getSize());
+  const Prediction prediction = predict_run(scene, *comm);
   State state = build_state(scene, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});

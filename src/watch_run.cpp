@@ -2,13 +2,13 @@
 #include "watch_run.hpp"
 
 #include "base/gather.hpp"
+#include "state/balance.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <vector>
 
 namespace barreno {
 namespace {
@@ -79,16 +79,10 @@ struct Energies {
 };
 
 Energies sum_energies(const State& state) {
-  const Ledger& l = state.ledger;
-  std::vector<double> sums{
-      l.kinetic,
-      l.elastic,
-      l.initial_kinetic + l.launched_kinetic + l.prestress,
-      l.boundary_work,
-      l.body_work,
-      l.fluid_work};
-  sum_over_ranks(*state.grid.comm, sums);
-  return {sums[0], sums[1], sums[2] + std::abs(sums[3]) + std::abs(sums[4]) + std::abs(sums[5])};
+  const Ledger l = sum_over_ranks(*state.grid.comm, state.ledger);
+  const double put_in = l.initial_kinetic + l.launched_kinetic + l.prestress +
+                        std::abs(l.boundary_work) + std::abs(l.body_work) + std::abs(l.fluid_work);
+  return {l.kinetic, l.elastic, put_in};
 }
 
 std::string gain_sentence(

@@ -115,8 +115,9 @@ Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks) {
   if (probe.particles > 0.0) prediction.nanoseconds = 1e9 * probe.seconds / probe.particles * grown;
   const double computed = prediction.nanoseconds * prediction.particle_steps;
   prediction.seconds = 1e-9 * (computed + written_nanoseconds(scene, prediction)) / ranks;
-  // Every rank holds the program and its libraries, which are loaded by now.
-  prediction.bytes = memory_estimate(scene) + ranks * peak_resident_bytes();
+  // Every rank holds the program and its libraries; the probe was on this one alone.
+  prediction.bytes =
+      memory_estimate(scene) + peak_resident_bytes() + (ranks - 1) * probe.program_bytes;
   return prediction;
 }
 

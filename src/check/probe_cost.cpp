@@ -62,11 +62,12 @@ bool is_whole(const PhaseTime& phase) {
 }  // namespace
 
 Probe probe_cost(const Scene& scene) {
+  Probe probe;
+  probe.program_bytes = peak_resident_bytes();
   const Scene probed = probed_scene(scene);
   State state = build_state(probed, Teuchos::rcp(new Teuchos::SerialComm<int>));
   for (const Particles& particles : state.particles)
     state.stable_step = std::min(state.stable_step, stable_step_of_rows(probed, particles, 0));
-  Probe probe;
   std::vector<double> seconds;
   std::map<std::string, std::vector<double>> verbs;
   const double start = cpu_seconds();

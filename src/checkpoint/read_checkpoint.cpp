@@ -8,10 +8,10 @@
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_checkpoint.hpp"
 #include "grid/partition.hpp"
+#include "state/balance.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include <cstring>
 #include <memory>
 #include <numeric>
 #include <sstream>
@@ -135,48 +135,33 @@ void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
   grid.owner = bisect_tiles(grid.tiles, counts, grid.comm->getSize());
 }
 
-/// A rank's own number, or of all for rank 0.
-double own_part(const std::vector<double>& of_ranks, std::size_t rank, bool same_ranks) {
-  if (same_ranks) return of_ranks[rank];
-  return rank == 0 ? std::accumulate(of_ranks.begin(), of_ranks.end(), 0.0) : 0.0;
+/// Rank 0 takes what all have given.
+std::vector<WholeSum> root_part(const Comm& comm, const Hdf5Table<long long>& table) {
+  std::vector<WholeSum> sums(table.rows);
+  if (!is_root(comm)) return sums;
+  for (std::size_t i = 0; i < table.values.size(); ++i)
+    sums[i / table.columns].part[i % table.columns] = table.values[i];
+  return sums;
 }
 
-void read_ledger(const SharedFile& file, bool same_ranks, State& state) {
-  const auto rank = static_cast<std::size_t>(state.grid.comm->getRank());
-  const auto all = file.read("ledger/of_ranks");
-  const auto sum = file.read("ledger/sum").values;
-  std::vector<double> mine(sizeof(Ledger) / sizeof(double), 0.0);
-  if (same_ranks)
-    mine.assign(
-        all.values.begin() + static_cast<std::ptrdiff_t>(rank * all.columns),
-        all.values.begin() + static_cast<std::ptrdiff_t>((rank + 1) * all.columns)
-    );
-  else if (rank == 0)
-    mine = sum;
-  std::memcpy(static_cast<void*>(&state.ledger), mine.data(), sizeof(Ledger));
-  state.particle_steps = own_part(file.read("ledger/particle_steps").values, rank, same_ranks);
-  state.skipped_steps = own_part(file.read("ledger/skipped_steps").values, rank, same_ranks);
+void read_sums(const SharedFile& file, State& state) {
+  const Comm& comm = *state.grid.comm;
+  put_terms(root_part(comm, file.read_integers("ledger/terms")), state.ledger);
+  const std::vector<WholeSum> impulses = root_part(comm, file.read_integers("ledger/reactions"));
+  auto next = impulses.begin();
+  for (Reaction& reaction : state.reactions)
+    for (WholeSum& sum : reaction.impulse) sum = *next++;
+  const auto steps = file.read("ledger/particle_steps").values;
+  state.particle_steps = is_root(comm) ? steps[0] : 0.0;
+  state.skipped_steps = is_root(comm) ? steps[1] : 0.0;
   state.stable_step = file.read("run/stable_step").values[0];
 }
 
-/// Rank 0 takes what all have given.
-void read_reactions(const SharedFile& file, State& state) {
-  const auto parts = file.read_integers("run/reactions").values;
-  std::size_t next = 0;
-  for (Reaction& reaction : state.reactions)
-    for (WholeSum& sum : reaction.impulse)
-      for (long long& part : sum.part) {
-        part = is_root(*state.grid.comm) ? parts[next] : 0;
-        ++next;
-      }
-}
-
-/// All tables of a group but integers.
+/// All tables of a group.
 RunNumbers read_numbers(const Hdf5File& file, const std::string& group) {
   RunNumbers numbers;
   for (const std::string& name : file.names(group))
-    if (name != "reactions")
-      numbers[name] = file.read(std::string(group).append("/").append(name)).values;
+    numbers[name] = file.read(std::string(group).append("/").append(name)).values;
   return numbers;
 }
 
@@ -276,10 +261,9 @@ void read_checkpoint(const Checkpoint& checkpoint, State& state) {
   const Region region("read_checkpoint");
   const Comm& comm = *state.grid.comm;
   const SharedFile file(comm, checkpoint.file);
-  const auto wrote = file.read("ledger/particle_steps").rows;
-  const bool same_ranks = wrote == static_cast<std::size_t>(comm.getSize());
-  read_ledger(file, same_ranks, state);
-  read_reactions(file, state);
+  const auto wrote = static_cast<int>(checkpoint.numbers.at("ranks").at(0));
+  const bool same_ranks = wrote == comm.getSize();
+  read_sums(file, state);
   share_tiles(file, same_ranks, state);
   for (Particles& particles : state.particles)
     read_particles(own_rows(state, particles, file, same_ranks), file, particles);

@@ -67,44 +67,39 @@ void write_particles(
   });
 }
 
-/// Ledgers are sums of each rank's own.
-std::vector<double> ledger_numbers(const Ledger& ledger) {
-  std::vector<double> numbers(sizeof(Ledger) / sizeof(double));
-  std::memcpy(numbers.data(), &ledger, sizeof(Ledger));
-  return numbers;
+/// Of all ranks: whole sums have no order.
+Hdf5Table<long long> whole_table(const Comm& comm, std::vector<WholeSum> sums) {
+  sum_over_ranks(comm, sums);
+  Hdf5Table<long long> table{sums.size(), WholeSum::parts, {}};
+  for (WholeSum& sum : sums) {
+    sum.carry();
+    table.values.insert(table.values.end(), sum.part, sum.part + WholeSum::parts);
+  }
+  return table;
 }
 
-void write_ledgers(
+std::vector<WholeSum> impulses_of(const State& state) {
+  std::vector<WholeSum> impulses;
+  for (const Reaction& reaction : state.reactions)
+    impulses.insert(impulses.end(), reaction.impulse.begin(), reaction.impulse.end());
+  return impulses;
+}
+
+void write_sums(
     const Comm& comm, const State& state, RootWork& work, std::unique_ptr<Hdf5File>& file
 ) {
-  const auto ranks = static_cast<std::size_t>(comm.getSize());
-  const std::vector<double> mine = ledger_numbers(state.ledger);
-  const std::vector<double> sum = ledger_numbers(sum_over_ranks(comm, state.ledger));
-  std::vector<double> all = gather_to_root(comm, mine);
-  const std::vector<double> steps = gather_to_root(comm, std::vector<double>{state.particle_steps});
-  const std::vector<double> skipped =
-      gather_to_root(comm, std::vector<double>{state.skipped_steps});
+  const Hdf5Table<long long> terms = whole_table(comm, terms_of(state.ledger));
+  const Hdf5Table<long long> impulses = whole_table(comm, impulses_of(state));
+  std::vector<double> steps{state.particle_steps, state.skipped_steps};
+  sum_over_ranks(comm, steps);
   std::array<double, 1> stable{state.stable_step};
   min_over_ranks(comm, stable);
   work.run([&] {
-    file->write("ledger/of_ranks", {ranks, mine.size(), std::move(all)}, "");
-    file->write("ledger/sum", one_column(sum), "");
+    file->write("ledger/terms", terms);
+    file->write("ledger/reactions", impulses);
     file->write("ledger/particle_steps", one_column(steps), "");
-    file->write("ledger/skipped_steps", one_column(skipped), "");
     file->write("run/stable_step", one_column(std::vector<double>{stable[0]}), "s");
   });
-}
-
-/// Whole sums have no order: one of all ranks does.
-void write_reactions(
-    const Comm& comm, const State& state, RootWork& work, std::unique_ptr<Hdf5File>& file
-) {
-  std::vector<long long> parts;
-  for (const Reaction& reaction : state.reactions)
-    for (const WholeSum& sum : reaction.impulse)
-      for (const long long part : sum.part) parts.push_back(part);
-  sum_over_ranks(comm, parts);
-  work.run([&] { file->write("run/reactions", one_column(parts)); });
 }
 
 void write_numbers(const RunNumbers& numbers, const std::string& group, Hdf5File& file) {
@@ -123,6 +118,7 @@ RunNumbers numbers_of(const State& state) {
 
 /// Reads all tables, which compares their checksums with what is in the file.
 void read_back(const fs::path& path) {
+  const Region region("read_checkpoint_back");
   const Hdf5File file(path, Hdf5File::Mode::read);
   for (const std::string group : {"run", "ledger", "output", "grid"})
     for (const std::string& name : file.names(group)) {
@@ -199,6 +195,7 @@ void write_checkpoint(
     file = std::make_unique<Hdf5File>(aside, Hdf5File::Mode::create);
     file->write("deck", deck_text);
     file->write("run/version", one_column(std::vector<double>{checkpoint_version}), "");
+    file->write("run/ranks", one_column(std::vector<double>{1.0 * comm.getSize()}), "");
     write_numbers(numbers_of(state), "run/", *file);
     write_numbers(output, "output/", *file);
     file->write(
@@ -206,8 +203,7 @@ void write_checkpoint(
         one_column(std::vector<long long>(state.grid.owner.begin(), state.grid.owner.end()))
     );
   });
-  write_ledgers(comm, state, work, file);
-  write_reactions(comm, state, work, file);
+  write_sums(comm, state, work, file);
   for (const Particles& particles : state.particles) write_particles(comm, particles, work, file);
   work.run([&] {
     file->close();

@@ -12,16 +12,40 @@
 
 namespace barreno {
 
-Ledger sum_over_ranks(const Comm& comm, const Ledger& mine) {
-  static_assert(
-      std::is_trivially_copyable_v<Ledger> && sizeof(Ledger) % sizeof(double) == 0,
-      "the ledger is summed as an array of doubles"
-  );
-  std::vector<double> values(sizeof(Ledger) / sizeof(double));
-  std::memcpy(values.data(), &mine, sizeof(Ledger));
-  sum_over_ranks(comm, values);
+namespace {
+
+using OwnTerms = LedgerTerms<WholeSum>;
+using Terms = LedgerTerms<double>;
+constexpr std::size_t term_count = sizeof(OwnTerms) / sizeof(WholeSum);
+static_assert(
+    sizeof(OwnTerms) == term_count * sizeof(WholeSum) &&
+        sizeof(Terms) == term_count * sizeof(double) && std::is_trivially_copyable_v<Terms>,
+    "ledgers are read as arrays of their terms"
+);
+
+}  // namespace
+
+std::vector<WholeSum> terms_of(const OwnLedger& ledger) {
+  std::vector<WholeSum> terms(term_count);
+  std::memcpy(terms.data(), static_cast<const OwnTerms*>(&ledger), sizeof(OwnTerms));
+  return terms;
+}
+
+void put_terms(const std::vector<WholeSum>& terms, OwnLedger& ledger) {
+  std::memcpy(static_cast<void*>(static_cast<OwnTerms*>(&ledger)), terms.data(), sizeof(OwnTerms));
+}
+
+void carry(OwnLedger& ledger) {
+  auto* const terms = reinterpret_cast<WholeSum*>(static_cast<OwnTerms*>(&ledger));
+  for (std::size_t i = 0; i < term_count; ++i) terms[i].carry();
+}
+
+Ledger sum_over_ranks(const Comm& comm, const OwnLedger& mine) {
+  std::vector<WholeSum> terms = terms_of(mine);
+  sum_over_ranks(comm, terms);
+  const std::vector<double> values(terms.begin(), terms.end());
   Ledger sum;
-  std::memcpy(static_cast<void*>(&sum), values.data(), sizeof(Ledger));
+  std::memcpy(static_cast<void*>(static_cast<Terms*>(&sum)), values.data(), sizeof(Terms));
   sum.retried_steps = mine.retried_steps;  // every rank counted the same steps
   return sum;
 }

@@ -5,10 +5,16 @@
 #include "scene/scene.hpp"
 #include "state/ledger.hpp"
 
+#include <vector>
+
 namespace barreno {
 
-/// The ledger of the whole run on every rank, by one reduction.
-Ledger sum_over_ranks(const Comm& comm, const Ledger& mine);
+/// The ledger of the whole run on every rank, by one reduction: the same bits on any ranks.
+Ledger sum_over_ranks(const Comm& comm, const OwnLedger& mine);
+
+/// Its terms one after the other, as a checkpoint keeps them.
+std::vector<WholeSum> terms_of(const OwnLedger& ledger);
+void put_terms(const std::vector<WholeSum>& terms, OwnLedger& ledger);
 
 /// All causes together.
 RemovalTally total_removed(const Ledger& ledger);

@@ -130,25 +130,16 @@ std::vector<double> count_in_tiles(const Scene& scene, const Grid& grid) {
   return counts;
 }
 
-/// What the rows from `first` on bring into the balances. Short partial sums keep the error of the
-/// whole far below that of one long sum: the mass balance is read at 1e-14.
-void enter(const Particles& particles, int first, double stored_energy, Ledger& ledger) {
-  constexpr int run = 64;
-  for (int begin = first; begin < particles.count; begin += run) {
-    double mass = 0.0;
-    double momentum = 0.0;
-    double kinetic = 0.0;
-    for (int p = begin; p < std::min(begin + run, particles.count); ++p) {
-      const double m = particles.mass(p);
-      const Vector v = vector_of(particles.velocity, p);
-      mass += m;
-      momentum += m * v[1];
-      kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    ledger.initial_mass += mass;
-    ledger.initial_momentum += momentum;
-    ledger.initial_kinetic += kinetic;
-    ledger.prestress += mass * stored_energy;
+/// What the rows from `first` on bring into the balances.
+void enter(const Particles& particles, int first, double stored_energy, OwnLedger& ledger) {
+  for (int p = first; p < particles.count; ++p) {
+    const double m = particles.mass(p);
+    const Vector v = vector_of(particles.velocity, p);
+    ledger.initial_mass += m;
+    ledger.initial_momentum += m * v[1];
+    ledger.initial_kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    ledger.prestress += m * stored_energy;
+    if (p % most_summed_rows == 0) carry(ledger);
   }
 }
 
@@ -266,6 +257,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
       return decltype(shape)::critical_courant(smallest_half_size(scene, static_cast<int>(m)));
     });
     state.particles.back().lone_courant = lone_courant(scene, static_cast<int>(m));
+    state.particles.back().tally_sizes = tally_sizes(scene, static_cast<int>(m));
   }
   state.fields = velocity_fields(scene);
   state.nodes.resize(static_cast<std::size_t>(state.fields.count));
@@ -306,7 +298,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
     const Shape& shape = scene.bodies[static_cast<std::size_t>(load.body)].shape;
     state.cavities.push_back(fluid ? cavity_volume(std::get<Ball>(shape), scene.grid) : 0.0);
   }
-  Ledger& ledger = state.ledger;
+  OwnLedger& ledger = state.ledger;
   ledger.mass = ledger.initial_mass;
   ledger.momentum = ledger.initial_momentum;
   ledger.kinetic = ledger.initial_kinetic;

@@ -44,7 +44,7 @@ struct ContactNodes {
   std::vector<ArrayView<double>> normal;   ///< by pair; own tiles
   std::vector<ArrayView<double>> reach;    ///< by pair; own tiles, then ghosts
   ArrayView<double> tally;                 ///< of rigid bodies, by tile
-  ArrayView<long long> given;              ///< impulses on rigid bodies (WholeSum), by tile
+  ArrayView<double> given;                 ///< impulses on rigid bodies, by tile
 };
 
 }  // namespace barreno

@@ -39,7 +39,9 @@ struct Nodes {
   ArrayView<unsigned char> kept;  ///< by own tile: 1 if its sums of the step before still hold
   ArrayView<double> motion;       ///< own tiles only
   ArrayView<double> tally;        ///< energy and impulse of each tile over the step, scratch
-  ArrayView<double> impulse;      ///< of contact, in shared tiles (ContactNodes); empty without it
+  ArrayView<double> beyond;   ///< by own tile: momentum and force along y that its particles gave
+                              ///< to nodes beyond symmetry planes across y; empty without such
+  ArrayView<double> impulse;  ///< of contact, in shared tiles (ContactNodes); empty without it
 
   KOKKOS_INLINE_FUNCTION bool keeps(int tile) const {
     return kept.extent(0) > 0 && kept(tile) != 0;

@@ -3,6 +3,7 @@
 
 #include "base/field.hpp"
 #include "scene/scene.hpp"
+#include "state/tally_sizes.hpp"
 
 #include <vector>
 
@@ -41,6 +42,7 @@ struct Particles {
   int capacity = 0;
   double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set
   double lone_courant = 1.0;      ///< of lone_courant()
+  TallySizes tally_sizes;         ///< of tally_sizes()
   bool sorted = false;            ///< order and tile_begin belong to the present rows and tiles
 
   ArrayView<ParticleId> id;  ///< unique over the run; files sort by it

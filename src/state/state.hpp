@@ -31,7 +31,7 @@ struct State {
   std::vector<Nodes> nodes;  ///< by velocity field
   ContactNodes contact;
   Clock clock;
-  Ledger ledger;
+  OwnLedger ledger;
   PoreFlowState pore_flow;
   std::vector<Reaction> reactions;  ///< of rigid bodies, in the order of Scene::bodies
   std::vector<double> cavities;  ///< volume of the pore fluid of each load, the same on all ranks

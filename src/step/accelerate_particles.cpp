@@ -3,6 +3,7 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
+#include "base/row_sum.hpp"
 #include "shape/kinematics.hpp"
 
 #include <algorithm>
@@ -11,17 +12,17 @@ namespace barreno {
 
 namespace {
 
-/// Particles of a run are taken together: their loop vectorises, the sums over them follow in
-/// storage order.
+/// Particles of a run are taken together: their loop vectorises, and so do the sums over them.
 template <class M>
 struct AccelerateParticles {
   FieldView velocity, grid_motion, mass;
+  TallySizes sizes;
   double pic;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int count, ParticleTally& tally) const {
     double momentum[rows_per_run];
-    double before[rows_per_run];
-    double after[rows_per_run];
+    double gain[rows_per_run];
+    double kinetic[rows_per_run];
     BARRENO_IVDEP
     for (int k = 0; k < count; ++k) {
       constexpr int dimensions = M::dimensions;
@@ -38,19 +39,19 @@ struct AccelerateParticles {
         if (d == 1) momentum[k] = m * w;
         velocity(p, d) = w;
       }
-      before[k] = 0.5 * m * old_square;
-      after[k] = 0.5 * m * new_square;
+      gain[k] = 0.5 * m * (new_square - old_square);
+      kinetic[k] = 0.5 * m * new_square;
     }
     add_masses(begin, count, tally);
-    for (int k = 0; k < count; ++k) {
-      tally.kinetic_before += before[k];
-      tally.kinetic_after += after[k];
-      tally.momentum += momentum[k];
-    }
+    add_run(gain, count, sizes.energy, tally.gain);
+    add_run(kinetic, count, sizes.energy, tally.kinetic);
+    add_run(momentum, count, sizes.momentum, tally.momentum);
   }
 
   KOKKOS_INLINE_FUNCTION void add_masses(int begin, int count, ParticleTally& tally) const {
-    for (int k = 0; k < count; ++k) tally.mass += mass(begin + k, 0);
+    double masses[rows_per_run];
+    for (int k = 0; k < count; ++k) masses[k] = mass(begin + k, 0);
+    add_run(masses, count, sizes.mass, tally.mass);
   }
 };
 
@@ -60,24 +61,16 @@ ParticleTally accelerate_rows(const Kernel& kernel, Rows rows) {
   launch_reduction(
       "accelerate_particles",
       range((rows.end - rows.begin + rows_per_run - 1) / rows_per_run),
-      KOKKOS_LAMBDA(const int run, double& before, double& after, double& mass, double& momentum) {
+      KOKKOS_LAMBDA(const int run, ParticleTally& part) {
         const int begin = rows.begin + run * rows_per_run;
         const int left = rows.end - begin;
         const int count = left < rows_per_run ? left : rows_per_run;
-        ParticleTally part;
         if (rows.skips(begin))
           kernel.add_masses(begin, count, part);
         else
           kernel(begin, count, part);
-        before += part.kinetic_before;
-        after += part.kinetic_after;
-        mass += part.mass;
-        momentum += part.momentum;
       },
-      tally.kinetic_before,
-      tally.kinetic_after,
-      tally.mass,
-      tally.momentum
+      TallyReducer<ParticleTally>(tally)
   );
   return tally;
 }
@@ -97,6 +90,7 @@ ParticleTally accelerate_particles(const Scene& scene, double dt, Rows rows, Par
             particles.velocity.values,
             particles.grid_motion.values,
             particles.mass.values,
+            particles.tally_sizes,
             grid_share(scene.step, dt)},
         rows
     );

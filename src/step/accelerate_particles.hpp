@@ -6,15 +6,15 @@
 
 namespace barreno {
 
-/// Kinetic energy of the particles on both sides of a step, mass and axial momentum after it.
+/// Kinetic energy that the particles gain in a step, and what they have after it: kinetic energy,
+/// mass, axial momentum.
 struct ParticleTally {
-  double kinetic_before = 0.0, kinetic_after = 0.0;
-  double mass = 0.0, momentum = 0.0;
+  WholeSum gain, kinetic, mass, momentum;
 };
 
-inline void add(const ParticleTally& part, ParticleTally& sum) {
-  sum.kinetic_before += part.kinetic_before;
-  sum.kinetic_after += part.kinetic_after;
+KOKKOS_INLINE_FUNCTION void add(const ParticleTally& part, ParticleTally& sum) {
+  sum.gain += part.gain;
+  sum.kinetic += part.kinetic;
   sum.mass += part.mass;
   sum.momentum += part.momentum;
 }

@@ -39,13 +39,13 @@ void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally
   release_torn_faces(scene, state);  // debris has none
   project_loads(scene, state);       // pressure on faces          (2.4)
   project_surface_pressures(scene, state);
-  project_body_force(scene, state);                     // force per mass
-  const auto mirrored = join_nodes(scene, state);       // symmetry planes, other ranks
-  meet_fields(scene, state);                            // contact
-  find_motion(scene, mirrored, dt, state, tally);       // v', conditions; v, dt L (2.5-2.6)
-  tally.applied_work = tally_loads(scene, dt, state) +  // before F and x move on
-                       tally_surface_pressures(scene, dt, state) +
-                       tally_body_force(scene, dt, state);
+  project_body_force(scene, state);                    // force per mass
+  join_nodes(scene, state);                            // symmetry planes, other ranks
+  meet_fields(scene, state);                           // contact
+  find_motion(scene, dt, state, tally);                // v', conditions; v, dt L (2.5-2.6)
+  tally.applied_work = tally_loads(scene, dt, state);  // before F and x move on
+  tally.applied_work += tally_surface_pressures(scene, dt, state);
+  tally.applied_work += tally_body_force(scene, dt, state);
   gather_affine(scene, state);                       // APIC   (2.12)
   tally.filter = filter_velocity(scene, dt, state);  // XPIC   (2.10)
 }
@@ -54,9 +54,9 @@ void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally
 void strain_again(const Scene& scene, const Clock& clock, double dt, State& state) {
   project_sets(scene, state);
   drop_forces(state);
-  const auto mirrored = join_nodes(scene, state);
+  join_nodes(scene, state);
   meet_fields(scene, state);
-  find_strain(scene, mirrored, clock, dt, state);
+  find_strain(scene, clock, dt, state);
 }
 
 /// Stress last (USL): strain from v'.
@@ -106,7 +106,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
                                                                       : step_usf;
   step(scene, dt, state, tally, result);
   move_rigid_sets(scene, dt, state, tally);
-  tally_step(scene, dt, tally, state);  // energy and momentum, term by term
+  tally_step(tally, state);  // energy and momentum, term by term
   agree_on_failure(scene, state, result);
 
   tally_particle_steps(state);  // advanced, and left as they were

@@ -51,7 +51,7 @@ Particles with_residual(const Particles& particles) {
 }
 
 /// S S+ r of all sets; returns the axial impulse of the conditions on S+ r.
-double smooth_residuals(const Scene& scene, double dt, State& state) {
+WholeSum smooth_residuals(const Scene& scene, double dt, State& state) {
   const Stopwatch watch;
   for (Nodes& nodes : state.nodes) clear_nodes(state.grid, nodes);
   for (const Particles& particles : state.particles)
@@ -63,15 +63,15 @@ double smooth_residuals(const Scene& scene, double dt, State& state) {
           state.nodes[static_cast<std::size_t>(particles.field)]
       );
   drop_forces(state);
-  const MirroredFields mirrored = join_nodes(scene, state);
+  join_nodes(scene, state);
   const NodeConditions conditions = at_rest(node_conditions(scene, state.grid, state.clock, dt));
-  GridTally tally;
+  WholeSum impulse;
   for (std::size_t f = 0; f < state.nodes.size(); ++f) {
     if (state.fields.rigid_body[f] >= 0) continue;
     Nodes& nodes = state.nodes[f];
     GridTally part = solve_velocity(scene, state.grid, conditions, dt, 0.0, {}, nodes);
-    unfold_walls(scene, state.grid, mirrored[f], dt, nodes, part);
-    tally.filter_impulse += part.filter_impulse;
+    unfold_walls(scene, state.grid, dt, nodes, part);
+    impulse += part.filter_impulse;
   }
   for (const Particles& particles : state.particles) {
     if (particles.rigid) continue;
@@ -80,12 +80,12 @@ double smooth_residuals(const Scene& scene, double dt, State& state) {
     interpolate_motion(scene, state, nodes, dt, asking);
   }
   state.effort.node_seconds += watch.seconds();
-  return tally.filter_impulse;
+  return impulse;
 }
 
 /// v_p <- v_p - r_m; returns the change of the set's kinetic energy.
-double take_residual(Particles& particles) {
-  double change = 0.0;
+WholeSum take_residual(Particles& particles) {
+  WholeSum change;
   for (int p = 0; p < particles.count; ++p) {
     double square = 0.0;
     for (int d = 0; d < particles.velocity.components; ++d) {
@@ -95,6 +95,7 @@ double take_residual(Particles& particles) {
       particles.velocity(p, d) = w;
     }
     change += 0.5 * particles.mass(p) * square;
+    if (p % most_summed_rows == 0) change.carry();
   }
   return change;
 }

@@ -7,8 +7,8 @@ namespace barreno {
 
 /// What XPIC takes from the particles, this rank's part.
 struct FilterTally {
-  double kinetic = 0.0;            ///< change of their kinetic energy
-  double condition_impulse = 0.0;  ///< axial, of the conditions on what XPIC leaves
+  WholeSum kinetic;            ///< change of their kinetic energy
+  WholeSum condition_impulse;  ///< axial, of the conditions on what XPIC leaves
 };
 
 /// XPIC(m): the part of the particles' velocities that the grid does not hold is taken away, before

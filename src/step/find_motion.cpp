@@ -21,6 +21,7 @@ void add(const GridTally& part, GridTally& sum) {
   sum.condition_work += part.condition_work;
   sum.condition_impulse += part.condition_impulse;
   sum.filter_impulse += part.filter_impulse;
+  sum.taken_impulse += part.taken_impulse;
   sum.damped += part.damped;
   sum.damping_impulse += part.damping_impulse;
   sum.absorbed += part.absorbed;
@@ -35,7 +36,6 @@ GridTally solve_fields(
     const Clock& clock,
     double dt,
     double damping,
-    const MirroredFields& mirrored,
     State& state,
     RigidTally& rigid
 ) {
@@ -47,7 +47,7 @@ GridTally solve_fields(
     Nodes& nodes = state.nodes[f];
     GridTally part =
         solve_velocity(scene, state.grid, conditions, dt, damping, state.contact, nodes);
-    unfold_walls(scene, state.grid, mirrored[f], dt, nodes, part);
+    unfold_walls(scene, state.grid, dt, nodes, part);
     add(part, tally);
   }
   return tally;
@@ -55,12 +55,9 @@ GridTally solve_fields(
 
 }  // namespace
 
-void find_motion(
-    const Scene& scene, const MirroredFields& mirrored, double& dt, State& state, StepTally& tally
-) {
+void find_motion(const Scene& scene, double& dt, State& state, StepTally& tally) {
   for (int retry = 0;; ++retry) {
-    tally.grid =
-        solve_fields(scene, state.clock, dt, scene.step.damping, mirrored, state, tally.rigid);
+    tally.grid = solve_fields(scene, state.clock, dt, scene.step.damping, state, tally.rigid);
     find_dormant_tiles(scene, dt, state);
     std::array<double, 1> strain{0.0};
     const Stopwatch watch;
@@ -77,11 +74,9 @@ void find_motion(
   }
 }
 
-void find_strain(
-    const Scene& scene, const MirroredFields& mirrored, const Clock& clock, double dt, State& state
-) {
+void find_strain(const Scene& scene, const Clock& clock, double dt, State& state) {
   RigidTally rigid;
-  solve_fields(scene, clock, dt, 0.0, mirrored, state, rigid);
+  solve_fields(scene, clock, dt, 0.0, state, rigid);
   const Stopwatch watch;
   for (const Particles& particles : state.particles) {
     if (particles.rigid) continue;

@@ -13,17 +13,13 @@ namespace barreno {
 /// @pre  sums of the nodes are joined (join_nodes), and fields that meet have normals
 /// @param[in,out] dt  may come back smaller
 /// @post particles.grid_motion and particles.increment; tally.grid and tally.rigid
-void find_motion(
-    const Scene& scene, const MirroredFields& mirrored, double& dt, State& state, StepTally& tally
-);
+void find_motion(const Scene& scene, double& dt, State& state, StepTally& tally);
 
 /// The strain alone, from the momenta that the nodes hold without any forces. docs/method.md (2.11)
 ///
 /// @pre  as above, sums without forces (drop_forces)
 /// @param clock, dt  of the step whose strain it is
 /// @post particles.increment; particles.again_motion
-void find_strain(
-    const Scene& scene, const MirroredFields& mirrored, const Clock& clock, double dt, State& state
-);
+void find_strain(const Scene& scene, const Clock& clock, double dt, State& state);
 
 }  // namespace barreno

@@ -16,9 +16,10 @@ struct GatherAffine {
   static constexpr int dimensions = M::dimensions;
   PatchFrame<M::dimensions> frame;
   Particles particles;
-  ArrayView<double> motion;
+  ArrayView<double> motion, tally;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int tile, double& energy) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
+    double energy = 0.0;
     const double* const patch = &motion(first_motion(frame.patch, tile));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch) {
@@ -28,6 +29,7 @@ struct GatherAffine {
       for (int i = 0; i < rows.count; ++i)
         energy += gather_row(rows.row[i], supports.get(i), patch);
     }
+    tally(tile) = energy;
   }
 
   /// @return the energy that the row remembers
@@ -62,18 +64,21 @@ struct GatherAffine {
 void gather_affine(const Scene& scene, State& state) {
   if (scene.step.transfer != Transfer::apic) return;
   const Region region("gather_affine");
-  state.ledger.remembered = 0.0;
+  state.ledger.remembered = {};
   visit_kernels(scene, [&](auto mode, auto shape) {
     using Kernel = GatherAffine<decltype(mode), decltype(shape)>;
     const PatchFrame<decltype(mode)::dimensions> frame(scene, state.grid);
     for (const Particles& particles : state.particles) {
       if (particles.rigid) continue;
       const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
-      double energy = 0.0;
-      launch_reduction(
-          "gather_affine", range(state.grid.active), Kernel{frame, particles, nodes.motion}, energy
+      // solve_velocity has made room for it, and its own tally is read.
+      launch(
+          "gather_affine",
+          range(state.grid.active),
+          Kernel{frame, particles, nodes.motion, nodes.tally}
       );
-      state.ledger.remembered += energy;
+      for (int tile = 0; tile < state.grid.active; ++tile)
+        state.ledger.remembered += nodes.tally(tile);
     }
   });
 }

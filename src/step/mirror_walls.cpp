@@ -2,7 +2,9 @@
 #include "step/mirror_walls.hpp"
 
 #include "base/region.hpp"
+#include "step/accelerate_particles.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace barreno {
@@ -56,6 +58,38 @@ void for_each_image(const Grid& grid, const Plane& plane, int tile, Visitor&& vi
   }
 }
 
+bool has_plane_across_y(const Scene& scene) {
+  return std::any_of(
+      scene.conditions.begin(),
+      scene.conditions.end(),
+      [](const ConditionSpec& condition) {
+        return condition.kind == ConditionKind::symmetry &&
+               static_cast<int>(condition.face) / 2 == 1;
+      }
+  );
+}
+
+/// Momentum and force of a tile in Nodes::beyond.
+std::size_t first_beyond(int tile) {
+  return 2 * static_cast<std::size_t>(tile);
+}
+void clear_beyond(const Scene& scene, const Grid& grid, Nodes& nodes) {
+  if (!has_plane_across_y(scene)) return;
+  const std::size_t values = first_beyond(grid.active);
+  if (nodes.beyond.extent(0) < values) nodes.beyond = ArrayView<double>("beyond", 2 * values);
+  std::fill_n(nodes.beyond.data(), values, 0.0);
+}
+
+/// Axial impulse that a mirror gives to a tile's particles, and what it changes in v^n.
+struct Given {
+  double impulse = 0.0, before = 0.0;
+};
+void enter(const Given& given, double share, GridTally& tally) {
+  tally.condition_impulse += given.impulse;
+  tally.filter_impulse += given.before;
+  tally.taken_impulse += share * given.before;
+}
+
 }  // namespace
 
 bool is_mirrored_along_axis(const Scene& scene, const Grid& grid, int tile) {
@@ -66,11 +100,11 @@ bool is_mirrored_along_axis(const Scene& scene, const Grid& grid, int tile) {
   return mirrored;
 }
 
-MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
+void fold_walls(const Scene& scene, const Grid& grid, Nodes& nodes) {
   const Region region("fold_walls");
-  MirroredSums mirrored;
   const int dimensions = grid.patch.dimensions;
   const int force = first_force(dimensions);
+  clear_beyond(scene, grid, nodes);
   for_each_plane(scene, grid, [&](const Plane& plane) {
     for (int tile = 0; tile < grid.active; ++tile)
       for_each_image(grid, plane, tile, [&](int beyond, int inside) {
@@ -79,8 +113,8 @@ MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
         double* const to = patch + inside * sum_components;
         to[impedance_component] += std::exchange(from[impedance_component], 0.0);
         if (plane.axis == 1) {
-          mirrored.momentum += from[2];
-          mirrored.force += from[force + 1];
+          nodes.beyond(first_beyond(tile)) += from[2];
+          nodes.beyond(first_beyond(tile) + 1) += from[force + 1];
           from[kept_mass] = from[0];
         }
         to[0] += std::exchange(from[0], 0.0);
@@ -91,26 +125,15 @@ MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes) {
         }
       });
   });
-  return mirrored;
 }
 
-void unfold_walls(
-    const Scene& scene,
-    const Grid& grid,
-    const MirroredSums& mirrored,
-    double dt,
-    Nodes& nodes,
-    GridTally& tally
-) {
+void unfold_walls(const Scene& scene, const Grid& grid, double dt, Nodes& nodes, GridTally& tally) {
   const Region region("unfold_walls");
   const int dimensions = grid.patch.dimensions;
   const int width = motion_components(dimensions);
-  // With M p_I' for p_I' the grid holds -2 p_y more than the particles gave; what they take back
-  // from nodes beyond is -2 m v_y more than these would give unmirrored.
-  tally.condition_impulse -= 2.0 * dt * mirrored.force;
-  tally.filter_impulse -= 2.0 * mirrored.momentum;
   for_each_plane(scene, grid, [&](const Plane& plane) {
-    for (int tile = 0; tile < grid.active; ++tile)
+    for (int tile = 0; tile < grid.active; ++tile) {
+      Given given;
       for_each_image(grid, plane, tile, [&](int beyond, int inside) {
         double* const patch = &nodes.motion(first_motion(grid.patch, tile));
         double* const to = patch + beyond * width;
@@ -124,10 +147,18 @@ void unfold_walls(
         const double* const sums = &nodes.sums(first_sum(grid.patch, tile));
         const double mass = sums[beyond * sum_components + kept_mass];
         const double change = from[dimensions + 1];
-        tally.condition_impulse -= 2.0 * mass * change;
-        tally.filter_impulse -= 2.0 * mass * (from[1] - change);
+        given.impulse -= 2.0 * mass * change;
+        given.before -= 2.0 * mass * (from[1] - change);
       });
+      enter(given, grid_share(scene.step, dt), tally);
+    }
   });
+  // With M p_I' for p_I' the grid holds -2 p_y more than the particles gave; what they take back
+  // from nodes beyond is -2 m v_y more than these would give unmirrored.
+  for (int tile = 0; has_plane_across_y(scene) && tile < grid.active; ++tile) {
+    const double* const beyond = &nodes.beyond(first_beyond(tile));
+    enter({-2.0 * dt * beyond[1], -2.0 * beyond[0]}, grid_share(scene.step, dt), tally);
+  }
 }
 
 }  // namespace barreno

@@ -3,17 +3,7 @@
 
 #include "step/solve_velocity.hpp"
 
-#include <array>
-
 namespace barreno {
-
-/// What particles gave to nodes beyond symmetry planes, along y, this rank's tiles.
-struct MirroredSums {
-  double momentum = 0.0, force = 0.0;
-};
-
-/// By velocity field.
-using MirroredFields = std::array<MirroredSums, most_velocity_fields>;
 
 /// A symmetry plane is a mirror: particles whose support reaches beyond it meet their own images.
 /// docs/method.md (2.5)
@@ -26,7 +16,8 @@ using MirroredFields = std::array<MirroredSums, most_velocity_fields>;
 ///
 /// A tile does this with its own part of the sums, before they are exchanged: whatever it gives
 /// beyond a plane, the images are in its own patch.
-MirroredSums fold_walls(const Scene& scene, Grid& grid, Nodes& nodes);
+/// @post nodes.beyond
+void fold_walls(const Scene& scene, const Grid& grid, Nodes& nodes);
 
 /// Whether a plane across y mirrors a tile: its sums are no longer those that its particles gave.
 bool is_mirrored_along_axis(const Scene& scene, const Grid& grid, int tile);
@@ -34,13 +25,6 @@ bool is_mirrored_along_axis(const Scene& scene, const Grid& grid, int tile);
 /// v_I' = M v_I beyond the planes, and what the mirror gives to the axial momentum of the
 /// particles.
 /// @pre nodes.motion holds the velocities of this step (solve_velocity)
-void unfold_walls(
-    const Scene& scene,
-    const Grid& grid,
-    const MirroredSums& mirrored,
-    double dt,
-    Nodes& nodes,
-    GridTally& tally
-);
+void unfold_walls(const Scene& scene, const Grid& grid, double dt, Nodes& nodes, GridTally& tally);
 
 }  // namespace barreno

@@ -65,20 +65,25 @@ void project_body_force(const Scene& scene, State& state) {
   });
 }
 
-double tally_body_force(const Scene& scene, double dt, State& state) {
-  if (scene.body_force.kind == BodyForceKind::none) return 0.0;
+WholeSum tally_body_force(const Scene& scene, double dt, State& state) {
+  if (scene.body_force.kind == BodyForceKind::none) return {};
   const Region region("tally_body_force");
-  double work = 0.0;
+  WholeSum work;
   for (const Particles& particles : state.particles)
-    for (int k = 0; !particles.rigid && k < particles.count; ++k) {
-      const int p = particles.order(k);
-      const Vector force = force_on(scene, state.clock, particles, p);
-      // Mean velocity of the step: v after it less half of its increment.
-      const int dimensions = particles.position.components;
-      for (int d = 0; d < dimensions; ++d)
-        work += dt * force[static_cast<std::size_t>(d)] *
-                (particles.grid_motion(p, d) - 0.5 * particles.grid_motion(p, d + dimensions));
-      state.ledger.body_impulse += dt * force[1];
+    for (int tile = 0; !particles.rigid && tile < state.grid.active; ++tile) {
+      double of_tile = 0.0, impulse = 0.0;  // rows of a tile have one order
+      for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
+        const int p = particles.order(k);
+        const Vector force = force_on(scene, state.clock, particles, p);
+        // Mean velocity of the step: v after it less half of its increment.
+        const int dimensions = particles.position.components;
+        for (int d = 0; d < dimensions; ++d)
+          of_tile += dt * force[static_cast<std::size_t>(d)] *
+                     (particles.grid_motion(p, d) - 0.5 * particles.grid_motion(p, d + dimensions));
+        impulse += dt * force[1];
+      }
+      work += of_tile;
+      state.ledger.body_impulse += impulse;
     }
   state.ledger.body_work += work;
   return work;

@@ -17,6 +17,6 @@ void project_body_force(const Scene& scene, State& state);
 /// ledger.
 /// @pre  particles.grid_motion holds the motion of this step (interpolate_motion)
 /// @return the work [energy], this rank's part
-double tally_body_force(const Scene& scene, double dt, State& state);
+WholeSum tally_body_force(const Scene& scene, double dt, State& state);
 
 }  // namespace barreno

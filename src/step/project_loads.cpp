@@ -166,10 +166,10 @@ void project_loads(const Scene& scene, State& state) {
   });
 }
 
-double tally_loads(const Scene& scene, double dt, State& state) {
-  if (scene.loads.empty()) return 0.0;
+WholeSum tally_loads(const Scene& scene, double dt, State& state) {
+  if (scene.loads.empty()) return {};
   const Region region("tally_loads");
-  double work = 0.0;
+  WholeSum work;
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
@@ -179,6 +179,7 @@ double tally_loads(const Scene& scene, double dt, State& state) {
           const Vector force = face_force<M>(scene, load, state.clock.time, particles, p, face);
           const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
           const double* const patch = &nodes.motion(first_motion(frame.patch, tile));
+          double of_face = 0.0;
           face_support<M, S>(frame, particles, tile, p, face)
               .for_each_node(frame.patch, [&](int slot, double s, const double*, double) {
                 // Mean velocity of the step: v after it less half of its increment.
@@ -187,8 +188,9 @@ double tally_loads(const Scene& scene, double dt, State& state) {
                 double power = 0.0;
                 for (std::size_t d = 0; d < dimensions; ++d)
                   power += force[d] * (node[d] - 0.5 * node[dimensions + d]);
-                work += dt * s * power;
+                of_face += dt * s * power;
               });
+          work += of_face;
           state.ledger.load_impulse += force[1] * dt;
         };
     for_each_loaded_face(scene, state, add);

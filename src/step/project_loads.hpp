@@ -15,6 +15,6 @@ void project_loads(const Scene& scene, State& state);
 /// Work of the same forces over the step on the mean nodal velocity, and their axial impulse, into
 /// the ledger.
 /// @return the work [energy], this rank's part
-double tally_loads(const Scene& scene, double dt, State& state);
+WholeSum tally_loads(const Scene& scene, double dt, State& state);
 
 }  // namespace barreno

@@ -27,13 +27,10 @@ void drop_forces(State& state) {
         nodes.sums(node + static_cast<std::size_t>(i)) = 0.0;
 }
 
-MirroredFields join_nodes(const Scene& scene, State& state) {
-  MirroredFields mirrored{};
-  for (std::size_t f = 0; f < state.nodes.size(); ++f)
-    mirrored[f] = fold_walls(scene, state.grid, state.nodes[f]);
+void join_nodes(const Scene& scene, State& state) {
+  for (Nodes& nodes : state.nodes) fold_walls(scene, state.grid, nodes);
   for (const Nodes& field : state.nodes)
     exchange_halo(state.grid, field.sums, state.grid.patch.size * sum_components);
-  return mirrored;
 }
 
 }  // namespace barreno

@@ -14,7 +14,6 @@ void drop_forces(State& state);
 
 /// The last that happens to the sums of every tile before they are added: symmetry planes, then
 /// what other ranks hold. Collective.
-/// @return what was mirrored, by velocity field
-MirroredFields join_nodes(const Scene& scene, State& state);
+void join_nodes(const Scene& scene, State& state);
 
 }  // namespace barreno

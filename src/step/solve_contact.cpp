@@ -44,8 +44,7 @@ struct SolveContact {
   Kokkos::Array<ArrayView<double>, most_velocity_fields> sums, impulse;
   Kokkos::Array<ArrayView<double>, most_pairs> normal;
   ArrayView<unsigned char> shared_tile, fields, counts;
-  ArrayView<double> tally;
-  ArrayView<long long> reactions;
+  ArrayView<double> tally, reactions;
   double dt = 0.0, cell_size = 0.0, damping = 0.0, grid_share = 0.0;
 
   SolveContact(const Grid& grid, const VelocityFields& of)
@@ -53,8 +52,8 @@ struct SolveContact {
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     double part[tally_components] = {};
-    for (int i = 0; i < reaction_count * dimensions * WholeSum::parts; ++i)
-      reactions(tile * reaction_count * dimensions * WholeSum::parts + i) = 0;
+    for (int i = 0; i < reaction_count * dimensions; ++i)
+      reactions(tile * reaction_count * dimensions + i) = 0.0;
     if (shared_tile(tile) != 0)
       for (int slot = 0; slot < copies.patch.size; ++slot) solve_node(tile, slot, part);
     for (int i = 0; i < tally_components; ++i) tally(tile * tally_components + i) = part[i];
@@ -148,11 +147,8 @@ struct SolveContact {
       for (int d = 0; d < dimensions; ++d) {
         part[0] -= node.impulse[f][d] * rigid_velocity[f][d];
         part[1] -= node.tangential[f][d] * rigid_velocity[f][d];
-        WholeSum sum;
-        sum.add(node.impulse[f][d] + node.taken[f][d]);
-        const int first =
-            ((tile * reaction_count + reaction_of[f]) * dimensions + d) * WholeSum::parts;
-        for (int i = 0; i < WholeSum::parts; ++i) reactions(first + i) += sum.part[i];
+        reactions((tile * reaction_count + reaction_of[f]) * dimensions + d) +=
+            node.impulse[f][d] + node.taken[f][d];
       }
     }
   }
@@ -198,10 +194,7 @@ RigidImpulses add_reactions(const Scene& scene, const State& state) {
   std::size_t i = 0;
   for (int tile = 0; tile < state.grid.active; ++tile)
     for (std::size_t r = 0; r < state.reactions.size(); ++r)
-      for (std::size_t d = 0; d < axes; ++d) {
-        for (long long& part : sum[r][d].part) part += state.contact.given(i++);
-        sum[r][d].carry();
-      }
+      for (std::size_t d = 0; d < axes; ++d) sum[r][d] += state.contact.given(i++);
   return sum;
 }
 
@@ -219,10 +212,10 @@ RigidTally solve_contact(
   if (state.fields.count == 1) return {};
   const Region region("solve_contact");
   const auto values = static_cast<std::size_t>(state.grid.active) * tally_components;
-  const std::size_t whole = static_cast<std::size_t>(state.grid.active) *
-                            static_cast<std::size_t>(dimensions(scene.grid.mode)) * WholeSum::parts;
+  const std::size_t impulses = static_cast<std::size_t>(state.grid.active) *
+                               static_cast<std::size_t>(dimensions(scene.grid.mode));
   make_room("tally", values, state.contact.tally);
-  make_room("given", whole * state.reactions.size(), state.contact.given);
+  make_room("given", impulses * state.reactions.size(), state.contact.given);
   visit_mode(scene.grid.mode, [&](auto mode) {
     launch(
         "solve_contact",
@@ -230,9 +223,12 @@ RigidTally solve_contact(
         make_kernel<decltype(mode)::dimensions>(scene, clock, dt, damping, state)
     );
   });
-  double sum[tally_components] = {};
-  for (std::size_t i = 0; i < values; ++i) sum[i % tally_components] += state.contact.tally(i);
-  return {sum[0], sum[1], add_reactions(scene, state)};
+  RigidTally sum{{}, {}, add_reactions(scene, state)};
+  for (std::size_t i = 0; i < values; i += tally_components) {
+    sum.work += state.contact.tally(i);
+    sum.tangential_work += state.contact.tally(i + 1);
+  }
+  return sum;
 }
 
 }  // namespace barreno

@@ -7,9 +7,9 @@ namespace barreno {
 
 /// What rigid bodies gave to the material over the step, this rank's nodes, each counted once.
 struct RigidTally {
-  double work = 0.0;             ///< impulses on the material times velocities of the bodies
-  double tangential_work = 0.0;  ///< the same of the parts along surfaces
-  RigidImpulses reaction{};      ///< what the bodies got, by State::reactions
+  WholeSum work;             ///< impulses on the material times velocities of the bodies
+  WholeSum tangential_work;  ///< the same of the parts along surfaces
+  RigidImpulses reaction{};  ///< what the bodies got, by State::reactions
 };
 
 /// What the velocity fields do to each other at the nodes that they share. docs/method.md 6

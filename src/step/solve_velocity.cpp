@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
+#include "step/accelerate_particles.hpp"
 
 #include <vector>
 
@@ -194,6 +195,28 @@ struct SolveVelocity {
   }
 };
 
+/// What the tiles have found, each in one order of its nodes.
+GridTally add_tiles(int tiles, double share, const ArrayView<double>& tally) {
+  GridTally sum;
+  for (int t = 0; t < tiles; ++t) {
+    const double* const part = &tally(static_cast<std::size_t>(t * tally_components));
+    sum.kinetic_before += part[0];
+    sum.kinetic_after += part[1];
+    sum.force_work += part[2];
+    sum.condition_work += part[3];
+    sum.condition_impulse += part[4];
+    sum.filter_impulse += part[5];
+    sum.taken_impulse += share * part[5];
+    sum.damped += part[6];
+    sum.damping_impulse += part[7];
+    sum.absorbed += part[8];
+    sum.absorbed_impulse += part[9];
+    sum.contact_work += part[10];
+    sum.tangential_work += part[11];
+  }
+  return sum;
+}
+
 }  // namespace
 
 GridTally solve_velocity(
@@ -227,23 +250,7 @@ GridTally solve_velocity(
             damping}
     );
   });
-  double sum[tally_components] = {};
-  for (int t = 0; t < grid.active; ++t)
-    for (int i = 0; i < tally_components; ++i)
-      sum[i] += nodes.tally(static_cast<std::size_t>(t * tally_components + i));
-  return {
-      sum[0],
-      sum[1],
-      sum[2],
-      sum[3],
-      sum[4],
-      sum[5],
-      sum[6],
-      sum[7],
-      sum[8],
-      sum[9],
-      sum[10],
-      sum[11]};
+  return add_tiles(grid.active, grid_share(scene.step, dt), nodes.tally);
 }
 
 }  // namespace barreno

@@ -7,19 +7,19 @@ namespace barreno {
 
 /// Kinetic energy and momentum on the grid over one step, this rank's nodes, each counted once.
 struct GridTally {
-  double kinetic_before = 0.0;  ///< after conditions were put on v^n
-  double kinetic_after = 0.0;
-  double force_work = 0.0;         ///< sum f . v_mean dt, all nodes
-  double condition_work = 0.0;     ///< of the conditions on the material
-  double condition_impulse = 0.0;  ///< axial, of the conditions on the material
-  double filter_impulse =
-      0.0;  ///< axial, what the conditions changed in v^n (reaches particles by PIC only)
-  double damped = 0.0;           ///< work done against the damping, part of force_work
-  double damping_impulse = 0.0;  ///< axial, of the damping
-  double absorbed = 0.0;  ///< work of the impedances on the change of velocity, part of force_work
-  double absorbed_impulse = 0.0;  ///< axial, of the same
-  double contact_work = 0.0;      ///< impulses of contact times mean velocity
-  double tangential_work = 0.0;   ///< the same of their parts along surfaces
+  WholeSum kinetic_before;  ///< after conditions were put on v^n
+  WholeSum kinetic_after;
+  WholeSum force_work;         ///< sum f . v_mean dt, all nodes
+  WholeSum condition_work;     ///< of the conditions on the material
+  WholeSum condition_impulse;  ///< axial, of the conditions on the material
+  WholeSum filter_impulse;     ///< axial, what the conditions changed in v^n
+  WholeSum taken_impulse;    ///< what of it reaches particles: by PIC only, the grid's share of it
+  WholeSum damped;           ///< work done against the damping, part of force_work
+  WholeSum damping_impulse;  ///< axial, of the damping
+  WholeSum absorbed;  ///< work of the impedances on the change of velocity, part of force_work
+  WholeSum absorbed_impulse;  ///< axial, of the same
+  WholeSum contact_work;      ///< impulses of contact times mean velocity
+  WholeSum tangential_work;   ///< the same of their parts along surfaces
 };
 
 /// Add the overlapping parts of neighbouring patches and solve for the velocity of every node, in

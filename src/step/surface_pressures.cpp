@@ -192,14 +192,14 @@ void project_surface_pressures(const Scene& scene, State& state) {
   });
 }
 
-double tally_surface_pressures(const Scene& scene, double dt, State& state) {
-  if (!has_surface_loads(scene)) return 0.0;
+WholeSum tally_surface_pressures(const Scene& scene, double dt, State& state) {
+  if (!has_surface_loads(scene)) return {};
   const Region region("tally_surface_pressures");
   const ByLoad pressures = load_pressures(scene, state);
   const std::size_t loads = scene.loads.size();
   const ByLoad start = first_volumes(scene);
   Growth growth{};
-  double work = 0.0;
+  WholeSum work;
   visit_kernels(scene, [&](auto mode, auto shape) {
     using M = decltype(mode);
     using S = decltype(shape);
@@ -223,7 +223,7 @@ double tally_surface_pressures(const Scene& scene, double dt, State& state) {
             ByLoad unit{};
             unit[l] = 1.0;
             const double grown = work_under(pressure_inside<M>(scene, particles, p, unit), 0.0);
-            growth[l].add(grown / start[l]);
+            growth[l] += grown / start[l];
             growth[l].carry();  // there may be any number of particles
           }
         }

@@ -27,7 +27,7 @@ void project_surface_pressures(const Scene& scene, State& state);
 /// which particles move (with the mean one the fluid would gain energy at every step). Collective
 /// if there is a pore fluid: the sum is exact, so that it is the same on any number of ranks.
 /// @return the work [energy], this rank's part
-double tally_surface_pressures(const Scene& scene, double dt, State& state);
+WholeSum tally_surface_pressures(const Scene& scene, double dt, State& state);
 
 /// The step that the fluids of cavities allow, if the particles allow dt: with
 /// omega^2 = 8 n K / (rho a h) of a fluid against the first eighth of a cell of a wall (n = 3 of a

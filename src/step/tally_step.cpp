@@ -2,44 +2,49 @@
 #include "step/tally_step.hpp"
 
 namespace barreno {
-namespace {
 
-void add(const WholeSum& of_step, WholeSum& sum) {
-  sum.add(of_step);
-  sum.carry();
-}
-
-}  // namespace
-
-void tally_step(const Scene& scene, double dt, const StepTally& tally, State& state) {
+void tally_step(const StepTally& tally, State& state) {
   const auto& [grid, rigid, applied_work, filter, moved, stress] = tally;
-  Ledger& ledger = state.ledger;
-  const double share = grid_share(scene.step, dt);
+  OwnLedger& ledger = state.ledger;
   ledger.mass = moved.mass;
   ledger.momentum = moved.momentum;
-  ledger.kinetic = moved.kinetic_after;
-  ledger.boundary_work += grid.condition_work + grid.absorbed;
+  ledger.kinetic = moved.kinetic;
+  ledger.boundary_work += grid.condition_work;
+  ledger.boundary_work += grid.absorbed;
   ledger.load_impulse += grid.absorbed_impulse;
   ledger.damped += grid.damped;
   ledger.damping_impulse += grid.damping_impulse;
-  ledger.condition_impulse += grid.condition_impulse + share * grid.filter_impulse;
-  ledger.transfer +=
-      grid.kinetic_before - moved.kinetic_before + moved.kinetic_after - grid.kinetic_after;
+  ledger.condition_impulse += grid.condition_impulse;
+  ledger.condition_impulse += grid.taken_impulse;
+  ledger.transfer += grid.kinetic_before;
+  ledger.transfer -= grid.kinetic_after;
+  ledger.transfer += moved.gain;
   ledger.boundary_work += rigid.work;
   for (std::size_t r = 0; r < state.reactions.size(); ++r) {
-    ledger.rigid_impulse -= rigid.reaction[r][1].value();
-    for (std::size_t d = 0; d < 3; ++d) add(rigid.reaction[r][d], state.reactions[r].impulse[d]);
+    ledger.rigid_impulse -= rigid.reaction[r][1];
+    for (std::size_t d = 0; d < 3; ++d) {
+      WholeSum& impulse = state.reactions[r].impulse[d];
+      impulse += rigid.reaction[r][d];
+      impulse.carry();
+    }
   }
-  const double lost_along = rigid.tangential_work - grid.tangential_work;
+  WholeSum lost_along = rigid.tangential_work;
+  lost_along -= grid.tangential_work;
   ledger.friction += lost_along;
-  ledger.transfer -= rigid.work - grid.contact_work - lost_along;
+  ledger.transfer += lost_along;
+  ledger.transfer += grid.contact_work;
+  ledger.transfer -= rigid.work;
   ledger.elastic += stress.elastic;
   ledger.plastic += stress.plastic;
   ledger.viscous += stress.viscous;
-  ledger.stress_integration +=
-      grid.force_work + grid.damped - grid.absorbed - applied_work + stress.stress_work;
+  ledger.stress_integration += grid.force_work;
+  ledger.stress_integration += grid.damped;
+  ledger.stress_integration -= grid.absorbed;
+  ledger.stress_integration -= applied_work;
+  ledger.stress_integration += stress.stress_work;
   ledger.condition_impulse += filter.condition_impulse;
   ledger.transfer += filter.kinetic;
+  carry(ledger);
 }
 
 void tally_particle_steps(State& state) {

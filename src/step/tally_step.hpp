@@ -15,14 +15,14 @@ namespace barreno {
 struct StepTally {
   GridTally grid;
   RigidTally rigid;
-  double applied_work = 0.0;  ///< of loads and body force
+  WholeSum applied_work;  ///< of loads and body force
   FilterTally filter;
   ParticleTally moved;
   StressTally stress;
 };
 
 /// Each term where it arises; see Ledger.
-void tally_step(const Scene& scene, double dt, const StepTally& tally, State& state);
+void tally_step(const StepTally& tally, State& state);
 
 /// Particles that the step has advanced, and those that it has left as they were (Dormancy).
 void tally_particle_steps(State& state);

@@ -84,7 +84,8 @@ void strain_after(
     apply_policy(scene, state.particles[s], set, state, result);
     add(set, tally.stress);
   }
-  state.ledger.clipped = clipped;
+  state.ledger.clipped = {};
+  state.ledger.clipped += clipped;
 }
 
 }  // namespace

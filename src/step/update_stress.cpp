@@ -3,6 +3,7 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
+#include "base/row_sum.hpp"
 #include "state/bad_particle.hpp"
 #include "state/step_rule.hpp"
 #include "step/point_group.hpp"
@@ -13,25 +14,6 @@
 
 namespace barreno {
 namespace {
-
-/// Sums of a launch; joins are never needed on one thread but other backends use them.
-struct StressReducer {
-  using reducer = StressReducer;
-  using value_type = StressTally;
-  using result_view_type = Kokkos::View<value_type, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>;
-  explicit StressReducer(value_type& value) : value_(&value) {}
-  KOKKOS_INLINE_FUNCTION void join(value_type& to, const value_type& from) const { add(from, to); }
-  KOKKOS_INLINE_FUNCTION void join(volatile value_type& to, const volatile value_type& from) const {
-    join(const_cast<value_type&>(to), const_cast<const value_type&>(from));
-  }
-  KOKKOS_INLINE_FUNCTION void init(value_type& value) const { value = value_type{}; }
-  KOKKOS_INLINE_FUNCTION value_type& reference() const { return *value_; }
-  result_view_type view() const { return result_view_type(value_); }
-  KOKKOS_INLINE_FUNCTION bool references_scalar() const { return true; }
-
-private:
-  value_type* value_;
-};
 
 template <class Model, class R>
 struct UpdateStress {
@@ -49,7 +31,7 @@ struct UpdateStress {
 
   /// Sums over the lanes' own rows.
   struct Tally {
-    R elastic{}, plastic{}, viscous{}, stress_work{};
+    RowSum<R> elastic, plastic, viscous, stress_work;
     R stable_step = R{} + std::numeric_limits<double>::infinity();
   };
 
@@ -147,10 +129,14 @@ struct UpdateStress {
     const R stress_work =
         mean_volume * (0.5 * contract(begun.old_stress + update.stress, increment.strain) -
                        increment.viscous_pressure * trace(increment.strain));
-    tally.elastic += real::select(good, reference_volume * outcome.elastic_work, 0.0);
-    tally.plastic += real::select(good, reference_volume * outcome.plastic_work, 0.0);
-    tally.viscous += real::select(good, viscous, 0.0);
-    tally.stress_work += real::select(good, stress_work, 0.0);
+    const SplitSizes& sizes = particles.tally_sizes.energy;
+    const auto enter = [&](const R& energy, RowSum<R>& sum, WholeSum& beyond) {
+      sum.add(real::select(good, energy, 0.0), sizes, beyond);
+    };
+    enter(reference_volume * outcome.elastic_work, tally.elastic, sums.elastic);
+    enter(reference_volume * outcome.plastic_work, tally.plastic, sums.plastic);
+    enter(viscous, tally.viscous, sums.viscous);
+    enter(stress_work, tally.stress_work, sums.stress_work);
     R speed_squared{};
     for (int d = 0; d < particles.velocity.components; ++d) {
       const R v = group.get(particles.velocity, d);
@@ -233,11 +219,11 @@ struct UpdateStress {
       update_in_parts(rows, tally, sums);
     else
       update_groups(rows, tally, sums);
+    tally.elastic.add_to(sums.elastic);
+    tally.plastic.add_to(sums.plastic);
+    tally.viscous.add_to(sums.viscous);
+    tally.stress_work.add_to(sums.stress_work);
     for (int i = 0; i < width<R>; ++i) {
-      sums.elastic += entry(tally.elastic, i);
-      sums.plastic += entry(tally.plastic, i);
-      sums.viscous += entry(tally.viscous, i);
-      sums.stress_work += entry(tally.stress_work, i);
       const double step = entry(tally.stable_step, i);
       if (step < sums.stable_step) sums.stable_step = step;
     }
@@ -288,7 +274,8 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
             spec.material.density,
             scene.step.largest_expansion,
             dt};
-        constexpr int run = updates_in_parts<Model, typename RealFor<Model>::type> ? 512 : 64;
+        constexpr int run =
+            updates_in_parts<Model, typename RealFor<Model>::type> ? most_summed_rows : 64;
         launch_reduction(
             "update_stress",
             range((rows.end - rows.begin + run - 1) / run),
@@ -297,7 +284,7 @@ StressTally update_stress(const Scene& scene, double dt, Rows rows, Particles& p
               const int end = rows.end - begin < run ? rows.end : begin + run;
               kernel(Rows{begin, end, rows.runs}, part);
             },
-            StressReducer(sums)
+            TallyReducer<StressTally>(sums)
         );
       },
       spec.material.model

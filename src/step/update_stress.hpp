@@ -12,9 +12,9 @@ namespace barreno {
 /// Work of one stress update and what it says about the next step; sums over this rank's particles
 /// of one set.
 struct StressTally {
-  double elastic = 0.0, plastic = 0.0, viscous = 0.0;  ///< of the materials [energy]
-  double stress_work =
-      0.0;  ///< trapezoid of (sigma - q I) : d_eps V, the particles' view of the same work
+  WholeSum elastic, plastic, viscous;  ///< of the materials [energy]
+  WholeSum
+      stress_work;  ///< trapezoid of (sigma - q I) : d_eps V, the particles' view of the same work
   double stable_step = std::numeric_limits<double>::infinity();  ///< smallest of the set [time]
   double failures = 0.0;                                         ///< points whose update failed
   ParticleId first_failed = -1;                                  ///< smallest id among them

@@ -13,7 +13,7 @@ import numpy as np
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
 
 from netCDF4 import Dataset  # noqa: E402
-from resumed import at_previous, different_fields, different_files, lines_of, must_work, program, stopped_run  # noqa: E402
+from resumed import at_previous, different_fields, different_files, different_sums, lines_of, must_work, program, stopped_run  # noqa: E402
 from runs import DECKS  # noqa: E402
 
 DECK = str(DECKS / "perforation_quick.xml")
@@ -49,13 +49,14 @@ def check_signals(barreno, folder, plain):
 
 
 def check_ranks(barreno, folder, plain):
-    """From 2 ranks to 1, 2 and 3: fields to the bit."""
+    """From 2 ranks to 1, 2 and 3: fields, tables and balances to the bit, as on one rank."""
     whole = folder / "two"
     must_work(program(barreno, 2, "run", DECK, "--out", whole, *SHORT))
     for ranks in (1, 2, 3):
         run = at_previous(pathlib.Path(shutil.copytree(whole, folder / f"on{ranks}")))
         resumed(barreno, ranks, run)
-        assert not different_fields(plain, run), f"2 ranks, then {ranks}: {different_fields(plain, run)}"
+        wrong = different_fields(plain, run) + different_files(plain, run) + different_sums(plain, run)
+        assert not wrong, f"2 ranks, then {ranks}: {wrong}"
 
 
 def check_damage(barreno, folder, plain):

@@ -72,5 +72,14 @@ def different_fields(one, other):
         return [n for n in names if a[n].shape != b[n].shape or not np.array_equal(np.ma.filled(a[n][:], 0), np.ma.filled(b[n][:], 0))]
 
 
+def different_sums(one, other):
+    """What a summary says of mass, momentum, energy and particles, by name, where it is not the same to the bit."""
+    import json
+
+    machine = ("ranks", "wall_seconds", "cpu_seconds", "ns_per_particle_step", "peak_resident_bytes", "largest_rank_peak_bytes", "phases", "prediction")
+    a, b = (json.loads((folder / "summary.json").read_text()) for folder in (one, other))
+    return [name for name in sorted({*a, *b} - {*machine}) if a.get(name) != b.get(name)]
+
+
 def different_files(one, other, names=("history.csv", "depth.csv")):
     return [name for name in names if (one / name).read_bytes() != (other / name).read_bytes()]

@@ -73,8 +73,9 @@ TEST(Balance, OfNothingIsZeroAndSomethingFromNothingIsInfinite) {
 
 TEST(Balance, AddsTheRanksButNotTheSharedStepCount) {
   const auto comm = Teuchos::DefaultComm<int>::getComm();
-  Ledger mine = closed_ledger();
-  mine.removed[1].count = 1.0 + comm->getRank();
+  OwnLedger mine;
+  mine.kinetic += 20.0;
+  mine.removed[1].count += 1.0 + comm->getRank();
   mine.retried_steps = 7.0;
   const Ledger sum = sum_over_ranks(*comm, mine);
   const double ranks = comm->getSize();

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "state/tally_sizes.hpp"
+
+#include "base/numbers.hpp"
+#include "state/build_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+double modulus_at_rest(const Scene& scene, int material) {
+  const StartPoint at_rest = start_point(scene, material, nullptr);
+  return std::visit(
+      [&](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        auto history = model.initial_history();
+        auto* const h = reinterpret_cast<double*>(&history);
+        std::copy(at_rest.history.begin(), at_rest.history.end(), h);
+        return model.longitudinal_modulus(at_rest.stress, history, at_rest.volume_ratio);
+      },
+      scene.materials[static_cast<std::size_t>(material)].material.model
+  );
+}
+
+double largest_cell(const GridSpec& grid) {
+  double volume = std::pow(grid.cell_size, dimensions(grid.mode));
+  if (grid.mode == Mode::axisymmetric) volume *= two_pi * grid.upper[0];
+  return volume;
+}
+
+}  // namespace
+
+TallySizes tally_sizes(const Scene& scene, int material) {
+  const double density = scene.materials[static_cast<std::size_t>(material)].material.density;
+  const double volume = largest_cell(scene.grid), modulus = modulus_at_rest(scene, material);
+  return {
+      SplitSizes(density * volume),
+      SplitSizes(std::sqrt(density * modulus) * volume),
+      SplitSizes(modulus * volume)};
+}
+
+}  // namespace barreno

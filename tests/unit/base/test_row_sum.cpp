@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/row_sum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+/// Numbers of both signs, most of about a size, some far smaller.
+std::vector<double> numbers_of(double size, int count) {
+  std::vector<double> numbers;
+  for (int i = 0; i < count; ++i)
+    numbers.push_back(size * std::sin(1.7 * i + 0.3) * std::pow(10.0, -3.0 * (i % 5)));
+  return numbers;
+}
+
+/// By runs of so many.
+WholeSum sum_of(const std::vector<double>& numbers, const SplitSizes& sizes, std::size_t in_run) {
+  WholeSum sum;
+  for (std::size_t begin = 0; begin < numbers.size(); begin += in_run) {
+    double run[rows_per_run];
+    std::fill_n(run, rows_per_run, std::numeric_limits<double>::quiet_NaN());
+    const std::size_t count = std::min(in_run, numbers.size() - begin);
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(begin), count, run);
+    add_run(run, static_cast<int>(count), sizes, sum);
+  }
+  return sum;
+}
+
+TEST(RowSum, IsTheSameInEveryOrderAndInRunsOfAnyLength) {
+  for (const double size : {1.0, 3e-20, 7e11}) {
+    std::vector<double> numbers = numbers_of(size, 5000);
+    numbers[17] = 1e9 * size;  // too large to be split
+    const SplitSizes sizes(size);
+    const double straight = sum_of(numbers, sizes, rows_per_run).value();
+    for (const std::size_t in_run : {1U, 7U, 13U, 64U}) {
+      std::reverse(numbers.begin(), numbers.end());
+      EXPECT_EQ(sum_of(numbers, sizes, in_run).value(), straight);
+    }
+    std::rotate(numbers.begin(), numbers.begin() + 1234, numbers.end());
+    EXPECT_EQ(sum_of(numbers, sizes, rows_per_run).value(), straight);
+  }
+}
+
+/// Rounded at 2^-76 of the expected size each.
+TEST(RowSum, IsExactToTheSmallQuantum) {
+  for (const double size : {1.0, 3e-20, 7e11}) {
+    const std::vector<double> numbers = numbers_of(size, 5000);
+    WholeSum exact;
+    for (const double number : numbers) exact += number;
+    const double found = sum_of(numbers, SplitSizes(size), rows_per_run).value();
+    EXPECT_NEAR(found, exact.value(), 5000.0 * std::ldexp(size, -76) + 2e-16 * std::abs(found));
+  }
+}
+
+/// A wrong expectation costs digits or time, not the sum.
+TEST(RowSum, HoldsWhatIsFarFromTheExpectedSize) {
+  const std::vector<double> numbers = numbers_of(1.0, 640);
+  WholeSum exact;
+  for (const double number : numbers) exact += number;
+  EXPECT_EQ(sum_of(numbers, SplitSizes(1e-30), rows_per_run).value(), exact.value());
+  EXPECT_NEAR(sum_of(numbers, SplitSizes(1e9), rows_per_run).value(), exact.value(), 1e-11);
+}
+
+TEST(RowSum, LeavesOutWhatIsNoNumber) {
+  const double none = std::numeric_limits<double>::quiet_NaN(),
+               infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(sum_of({1.0, none, infinite, -infinite, 2.0}, SplitSizes(1.0), 64).value(), 3.0);
+}
+
+}  // namespace
+}  // namespace barreno

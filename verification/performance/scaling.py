@@ -1,0 +1,190 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Strong and weak scaling over ranks, and what ranks send.
+
+    scaling.py BARRENO [--repeats N] [--quick] [--document]
+
+Times are those of the steps alone (the timer `advance` of summary.json, slowest rank), the smallest of so many runs; runs on one
+rank and on two take turns. Messages, bytes and reductions are counted by a preloaded library (tools/count_messages.c) in a run
+of its own: the difference of two end times over the difference of their steps, so that starting does not count. The bandwidth
+of memory is measured in the same minute, by one process and by two at once. --document writes docs/performance.md and
+verification/results/scaling.json.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+
+import scaling_decks
+from scaling_decks import Problem
+
+from resumed import must_work, program  # noqa: I001
+from runs import ROOT, Run, scratch_folder
+
+TOOLS = ROOT / "verification" / "tools"
+RESULT = ROOT / "verification" / "results" / "scaling.json"
+PAGE = ROOT / "docs" / "performance.md"
+BEGIN, END = "<!-- scaling.py -->", "<!-- end -->"
+KINDS = ("sends", "waits", "reductions", "others")
+LEAST = {"block": 1.85, "perforation": 1.8}
+
+
+def build(scratch):
+    library, triad = scratch / "count_messages.so", scratch / "triad"
+    subprocess.run(["mpicc", "-O1", "-shared", "-fPIC", "-o", library, TOOLS / "count_messages.c"], check=True)
+    subprocess.run(["cc", "-O3", "-march=native", "-o", triad, TOOLS / "triad.c"], check=True)
+    return library, triad
+
+
+def bandwidth(triad, processes):
+    """Of all processes together [GB/s]."""
+    running = [subprocess.Popen([triad, "1.5"], stdout=subprocess.PIPE, text=True) for _ in range(processes)]
+    return sum(float(process.communicate()[0]) for process in running)
+
+
+def run_once(barreno, problem: Problem, ranks, end, environment=None):
+    folder = pathlib.Path(scratch_folder()) / "run"
+    words = ["run", problem.deck, "--out", folder, "--set", f"Time/End Time={end}", "--set", f"Output/Field Interval={end}",
+             "--set", "Output/Checkpoint Wall Interval=0 s"]  # fmt: skip
+    must_work(program(barreno, ranks, *words, environment={"OMPI_MCA_mpi_yield_when_idle": "0", **(environment or {})}))
+    return Run(folder)
+
+
+def step_seconds(run):
+    return run.summary["phases"]["advance"]["largest_rank_seconds"]
+
+
+def times(barreno, tasks, repeats):
+    """Best time and its phases of tasks (problem, ranks) that take turns."""
+    best = [None] * len(tasks)
+    for _ in range(repeats):
+        for i, (problem, ranks) in enumerate(tasks):
+            run = run_once(barreno, problem, ranks, problem.end)
+            if best[i] is None or step_seconds(run) < step_seconds(best[i]):
+                best[i] = run
+    return best
+
+
+def counts(folder, ranks):
+    """By rank: calls, bytes and seconds of every kind."""
+    tables = []
+    for rank in range(ranks):
+        lines = (folder / f"messages.{rank}").read_text().split("\n")
+        tables.append({words[0]: [float(x) for x in words[1:]] for words in (line.split() for line in lines if line)})
+    return tables
+
+
+def messages(barreno, library, problem, ranks):
+    """Per step: means over ranks of messages, bytes and reductions; by rank the seconds of waiting, and processor time outside MPI."""
+    found = []
+    for end in (problem.short, problem.end):
+        folder = pathlib.Path(scratch_folder())
+        run = run_once(barreno, problem, ranks, end, {"LD_PRELOAD": str(library), "MESSAGES_FILE": str(folder / "messages")})
+        found.append((run, counts(folder, ranks)))
+    (short, before), (long, after) = found
+    steps = long.summary["steps"] - short.summary["steps"]
+
+    def per_step(kind, column):
+        return [(b[kind][column] - a[kind][column]) / steps for a, b in zip(before, after)]
+
+    def mean(values):
+        return sum(values) / len(values)
+
+    waiting = [sum(per_step(kind, 2)[rank] for kind in KINDS) for rank in range(ranks)]
+    computing = [per_step("all", 3)[rank] - sum(per_step(kind, 3)[rank] for kind in KINDS) for rank in range(ranks)]
+    return {
+        "computing_seconds": computing,
+        "messages": mean(per_step("sends", 0)),
+        "bytes": mean(per_step("sends", 1)),
+        "reductions": mean(per_step("reductions", 0)),
+        "reduced_bytes": mean(per_step("reductions", 1)),
+        "other_collectives": mean(per_step("others", 0)),
+        "waiting_seconds": waiting,
+        "step_seconds": (step_seconds(long) - step_seconds(short)) / steps,
+        "steps": long.summary["steps"],
+        "particles": long.summary["particles"],
+    }
+
+
+def lost(one, two):
+    """Verbs of the run on two ranks that take more than half of what they take on one, the largest first."""
+    a, b = one.summary["phases"], two.summary["phases"]
+    more = {name: b[name]["largest_rank_seconds"] - 0.5 * a.get(name, {}).get("largest_rank_seconds", 0.0) for name in b if name != "advance"}
+    return sorted(((name, seconds) for name, seconds in more.items() if seconds > 0.0), key=lambda item: -item[1])[:6]
+
+
+def measure(barreno, repeats, quick):
+    scratch = pathlib.Path(scratch_folder())
+    library, triad = build(scratch)
+    cells = (16, 32, 16) if quick else (24, 48, 24)
+    small = scaling_decks.block(scratch, (cells[0], cells[1] // 2, cells[2]), 60)
+    large = scaling_decks.block(scratch, cells, 60)
+    jet = scaling_decks.perforation()
+    if quick:
+        jet = Problem("perforation.xml to 4 us", jet.deck, "2 us", "4 us")
+    result = {"triad": {n: bandwidth(triad, n) for n in (1, 2)}, "strong": [], "messages": []}
+    ratio = result["triad"][2] / result["triad"][1]
+    for word, problem in (("block", large), ("perforation", jet)):
+        one, two = times(barreno, [(problem, 1), (problem, 2)], repeats)
+        least = min(LEAST[word], 0.95 * ratio)
+        speedup = step_seconds(one) / step_seconds(two)
+        result["strong"].append({
+            "name": problem.name, "particles": one.summary["particles"], "steps": one.summary["steps"],
+            "one": step_seconds(one), "two": step_seconds(two), "speedup": speedup, "least": least, "lost": lost(one, two),
+        })  # fmt: skip
+        alone = messages(barreno, library, problem, 1)["computing_seconds"][0]
+        result["messages"].append({"name": problem.name, "alone": alone, **messages(barreno, library, problem, 2)})
+    one, two = times(barreno, [(small, 1), (large, 2)], repeats)
+    result["weak"] = {"one": step_seconds(one) / one.summary["steps"], "two": step_seconds(two) / two.summary["steps"],
+                      "name": f"{small.name} on one rank, {large.name} on two"}  # fmt: skip
+    alone = messages(barreno, library, small, 1)["computing_seconds"][0]
+    result["messages"].append({"name": small.name, "alone": alone, **messages(barreno, library, small, 2)})
+    return result
+
+
+def page(result):
+    one, two = (result["triad"][n] for n in (1, 2))
+    lines = [f"Triad: {one:.1f} GB/s by one process, {two:.1f} GB/s by two at once, a ratio of {two / one:.2f}.", "",
+             "| strong scaling | particles | steps | one rank | two ranks | speed-up | asked for |", "|---|---|---|---|---|---|---|"]  # fmt: skip
+    for s in result["strong"]:
+        lines.append(f"| {s['name']} | {s['particles']:,.0f} | {s['steps']} | {s['one']:.2f} s | {s['two']:.2f} s | {s['speedup']:.2f} | {s['least']:.2f} |")
+    lines += ["", "Seconds of two ranks beyond half of one rank's, by verb: "
+              + "; ".join(f"{s['name']}: " + ", ".join(f"{name} {seconds:.2f}" for name, seconds in s["lost"]) for s in result["strong"]) + ".",
+              "", f"Weak scaling ({result['weak']['name']}): {1e3 * result['weak']['one']:.2f} ms and {1e3 * result['weak']['two']:.2f} ms per step, "
+              f"an efficiency of {result['weak']['one'] / result['weak']['two']:.2f}.",
+              "", "| on two ranks, per step and rank | messages | KB sent | reductions | bytes of them | other collective calls | waiting, least of the ranks | ms of processor time: one rank alone | both ranks | speed-up that these allow |",
+              "|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
+    for m in result["messages"]:
+        share = min(m["waiting_seconds"]) / m["step_seconds"]
+        lines.append(f"| {m['name']} | {m['messages']:.2f} | {1e-3 * m['bytes']:.1f} | {m['reductions']:.2f} | {m['reduced_bytes']:.0f} | {m['other_collectives']:.3f} | {100 * share:.1f} % "
+                     f"| {1e3 * m['alone']:.2f} | {', '.join(f'{1e3 * s:.2f}' for s in m['computing_seconds'])} | {m['alone'] / max(m['computing_seconds']):.2f} |")
+    return lines
+
+
+def document(lines):
+    text = PAGE.read_text()
+    head, rest = text.split(BEGIN)
+    tail = rest.split(END, 1)[1]
+    PAGE.write_text(head + BEGIN + "\n" + "\n".join(lines) + "\n" + END + tail)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("barreno")
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--quick", action="store_true", help="smaller problems: whether it works")
+    parser.add_argument("--document", action="store_true")
+    arguments = parser.parse_args()
+    result = measure(pathlib.Path(arguments.barreno).resolve(), arguments.repeats, arguments.quick)
+    lines = page(result)
+    print("\n".join(lines))
+    if arguments.document:
+        RESULT.write_text(json.dumps(result, indent=1) + "\n")
+        document(lines)
+    failed = [s["name"] for s in result["strong"] if s["speedup"] < s["least"]]
+    sys.exit(f"below what is asked for: {', '.join(failed)}" if failed and not arguments.quick else 0)
+
+
+if __name__ == "__main__":
+    main()
