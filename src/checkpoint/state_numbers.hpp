@@ -8,8 +8,9 @@ namespace barreno {
 
 /// visit(name, number) for all of a state's numbers that are the same on every rank: a checkpoint
 /// writes and reads this one list.
-template <class Visitor>
-void for_each_number(State& state, Visitor&& visit) {
+/// @param state  a State to be changed, or a const one
+template <class AnyState, class Visitor>
+void for_each_number(AnyState& state, Visitor&& visit) {
   visit("time", state.clock.time);
   visit("dt", state.clock.dt);
   visit("step", state.clock.step);

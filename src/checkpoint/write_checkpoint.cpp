@@ -56,8 +56,7 @@ void write_particles(
   put("rank_counts", {particles.count});
   put("id", whole_numbers(particles.id, particles.count));
   put("body", whole_numbers(particles.body, particles.count));
-  auto& fields = const_cast<Particles&>(particles);  // for_each_field has one, non-const, form
-  fields.for_each_field([&](const Field& field) {
+  particles.for_each_field([&](const Field& field) {
     if (field.components == 0) return;
     Hdf5Table<double> table;
     table.columns = static_cast<std::size_t>(field.components);
@@ -108,8 +107,7 @@ void write_numbers(const RunNumbers& numbers, const std::string& group, Hdf5File
 
 RunNumbers numbers_of(const State& state) {
   RunNumbers numbers;
-  auto& all = const_cast<State&>(state);  // the list has one, non-const, form
-  for_each_number(all, [&](const char* name, auto& value) {
+  for_each_number(state, [&](const char* name, const auto& value) {
     numbers[name] = {static_cast<double>(value)};
   });
   numbers["cavities"] = state.cavities;
@@ -152,8 +150,7 @@ void refuse_full_disk(const fs::path& folder, double bytes) {
 double estimate(const State& state) {
   double doubles = 0.0;
   for (const Particles& particles : state.particles) {
-    auto& fields = const_cast<Particles&>(particles);
-    fields.for_each_field([&](const Field& field) {
+    particles.for_each_field([&](const Field& field) {
       doubles += static_cast<double>(field.components) * particles.count;
     });
     doubles += 2.0 * particles.count;

@@ -36,7 +36,7 @@ std::vector<double> ExodusWriter::pack_rows(
     const Scene& scene, const State& state, std::size_t set, std::vector<int>& counts
 ) const {
   const HostParticles particles(state.particles[set]);
-  const std::size_t width = 1 + node_values() + variables(scene, set).size() + 1;
+  const std::size_t width = row_width(scene, set);
   const auto ranks = static_cast<int>(counts.size());
   std::vector<int> holders(static_cast<std::size_t>(particles.count));
   for (int p = 0; p < particles.count; ++p)
@@ -68,7 +68,7 @@ ExodusWriter::Rows ExodusWriter::bring_rows(const Scene& scene, const State& sta
   Rows rows;
   rows.values = exchange(comm, mine, counts);
   rows.of_file.resize(held_.size());
-  const std::size_t width = 1 + node_values() + variables(scene, set).size() + 1;
+  const std::size_t width = row_width(scene, set);
   for (std::size_t begin = 0; begin < rows.values.size(); begin += width) {
     ParticleId id = 0;
     std::memcpy(&id, &rows.values[begin], sizeof id);

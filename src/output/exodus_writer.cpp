@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/exodus_writer.hpp"
 
+#include "base/error.hpp"
 #include "base/region.hpp"
 #include "output/copy_exodus_steps.hpp"
 #include "output/particle_fields.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace barreno {
 namespace {
@@ -15,6 +17,22 @@ namespace {
 int count_files(const Scene& scene, const Comm& comm, const KeptFields& kept) {
   if (scene.output.files == ParticleFiles::one) return 1;
   return kept.files > 0 ? kept.files : comm.getSize();
+}
+
+/// A rank receives at most as many values at once as MPI counts with int. Every rank finds the
+/// same.
+void refuse_too_many(
+    const Scene& scene, const FileShares& shares, std::size_t set, int ranks, std::size_t width
+) {
+  const long long share = (shares.blocks[set].count + shares.files - 1) / shares.files;
+  const long long held = (shares.files + ranks - 1) / ranks;
+  if (share * held <= std::numeric_limits<int>::max() / static_cast<long long>(width)) return;
+  throw DeckError(
+      "Output/Particle Files: " + std::to_string(shares.blocks[set].count) + " particles of '" +
+      scene.materials[set].material.name + "' are too many for what one rank can write (" +
+      std::to_string(shares.files) + " files on " + std::to_string(ranks) +
+      " ranks); choose \"one per rank\" and more ranks."
+  );
 }
 
 int nodes_of(Glyph glyph, int dimensions) {
@@ -39,6 +57,8 @@ ExodusWriter::ExodusWriter(
       shares_(share_out(slots, scene.materials.size(), count_files(scene, *state.grid.comm, kept))
       ) {
   const Comm& comm = *state.grid.comm;
+  for (std::size_t b = 0; b < shares_.blocks.size(); ++b)
+    refuse_too_many(scene, shares_, b, comm.getSize(), row_width(scene, b));
   for (int file = 0; file < shares_.files; ++file)
     if (holder_of(shares_, file, comm.getSize()) == comm.getRank()) held_.push_back(hold(file));
   ExodusLayout common = describe(scene, version);
@@ -140,6 +160,10 @@ std::vector<ExodusLayout> ExodusWriter::record_start(
 std::vector<std::string> ExodusWriter::variables(const Scene& scene, std::size_t set) const {
   const Material& material = scene.materials[set].material;
   return particle_field_names(material, dimensions_, optional_fields(scene, material));
+}
+
+std::size_t ExodusWriter::row_width(const Scene& scene, std::size_t set) const {
+  return 1 + node_values() + variables(scene, set).size() + 1;
 }
 
 void ExodusWriter::move_nodes(const Rows& rows, std::size_t h) {

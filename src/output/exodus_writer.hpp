@@ -74,6 +74,8 @@ private:
       const Scene& scene, const State& state, const ExodusLayout& common
   );
   std::vector<std::string> variables(const Scene& scene, std::size_t set) const;
+  /// Values of a particle on their way, see pack_rows.
+  std::size_t row_width(const Scene& scene, std::size_t set) const;
   std::vector<double> pack_rows(
       const Scene& scene, const State& state, std::size_t set, std::vector<int>& counts
   ) const;

@@ -9,96 +9,19 @@
 #include "output/history_writer.hpp"
 #include "output/progress.hpp"
 #include "output/radii.hpp"
+#include "output/result_numbers.hpp"
+#include "output/schedule.hpp"
 #include "output/summary.hpp"
+#include "output/watch_ledger.hpp"
 #include "state/balance.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <unistd.h>
 
 namespace barreno {
 namespace {
-
-/// Multiples of an interval that are reached: the next one is `count * interval`. Every rank counts
-/// alike.
-class Schedule {
-public:
-  explicit Schedule(double interval) : interval_(interval) {}
-  bool due(double time) const {
-    return interval_ > 0.0 && time / interval_ > static_cast<double>(count_) - round_off;
-  }
-  void done(double time) { count_ = index_after(time); }
-  double next(double time) const { return static_cast<double>(index_after(time)) * interval_; }
-  bool on() const { return interval_ > 0.0; }
-
-private:
-  static constexpr double round_off = 1e-6;
-  long index_after(double time) const {
-    return static_cast<long>(std::floor(time / interval_ + round_off)) + 1;
-  }
-  double interval_;
-  long count_ = 0;
-};
-
-std::string number_line(const char* pattern, double a, double b = 0.0, double c = 0.0) {
-  char text[160];
-  std::snprintf(text, sizeof text, pattern, a, b, c);
-  return text;
-}
-
-std::vector<std::string> result_numbers(
-    const Scene& scene,
-    const RunTotals& totals,
-    const Penetration& penetration,
-    const RunSummary& summary,
-    const Prediction& prediction
-) {
-  std::vector<std::string> lines;
-  if (scene.jet.present)
-    lines.push_back(number_line(
-        "depth %.2f mm, open channel %.2f mm",
-        1e3 * penetration.depth,
-        1e3 * penetration.channel_depth
-    ));
-  const Ledger& ledger = totals.ledger;
-  lines.push_back(
-      number_line(
-          "errors: energy %+.2e, mass %+.1e",
-          energy_balance(ledger).error(),
-          mass_balance(ledger).error()
-      ) +
-      number_line(", axial momentum %+.1e", momentum_balance(ledger).error())
-  );
-  lines.push_back(
-      number_line("%.0f particles removed, %.0f held", total_removed(ledger).count, ledger.held)
-  );
-  lines.push_back(
-      duration_text(summary.wall_seconds) +
-      number_line(
-          ", %.0f ns per particle-step, %.0f MB at most",
-          totals.particle_steps > 0.0 ? 1e9 * summary.wall_seconds / totals.particle_steps : 0.0,
-          1e-6 * summary.peak_resident_bytes
-      )
-  );
-  if (prediction.seconds > 0.0)
-    lines.push_back(
-        "predicted: " + cost_text(prediction.seconds) +
-        number_line(
-            ", %.0f ns per particle-step, %.3g particle-steps (%.3g came)",
-            prediction.nanoseconds,
-            prediction.particle_steps,
-            totals.particle_steps
-        )
-    );
-  if (totals.skipped_steps > 0.0)
-    lines.push_back(number_line(
-        "%.0f %% of all particle-steps were skipped: in tiles at rest",
-        100.0 * totals.skipped_steps / (totals.skipped_steps + totals.particle_steps)
-    ));
-  return lines;
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines = split_lines(text, text.size() + 1);
@@ -117,7 +40,6 @@ struct Output::Parts {
   );
   void open_files(const Scene& scene, const State& state, const RunNumbers& position);
   void write_rows(const Scene& scene, const State& state);
-  void watch_ledger(const Ledger& ledger, double time);
   void show_progress(const State& state);
 
   RunDescription run;
@@ -214,25 +136,6 @@ void Output::Parts::write_rows(const Scene& scene, const State& state) {
   rows_step = state.clock.step;
 }
 
-/// A warning for each cause of removal and for held particles when the first ones appear.
-void Output::Parts::watch_ledger(const Ledger& ledger, double time) {
-  const std::string when = number_line(" by t = %.4g s.", time);
-  const auto warn = [&](const std::string& kind, double before, double now) {
-    if (now > before)
-      progress->warn(kind, number_line("%.0f ", now) + kind + when, std::lround(now - before));
-  };
-  for (std::size_t cause = 0; cause < ledger.removed.size(); ++cause)
-    warn(
-        std::string("particles removed (") + removal_names[cause] + ")",
-        watched.removed[cause].count,
-        ledger.removed[cause].count
-    );
-  warn("particles held as debris", watched.held, ledger.held);
-  warn("particles torn off loaded surfaces", watched.unloaded, ledger.unloaded);
-  warn("steps retried with a smaller dt", watched.retried_steps, ledger.retried_steps);
-  watched = ledger;
-}
-
 void Output::Parts::show_progress(const State& state) {
   const Clock& clock = state.clock;
   progress->show(
@@ -272,7 +175,7 @@ void Output::write_if_due(const Scene& scene, const State& state) {
   if (!rows_due && !progress_due) return;
   RootWork work(*o.comm);
   work.run([&] {
-    o.watch_ledger(o.totals.ledger, clock.time);
+    watch_ledger(o.totals.ledger, clock.time, o.watched, *o.progress);
     o.show_progress(state);
   });
   work.agree();
@@ -328,7 +231,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   RootWork work(*o.comm);
   work.run([&] {
-    o.watch_ledger(o.totals.ledger, state.clock.time);
+    watch_ledger(o.totals.ledger, state.clock.time, o.watched, *o.progress);
     o.show_progress(state);
     o.progress->list_warnings();
     summary.warnings = o.progress->warnings();

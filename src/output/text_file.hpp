@@ -12,6 +12,9 @@ namespace barreno {
 /// Shortest decimal text that reads back as the same double; `nan` and `inf` as such.
 std::string to_text(double value);
 
+/// Up to three numbers in a printf pattern.
+std::string number_line(const char* pattern, double a, double b = 0.0, double c = 0.0);
+
 /// Writes aside and renames, so that the final name never holds half a file. @throws FileError
 void write_whole_file(const std::filesystem::path& path, const std::string& text);
 

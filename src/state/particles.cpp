@@ -147,10 +147,11 @@ void permute_rows(Particles& particles) {
 
 std::size_t bytes_per_particle(const Particles& particles) {
   std::size_t doubles = 0;
-  auto& p = const_cast<Particles&>(particles);  // for_each_field has one, non-const, form
-  const auto add = [&](Field& field) { doubles += static_cast<std::size_t>(field.components); };
-  p.for_each_field(add);
-  p.for_each_scratch_field(add);
+  const auto add = [&](const Field& field) {
+    doubles += static_cast<std::size_t>(field.components);
+  };
+  particles.for_each_field(add);
+  particles.for_each_scratch_field(add);
   return doubles * sizeof(double) + 2 * sizeof(ParticleId) + 2 * sizeof(unsigned char) +
          3 * sizeof(int);
 }

@@ -91,31 +91,50 @@ struct Particles {
   /// list.
   template <class F>
   void for_each_field(F&& f) {
-    f(position);
-    f(velocity);
-    f(deformation_gradient);
-    f(rotation);
-    f(stress);
-    f(mass);
-    f(volume);
-    f(half_size);
-    f(viscous_pressure);
-    f(longitudinal_modulus);
-    f(history);
-    f(reference_position);
-    f(clipped);
-    f(loaded_faces);
-    f(surface_share);
-    f(affine);
-    f(darcy_velocity);
+    list_fields(*this, f);
+  }
+  template <class F>
+  void for_each_field(F&& f) const {
+    list_fields(*this, f);
   }
   template <class F>
   void for_each_scratch_field(F&& f) {
-    f(grid_motion);
-    f(increment);
-    f(again_motion);
-    f(again_increment);
-    f(residual);
+    list_scratch_fields(*this, f);
+  }
+  template <class F>
+  void for_each_scratch_field(F&& f) const {
+    list_scratch_fields(*this, f);
+  }
+
+private:
+  /// Of particles that may be changed, and of others.
+  template <class Any, class F>
+  static void list_fields(Any& particles, F& f) {
+    f(particles.position);
+    f(particles.velocity);
+    f(particles.deformation_gradient);
+    f(particles.rotation);
+    f(particles.stress);
+    f(particles.mass);
+    f(particles.volume);
+    f(particles.half_size);
+    f(particles.viscous_pressure);
+    f(particles.longitudinal_modulus);
+    f(particles.history);
+    f(particles.reference_position);
+    f(particles.clipped);
+    f(particles.loaded_faces);
+    f(particles.surface_share);
+    f(particles.affine);
+    f(particles.darcy_velocity);
+  }
+  template <class Any, class F>
+  static void list_scratch_fields(Any& particles, F& f) {
+    f(particles.grid_motion);
+    f(particles.increment);
+    f(particles.again_motion);
+    f(particles.again_increment);
+    f(particles.residual);
   }
 };
 

@@ -131,6 +131,18 @@ TEST_F(FileSetTest, GoesOnFromItsFirstSteps) {
   }
 }
 
+TEST_F(FileSetTest, SaysWhatOneRankCannotWrite) {
+  const std::vector<SlotRange> many{{1, 1, 5'000'000'000LL}};
+  try {
+    ExodusWriter(scene, many, start, set, "1.2.3", {});
+    FAIL() << "no error";
+  } catch (const DeckError& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("5000000000 particles of 'sandstone'"), std::string::npos
+    );
+  }
+}
+
 TEST_F(FileSetTest, TouchesNoFileWhereOneIsMissing) {
   scene.output.files = ParticleFiles::one_per_rank;
   write_steps(set, {0, 5});

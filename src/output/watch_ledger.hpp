@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/progress.hpp"
+#include "state/state.hpp"
+
+namespace barreno {
+
+/// A warning for each cause of removal and for held particles when the first ones appear.
+/// @param watched  what was warned about; becomes `ledger`
+void watch_ledger(const Ledger& ledger, double time, Ledger& watched, Progress& progress);
+
+}  // namespace barreno
