@@ -134,7 +134,7 @@ TEST_F(FileSetTest, GoesOnFromItsFirstSteps) {
 TEST_F(FileSetTest, SaysWhatOneRankCannotWrite) {
   const std::vector<SlotRange> many{{1, 1, 5'000'000'000LL}};
   try {
-    ExodusWriter(scene, many, start, set, "1.2.3", {});
+    const ExodusWriter none(scene, many, start, set, "1.2.3", {});
     FAIL() << "no error";
   } catch (const DeckError& error) {
     EXPECT_NE(
