@@ -51,6 +51,16 @@ bool contains_word(const std::string& text, const std::string& word) {
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+/// A reference such as &#0; puts a zero byte into a value, where a text ends for many who read it.
+bool holds_zero(const Teuchos::XMLObject& xml) {
+  for (const char* name : {"name", "type", "value"})
+    if (xml.hasAttribute(name) && xml.getAttribute(name).find('\0') != std::string::npos)
+      return true;
+  for (int i = 0; i < xml.numChildren(); ++i)
+    if (holds_zero(xml.getChild(i))) return true;
+  return false;
+}
+
 /// Teuchos' message carries the throw's location and number around the part that a user can act on.
 std::string reason_of(const std::string& message) {
   const std::string begin = "XML parse error at ", filler = "document not well-formed: ";
@@ -77,9 +87,8 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
             std::to_string(largest_text) + "); is it the right file?"
     );
   }
-  if (text.find('\0') != std::string::npos) {
-    refuse(source, "", "is not text (it holds a zero byte); is it the right file?");
-  }
+  const char* const no_text = "is not text (it holds a zero byte); is it the right file?";
+  if (text.find('\0') != std::string::npos) refuse(source, "", no_text);
   if (contains_word(text, "<!DOCTYPE") || contains_word(text, "<!ENTITY")) {
     refuse(
         source,
@@ -103,6 +112,7 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
         source, "", "is not well-formed XML " + reason_of(error.what()) + "; correct the file there"
     );
   }
+  if (holds_zero(root)) refuse(source, "", no_text);
   if (root.getTag() != "ParameterList") {
     refuse(
         source,

@@ -59,7 +59,7 @@ def prepare(folder):
 def cases():
     """(arguments, what the sentence begins with, exit code)"""
     for name in TEXTS:
-        yield ["check", f"{name}.xml"], f"{name}.xml ", 1
+        yield ["check", f"{name}.xml"], f"{name}.xml", 1
     for number, (trap, code) in enumerate(TRAPS.items()):
         shown = trap.replace("\n", " ")
         yield ["check", trap], shown, code

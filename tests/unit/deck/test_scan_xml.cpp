@@ -172,6 +172,7 @@ TEST(ParseXml, HostileTextsAreRefused) {
   EXPECT_THROW(parse_xml(std::string(largest_text + 1, ' '), "t"), InputError);
   EXPECT_THROW(parse_xml("<!doctype a><ParameterList name=\"a\"/>", "t"), InputError);
   EXPECT_THROW(parse_xml(std::string("<ParameterList name=\"a\"/>") + '\0', "t"), InputError);
+  EXPECT_THROW(parse_xml("<ParameterList name=\"&#0;\"/>", "t"), InputError);
   EXPECT_THROW(parse_xml("<a/>", "t"), InputError);
   EXPECT_THROW(parse_xml("", "t"), InputError);
 }
