@@ -178,7 +178,7 @@ int MPI_Sendrecv(
   return error;
 }
 int MPI_Wait(MPI_Request* request, MPI_Status* status) {
-  const MPI_Request before = *request;
+  MPI_Request before = *request;
   MPI_Status own;
   const int error = PMPI_Wait(request, &own);
   note_completed(before, own);
@@ -204,7 +204,7 @@ int MPI_Waitany(int count, MPI_Request* requests, int* index, MPI_Status* status
   return error;
 }
 int MPI_Test(MPI_Request* request, int* done, MPI_Status* status) {
-  const MPI_Request before = *request;
+  MPI_Request before = *request;
   MPI_Status own;
   const int error = PMPI_Test(request, done, &own);
   if (*done != 0) note_completed(before, own);
