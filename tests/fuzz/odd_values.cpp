@@ -137,7 +137,7 @@ std::string odd_value(Engine& engine) {
   if (one_in(engine, 3)) return odd_number(engine);
   if (one_in(engine, 3)) return any_of(engine, known_parameters()).value;
   if (one_in(engine, 20)) {
-    const std::string many(200 + below(engine, 5000), 'x');
+    std::string many(200 + below(engine, 5000), 'x');
     return many;
   }
   if (one_in(engine, 20)) return "1 " + std::string(1 + below(engine, 3000), '(');
