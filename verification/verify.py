@@ -20,7 +20,7 @@ sys.path.insert(0, str(HERE))
 
 from pages_elsewhere import sections  # noqa: E402
 
-CASES = ["bar_wave", "shock_copper", "taylor_bar", "arenisca_benchmarks", "arenisca_against_oracle", "perforation", "shell_coasting", "shell_material", "manufactured_box", "manufactured_disk", "transfers", "thick_cylinder", "cylindrical_wave", "simple_motions", "sliding_block", "incline", "contact_disks", "pressed_blocks", "rigid_plate", "preloaded_bar", "thick_sphere", "spherical_wave", "shell_squeezed", "shell_coasting_3d", "taylor_bar_3d", "spherical_wave_3d", "contact_spheres", "manufactured_space", "extension", "integrators", "terzaghi", "two_layers", "skempton", "cryer", "mandel", "drainage_limits", "pore_sweep", "kills", "damaged_checkpoints", "full_disk", "restarts", "long_run"]
+CASES = ["bar_wave", "shock_copper", "taylor_bar", "arenisca_benchmarks", "arenisca_against_oracle", "perforation", "shell_coasting", "shell_material", "manufactured_box", "manufactured_disk", "transfers", "thick_cylinder", "cylindrical_wave", "simple_motions", "sliding_block", "incline", "contact_disks", "pressed_blocks", "rigid_plate", "preloaded_bar", "thick_sphere", "spherical_wave", "shell_squeezed", "shell_coasting_3d", "taylor_bar_3d", "spherical_wave_3d", "contact_spheres", "manufactured_space", "extension", "integrators", "terzaghi", "two_layers", "skempton", "cryer", "mandel", "drainage_limits", "pore_sweep", "kills", "damaged_checkpoints", "full_disk", "restarts", "long_run", "fuzzed_decks"]
 RESULTS = HERE / "results"
 PAGE = HERE.parent / "docs" / "verification.md"
 

@@ -89,6 +89,8 @@ TableRows read_table(
   const std::string header = header_of(columns);
   const std::string not_a_header =
       "is not the header of " + what + " (columns go by it); write \"" + header + "\"";
+  if (text.find('\0') != std::string::npos)
+    refuse(source, "", "is not text (it holds a zero byte); is it the right file?");
   std::istringstream stream(text);
   TableRows rows;
   input::UnitSystem units;

@@ -76,7 +76,7 @@ void nest(Node& list, Engine& engine) {
   for (std::size_t i = one_in(engine, 10) ? 40 : 1 + below(engine, 3); i > 0; --i) {
     Node inner = list;
     if (i > 3) inner.children.clear();
-    list.children.assign(1, std::move(inner));
+    list.children.assign(1, inner);
   }
 }
 

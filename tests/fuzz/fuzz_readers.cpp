@@ -23,6 +23,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the sanitizer's own name
 extern "C" {
 // A reader that wants more than this at once, or a process that has more than the second, has
 // failed.
@@ -31,6 +32,7 @@ const char* __asan_default_options() {
   return "max_allocation_size_mb=1200:hard_rss_limit_mb=3000:detect_stack_use_after_return=1";
 }
 }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 namespace {
 

@@ -39,43 +39,7 @@ void collect(const input::Section& section, std::vector<Known>& known) {
   for (const input::Section& part : section.named) collect(part, known);
 }
 
-std::string scaled(const std::string& number, Engine& engine) {
-  static const Strings factors = {"e1", "e-1", "e3", "e-3", "e9", "e-9", "e300", "e-300"};
-  return number + any_of(engine, factors);
-}
-
-}  // namespace
-
-const std::vector<Known>& known_parameters() {
-  static const std::vector<Known> all = [] {
-    std::vector<Known> known;
-    collect(deck_schema(), known);
-    for (const ModelDescription& model : describe_models()) {
-      known.push_back({"Model", model.name});
-      collect(material_section(model), known);
-    }
-    return known;
-  }();
-  return all;
-}
-
-std::string odd_number(Engine& engine) {
-  static const Strings numbers = {
-      "0",        "-0",          "1",           "-1",         "2",
-      "3",        "7",           "1e-3",        "1e-6",       "1e-9",
-      "1e-12",    "1e-15",       "1e3",         "1e6",        "1e9",
-      "1e15",     "1e18",        "1e100",       "-1e100",     "1e155",
-      "1e308",    "-1e308",      "1.8e308",     "1e309",      "1e-308",
-      "4.9e-324", "1e-400",      "nan",         "-nan",       "inf",
-      "-inf",     "0x10",        "1,5",         "1.5.2",      "+-1",
-      "1e",       ".",           "-",           "2147483647", "2147483648",
-      "0.5",      "-2147483649", "4294967296",  "1e10 mm",    "0.3333",
-      "1e4",      "1e5",         "0.999999999", "20 mm",      "-5 us",
-      "3 GPa",    "1 (((m)))",   "1 m^99",      "1 m/0",      "9223372036854775808"};
-  return any_of(engine, numbers);
-}
-
-std::string odd_value(Engine& engine) {
+const Strings& odd_texts() {
   static const Strings values = {
       "",
       " ",
@@ -130,16 +94,59 @@ std::string odd_value(Engine& engine) {
       "/",
       "//",
       "*"};
+  return values;
+}
+
+std::string scaled(const std::string& number, Engine& engine) {
+  static const Strings factors = {"e1", "e-1", "e3", "e-3", "e9", "e-9", "e300", "e-300"};
+  return number + any_of(engine, factors);
+}
+
+}  // namespace
+
+const std::vector<Known>& known_parameters() {
+  static const std::vector<Known> all = [] {
+    std::vector<Known> known;
+    collect(deck_schema(), known);
+    for (const ModelDescription& model : describe_models()) {
+      known.push_back({"Model", model.name});
+      collect(material_section(model), known);
+    }
+    return known;
+  }();
+  return all;
+}
+
+std::string odd_number(Engine& engine) {
+  static const Strings numbers = {
+      "0",        "-0",          "1",           "-1",         "2",
+      "3",        "7",           "1e-3",        "1e-6",       "1e-9",
+      "1e-12",    "1e-15",       "1e3",         "1e6",        "1e9",
+      "1e15",     "1e18",        "1e100",       "-1e100",     "1e155",
+      "1e308",    "-1e308",      "1.8e308",     "1e309",      "1e-308",
+      "4.9e-324", "1e-400",      "nan",         "-nan",       "inf",
+      "-inf",     "0x10",        "1,5",         "1.5.2",      "+-1",
+      "1e",       ".",           "-",           "2147483647", "2147483648",
+      "0.5",      "-2147483649", "4294967296",  "1e10 mm",    "0.3333",
+      "1e4",      "1e5",         "0.999999999", "20 mm",      "-5 us",
+      "3 GPa",    "1 (((m)))",   "1 m^99",      "1 m/0",      "9223372036854775808"};
+  return any_of(engine, numbers);
+}
+
+std::string odd_value(Engine& engine) {
   if (one_in(engine, 3)) return odd_number(engine);
   if (one_in(engine, 3)) return any_of(engine, known_parameters()).value;
-  if (one_in(engine, 20)) return std::string(200 + below(engine, 5000), 'x');
+  if (one_in(engine, 20)) {
+    std::string many(200 + below(engine, 5000), 'x');
+    return many;
+  }
   if (one_in(engine, 20)) return "1 " + std::string(1 + below(engine, 3000), '(');
   if (one_in(engine, 20)) {
     std::string list = "{";
     for (std::size_t i = below(engine, 500); i > 0; --i) list += std::to_string(i) + ",";
     return list + "0}";
   }
-  return any_of(engine, values);
+  return any_of(engine, odd_texts());
 }
 
 std::string changed_value(const std::string& value, Engine& engine) {
