@@ -3,32 +3,12 @@
 
 #include "base/points.hpp"
 #include "base/rows.hpp"
+#include "base/split_sizes.hpp"
 #include "base/whole_sum.hpp"
 
-#include <cmath>
+#include <cstring>
 
 namespace barreno {
-
-/// Sizes that numbers of about one size are split by, see RowSum. They must not depend on which
-/// rows a rank has.
-struct SplitSizes {
-  double first = 1.0, second = 1.0;  ///< adding and subtracting these rounds to a quantum
-  double top = 0.0;                  ///< numbers from here on are not split
-
-  SplitSizes() : SplitSizes(1.0) {}
-  /// @param size  what numbers are expected to be smaller than; 2^13 times as much is split too
-  explicit SplitSizes(double size) {
-    constexpr int digits_above = 31, digits_below = 76;
-    const double power = std::exp2(std::ceil(std::log2(size)));
-    const auto rounder = [&](int digits) { return 1.5 * std::ldexp(power, 52 - digits); };
-    first = rounder(digits_above);
-    second = rounder(digits_below);
-    top = std::ldexp(power, 13);
-  }
-};
-
-/// Most rows of a RowSum, so that its parts are exact.
-inline constexpr int most_summed_rows = 512;
 
 /// The sum of a few rows, in lanes and without any rounding that depends on their order: each
 /// number is split into whole multiples of two fixed quanta, 2^-31 and 2^-76 of the expected size,
@@ -38,18 +18,23 @@ template <class R>
 struct RowSum {
   R high{}, low{};
 
-  /// @param beyond  takes numbers that are too large to be split
-  KOKKOS_INLINE_FUNCTION void add(R number, const SplitSizes& sizes, WholeSum& beyond) {
-    const MaskOf<R> fits = real::abs(number) < sizes.top;
-    if (!real::all(fits)) {
-      for (int i = 0; i < width<R>; ++i)
-        if (entry(fits, i) == 0) beyond += entry(number, i);
-      number = real::select(fits, number, 0.0);
-    }
+  KOKKOS_INLINE_FUNCTION static MaskOf<R> fits(const R& number, const SplitSizes& sizes) {
+    return real::abs(number) < sizes.top;
+  }
+  /// @pre it fits
+  KOKKOS_INLINE_FUNCTION void split(const R& number, const SplitSizes& sizes) {
     const R rounded = (number + sizes.first) - sizes.first;
     const R rest = number - rounded;
     high += rounded;
     low += (rest + sizes.second) - sizes.second;
+  }
+  /// @param beyond  takes numbers that are too large to be split
+  KOKKOS_INLINE_FUNCTION void add(const R& number, const SplitSizes& sizes, WholeSum& beyond) {
+    const MaskOf<R> small = fits(number, sizes);
+    if (real::all(small)) return split(number, sizes);
+    for (int i = 0; i < width<R>; ++i)
+      if (entry(small, i) == 0) beyond += entry(number, i);
+    split(real::select(small, number, 0.0), sizes);
   }
   KOKKOS_INLINE_FUNCTION void add_to(WholeSum& sum) const {
     double total_high = 0.0, total_low = 0.0;
@@ -69,16 +54,27 @@ using RowReal = Lanes;
 using RowReal = double;
 #endif
 
-/// The numbers of a run of rows; those from `count` on are not looked at.
+/// Numbers of a run of rows. Those from `count` on are not looked at, but set to nothing.
 KOKKOS_INLINE_FUNCTION void add_run(
-    const double (&numbers)[rows_per_run], int count, const SplitSizes& sizes, WholeSum& sum
+    double (&numbers)[rows_per_run], int count, const SplitSizes& sizes, WholeSum& sum
 ) {
+  constexpr int step = width<RowReal>;
+  for (int k = count; k % step != 0; ++k) numbers[k] = 0.0;
+  const auto some = [&](int k) {
+    RowReal value;
+    std::memcpy(&value, numbers + k, sizeof value);
+    return value;
+  };
   RowSum<RowReal> part;
-  for (int k = 0; k < count; k += width<RowReal>) {
-    RowReal some{};
-    const int left = count - k < width<RowReal> ? count - k : width<RowReal>;
-    std::memcpy(&some, numbers + k, static_cast<std::size_t>(left) * sizeof(double));
-    part.add(some, sizes, sum);
+  MaskOf<RowReal> small = RowSum<RowReal>::fits(RowReal{}, sizes);
+  for (int k = 0; k < count; k += step) {
+    const RowReal value = some(k);
+    small = small & RowSum<RowReal>::fits(value, sizes);
+    part.split(value, sizes);
+  }
+  if (!real::all(small)) {
+    part = {};
+    for (int k = 0; k < count; k += step) part.add(some(k), sizes, sum);
   }
   part.add_to(sum);
 }

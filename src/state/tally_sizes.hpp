@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/row_sum.hpp"
+#include "base/split_sizes.hpp"
 #include "scene/scene.hpp"
 
 namespace barreno {

@@ -27,7 +27,7 @@ def write_block(file, cells):
     box = [f"{1e3 * length:g} mm" for length in size]
     write_deck(file, {
         "Title": "Elastic block",
-        "Grid": {"Mode": "three dimensional", "Lower": "{0 mm, 0 mm, 0 mm}",
+        "Grid": {"Mode": "3D", "Lower": "{0 mm, 0 mm, 0 mm}",
                  "Upper": [f"{1e3 * (length + 4 * CELL):g} mm" for length in size], "Cell Size": f"{1e3 * CELL:g} mm"},
         "Materials": {"Elastic": {"Model": "Linear Elastic", "Density": "1000 kg/m3", "Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"}},
         "Bodies": {"Block": {"Material": "Elastic", "Lower": "{0 mm, 0 mm, 0 mm}", "Upper": box, "Velocity": "{-1 m/s, -1 m/s, -1 m/s}"}},
