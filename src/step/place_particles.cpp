@@ -4,13 +4,12 @@
 #include "base/gather.hpp"
 #include "base/region.hpp"
 #include "base/rows.hpp"
-#include "grid/migrate.hpp"
 #include "grid/tiles.hpp"
+#include "step/migrate_particles.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 namespace barreno {
 namespace {
@@ -125,54 +124,6 @@ bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
   return found.outside == 0;
 }
 
-/// A particle as doubles on its way to another rank: set, id, body, then its fields.
-void pack_row(Particles& particles, int p, std::vector<double>& out) {
-  double id = 0.0;
-  static_assert(sizeof(ParticleId) == sizeof(double), "ids travel in the place of a double");
-  std::memcpy(&id, &particles.id(p), sizeof(id));
-  out.push_back(particles.material);
-  out.push_back(id);
-  out.push_back(particles.body(p));
-  particles.for_each_field([&](Field& field) {
-    for (int c = 0; c < field.components; ++c) out.push_back(field(p, c));
-  });
-}
-
-const double* unpack_row(const double* row, Particles& particles) {
-  reserve(particles, particles.count + 1);
-  const int p = particles.count++;
-  std::memcpy(&particles.id(p), row + 1, sizeof(ParticleId));
-  particles.body(p) = static_cast<unsigned char>(row[2]);
-  particles.key(p) = unplaced_key;
-  row += 3;
-  particles.for_each_field([&](Field& field) {
-    for (int c = 0; c < field.components; ++c) field(p, c) = *row++;
-  });
-  particles.sorted = false;
-  return row;
-}
-
-void migrate_particles(State& state) {
-  const Region region("migrate_particles");
-  const Grid& grid = state.grid;
-  const int me = grid.comm->getRank();
-  std::vector<std::vector<double>> outgoing(static_cast<std::size_t>(grid.comm->getSize()));
-  for (Particles& particles : state.particles) {
-    std::vector<char> keep(static_cast<std::size_t>(particles.count), 1);
-    for (int p = 0; p < particles.count; ++p) {
-      if (particles.key(p) != unplaced_key) continue;
-      const int owner = owner_of(grid, vector_of(particles.position, p));
-      if (owner == me) continue;
-      pack_row(particles, p, outgoing[static_cast<std::size_t>(owner)]);
-      keep[static_cast<std::size_t>(p)] = 0;
-    }
-    keep_rows(particles, keep);
-  }
-  const std::vector<double> received = exchange_rows(*grid.comm, outgoing);
-  for (const double* row = received.data(); row < received.data() + received.size();)
-    row = unpack_row(row, state.particles[static_cast<std::size_t>(*row)]);
-}
-
 std::vector<int> occupied_tiles(const State& state) {
   std::vector<char> holds(state.grid.owner.size(), 0);
   for (const Particles& particles : state.particles)
@@ -215,16 +166,27 @@ void sort_by_cell(const Grid& grid, Particles& particles) {
   particles.sorted = true;
 }
 
+void locate_set(State& state, Particles& particles, Placement& placement) {
+  if (find_keys(state.grid, particles, placement)) return;
+  remove_lost(state.grid, particles, state.ledger);
+  find_keys(state.grid, particles, placement);
+}
+
+/// Cells of the rows that have come; sets that are sorted got none.
+Placement locate_newcomers(State& state) {
+  const Region region("locate_particles");
+  Placement placement;
+  for (Particles& particles : state.particles)
+    if (!particles.sorted) locate_set(state, particles, placement);
+  return placement;
+}
+
 }  // namespace
 
 Placement locate_particles(const Scene& /*scene*/, State& state) {
   const Region region("locate_particles");
   Placement placement;
-  for (Particles& particles : state.particles) {
-    if (find_keys(state.grid, particles, placement)) continue;
-    remove_lost(state.grid, particles, state.ledger);
-    find_keys(state.grid, particles, placement);
-  }
+  for (Particles& particles : state.particles) locate_set(state, particles, placement);
   return placement;
 }
 
@@ -233,7 +195,7 @@ void place_particles(const Scene& scene, const Placement& agreed, State& state) 
   bool new_tile = agreed.new_tile;
   if (agreed.someone_left) {
     migrate_particles(state);
-    const Placement after = locate_particles(scene, state);
+    const Placement after = locate_newcomers(state);
     std::array<double, 1> flag{after.new_tile ? 1.0 : 0.0};
     max_over_ranks(*state.grid.comm, flag);
     new_tile = new_tile || flag[0] > 0.0;

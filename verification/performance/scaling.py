@@ -76,7 +76,7 @@ def counts(folder, ranks):
 
 
 def messages(barreno, library, problem, ranks):
-    """Per step and rank: the mean over ranks of messages, bytes and reductions, and the seconds that the least waiting rank waits."""
+    """Per step: means over ranks of messages, bytes and reductions; by rank the seconds of waiting, and processor time outside MPI."""
     found = []
     for end in (problem.short, problem.end):
         folder = pathlib.Path(scratch_folder())
@@ -92,7 +92,9 @@ def messages(barreno, library, problem, ranks):
         return sum(values) / len(values)
 
     waiting = [sum(per_step(kind, 2)[rank] for kind in KINDS) for rank in range(ranks)]
+    computing = [per_step("all", 3)[rank] - sum(per_step(kind, 3)[rank] for kind in KINDS) for rank in range(ranks)]
     return {
+        "computing_seconds": computing,
         "messages": mean(per_step("sends", 0)),
         "bytes": mean(per_step("sends", 1)),
         "reductions": mean(per_step("reductions", 0)),
@@ -131,11 +133,13 @@ def measure(barreno, repeats, quick):
             "name": problem.name, "particles": one.summary["particles"], "steps": one.summary["steps"],
             "one": step_seconds(one), "two": step_seconds(two), "speedup": speedup, "least": least, "lost": lost(one, two),
         })  # fmt: skip
-        result["messages"].append({"name": problem.name, **messages(barreno, library, problem, 2)})
+        alone = messages(barreno, library, problem, 1)["computing_seconds"][0]
+        result["messages"].append({"name": problem.name, "alone": alone, **messages(barreno, library, problem, 2)})
     one, two = times(barreno, [(small, 1), (large, 2)], repeats)
     result["weak"] = {"one": step_seconds(one) / one.summary["steps"], "two": step_seconds(two) / two.summary["steps"],
                       "name": f"{small.name} on one rank, {large.name} on two"}  # fmt: skip
-    result["messages"].append({"name": small.name, **messages(barreno, library, small, 2)})
+    alone = messages(barreno, library, small, 1)["computing_seconds"][0]
+    result["messages"].append({"name": small.name, "alone": alone, **messages(barreno, library, small, 2)})
     return result
 
 
@@ -149,11 +153,12 @@ def page(result):
               + "; ".join(f"{s['name']}: " + ", ".join(f"{name} {seconds:.2f}" for name, seconds in s["lost"]) for s in result["strong"]) + ".",
               "", f"Weak scaling ({result['weak']['name']}): {1e3 * result['weak']['one']:.2f} ms and {1e3 * result['weak']['two']:.2f} ms per step, "
               f"an efficiency of {result['weak']['one'] / result['weak']['two']:.2f}.",
-              "", "| on two ranks, per step and rank | messages | KB sent | reductions | bytes of them | other collective calls | waiting, least of the ranks |",
-              "|---|---|---|---|---|---|---|"]  # fmt: skip
+              "", "| on two ranks, per step and rank | messages | KB sent | reductions | bytes of them | other collective calls | waiting, least of the ranks | ms of processor time: one rank alone | both ranks | speed-up that these allow |",
+              "|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for m in result["messages"]:
         share = min(m["waiting_seconds"]) / m["step_seconds"]
-        lines.append(f"| {m['name']} | {m['messages']:.2f} | {1e-3 * m['bytes']:.1f} | {m['reductions']:.2f} | {m['reduced_bytes']:.0f} | {m['other_collectives']:.3f} | {100 * share:.1f} % |")
+        lines.append(f"| {m['name']} | {m['messages']:.2f} | {1e-3 * m['bytes']:.1f} | {m['reductions']:.2f} | {m['reduced_bytes']:.0f} | {m['other_collectives']:.3f} | {100 * share:.1f} % "
+                     f"| {1e3 * m['alone']:.2f} | {', '.join(f'{1e3 * s:.2f}' for s in m['computing_seconds'])} | {m['alone'] / max(m['computing_seconds']):.2f} |")
     return lines
 
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts what a program sends through MPI, by the profiling interface: preload it, and every rank leaves
-// $MESSAGES_FILE.RANK with lines "what calls bytes seconds" when it ends. Of point to point bytes are those sent; of
-// collective calls those that this rank gives; seconds are inside the call, waiting included.
+// $MESSAGES_FILE.RANK with lines "what calls bytes seconds cpu" when it ends. Of point to point bytes are those sent; of
+// collective calls those that this rank gives; seconds and processor time are inside the call, waiting included. The last line
+// has those of everything.
 #include <mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 enum { sends, waits, reductions, others, kinds };
 static const char *names[kinds] = {"sends", "waits", "reductions", "others"};
-static double calls[kinds], bytes[kinds], seconds[kinds];
+static double calls[kinds], bytes[kinds], seconds[kinds], cpu[kinds], begun;
 
 static double size_of(MPI_Datatype type) {
   int size = 0;
@@ -16,10 +18,18 @@ static double size_of(MPI_Datatype type) {
   return size;
 }
 
+static double processor_time(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 #define COUNTED(kind, given, call)          \
   const double begin = PMPI_Wtime();        \
+  const double worked = processor_time();   \
   const int result = call;                  \
   seconds[kind] += PMPI_Wtime() - begin;    \
+  cpu[kind] += processor_time() - worked;   \
   calls[kind] += 1.0;                       \
   bytes[kind] += (given);                   \
   return result
@@ -75,6 +85,17 @@ int MPI_Gatherv(
   COUNTED(others, n *size_of(t), PMPI_Gatherv(b, n, t, o, m, at, u, to, c));
 }
 
+int MPI_Init_thread(int *argc, char ***argv, int required, int *provided) {
+  const int result = PMPI_Init_thread(argc, argv, required, provided);
+  begun = PMPI_Wtime();
+  return result;
+}
+int MPI_Init(int *argc, char ***argv) {
+  const int result = PMPI_Init(argc, argv);
+  begun = PMPI_Wtime();
+  return result;
+}
+
 int MPI_Finalize(void) {
   const char *file = getenv("MESSAGES_FILE");
   if (file) {
@@ -84,7 +105,8 @@ int MPI_Finalize(void) {
     snprintf(name, sizeof name, "%s.%d", file, rank);
     FILE *out = fopen(name, "w");
     for (int k = 0; out && k < kinds; ++k)
-      fprintf(out, "%s %.0f %.0f %.9g\n", names[k], calls[k], bytes[k], seconds[k]);
+      fprintf(out, "%s %.0f %.0f %.9g %.9g\n", names[k], calls[k], bytes[k], seconds[k], cpu[k]);
+    if (out) fprintf(out, "all 0 0 %.9g %.9g\n", PMPI_Wtime() - begun, processor_time());
     if (out) fclose(out);
   }
   return PMPI_Finalize();

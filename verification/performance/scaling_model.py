@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a step costs on many ranks, by a model of its messages: scaling_model.py [--document].
+
+Sizes of messages follow from the code (src/grid/patch.cpp, halo.cpp); what scaling.py has counted on two ranks is compared with
+them. Speeds of the machine are assumptions, stated in the table.
+"""
+import argparse
+import json
+import math
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+COUNTED = ROOT / "verification" / "results" / "scaling.json"
+PAGE = ROOT / "docs" / "performance.md"
+BEGIN, END = "<!-- scaling_model.py -->", "<!-- end of the model -->"
+
+NODE_BYTES = 8 * 8  # sum_components doubles
+REACH = 1  # nodes beyond a tile's cells, of GIMP
+NANOSECONDS = {2: 120.0, 3: 150.0}  # of a particle-step, all ranks of a node at work
+LATENCY = 2e-6  # s, of a message and of a stage of a reduction
+BANDWIDTH = 1e9  # bytes/s and rank, when all ranks of a node send
+DISK = 2e9  # bytes/s from one rank
+REDUCTIONS = 3  # per step: the step, the largest strain, and failures where a policy is to stop
+TILE_ARRAYS = 16.0  # bytes per tile of the box on every rank: owner, directory, cost
+STATE_BYTES = {2: 285.0, 3: 420.0}  # per particle, in a checkpoint about
+MOST_VALUES = 2**31  # of one gathered field
+
+
+def tile_cells(d):
+    return 8 if d == 2 else 4
+
+
+def patch_bytes(d):
+    return (tile_cells(d) + 1 + 2 * REACH) ** d * NODE_BYTES
+
+
+def particles_per_tile(d):
+    return tile_cells(d) ** d * 2**d
+
+
+def halo_tiles(d, particles):
+    """Of a cube of tiles inside many others."""
+    side = (particles / particles_per_tile(d)) ** (1.0 / d)
+    return (side + 2.0) ** d - side**d
+
+
+def step(d, particles, ranks):
+    """Parts of a step [s] on a rank with so many particles; one velocity field."""
+    halo = halo_tiles(d, particles) * patch_bytes(d) if ranks > 1 else 0.0
+    messages = min(ranks - 1, 3**d - 1)
+    return {
+        "bytes": halo,
+        "messages": messages,
+        "computing": 1e-9 * NANOSECONDS[d] * particles,
+        "halo": messages * LATENCY + halo / BANDWIDTH,
+        "reductions": REDUCTIONS * LATENCY * math.ceil(math.log2(ranks)) if ranks > 1 else 0.0,
+    }
+
+
+def seconds(parts):
+    return parts["computing"] + parts["halo"] + parts["reductions"]
+
+
+def row(d, particles, ranks, efficiency):
+    parts = step(d, particles, ranks)
+    total = particles * ranks
+    tiles = total / particles_per_tile(d)
+    components = d * d + (1 if d == 2 else 0)  # of the deformation gradient, the widest field
+    gathered = 8.0 * components * total
+    return (f"| {d}D | {ranks:,} | {particles:,.0f} | {total:.0e} | {1e-6 * parts['bytes']:.2f} | {parts['messages']} | {1e3 * parts['computing']:.3f} "
+            f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * TILE_ARRAYS * tiles:.2g} "
+            f"| {1e-9 * gathered:.2g}{' (too many)' if components * total > MOST_VALUES else ''} | {STATE_BYTES[d] * total / DISK:.2g} |")  # fmt: skip
+
+
+def predictions():
+    lines = ["| | ranks | particles of a rank | in all | MB of halo per step and rank | messages | computing, ms | halo, ms | reductions, ms | efficiency "
+             "| GB of tile arrays, every rank | GB of the widest field, rank 0 | s to write a checkpoint |",
+             "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
+    for d in (2, 3):
+        for ranks in (1000, 100000):  # weak: as many on every rank
+            particles = 1e6
+            lines.append(row(d, particles, ranks, step(d, particles, 1)["computing"] / seconds(step(d, particles, ranks))))
+    for d, total in ((2, 1e8), (3, 1e8)):  # strong: the same in all
+        for ranks in (1000, 100000):
+            particles = total / ranks
+            lines.append(row(d, particles, ranks, step(d, particles, 1)["computing"] / seconds(step(d, particles, ranks))))
+    return lines
+
+
+def across(name):
+    """Dimension, and tiles of a cut between two ranks, of the runs that scaling.py counts."""
+    if name.startswith("elastic block"):
+        cells = [int(n) for n in name.split(",")[1].split()[0].split("x")]
+        return 3, math.ceil(cells[0] / tile_cells(3)) * math.ceil(cells[2] / tile_cells(3))
+    return 2, math.ceil(50.8 / tile_cells(2))
+
+
+def comparison():
+    lines = ["| on two ranks, per step and rank | KB by the model | KB counted | messages by the model | counted | reductions by the model | counted |",
+             "|---|---|---|---|---|---|---|"]  # fmt: skip
+    for m in json.loads(COUNTED.read_text())["messages"]:
+        d, tiles = across(m["name"])
+        stops = m["name"].startswith("elastic")
+        lines.append(f"| {m['name']} | {1e-3 * tiles * patch_bytes(d):.1f} | {1e-3 * m['bytes']:.1f} | 1 | {m['messages']:.2f} "
+                     f"| {'2 and 2 of a row of history.csv' if stops else REDUCTIONS} | {m['reductions']:.2f} |")  # fmt: skip
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--document", action="store_true")
+    arguments = parser.parse_args()
+    lines = [*(comparison() if COUNTED.exists() else []), "", *predictions()]
+    print("\n".join(lines))
+    if arguments.document:
+        head, rest = PAGE.read_text().split(BEGIN)
+        PAGE.write_text(head + BEGIN + "\n" + "\n".join(lines) + "\n" + END + rest.split(END, 1)[1])
+
+
+if __name__ == "__main__":
+    main()
