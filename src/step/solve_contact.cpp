@@ -8,6 +8,7 @@
 #include "step/accelerate_particles.hpp"
 #include "step/contact_law.hpp"
 #include "step/node_copies.hpp"
+#include "step/node_sizes.hpp"
 
 #include <string>
 
@@ -15,6 +16,8 @@ namespace barreno {
 namespace {
 
 constexpr int tally_components = 2;
+/// Of each the two parts of add_split, as of reactions.
+constexpr int tally_values = 2 * tally_components;
 constexpr int most_pairs = most_velocity_fields * (most_velocity_fields - 1) / 2;
 /// Turns of the pairs where three fields or more meet.
 constexpr int turns = 8;
@@ -46,20 +49,22 @@ struct SolveContact {
   ArrayView<unsigned char> shared_tile, fields, counts;
   ArrayView<double> tally, reactions;
   double dt = 0.0, cell_size = 0.0, damping = 0.0, grid_share = 0.0;
+  NodeSizes sizes;
 
   SolveContact(const Grid& grid, const VelocityFields& of)
       : copies(grid), field_count(of.count), pair_count(static_cast<int>(of.pairs.size())) {}
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    double part[tally_components] = {};
-    for (int i = 0; i < reaction_count * dimensions; ++i)
-      reactions(tile * reaction_count * dimensions + i) = 0.0;
+    double part[tally_components][2] = {};
+    for (int i = 0; i < 2 * reaction_count * dimensions; ++i)
+      reactions(2 * tile * reaction_count * dimensions + i) = 0.0;
     if (shared_tile(tile) != 0)
       for (int slot = 0; slot < copies.patch.size; ++slot) solve_node(tile, slot, part);
-    for (int i = 0; i < tally_components; ++i) tally(tile * tally_components + i) = part[i];
+    for (int i = 0; i < tally_values; ++i) tally(tile * tally_values + i) = part[i / 2][i % 2];
   }
 
-  KOKKOS_INLINE_FUNCTION void solve_node(int tile, int slot, double* part) const {
+  KOKKOS_INLINE_FUNCTION void solve_node(int tile, int slot, double (&part)[tally_components][2])
+      const {
     const Patch& patch = copies.patch;
     SharedNode<D> node;
     node.bits = fields(tile * patch.size + slot);
@@ -141,14 +146,18 @@ struct SolveContact {
     }
   }
 
-  KOKKOS_INLINE_FUNCTION void tally_rigid(int tile, const SharedNode<D>& node, double* part) const {
+  KOKKOS_INLINE_FUNCTION void tally_rigid(
+      int tile, const SharedNode<D>& node, double (&part)[tally_components][2]
+  ) const {
     for (int f = 0; f < field_count; ++f) {
       if (!rigid[f] || !(node.bits >> f & 1U)) continue;
       for (int d = 0; d < dimensions; ++d) {
-        part[0] -= node.impulse[f][d] * rigid_velocity[f][d];
-        part[1] -= node.tangential[f][d] * rigid_velocity[f][d];
-        reactions((tile * reaction_count + reaction_of[f]) * dimensions + d) +=
-            node.impulse[f][d] + node.taken[f][d];
+        add_split(-node.impulse[f][d] * rigid_velocity[f][d], sizes.energy, part[0]);
+        add_split(-node.tangential[f][d] * rigid_velocity[f][d], sizes.energy, part[1]);
+        const int first = 2 * ((tile * reaction_count + reaction_of[f]) * dimensions + d);
+        double given[2] = {reactions(first), reactions(first + 1)};
+        add_split(node.impulse[f][d] + node.taken[f][d], sizes.impulse, given);
+        for (int i = 0; i < 2; ++i) reactions(first + i) = given[i];
       }
     }
   }
@@ -182,6 +191,7 @@ SolveContact<D> make_kernel(
   kernel.reactions = state.contact.given;
   kernel.grid_share = grid_share(scene.step, dt);
   kernel.dt = dt;
+  kernel.sizes = node_sizes(scene, dt);
   kernel.cell_size = scene.grid.cell_size;
   kernel.damping = damping;
   return kernel;
@@ -194,7 +204,8 @@ RigidImpulses add_reactions(const Scene& scene, const State& state) {
   std::size_t i = 0;
   for (int tile = 0; tile < state.grid.active; ++tile)
     for (std::size_t r = 0; r < state.reactions.size(); ++r)
-      for (std::size_t d = 0; d < axes; ++d) sum[r][d] += state.contact.given(i++);
+      for (std::size_t d = 0; d < axes; ++d)
+        for (int part = 0; part < 2; ++part) sum[r][d] += state.contact.given(i++);
   return sum;
 }
 
@@ -211,11 +222,11 @@ RigidTally solve_contact(
 ) {
   if (state.fields.count == 1) return {};
   const Region region("solve_contact");
-  const auto values = static_cast<std::size_t>(state.grid.active) * tally_components;
+  const auto values = static_cast<std::size_t>(state.grid.active) * tally_values;
   const std::size_t impulses = static_cast<std::size_t>(state.grid.active) *
                                static_cast<std::size_t>(dimensions(scene.grid.mode));
   make_room("tally", values, state.contact.tally);
-  make_room("given", impulses * state.reactions.size(), state.contact.given);
+  make_room("given", 2 * impulses * state.reactions.size(), state.contact.given);
   visit_mode(scene.grid.mode, [&](auto mode) {
     launch(
         "solve_contact",
@@ -224,10 +235,8 @@ RigidTally solve_contact(
     );
   });
   RigidTally sum{{}, {}, add_reactions(scene, state)};
-  for (std::size_t i = 0; i < values; i += tally_components) {
-    sum.work += state.contact.tally(i);
-    sum.tangential_work += state.contact.tally(i + 1);
-  }
+  for (std::size_t i = 0; i < values; ++i)
+    (i % tally_values < 2 ? sum.work : sum.tangential_work) += state.contact.tally(i);
   return sum;
 }
 

@@ -5,13 +5,21 @@
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
 #include "step/accelerate_particles.hpp"
+#include "step/node_sizes.hpp"
 
 #include <vector>
 
 namespace barreno {
 namespace {
 
-constexpr int tally_components = 12;
+constexpr int tally_components = 13;
+/// Of each the two parts of add_split.
+constexpr int tally_values = 2 * tally_components;
+
+/// Which of them are impulses; the others are energies.
+KOKKOS_INLINE_FUNCTION constexpr bool is_impulse(int i) {
+  return i == 4 || i == 5 || i == 7 || i == 9 || i == 12;
+}
 
 template <unsigned D>
 struct SolveVelocity {
@@ -25,6 +33,8 @@ struct SolveVelocity {
   ArrayView<unsigned char> shared_tile;  ///< tiles in which contact acts; empty without contact
   ArrayView<double> impulse;
   double dt, damping;
+  double share;  ///< of the grid's velocity that particles take
+  NodeSizes sizes;
 
   /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
   /// lexicographic order of the tiles.
@@ -136,7 +146,7 @@ struct SolveVelocity {
     }
   }
 
-  KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components])
+  KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components][2])
       const {
     alignas(64) double total[most_patch_nodes * sum_components];
     add_parts(tile, y, z, total);
@@ -182,39 +192,41 @@ struct SolveVelocity {
       if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
       tally_node(mass, force, drag, yielded, v, own);
       if (contact != nullptr) tally_contact(contact + x * impulses, v, own);
-      for (int i = 0; i < tally_components; ++i) part[i] += own[i];
+      own[12] = share * own[5];
+      for (int i = 0; i < tally_components; ++i)
+        add_split(own[i], is_impulse(i) ? sizes.impulse : sizes.energy, part[i]);
     }
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    double part[tally_components] = {};
+    double part[tally_components][2] = {};
     for (int z = 0; z < patch.nodes_along(2); ++z)
       for (int y = 0; y < patch.nodes; ++y) solve_row(tile, y, z, part);
-    for (int i = 0; i < tally_components; ++i)
-      tally(static_cast<std::size_t>(tile * tally_components + i)) = part[i];
+    for (int i = 0; i < tally_values; ++i)
+      tally(static_cast<std::size_t>(tile * tally_values + i)) = part[i / 2][i % 2];
   }
 };
 
-/// What the tiles have found, each in one order of its nodes.
-GridTally add_tiles(int tiles, double share, const ArrayView<double>& tally) {
-  GridTally sum;
-  for (int t = 0; t < tiles; ++t) {
-    const double* const part = &tally(static_cast<std::size_t>(t * tally_components));
-    sum.kinetic_before += part[0];
-    sum.kinetic_after += part[1];
-    sum.force_work += part[2];
-    sum.condition_work += part[3];
-    sum.condition_impulse += part[4];
-    sum.filter_impulse += part[5];
-    sum.taken_impulse += share * part[5];
-    sum.damped += part[6];
-    sum.damping_impulse += part[7];
-    sum.absorbed += part[8];
-    sum.absorbed_impulse += part[9];
-    sum.contact_work += part[10];
-    sum.tangential_work += part[11];
-  }
-  return sum;
+/// What the tiles have found.
+GridTally add_tiles(int tiles, const ArrayView<double>& tally) {
+  WholeSum sum[tally_components];
+  for (int t = 0; t < tiles; ++t)
+    for (int i = 0; i < tally_values; ++i)
+      sum[i / 2] += tally(static_cast<std::size_t>(t * tally_values + i));
+  return {
+      sum[0],
+      sum[1],
+      sum[2],
+      sum[3],
+      sum[4],
+      sum[5],
+      sum[12],
+      sum[6],
+      sum[7],
+      sum[8],
+      sum[9],
+      sum[10],
+      sum[11]};
 }
 
 }  // namespace
@@ -229,7 +241,7 @@ GridTally solve_velocity(
     Nodes& nodes
 ) {
   const Region region("solve_velocity");
-  const auto values = static_cast<std::size_t>(grid.active) * tally_components;
+  const auto values = static_cast<std::size_t>(grid.active) * tally_values;
   if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
   visit_mode(scene.grid.mode, [&](auto mode) {
     launch(
@@ -247,10 +259,12 @@ GridTally solve_velocity(
             contact.shared_tile,
             nodes.impulse,
             dt,
-            damping}
+            damping,
+            grid_share(scene.step, dt),
+            node_sizes(scene, dt)}
     );
   });
-  return add_tiles(grid.active, grid_share(scene.step, dt), nodes.tally);
+  return add_tiles(grid.active, nodes.tally);
 }
 
 }  // namespace barreno

@@ -13,7 +13,7 @@ def run(barreno, full):
         "Restart on another number of ranks",
         "Neither fields nor tables nor balances depend on where a run was resumed, nor on how many ranks.",
         "the run on two ranks that was left alone: variables of particles.e, history.csv and depth.csv byte for byte, and all numbers of "
-        "summary.json but times and memory.",
+        "summary.json but times, memory and the number of particle-steps that were skipped.",
         ["ranks", "fields that differ in a bit", "tables that differ", "numbers of the summary that differ"],
         [],
     )
