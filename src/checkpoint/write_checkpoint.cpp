@@ -36,11 +36,14 @@ std::vector<long long> whole_numbers(const View& view, int count) {
   return values;
 }
 
+/// Row after row, where the field has component after component.
 std::vector<double> rows_of(const Field& field, int count) {
-  std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(count) * static_cast<std::size_t>(field.components));
-  for (int p = 0; p < count; ++p)
-    for (int c = 0; c < field.components; ++c) values.push_back(field(p, c));
+  const auto columns = static_cast<std::size_t>(field.components);
+  std::vector<double> values(static_cast<std::size_t>(count) * columns);
+  for (int c = 0; c < field.components; ++c) {
+    double* value = values.data() + c;
+    for (int p = 0; p < count; ++p, value += columns) *value = field(p, c);
+  }
   return values;
 }
 
