@@ -30,7 +30,7 @@ def names(data, key):
     if key not in data.variables:
         return []
     texts = np.atleast_1d(chartostring(data.variables[key][:]))
-    return [str(text).strip("\0 ") for text in texts]
+    return [str(text).split("\0")[0].strip() for text in texts]
 
 
 def size(data, dimension):

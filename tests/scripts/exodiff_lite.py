@@ -167,7 +167,7 @@ class Exodus:
         if key not in self.data.variables:
             return []
         texts = np.atleast_1d(chartostring(self.data.variables[key][:]))
-        return [str(text).strip("\0 ") for text in texts]
+        return [str(text).split("\0")[0].strip() for text in texts]
 
     def coordinates(self):
         return {

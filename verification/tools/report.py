@@ -35,7 +35,7 @@ class Fields:
         y = data.variables["coordy"][:] + data.variables["vals_nod_var2"][-1]
         corners = np.stack([x, y], axis=1).reshape(elements, -1, 2)
         self.names = [
-            str(t).strip("\0 ")
+            str(t).split("\0")[0].strip()
             for t in np.atleast_1d(chartostring(data.variables["name_elem_var"][:]))
         ]
         self.sizes = [

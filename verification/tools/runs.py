@@ -57,7 +57,7 @@ class Run:
         from netCDF4 import Dataset, chartostring
 
         with Dataset(self.folder / "particles.e") as data:
-            names = [str(name) for name in chartostring(data.variables["name_elem_var"][:])]
+            names = [str(name).split("\0")[0] for name in chartostring(data.variables["name_elem_var"][:])]
             # A material without particles has a block without elements.
             blocks = [b for b in range(1, len(data.dimensions["num_el_blk"]) + 1) if f"num_el_in_blk{b}" in data.dimensions]
             out = {"time": float(data.variables["time_whole"][step])}
@@ -68,7 +68,7 @@ class Run:
                     count = len(data.dimensions[f"num_el_in_blk{block}"])
                     parts.append(np.asarray(variable[step]) if variable is not None else np.full(count, np.nan))
                 out[name] = np.concatenate(parts)
-            nodal = [str(name) for name in chartostring(data.variables["name_nod_var"][:])]
+            nodal = [str(name).split("\0")[0] for name in chartostring(data.variables["name_nod_var"][:])]
             places = []
             for axis in (name for name in "xyz" if f"coord{name}" in data.variables):
                 moved = data.variables[f"vals_nod_var{nodal.index(f'displacement_{axis}') + 1}"][step]
