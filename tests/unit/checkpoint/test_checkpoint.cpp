@@ -5,6 +5,7 @@
 #include "checkpoint/read_checkpoint.hpp"
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_checkpoint.hpp"
+#include "state/balance.hpp"
 #include "support/scenes.hpp"
 #include "unit/output/synthetic_run.hpp"
 
@@ -32,9 +33,27 @@ Scene impact() {
   return scene;
 }
 
+/// What a checkpoint keeps of all ranks together, in whole numbers where it is a sum.
+std::vector<double> sums_of(const State& state) {
+  const Comm& comm = *state.grid.comm;
+  std::vector<WholeSum> terms = terms_of(state.ledger);
+  sum_over_ranks(comm, terms);
+  std::vector<double> steps{state.particle_steps, state.skipped_steps};
+  sum_over_ranks(comm, steps);
+  // A rank's own until the next step takes the least of all.
+  std::array<double, 1> stable{state.stable_step};
+  min_over_ranks(comm, stable);
+  std::vector<double> numbers{steps[0], steps[1], stable[0]};
+  for (WholeSum& term : terms) {
+    term.carry();
+    for (const long long part : term.part) numbers.push_back(static_cast<double>(part));
+  }
+  return numbers;
+}
+
 /// Every number of this rank that a checkpoint keeps, as bytes: -0 is not 0 here.
 std::vector<unsigned char> bytes_of(const State& state) {
-  std::vector<double> numbers;
+  std::vector<double> numbers = sums_of(state);
   for (const Particles& particles : state.particles) {
     numbers.push_back(particles.count);
     for (int p = 0; p < particles.count; ++p) {
@@ -49,15 +68,9 @@ std::vector<unsigned char> bytes_of(const State& state) {
   for_each_number(state, [&](const char*, const auto& value) {
     numbers.push_back(static_cast<double>(value));
   });
-  numbers.insert(numbers.end(), {state.particle_steps, state.skipped_steps});
-  // A rank's own until the next step takes the least of all.
-  std::array<double, 1> stable{state.stable_step};
-  min_over_ranks(*state.grid.comm, stable);
-  numbers.push_back(stable[0]);
   for (const int owner : state.grid.owner) numbers.push_back(owner);
-  std::vector<unsigned char> bytes(numbers.size() * sizeof(double) + sizeof(Ledger));
-  std::memcpy(bytes.data(), numbers.data(), numbers.size() * sizeof(double));
-  std::memcpy(bytes.data() + numbers.size() * sizeof(double), &state.ledger, sizeof(Ledger));
+  std::vector<unsigned char> bytes(numbers.size() * sizeof(double));
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
   return bytes;
 }
 
