@@ -243,6 +243,61 @@ int add_particle(
   return p;
 }
 
+namespace {
+
+/// An empty set of particles for each material, with the velocity fields that they move in.
+void add_sets(const Scene& scene, State& state) {
+  state.fields = velocity_fields(scene);
+  state.nodes.resize(static_cast<std::size_t>(state.fields.count));
+  for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m) {
+    Particles particles = make_particles(scene, m);
+    particles.critical_courant = visit_shape(scene.step.shape, [&](auto shape) {
+      return decltype(shape)::critical_courant(smallest_half_size(scene, m));
+    });
+    particles.lone_courant = lone_courant(scene, m);
+    particles.tally_sizes = tally_sizes(scene, m);
+    particles.field = state.fields.of_material[static_cast<std::size_t>(m)];
+    particles.rigid = state.fields.rigid_body[static_cast<std::size_t>(particles.field)] >= 0;
+    state.particles.push_back(particles);
+  }
+}
+
+std::vector<Reaction> reactions_of(const Scene& scene, const VelocityFields& fields) {
+  std::vector<Reaction> reactions;
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+    for (int f = 0; f < fields.count; ++f)
+      if (fields.rigid_body[static_cast<std::size_t>(f)] == b) reactions.push_back({b, f, {}});
+  return reactions;
+}
+
+/// The particles of a body that are in this rank's tiles.
+void fill_body(const Scene& scene, std::size_t b, ParticleId first_id, State& state) {
+  const BodySpec& body = scene.bodies[b];
+  const double energy = initial_energy(scene, body);
+  const StartPoint at_rest = start_point(scene, body.material, &body);
+  Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
+  const int first_row = particles.count;
+  for_each_body_particle(scene.grid, body, first_id, [&](const NewParticle& made) {
+    if (owner_of(state.grid, made.x) != state.grid.comm->getRank()) return;
+    const Vector velocity = start_velocity(scene, body, made.x);
+    const int p = add_particle(scene, particles, made, static_cast<unsigned>(b), at_rest, velocity);
+    put_velocity_gradient(scene, body, made, p, particles);
+  });
+  if (!particles.rigid) enter(particles, first_row, energy, state.ledger);
+}
+
+std::vector<double> cavities_of(const Scene& scene) {
+  std::vector<double> cavities;
+  for (const PressureLoadSpec& load : scene.loads) {
+    const bool fluid = load.kind == LoadKind::pore_fluid;
+    const Shape& shape = scene.bodies[static_cast<std::size_t>(load.body)].shape;
+    cavities.push_back(fluid ? cavity_volume(std::get<Ball>(shape), scene.grid) : 0.0);
+  }
+  return cavities;
+}
+
+}  // namespace
+
 State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   const Region region("build_state");
   State state;
@@ -251,53 +306,15 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
   state.grid = make_grid(scene.grid, reach, comm);
   state.grid.owner =
       bisect_tiles(state.grid.tiles, count_in_tiles(scene, state.grid), comm->getSize());
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    state.particles.push_back(make_particles(scene, static_cast<int>(m)));
-    state.particles.back().critical_courant = visit_shape(scene.step.shape, [&](auto shape) {
-      return decltype(shape)::critical_courant(smallest_half_size(scene, static_cast<int>(m)));
-    });
-    state.particles.back().lone_courant = lone_courant(scene, static_cast<int>(m));
-    state.particles.back().tally_sizes = tally_sizes(scene, static_cast<int>(m));
-  }
-  state.fields = velocity_fields(scene);
-  state.nodes.resize(static_cast<std::size_t>(state.fields.count));
-  for (Particles& particles : state.particles) {
-    const auto field = static_cast<std::size_t>(
-        state.fields.of_material[static_cast<std::size_t>(particles.material)]
-    );
-    particles.field = static_cast<int>(field);
-    particles.rigid = state.fields.rigid_body[field] >= 0;
-  }
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
-    for (int f = 0; f < state.fields.count; ++f)
-      if (state.fields.rigid_body[static_cast<std::size_t>(f)] == b)
-        state.reactions.push_back({b, f, {}});
+  add_sets(scene, state);
+  state.reactions = reactions_of(scene, state.fields);
   state.pore_flow.on = scene.pore_flow.on();
   state.dormancy = make_dormancy(scene);
+  state.cavities = cavities_of(scene);
   const std::vector<ParticleId> first = first_ids(scene);
-  state.slug_ids.assign(
-      first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()), first.end()
-  );
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const BodySpec& body = scene.bodies[b];
-    const double energy = initial_energy(scene, body);
-    const StartPoint at_rest = start_point(scene, body.material, &body);
-    Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
-    const int first_row = particles.count;
-    for_each_body_particle(scene.grid, body, first[b], [&](const NewParticle& made) {
-      if (owner_of(state.grid, made.x) != comm->getRank()) return;
-      const Vector velocity = start_velocity(scene, body, made.x);
-      const int p =
-          add_particle(scene, particles, made, static_cast<unsigned>(b), at_rest, velocity);
-      put_velocity_gradient(scene, body, made, p, particles);
-    });
-    if (!particles.rigid) enter(particles, first_row, energy, state.ledger);
-  }
-  for (const PressureLoadSpec& load : scene.loads) {
-    const bool fluid = load.kind == LoadKind::pore_fluid;
-    const Shape& shape = scene.bodies[static_cast<std::size_t>(load.body)].shape;
-    state.cavities.push_back(fluid ? cavity_volume(std::get<Ball>(shape), scene.grid) : 0.0);
-  }
+  const std::size_t bodies = scene.bodies.size();
+  state.slug_ids.assign(first.begin() + static_cast<std::ptrdiff_t>(bodies), first.end());
+  for (std::size_t b = 0; b < bodies; ++b) fill_body(scene, b, first[b], state);
   OwnLedger& ledger = state.ledger;
   ledger.mass = ledger.initial_mass;
   ledger.momentum = ledger.initial_momentum;

@@ -127,31 +127,43 @@ void fold_walls(const Scene& scene, const Grid& grid, Nodes& nodes) {
   });
 }
 
-void unfold_walls(const Scene& scene, const Grid& grid, double dt, Nodes& nodes, GridTally& tally) {
-  const Region region("unfold_walls");
+namespace {
+
+/// The motion of a node beyond a plane is its image's, mirrored.
+void mirror_motion(int dimensions, int axis, const double* from, double* to) {
+  for (int d = 0; d < dimensions; ++d) {
+    const double sign = d == axis ? -1.0 : 1.0;
+    to[d] = sign * from[d];
+    to[dimensions + d] = sign * from[dimensions + d];
+  }
+}
+
+/// @return what a plane across y gives to the momentum of the tile's nodes beyond it
+Given unfold_tile(const Grid& grid, const Plane& plane, int tile, Nodes& nodes) {
   const int dimensions = grid.patch.dimensions;
   const int width = motion_components(dimensions);
+  Given given;
+  for_each_image(grid, plane, tile, [&](int beyond, int inside) {
+    double* const patch = &nodes.motion(first_motion(grid.patch, tile));
+    const double* const from = patch + inside * width;
+    mirror_motion(dimensions, plane.axis, from, patch + beyond * width);
+    if (plane.axis != 1) return;
+    const double* const sums = &nodes.sums(first_sum(grid.patch, tile));
+    const double mass = sums[beyond * sum_components + kept_mass];
+    const double change = from[dimensions + 1];
+    given.impulse -= 2.0 * mass * change;
+    given.before -= 2.0 * mass * (from[1] - change);
+  });
+  return given;
+}
+
+}  // namespace
+
+void unfold_walls(const Scene& scene, const Grid& grid, double dt, Nodes& nodes, GridTally& tally) {
+  const Region region("unfold_walls");
   for_each_plane(scene, grid, [&](const Plane& plane) {
-    for (int tile = 0; tile < grid.active; ++tile) {
-      Given given;
-      for_each_image(grid, plane, tile, [&](int beyond, int inside) {
-        double* const patch = &nodes.motion(first_motion(grid.patch, tile));
-        double* const to = patch + beyond * width;
-        const double* const from = patch + inside * width;
-        for (int d = 0; d < dimensions; ++d) {
-          const double sign = d == plane.axis ? -1.0 : 1.0;
-          to[d] = sign * from[d];
-          to[dimensions + d] = sign * from[dimensions + d];
-        }
-        if (plane.axis != 1) return;
-        const double* const sums = &nodes.sums(first_sum(grid.patch, tile));
-        const double mass = sums[beyond * sum_components + kept_mass];
-        const double change = from[dimensions + 1];
-        given.impulse -= 2.0 * mass * change;
-        given.before -= 2.0 * mass * (from[1] - change);
-      });
-      enter(given, grid_share(scene.step, dt), tally);
-    }
+    for (int tile = 0; tile < grid.active; ++tile)
+      enter(unfold_tile(grid, plane, tile, nodes), grid_share(scene.step, dt), tally);
   });
   // With M p_I' for p_I' the grid holds -2 p_y more than the particles gave; what they take back
   // from nodes beyond is -2 m v_y more than these would give unmirrored.

@@ -14,6 +14,7 @@ namespace {
 /// Numbers of both signs, most of about a size, some far smaller.
 std::vector<double> numbers_of(double size, int count) {
   std::vector<double> numbers;
+  numbers.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     numbers.push_back(size * std::sin(1.7 * i + 0.3) * std::pow(10.0, -3.0 * (i % 5)));
   return numbers;
