@@ -18,6 +18,9 @@ def pulled(shape, longest, domain="1"):
     }
 
 
+COMES_APART = "not understood yet: no domain grows to Largest Domain, at 20 times the length neither, as though the bar came apart before"
+
+
 def stretched_rows(barreno, full, table):
     title = "F stretched a thousandfold, on the grid"
     longest = 1000.0 if full else 20.0
@@ -30,7 +33,8 @@ def stretched_rows(barreno, full, table):
         if done.finished:
             table.within(title, setup, "energy error", np.abs(done.run.table("history.csv")["energy_error"]).max(), 1e-2)
             if shape != "GIMP":
-                table.within(title, setup, "domains cut at Largest Domain, counted", done.run.table("history.csv")["clipped"].max(), 1, at_least=True)
+                clipped = done.run.table("history.csv")["clipped"].max()
+                table.within(title, setup, "domains cut at Largest Domain, counted", clipped, 1, at_least=True, why=COMES_APART)
     settings = {**pulled("CPDI", 4.0), "Step/Largest Expansion": "2", "Materials/Soft/Bad Particles": "stop"}
     limit = attempt_file(barreno, DECKS / "stretched_bar.xml", settings)
     table.stops(title, "beyond Largest Expansion 2, policy stop", limit, 3, "Particle ", "of material 'Soft' expanded beyond", "at t = ")
