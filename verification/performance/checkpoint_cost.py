@@ -13,12 +13,11 @@ import sys
 import time
 
 import scaling_decks
+from page_part import write_part
 
 from resumed import must_work, program  # noqa: I001
-from runs import ROOT, Run, scratch_folder
+from runs import Run, scratch_folder
 
-PAGE = ROOT / "docs" / "performance.md"
-BEGIN, END = "<!-- checkpoint_cost.py -->", "<!-- end of checkpoints -->"
 DEFAULT_INTERVAL = 600.0  # Checkpoint Wall Interval [s]
 LEAST_BANDWIDTH, MOST_SHARE = 0.5, 0.02
 
@@ -78,8 +77,7 @@ def main():
     lines = page(found, arguments.ranks)
     print("\n".join(lines))
     if arguments.document:
-        head, rest = PAGE.read_text().split(BEGIN)
-        PAGE.write_text(head + BEGIN + "\n" + "\n".join(lines) + "\n" + END + rest.split(END, 1)[1])
+        write_part("checkpoint_cost.py", lines)
     slow = found["raw"] / found["write"] < LEAST_BANDWIDTH
     long = found["write"] + found["verify"] > MOST_SHARE * DEFAULT_INTERVAL
     wrong = [text for text, bad in (("writing is slower than half the disk", slow), ("checkpoints take too long", long)) if bad]

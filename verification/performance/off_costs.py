@@ -19,10 +19,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path.insert(0, str(ROOT / "verification" / "tools"))
 
+from page_part import write_part  # noqa: E402
 from small_decks import mpi_environment, scratch_folder, symmetry, write_deck  # noqa: E402
 
-PAGE = ROOT / "docs" / "performance.md"
-BEGIN, END = "<!-- off_costs.py: begin -->", "<!-- off_costs.py: end -->"
 BAR = 0.01  # of the step
 
 # Feature: its own files, and what lines of other files of the step say where they ask for it.
@@ -113,12 +112,6 @@ def table_of(rows):
     return lines + [f"| {feature} | {order} | {100 * share:.3f} % |" for feature, order, share in rows]
 
 
-def document(rows):
-    text = PAGE.read_text()
-    head, rest = text.split(BEGIN)
-    PAGE.write_text(head + BEGIN + "\n\n" + "\n".join(table_of(rows)) + "\n\n" + END + rest.split(END)[1])
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
@@ -133,7 +126,7 @@ def main():
         rows += [(feature, order, cost_of(feature, counts) / total) for feature in own]
     print("\n".join(table_of(rows)))
     if options.document:
-        document(rows)
+        write_part("off_costs.py", table_of(rows))
     return 1 if any(share > BAR for _, _, share in rows) else 0
 
 

@@ -5,7 +5,7 @@
     scaling.py BARRENO [--repeats N] [--quick] [--document]
 
 Times are those of the steps alone (the timer `advance` of summary.json, slowest rank), the smallest of so many runs; runs on one
-rank and on two take turns. Messages, bytes and reductions are counted by a preloaded library (tools/count_messages.c) in a run
+rank and on two take turns. Messages, bytes and reductions are counted by a preloaded library (tools/message_costs.c) in a run
 of its own: the difference of two end times over the difference of their steps, so that starting does not count. The bandwidth
 of memory is measured in the same minute, by one process and by two at once. --document writes docs/performance.md and
 verification/results/scaling.json.
@@ -17,6 +17,7 @@ import subprocess
 import sys
 
 import scaling_decks
+from page_part import write_part
 from scaling_decks import Problem
 
 from resumed import must_work, program  # noqa: I001
@@ -24,15 +25,13 @@ from runs import ROOT, Run, scratch_folder
 
 TOOLS = ROOT / "verification" / "tools"
 RESULT = ROOT / "verification" / "results" / "scaling.json"
-PAGE = ROOT / "docs" / "performance.md"
-BEGIN, END = "<!-- scaling.py -->", "<!-- end -->"
 KINDS = ("sends", "waits", "reductions", "others")
 LEAST = {"block": 1.85, "perforation": 1.8}
 
 
 def build(scratch):
-    library, triad = scratch / "count_messages.so", scratch / "triad"
-    subprocess.run(["mpicc", "-O1", "-shared", "-fPIC", "-o", library, TOOLS / "count_messages.c"], check=True)
+    library, triad = scratch / "message_costs.so", scratch / "triad"
+    subprocess.run(["mpicc", "-O1", "-shared", "-fPIC", "-o", library, TOOLS / "message_costs.c"], check=True)
     subprocess.run(["cc", "-O3", "-march=native", "-o", triad, TOOLS / "triad.c"], check=True)
     return library, triad
 
@@ -162,13 +161,6 @@ def page(result):
     return lines
 
 
-def document(lines):
-    text = PAGE.read_text()
-    head, rest = text.split(BEGIN)
-    tail = rest.split(END, 1)[1]
-    PAGE.write_text(head + BEGIN + "\n" + "\n".join(lines) + "\n" + END + tail)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno")
@@ -181,7 +173,7 @@ def main():
     print("\n".join(lines))
     if arguments.document:
         RESULT.write_text(json.dumps(result, indent=1) + "\n")
-        document(lines)
+        write_part("scaling.py", lines)
     failed = [s["name"] for s in result["strong"] if s["speedup"] < s["least"]]
     sys.exit(f"below what is asked for: {', '.join(failed)}" if failed and not arguments.quick else 0)
 

@@ -10,10 +10,10 @@ import json
 import math
 import pathlib
 
+from page_part import write_part
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COUNTED = ROOT / "verification" / "results" / "scaling.json"
-PAGE = ROOT / "docs" / "performance.md"
-BEGIN, END = "<!-- scaling_model.py -->", "<!-- end of the model -->"
 
 NODE_BYTES = 8 * 8  # sum_components doubles
 REACH = 1  # nodes beyond a tile's cells, of GIMP
@@ -114,8 +114,7 @@ def main():
     lines = [*(comparison() if COUNTED.exists() else []), "", *predictions()]
     print("\n".join(lines))
     if arguments.document:
-        head, rest = PAGE.read_text().split(BEGIN)
-        PAGE.write_text(head + BEGIN + "\n" + "\n".join(lines) + "\n" + END + rest.split(END, 1)[1])
+        write_part("scaling_model.py", lines)
 
 
 if __name__ == "__main__":
