@@ -1,57 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid/partition.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace barreno {
 namespace {
 
-struct Block {
-  int lower[3], upper[3];  ///< tiles [lower, upper)
-  int length(int axis) const { return upper[axis] - lower[axis]; }
-};
+using TileList = std::vector<int>;  ///< places in the box
 
 /// Tiles of the whole box and what they weigh.
 struct Tiles {
   const int (&along)[3];
   const std::vector<double>& weights;
 
-  std::size_t place(const int (&at)[3]) const {
-    const int place = (at[2] * along[1] + at[1]) * along[0] + at[0];
-    return static_cast<std::size_t>(place);
+  int index(int place, int axis) const {
+    if (axis == 0) return place % along[0];
+    if (axis == 1) return place / along[0] % along[1];
+    return place / along[0] / along[1];
   }
+  double weight(int place) const { return weights[static_cast<std::size_t>(place)]; }
 };
 
-/// visit(place of the tile, its index along the axis).
-template <class Visitor>
-void for_each_tile(const Tiles& tiles, const Block& block, int axis, Visitor&& visit) {
-  int at[3];
-  for (at[2] = block.lower[2]; at[2] < block.upper[2]; ++at[2])
-    for (at[1] = block.lower[1]; at[1] < block.upper[1]; ++at[1])
-      for (at[0] = block.lower[0]; at[0] < block.upper[0]; ++at[0])
-        visit(tiles.place(at), at[axis]);
+/// Side of the box around a list's tiles that weigh something.
+int length(const Tiles& tiles, const TileList& list, int axis) {
+  int lower = tiles.along[axis];
+  int upper = -1;
+  for (const int place : list) {
+    if (!(tiles.weight(place) > 0.0)) continue;
+    lower = std::min(lower, tiles.index(place, axis));
+    upper = std::max(upper, tiles.index(place, axis));
+  }
+  return upper - lower;
 }
 
-/// Weight of each slice of a block across an axis.
-std::vector<double> slice_weights(const Tiles& tiles, const Block& block, int axis) {
-  std::vector<double> sums(static_cast<std::size_t>(block.length(axis)), 0.0);
-  for_each_tile(tiles, block, axis, [&](std::size_t place, int slice) {
-    sums[static_cast<std::size_t>(slice - block.lower[axis])] += tiles.weights[place];
-  });
-  return sums;
+/// The longest of these sides, the first of equal ones.
+int longest_axis(const Tiles& tiles, const TileList& list) {
+  const int sides[3] = {length(tiles, list, 0), length(tiles, list, 1), length(tiles, list, 2)};
+  return static_cast<int>(std::max_element(sides, sides + 3) - sides);
 }
 
-/// Where to cut so that the first part comes nearest to `share` of the whole; both parts keep a
-/// slice.
-int best_cut(const std::vector<double>& slices, double share) {
+/// The list slice by slice across an axis, in its old order within a slice. Linear in its length.
+TileList by_slices(const Tiles& tiles, const TileList& list, int axis) {
+  std::vector<std::size_t> next(static_cast<std::size_t>(tiles.along[axis]) + 1, 0);
+  for (const int place : list) ++next[static_cast<std::size_t>(tiles.index(place, axis)) + 1];
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  TileList sorted(list.size());
+  for (const int place : list)
+    sorted[next[static_cast<std::size_t>(tiles.index(place, axis))]++] = place;
+  return sorted;
+}
+
+/// How many tiles make a first part that comes nearest to `share` of the whole; both parts get one.
+std::size_t best_cut(const Tiles& tiles, const TileList& list, double share) {
   double total = 0.0;
-  for (const double w : slices) total += w;
-  const int n = static_cast<int>(slices.size());
-  int best = 1;
+  for (const int place : list) total += tiles.weight(place);
+  std::size_t best = 1;
   double best_miss = HUGE_VAL;
   double before = 0.0;
-  for (int cut = 1; cut < n; ++cut) {
-    before += slices[static_cast<std::size_t>(cut - 1)];
+  for (std::size_t cut = 1; cut < list.size(); ++cut) {
+    before += tiles.weight(list[cut - 1]);
     const double miss = std::abs(before - share * total);
     if (miss < best_miss) {
       best_miss = miss;
@@ -61,31 +69,20 @@ int best_cut(const std::vector<double>& slices, double share) {
   return best;
 }
 
-/// The longest side of a block, the first of equal ones.
-int longest_axis(const Block& block) {
-  int axis = 0;
-  for (int d = 1; d < 3; ++d)
-    if (block.length(d) > block.length(axis)) axis = d;
-  return axis;
-}
-
 void bisect(
-    const Tiles& tiles, const Block& block, int first_rank, int ranks, std::vector<int>& owner
+    const Tiles& tiles, const TileList& list, int first_rank, int ranks, std::vector<int>& owner
 ) {
-  const int axis = longest_axis(block);
-  if (ranks == 1 || block.length(axis) == 1) {
-    for_each_tile(tiles, block, axis, [&](std::size_t place, int) { owner[place] = first_rank; });
+  if (ranks == 1 || list.size() < 2) {
+    for (const int place : list) owner[static_cast<std::size_t>(place)] = first_rank;
     return;
   }
   const int first = ranks / 2;
-  const int cut = block.lower[axis] +
-                  best_cut(slice_weights(tiles, block, axis), static_cast<double>(first) / ranks);
-  Block low = block;
-  Block high = block;
-  low.upper[axis] = cut;
-  high.lower[axis] = cut;
-  bisect(tiles, low, first_rank, first, owner);
-  bisect(tiles, high, first_rank + first, ranks - first, owner);
+  const TileList sorted = by_slices(tiles, list, longest_axis(tiles, list));
+  const auto cut =
+      sorted.begin() +
+      static_cast<std::ptrdiff_t>(best_cut(tiles, sorted, static_cast<double>(first) / ranks));
+  bisect(tiles, TileList(sorted.begin(), cut), first_rank, first, owner);
+  bisect(tiles, TileList(cut, sorted.end()), first_rank + first, ranks - first, owner);
 }
 
 }  // namespace
@@ -94,7 +91,9 @@ std::vector<int> bisect_tiles(
     const int (&tiles)[3], const std::vector<double>& weights, int ranks
 ) {
   std::vector<int> owner(weights.size(), 0);
-  bisect({tiles, weights}, {{0, 0, 0}, {tiles[0], tiles[1], tiles[2]}}, 0, ranks, owner);
+  TileList all(weights.size());
+  for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int>(t);
+  bisect({tiles, weights}, all, 0, ranks, owner);
   return owner;
 }
 

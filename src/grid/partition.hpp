@@ -8,9 +8,10 @@
 namespace barreno {
 
 /// Tiles to ranks by recursive coordinate bisection of the tiles' weights: cut across the longest
-/// side where the halves come nearest to the share of their ranks. A pure function of its
-/// arguments, so that every rank finds the same owners without communication; tiles without weight
-/// go with their surroundings.
+/// side of those that weigh something, where the halves come nearest to the share of their ranks. A
+/// cut may go through a slice: a part misses its share by half a tile at most. A pure function of
+/// its arguments, so that every rank finds the same owners without communication; tiles without
+/// weight go with their surroundings. Of more ranks than tiles some get none.
 ///
 /// @param tiles    tiles of the box along x, y and z
 /// @param weights  cost of every tile of the box, z by z, row by row

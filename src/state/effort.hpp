@@ -23,7 +23,11 @@ struct Effort {
   /// Seconds of the particle updates: per set, per block of rows (base/rows.hpp). Rows that are
   /// near in storage are near in space, so a block tells what its part of the scene costs.
   std::vector<std::vector<double>> block_seconds;
-  double node_seconds = 0.0;  ///< of projection and interpolation, the same for every particle
+  double node_seconds = 0.0;  ///< of projection and interpolation, the same for every awake row
+  double tile_seconds =
+      0.0;  ///< of cells and nodes, the same for every active tile, dormant or not
+
+  double change_seconds = 0.0;  ///< that the last change of owners took
 
   void add(std::size_t set, std::size_t block, double seconds) {
     if (block_seconds.size() <= set) block_seconds.resize(set + 1);
@@ -36,11 +40,18 @@ struct Effort {
                : 0.0;
   }
   double total() const {
-    double sum = node_seconds;
+    double sum = node_seconds + tile_seconds;
     for (const auto& set : block_seconds)
       for (const double seconds : set) sum += seconds;
     return sum;
   }
 };
+
+/// Of particles and tiles: what a change of owners took holds on.
+inline void forget(Effort& effort) {
+  const double change_seconds = effort.change_seconds;
+  effort = {};
+  effort.change_seconds = change_seconds;
+}
 
 }  // namespace barreno

@@ -22,6 +22,8 @@
 #include "step/tally_step.hpp"
 #include "step/update_sets.hpp"
 
+#include <algorithm>
+
 namespace barreno {
 namespace {
 
@@ -110,7 +112,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   agree_on_failure(scene, state, result);
 
   tally_particle_steps(state);  // advanced, and left as they were
-  state.stable_step = tally.stress.stable_step;
+  state.stable_step = std::min(tally.stress.stable_step, state.dormancy.stable_step);
   const double left = next_time - state.clock.time;
   state.clock = {dt >= left ? next_time : state.clock.time + dt, dt, state.clock.step + 1};
   result.not_drained = drain_pore_fluid(scene, dt, state);  // (7)

@@ -3,10 +3,11 @@
 
 #include "base/region.hpp"
 #include "base/rows.hpp"
+#include "state/step_rule.hpp"
 #include "step/mirror_walls.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace barreno {
 namespace {
@@ -21,6 +22,10 @@ void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
     dormancy.rests = ArrayView<unsigned char>("rests", room);
     dormancy.dormant = ArrayView<unsigned char>("dormant", room);
     dormancy.rows = ArrayView<int>("dormant_rows", room);
+    dormancy.still = ArrayView<unsigned char>("still", room);
+    dormancy.speed = ArrayView<double>("resting_speed", room);
+    dormancy.acceleration = ArrayView<double>("resting_acceleration", room);
+    dormancy.step = ArrayView<double>("dormant_step", room);
     nodes.kept = ArrayView<unsigned char>("kept", room);
   }
   Kokkos::deep_copy(dormancy.rows, 0);
@@ -49,13 +54,21 @@ bool is_at_rest(const State& state, int tile) {
   return true;
 }
 
-/// Neither the velocity after the step nor its increment is above a limit at any node of the tile.
-bool is_still(const Patch& patch, const Nodes& nodes, int tile, double limit) {
-  const int count = patch.size * motion_components(patch.dimensions);
-  const double* const motion = &nodes.motion(first_motion(patch, tile));
-  int moves = 0;
-  for (int i = 0; i < count; ++i) moves |= static_cast<int>(!(std::abs(motion[i]) <= limit));
-  return moves == 0;
+/// The least stable step of a tile's particles, which changes only with them: what update_stress
+/// would find without it.
+double stable_step_of(const Scene& scene, const State& state, int tile) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const Particles& particles : state.particles) {
+    if (particles.rigid) continue;
+    const StepRule rule(scene, particles.critical_courant, particles.lone_courant);
+    for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
+      const int p = particles.order(k);
+      if ((particles.body(p) & held_bit) != 0) continue;
+      const double density = particles.mass(p) / particles.volume(p);
+      step = std::min(step, rule.stable_step(density, particles.longitudinal_modulus(p), 0.0, 0.0));
+    }
+  }
+  return step;
 }
 
 /// Which rows of which runs are in dormant tiles.
@@ -98,18 +111,21 @@ void find_resting_tiles(const Scene& scene, State& state) {
   }
 }
 
-void find_dormant_tiles(const Scene& scene, double dt, State& state) {
+void find_dormant_tiles(const Scene& scene, State& state) {
   Dormancy& dormancy = state.dormancy;
   if (!dormancy.on) return;
   const Region region("find_dormant_tiles");
-  const double limit = dormancy.motion * scene.grid.cell_size / dt;
   // The first update settles what a material makes of its initial state: nobody misses it.
   const bool first = state.clock.step == 0;
+  dormancy.stable_step = std::numeric_limits<double>::infinity();
   for (int tile = 0; tile < state.grid.active; ++tile) {
-    const bool dormant =
-        dormancy.rests(tile) != 0 && is_still(state.grid.patch, state.nodes.front(), tile, limit);
+    const bool dormant = dormancy.rests(tile) != 0 && dormancy.still(tile) != 0;
     dormancy.dormant(tile) = dormant ? 1 : 0;
-    dormancy.rows(tile) = dormant && dormancy.skips && !first ? rows_in(state, tile) : 0;
+    const int rows = dormant && dormancy.skips && !first ? rows_in(state, tile) : 0;
+    if (rows > 0 && rows != dormancy.rows(tile))
+      dormancy.step(tile) = stable_step_of(scene, state, tile);
+    if (rows > 0) dormancy.stable_step = std::min(dormancy.stable_step, dormancy.step(tile));
+    dormancy.rows(tile) = rows;
   }
   dormancy.skipped = 0;
   if (first) return;

@@ -12,9 +12,10 @@ namespace barreno {
 void find_resting_tiles(const Scene& scene, State& state);
 
 /// Of these, the tiles none of whose nodes moves by more than Dormancy::motion cells in a step:
-/// their particles stay as they are. Found before any particle is asked to move.
+/// their particles stay as they are, and the step that they allow is kept. Found before any
+/// particle is asked to move.
 ///
-/// @pre nodes.motion holds the velocities of this step (solve_velocity)
-void find_dormant_tiles(const Scene& scene, double dt, State& state);
+/// @pre Dormancy::still is of this step (solve_velocity)
+void find_dormant_tiles(const Scene& scene, State& state);
 
 }  // namespace barreno

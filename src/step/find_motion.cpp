@@ -42,14 +42,17 @@ GridTally solve_fields(
   rigid = solve_contact(scene, clock, dt, damping, state);
   const NodeConditions conditions = node_conditions(scene, state.grid, clock, dt);
   GridTally tally;
+  const Stopwatch watch;
   for (std::size_t f = 0; f < state.nodes.size(); ++f) {
     if (state.fields.rigid_body[f] >= 0) continue;
     Nodes& nodes = state.nodes[f];
-    GridTally part =
-        solve_velocity(scene, state.grid, conditions, dt, damping, state.contact, nodes);
+    GridTally part = solve_velocity(
+        scene, state.grid, conditions, dt, damping, state.contact, state.dormancy, nodes
+    );
     unfold_walls(scene, state.grid, dt, nodes, part);
     add(part, tally);
   }
+  state.effort.tile_seconds += watch.seconds();
   return tally;
 }
 
@@ -58,7 +61,7 @@ GridTally solve_fields(
 void find_motion(const Scene& scene, double& dt, State& state, StepTally& tally) {
   for (int retry = 0;; ++retry) {
     tally.grid = solve_fields(scene, state.clock, dt, scene.step.damping, state, tally.rigid);
-    find_dormant_tiles(scene, dt, state);
+    find_dormant_tiles(scene, state);
     std::array<double, 1> strain{0.0};
     const Stopwatch watch;
     for (Particles& particles : state.particles) {

@@ -185,8 +185,10 @@ Placement locate_newcomers(State& state) {
 
 Placement locate_particles(const Scene& /*scene*/, State& state) {
   const Region region("locate_particles");
+  const Stopwatch watch;
   Placement placement;
   for (Particles& particles : state.particles) locate_set(state, particles, placement);
+  state.effort.tile_seconds += watch.seconds();
   return placement;
 }
 
@@ -205,11 +207,13 @@ void place_particles(const Scene& scene, const Placement& agreed, State& state) 
     locate_particles(scene, state);
     for (Particles& particles : state.particles) particles.sorted = false;
   }
+  const Stopwatch watch;
   for (Particles& particles : state.particles) {
     if (particles.sorted) continue;
     sort_by_cell(state.grid, particles);
     if (state.clock.step % steps_per_permutation == 0) permute_rows(particles);
   }
+  state.effort.tile_seconds += watch.seconds();
 }
 
 void give_tiles(const Scene& scene, const std::vector<int>& owner, State& state) {

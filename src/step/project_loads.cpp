@@ -177,6 +177,8 @@ WholeSum tally_loads(const Scene& scene, double dt, State& state) {
     const auto add =
         [&](const Particles& particles, int tile, int p, int face, const PressureLoadSpec& load) {
           const Vector force = face_force<M>(scene, load, state.clock.time, particles, p, face);
+          state.ledger.load_impulse += force[1] * dt;
+          if (state.dormancy.leaves(tile)) return;  // of no motion no work is taken
           const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
           const double* const patch = &nodes.motion(first_motion(frame.patch, tile));
           double of_face = 0.0;
@@ -191,7 +193,6 @@ WholeSum tally_loads(const Scene& scene, double dt, State& state) {
                 of_face += dt * s * power;
               });
           work += of_face;
-          state.ledger.load_impulse += force[1] * dt;
         };
     for_each_loaded_face(scene, state, add);
   });

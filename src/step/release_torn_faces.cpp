@@ -26,24 +26,25 @@ bool torn(const Scene& scene, const Particles& particles, int p) {
   return largest_stretch(f) > torn_stretch;
 }
 
-/// Ends the loads of what is torn.
+/// Ends the loads of what is torn. What has not changed is not: tiles that keep their sums.
 /// @param[in,out] loaded_tiles  1 for the tiles of what is still loaded
 /// @return particles that lost their loads
 template <class M>
 double release_set(
     const Scene& scene,
     const Patch& patch,
+    const Nodes& nodes,
     Particles& particles,
     std::vector<unsigned char>& loaded_tiles
 ) {
   double released = 0.0;
   for (int p = 0; p < particles.count; ++p) {
     if (particles.loaded_faces(p) == 0.0) continue;
-    if (torn<M>(scene, particles, p)) {
+    const int tile = particles.key(p) >> (patch.tile_bits * patch.dimensions);
+    if (!nodes.keeps(tile) && torn<M>(scene, particles, p)) {
       particles.loaded_faces(p) = 0.0;
       released += 1.0;
     } else {
-      const int tile = particles.key(p) >> (patch.tile_bits * patch.dimensions);
       loaded_tiles[static_cast<std::size_t>(tile)] = 1;
     }
   }
@@ -60,8 +61,13 @@ void release_torn_faces(const Scene& scene, State& state) {
   visit_mode(scene.grid.mode, [&](auto mode) {
     for (Particles& particles : state.particles)
       if (particles.loaded_faces.components > 0)
-        state.ledger.unloaded +=
-            release_set<decltype(mode)>(scene, grid.patch, particles, state.loaded_tiles);
+        state.ledger.unloaded += release_set<decltype(mode)>(
+            scene,
+            grid.patch,
+            state.nodes[static_cast<std::size_t>(particles.field)],
+            particles,
+            state.loaded_tiles
+        );
   });
 }
 

@@ -6,6 +6,7 @@
 #include "shape/kinematics.hpp"
 #include "step/accelerate_particles.hpp"
 #include "step/node_sizes.hpp"
+#include "step/resting_nodes.hpp"
 
 #include <vector>
 
@@ -35,6 +36,7 @@ struct SolveVelocity {
   double dt, damping;
   double share;  ///< of the grid's velocity that particles take
   NodeSizes sizes;
+  RestingNodes resting;
 
   /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
   /// lexicographic order of the tiles.
@@ -70,14 +72,17 @@ struct SolveVelocity {
     double before[D], after[D];
   };
 
-  KOKKOS_INLINE_FUNCTION void apply_conditions(
+  /// @return whether one acts
+  KOKKOS_INLINE_FUNCTION bool apply_conditions(
       const int (&node)[3], double mass, const double* force, Velocity& v, double* part
   ) const {
     const double raw = v.before[1];
     bool set[D] = {};
+    bool acts = false;
     for (int i = 0; i < conditions.count; ++i) {
       const NodeCondition& c = conditions.list[i];
       if (!c.holds(node)) continue;
+      acts = true;
       for (int d = 0; d < dimensions; ++d) {
         if (!c.sets[d]) continue;
         v.before[d] = c.before[d];
@@ -92,6 +97,7 @@ struct SolveVelocity {
       if (d == 1) part[4] += given;
     }
     if (set[1]) part[5] += mass * (v.before[1] - raw);
+    return acts;
   }
 
   /// Kinetic energies before and after, the work of the forces, and of the drag and of the
@@ -146,7 +152,8 @@ struct SolveVelocity {
     }
   }
 
-  KOKKOS_INLINE_FUNCTION void solve_row(int tile, int y, int z, double (&part)[tally_components][2])
+  /// @return whether a condition acts on one of its nodes
+  KOKKOS_INLINE_FUNCTION bool solve_row(int tile, int y, int z, double (&part)[tally_components][2])
       const {
     alignas(64) double total[most_patch_nodes * sum_components];
     add_parts(tile, y, z, total);
@@ -162,6 +169,7 @@ struct SolveVelocity {
     for (int d = 0; d < 3; ++d) index[d] = at[d] * patch.tile_cells - patch.reach;
     index[1] += y;
     index[2] += z;
+    bool prescribed = false;
     for (int x = 0; x < patch.nodes; ++x, ++index[0]) {
       const double* const node = total + x * sum_components;
       double* const out = moved + x * motion_components(dimensions);
@@ -183,7 +191,7 @@ struct SolveVelocity {
       }
       if (contact != nullptr) add_contact(contact + x * impulses, inverse, push, v);
       double own[tally_components] = {};
-      apply_conditions(index, mass, push, v, own);
+      prescribed |= apply_conditions(index, mass, push, v, own);
       for (int d = 0; d < dimensions; ++d) {
         out[d] = v.after[d];
         out[dimensions + d] = v.after[d] - v.before[d];
@@ -196,14 +204,21 @@ struct SolveVelocity {
       for (int i = 0; i < tally_components; ++i)
         add_split(own[i], is_impulse(i) ? sizes.impulse : sizes.energy, part[i]);
     }
+    return prescribed;
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     double part[tally_components][2] = {};
-    for (int z = 0; z < patch.nodes_along(2); ++z)
-      for (int y = 0; y < patch.nodes; ++y) solve_row(tile, y, z, part);
+    bool counts_nothing = resting.stays_still(tile);
+    if (!counts_nothing) {
+      bool prescribed = false;
+      for (int z = 0; z < patch.nodes_along(2); ++z)
+        for (int y = 0; y < patch.nodes; ++y) prescribed |= solve_row(tile, y, z, part);
+      counts_nothing = resting.enter(tile, &motion(first_motion(patch, tile)), prescribed);
+    }
     for (int i = 0; i < tally_values; ++i)
-      tally(static_cast<std::size_t>(tile * tally_values + i)) = part[i / 2][i % 2];
+      tally(static_cast<std::size_t>(tile * tally_values + i)) =
+          counts_nothing ? 0.0 : part[i / 2][i % 2];
   }
 };
 
@@ -238,6 +253,7 @@ GridTally solve_velocity(
     double dt,
     double damping,
     const ContactNodes& contact,
+    const Dormancy& dormancy,
     Nodes& nodes
 ) {
   const Region region("solve_velocity");
@@ -261,7 +277,8 @@ GridTally solve_velocity(
             dt,
             damping,
             grid_share(scene.step, dt),
-            node_sizes(scene, dt)}
+            node_sizes(scene, dt),
+            RestingNodes(grid, dormancy, nodes, dt)}
     );
   });
   return add_tiles(grid.active, nodes.tally);

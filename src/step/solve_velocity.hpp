@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "state/dormancy.hpp"
 #include "step/node_conditions.hpp"
 
 namespace barreno {
@@ -35,7 +36,9 @@ struct GridTally {
 /// @param conditions  of this step (node_conditions)
 /// @param damping  of the step, or 0 where the sums hold no forces [1/time]
 /// @param contact  tiles in which nodes.impulse joins the forces; none without contact
-/// @post nodes.motion holds v' and v' - v; the sums are left as they were, so that a step can be
+/// @param dormancy  tiles at rest whose nodes stay still are not solved, and count nothing
+/// @post nodes.motion holds v' and v' - v, but of tiles that stay still; Dormancy::still says which
+/// tiles at rest are; the sums are left as they were, so that a step can be
 /// retried
 GridTally solve_velocity(
     const Scene& scene,
@@ -44,6 +47,7 @@ GridTally solve_velocity(
     double dt,
     double damping,
     const ContactNodes& contact,
+    const Dormancy& dormancy,
     Nodes& nodes
 );
 

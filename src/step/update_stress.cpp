@@ -150,13 +150,6 @@ struct UpdateStress {
     tally.stable_step = real::select(good & (step < tally.stable_step), step, tally.stable_step);
   }
 
-  /// A group that stays as it is: all that it does is allow a step.
-  KOKKOS_INLINE_FUNCTION void leave(const Group& group, Tally& tally) const {
-    const R density = group.get(particles.mass) / group.get(particles.volume);
-    const R modulus = group.get(particles.longitudinal_modulus);
-    limit_step(alive(group), rule.stable_step(density, modulus, R{}, R{}), tally);
-  }
-
   KOKKOS_INLINE_FUNCTION static Group group_at(int row, Rows rows) {
     return {row, rows.end - row < width<R> ? rows.end - row : width<R>};
   }
@@ -164,10 +157,7 @@ struct UpdateStress {
   KOKKOS_INLINE_FUNCTION void update_groups(Rows rows, Tally& tally, StressTally& sums) const {
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
-      if (rows.skips(row)) {
-        leave(group, tally);
-        continue;
-      }
+      if (rows.skips(row)) continue;  // find_dormant_tiles knows the step that they allow
       Begun begun;
       Update update = begin(group, begun);
       update.outcome = update_points(model, update.increment, update.stress, update.history);
@@ -192,10 +182,7 @@ struct UpdateStress {
     };
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
-      if (rows.skips(row)) {
-        leave(group, tally);
-        continue;
-      }
+      if (rows.skips(row)) continue;  // find_dormant_tiles knows the step that they allow
       Update update = begin(group, begun[count]);
       // Points that are held or have expanded too far need no end of their update.
       const Mask left = model.start_points(update) & alive(group) & (!left_out(group)) &
