@@ -55,6 +55,10 @@ TileList by_slices(const Tiles& tiles, const TileList& list, int axis) {
 std::size_t best_cut(const Tiles& tiles, const TileList& list, double share) {
   double total = 0.0;
   for (const int place : list) total += tiles.weight(place);
+  if (total == 0.0)
+    return std::max<std::size_t>(
+        1, static_cast<std::size_t>(share * static_cast<double>(list.size()))
+    );
   std::size_t best = 1;
   double best_miss = HUGE_VAL;
   double before = 0.0;

@@ -98,6 +98,7 @@ void find_resting_tiles(const Scene& scene, State& state) {
   Dormancy& dormancy = state.dormancy;
   if (!dormancy.on) return;
   const Region region("find_resting_tiles");
+  const Stopwatch watch;
   Nodes& nodes = state.nodes.front();
   start_afresh(state.grid, dormancy, nodes);
   for (int tile = 0; tile < state.grid.active; ++tile) {
@@ -109,6 +110,7 @@ void find_resting_tiles(const Scene& scene, State& state) {
             ? 1
             : 0;
   }
+  state.effort.tile_seconds += watch.seconds();
 }
 
 void find_dormant_tiles(const Scene& scene, State& state) {
