@@ -69,7 +69,7 @@ WholeSum smooth_residuals(const Scene& scene, double dt, State& state) {
   for (std::size_t f = 0; f < state.nodes.size(); ++f) {
     if (state.fields.rigid_body[f] >= 0) continue;
     Nodes& nodes = state.nodes[f];
-    GridTally part = solve_velocity(scene, state.grid, conditions, dt, 0.0, {}, {}, nodes);
+    GridTally part = solve_velocity(scene, state.grid, conditions, dt, 0.0, {}, nodes);
     unfold_walls(scene, state.grid, dt, nodes, part);
     impulse += part.filter_impulse;
   }

@@ -47,7 +47,13 @@ GridTally solve_fields(
     if (state.fields.rigid_body[f] >= 0) continue;
     Nodes& nodes = state.nodes[f];
     GridTally part = solve_velocity(
-        scene, state.grid, conditions, dt, damping, state.contact, state.dormancy, nodes
+        scene,
+        state.grid,
+        conditions,
+        dt,
+        damping,
+        {state.contact.shared_tile, state.dormancy},
+        nodes
     );
     unfold_walls(scene, state.grid, dt, nodes, part);
     add(part, tally);

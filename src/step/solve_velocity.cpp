@@ -252,8 +252,7 @@ GridTally solve_velocity(
     const NodeConditions& conditions,
     double dt,
     double damping,
-    const ContactNodes& contact,
-    const Dormancy& dormancy,
+    const SpecialTiles& special,
     Nodes& nodes
 ) {
   const Region region("solve_velocity");
@@ -272,13 +271,13 @@ GridTally solve_velocity(
             nodes.sums,
             nodes.motion,
             nodes.tally,
-            contact.shared_tile,
+            special.shared,
             nodes.impulse,
             dt,
             damping,
             grid_share(scene.step, dt),
             node_sizes(scene, dt),
-            RestingNodes(grid, dormancy, nodes, dt)}
+            RestingNodes(grid, special.dormancy, nodes, dt)}
     );
   });
   return add_tiles(grid.active, nodes.tally);

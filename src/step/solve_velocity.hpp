@@ -23,6 +23,13 @@ struct GridTally {
   WholeSum tangential_work;   ///< the same of their parts along surfaces
 };
 
+/// Tiles whose nodes are not solved by their sums alone.
+struct SpecialTiles {
+  ArrayView<unsigned char>
+      shared;         ///< ContactNodes::shared_tile: there nodes.impulse joins the forces
+  Dormancy dormancy;  ///< tiles at rest whose nodes stay still are not solved, and count nothing
+};
+
 /// Add the overlapping parts of neighbouring patches and solve for the velocity of every node, in
 /// one pass over the tiles. docs/method.md (2.5)
 ///
@@ -35,8 +42,6 @@ struct GridTally {
 /// @pre  sums hold each tile's own part, ghosts included (exchange_halo)
 /// @param conditions  of this step (node_conditions)
 /// @param damping  of the step, or 0 where the sums hold no forces [1/time]
-/// @param contact  tiles in which nodes.impulse joins the forces; none without contact
-/// @param dormancy  tiles at rest whose nodes stay still are not solved, and count nothing
 /// @post nodes.motion holds v' and v' - v, but of tiles that stay still; Dormancy::still says which
 /// tiles at rest are; the sums are left as they were, so that a step can be
 /// retried
@@ -46,8 +51,7 @@ GridTally solve_velocity(
     const NodeConditions& conditions,
     double dt,
     double damping,
-    const ContactNodes& contact,
-    const Dormancy& dormancy,
+    const SpecialTiles& special,
     Nodes& nodes
 );
 
