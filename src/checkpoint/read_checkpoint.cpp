@@ -100,7 +100,7 @@ void read_particles(
   particles.sorted = false;
   for (std::size_t p = 0; p < rows.size(); ++p) {
     particles.id(p) = static_cast<ParticleId>(id[rows[p]]);
-    particles.body(p) = static_cast<unsigned char>(body[rows[p]]);
+    particles.body(p) = static_cast<int>(body[rows[p]]);
     particles.key(p) = unplaced_key;
   }
   particles.for_each_field([&](Field& field) {

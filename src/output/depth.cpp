@@ -127,7 +127,8 @@ std::vector<long long> fill_cells(
     const HostParticles& particles = sets[set];
     const double density = scene.materials[set].material.density;
     for (int p = 0; p < particles.count; ++p) {
-      if ((particles.body(p) & ~held_bit) == scene.bodies.size()) continue;  // the jet itself
+      if ((particles.body(p) & ~held_bit) == static_cast<int>(scene.bodies.size()))
+        continue;  // the jet itself
       const double bin = std::floor(path.depth(particles.position(p, 1)) / h);
       const double z = grid.mode == Mode::three_dimensional ? particles.position(p, 2) : 0.0;
       const double column = std::floor(std::hypot(particles.position(p, 0), z) / h);
@@ -214,7 +215,7 @@ void measure_channel(const std::vector<double>& radii, const JetPath& path, Pene
 
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path) {
   const MassCounter masses(scene);
-  const std::size_t jet = scene.bodies.size();
+  const int jet = static_cast<int>(scene.bodies.size());
   JetReach deepest;
   const std::vector<HostParticles> sets(state.particles.begin(), state.particles.end());
   for (const HostParticles& particles : sets)

@@ -41,7 +41,7 @@ struct HostParticles {
   using Values = FieldView::HostMirror;
   int count = 0;
   ArrayView<ParticleId>::HostMirror id;
-  ArrayView<unsigned char>::HostMirror body;
+  ArrayView<int>::HostMirror body;
   Values position, velocity, deformation_gradient, rotation, stress, mass, volume, half_size;
   Values viscous_pressure, history, clipped, darcy_velocity;
 

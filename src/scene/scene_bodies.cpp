@@ -110,18 +110,6 @@ void check_filling(const Deck& deck, const Scene& scene, const BodySpec& body) {
   }
 }
 
-void check_apart(
-    const Deck& deck, const Scene& scene, const BodySpec& body, const BodySpec& other
-) {
-  const int finer = std::max(body.particles_per_cell, other.particles_per_cell);
-  if (!overlap(body.shape, other.shape, scene.grid, scene.grid.cell_size / finer)) return;
-  deck.refuse(
-      "Bodies/" + body.name,
-      "overlaps Bodies/" + other.name +
-          " (the same place would be filled twice); move or shrink one of them"
-  );
-}
-
 }  // namespace
 
 Vector vector_at(const Deck& deck, const std::string& path, Mode mode) {
@@ -199,11 +187,8 @@ void add_bodies(const Deck& deck, Scene& scene) {
 }
 
 void check_bodies(const Deck& deck, const Scene& scene) {
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    check_filling(deck, scene, scene.bodies[b]);
-    for (std::size_t other = 0; other < b; ++other)
-      check_apart(deck, scene, scene.bodies[b], scene.bodies[other]);
-  }
+  for (const BodySpec& body : scene.bodies) check_filling(deck, scene, body);
+  check_apart(deck, scene);
 }
 
 }  // namespace barreno

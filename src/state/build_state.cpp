@@ -188,7 +188,7 @@ int add_particle(
     const Scene& scene,
     Particles& particles,
     const NewParticle& made,
-    unsigned body,
+    int body,
     const StartPoint& start,
     const Vector& velocity
 ) {
@@ -196,7 +196,7 @@ int add_particle(
   const int p = particles.count++;
   particles.sorted = false;
   particles.id(p) = made.id;
-  particles.body(p) = static_cast<unsigned char>(body);
+  particles.body(p) = body;
   particles.key(p) = unplaced_key;
   particles.for_each_field([p](Field& field) {
     for (int c = 0; c < field.components; ++c) field(p, c) = 0.0;
@@ -280,7 +280,7 @@ void fill_body(const Scene& scene, std::size_t b, ParticleId first_id, State& st
   for_each_body_particle(scene.grid, body, first_id, [&](const NewParticle& made) {
     if (owner_of(state.grid, made.x) != state.grid.comm->getRank()) return;
     const Vector velocity = start_velocity(scene, body, made.x);
-    const int p = add_particle(scene, particles, made, static_cast<unsigned>(b), at_rest, velocity);
+    const int p = add_particle(scene, particles, made, static_cast<int>(b), at_rest, velocity);
     put_velocity_gradient(scene, body, made, p, particles);
   });
   if (!particles.rigid) enter(particles, first_row, energy, state.ledger);

@@ -30,7 +30,7 @@ int add_particle(
     const Scene& scene,
     Particles& particles,
     const NewParticle& made,
-    unsigned body,
+    int body,
     const StartPoint& start,
     const Vector& velocity
 );

@@ -20,9 +20,9 @@ namespace barreno {
 ///
 /// Stress is unrotated: the space tensor is R stress R^T with F = R U.
 
-/// Set in Particles::body of a particle that its policy holds as stress-free debris.
-inline constexpr unsigned char held_bit = 0x80;
-inline constexpr int most_bodies = held_bit - 1;
+/// Set in Particles::body of a particle that its policy holds as stress-free debris. A deck has
+/// fewer bodies (its size is bounded).
+inline constexpr int held_bit = 1 << 30;
 
 /// Values of Particles::key that are not a cell: not placed yet; to be removed because its update
 /// failed.
@@ -46,8 +46,7 @@ struct Particles {
   bool sorted = false;            ///< order and tile_begin belong to the present rows and tiles
 
   ArrayView<ParticleId> id;  ///< unique over the run; files sort by it
-  ArrayView<unsigned char>
-      body;  ///< index into Scene::bodies, or its size for the jet; held_bit: debris
+  ArrayView<int> body;  ///< index into Scene::bodies, or its size for the jet; held_bit: debris
 
   Field position;              ///< x_p [length]
   Field velocity;              ///< v_p [length/time]

@@ -16,7 +16,7 @@ void launch_slug(const Scene& scene, std::size_t index, State& state) {
   const double centre = scene.jet.launch_position +
                         scene.jet.direction * slug.velocity * (state.clock.time - slug.time);
   const Vector velocity{0.0, scene.jet.direction * slug.velocity, 0.0};
-  const auto body = static_cast<unsigned>(scene.bodies.size());
+  const auto body = static_cast<int>(scene.bodies.size());
   const StartPoint start = start_point(scene, scene.jet.material, nullptr);
   for_each_slug_particle(scene, slug, state.slug_ids[index], [&](NewParticle made) {
     made.x[1] += centre;

@@ -27,7 +27,7 @@ const double* unpack_row(const double* row, Particles& particles) {
   reserve(particles, particles.count + 1);
   const int p = particles.count++;
   std::memcpy(&particles.id(p), row + 1, sizeof(ParticleId));
-  particles.body(p) = static_cast<unsigned char>(row[2]);
+  particles.body(p) = static_cast<int>(row[2]);
   particles.key(p) = unplaced_key;
   row += 3;
   particles.for_each_field([&](Field& field) {

@@ -65,7 +65,7 @@ void add_particle(
     for (int c = 0; c < field.components; ++c) field(row, c) = 0.0;
   });
   p.id(row) = id;
-  p.body(row) = static_cast<unsigned char>(body);
+  p.body(row) = static_cast<int>(body);
   p.position(row, 0) = x;
   p.position(row, 1) = y;
   for (const int c : {0, 3}) p.deformation_gradient(row, c) = 1.0;
@@ -180,7 +180,7 @@ void move_to(const Scene& scene, State& state, double time) {
   const std::vector<SlotRange> slots = make_slots(scene);
   for (Particles& p : state.particles) {
     for (int row = 0; row < p.count; ++row) {
-      const std::size_t body = p.body(row);
+      const auto body = static_cast<std::size_t>(p.body(row));
       const long long i = p.id(row) - slots[body].first;
       if (body == scene.bodies.size()) {
         const JetSlug& slug = scene.jet.slugs[static_cast<std::size_t>(i / slug_particles)];

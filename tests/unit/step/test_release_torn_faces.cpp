@@ -69,7 +69,7 @@ TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
     const auto kind = static_cast<int>(particles.id(p) % 4);
     if (kind == 1) put(stretched(1.95, 0.6, 1.0, 0.3, 0.8), particles, p);
     if (kind == 2) put(stretched(2.05, 0.6, 1.0, 0.3, 0.8), particles, p);
-    if (kind == 3) particles.body(p) = static_cast<unsigned char>(particles.body(p) | held_bit);
+    if (kind == 3) particles.body(p) |= held_bit;
     if (particles.loaded_faces(p) == 0.0) continue;
     loaded += 1.0;
     if (kind >= 2) torn += 1.0;

@@ -253,7 +253,7 @@ TEST(SurfacePressures, DebrisLosesItsShareAndStretchedParticlesKeepIt) {
   for (int p = 0; p < particles.count; ++p) {
     particles.deformation_gradient(p, 0) = 3.0;
     if (particles.id(p) % 5 != 0) continue;
-    particles.body(p) = static_cast<unsigned char>(particles.body(p) | held_bit);
+    particles.body(p) |= held_bit;
     debris += 1.0;
   }
   advance_to(scene, 1e-9, state, 1);
