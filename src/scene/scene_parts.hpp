@@ -39,7 +39,8 @@ void check_shapes(const Deck& deck, Mode mode);
 /// Bodies have something to fill, are not thinner than a particle, and lie apart. Fills their
 /// lattices, so memory must have been checked.
 void check_bodies(const Deck& deck, const Scene& scene);
-/// Refuse bodies that fill the same place. Of n bodies that are scattered it looks at about n pairs.
+/// Refuse bodies that fill the same place. Of n bodies that are scattered it looks at about n
+/// pairs.
 void check_apart(const Deck& deck, const Scene& scene);
 
 /// Index of the material that the parameter at `path` names.
