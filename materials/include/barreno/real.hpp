@@ -23,9 +23,9 @@ inline constexpr int lane_count = 8;
 // NOLINTNEXTLINE(modernize-use-using): the attribute needs it
 typedef double Lanes __attribute__((vector_size(lane_count * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});
-/// The bits of lanes for arithmetic that may wrap around: of numbers that a selection drops afterwards.
+/// Bits of lanes whose arithmetic may wrap around: of numbers that a selection drops.
 // NOLINTNEXTLINE(modernize-use-using): the attribute needs it
-typedef unsigned long long LaneBits __attribute__((vector_size(lane_count * sizeof(unsigned long long))));
+typedef unsigned long long LaneBits __attribute__((vector_size(sizeof(Lanes))));
 #else
 #define BARRENO_HAS_LANES 0
 #endif
