@@ -44,3 +44,11 @@ foreach(name IN LISTS names)
 endforeach()
 add_test(NAME sanitized.build COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target sanitized_tests)
 set_tests_properties(sanitized.build PROPERTIES LABELS "sanitized;slow" TIMEOUT 7200 PROCESSORS 2 FIXTURES_SETUP sanitized_tests)
+
+# What every run of the tests has: all decks, and what a run leaves for the next.
+barreno_sanitized_script(runs mpi ${CMAKE_CURRENT_SOURCE_DIR}/sanitized/test_runs.py)
+barreno_sanitized_script(shipped_decks deck ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_shipped_decks.py)
+set_tests_properties(sanitized.runs sanitized.shipped_decks PROPERTIES PROCESSORS 2)
+foreach(script bad_decks bad_particles clipped_domains drive file_sets pore_flow quick_perforation resume rigid_shapes)
+  barreno_sanitized_script(${script} slow ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_${script}.py)
+endforeach()
