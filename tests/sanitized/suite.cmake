@@ -2,10 +2,6 @@
 # Open MPI and Trilinos keep memory to the end, so leaks are not counted here; valgrind does (docs/development.md).
 set(sanitized_environment ${mpi_environment} "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0" UBSAN_OPTIONS=print_stacktrace=1)
 
-if(BARRENO_SANITIZE)
-  return()
-endif()
-
 # barreno_sanitized_script(NAME LABELS SCRIPT ...): a script of the decks with the sanitized program.
 function(barreno_sanitized_script NAME LABELS SCRIPT)
   set(test sanitized.${NAME})
