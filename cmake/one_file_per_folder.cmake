@@ -1,6 +1,7 @@
-# Compiles the sources of each folder of a target as one file. Headers cost more than all else, so this takes a quarter of the
-# time; for builds that are made again and again in whole, not for those in which people work. Apart stay files with
-# names of their own that another file of their folder has too, and the one that tests/fuzz replaces.
+# Compiles the sources of each folder of a target as one file. Headers cost more than all else, so this takes half of the
+# time; for builds that are made in whole, not for those in which people work. Apart stay files with names of their own
+# that another file of their folder has too (the compiler then says "redefinition": add it to the list), and the one
+# that tests/fuzz replaces.
 function(barreno_one_file_per_folder target root)  # and the target's sources, paths below root
   foreach(source IN LISTS ARGN)
     get_filename_component(folder ${source} DIRECTORY)

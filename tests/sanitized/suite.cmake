@@ -1,5 +1,5 @@
 # The suite with the sanitized build: ctest -L sanitized. Every run of the tests has the first part, the rest is slow.
-# Open MPI and Trilinos keep memory to the end, so leaks are not counted here; valgrind does (docs/development.md).
+# Open MPI and Trilinos keep memory to the end, so leaks are not counted.
 set(sanitized_environment ${mpi_environment} "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0" UBSAN_OPTIONS=print_stacktrace=1)
 
 # barreno_sanitized_script(NAME LABELS SCRIPT ...): a script of the decks with the sanitized program.
