@@ -3,7 +3,6 @@
 
 #include <ctime>
 #include <sys/resource.h>
-#include <unistd.h>
 
 namespace barreno {
 
@@ -16,10 +15,6 @@ double peak_resident_bytes() {
 
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double machine_bytes() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace barreno

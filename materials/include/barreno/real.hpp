@@ -23,6 +23,9 @@ inline constexpr int lane_count = 8;
 // NOLINTNEXTLINE(modernize-use-using): the attribute needs it
 typedef double Lanes __attribute__((vector_size(lane_count * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});
+/// Bits of lanes whose arithmetic may wrap around: of numbers that a selection drops.
+// NOLINTNEXTLINE(modernize-use-using): the attribute needs it
+typedef unsigned long long LaneBits __attribute__((vector_size(sizeof(Lanes))));
 #else
 #define BARRENO_HAS_LANES 0
 #endif
@@ -105,10 +108,10 @@ inline Lanes sqrt(const Lanes& x) {
 inline Lanes log(const Lanes& x) {
   constexpr double ln2_high = 0x1.62e42fefa3800p-1;  // ln 2 in two parts: k * ln2_high is exact
   constexpr double ln2_low = 0x1.ef35793c76730p-45;
-  constexpr long long half_root = 0x3fe6a09e667f3bcdLL;  // bits of sqrt(1/2)
-  const LaneMask shifted = bits_as<LaneMask>(x) - half_root;
-  const LaneMask exponent = shifted >> 52;
-  const LaneMask bits = (shifted & 0x000fffffffffffffLL) + half_root;
+  constexpr unsigned long long half_root = 0x3fe6a09e667f3bcdULL;  // bits of sqrt(1/2)
+  const LaneBits shifted = bits_as<LaneBits>(x) - half_root;
+  const LaneMask exponent = bits_as<LaneMask>(shifted) >> 52;
+  const LaneBits bits = (shifted & 0x000fffffffffffffULL) + half_root;
   const Lanes f = bits_as<Lanes>(bits) - 1.0;
   const Lanes s = f / (2.0 + f);
   const Lanes z = s * s;
@@ -155,7 +158,7 @@ inline Lanes exp(const Lanes& x) {
   odd = rr * odd + 1.0 / 6.0;
   const Lanes sum = even + r * odd;
   const Lanes one_plus = 1.0 + (r + rr * sum);
-  const LaneMask power = (__builtin_convertvector(k, LaneMask) + 1023) << 52;
+  const LaneBits power = (bits_as<LaneBits>(__builtin_convertvector(k, LaneMask)) + 1023) << 52;
   return select(x < -largest, 0.0, one_plus * bits_as<Lanes>(power));
 }
 
