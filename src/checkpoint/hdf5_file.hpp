@@ -18,6 +18,9 @@ struct Hdf5Table {
   std::vector<T> values;
 };
 
+/// Rows of a chunk, the unit of checksums, writing and reading: 1 MB of numbers, or all rows.
+std::size_t rows_per_chunk(std::size_t rows, std::size_t columns);
+
 /// An HDF5 file of plain tables that one process writes or reads. Every table has the fletcher32
 /// checksum, which HDF5 compares when it reads.
 ///
@@ -35,9 +38,22 @@ public:
   void write(const std::string& name, const Hdf5Table<long long>& table);
   void write(const std::string& name, const std::string& text);
 
+  /// A table of double or long long that write_chunk() fills.
+  template <class T>
+  void begin_table(
+      const std::string& name, std::size_t rows, std::size_t columns, const std::string& unit
+  );
+  /// The chunk whose first row is `row`, with its checksum, past HDF5's own copies.
+  /// @param chunk  rows_per_chunk() rows, zeros behind the table's last one, and room for one more
+  ///               number, which takes the checksum
+  template <class T>
+  void write_chunk(const std::string& name, std::size_t row, std::vector<T>& chunk);
+
   Hdf5Table<double> read(const std::string& name) const;
   Hdf5Table<long long> read_integers(const std::string& name) const;
   std::string read_text(const std::string& name) const;
+  /// Reads a table chunk by chunk and keeps nothing: HDF5 compares the checksums.
+  void check(const std::string& name) const;
   /// Names of what lies in a group, sorted.
   std::vector<std::string> names(const std::string& group) const;
   bool has(const std::string& name) const;
@@ -50,6 +66,13 @@ private:
   long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
   template <class T>
   Hdf5Table<T> read_as(const std::string& name, long long type) const;
+  long long create_table(
+      const std::string& name,
+      std::size_t rows,
+      std::size_t columns,
+      long long type,
+      const std::string& unit
+  );
   void put(
       const std::string& name,
       std::size_t rows,
@@ -58,10 +81,12 @@ private:
       const void* values,
       const std::string& unit
   );
+  void begin_flush();
 
   std::filesystem::path path_;
   bool writes_;
-  long long file_ = -1;  ///< HDF5's handle
+  long long file_ = -1;        ///< HDF5's handle
+  std::size_t unflushed_ = 0;  ///< bytes of chunks since begin_flush()
 };
 
 }  // namespace barreno
