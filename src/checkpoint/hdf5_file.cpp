@@ -87,9 +87,10 @@ void Hdf5File::close() {
 }
 
 std::size_t rows_per_chunk(std::size_t rows, std::size_t columns) {
-  const std::size_t most =
-      std::max<std::size_t>(chunk_numbers / std::max<std::size_t>(columns, 1), 1);
-  return std::clamp<std::size_t>(rows, 1, most);
+  const auto parts = [](std::size_t all, std::size_t most) { return (all + most - 1) / most; };
+  const std::size_t most = chunk_numbers / std::clamp<std::size_t>(columns, 1, chunk_numbers);
+  const std::size_t chunks = std::max<std::size_t>(parts(rows, most), 1);
+  return std::max<std::size_t>(parts(rows, chunks), 1);
 }
 
 /// @return the table's handle

@@ -18,7 +18,7 @@ struct Hdf5Table {
   std::vector<T> values;
 };
 
-/// Rows of a chunk, the unit of checksums, writing and reading: 1 MB of numbers, or all rows.
+/// Rows of a chunk, the unit of checksums, writing and reading: as even as 1 MB of numbers allows.
 std::size_t rows_per_chunk(std::size_t rows, std::size_t columns);
 
 /// An HDF5 file of plain tables that one process writes or reads. Every table has the fletcher32

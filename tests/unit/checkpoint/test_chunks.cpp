@@ -91,9 +91,21 @@ protected:
   fs::path path = folder.path() / "table.h5";
 };
 
+TEST(RowsPerChunk, AreEvenAndOneMegabyteAtMost) {
+  EXPECT_EQ(rows_per_chunk(0, 3), 1U);
+  EXPECT_EQ(rows_per_chunk(7, 0), 7U);
+  for (const std::size_t columns : {1U, 3U, 9U, 1000U})
+    for (const std::size_t rows : {1U, 1000U, 131073U, 524288U, 3000017U}) {
+      const std::size_t chunk = rows_per_chunk(rows, columns);
+      const std::size_t chunks = (rows + chunk - 1) / chunk;
+      EXPECT_LE(8 * chunk * columns, 1U << 20U);
+      EXPECT_LT(chunks * chunk - rows, chunks) << rows << " rows of " << columns;
+    }
+}
+
 TEST_F(ChunksTest, AreTheRowsOfAllRanks) {
   const auto ranks = static_cast<std::size_t>(comm->getSize());
-  const auto most = static_cast<int>(rows_per_chunk(1 << 20, 9));
+  constexpr int most = (1 << 17) / 9;  // in one chunk
   for (const int count : {0, 1, most - 1, most, 3 * most + 5}) {
     // The first and the last rank have most of them; one may have none.
     for (const bool last : {false, true}) {
@@ -109,7 +121,7 @@ TEST_F(ChunksTest, AreTheRowsOfAllRanks) {
 
 TEST_F(ChunksTest, EveryWrongBitOfAChunkIsFound) {
   if (comm->getSize() > 1) GTEST_SKIP() << "one process reads";
-  const std::size_t rows = rows_per_chunk(1 << 20, 2) + 100;
+  const std::size_t rows = (1 << 16) + 100;
   write({static_cast<int>(rows)}, 2);
   std::ifstream stream(path, std::ios::binary);
   const std::string whole{std::istreambuf_iterator<char>(stream), {}};
