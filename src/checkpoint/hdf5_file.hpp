@@ -11,6 +11,10 @@ namespace barreno {
 /// Length of the block before HDF5's own bytes, where seal_checkpoint() writes (H5Pset_userblock).
 inline constexpr std::size_t user_block = 512;
 
+struct Hdf5Size {
+  std::size_t rows = 0, columns = 0;
+};
+
 /// A table of numbers, row after row.
 template <class T>
 struct Hdf5Table {
@@ -51,6 +55,10 @@ public:
 
   Hdf5Table<double> read(const std::string& name) const;
   Hdf5Table<long long> read_integers(const std::string& name) const;
+  Hdf5Size size_of(const std::string& name) const;
+  /// So many rows of a table of double or long long.
+  template <class T>
+  std::vector<T> read_rows(const std::string& name, std::size_t first, std::size_t count) const;
   std::string read_text(const std::string& name) const;
   /// Reads a table chunk by chunk and keeps nothing: HDF5 compares the checksums.
   void check(const std::string& name) const;
@@ -64,8 +72,14 @@ public:
 private:
   [[noreturn]] void refuse(const std::string& what) const;
   long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
-  template <class T>
-  Hdf5Table<T> read_as(const std::string& name, long long type) const;
+  void read_part(
+      long long table,
+      long long type,
+      std::size_t first,
+      std::size_t count,
+      void* values,
+      const std::string& name
+  ) const;
   long long create_table(
       const std::string& name,
       std::size_t rows,
