@@ -2,45 +2,26 @@
 #include "checkpoint/hdf5_file.hpp"
 
 #include "base/error.hpp"
-
-#include <hdf5.h>
+#include "checkpoint/fletcher32.hpp"
+#include "checkpoint/hdf5_handle.hpp"
 
 #include <algorithm>
+#include <cstring>
+#include <fcntl.h>
 
 namespace barreno {
 namespace {
 
-/// Rows of a chunk, the unit of checksums and of reading.
-constexpr hsize_t most_chunk_rows = 32768;
-
-/// What HDF5 gives out has to be given back.
-class Handle {
-public:
-  using Closer = herr_t (*)(hid_t);
-  Handle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
-  ~Handle() {
-    if (id_ >= 0) closer_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  hid_t get() const { return id_; }
-  bool failed() const { return id_ < 0; }
-
-private:
-  hid_t id_;
-  Closer closer_;
-};
-
-herr_t note_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
-}
+/// Numbers of a chunk: with all that is done to it, it stays in a core's cache.
+constexpr std::size_t chunk_numbers = 1 << 17;
+/// Written bytes that are worth to be handed to the disk.
+constexpr std::size_t flush_bytes = 1 << 23;
 
 bool put_unit(hid_t table, const std::string& unit) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.get(), unit.size() + 1);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle attribute(
       H5Acreate2(table, "unit", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose
   );
   return !attribute.failed() && H5Awrite(attribute.get(), type.get(), unit.c_str()) >= 0;
@@ -52,7 +33,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode)
     : path_(path), writes_(mode == Mode::create) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the sentence says it
   if (writes_) {
-    const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     H5Pset_userblock(creation.get(), user_block);
     file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), H5P_DEFAULT);
   } else {
@@ -81,6 +62,39 @@ void Hdf5File::close() {
   if (!fine || !closed) refuse("the disk did not take all of it");
 }
 
+std::size_t rows_per_chunk(std::size_t rows, std::size_t columns) {
+  const auto parts = [](std::size_t all, std::size_t most) { return (all + most - 1) / most; };
+  const std::size_t most = chunk_numbers / std::clamp<std::size_t>(columns, 1, chunk_numbers);
+  const std::size_t chunks = std::max<std::size_t>(parts(rows, most), 1);
+  return std::max<std::size_t>(parts(rows, chunks), 1);
+}
+
+/// @return the table's handle
+long long Hdf5File::create_table(
+    const std::string& name,
+    std::size_t rows,
+    std::size_t columns,
+    long long type,
+    const std::string& unit
+) {
+  const hsize_t size[2] = {rows, columns};
+  const hsize_t chunk[2] = {rows_per_chunk(rows, columns), std::max<hsize_t>(columns, 1)};
+  const Hdf5Handle space(H5Screate_simple(2, size, nullptr), H5Sclose);
+  const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links.get(), 1);
+  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.get(), false);
+  if (rows * columns > 0) {
+    H5Pset_chunk(creation.get(), 2, chunk);
+    H5Pset_fletcher32(creation.get());
+  }
+  const hid_t table =
+      H5Dcreate2(file_, name.c_str(), type, space.get(), links.get(), creation.get(), H5P_DEFAULT);
+  if (table >= 0 && (unit.empty() || put_unit(table, unit))) return table;
+  if (table >= 0) H5Dclose(table);
+  refuse(name);
+}
+
 void Hdf5File::put(
     const std::string& name,
     std::size_t rows,
@@ -89,27 +103,49 @@ void Hdf5File::put(
     const void* values,
     const std::string& unit
 ) {
-  const hsize_t size[2] = {rows, columns};
-  const hsize_t chunk[2] = {
-      std::clamp<hsize_t>(rows, 1, most_chunk_rows), std::max<hsize_t>(columns, 1)};
-  const Handle space(H5Screate_simple(2, size, nullptr), H5Sclose);
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links.get(), 1);
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_obj_track_times(creation.get(), false);
-  if (rows * columns > 0) {
-    H5Pset_chunk(creation.get(), 2, chunk);
-    H5Pset_fletcher32(creation.get());
-  }
-  const Handle table(
-      H5Dcreate2(file_, name.c_str(), type, space.get(), links.get(), creation.get(), H5P_DEFAULT),
-      H5Dclose
-  );
-  bool fine = !table.failed();
-  if (fine && rows * columns > 0)
-    fine = H5Dwrite(table.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
-  if (fine && !unit.empty()) fine = put_unit(table.get(), unit);
-  if (!fine) refuse(name);
+  const Hdf5Handle table(create_table(name, rows, columns, type, unit), H5Dclose);
+  if (rows * columns > 0 && H5Dwrite(table.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    refuse(name);
+}
+
+template <class T>
+void Hdf5File::begin_table(
+    const std::string& name, std::size_t rows, std::size_t columns, const std::string& unit
+) {
+  const long long type = std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LLONG;
+  const Hdf5Handle table(create_table(name, rows, columns, type, unit), H5Dclose);
+}
+template void
+Hdf5File::begin_table<double>(const std::string&, std::size_t, std::size_t, const std::string&);
+template void
+Hdf5File::begin_table<long long>(const std::string&, std::size_t, std::size_t, const std::string&);
+
+template <class T>
+void Hdf5File::write_chunk(const std::string& name, std::size_t row, std::vector<T>& chunk) {
+  const std::size_t bytes = (chunk.size() - 1) * sizeof(T);
+  const std::uint32_t checksum = fletcher32(chunk.data(), bytes);
+  std::memcpy(&chunk.back(), &checksum, sizeof checksum);
+  const hsize_t place[2] = {row, 0};
+  const Hdf5Handle table(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (table.failed() ||
+      H5Dwrite_chunk(table.get(), H5P_DEFAULT, 0, place, bytes + sizeof checksum, chunk.data()) < 0)
+    refuse(name);
+  unflushed_ += bytes;
+  if (unflushed_ >= flush_bytes) begin_flush();
+}
+template void Hdf5File::write_chunk<double>(const std::string&, std::size_t, std::vector<double>&);
+template void
+Hdf5File::write_chunk<long long>(const std::string&, std::size_t, std::vector<long long>&);
+
+/// The disk takes what is written while more is gathered. This keeps nothing safe (fsync in
+/// seal_checkpoint does, and has less to wait for), so nothing is lost where it cannot be had.
+void Hdf5File::begin_flush() {
+  unflushed_ = 0;
+#ifdef SYNC_FILE_RANGE_WRITE
+  void* file = nullptr;
+  if (H5Fget_vfd_handle(file_, H5P_DEFAULT, &file) >= 0 && file != nullptr)
+    sync_file_range(*static_cast<int*>(file), 0, 0, SYNC_FILE_RANGE_WRITE);
+#endif
 }
 
 void Hdf5File::write(
@@ -124,64 +160,6 @@ void Hdf5File::write(const std::string& name, const Hdf5Table<long long>& table)
 
 void Hdf5File::write(const std::string& name, const std::string& text) {
   put(name, text.size(), 1, H5T_NATIVE_CHAR, text.data(), "");
-}
-
-/// @return the table's handle
-long long Hdf5File::open_table(const std::string& name, std::size_t& rows, std::size_t& columns)
-    const {
-  const hid_t table = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
-  if (table < 0) refuse(name + " is missing");
-  const Handle space(H5Dget_space(table), H5Sclose);
-  hsize_t size[2] = {0, 0};
-  if (H5Sget_simple_extent_ndims(space.get()) != 2 ||
-      H5Sget_simple_extent_dims(space.get(), size, nullptr) < 0) {
-    H5Dclose(table);
-    refuse(name + " is no table");
-  }
-  rows = size[0];
-  columns = size[1];
-  return table;
-}
-
-template <class T>
-Hdf5Table<T> Hdf5File::read_as(const std::string& name, long long type) const {
-  Hdf5Table<T> result;
-  const Handle table(open_table(name, result.rows, result.columns), H5Dclose);
-  result.values.resize(result.rows * result.columns);
-  if (!result.values.empty() &&
-      H5Dread(table.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()) < 0)
-    refuse(name + " does not have its checksum");
-  return result;
-}
-
-Hdf5Table<double> Hdf5File::read(const std::string& name) const {
-  return read_as<double>(name, H5T_NATIVE_DOUBLE);
-}
-
-Hdf5Table<long long> Hdf5File::read_integers(const std::string& name) const {
-  return read_as<long long>(name, H5T_NATIVE_LLONG);
-}
-
-std::string Hdf5File::read_text(const std::string& name) const {
-  std::size_t rows = 0, columns = 0;
-  const Handle table(open_table(name, rows, columns), H5Dclose);
-  std::string text(rows * columns, ' ');
-  if (!text.empty() &&
-      H5Dread(table.get(), H5T_NATIVE_CHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
-    refuse(name + " does not have its checksum");
-  return text;
-}
-
-std::vector<std::string> Hdf5File::names(const std::string& group) const {
-  const Handle handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
-  if (handle.failed()) refuse(group + " is missing");
-  std::vector<std::string> found;
-  H5Literate(handle.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, note_name, &found);
-  return found;
-}
-
-bool Hdf5File::has(const std::string& name) const {
-  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
 }
 
 }  // namespace barreno

@@ -11,12 +11,19 @@ namespace barreno {
 /// Length of the block before HDF5's own bytes, where seal_checkpoint() writes (H5Pset_userblock).
 inline constexpr std::size_t user_block = 512;
 
+struct Hdf5Size {
+  std::size_t rows = 0, columns = 0;
+};
+
 /// A table of numbers, row after row.
 template <class T>
 struct Hdf5Table {
   std::size_t rows = 0, columns = 1;
   std::vector<T> values;
 };
+
+/// Rows of a chunk, the unit of checksums, writing and reading: as even as 1 MB of numbers allows.
+std::size_t rows_per_chunk(std::size_t rows, std::size_t columns);
 
 /// An HDF5 file of plain tables that one process writes or reads. Every table has the fletcher32
 /// checksum, which HDF5 compares when it reads.
@@ -35,9 +42,26 @@ public:
   void write(const std::string& name, const Hdf5Table<long long>& table);
   void write(const std::string& name, const std::string& text);
 
+  /// A table of double or long long that write_chunk() fills.
+  template <class T>
+  void begin_table(
+      const std::string& name, std::size_t rows, std::size_t columns, const std::string& unit
+  );
+  /// The chunk whose first row is `row`, with its checksum, past HDF5's own copies.
+  /// @param chunk  rows_per_chunk() rows, zeros behind the table's last one, and room for one more
+  ///               number, which takes the checksum
+  template <class T>
+  void write_chunk(const std::string& name, std::size_t row, std::vector<T>& chunk);
+
   Hdf5Table<double> read(const std::string& name) const;
   Hdf5Table<long long> read_integers(const std::string& name) const;
+  Hdf5Size size_of(const std::string& name) const;
+  /// So many rows of a table of double or long long.
+  template <class T>
+  std::vector<T> read_rows(const std::string& name, std::size_t first, std::size_t count) const;
   std::string read_text(const std::string& name) const;
+  /// Reads a table chunk by chunk and keeps nothing: HDF5 compares the checksums.
+  void check(const std::string& name) const;
   /// Names of what lies in a group, sorted.
   std::vector<std::string> names(const std::string& group) const;
   bool has(const std::string& name) const;
@@ -48,8 +72,21 @@ public:
 private:
   [[noreturn]] void refuse(const std::string& what) const;
   long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
-  template <class T>
-  Hdf5Table<T> read_as(const std::string& name, long long type) const;
+  void read_part(
+      long long table,
+      long long type,
+      std::size_t first,
+      std::size_t count,
+      void* values,
+      const std::string& name
+  ) const;
+  long long create_table(
+      const std::string& name,
+      std::size_t rows,
+      std::size_t columns,
+      long long type,
+      const std::string& unit
+  );
   void put(
       const std::string& name,
       std::size_t rows,
@@ -58,10 +95,12 @@ private:
       const void* values,
       const std::string& unit
   );
+  void begin_flush();
 
   std::filesystem::path path_;
   bool writes_;
-  long long file_ = -1;  ///< HDF5's handle
+  long long file_ = -1;        ///< HDF5's handle
+  std::size_t unflushed_ = 0;  ///< bytes of chunks since begin_flush()
 };
 
 }  // namespace barreno

@@ -6,13 +6,14 @@
 #include "base/region.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/seal.hpp"
+#include "checkpoint/shared_file.hpp"
 #include "checkpoint/write_checkpoint.hpp"
 #include "grid/partition.hpp"
 #include "state/balance.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include <memory>
+#include <algorithm>
 #include <numeric>
 #include <sstream>
 
@@ -21,49 +22,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What rank 0 reads, on every rank.
-class SharedFile {
-public:
-  SharedFile(const Comm& comm, const fs::path& path) : comm_(comm) {
-    RootWork work(comm);
-    work.run([&] { file_ = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read); });
-    work.agree();
-  }
-  Hdf5Table<double> read(const std::string& name) const {
-    return share<double>([&] { return file_->read(name); });
-  }
-  Hdf5Table<long long> read_integers(const std::string& name) const {
-    return share<long long>([&] { return file_->read_integers(name); });
-  }
-
-private:
-  template <class T, class Read>
-  Hdf5Table<T> share(Read&& read_table) const {
-    Hdf5Table<T> table;
-    RootWork work(comm_);
-    work.run([&] { table = read_table(); });
-    work.agree();
-    long long size[2] = {static_cast<long long>(table.rows), static_cast<long long>(table.columns)};
-    Teuchos::broadcast<int, long long>(comm_, 0, 2, size);
-    table.rows = static_cast<std::size_t>(size[0]);
-    table.columns = static_cast<std::size_t>(size[1]);
-    table.values.resize(table.rows * table.columns);
-    if (!table.values.empty())
-      Teuchos::broadcast<int, T>(
-          comm_, 0, static_cast<int>(table.values.size()), table.values.data()
-      );
-    return table;
-  }
-
-  const Comm& comm_;
-  std::unique_ptr<Hdf5File> file_;  ///< root only
-};
-
 std::string group_of(const Particles& particles) {
   return "particles/" + std::to_string(particles.material) + "/";
 }
 
-/// The rows of a material that belong to this rank.
+/// visit(r, x) for the position of every particle of a material.
+template <class Visitor>
+void for_each_position(
+    const State& state, const Particles& particles, const SharedFile& file, Visitor&& visit
+) {
+  const auto columns = static_cast<std::size_t>(particles.position.components);
+  file.for_each_row<double>(
+      group_of(particles) + "position",
+      [&](std::size_t row, const double* values) {
+        Vector x{};
+        std::copy_n(values, columns, x.data());
+        visit(row, x, state.grid.holds(x));
+      }
+  );
+}
+
+/// The rows of a material that belong to this rank, ascending.
 std::vector<std::size_t> own_rows(
     const State& state, const Particles& particles, const SharedFile& file, bool same_ranks
 ) {
@@ -71,46 +50,53 @@ std::vector<std::size_t> own_rows(
   const auto rank = static_cast<std::size_t>(comm.getRank());
   std::vector<std::size_t> rows;
   if (same_ranks) {
-    const auto counts = file.read_integers(group_of(particles) + "rank_counts").values;
+    const auto counts = file.read<long long>(group_of(particles) + "rank_counts");
     const auto begin = std::accumulate(counts.begin(), counts.begin() + comm.getRank(), 0LL);
     rows.resize(static_cast<std::size_t>(counts[rank]));
     std::iota(rows.begin(), rows.end(), static_cast<std::size_t>(begin));
     return rows;
   }
-  const auto position = file.read(group_of(particles) + "position");
-  for (std::size_t p = 0; p < position.rows; ++p) {
-    Vector x{};
-    for (std::size_t d = 0; d < position.columns; ++d)
-      x[d] = position.values[p * position.columns + d];
+  for_each_position(state, particles, file, [&](std::size_t row, const Vector& x, bool held) {
     // One that has just left the grid is counted and removed by whoever has it.
-    const int owner = state.grid.holds(x) ? owner_of(state.grid, x) : 0;
-    if (owner == comm.getRank()) rows.push_back(p);
-  }
+    const int owner = held ? owner_of(state.grid, x) : 0;
+    if (owner == comm.getRank()) rows.push_back(row);
+  });
   return rows;
+}
+
+/// visit(p, values) for the rows of a table that become this rank's particles p.
+template <class T, class Visitor>
+void for_own_rows(
+    const std::vector<std::size_t>& rows,
+    const SharedFile& file,
+    const std::string& name,
+    Visitor&& visit
+) {
+  std::size_t p = 0;
+  file.for_each_row<T>(name, [&](std::size_t row, const T* values) {
+    if (p < rows.size() && rows[p] == row) visit(static_cast<int>(p++), values);
+  });
 }
 
 void read_particles(
     const std::vector<std::size_t>& rows, const SharedFile& file, Particles& particles
 ) {
   const std::string group = group_of(particles);
-  const auto id = file.read_integers(group + "id").values;
-  const auto body = file.read_integers(group + "body").values;
   reserve(particles, static_cast<int>(rows.size()));
   particles.count = static_cast<int>(rows.size());
   particles.sorted = false;
-  for (std::size_t p = 0; p < rows.size(); ++p) {
-    particles.id(p) = static_cast<ParticleId>(id[rows[p]]);
-    particles.body(p) = static_cast<int>(body[rows[p]]);
-    particles.key(p) = unplaced_key;
-  }
+  for (std::size_t p = 0; p < rows.size(); ++p) particles.key(p) = unplaced_key;
+  for_own_rows<long long>(rows, file, group + "id", [&](int p, const long long* id) {
+    particles.id(p) = static_cast<ParticleId>(*id);
+  });
+  for_own_rows<long long>(rows, file, group + "body", [&](int p, const long long* body) {
+    particles.body(p) = static_cast<int>(*body);
+  });
   particles.for_each_field([&](Field& field) {
     if (field.components == 0) return;
-    const auto table = file.read(group + field.name);
-    for (int p = 0; p < particles.count; ++p)
-      for (int c = 0; c < field.components; ++c)
-        field(p, c) =
-            table.values
-                [rows[static_cast<std::size_t>(p)] * table.columns + static_cast<std::size_t>(c)];
+    for_own_rows<double>(rows, file, group + field.name, [&](int p, const double* values) {
+      for (int c = 0; c < field.components; ++c) field(p, c) = values[c];
+    });
   });
 }
 
@@ -118,43 +104,38 @@ void read_particles(
 void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
   Grid& grid = state.grid;
   if (same_ranks) {
-    const auto owner = file.read_integers("grid/owner").values;
+    const auto owner = file.read<long long>("grid/owner");
     grid.owner.assign(owner.begin(), owner.end());
     return;
   }
   std::vector<double> counts(grid.owner.size(), 0.0);
-  for (const Particles& particles : state.particles) {
-    const auto position = file.read(group_of(particles) + "position");
-    for (std::size_t p = 0; p < position.rows; ++p) {
-      Vector x{};
-      for (std::size_t d = 0; d < position.columns; ++d)
-        x[d] = position.values[p * position.columns + d];
-      if (grid.holds(x)) counts[static_cast<std::size_t>(cell_of(grid, x).tile)] += 1.0;
-    }
-  }
+  for (const Particles& particles : state.particles)
+    for_each_position(state, particles, file, [&](std::size_t, const Vector& x, bool held) {
+      if (held) counts[static_cast<std::size_t>(cell_of(grid, x).tile)] += 1.0;
+    });
   grid.owner = bisect_tiles(grid.tiles, counts, grid.comm->getSize());
 }
 
 /// Rank 0 takes what all have given.
-std::vector<WholeSum> root_part(const Comm& comm, const Hdf5Table<long long>& table) {
-  std::vector<WholeSum> sums(table.rows);
+std::vector<WholeSum> root_part(const Comm& comm, const std::vector<long long>& values) {
+  constexpr std::size_t columns = WholeSum::parts;
+  std::vector<WholeSum> sums(values.size() / columns);
   if (!is_root(comm)) return sums;
-  for (std::size_t i = 0; i < table.values.size(); ++i)
-    sums[i / table.columns].part[i % table.columns] = table.values[i];
+  for (std::size_t i = 0; i < values.size(); ++i) sums[i / columns].part[i % columns] = values[i];
   return sums;
 }
 
 void read_sums(const SharedFile& file, State& state) {
   const Comm& comm = *state.grid.comm;
-  put_terms(root_part(comm, file.read_integers("ledger/terms")), state.ledger);
-  const std::vector<WholeSum> impulses = root_part(comm, file.read_integers("ledger/reactions"));
+  put_terms(root_part(comm, file.read<long long>("ledger/terms")), state.ledger);
+  const std::vector<WholeSum> impulses = root_part(comm, file.read<long long>("ledger/reactions"));
   auto next = impulses.begin();
   for (Reaction& reaction : state.reactions)
     for (WholeSum& sum : reaction.impulse) sum = *next++;
-  const auto steps = file.read("ledger/particle_steps").values;
+  const auto steps = file.read<double>("ledger/particle_steps");
   state.particle_steps = is_root(comm) ? steps[0] : 0.0;
   state.skipped_steps = is_root(comm) ? steps[1] : 0.0;
-  state.stable_step = file.read("run/stable_step").values[0];
+  state.stable_step = file.read<double>("run/stable_step").at(0);
 }
 
 /// All tables of a group.

@@ -6,13 +6,14 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <libdeflate.h>
 #include <unistd.h>
 #include <vector>
-#include <zlib.h>
 
 namespace barreno {
 namespace {
@@ -22,18 +23,18 @@ using Block = std::array<char, user_block>;
 /// The user block that belongs to the bytes behind it.
 Block seal_of(std::ifstream& stream) {
   std::vector<char> buffer(1 << 20);
-  unsigned long digest = crc32(0UL, nullptr, 0U);
+  std::uint32_t digest = libdeflate_crc32(0, nullptr, 0);
   unsigned long long bytes = 0;
   stream.seekg(static_cast<std::streamoff>(user_block));
   while (stream) {
     stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    const auto count = static_cast<unsigned>(stream.gcount());
-    digest = crc32(digest, reinterpret_cast<const unsigned char*>(buffer.data()), count);
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    digest = libdeflate_crc32(digest, buffer.data(), count);
     bytes += count;
   }
   Block block{};
   std::snprintf(
-      block.data(), block.size(), "barreno checkpoint\nbytes %llu\ncrc32 %08lx\n", bytes, digest
+      block.data(), block.size(), "barreno checkpoint\nbytes %llu\ncrc32 %08x\n", bytes, digest
   );
   return block;
 }

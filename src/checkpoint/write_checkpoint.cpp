@@ -6,12 +6,17 @@
 #include "base/region.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/seal.hpp"
+#include "checkpoint/write_rows.hpp"
 #include "state/balance.hpp"
 
+#include <algorithm>
 #include <array>
 #include <barreno/input/units.hpp>
-#include <cstring>
+#include <fcntl.h>
 #include <memory>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
 
 namespace barreno {
 namespace {
@@ -30,21 +35,23 @@ Hdf5Table<long long> one_column(std::vector<long long> values) {
 
 /// Rows of a view of ids or bytes.
 template <class View>
-std::vector<long long> whole_numbers(const View& view, int count) {
-  std::vector<long long> values(static_cast<std::size_t>(count));
-  for (std::size_t p = 0; p < values.size(); ++p) values[p] = static_cast<long long>(view(p));
-  return values;
+auto whole_numbers(const View& view) {
+  return [&view](std::size_t first, std::size_t count, long long* values) {
+    for (std::size_t p = 0; p < count; ++p) values[p] = static_cast<long long>(view(first + p));
+  };
 }
 
-/// Row after row, where the field has component after component.
-std::vector<double> rows_of(const Field& field, int count) {
+/// Row after row, where the field has component after component; a few rows at a time, which the
+/// first cache holds.
+void pack_rows(const Field& field, std::size_t first, std::size_t count, double* values) {
+  constexpr std::size_t few = 64;
   const auto columns = static_cast<std::size_t>(field.components);
-  std::vector<double> values(static_cast<std::size_t>(count) * columns);
-  for (int c = 0; c < field.components; ++c) {
-    double* value = values.data() + c;
-    for (int p = 0; p < count; ++p, value += columns) *value = field(p, c);
+  for (std::size_t begin = 0; begin < count; begin += few) {
+    const std::size_t end = std::min(begin + few, count);
+    for (std::size_t c = 0; c < columns; ++c)
+      for (std::size_t p = begin; p < end; ++p)
+        values[p * columns + c] = field.values(first + p, c);
   }
-  return values;
 }
 
 /// One material: ids, bodies and every field of the one list, with its unit.
@@ -52,20 +59,25 @@ void write_particles(
     const Comm& comm, const Particles& particles, RootWork& work, std::unique_ptr<Hdf5File>& file
 ) {
   const std::string group = "particles/" + std::to_string(particles.material) + "/";
-  const auto put = [&](const char* name, const std::vector<long long>& mine) {
-    auto all = gather_to_root(comm, mine);
-    work.run([&] { file->write(group + name, one_column(std::move(all))); });
-  };
-  put("rank_counts", {particles.count});
-  put("id", whole_numbers(particles.id, particles.count));
-  put("body", whole_numbers(particles.body, particles.count));
+  const std::vector<std::size_t> first = first_rows(comm, particles.count);
+  const auto put = [&](const auto& table) { write_rows(comm, first, table, work, file); };
+  work.run([&] {
+    std::vector<long long> counts;
+    for (std::size_t r = 1; r < first.size(); ++r)
+      counts.push_back(static_cast<long long>(first[r] - first[r - 1]));
+    file->write(group + "rank_counts", one_column(std::move(counts)));
+  });
+  put(SharedTable<long long>{group + "id", "", 1, whole_numbers(particles.id)});
+  put(SharedTable<long long>{group + "body", "", 1, whole_numbers(particles.body)});
   particles.for_each_field([&](const Field& field) {
     if (field.components == 0) return;
-    Hdf5Table<double> table;
-    table.columns = static_cast<std::size_t>(field.components);
-    table.values = gather_to_root(comm, rows_of(field, particles.count));
-    table.rows = table.values.size() / table.columns;
-    work.run([&] { file->write(group + field.name, table, input::si_unit_of(field.dimension)); });
+    put(SharedTable<double>{
+        group + field.name,
+        input::si_unit_of(field.dimension),
+        static_cast<std::size_t>(field.components),
+        [&](std::size_t begin, std::size_t count, double* values) {
+          pack_rows(field, begin, count, values);
+        }});
   });
 }
 
@@ -125,14 +137,14 @@ void read_back(const fs::path& path) {
     for (const std::string& name : file.names(group)) {
       std::string table = group;
       table += "/" + name;
-      file.read(table);
+      file.check(table);
     }
-  file.read_text("deck");
+  file.check("deck");
   for (const std::string& material : file.names("particles"))
     for (const std::string& field : file.names("particles/" + material)) {
       std::string table = "particles/" + material;
       table += "/" + field;
-      file.read(table);
+      file.check(table);
     }
 }
 
@@ -163,17 +175,31 @@ double estimate(const State& state) {
   return 8.0 * sum[0];
 }
 
+/// Frees the blocks of a file that has lost its name while the run goes on: some disks take as long
+/// for that as for writing them.
+void close_aside(int file) {
+  if (file < 0) return;
+  try {
+    std::thread([file] { close(file); }).detach();
+  } catch (const std::system_error&) {  // no thread to be had
+    close(file);
+  }
+}
+
 void keep_previous(const fs::path& folder, const fs::path& aside) {
+  const fs::path previous = folder / previous_checkpoint_name;
+  const int replaced =
+      open(previous.c_str(), O_RDONLY);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   std::error_code error;
-  if (fs::exists(folder / checkpoint_name))
-    fs::rename(folder / checkpoint_name, folder / previous_checkpoint_name, error);
+  if (fs::exists(folder / checkpoint_name)) fs::rename(folder / checkpoint_name, previous, error);
   if (!error) fs::rename(aside, folder / checkpoint_name, error);
+  if (!error) sync_folder(folder);
+  close_aside(replaced);
   if (error)
     throw FileError(
         "cannot name the checkpoint in '" + folder.string() + "' (" + error.message() +
         "); check the folder's permissions."
     );
-  sync_folder(folder);
 }
 
 }  // namespace

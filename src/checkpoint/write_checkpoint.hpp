@@ -9,7 +9,7 @@
 
 namespace barreno {
 
-inline constexpr int checkpoint_version = 2;
+inline constexpr int checkpoint_version = 3;
 inline constexpr const char* checkpoint_name = "checkpoint.h5";
 inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5";
 
@@ -18,8 +18,8 @@ inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5"
 /// the disk, and only then renamed: whatever happens, one whole checkpoint remains.
 ///
 /// Rows are written as they are stored, rank after rank, so that the same number of ranks goes on
-/// with the same rows. Rank 0 gathers and writes one field at a time; docs/checkpoints.md has the
-/// file's contents. Collective. @throws FileError on every rank
+/// with the same rows. Rank 0 writes what the others send, chunk by chunk (write_rows());
+/// docs/checkpoints.md has the file's contents. Collective. @throws FileError on every rank
 ///
 /// @param deck_text  the effective deck
 /// @param output     where the other files of the run are (Output::position)
