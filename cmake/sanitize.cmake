@@ -4,6 +4,7 @@ set(barreno_sanitizers address,undefined,float-cast-overflow)
 function(barreno_sanitize target kind)  # kind: PUBLIC or INTERFACE
   target_compile_definitions(${target} ${kind} _GLIBCXX_ASSERTIONS KOKKOS_ENABLE_DEBUG_BOUNDS_CHECK)
   target_compile_options(${target} ${kind} -g1 -O1 -fno-omit-frame-pointer -fsanitize=${barreno_sanitizers}
-    -fno-sanitize=vptr,null,alignment,object-size -fno-sanitize-recover=all)
+    -fno-sanitize=vptr,null,alignment,object-size -fno-sanitize-recover=all
+    $<$<BOOL:${BARRENO_GUIDED}>:-fsanitize=fuzzer-no-link>)
   target_link_options(${target} ${kind} -fsanitize=${barreno_sanitizers})
 endfunction()

@@ -24,6 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77  # what ctest counts as skipped
 RULES = ROOT / ".clang-tidy"
 TOGETHER = 8  # files
+NOT_COMPILED = "[clang-diagnostic-error"
 
 
 def options_of(entry):
@@ -83,11 +84,12 @@ def findings_of(options, files, folder):
         return tidy(options, files[0])
     unit = folder / (files[0].replace("/", "_") + f".{len(files)}.cpp")
     unit.write_text("".join(f'#include "{file}"  // NOLINT\n' for file in files))
-    apart = clashing(options, unit, files)
-    if apart:
-        rest = [file for file in files if file not in apart]
-        return findings_of(options, rest, folder) + findings_of(options, apart, folder)
-    return tidy(options, unit)
+    findings = tidy(options, unit)
+    apart = clashing(options, unit, files) if NOT_COMPILED in findings else []
+    if not apart:
+        return findings
+    rest = [file for file in files if file not in apart]
+    return findings_of(options, rest, folder) + findings_of(options, apart, folder)
 
 
 def check(options, files, folder):

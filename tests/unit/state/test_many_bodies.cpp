@@ -17,7 +17,8 @@ Scene chessboard() {
       Mode::plane_strain, 1.0, {0.0, 0.0, 0.0}, {2.0 * columns, 2.0 * rows, 1.0}, testing::copper()
   );
   for (int i = 0; i < columns * rows; ++i) {
-    const Vector lower{2.0 * (i % columns), 2.0 * (i / columns), 0.0};
+    const int column = i % columns, row = i / columns;
+    const Vector lower{2.0 * column, 2.0 * row, 0.0};
     const Vector upper{lower[0] + 1.0, lower[1] + 1.0, 1.0};
     testing::add_box(scene, "grain " + std::to_string(i), lower, upper, 1).velocity = {
         1.0 * i, 0, 0};
