@@ -17,7 +17,7 @@ namespace {
 constexpr long steps_per_balance = 25;
 /// Tiles change hands where that gains this part of the mean, and until the next time as much as
 /// their last change took: timers are noisy, and a change costs about a step.
-constexpr double least_gain = 0.02;
+constexpr double least_gain = 0.05;
 
 double heaviest_rank(const std::vector<int>& owner, const std::vector<double>& costs, int ranks) {
   std::vector<double> sums(static_cast<std::size_t>(ranks), 0.0);

@@ -23,7 +23,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77  # what ctest counts as skipped
 RULES = ROOT / ".clang-tidy"
-TOGETHER = 8  # files
+TOGETHER = 16  # files
 NOT_COMPILED = "[clang-diagnostic-error"
 
 
