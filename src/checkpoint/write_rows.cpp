@@ -60,8 +60,20 @@ void gather_rows(
   }
 }
 
+}  // namespace
+
+std::vector<std::size_t> first_rows(const Comm& comm, int count) {
+  const auto ranks = static_cast<std::size_t>(comm.getSize());
+  std::vector<int> counts(ranks);
+  Teuchos::gatherAll<int, int>(comm, 1, &count, comm.getSize(), counts.data());
+  std::vector<std::size_t> first(ranks + 1, 0);
+  for (std::size_t r = 0; r < ranks; ++r)
+    first[r + 1] = first[r] + static_cast<std::size_t>(counts[r]);
+  return first;
+}
+
 template <class T>
-void write_chunks(
+void write_rows(
     const Comm& comm,
     const std::vector<std::size_t>& first,
     const SharedTable<T>& table,
@@ -80,36 +92,9 @@ void write_chunks(
     work.run([&] { file->write_chunk(table.name, begin, chunk); });
   }
 }
-
-}  // namespace
-
-std::vector<std::size_t> first_rows(const Comm& comm, int count) {
-  const auto ranks = static_cast<std::size_t>(comm.getSize());
-  std::vector<int> counts(ranks);
-  Teuchos::gatherAll<int, int>(comm, 1, &count, comm.getSize(), counts.data());
-  std::vector<std::size_t> first(ranks + 1, 0);
-  for (std::size_t r = 0; r < ranks; ++r)
-    first[r + 1] = first[r] + static_cast<std::size_t>(counts[r]);
-  return first;
-}
-
-void write_rows(
-    const Comm& comm,
-    const std::vector<std::size_t>& first,
-    const SharedTable<double>& table,
-    RootWork& work,
-    const std::unique_ptr<Hdf5File>& file
-) {
-  write_chunks(comm, first, table, work, file);
-}
-void write_rows(
-    const Comm& comm,
-    const std::vector<std::size_t>& first,
-    const SharedTable<long long>& table,
-    RootWork& work,
-    const std::unique_ptr<Hdf5File>& file
-) {
-  write_chunks(comm, first, table, work, file);
-}
+template void
+write_rows(const Comm&, const std::vector<std::size_t>&, const SharedTable<double>&, RootWork&, const std::unique_ptr<Hdf5File>&);
+template void
+write_rows(const Comm&, const std::vector<std::size_t>&, const SharedTable<long long>&, RootWork&, const std::unique_ptr<Hdf5File>&);
 
 }  // namespace barreno

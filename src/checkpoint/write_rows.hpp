@@ -26,18 +26,13 @@ struct SharedTable {
 /// Writes a table chunk by chunk: every rank packs and sends its rows of a chunk, rank 0 writes
 /// them while the others pack their next ones, and no rank holds more than a chunk. Collective,
 /// also where the root's work has failed.
+/// @tparam T  double or long long
 /// @param first  first_rows()
+template <class T>
 void write_rows(
     const Comm& comm,
     const std::vector<std::size_t>& first,
-    const SharedTable<double>& table,
-    RootWork& work,
-    const std::unique_ptr<Hdf5File>& file
-);
-void write_rows(
-    const Comm& comm,
-    const std::vector<std::size_t>& first,
-    const SharedTable<long long>& table,
+    const SharedTable<T>& table,
     RootWork& work,
     const std::unique_ptr<Hdf5File>& file
 );

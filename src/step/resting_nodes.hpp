@@ -44,7 +44,8 @@ struct RestingNodes {
     return true;
   }
 
-  /// v^n and the acceleration are those of the step that found the bounds. Bounds come of sums and
+  /// v^n is that of the step that found the bounds, and v' - v grows with dt as f / m at most: an
+  /// impedance lets it grow less, and a shorter step only lets it shrink. Bounds come of sums and
   /// quotients: a few round-offs more than they are.
   KOKKOS_INLINE_FUNCTION bool stays_still(int tile) const {
     if (!watches(tile) || kept(tile) == 0) return false;

@@ -6,6 +6,7 @@
 #include "mutate.hpp"
 #include "readers.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

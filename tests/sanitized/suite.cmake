@@ -1,11 +1,16 @@
-# The suite with the sanitized build: ctest -L sanitized. Every run of the tests has the first part, the rest is slow.
+# The suite with the sanitized build. Two of its tests are in every run; the others are in ctest's configuration
+# Sanitized (ctest -C Sanitized -L sanitized), so that asking for a test by its name does not build them all.
 # Open MPI and Trilinos keep memory to the end, so leaks are not counted.
 set(sanitized_environment ${mpi_environment} "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0" UBSAN_OPTIONS=print_stacktrace=1)
 
 # barreno_sanitized_script(NAME LABELS SCRIPT ...): a script of the decks with the sanitized program.
 function(barreno_sanitized_script NAME LABELS SCRIPT)
   set(test sanitized.${NAME})
-  add_test(NAME ${test} COMMAND ${BARRENO_PYTHON} ${SCRIPT} $<TARGET_FILE:barreno_sanitized> ${ARGN})
+  set(only)
+  if(LABELS STREQUAL slow)
+    set(only CONFIGURATIONS Sanitized)
+  endif()
+  add_test(NAME ${test} COMMAND ${BARRENO_PYTHON} ${SCRIPT} $<TARGET_FILE:barreno_sanitized> ${ARGN} ${only})
   set_tests_properties(${test} PROPERTIES LABELS "sanitized;${LABELS}" TIMEOUT 3600 ENVIRONMENT "${sanitized_environment}")
 endfunction()
 
@@ -30,15 +35,15 @@ foreach(name IN LISTS names)
   foreach(ranks IN LISTS all_ranks)
     set(test sanitized.${name}.np${ranks})
     if(ranks EQUAL 1)
-      add_test(NAME ${test} COMMAND ${target})
+      add_test(NAME ${test} COMMAND ${target} CONFIGURATIONS Sanitized)
     else()
-      add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} -n ${ranks} $<TARGET_FILE:${target}>)
+      add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} -n ${ranks} $<TARGET_FILE:${target}> CONFIGURATIONS Sanitized)
     endif()
     set_tests_properties(${test} PROPERTIES LABELS "sanitized;slow" TIMEOUT 3600 PROCESSORS ${ranks}
       ENVIRONMENT "${sanitized_environment}" FIXTURES_REQUIRED sanitized_tests)
   endforeach()
 endforeach()
-add_test(NAME sanitized.build COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target sanitized_tests)
+add_test(NAME sanitized.build COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target sanitized_tests CONFIGURATIONS Sanitized)
 set_tests_properties(sanitized.build PROPERTIES LABELS "sanitized;slow" TIMEOUT 7200 PROCESSORS 2 FIXTURES_SETUP sanitized_tests)
 
 # What every run of the tests has: all decks, and what a run leaves for the next.
