@@ -108,10 +108,10 @@ void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
     grid.owner.assign(owner.begin(), owner.end());
     return;
   }
-  std::vector<double> counts(grid.owner.size(), 0.0);
+  std::vector<TileCost> counts(grid.owner.size());
   for (const Particles& particles : state.particles)
     for_each_position(state, particles, file, [&](std::size_t, const Vector& x, bool held) {
-      if (held) counts[static_cast<std::size_t>(cell_of(grid, x).tile)] += 1.0;
+      if (held) counts[static_cast<std::size_t>(cell_of(grid, x).tile)].particles += 1.0;
     });
   grid.owner = bisect_tiles(grid.tiles, counts, grid.comm->getSize());
 }

@@ -3,19 +3,45 @@
 
 #include "grid/grid.hpp"
 
+#include <array>
 #include <vector>
 
 namespace barreno {
 
-/// Tiles to ranks by recursive coordinate bisection of the tiles' weights: cut across the longest
-/// side of those that weigh something, where the halves come nearest to the share of their ranks. A
-/// cut may go through a slice: a part misses its share by half a tile at most. A pure function of
-/// its arguments, so that every rank finds the same owners without communication; tiles without
-/// weight go with their surroundings. Of more ranks than tiles some get none.
+/// What a tile costs in the two parts of a step between which ranks wait for each other.
+struct TileCost {
+  double nodes = 0.0;      ///< of its nodes, and of particles' sums to and from them
+  double particles = 0.0;  ///< of its particles' motion, deformation and stress
+
+  TileCost& operator+=(const TileCost& other) {
+    nodes += other.nodes;
+    particles += other.particles;
+    return *this;
+  }
+  double total() const { return nodes + particles; }
+};
+
+/// Tiles to ranks by recursive coordinate bisection: across the longest side of the tiles that cost
+/// something, where the halves come nearest to the share of their ranks. Where the two parts of a
+/// step cost most in different places, a half may be a slab out of the middle, and the other what
+/// lies on both sides: so both parts can be halved (any two measures of a circle are, by one
+/// interval). A cut may go through a slice. A pure function of its arguments, so that every rank
+/// finds the same owners without communication; tiles that cost nothing go with their surroundings.
+/// Of more ranks than tiles some get none. Of cuts that are as good, those are taken that leave
+/// tiles where they are.
 ///
-/// @param tiles    tiles of the box along x, y and z
-/// @param weights  cost of every tile of the box, z by z, row by row
+/// @param tiles  tiles of the box along x, y and z
+/// @param costs  of every tile of the box, z by z, row by row
+/// @param now    rank of every tile so far; empty: there was none
 /// @return rank of every tile
-std::vector<int> bisect_tiles(const int (&tiles)[3], const std::vector<double>& weights, int ranks);
+std::vector<int> bisect_tiles(
+    const int (&tiles)[3],
+    const std::vector<TileCost>& costs,
+    int ranks,
+    const std::vector<int>& now = {}
+);
+
+/// Sum over both parts of a step of what the rank costs that costs most.
+double step_cost(const std::vector<int>& owner, const std::vector<TileCost>& costs, int ranks);
 
 }  // namespace barreno

@@ -121,11 +121,11 @@ void put_velocity_gradient(
 }
 
 /// Particles per tile of the box, found by every rank for itself.
-std::vector<double> count_in_tiles(const Scene& scene, const Grid& grid) {
-  std::vector<double> counts(grid.owner.size(), 0.0);
+std::vector<TileCost> count_in_tiles(const Scene& scene, const Grid& grid) {
+  std::vector<TileCost> counts(grid.owner.size());
   for (const BodySpec& body : scene.bodies)
     for_each_body_particle(scene.grid, body, 0, [&](const NewParticle& p) {
-      counts[static_cast<std::size_t>(cell_of(grid, p.x).tile)] += 1.0;
+      counts[static_cast<std::size_t>(cell_of(grid, p.x).tile)].particles += 1.0;
     });
   return counts;
 }
@@ -220,8 +220,9 @@ int add_particle(
   for (int c = 0; c < particles.reference_position.components; ++c)
     particles.reference_position(p, c) = made.x[static_cast<std::size_t>(c)];
   if (particles.loaded_faces.components > 0)
-    particles.loaded_faces(p) = loaded_faces(scene, static_cast<int>(body), made.loaded_sides);
-  if (body < scene.bodies.size()) put_shares(scene, scene.bodies[body], p, particles);
+    particles.loaded_faces(p) = loaded_faces(scene, body, made.loaded_sides);
+  if (const auto b = static_cast<std::size_t>(body); b < scene.bodies.size())
+    put_shares(scene, scene.bodies[b], p, particles);
 
   const Material& material = scene.materials[static_cast<std::size_t>(particles.material)].material;
   std::visit(

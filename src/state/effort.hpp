@@ -27,8 +27,6 @@ struct Effort {
   double tile_seconds =
       0.0;  ///< of cells and nodes, the same for every active tile, dormant or not
 
-  double change_seconds = 0.0;  ///< that the last change of owners took
-
   void add(std::size_t set, std::size_t block, double seconds) {
     if (block_seconds.size() <= set) block_seconds.resize(set + 1);
     if (block_seconds[set].size() <= block) block_seconds[set].resize(block + 1, 0.0);
@@ -39,19 +37,20 @@ struct Effort {
                ? block_seconds[set][block]
                : 0.0;
   }
-  double total() const {
-    double sum = node_seconds + tile_seconds;
+  double particle_seconds() const {
+    double sum = 0.0;
     for (const auto& set : block_seconds)
       for (const double seconds : set) sum += seconds;
     return sum;
   }
 };
 
-/// Of particles and tiles: what a change of owners took holds on.
-inline void forget(Effort& effort) {
-  const double change_seconds = effort.change_seconds;
-  effort = {};
-  effort.change_seconds = change_seconds;
-}
+/// What ranks lose by how the tiles are shared, and what changing that costs: they change when they
+/// have lost as much. The same on all ranks.
+struct Sharing {
+  double waited_seconds =
+      0.0;  ///< for the rank with the most to do, since tiles last changed hands
+  double change_seconds = 0.0;  ///< that a change takes; 0: there was none yet
+};
 
 }  // namespace barreno

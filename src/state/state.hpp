@@ -45,6 +45,7 @@ struct State {
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
   double skipped_steps = 0.0;   ///< of those that were left as they were
   Effort effort;
+  Sharing sharing;
 };
 
 }  // namespace barreno

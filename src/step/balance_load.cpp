@@ -15,15 +15,16 @@ namespace {
 
 /// Often enough to follow a wave front, which wakes about a layer of cells in two steps.
 constexpr long steps_per_balance = 25;
-/// Tiles change hands where that gains this part of the mean, and until the next time as much as
-/// their last change took: timers are noisy, and a change costs about a step.
-constexpr double least_gain = 0.05;
+/// Tiles change hands where that gains this part of the mean: timers are noisy.
+constexpr double least_gain = 0.02;
+/// A change costs this times what it took: the next step finds afresh what tiles had kept.
+constexpr double cost_of_change = 2.0;
 
-double heaviest_rank(const std::vector<int>& owner, const std::vector<double>& costs, int ranks) {
-  std::vector<double> sums(static_cast<std::size_t>(ranks), 0.0);
-  for (std::size_t t = 0; t < owner.size(); ++t)
-    sums[static_cast<std::size_t>(owner[t])] += costs[t];
-  return *std::max_element(sums.begin(), sums.end());
+void sum_over_ranks(const Teuchos::Comm<int>& comm, std::vector<TileCost>& costs) {
+  std::vector<double> parts;
+  for (const TileCost& cost : costs) parts.insert(parts.end(), {cost.nodes, cost.particles});
+  barreno::sum_over_ranks(comm, parts);
+  for (std::size_t t = 0; t < costs.size(); ++t) costs[t] = {parts[2 * t], parts[2 * t + 1]};
 }
 
 /// 1 for a row that the last step advanced, 0 for one of a dormant tile.
@@ -44,17 +45,27 @@ std::size_t box_tile(const Grid& grid, int t) {
   return static_cast<std::size_t>(grid.tile_id(at[0], at[1], at[2]));
 }
 
+/// The shortest change so far is what changes cost: others were disturbed.
+void change_owners(const Scene& scene, const std::vector<int>& owner, State& state) {
+  const Stopwatch watch;
+  give_tiles(scene, owner, state);
+  std::array<double, 1> took{watch.seconds()};
+  max_over_ranks(*state.grid.comm, took);
+  double& shortest = state.sharing.change_seconds;
+  shortest = shortest > 0.0 ? std::min(shortest, took[0]) : took[0];
+}
+
 }  // namespace
 
-std::vector<double> tile_costs(const State& state) {
+std::vector<TileCost> tile_costs(const State& state) {
   const Grid& grid = state.grid;
   double rows = 0.0;
   for (const Particles& particles : state.particles)
     rows += count_awake(particles, {0, particles.count});
   const double per_row = rows > 0.0 ? state.effort.node_seconds / rows : 0.0;
-  std::vector<double> costs(grid.owner.size(), 0.0);
+  std::vector<TileCost> costs(grid.owner.size());
   for (int t = 0; t < grid.active; ++t)
-    costs[box_tile(grid, t)] += state.effort.tile_seconds / grid.active;
+    costs[box_tile(grid, t)].nodes += state.effort.tile_seconds / grid.active;
   for (std::size_t set = 0; set < state.particles.size(); ++set) {
     const Particles& particles = state.particles[set];
     std::size_t block = 0;
@@ -68,7 +79,7 @@ std::vector<double> tile_costs(const State& state) {
         if (is == 0 && awake > 0) continue;
         const Vector x = vector_of(particles.position, p);
         if (grid.holds(x))
-          costs[static_cast<std::size_t>(cell_of(grid, x).tile)] += is * per_row + seconds;
+          costs[static_cast<std::size_t>(cell_of(grid, x).tile)] += {is * per_row, seconds};
       }
     });
   }
@@ -82,22 +93,24 @@ void balance_load(const Scene& scene, State& state) {
   if (ranks == 1 || state.clock.step == 0 || state.clock.step % steps_per_balance != 0) return;
   const Region region("balance_load");
   Effort& effort = state.effort;
-  std::array<double, 2> longest{effort.total(), effort.change_seconds};
-  std::array<double, 1> sum{effort.total()};
+  // Ranks wait for each other behind each of the two parts of a step.
+  std::array<double, 2> longest{
+      effort.node_seconds + effort.tile_seconds, effort.particle_seconds()};
+  std::array<double, 1> mean{(longest[0] + longest[1]) / ranks};
   max_over_ranks(comm, longest);
-  sum_over_ranks(comm, sum);
-  const double gain = std::max(least_gain * sum[0] / ranks, longest[1]);
-  if (longest[0] - sum[0] / ranks > gain) {
-    const std::vector<double> costs = tile_costs(state);
-    const std::vector<int> owner = bisect_tiles(state.grid.tiles, costs, ranks);
-    const double now = heaviest_rank(state.grid.owner, costs, ranks);
-    if (now - heaviest_rank(owner, costs, ranks) > gain) {
-      const Stopwatch watch;
-      give_tiles(scene, owner, state);
-      effort.change_seconds = watch.seconds();
-    }
+  barreno::sum_over_ranks(comm, mean);
+  const double waited = longest[0] + longest[1] - mean[0];
+  const double least = least_gain * mean[0];
+  Sharing& sharing = state.sharing;
+  sharing.waited_seconds += waited;
+  if (waited > least && sharing.waited_seconds > cost_of_change * sharing.change_seconds) {
+    const std::vector<TileCost> costs = tile_costs(state);
+    const std::vector<int> owner = bisect_tiles(state.grid.tiles, costs, ranks, state.grid.owner);
+    if (step_cost(state.grid.owner, costs, ranks) - step_cost(owner, costs, ranks) > least)
+      change_owners(scene, owner, state);
+    sharing.waited_seconds = 0.0;
   }
-  forget(effort);
+  effort = {};
 }
 
 }  // namespace barreno

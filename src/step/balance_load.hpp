@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "grid/partition.hpp"
 #include "state/state.hpp"
 
 #include <vector>
@@ -13,6 +14,6 @@ namespace barreno {
 void balance_load(const Scene& scene, State& state);
 
 /// Seconds that the particles in each tile of the box have cost, over all ranks. Collective.
-std::vector<double> tile_costs(const State& state);
+std::vector<TileCost> tile_costs(const State& state);
 
 }  // namespace barreno

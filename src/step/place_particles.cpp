@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/place_particles.hpp"
 
-#include "base/gather.hpp"
 #include "base/region.hpp"
 #include "base/rows.hpp"
 #include "grid/tiles.hpp"
 #include "step/migrate_particles.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace barreno {
@@ -62,9 +60,10 @@ struct Found {
 };
 
 /// Keys of a set's rows from their cells, without branches for the compiler to vectorise; rows
-/// outside the grid or lost otherwise keep theirs.
+/// outside the grid or lost otherwise keep theirs. Of other ranks' tiles those are active that are
+/// ghosts here; of others, further away, nothing is known.
 template <unsigned D>
-Found find_keys(const Grid& grid, const Particles& particles) {
+Found find_keys(const Grid& grid, const Particles& particles, int first_row) {
   constexpr int dimensions = D;
   double lower[D], upper[D];
   int tiles[D];
@@ -87,7 +86,7 @@ Found find_keys(const Grid& grid, const Particles& particles) {
   int* const keys = particles.key.data();
   Found found;
   BARRENO_IVDEP
-  for (int p = 0; p < count; ++p) {
+  for (int p = first_row; p < count; ++p) {
     const int old_key = keys[p];
     int lost = static_cast<int>(old_key <= failed_key);
     for (int d = 0; d < dimensions; ++d)
@@ -103,21 +102,26 @@ Found find_keys(const Grid& grid, const Particles& particles) {
     const int tile = directory[box];
     const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
     const int mine = static_cast<int>(owner[box] == me);
+    const int unknown = static_cast<int>(tile < 0);
     const int key = here ? tile * cells + inside : unplaced_key;
     found.outside |= lost;
     found.moved |= static_cast<int>(key != old_key);
-    found.new_tile |= (1 - lost) & (1 - here) & mine;
+    found.new_tile |= (1 - lost) & (1 - here) & (mine | unknown);
     found.left |= (1 - lost) & (1 - here) & (1 - mine);
     keys[p] = lost ? old_key : key;
   }
   return found;
 }
 
+Found find_keys(const Grid& grid, const Particles& particles, int first_row) {
+  return grid.patch.dimensions == 3 ? find_keys<3>(grid, particles, first_row)
+                                    : find_keys<2>(grid, particles, first_row);
+}
+
 /// Keys of a set's rows; false if one is outside the grid or lost otherwise.
 bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
   if (particles.count == 0) return true;
-  const Found found =
-      grid.patch.dimensions == 3 ? find_keys<3>(grid, particles) : find_keys<2>(grid, particles);
+  const Found found = find_keys(grid, particles, 0);
   placement.new_tile = placement.new_tile || found.new_tile != 0;
   placement.someone_left = placement.someone_left || found.left != 0;
   if (found.moved != 0) particles.sorted = false;
@@ -172,13 +176,11 @@ void locate_set(State& state, Particles& particles, Placement& placement) {
   find_keys(state.grid, particles, placement);
 }
 
-/// Cells of the rows that have come; sets that are sorted got none.
-Placement locate_newcomers(State& state) {
-  const Region region("locate_particles");
-  Placement placement;
-  for (Particles& particles : state.particles)
-    if (!particles.sorted) locate_set(state, particles, placement);
-  return placement;
+/// Cells of the rows that have come, which are the last ones.
+void locate_newcomers(const Grid& grid, const Particles& particles) {
+  int first_row = particles.count;
+  while (first_row > 0 && particles.key(first_row - 1) == unplaced_key) --first_row;
+  find_keys(grid, particles, first_row);
 }
 
 }  // namespace
@@ -194,15 +196,11 @@ Placement locate_particles(const Scene& /*scene*/, State& state) {
 
 void place_particles(const Scene& scene, const Placement& agreed, State& state) {
   const Region region("place_particles");
-  bool new_tile = agreed.new_tile;
   if (agreed.someone_left) {
     migrate_particles(state);
-    const Placement after = locate_newcomers(state);
-    std::array<double, 1> flag{after.new_tile ? 1.0 : 0.0};
-    max_over_ranks(*state.grid.comm, flag);
-    new_tile = new_tile || flag[0] > 0.0;
+    for (const Particles& particles : state.particles) locate_newcomers(state.grid, particles);
   }
-  if (new_tile) {
+  if (agreed.new_tile) {
     activate_tiles(state.grid, occupied_tiles(state));
     locate_particles(scene, state);
     for (Particles& particles : state.particles) particles.sorted = false;

@@ -12,7 +12,7 @@ inline constexpr long steps_per_permutation = 50;
 /// What locate_particles saw on this rank; agreed between the ranks with the step size.
 struct Placement {
   bool someone_left = false;  ///< a particle is in a tile of another rank
-  bool new_tile = false;      ///< a particle is in an own tile that is not active yet
+  bool new_tile = false;      ///< a particle is in a tile that is not known to be active
   int interrupt = 0;          ///< signal that was received
 };
 

@@ -244,9 +244,9 @@ void expect_same_when_moved(const Scene& scene) {
   advance_to(scene, end_time, balanced);
   State moved = start(scene);
   advance_to(scene, end_time, moved, 20);
-  std::vector<double> weights(moved.grid.owner.size(), 1.0);
-  for (std::size_t t = 0; t < weights.size(); t += 3) weights[t] = 5.0;
-  give_tiles(scene, bisect_tiles(moved.grid.tiles, weights, moved.grid.comm->getSize()), moved);
+  std::vector<TileCost> costs(moved.grid.owner.size(), {1.0, 0.0});
+  for (std::size_t t = 0; t < costs.size(); t += 3) costs[t].particles = 4.0;
+  give_tiles(scene, bisect_tiles(moved.grid.tiles, costs, moved.grid.comm->getSize()), moved);
   advance_to(scene, end_time, moved);
   expect_same(balanced, moved);
 }
