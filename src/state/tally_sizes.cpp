@@ -15,7 +15,6 @@ double modulus_at_rest(const Scene& scene, int material) {
   const StartPoint at_rest = start_point(scene, material, nullptr);
   return std::visit(
       [&](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
         auto history = model.initial_history();
         auto* const h = reinterpret_cast<double*>(&history);
         std::copy(at_rest.history.begin(), at_rest.history.end(), h);

@@ -36,6 +36,7 @@ std::vector<double> scattered() {
 
 std::vector<TileCost> of_nodes(const std::vector<double>& costs) {
   std::vector<TileCost> all;
+  all.reserve(costs.size());
   for (const double cost : costs) all.push_back({cost, 0.0});
   return all;
 }
@@ -90,8 +91,8 @@ double whole_step(const std::vector<TileCost>& costs) {
 /// Stress costs most at one end, nodes at the other: one cut leaves a third of the step to waiting.
 TEST(Partition, BothPartsOfTheStepAreHalvedWhereTheyCostInDifferentPlaces) {
   const int bar[3] = {4, 30, 1};
-  std::vector<TileCost> costs;
-  for (int t = 0; t < 120; ++t) costs.push_back({t < 40 ? 1.0 : 5.0, t < 40 ? 10.0 : 1.0});
+  std::vector<TileCost> costs(120, {5.0, 1.0});
+  std::fill(costs.begin(), costs.begin() + 40, TileCost{1.0, 10.0});
   const double step = whole_step(costs);
   for (const int ranks : {2, 3, 4, 5}) {
     const double cost = step_cost(bisect_tiles(bar, costs, ranks), costs, ranks);

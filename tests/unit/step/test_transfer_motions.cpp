@@ -53,8 +53,12 @@ TEST(TransferMotions, ApicKeepsAngularMomentumOfATurningBodyAndPicDoesNot) {
       const double before = spin_of(state);
       advance_to(scene, 1.0, state, 60);
       const double change = spin_of(state) / before - 1.0;
-      if (one.step.transfer == Transfer::apic) EXPECT_NEAR(change, 0.0, 1e-12);
-      if (one.name.rfind("PIC", 0) == 0) EXPECT_LT(change, -0.05);
+      if (one.step.transfer == Transfer::apic) {
+        EXPECT_NEAR(change, 0.0, 1e-12);
+      }
+      if (one.name.rfind("PIC", 0) == 0) {
+        EXPECT_LT(change, -0.05);
+      }
     }
 }
 
