@@ -27,7 +27,9 @@ static_assert(
 
 std::vector<WholeSum> terms_of(const OwnLedger& ledger) {
   std::vector<WholeSum> terms(term_count);
-  std::memcpy(static_cast<void*>(terms.data()), static_cast<const OwnTerms*>(&ledger), sizeof(OwnTerms));
+  std::memcpy(
+      static_cast<void*>(terms.data()), static_cast<const OwnTerms*>(&ledger), sizeof(OwnTerms)
+  );
   return terms;
 }
 
