@@ -28,8 +28,12 @@ NOT_COMPILED = "[clang-diagnostic-error"
 
 
 def options_of(entry):
-    """Compiler options without the file itself."""
+    """Compiler options without the file itself and the precompiled headers, which are another compiler's."""
     words = shlex.split(entry["command"])[1:]
+    while "-include" in words:
+        where = words.index("-include")
+        del words[where : where + 2]
+    words = [word for word in words if word not in ("-Winvalid-pch", "-fpch-preprocess")]
     for option in ("-o", "-c"):
         where = words.index(option)
         del words[where : where + 2]
