@@ -1,6 +1,6 @@
 # Headers of the libraries, precompiled: nearly every file reads them, and that takes longer than to compile most files.
 # barreno_precompile(TARGET and what target_precompile_headers takes). clang-tidy reads files without them
-# (tests/style/check_tidy.py), so a missing include is found.
+# (tests/style/check_tidy.py).
 option(BARRENO_PRECOMPILED "Precompile the headers of the libraries" ON)
 # ccache takes part where it may trust the names of macros in precompiled headers, and gcc leaves their use in what it preprocesses.
 if(BARRENO_PRECOMPILED AND BARRENO_CCACHE)
