@@ -2,17 +2,13 @@
 # barreno_precompile(TARGET and what target_precompile_headers takes). clang-tidy reads files without them
 # (tests/style/check_tidy.py).
 option(BARRENO_PRECOMPILED "Precompile the headers of the libraries" ON)
-# ccache takes part where it may trust the names of macros in precompiled headers, and gcc leaves their use in what it preprocesses.
-if(BARRENO_PRECOMPILED AND BARRENO_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${BARRENO_CCACHE})
-endif()
 
 set(barreno_library_headers <algorithm> <array> <cmath> <map> <memory> <string> <variant> <vector>
   <Kokkos_Core.hpp> <Teuchos_Comm.hpp>)
 function(barreno_precompile target)
   if(BARRENO_PRECOMPILED)
     target_precompile_headers(${target} ${ARGN})
+    # for ccache, which reads what gcc preprocesses
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   endif()
 endfunction()

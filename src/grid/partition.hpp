@@ -8,7 +8,8 @@
 
 namespace barreno {
 
-/// What a tile costs in the two parts of a step between which ranks wait for each other.
+/// What a tile costs in the two parts of a step between which ranks wait for each other. (They wait
+/// once more within the first, for the halo: before and behind it the same tiles are dear.)
 struct TileCost {
   double nodes = 0.0;      ///< of its nodes, and of particles' sums to and from them
   double particles = 0.0;  ///< of its particles' motion, deformation and stress

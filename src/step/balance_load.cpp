@@ -20,10 +20,10 @@ constexpr double least_gain = 0.02;
 /// A change costs this times what it took: the next step finds afresh what tiles had kept.
 constexpr double cost_of_change = 2.0;
 
-void sum_over_ranks(const Teuchos::Comm<int>& comm, std::vector<TileCost>& costs) {
+void add_over_ranks(const Teuchos::Comm<int>& comm, std::vector<TileCost>& costs) {
   std::vector<double> parts;
   for (const TileCost& cost : costs) parts.insert(parts.end(), {cost.nodes, cost.particles});
-  barreno::sum_over_ranks(comm, parts);
+  sum_over_ranks(comm, parts);
   for (std::size_t t = 0; t < costs.size(); ++t) costs[t] = {parts[2 * t], parts[2 * t + 1]};
 }
 
@@ -83,7 +83,7 @@ std::vector<TileCost> tile_costs(const State& state) {
       }
     });
   }
-  sum_over_ranks(*grid.comm, costs);
+  add_over_ranks(*grid.comm, costs);
   return costs;
 }
 
@@ -93,12 +93,12 @@ void balance_load(const Scene& scene, State& state) {
   if (ranks == 1 || state.clock.step == 0 || state.clock.step % steps_per_balance != 0) return;
   const Region region("balance_load");
   Effort& effort = state.effort;
-  // Ranks wait for each other behind each of the two parts of a step.
+  // Ranks wait for each other behind each part (TileCost).
   std::array<double, 2> longest{
       effort.node_seconds + effort.tile_seconds, effort.particle_seconds()};
   std::array<double, 1> mean{(longest[0] + longest[1]) / ranks};
   max_over_ranks(comm, longest);
-  barreno::sum_over_ranks(comm, mean);
+  sum_over_ranks(comm, mean);
   const double waited = longest[0] + longest[1] - mean[0];
   const double least = least_gain * mean[0];
   Sharing& sharing = state.sharing;

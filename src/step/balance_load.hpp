@@ -8,12 +8,12 @@
 
 namespace barreno {
 
-/// Every so many steps, compare what the ranks' particles have cost and, where one rank works
-/// noticeably longer than the mean, share the tiles anew by measured cost. Collective. Answers do
-/// not depend on who owns what (docs/method.md 3).
+/// Every so many steps, compare what the ranks' nodes and particles have cost and, once ranks have
+/// waited as long as a change takes, share the tiles anew by measured cost if that gains anything.
+/// Collective. Answers do not depend on who owns what (docs/method.md 3).
 void balance_load(const Scene& scene, State& state);
 
-/// Seconds that the particles in each tile of the box have cost, over all ranks. Collective.
+/// Seconds that each tile of the box has cost, over all ranks. Collective.
 std::vector<TileCost> tile_costs(const State& state);
 
 }  // namespace barreno
