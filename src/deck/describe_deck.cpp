@@ -24,16 +24,10 @@ std::string number_text(double x) {
   return buffer;
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string columns_text(const Entry& entry) {
   std::vector<std::string> units;
   for (const Dimension& column : entry.columns) units.push_back(input::si_unit_of(column));
-  return "table of [" + listed(units) + "]";
+  return "table of [" + with_commas(units) + "]";
 }
 
 std::string type_text(const Entry& entry) {
@@ -51,9 +45,9 @@ std::string type_text(const Entry& entry) {
     case Kind::flag:
       return "true or false";
     case Kind::word:
-      return "one of: " + listed(entry.words);
+      return "one of: " + with_commas(entry.words);
     case Kind::words:
-      return entry.words.empty() ? "array of names" : "array of: " + listed(entry.words);
+      return entry.words.empty() ? "array of names" : "array of: " + with_commas(entry.words);
     case Kind::vector:
       return "array" + suffix;
     case Kind::table:
@@ -173,6 +167,12 @@ void write_markdown_section(const Section& section, const std::string& path, std
 }
 
 }  // namespace
+
+std::string with_commas(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
 
 std::string describe_text(const std::string& section) {
   std::ostringstream out;

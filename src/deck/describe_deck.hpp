@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace barreno {
 
@@ -12,5 +13,8 @@ std::string describe_text(const std::string& section);
 
 /// The whole reference as Markdown: docs/deck.md.
 std::string describe_markdown();
+
+/// "a, b, c"
+std::string with_commas(const std::vector<std::string>& words);
 
 }  // namespace barreno

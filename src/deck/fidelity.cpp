@@ -2,6 +2,7 @@
 #include "deck/fidelity.hpp"
 
 #include "deck/deck_schema.hpp"
+#include "deck/describe_deck.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -29,7 +30,7 @@ struct Choices {
 };
 
 /// One row for each name. The numbers come from the curves of docs/trade.md.
-constexpr Choices table[] = {
+constexpr Choices fidelities[] = {
     {"fast",
      "quadratic B-spline",
      "FLIP",
@@ -66,7 +67,7 @@ constexpr Choices table[] = {
 };
 
 const Choices* choices_of(const std::string& name) {
-  for (const Choices& choices : table)
+  for (const Choices& choices : fidelities)
     if (name == choices.name) return &choices;
   return nullptr;
 }
@@ -108,17 +109,11 @@ bool same(const std::string& a, const std::string& b, const input::UnitSystem& u
   return false;
 }
 
-std::string listed(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> fidelity_words() {
   std::vector<std::string> words;
-  for (const Choices& choices : table) words.emplace_back(choices.name);
+  for (const Choices& choices : fidelities) words.emplace_back(choices.name);
   return words;
 }
 
@@ -129,7 +124,7 @@ std::string fidelity_errors(const std::string& name) {
 
 std::string fidelity_text() {
   std::string text;
-  for (const Choices& c : table)
+  for (const Choices& c : fidelities)
     text += (text.empty() ? "" : "; ") + std::string(c.name) + ": " + c.shape + ", " + c.transfer +
             ", " + c.order + ", Courant Fraction " + c.courant + ", " + c.per_cell +
             " particles per cell and direction, " + c.jet_per_cell + " in the jet, Tolerance " +
@@ -203,10 +198,10 @@ void Fidelity::choose_tolerance(
 
 std::vector<std::string> Fidelity::notes() const {
   if (name_.empty()) return {};
-  std::vector<std::string> notes{"Fidelity " + name_ + ": " + listed(chosen_) + "."};
+  std::vector<std::string> notes{"Fidelity " + name_ + ": " + with_commas(chosen_) + "."};
   if (!kept_.empty())
     notes.push_back(
-        "The deck's own words come before fidelity " + name_ + ": " + listed(kept_) + "."
+        "The deck's own words come before fidelity " + name_ + ": " + with_commas(kept_) + "."
     );
   return notes;
 }

@@ -150,16 +150,6 @@ Mat3 polar_rotation(const Mat3& f) {
   return r;
 }
 
-Sym3 symmetric_part(const Mat3& a) {
-  return {
-      a(0, 0),
-      a(1, 1),
-      a(2, 2),
-      0.5 * (a(0, 1) + a(1, 0)),
-      0.5 * (a(1, 2) + a(2, 1)),
-      0.5 * (a(2, 0) + a(0, 2))};
-}
-
 Sym3 rotate(const Mat3& r, const Sym3& t) {
   const Mat3 full{{{t.xx, t.xy, t.zx}, {t.xy, t.yy, t.yz}, {t.zx, t.yz, t.zz}}};
   return symmetric_part(r * full * transpose(r));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <barreno/symmetric_functions.hpp>
 #include <barreno/tensor.hpp>
 #include <optional>
 
@@ -36,8 +37,6 @@ Mat3 exponential(const Mat3& a);
 /// Comput. 7 (1986) 1160-1174). Entries are not finite when F is singular.
 Mat3 polar_rotation(const Mat3& f);
 
-/// (a + a^T) / 2
-Sym3 symmetric_part(const Mat3& a);
 /// R t R^T: from the unrotated to the space frame.
 Sym3 rotate(const Mat3& r, const Sym3& t);
 /// R^T t R: from the space to the unrotated frame.

@@ -9,7 +9,6 @@
 namespace barreno {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const Box everywhere{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 
 Box around(const Box& box) {

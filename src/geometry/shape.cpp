@@ -9,8 +9,6 @@
 namespace barreno {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 bool holds_point(const Box& box, const Vector& x, int dimension) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
     if (!(x[i] >= box.lower[i] && x[i] < box.upper[i])) return false;

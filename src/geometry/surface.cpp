@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/surface.hpp"
 
+#include "base/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace barreno {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A triangle clipped by four sides of a box and its bottom has at most 3 + 5 corners, and one more
 /// by the split at its top.

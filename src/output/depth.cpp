@@ -13,8 +13,6 @@
 namespace barreno {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Extent of a body on the axis; empty (lower > upper) if it does not reach it.
 struct Extent {
   double lower = infinity, upper = -infinity;

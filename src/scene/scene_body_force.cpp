@@ -6,7 +6,7 @@
 namespace barreno {
 namespace {
 
-BodyForceKind kind_of(const std::string& word) {
+BodyForceKind body_force_kind(const std::string& word) {
   if (word == "gravity") return BodyForceKind::gravity;
   if (word == "axis-aligned displacement") return BodyForceKind::axis_aligned;
   return word == "generalized vortex" ? BodyForceKind::vortex : BodyForceKind::ring;
@@ -103,7 +103,7 @@ void add_body_force(const Deck& deck, Scene& scene) {
   if (!deck.has("Body Force/Kind")) return;
   BodyForceSpec& spec = scene.body_force;
   const std::string word = deck.word("Body Force/Kind");
-  spec.kind = kind_of(word);
+  spec.kind = body_force_kind(word);
   spec.dimensions = dimensions(scene.grid.mode);
   spec.axisymmetric = scene.grid.mode == Mode::axisymmetric;
   const bool vortex = spec.kind == BodyForceKind::vortex;

@@ -7,7 +7,7 @@
 namespace barreno {
 namespace {
 
-ContactKind kind_of(const std::string& word) {
+ContactKind contact_kind(const std::string& word) {
   if (word == "stick") return ContactKind::stick;
   return word == "friction" ? ContactKind::friction : ContactKind::frictionless;
 }
@@ -61,7 +61,7 @@ void add_contacts(const Deck& deck, Scene& scene) {
     ContactSpec contact;
     contact.name = name;
     contact.materials = pair_at(deck, path);
-    contact.kind = kind_of(deck.word(path + "/Kind"));
+    contact.kind = contact_kind(deck.word(path + "/Kind"));
     contact.friction = friction_at(deck, path + "/Friction Coefficient", contact.kind);
     check_new_pair(deck, scene, contact, path + "/Other Material");
     scene.contacts.push_back(contact);

@@ -28,7 +28,7 @@ std::vector<Face> faces_of(Mode mode) {
   return faces;
 }
 
-ConditionKind kind_of(const std::string& word) {
+ConditionKind condition_kind(const std::string& word) {
   if (word == "symmetry") return ConditionKind::symmetry;
   return word == "fixed" ? ConditionKind::fixed : ConditionKind::prescribed_velocity;
 }
@@ -153,7 +153,7 @@ void add_conditions(const Deck& deck, Scene& scene) {
     ConditionSpec condition;
     condition.name = name;
     condition.face = face_at(deck, path + "/Face", deck.word(path + "/Face"), scene.grid.mode);
-    condition.kind = kind_of(deck.word(path + "/Kind"));
+    condition.kind = condition_kind(deck.word(path + "/Kind"));
     const bool prescribed = condition.kind == ConditionKind::prescribed_velocity;
     if (prescribed) {
       if (!deck.has(path + "/Velocity"))

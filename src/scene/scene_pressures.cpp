@@ -7,7 +7,7 @@
 namespace barreno {
 namespace {
 
-LoadKind kind_of(const std::string& word) {
+LoadKind load_kind(const std::string& word) {
   if (word == "pressure") return LoadKind::pressure;
   return word == "pore fluid" ? LoadKind::pore_fluid : LoadKind::non_reflecting;
 }
@@ -124,7 +124,7 @@ void add_loads(const Deck& deck, Scene& scene) {
     const std::string path = "Loads/" + name;
     PressureLoadSpec load;
     load.name = name;
-    load.kind = kind_of(deck.word(path + "/Kind"));
+    load.kind = load_kind(deck.word(path + "/Kind"));
     load.body = body_named(deck, scene, path + "/Body", deck.word(path + "/Body"));
     const Shape& shape = scene.bodies[static_cast<std::size_t>(load.body)].shape;
     if (const auto* ball = std::get_if<Ball>(&shape))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/scene_parts.hpp"
@@ -12,7 +13,6 @@ namespace {
 
 /// Longest side of the box around all bodies that deform.
 double longest_side(const Scene& scene) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Vector lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};
   for (const BodySpec& body : scene.bodies) {
     if (body.motion.prescribed) continue;

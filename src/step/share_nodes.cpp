@@ -8,7 +8,7 @@
 namespace barreno {
 namespace {
 
-using Sums = Kokkos::Array<ArrayView<double>, most_velocity_fields>;
+using SumsOfFields = Kokkos::Array<ArrayView<double>, most_velocity_fields>;
 
 /// Bits of the fields that have mass in the patch of each local tile.
 void find_tile_fields(const State& state) {
@@ -36,7 +36,7 @@ KOKKOS_INLINE_FUNCTION bool several(unsigned bits) {
 
 struct ShareNodes {
   NodeCopies copies;
-  Sums sums;
+  SumsOfFields sums;
   int count;
   ArrayView<unsigned char> tile_fields, shared_tile, fields;
 
@@ -104,7 +104,7 @@ void share_nodes(State& state) {
   const Region region("share_nodes");
   make_room(state);
   find_tile_fields(state);
-  Sums sums;
+  SumsOfFields sums;
   for (std::size_t f = 0; f < state.nodes.size(); ++f) sums[f] = state.nodes[f].sums;
   launch(
       "share_nodes",

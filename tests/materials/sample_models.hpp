@@ -4,6 +4,7 @@
 #include "barreno/models.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -208,6 +209,27 @@ struct Point {
     return last;
   }
 };
+
+inline double largest_component(const Sym3& s) {
+  return std::max(
+      {std::fabs(s.xx),
+       std::fabs(s.yy),
+       std::fabs(s.zz),
+       std::fabs(s.xy),
+       std::fabs(s.yz),
+       std::fabs(s.zx)}
+  );
+}
+
+/// The sample of Arenisca, without and with water in its pores.
+inline Arenisca::Parameters dry_rock() {
+  return Sample<Arenisca>::parameters();
+}
+inline Arenisca::Parameters wet_rock() {
+  Arenisca::Parameters p = dry_rock();
+  p.fluid_B0 = 2.2e9;
+  return p;
+}
 
 /// Largest |values - reference| over the largest |reference|.
 inline double largest_difference(

@@ -16,8 +16,7 @@ using Rock = Point<GeneralArenisca>;
 
 /// The demonstration set with water.
 Parameters wet() {
-  Parameters p = Sample<Arenisca>::parameters();
-  p.fluid_B0 = 2.2e9;
+  Parameters p = wet_rock();
   p.tolerance = 1e-6;
   return p;
 }

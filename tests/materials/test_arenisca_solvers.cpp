@@ -16,7 +16,7 @@ long update_count() {
   return asked != nullptr ? std::atol(asked) : 20000;
 }
 
-struct Tally {
+struct Agreement {
   long updates = 0, flows = 0, unsound = 0, apart = 0;
   double stress = 0.0, plastic_strain = 0.0;
 
@@ -31,19 +31,19 @@ struct Tally {
 };
 
 /// Half as in a penetration run, half over every state, of one kind of rock.
-Tally compare(const Arenisca::Parameters& set, unsigned seed, long count, Places& places) {
+Agreement compare(const Arenisca::Parameters& set, unsigned seed, long count, Places& places) {
   TwoSolvers solvers(set);
   RockSampler sampler(solvers.model(), seed);
   const bool porous = set.p3_crush_curve > 0.0;
-  Tally tally;
+  Agreement agreement;
   for (long i = 0; i < count; ++i) {
     const bool anywhere = !porous || i % 2 == 0;
     const RockPoint point = anywhere ? sampler.anywhere(-6.0, -3.0) : sampler.flowing();
     const SolverDifference d = solvers.compare(point);
-    tally.add(d);
+    agreement.add(d);
     if (d.flows) places.add(solvers.model().rock(), point, d);
   }
-  return tally;
+  return agreement;
 }
 
 // To 1e-9 of the larger of strength and trial stress.
@@ -55,23 +55,23 @@ TEST(AreniscaSolvers, AgreeOnTheSameSubsteps) {
   double worst = 0.0;
   for (std::size_t k = 0; k < sets.size(); ++k) {
     SCOPED_TRACE(k);
-    const Tally tally = compare(sets[k], static_cast<unsigned>(k), each, places);
+    const Agreement agreement = compare(sets[k], static_cast<unsigned>(k), each, places);
     std::printf(
         "set %zu: %ld updates, %ld flow, worst stress %.1e, plastic strain %.1e, %ld above 1e-9\n",
         k,
-        tally.updates,
-        tally.flows,
-        tally.stress,
-        tally.plastic_strain,
-        tally.apart
+        agreement.updates,
+        agreement.flows,
+        agreement.stress,
+        agreement.plastic_strain,
+        agreement.apart
     );
-    EXPECT_EQ(tally.unsound, 0);
-    EXPECT_LE(tally.stress, 1e-9);
-    EXPECT_LE(tally.plastic_strain, 1e-10);
-    EXPECT_GT(tally.flows, tally.updates / 5);
-    updates += tally.updates;
-    flows += tally.flows;
-    worst = std::max(worst, tally.stress);
+    EXPECT_EQ(agreement.unsound, 0);
+    EXPECT_LE(agreement.stress, 1e-9);
+    EXPECT_LE(agreement.plastic_strain, 1e-10);
+    EXPECT_GT(agreement.flows, agreement.updates / 5);
+    updates += agreement.updates;
+    flows += agreement.flows;
+    worst = std::max(worst, agreement.stress);
   }
   std::printf("%ld updates, %ld flow: worst difference of stress %.1e\n", updates, flows, worst);
   std::printf(

@@ -24,17 +24,6 @@ TYPED_TEST_SUITE(Contract, AllModels, ModelName);
 
 constexpr double step_time = 1e-8;  // s; of the order of a penetration run's
 
-double largest_component(const Sym3& s) {
-  return std::max(
-      {std::fabs(s.xx),
-       std::fabs(s.yy),
-       std::fabs(s.zz),
-       std::fabs(s.xy),
-       std::fabs(s.yz),
-       std::fabs(s.zx)}
-  );
-}
-
 template <class Model>
 std::vector<double> values(const typename Model::History& history) {
   std::vector<double> v(Model::history_count);

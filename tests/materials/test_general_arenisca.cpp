@@ -15,15 +15,6 @@ using arenisca::Lode;
 using arenisca::PointRock;
 using Parameters = Arenisca::Parameters;
 
-Parameters dry() {
-  return Sample<Arenisca>::parameters();
-}
-Parameters wet() {
-  Parameters p = dry();
-  p.fluid_B0 = 2.2e9;
-  return p;
-}
-
 /// Strain paths like those of a penetration: crushing with shear, some of it back.
 std::vector<std::vector<Sym3>> random_paths(int count, int steps, double size) {
   std::mt19937_64 engine(4711);
@@ -52,7 +43,7 @@ std::vector<Sym3> stresses(const Model& model, const std::vector<Sym3>& path) {
 
 /// Without fluid, rate and angle the two forms are the same equations, integrated differently.
 TEST(GeneralArenisca, DryRockIsThatOfTheDrainedForm) {
-  Parameters p = dry();
+  Parameters p = dry_rock();
   p.tolerance = 1e-6;
   const Arenisca drained(p, 2300.0);
   const GeneralArenisca general(p, 2300.0);
@@ -65,7 +56,7 @@ TEST(GeneralArenisca, DryRockIsThatOfTheDrainedForm) {
 }
 
 TEST(GeneralArenisca, VanishingFluidApproachesDryRockAtFirstOrder) {
-  Parameters p = dry();
+  Parameters p = dry_rock();
   p.tolerance = 1e-8;
   const std::vector<Sym3> path(40, isotropic(-2e-3 / 3.0));
   const auto without = stresses(GeneralArenisca(p, 2300.0), path);
@@ -80,7 +71,7 @@ TEST(GeneralArenisca, VanishingFluidApproachesDryRockAtFirstOrder) {
 
 /// Fluid as stiff as the grains: the pores are not felt.
 TEST(GeneralArenisca, FluidOfTheGrainsMakesGrain) {
-  Parameters p = wet();
+  Parameters p = wet_rock();
   p.fluid_B0 = p.B0 + p.B1;
   const GeneralArenisca model(p, 2300.0);
   const PointRock point(model.rock(), 1.0, 1.0);
@@ -93,7 +84,7 @@ TEST(GeneralArenisca, FluidOfTheGrainsMakesGrain) {
 
 /// exp(e) = (1 - phi) exp(-p_c/Km) + mu phi exp(-p_c/Kf), and porosity from the fluid's volume.
 TEST(GeneralArenisca, CentrePressureFulfilsTheBalanceOfVolumes) {
-  Parameters p = wet();
+  Parameters p = wet_rock();
   p.fluid_pressure_initial = 30e6;
   const auto fluid = GeneralArenisca(p, 2300.0).rock().fluid;
   for (const double mu : {1.0, 0.9, 1.1}) {
@@ -109,7 +100,7 @@ TEST(GeneralArenisca, CentrePressureFulfilsTheBalanceOfVolumes) {
 
 /// A wet rock's strength is continuous and falls with dilation, also where the moduli jump.
 TEST(GeneralArenisca, StrengthFallsWithDilation) {
-  const GeneralArenisca model(wet(), 2300.0);
+  const GeneralArenisca model(wet_rock(), 2300.0);
   const PointRock point(model.rock(), 1.0, 1.0);
   double before = point.strength(-0.2);
   for (double e = -0.2; e < 0.1; e += 1e-4) {
@@ -123,7 +114,7 @@ TEST(GeneralArenisca, StrengthFallsWithDilation) {
 
 /// The cap, the centre's pressure and the threshold of the fluid are continuous where a gap opens.
 TEST(GeneralArenisca, CavitationIsContinuous) {
-  const GeneralArenisca model(wet(), 2300.0);
+  const GeneralArenisca model(wet_rock(), 2300.0);
   const PointRock point(model.rock(), 1.0, 0.97);
   const double filling = model.rock().fluid.filling_strain(0.97);
   const double step = 1e-9;
@@ -138,7 +129,7 @@ TEST(GeneralArenisca, CavitationIsContinuous) {
 
 TEST(GeneralArenisca, SkemptonAndGassmannAgree) {
   // Undrained: dp = -B dI1/3, and K_u = Kd/(1 - alpha B).
-  const auto fluid = GeneralArenisca(wet(), 2300.0).rock().fluid;
+  const auto fluid = GeneralArenisca(wet_rock(), 2300.0).rock().fluid;
   for (const double drained : {8e9, 12e9, 20e9}) {
     const double alpha = 1.0 - drained / fluid.matrix, b = fluid.skempton(drained, 0.19);
     EXPECT_NEAR(fluid.saturated(drained, 0.19) * (1.0 - alpha * b) / drained, 1.0, 1e-14);
@@ -204,7 +195,7 @@ void expect_closest(const PointRock& point, const Sym3& t) {
 
 TEST(GeneralArenisca, ReturnIsClosestInThreeDimensions) {
   for (const int kind : {Lode::gudehus, Lode::willam_warnke, Lode::mohr_coulomb}) {
-    Parameters p = dry();
+    Parameters p = dry_rock();
     p.p3_crush_curve = 0.0;  // no hardening: the surface stands still
     p.J3_type = kind;
     p.J3_psi = 0.8;
@@ -223,7 +214,7 @@ TEST(GeneralArenisca, ReturnIsClosestInThreeDimensions) {
 /// Constant strain rate, elastic range, constant relaxation time: nothing relaxes. Beyond yield of
 /// von Mises rock in shear the overstress tends to 2 G D tau.
 TEST(GeneralArenisca, OverstressTendsToRateTimesRelaxationTime) {
-  Parameters p = dry();
+  Parameters p = dry_rock();
   p.PEAKI1 = p.FSLOPE = p.YSLOPE = 0.0;
   p.STREN = 20e6;
   p.p3_crush_curve = 0.0;
@@ -251,7 +242,7 @@ TEST(GeneralArenisca, OverstressTendsToRateTimesRelaxationTime) {
 /// The fast and the published solver give one answer on the same substeps.
 TEST(GeneralArenisca, SolversAgree) {
   for (const int kind : {Lode::none, Lode::willam_warnke}) {
-    Parameters p = wet();
+    Parameters p = wet_rock();
     p.J3_type = kind;
     p.J3_psi = kind == Lode::none ? 1.0 : 0.7;
     const GeneralArenisca fast(p, 2300.0);

@@ -15,15 +15,6 @@ namespace {
 
 using Parameters = Arenisca::Parameters;
 
-Parameters dry() {
-  return Sample<Arenisca>::parameters();
-}
-Parameters wet() {
-  Parameters p = dry();
-  p.fluid_B0 = 2.2e9;
-  return p;
-}
-
 /// Two legs that crush and shear, and a way back; in `steps` equal increments each.
 std::vector<Sym3> stresses(const Parameters& p, int steps, double dt) {
   const GeneralArenisca model(p, 2300.0);
@@ -46,7 +37,7 @@ Material from_list(const char* name, double value) {
   Teuchos::ParameterList list;
   list.set("Model", std::string("Arenisca"));
   list.set("Density", 2300.0);
-  const Parameters p = dry();
+  const Parameters p = dry_rock();
   for (const auto& entry : Arenisca::parameter_table().numbers) {
     list.set(entry.name, p.*entry.member);
   }
@@ -65,7 +56,7 @@ TEST(GeneralLimits, NothingAskedForIsTheDrainedForm) {
 
 /// Grains without pores hold no fluid.
 TEST(GeneralLimits, FluidNeedsPores) {
-  Parameters p = wet();
+  Parameters p = wet_rock();
   p.p3_crush_curve = 0.0;
   const auto with = stresses(p, 20, 1e-6);
   p.fluid_B0 = 0.0;
@@ -74,12 +65,12 @@ TEST(GeneralLimits, FluidNeedsPores) {
 
 /// tau -> 0: no overstress, to round-off; tau -> infinity: elastic, whatever the rock yields at.
 TEST(GeneralLimits, RelaxationTimes) {
-  Parameters p = wet();
+  Parameters p = wet_rock();
   const auto quasi_static = stresses(p, 20, 1e-6);
   p.T1_rate_dependence = 1e-30;
   EXPECT_LE(largest_difference(stresses(p, 20, 1e-6), quasi_static), 1e-14);
 
-  Parameters elastic = dry();
+  Parameters elastic = dry_rock();
   elastic.B1 = elastic.B2 = 0.0;  // elastic moduli of another stress would be another response
   elastic.T1_rate_dependence = 1e30;
   const Sym3 total{-0.022, -0.001, -0.014, 0.001, 0.007, 0.0};
@@ -90,7 +81,7 @@ TEST(GeneralLimits, RelaxationTimes) {
 /// T2 > 0 at rest: the relaxation time is infinite, the overstress stays. T2 = 0: it decays.
 TEST(GeneralLimits, OverstressAtRest) {
   for (const double T2 : {0.0, 0.5}) {
-    Parameters p = wet();
+    Parameters p = wet_rock();
     p.T1_rate_dependence = T2 > 0.0 ? 1e-4 : 1e-6;
     p.T2_rate_dependence = T2;
     const GeneralArenisca model(p, 2300.0);
@@ -108,7 +99,7 @@ TEST(GeneralLimits, OverstressAtRest) {
 
 /// One step against many: second order in the step, for every part of the model.
 TEST(GeneralLimits, SecondOrderInTheStep) {
-  std::vector<Parameters> rocks(3, wet());
+  std::vector<Parameters> rocks(3, wet_rock());
   rocks[1].J3_type = arenisca::Lode::willam_warnke;
   rocks[1].J3_psi = 0.7;
   rocks[2].T1_rate_dependence = 1e-3;
@@ -130,7 +121,7 @@ TEST(GeneralLimits, SecondOrderInTheStep) {
 /// Rock without cohesion opens without stress and holds no fluid in its widened pores, until it is
 /// compressed again.
 TEST(GeneralLimits, NoCohesion) {
-  Parameters p = wet();
+  Parameters p = wet_rock();
   p.PEAKI1 = 0.0;
   const GeneralArenisca model(p, 2300.0);
   Point<GeneralArenisca> point(model);
@@ -149,7 +140,7 @@ TEST(GeneralLimits, NoCohesion) {
 
 /// Rock with fluid under pressure starts at its elastic centre: -p_i I, which stays without strain.
 TEST(GeneralLimits, InitialPressure) {
-  Parameters p = wet();
+  Parameters p = wet_rock();
   p.fluid_pressure_initial = 30e6;
   const GeneralArenisca model(p, 2300.0);
   const auto start = model.initial_state(0.0);
@@ -172,7 +163,7 @@ TEST(GeneralLimits, InitialPressure) {
 /// First yield anywhere in a step, at its very end too: round-off must not leave a remainder that
 /// is never taken.
 TEST(GeneralLimits, TheSurfaceMayBeReachedAnywhereInAStep) {
-  const GeneralArenisca model(wet(), 2300.0);
+  const GeneralArenisca model(wet_rock(), 2300.0);
   const Sym3 ways[] = {
       {1.0, 1.0, 1.0, 0.3, -0.2, 0.4},
       {-1.0, 0.6, 0.5, 0.3, -0.2, 0.4},

@@ -11,13 +11,6 @@
 namespace barreno::test {
 namespace {
 
-double largest_component(const Sym3& s) {
-  return std::fmax(
-      std::fmax(std::fabs(s.xx), std::fmax(std::fabs(s.yy), std::fabs(s.zz))),
-      std::fmax(std::fabs(s.xy), std::fmax(std::fabs(s.yz), std::fabs(s.zx)))
-  );
-}
-
 const Sym3 sheared{2.0, 0.7, 1.3, 0.4, -0.2, 0.3};
 
 TEST(SymmetricFunctions, RootAndExponentialAgreeWithTheirMeaning) {

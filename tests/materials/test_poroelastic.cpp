@@ -12,10 +12,8 @@
 namespace barreno::test {
 namespace {
 
-using Parameters = Poroelastic::Parameters;
-
 /// K = 8, Ks = 36, G = 6 GPa, phi = 0.19.
-Parameters berea(double fluid) {
+PoroelasticParameters berea(double fluid) {
   return {8e9, 6e9, 0.19, fluid, 36e9, 1.0, 0.0};
 }
 
@@ -64,7 +62,7 @@ TEST(Poroelastic, Limits) {
 /// Incompressible grains: alpha = 1, 1/M = phi/Kf. The Biot coefficient says the same as the
 /// grains.
 TEST(Poroelastic, GrainsOrBiotCoefficient) {
-  Parameters p = berea(2.25e9);
+  PoroelasticParameters p = berea(2.25e9);
   const PorePoint by_grains = Poroelastic(p, 2300.0).pore_point({}, {});
   EXPECT_NEAR(by_grains.biot, 0.7777777778, 1e-10);
   EXPECT_NEAR(1.0 / by_grains.storage / 9.92343032159e9, 1.0, 1e-11);
@@ -107,7 +105,7 @@ TEST(Poroelastic, UndrainedThenDrainedIsDrained) {
 /// At rest under confinement and a pore pressure of its own; the stored energy is that of bringing
 /// both up.
 TEST(Poroelastic, InitialState) {
-  Parameters p = berea(2.25e9);
+  PoroelasticParameters p = berea(2.25e9);
   p.initial_pressure = 20e6;
   const Poroelastic model(p, 2300.0);
   const auto start = model.initial_state(50e6);

@@ -10,6 +10,8 @@
 
 namespace barreno::testing {
 
+constexpr Mode all_modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
+
 /// Copper with a Mie-Grueneisen pressure; strength off if `strength` is 0.
 Material copper(double strength = 1.0);
 

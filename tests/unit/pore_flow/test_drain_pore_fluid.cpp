@@ -73,10 +73,8 @@ double round_off(const State& state) {
   return terms[0] * std::numeric_limits<double>::epsilon();
 }
 
-const std::vector<Mode> modes{Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
-
 TEST(DrainPoreFluid, WithoutPermeabilityChangesNoBit) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     Scene scene = block_scene(mode, 4, 0.0);
     scene.pore_flow.conditions = {open_on_top()};
     State state = placed(scene);
@@ -102,7 +100,7 @@ TEST(DrainPoreFluid, WithoutPermeabilityChangesNoBit) {
 /// one pressure, but for the 1 / (1 + c dt (pi / L)^2) that backward Euler leaves, and total stress
 /// has followed by alpha dp.
 TEST(DrainPoreFluid, SealedRockKeepsItsFluid) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     Scene scene = block_scene(mode, 4, 1e-12);
     State state = placed(scene);
     set_pressures(state, [](const Vector& x) { return x[1] < 1.7 ? 1e6 : 0.0; });
@@ -153,7 +151,7 @@ TEST(DrainPoreFluid, CountsTheFluidOfRemovedParticles) {
 TEST(DrainPoreFluid, IsBackwardEulerOfTheLayers) {
   constexpr int n = 4;
   constexpr double permeability = 1e-13, mobility = permeability / 1e-3;
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     Scene scene = block_scene(mode, n, permeability);
     scene.pore_flow.conditions = {open_on_top()};
     State state = placed(scene);
@@ -206,7 +204,7 @@ TEST(DrainPoreFluid, NeverOvershoots) {
 /// Pressures so high that more than all fluid would leave: some cells are emptied, none loses more,
 /// and what the rock lost has left.
 TEST(DrainPoreFluid, TakesNoMoreThanPoresHold) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     Scene scene = block_scene(mode, 4, 1e-12);
     scene.pore_flow.conditions = {open_on_top()};
     State state = placed(scene);

@@ -15,8 +15,6 @@ namespace {
 
 using namespace testing;
 
-const std::vector<Mode> modes{Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
-
 Material wet_sandstone() {
   const Material dry = read_card(BARRENO_SOURCE_DIR "/materials/cards/arenisca_demonstration.xml");
   Arenisca::Parameters p = std::get<Arenisca>(dry.model).parameters();
@@ -61,7 +59,7 @@ std::vector<double> numbers_of(const State& state) {
 
 TEST(PoreFlowLimits, WithoutPermeabilityARunIsTheUndrainedOneBitForBit) {
   for (const Material& rock : {wet_sandstone(), berea()})
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
       Scene scene = impact(mode, rock, 0.0);
       State drained = start(scene);
       advance_to(scene, 2e-6, drained);
@@ -95,7 +93,7 @@ double difference(
 /// its tolerance: rock that yields makes more of it.
 TEST(PoreFlowLimits, AnyRankCountGivesTheSameAnswer) {
   for (const Material& rock : {wet_sandstone(), berea()})
-    for (const Mode mode : modes) {
+    for (const Mode mode : all_modes) {
       Scene scene = impact(mode, rock, 1e-13);
       auto lists = std::make_shared<Teuchos::ParameterList>();
       lists->sublist("Belos").set("Convergence Tolerance", 1e-13);

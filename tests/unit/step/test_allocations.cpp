@@ -15,6 +15,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::box_scene;
 using testing::start_alone;
 
@@ -51,8 +52,6 @@ Scene shaking_block(Mode mode, const Material& material) {
   if (mode == Mode::axisymmetric) add_symmetry(scene, Face::x_lower);
   return scene;
 }
-
-constexpr Mode all_modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
 
 TEST(Allocations, AStepOfEveryShapeFunctionInEveryModeMakesNone) {
   for (const Mode mode : all_modes)

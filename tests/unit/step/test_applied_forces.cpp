@@ -14,6 +14,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::box_scene;
 using testing::start;
 
@@ -58,11 +59,7 @@ TEST_P(AppliedForces, DampingSlowsExponentiallyAndIsCounted) {
   EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    AppliedForces,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, AppliedForces, ::testing::ValuesIn(all_modes));
 
 TEST(BodyForceInSpace, PullsAlongItsDirection) {
   Scene scene = falling(Mode::three_dimensional);

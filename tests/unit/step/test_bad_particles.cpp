@@ -220,11 +220,7 @@ TEST_P(BadParticles, AreRemovedWhereTheyLeaveTheGridWhateverThePolicy) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    BadParticles,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, BadParticles, ::testing::ValuesIn(testing::all_modes));
 
 }  // namespace
 }  // namespace barreno

@@ -13,6 +13,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::box_scene;
 using testing::start;
 
@@ -55,11 +56,7 @@ TEST_P(Conservation, PicGivesAwayEnergyAndSaysSo) {
   EXPECT_LT(ledger.transfer, -0.02 * ledger.initial_kinetic);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    Conservation,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, Conservation, ::testing::ValuesIn(all_modes));
 
 TEST(Conservation, ImpulseOfAWallIsCounted) {
   Scene scene =
@@ -78,7 +75,7 @@ TEST(Conservation, ImpulseOfAWallIsCounted) {
 /// A body under pressure, stress and loads consistent, does not move: the discrete equilibrium is
 /// exact.
 TEST(Conservation, ConfinedBodyStaysAtRest) {
-  for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional}) {
+  for (const Mode mode : all_modes) {
     Scene scene = box_scene(
         mode, 1e-3, {0.0, 0.0, 0.0}, {0.020, 0.040, 0.012}, testing::elastic(20e9, 0.25, 2300.0)
     );

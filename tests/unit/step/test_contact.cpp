@@ -19,6 +19,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::all_rows;
 using testing::box_scene;
 using testing::start;
@@ -185,11 +186,7 @@ TEST_P(Contact, AnyRankCountGivesTheSameBits) {
   EXPECT_EQ(all_rows(alone), all_rows(together));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    Contact,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, Contact, ::testing::ValuesIn(all_modes));
 
 /// Two blocks that meet along z: what friction takes from one it gives to the other, in the plane
 /// of the faces, and no more than its coefficient times the push.

@@ -18,6 +18,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::all_rows;
 using testing::box_scene;
 using testing::start;
@@ -116,8 +117,6 @@ void expect_same_without(const Scene& scene, double least_share) {
   EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-12);
 }
 
-constexpr Mode modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
-
 TEST(DormantTiles, NobodyCanTellInUnstressedMetal) {
   for (const Mode mode : {Mode::plane_strain, Mode::three_dimensional})
     expect_same_without(impact(mode, testing::copper()), 0.05);
@@ -125,10 +124,10 @@ TEST(DormantTiles, NobodyCanTellInUnstressedMetal) {
   expect_same_without(impact(Mode::axisymmetric, testing::copper()), -1.0);
 }
 TEST(DormantTiles, NobodyCanTellInUnstressedRock) {
-  for (const Mode mode : modes) expect_same_without(impact(mode, sandstone()), 0.05);
+  for (const Mode mode : all_modes) expect_same_without(impact(mode, sandstone()), 0.05);
 }
 TEST(DormantTiles, NobodyCanTellInConfinedRock) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     expect_same_without(confined(mode), 0.2);
     expect_same_without(confined(mode, true), 0.2);
   }
@@ -144,7 +143,7 @@ TEST(DormantTiles, MoreRestWhereRoundOffWakesNobody) {
 
 /// Against the step without any rule, before chaos has made digits of round-off.
 TEST(DormantTiles, ConfinedRockMovesAsItDoesWhenAllIsAwake) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     Scene awake = confined(mode);
     const Ended with = run(awake, 0.5 * end_time);
     EXPECT_GT(with.share(), 0.25);
@@ -164,7 +163,7 @@ TEST(DormantTiles, ConfinedRockMovesAsItDoesWhenAllIsAwake) {
 
 /// Each rank repeats the run alone; and the rows are stored in another order.
 TEST(DormantTiles, AnyRankCountAndOrderGivesTheSameBits) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     const Scene scene = confined(mode);
     const Ended together = run(scene);
     EXPECT_EQ(together.rows, finish(scene, start_alone(scene)).rows);

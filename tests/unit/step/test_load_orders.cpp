@@ -18,6 +18,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::all_rows;
 using testing::all_shapes;
 using testing::all_steps;
@@ -183,11 +184,7 @@ TEST_P(LoadOrders, AnyRankCountGivesTheSameBits) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    LoadOrders,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, LoadOrders, ::testing::ValuesIn(all_modes));
 
 }  // namespace
 }  // namespace barreno

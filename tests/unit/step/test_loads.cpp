@@ -14,6 +14,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::all_rows;
 using testing::box_scene;
 using testing::elastic;
@@ -29,8 +30,6 @@ PressureLoadSpec load_on(const std::vector<Face>& faces, LoadKind kind, double p
   load.pressure = {{0.0}, {pressure}};
   return load;
 }
-
-constexpr Mode modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
 
 /// A confined block whose upper and outer faces absorb; coarser in three dimensions, where its back
 /// absorbs too.
@@ -52,7 +51,7 @@ Scene absorbing(Mode mode) {
 }
 
 TEST(NonReflecting, PreloadedBlockStaysAtRest) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     const Scene scene = absorbing(mode);
     State state = start(scene);
     advance_to(scene, 1e-4, state);
@@ -96,7 +95,7 @@ TEST(NonReflecting, FacesFeelTheImpedanceOfBothWaves) {
 
 /// Waves in the whole block: absorbed without instability, the books balanced, the same bits alone.
 TEST(NonReflecting, AbsorbsAndGivesTheSameBitsOnAnyRankCount) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     Scene scene = absorbing(mode);
     scene.step.courant_fraction = 1.0;
     scene.step.linear_viscosity = 0.0;

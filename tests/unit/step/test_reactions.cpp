@@ -17,6 +17,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::box_scene;
 using testing::start;
 using testing::start_alone;
@@ -160,11 +161,7 @@ TEST_P(Reactions, AreTheSameOnAnyRankCountAndWhatTheBarGot) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    Reactions,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, Reactions, ::testing::ValuesIn(all_modes));
 
 TEST(ReactionColumns, ForceIsTheImpulseSinceTheRowBefore) {
   Scene scene = bar_and_plate(Mode::plane_strain, 0.0, 12.0 * h, true);

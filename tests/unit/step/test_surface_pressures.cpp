@@ -18,6 +18,7 @@ namespace {
 
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::all_rows;
 using testing::box_scene;
 using testing::start;
@@ -62,8 +63,6 @@ void add_fluid(Scene& scene, double bulk_modulus, double pressure = 0.0) {
   scene.loads.push_back(load);
 }
 
-constexpr Mode modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
-
 /// Of the part of a cavity of radius a that the scene holds, its volume and the area of its wall.
 double cavity(Mode mode, double a) {
   if (mode == Mode::three_dimensional) return pi * a * a * a / 6.0;
@@ -99,7 +98,7 @@ TEST(SurfaceShare, SharesAddUpToOneAndTheGradientIsTheirSlope) {
 /// The same pressure on all surfaces and in the body: the discrete equilibrium is exact, however
 /// the surfaces cut the cells.
 TEST(SurfacePressures, ConfinedBallStaysAtRest) {
-  for (const Mode mode : modes)
+  for (const Mode mode : all_modes)
     for (const double inner : {0.0, 0.3701})
       for (const int particles : {1, 2, 3}) {
         Scene scene = ball_scene(mode, {{0.0, 0.0, 0.0}, 1.013, inner}, 0.0625, particles);
@@ -143,7 +142,7 @@ double work_error(Mode mode, double h) {
 }
 
 TEST(SurfacePressures, WorkConvergesToThatOfTheSurface) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     EXPECT_LT(std::abs(work_error(mode, 0.125)), 2e-2);
     const double fine = mode == Mode::three_dimensional ? 0.0625 / 4.0 : 0.03125;
     EXPECT_LT(std::abs(work_error(mode, fine)), 1.5e-3);
@@ -152,7 +151,7 @@ TEST(SurfacePressures, WorkConvergesToThatOfTheSurface) {
 
 /// A pressure in the cavity of a ball that is not cut does not push it along.
 TEST(SurfacePressures, ClosedSurfaceHasNoResultant) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     constexpr double inner = 0.2;
     Scene scene = ball_scene(mode, {{0.0, 0.613, 0.0}, 0.5, inner}, 0.03125);
     scene.conditions.pop_back();
@@ -187,7 +186,7 @@ double growth_error(Mode mode, double h) {
 /// all on one side: a velocity that is put on the particles is seen with an error of the first
 /// order.
 TEST(SurfacePressures, CavityGrowsWithItsWall) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : all_modes) {
     const double coarse = std::abs(growth_error(mode, 0.0625));
     const double fine = std::abs(growth_error(mode, 0.015625));
     // Cells are twice as large in three dimensions.

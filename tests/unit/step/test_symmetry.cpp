@@ -94,11 +94,7 @@ TEST_P(SymmetryPlane, IsTheMiddleOfTheWholeBody) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    SymmetryPlane,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, SymmetryPlane, ::testing::ValuesIn(testing::all_modes));
 
 }  // namespace
 }  // namespace barreno

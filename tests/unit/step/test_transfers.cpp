@@ -17,6 +17,7 @@ namespace {
 using testing::add_box;
 using testing::add_symmetry;
 using testing::advance_to;
+using testing::all_modes;
 using testing::all_rows;
 using testing::all_shapes;
 using testing::all_steps;
@@ -171,11 +172,7 @@ TEST_P(Transfers, AnyRankCountGivesTheSameBitsAtContactsAndRigidBodies) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Modes,
-    Transfers,
-    ::testing::Values(Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional)
-);
+INSTANTIATE_TEST_SUITE_P(Modes, Transfers, ::testing::ValuesIn(all_modes));
 
 }  // namespace
 }  // namespace barreno
