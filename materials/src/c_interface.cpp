@@ -15,12 +15,16 @@
 using namespace barreno;
 using namespace barreno::c_interface;
 
-namespace {
+namespace barreno::c_interface {
 
 struct StateVariable {
   std::string name, unit, meaning;
   double initial;
 };
+
+}  // namespace barreno::c_interface
+
+namespace {
 
 /// Text of the last error of a thread; an array, because it must outlive every destructor.
 thread_local char last_error[2000] = "";

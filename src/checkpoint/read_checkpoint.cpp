@@ -22,10 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string group_of(const Particles& particles) {
-  return "particles/" + std::to_string(particles.material) + "/";
-}
-
 /// visit(r, x) for the position of every particle of a material.
 template <class Visitor>
 void for_each_position(
@@ -33,7 +29,7 @@ void for_each_position(
 ) {
   const auto columns = static_cast<std::size_t>(particles.position.components);
   file.for_each_row<double>(
-      group_of(particles) + "position",
+      particle_group(particles) + "position",
       [&](std::size_t row, const double* values) {
         Vector x{};
         std::copy_n(values, columns, x.data());
@@ -50,7 +46,7 @@ std::vector<std::size_t> own_rows(
   const auto rank = static_cast<std::size_t>(comm.getRank());
   std::vector<std::size_t> rows;
   if (same_ranks) {
-    const auto counts = file.read<long long>(group_of(particles) + "rank_counts");
+    const auto counts = file.read<long long>(particle_group(particles) + "rank_counts");
     const auto begin = std::accumulate(counts.begin(), counts.begin() + comm.getRank(), 0LL);
     rows.resize(static_cast<std::size_t>(counts[rank]));
     std::iota(rows.begin(), rows.end(), static_cast<std::size_t>(begin));
@@ -81,7 +77,7 @@ void for_own_rows(
 void read_particles(
     const std::vector<std::size_t>& rows, const SharedFile& file, Particles& particles
 ) {
-  const std::string group = group_of(particles);
+  const std::string group = particle_group(particles);
   reserve(particles, static_cast<int>(rows.size()));
   particles.count = static_cast<int>(rows.size());
   particles.sorted = false;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/gather.hpp"
-#include "checkpoint/state_numbers.hpp"
+#include "checkpoint/checkpoint_contents.hpp"
 #include "state/state.hpp"
 
 #include <filesystem>

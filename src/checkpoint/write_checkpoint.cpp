@@ -58,7 +58,7 @@ void pack_rows(const Field& field, std::size_t first, std::size_t count, double*
 void write_particles(
     const Comm& comm, const Particles& particles, RootWork& work, std::unique_ptr<Hdf5File>& file
 ) {
-  const std::string group = "particles/" + std::to_string(particles.material) + "/";
+  const std::string group = particle_group(particles);
   const std::vector<std::size_t> first = first_rows(comm, particles.count);
   const auto put = [&](const auto& table) { write_rows(comm, first, table, work, file); };
   work.run([&] {

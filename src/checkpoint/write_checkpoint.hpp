@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "checkpoint/state_numbers.hpp"
+#include "checkpoint/checkpoint_contents.hpp"
 #include "state/state.hpp"
 
 #include <filesystem>

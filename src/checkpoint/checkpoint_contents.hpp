@@ -4,7 +4,14 @@
 #include "base/run_numbers.hpp"
 #include "state/state.hpp"
 
+#include <string>
+
 namespace barreno {
+
+/// The group of a checkpoint that holds a material's particles.
+inline std::string particle_group(const Particles& particles) {
+  return "particles/" + std::to_string(particles.material) + "/";
+}
 
 /// visit(name, number) for all of a state's numbers that are the same on every rank: a checkpoint
 /// writes and reads this one list.
