@@ -151,8 +151,7 @@ Mat3 polar_rotation(const Mat3& f) {
 }
 
 Sym3 rotate(const Mat3& r, const Sym3& t) {
-  const Mat3 full{{{t.xx, t.xy, t.zx}, {t.xy, t.yy, t.yz}, {t.zx, t.yz, t.zz}}};
-  return symmetric_part(r * full * transpose(r));
+  return symmetric_part(r * full(t) * transpose(r));
 }
 
 Sym3 unrotate(const Mat3& r, const Sym3& t) {

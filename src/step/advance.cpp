@@ -96,7 +96,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
   balance_load(scene, state);                            // tiles to ranks by measured cost
   launch_jet(scene, state);                              // slugs whose time has come
   Placement placement = locate_particles(scene, state);  // cell of each; the lost are tallied
-  double dt = agree_on_step(scene, next_time, placement, state);  // the one reduction
+  double dt = agree_on_step(scene, next_time, placement, state);  // of all ranks
   place_particles(scene, placement, state);                       // ranks, tiles, order
   start_affine(scene, state);                                     // APIC, first step
 

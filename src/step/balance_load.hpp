@@ -9,7 +9,8 @@
 namespace barreno {
 
 /// Every so many steps, compare what the ranks' nodes and particles have cost and, once ranks have
-/// waited as long as a change takes, share the tiles anew by measured cost if that gains anything.
+/// waited twice as long as a change takes, share the tiles anew by measured cost if that gains a
+/// noticeable part of a step.
 /// Collective. Answers do not depend on who owns what (docs/method.md 3).
 void balance_load(const Scene& scene, State& state);
 

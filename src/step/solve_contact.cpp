@@ -15,9 +15,9 @@
 namespace barreno {
 namespace {
 
-constexpr int contact_components = 2;
+constexpr int contact_tally_components = 2;
 /// Of each the two parts of add_split, as of reactions.
-constexpr int contact_values = 2 * contact_components;
+constexpr int contact_tally_values = 2 * contact_tally_components;
 constexpr int most_pairs = most_velocity_fields * (most_velocity_fields - 1) / 2;
 /// Turns of the pairs where three fields or more meet.
 constexpr int turns = 8;
@@ -55,16 +55,18 @@ struct SolveContact {
       : copies(grid), field_count(of.count), pair_count(static_cast<int>(of.pairs.size())) {}
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    double part[contact_components][2] = {};
+    double part[contact_tally_components][2] = {};
     for (int i = 0; i < 2 * reaction_count * dimensions; ++i)
       reactions(2 * tile * reaction_count * dimensions + i) = 0.0;
     if (shared_tile(tile) != 0)
       for (int slot = 0; slot < copies.patch.size; ++slot) solve_node(tile, slot, part);
-    for (int i = 0; i < contact_values; ++i) tally(tile * contact_values + i) = part[i / 2][i % 2];
+    for (int i = 0; i < contact_tally_values; ++i)
+      tally(tile * contact_tally_values + i) = part[i / 2][i % 2];
   }
 
-  KOKKOS_INLINE_FUNCTION void solve_node(int tile, int slot, double (&part)[contact_components][2])
-      const {
+  KOKKOS_INLINE_FUNCTION void solve_node(
+      int tile, int slot, double (&part)[contact_tally_components][2]
+  ) const {
     const Patch& patch = copies.patch;
     SharedNode<D> node;
     node.bits = fields(tile * patch.size + slot);
@@ -147,7 +149,7 @@ struct SolveContact {
   }
 
   KOKKOS_INLINE_FUNCTION void tally_rigid(
-      int tile, const SharedNode<D>& node, double (&part)[contact_components][2]
+      int tile, const SharedNode<D>& node, double (&part)[contact_tally_components][2]
   ) const {
     for (int f = 0; f < field_count; ++f) {
       if (!rigid[f] || !(node.bits >> f & 1U)) continue;
@@ -222,7 +224,7 @@ RigidTally solve_contact(
 ) {
   if (state.fields.count == 1) return {};
   const Region region("solve_contact");
-  const auto values = static_cast<std::size_t>(state.grid.active) * contact_values;
+  const auto values = static_cast<std::size_t>(state.grid.active) * contact_tally_values;
   const std::size_t impulses = static_cast<std::size_t>(state.grid.active) *
                                static_cast<std::size_t>(dimensions(scene.grid.mode));
   make_room("tally", values, state.contact.tally);
@@ -236,7 +238,7 @@ RigidTally solve_contact(
   });
   RigidTally sum{{}, {}, add_reactions(scene, state)};
   for (std::size_t i = 0; i < values; ++i)
-    (i % contact_values < 2 ? sum.work : sum.tangential_work) += state.contact.tally(i);
+    (i % contact_tally_values < 2 ? sum.work : sum.tangential_work) += state.contact.tally(i);
   return sum;
 }
 

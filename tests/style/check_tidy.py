@@ -21,6 +21,7 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+NOT_COMPILED = "[clang-diagnostic-error"
 SKIPPED = 77  # what ctest counts as skipped
 RULES = ROOT / ".clang-tidy"
 TOGETHER = 40  # files
@@ -68,7 +69,9 @@ def tidy(options, path):
     # GCC's warnings that clang does not know must not count as findings.
     command = ["clang-tidy", "--quiet", str(path), "--", *options, "-Wno-unknown-warning-option"]
     result = subprocess.run(command, capture_output=True, text=True)
-    return "" if result.returncode == 0 else result.stdout + result.stderr
+    if result.returncode == 0:
+        return ""
+    return f"clang-tidy ended with {result.returncode}\n{result.stdout}{result.stderr}"
 
 
 def clashing(options, unit, files):
@@ -85,11 +88,14 @@ def findings_of(options, files, folder):
     """Findings of a group; an empty text if there are none. The compiler, which is quicker, says what stands together."""
     if len(files) == 1:
         return tidy(options, files[0])
-    unit = folder / (files[0].replace("/", "_") + f".{len(files)}.cpp")
+    unit = folder / (hashlib.sha256(" ".join(options + files).encode()).hexdigest()[:16] + ".cpp")
     unit.write_text("".join(f'#include "{file}"  // NOLINT\n' for file in files))
     apart = clashing(options, unit, files)
     if not apart:
-        return tidy(options, unit)
+        findings = tidy(options, unit)
+        if NOT_COMPILED not in findings:
+            return findings
+        apart = files[len(files) // 2 :]
     rest = [file for file in files if file not in apart]
     return findings_of(options, rest, folder) + findings_of(options, apart, folder)
 

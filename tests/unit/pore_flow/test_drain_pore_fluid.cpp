@@ -68,8 +68,8 @@ double fluid(const State& state) {
 }
 
 /// Two sums over all particles: each is off by half a round-off per term at most.
-/// @param flow  that what passes a face in a solve is the difference of, to and fro; in fluids of a
-///              cell
+/// @param flow  what passes a face in a solve is the difference of two flows of this size, in
+///              fluids of a cell, whose round-off cancels between cells but for one
 double round_off(const State& state, double flow = 0.0) {
   std::array<double, 1> terms{static_cast<double>(state.particles[0].count)};
   sum_over_ranks(*state.grid.comm, terms);
