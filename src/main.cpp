@@ -9,6 +9,7 @@
 #include "deck/echo_deck.hpp"
 #include "deck/read_deck.hpp"
 #include "drive/drive.hpp"
+#include "output/folder_lock.hpp"
 #include "output/output.hpp"
 #include "output/run_folder.hpp"
 #include "pore_flow/check_solver_lists.hpp"
@@ -52,6 +53,8 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   State state = build_state(scene, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
+  const FolderLock lock(*comm, folder);
+  clear_run_folder(*comm, folder, options.overwrite);
   const RunDescription description{
       folder,
       options.deck_file,

@@ -7,13 +7,16 @@
 #include "checkpoint/read_checkpoint.hpp"
 #include "deck/echo_deck.hpp"
 #include "deck/read_deck.hpp"
+#include "output/folder_lock.hpp"
 #include "output/output.hpp"
 #include "output/text_file.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
 #include "state/build_state.hpp"
 
+#include <array>
 #include <fstream>
+#include <memory>
 
 namespace barreno {
 namespace {
@@ -50,6 +53,14 @@ void refuse_resume(
     );
 }
 
+/// What is no folder is refused for the checkpoint that it does not hold.
+std::unique_ptr<FolderLock> lock_if_there(const Comm& comm, const std::filesystem::path& folder) {
+  std::array<double, 1> there{0.0};
+  if (is_root(comm)) there[0] = std::filesystem::is_directory(folder) ? 1.0 : 0.0;
+  max_over_ranks(comm, there);
+  return there[0] == 1.0 ? std::make_unique<FolderLock>(comm, folder) : nullptr;
+}
+
 }  // namespace
 
 int resume(
@@ -57,6 +68,7 @@ int resume(
     const std::vector<std::string>& overrides,
     const Teuchos::RCP<const Comm>& comm
 ) {
+  const std::unique_ptr<FolderLock> lock = lock_if_there(*comm, folder);
   const Checkpoint checkpoint = find_checkpoint(*comm, folder);
   const std::string file = (folder / "deck.xml").string();
   const Deck deck = read_deck(file, overrides, *comm);

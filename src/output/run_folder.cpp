@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 namespace barreno {
 namespace {
@@ -15,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Everything that a run writes beside its particles; a folder with one of these holds a result.
-constexpr std::array<const char*, 10> result_files{
+constexpr std::array<const char*, 12> result_files{
     "run.log",
     "deck.xml",
     "history.csv",
@@ -25,17 +22,19 @@ constexpr std::array<const char*, 10> result_files{
     "checkpoint.h5",
     "checkpoint_previous.h5",
     "checkpoint.h5.tmp",
+    "checkpoint_damaged.h5",
+    "checkpoint_previous_damaged.h5",
     "summary.json"};
 
-/// particles.e, a file of its set (particles.e.2.0), or one of them half written.
+/// particles.e, a file of its set (particles.e.2.0), one of them half written, or a copied surface.
 bool is_result(const std::string& name) {
-  return name.rfind("particles.e", 0) == 0 ||
+  return name.rfind("particles.e", 0) == 0 || name.rfind(copied_surface_prefix, 0) == 0 ||
          std::find(result_files.begin(), result_files.end(), name) != result_files.end();
 }
 
 std::vector<fs::path> results_in(const fs::path& folder) {
   std::vector<fs::path> found;
-  std::error_code ignored;  // the probe finds a folder that cannot be read
+  std::error_code ignored;  // the lock finds a folder that cannot be used
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
     if (is_result(entry.path().filename())) found.push_back(entry.path());
   std::sort(found.begin(), found.end());
@@ -49,15 +48,13 @@ std::vector<fs::path> results_in(const fs::path& folder) {
   );
 }
 
-/// Creating a file is the only sure test of permissions.
-void probe(const fs::path& folder) {
-  const fs::path file = folder / ".barreno_probe";
-  errno = 0;
-  const bool fine = static_cast<bool>(std::ofstream(file) << std::flush);
-  const int why = errno;
-  std::error_code ignored;
-  fs::remove(file, ignored);
-  if (!fine) refuse(folder, std::strerror(why));
+void refuse_result(const fs::path& folder) {
+  const std::vector<fs::path> found = results_in(folder);
+  if (!found.empty())
+    throw FileError(
+        "the run folder '" + folder.string() + "' already holds a result (" +
+        found.front().filename().string() + "). Give another one with --out, or add --overwrite."
+    );
 }
 
 fs::path use_named(const fs::path& folder, bool overwrite) {
@@ -69,15 +66,7 @@ fs::path use_named(const fs::path& folder, bool overwrite) {
     fs::create_directories(folder, error);
     if (error) refuse(folder, error.message());
   }
-  const std::vector<fs::path> found = results_in(folder);
-  if (!found.empty() && !overwrite)
-    throw FileError(
-        "the run folder '" + folder.string() + "' already holds a result (" +
-        found.front().filename().string() + "). Give another one with --out, or add --overwrite."
-    );
-  probe(folder);
-  for (const fs::path& file : found)
-    if (!fs::remove(file, error)) refuse(folder, error.message());
+  if (!overwrite) refuse_result(folder);
   return folder;
 }
 
@@ -107,10 +96,16 @@ fs::path create_run_folder(const Comm& comm, const RunFolderRequest& request) {
   return broadcast_from_root(comm, folder.string());
 }
 
-void discard_empty_run_folder(const Comm& comm, const fs::path& folder) {
-  if (!is_root(comm)) return;
-  std::error_code ignored;
-  if (fs::is_empty(folder, ignored)) fs::remove(folder, ignored);
+void clear_run_folder(const Comm& comm, const fs::path& folder, bool overwrite) {
+  RootWork work(comm);
+  work.run([&] {
+    // One that started at the same time may have ended while this one waited for its lock.
+    if (!overwrite) refuse_result(folder);
+    std::error_code error;
+    for (const fs::path& file : results_in(folder))
+      if (!fs::remove(file, error)) refuse(folder, error.message());
+  });
+  work.agree();
 }
 
 }  // namespace barreno

@@ -15,12 +15,16 @@ struct RunFolderRequest {
   std::string deck_name;   ///< file name of the deck without folder and extension
 };
 
+/// Begins the name of a surface file that is copied into the folder.
+inline constexpr const char* copied_surface_prefix = "surface_";
+
 /// Chooses and creates the folder; collective, the same answer on every rank.
-/// @throws FileError on every rank if the folder holds a result or cannot be written; then nothing
-/// is changed
+/// @throws FileError on every rank if it holds a result that may not be overwritten, or cannot be
+/// had; then nothing is changed
 std::filesystem::path create_run_folder(const Comm& comm, const RunFolderRequest& request);
 
-/// Removes the folder again if nothing was written into it: for a run that fails before it starts.
-void discard_empty_run_folder(const Comm& comm, const std::filesystem::path& folder);
+/// Removes the results in a folder, and nothing else; for a run that holds its FolderLock.
+/// Collective. @throws FileError on every rank if there is one that may not be overwritten
+void clear_run_folder(const Comm& comm, const std::filesystem::path& folder, bool overwrite);
 
 }  // namespace barreno

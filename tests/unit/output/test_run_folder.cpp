@@ -31,9 +31,6 @@ TEST(RunFolder, IsCreatedWithItsParents) {
   comm->barrier();
   EXPECT_EQ(refusal(*comm, {wanted.string(), false, "deck"}), "");  // an empty one may be used
   comm->barrier();
-  discard_empty_run_folder(*comm, wanted);
-  comm->barrier();
-  EXPECT_FALSE(fs::exists(wanted));
 }
 
 TEST(RunFolder, WithAResultIsRefusedUnlessOverwritten) {
@@ -53,6 +50,13 @@ TEST(RunFolder, WithAResultIsRefusedUnlessOverwritten) {
   EXPECT_TRUE(fs::exists(here.path() / "history.csv"));
   comm->barrier();
   EXPECT_EQ(refusal(*comm, {out, true, "deck"}), "");
+  EXPECT_TRUE(fs::exists(here.path() / "history.csv"));  // until the folder is locked
+  comm->barrier();
+  EXPECT_THROW(clear_run_folder(*comm, out, false), FileError);
+  EXPECT_TRUE(fs::exists(here.path() / "history.csv"));
+  comm->barrier();
+  clear_run_folder(*comm, out, true);
+  comm->barrier();
   EXPECT_FALSE(fs::exists(here.path() / "history.csv"));
   EXPECT_TRUE(fs::exists(here.path() / "notes.txt"));
 }
