@@ -3,7 +3,6 @@
 #include "base/interrupt.hpp"
 #include "check/plan.hpp"
 #include "check/predict_cost.hpp"
-#include "checkpoint/checkpoints.hpp"
 #include "command_line.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
@@ -62,12 +61,10 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       BARRENO_VERSION,
       notes_of(deck, scene),
       prediction};
+  note_signals();  // before this nothing is lost
   Output output(scene, state, description);
   output.write_if_due(scene, state);
-  Checkpoints checkpoints(scene, description);
-  const RunVerdict verdict = run(scene, state, output, checkpoints);
-  output.finish(scene, state, verdict);
-  return verdict.exit_code;
+  return run_to_end(scene, state, output, description);
 }
 
 int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
@@ -155,6 +152,5 @@ int main(int argc, char** argv) {
     return barreno::report_errors(argc, argv, Teuchos::rcp(new Teuchos::SerialComm<int>));
   }
   const Tpetra::ScopeGuard mpi_and_kokkos(&words, &first_word);
-  barreno::note_signals();
   return barreno::report_errors(argc, argv, Tpetra::getDefaultComm());
 }

@@ -2,8 +2,8 @@
 #include "resume.hpp"
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "check/plan.hpp"
-#include "checkpoint/checkpoints.hpp"
 #include "checkpoint/read_checkpoint.hpp"
 #include "deck/echo_deck.hpp"
 #include "deck/read_deck.hpp"
@@ -86,13 +86,11 @@ int resume(
   const RunDescription description{folder, file, text, BARRENO_VERSION, notes};
   RunNumbers position = checkpoint.output;
   position["time"] = checkpoint.numbers.at("time");
+  note_signals();
   Output output(scene, state, description, position);  // files begin with the state at t = 0
   read_checkpoint(checkpoint, state);
   output.go_on_from(scene, state);
-  Checkpoints checkpoints(scene, description);
-  const RunVerdict verdict = run(scene, state, output, checkpoints);
-  output.finish(scene, state, verdict);
-  return verdict.exit_code;
+  return run_to_end(scene, state, output, description);
 }
 
 }  // namespace barreno

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/gather.hpp"
+#include "base/interrupt.hpp"
 #include "step/advance.hpp"
 #include "step/place_particles.hpp"
 #include "step/stable_step.hpp"
@@ -36,12 +37,37 @@ int failure_cause(const State& state, const StepResult& result) {
   return static_cast<int>(cause[0]);
 }
 
-RunVerdict interrupted(int signal, bool kept) {
-  return {
-      false,
-      kept ? "The run was interrupted by a signal; its checkpoint is of this step."
-           : "The run was interrupted by a signal, and no checkpoint could be written.",
-      128 + signal};
+/// The verdict on a run that ends before its time for no fault of the computation, behind a
+/// checkpoint of its step if the disk takes one.
+/// @param fault  why files could not be written; empty: a signal came
+RunVerdict cut_off(
+    const std::string& fault, int signal, State& state, Output& output, Checkpoints& checkpoints
+) {
+  std::array<double, 1> received{static_cast<double>(std::max(signal, received_signal()))};
+  max_over_ranks(*state.grid.comm, received);
+  signal = static_cast<int>(received[0]);
+  RunVerdict verdict;
+  verdict.exit_code = signal != 0 ? 128 + signal : static_cast<int>(ExitCode::file);
+  verdict.files_failed = !fault.empty();
+  verdict.may_be_resumed = true;
+  if (!fault.empty()) output.give_up_files();
+  const bool kept = checkpoints.write(output, state);
+  verdict.reason = fault.empty() ? "The run was interrupted by " + signal_name(signal) : fault;
+  verdict.reason += fault.empty() ? (kept ? "; its checkpoint is of this step."
+                                          : ", and no checkpoint could be written.")
+                                  : (kept ? " The checkpoint is of this step."
+                                          : " No checkpoint of this step could be written either.");
+  return verdict;
+}
+
+/// What is due. @return why a file could not be written; empty: all were
+std::string write_output(const Scene& scene, const State& state, Output& output) {
+  try {
+    output.write_if_due(scene, state);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 bool has_finite_stress(const Particles& particles, int p) {
@@ -109,14 +135,23 @@ RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& ch
       return {false, result.not_drained, static_cast<int>(ExitCode::numerical)};
     const std::string wrong = watch_run(scene, state, last_dt, watch);
     if (!wrong.empty()) return {false, wrong, static_cast<int>(ExitCode::numerical)};
-    output.write_if_due(scene, state);
+    const std::string fault = write_output(scene, state, output);
     interrupt = std::max(interrupt, result.interrupt);
-    if (interrupt != 0 && Checkpoints::may_write(state))
-      return interrupted(interrupt, checkpoints.write(output, state));
+    if (!fault.empty() || (interrupt != 0 && Checkpoints::may_write(state)))
+      return cut_off(fault, interrupt, state, output, checkpoints);
     checkpoints.write_if_due(output, state);
   }
   checkpoints.write(output, state);
   return {true, "", static_cast<int>(ExitCode::finished)};
+}
+
+int run_to_end(
+    const Scene& scene, State& state, Output& output, const RunDescription& description
+) {
+  Checkpoints checkpoints(scene, description);
+  const RunVerdict verdict = run(scene, state, output, checkpoints);
+  output.finish(scene, state, verdict);
+  return verdict.exit_code;
 }
 
 }  // namespace barreno

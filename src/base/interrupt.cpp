@@ -2,6 +2,7 @@
 #include "base/interrupt.hpp"
 
 #include <csignal>
+#include <cstring>
 
 namespace barreno {
 namespace {
@@ -9,22 +10,36 @@ namespace {
 volatile std::sig_atomic_t noted = 0;
 
 void note(int signal) {
-  if (noted != 0) {
+  const bool asks = signal == SIGINT || signal == SIGTERM || signal == SIGHUP;
+  if (noted != 0 && asks) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
-  noted = signal;
+  if (noted == 0) noted = signal;
 }
 
 }  // namespace
 
 void note_signals() {
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE, SIGXCPU, SIGXFSZ}) {
+    struct sigaction before {};
+    if (signal == SIGHUP && sigaction(signal, nullptr, &before) == 0 &&
+        before.sa_handler == SIG_IGN)
+      continue;
+    struct sigaction action {};
+    action.sa_handler = note;
+    action.sa_flags = SA_RESTART;
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 int received_signal() {
   return noted;
+}
+
+std::string signal_name(int signal) {
+  const char* const name = sigabbrev_np(signal);
+  return name == nullptr ? "signal " + std::to_string(signal) : std::string("SIG") + name;
 }
 
 }  // namespace barreno

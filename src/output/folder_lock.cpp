@@ -67,7 +67,8 @@ int open_lock(const fs::path& path) {
 
 /// Whether the name still belongs to the open file: the run before may have removed it meanwhile.
 bool has_name(int file, const fs::path& path) {
-  struct stat opened {}, named {};
+  struct stat opened {
+  }, named{};
   return fstat(file, &opened) == 0 && lstat(path.c_str(), &named) == 0 &&
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
@@ -96,8 +97,8 @@ std::string holder_of(int file) {
 
 void write_holder(int file, const fs::path& path) {
   const std::string text = holder_text() + "\n";
-  const bool fine = ftruncate(file, 0) == 0 && pwrite(file, text.data(), text.size(), 0) ==
-                                                   static_cast<ssize_t>(text.size());
+  const bool fine = ftruncate(file, 0) == 0 &&
+                    pwrite(file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
   if (!fine) refuse(path, std::strerror(errno));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/output.hpp"
 
+#include "base/error.hpp"
 #include "base/gather.hpp"
 #include "base/process.hpp"
 #include "output/cavities.hpp"
@@ -39,7 +40,10 @@ struct Output::Parts {
       const RunNumbers& position
   );
   void open_files(const Scene& scene, const State& state, const RunNumbers& position);
+  void write_fields(const Scene& scene, const State& state);
   void write_rows(const Scene& scene, const State& state);
+  bool rows_due(const Clock& clock) const;
+  RunNumbers position() const;
   void show_progress(const State& state);
 
   RunDescription run;
@@ -55,6 +59,9 @@ struct Output::Parts {
   RunTotals totals;  ///< of the last row
   Ledger watched;    ///< tallies that were warned about
   long fields_step = -1, rows_step = -1;
+  double fields_time = 0.0;
+  RunNumbers whole;  ///< position() behind the last output that all files took; root only
+  bool gave_up = false;
   double cpu_start = cpu_seconds();
 };
 
@@ -90,11 +97,13 @@ Output::Parts::Parts(
   work.agree();
   open_files(scene, state, position);
   if (position.empty()) return;
-  const double time = number_of(position, "time");
-  for (Schedule* schedule : {&field_schedule, &history_schedule, &progress_schedule})
-    if (schedule->on()) schedule->done(time);
   fields_step = std::lround(number_of(position, "fields_step"));
+  fields_time = number_of(position, "fields_time");
   rows_step = std::lround(number_of(position, "rows_step"));
+  if (field_schedule.on()) field_schedule.done(fields_time);
+  if (history_schedule.on()) history_schedule.done(number_of(position, "row_time"));
+  if (progress_schedule.on()) progress_schedule.done(number_of(position, "time"));
+  whole = this->position();
 }
 
 void Output::Parts::open_files(const Scene& scene, const State& state, const RunNumbers& position) {
@@ -127,6 +136,19 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
     );
 }
 
+void Output::Parts::write_fields(const Scene& scene, const State& state) {
+  fields->write(scene, state);
+  fields_step = state.clock.step;
+  fields_time = state.clock.time;
+  if (field_schedule.on()) field_schedule.done(fields_time);
+}
+
+/// Of the first step, then at every interval, or at every step without one.
+bool Output::Parts::rows_due(const Clock& clock) const {
+  if (rows_step < 0) return true;
+  return history_schedule.on() ? history_schedule.due(clock.time) : rows_step != clock.step;
+}
+
 void Output::Parts::write_rows(const Scene& scene, const State& state) {
   totals = sum_totals(state);
   history->write(*comm, state.clock, totals);
@@ -134,6 +156,7 @@ void Output::Parts::write_rows(const Scene& scene, const State& state) {
   if (radii) radii->write(scene, state);
   if (cavities) cavities->write(scene, state);
   rows_step = state.clock.step;
+  if (history_schedule.on()) history_schedule.done(state.clock.time);
 }
 
 void Output::Parts::show_progress(const State& state) {
@@ -157,28 +180,23 @@ Output::~Output() = default;
 void Output::write_if_due(const Scene& scene, const State& state) {
   Parts& o = *parts_;
   const Clock& clock = state.clock;
-  const bool first = o.fields_step < 0;
-  if (first || o.field_schedule.due(clock.time)) {
-    o.fields->write(scene, state);
-    o.fields_step = clock.step;
-    if (o.field_schedule.on()) o.field_schedule.done(clock.time);
-  }
-  const bool rows_due = first || !o.history_schedule.on() || o.history_schedule.due(clock.time);
+  const bool fields_due = o.fields_step < 0 || o.field_schedule.due(clock.time);
+  const bool rows_due = o.rows_due(clock);
   const bool progress_due = o.progress_schedule.due(clock.time);
-  if (rows_due) {
+  if (fields_due) o.write_fields(scene, state);
+  if (rows_due)
     o.write_rows(scene, state);
-    if (o.history_schedule.on()) o.history_schedule.done(clock.time);
-  } else if (progress_due) {
+  else if (progress_due)
     o.totals = sum_totals(state);
-  }
   if (progress_due) o.progress_schedule.done(clock.time);
-  if (!rows_due && !progress_due) return;
+  if (!fields_due && !rows_due && !progress_due) return;
   RootWork work(*o.comm);
   work.run([&] {
     watch_ledger(o.totals.ledger, clock.time, o.watched, *o.progress);
     o.show_progress(state);
   });
   work.agree();
+  if (fields_due || rows_due) work.run([&] { o.whole = o.position(); });
 }
 
 double Output::next_time(double now) const {
@@ -192,23 +210,33 @@ void Output::warn(const std::string& kind, const std::string& sentence) {
   work.agree();
 }
 
-RunNumbers Output::position() const {
-  const Parts& o = *parts_;
+RunNumbers Output::Parts::position() const {
   const auto bytes = [](const auto& writer) {
     return writer ? static_cast<double>(writer->bytes()) : 0.0;
   };
   return {
-      {"seconds", {seconds()}},
-      {"fields_step", {static_cast<double>(o.fields_step)}},
-      {"rows_step", {static_cast<double>(o.rows_step)}},
-      {"fields_kept", {static_cast<double>(o.fields->steps())}},
-      {"fields_files", {static_cast<double>(o.fields->files())}},
-      {"row_time", {o.history->last_row().time}},
-      {"row_reactions", o.history->last_row().reactions},
-      {"history_bytes", {bytes(o.history)}},
-      {"depth_bytes", {bytes(o.depth)}},
-      {"radii_bytes", {bytes(o.radii)}},
-      {"cavities_bytes", {bytes(o.cavities)}}};
+      {"fields_step", {static_cast<double>(fields_step)}},
+      {"fields_time", {fields_time}},
+      {"rows_step", {static_cast<double>(rows_step)}},
+      {"fields_kept", {static_cast<double>(fields->steps())}},
+      {"fields_files", {static_cast<double>(fields->files())}},
+      {"row_time", {history->last_row().time}},
+      {"row_reactions", history->last_row().reactions},
+      {"history_bytes", {bytes(history)}},
+      {"depth_bytes", {bytes(depth)}},
+      {"radii_bytes", {bytes(radii)}},
+      {"cavities_bytes", {bytes(cavities)}}};
+}
+
+RunNumbers Output::position() const {
+  RunNumbers position = parts_->whole;
+  position["seconds"] = {seconds()};
+  return position;
+}
+
+void Output::give_up_files() {
+  parts_->gave_up = true;
+  if (parts_->progress) parts_->progress->give_up_log();
 }
 
 void Output::go_on_from(const Scene& scene, const State& state) {
@@ -216,17 +244,32 @@ void Output::go_on_from(const Scene& scene, const State& state) {
   parts_->totals = sum_totals(state);
   parts_->watched = parts_->totals.ledger;
   if (parts_->progress) parts_->progress->count_from(parts_->totals.particle_steps);
+  if (parts_->field_schedule.due(state.clock.time) || parts_->rows_due(state.clock))
+    write_if_due(scene, state);
 }
 
 double Output::seconds() const {
   return parts_->progress ? parts_->progress->seconds() : 0.0;
 }
 
+namespace {
+
+/// A disk that has taken no more may still take this; if not, that has been said.
+void write_summary(const std::filesystem::path& folder, const std::string& text, bool gave_up) {
+  try {
+    write_whole_file(folder / "summary.json", text);
+  } catch (const FileError&) {
+    if (!gave_up) throw;
+  }
+}
+
+}  // namespace
+
 void Output::finish(const Scene& scene, const State& state, const RunVerdict& verdict) {
   Parts& o = *parts_;
-  if (o.fields_step != state.clock.step) o.fields->write(scene, state);
-  if (o.rows_step != state.clock.step) o.write_rows(scene, state);
-  o.fields->close(*o.comm);
+  if (o.fields_step != state.clock.step && !o.gave_up) o.fields->write(scene, state);
+  if (o.rows_step != state.clock.step && !o.gave_up) o.write_rows(scene, state);
+  if (!o.gave_up) o.fields->close(*o.comm);
   RunSummary summary = summarise(state, seconds(), cpu_seconds() - o.cpu_start);
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   RootWork work(*o.comm);
@@ -235,9 +278,10 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
     o.show_progress(state);
     o.progress->list_warnings();
     summary.warnings = o.progress->warnings();
-    write_whole_file(
-        o.run.folder / "summary.json",
-        summary_text(scene, state, o.run, o.totals, penetration, summary, verdict)
+    write_summary(
+        o.run.folder,
+        summary_text(scene, state, o.run, o.totals, penetration, summary, verdict),
+        o.gave_up
     );
     const auto numbers = result_numbers(scene, o.totals, penetration, summary, o.run.prediction);
     for (const std::string& line : result_lines(scene, state, o.run, verdict, numbers))

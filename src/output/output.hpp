@@ -28,6 +28,8 @@ struct RunVerdict {
   bool finished = false;
   std::string reason;  ///< one sentence; empty if finished
   int exit_code = 0;
+  bool may_be_resumed = false;  ///< not finished, and nothing is wrong with the computation
+  bool files_failed = false;    ///< the disk took no more
 };
 
 /// All files of a run and the screen. The files' contents do not depend on the rank count.
@@ -58,9 +60,15 @@ public:
   /// A warning that every rank gives alike: printed once for each `kind`, later ones are counted.
   void warn(const std::string& kind, const std::string& sentence);
 
-  /// How far the files have come, and the clock on the wall, for a checkpoint. Valid on the root.
+  /// From now on nothing is written but the screen and, if the disk takes it, summary.json: after a
+  /// FileError.
+  void give_up_files();
+
+  /// How far the files have come in whole outputs, and the clock on the wall, for a checkpoint.
+  /// Valid on the root.
   RunNumbers position() const;
-  /// Called once when a resumed run's state has been read: what it has is no news.
+  /// Called once when a resumed run's state has been read: what it has is no news, and what could
+  /// not be written of its step is written now.
   void go_on_from(const Scene& scene, const State& state);
   double seconds() const;  ///< of work, those before a resume included; valid on the root
 

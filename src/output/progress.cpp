@@ -55,7 +55,7 @@ std::string cost_text(double seconds) {
 Progress::Progress(
     const std::filesystem::path& log, double end_time, bool terminal, const RunNumbers& position
 )
-    : log_(log, position.empty() ? 0 : size_of_file(log)),
+    : log_(std::in_place, log, position.empty() ? 0 : size_of_file(log)),
       end_time_(end_time),
       first_time_(number_of(position, "time")),
       first_seconds_(number_of(position, "seconds")),
@@ -66,11 +66,15 @@ double Progress::seconds() const {
   return first_seconds_ + seconds_between(start_, Clock_::now());
 }
 
+void Progress::append(const std::string& line) {
+  if (log_) log_->append(line);
+}
+
 void Progress::say(const std::string& line) {
   if (drawing_) std::cout << '\n';
   drawing_ = false;
   std::cout << line << std::endl;
-  log_.append(line);
+  append(line);
 }
 
 std::string Progress::line(const ProgressNow& now) const {
@@ -101,7 +105,7 @@ void Progress::show(const ProgressNow& now) {
   const bool passed = tenth > tenths_;
   tenths_ = std::max(tenths_, tenth);
   const std::string text = line(now);
-  if (passed) log_.append(text);
+  if (passed) append(text);
   const auto clock = Clock_::now();
   if (!terminal_) {
     if (!passed && seconds_between(drawn_, clock) < line_seconds) return;
@@ -216,6 +220,14 @@ std::vector<std::string> scene_lines(
   return lines;
 }
 
+std::string next_command(const RunDescription& run, const RunVerdict& verdict) {
+  const std::string folder = shell_word(run.folder.string());
+  if (!verdict.may_be_resumed) return "./barreno report " + folder;
+  for (const char* name : {"checkpoint.h5", "checkpoint_previous.h5"})
+    if (std::filesystem::exists(run.folder / name)) return "./barreno resume " + folder;
+  return "./barreno run " + shell_word(run.deck_name) + " --out " + folder + " --overwrite";
+}
+
 std::vector<std::string> result_lines(
     const Scene& scene,
     const State& state,
@@ -243,7 +255,7 @@ std::vector<std::string> result_lines(
       (scene.output.files == ParticleFiles::one ? ", particles.e" : ", particles.e*") +
       " (ParaView), deck.xml, run.log"
   );
-  lines.push_back("Next: ./barreno report " + folder);
+  lines.push_back("Next: " + next_command(run, verdict));
   return lines;
 }
 

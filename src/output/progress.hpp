@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 
 namespace barreno {
 
@@ -33,6 +34,8 @@ public:
 
   /// Particle-steps that a resumed run had behind it, for the rate.
   void count_from(double particle_steps) { first_steps_ = particle_steps; }
+  /// The disk takes no more of run.log: from now on the screen alone.
+  void give_up_log() { log_.reset(); }
   /// A line on the screen and in the log.
   void say(const std::string& line);
   void show(const ProgressNow& now);
@@ -45,9 +48,10 @@ public:
 
 private:
   std::string line(const ProgressNow& now) const;
+  void append(const std::string& line);
 
   using Time = std::chrono::steady_clock::time_point;
-  LineFile log_;
+  std::optional<LineFile> log_;
   double end_time_;
   double first_time_ = 0.0, first_steps_ = 0.0, first_seconds_ = 0.0;  ///< of a resume
   bool terminal_;
@@ -67,6 +71,9 @@ std::string cost_text(double seconds);
 std::vector<std::string> scene_lines(
     const Scene& scene, const RunDescription& run, int ranks, double particles
 );
+
+/// What to type next: report, or resume where a run was cut off and has a checkpoint.
+std::string next_command(const RunDescription& run, const RunVerdict& verdict);
 
 /// Lines of the end: the result, where the files are and what to type next.
 std::vector<std::string> result_lines(

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
@@ -97,6 +98,24 @@ std::string csv_line(const std::vector<double>& values) {
     line += to_text(value);
   }
   return line;
+}
+
+std::string shell_word(const std::string& path) {
+  const std::string plain = "_./@%+=:,-";
+  const auto is_plain = [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != std::string::npos;
+  };
+  // A word that begins with a dash would be an option.
+  const std::string word = !path.empty() && path.front() == '-' ? "./" + path : path;
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      quoted += "'\\''";
+    else
+      quoted += c;
+  }
+  return quoted + "'";
 }
 
 std::string cut_text(const std::string& text, std::size_t bytes) {

@@ -42,6 +42,9 @@ std::string csv_line(const std::vector<double>& values);
 /// A name of the deck as part of a column's: letters and digits, others as '_'.
 std::string column_name(std::string name);
 
+/// A path as one word of a command line: as it is, or in quotes where a shell would take it apart.
+std::string shell_word(const std::string& path);
+
 /// At most `bytes` bytes of a text, not cut inside a UTF-8 character.
 std::string cut_text(const std::string& text, std::size_t bytes);
 
