@@ -1,20 +1,25 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs that are interrupted, killed, damaged and resumed: test_resume.py BARRENO."""
+import json
+import os
 import pathlib
 import re
+import resource
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
+import time
 
 import numpy as np
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
 
 from netCDF4 import Dataset  # noqa: E402
-from resumed import at_previous, different_fields, different_files, different_sums, lines_of, must_work, program, stopped_run  # noqa: E402
-from runs import DECKS  # noqa: E402
+from resumed import at_previous, command, different_fields, different_files, different_sums, lines_of, must_work, program, stopped_run  # noqa: E402
+from runs import DECKS, mpi_environment  # noqa: E402
 
 DECK = str(DECKS / "perforation_quick.xml")
 SHORT = ("--set", "Time/End Time=15 us", "--set", "Output/Field Interval=5 us", "--set", "Output/Checkpoint Steps=150")
@@ -46,6 +51,78 @@ def check_signals(barreno, folder, plain):
         resumed(barreno, 1, run)
         assert not different_fields(plain, run), f"{name}: {different_fields(plain, run)}"
         assert not different_files(plain, run), f"{name}: {different_files(plain, run)}"
+
+
+def check_warnings(barreno, folder, plain):
+    """What a terminal, a batch queue or a pipe sends ends the run with a checkpoint, and the last line says how to go on."""
+    for name, kind in (("hup", signal.SIGHUP), ("usr1", signal.SIGUSR1), ("pipe", signal.SIGPIPE), ("xcpu", signal.SIGXCPU)):
+        run = folder / f"{name} run"  # with a space, which the line must quote
+        found = interrupted(barreno, 1, run, 12, kind)
+        assert found == 128 + kind, f"{name}: exit {found}"
+        assert f"Next: ./barreno resume '{run}'" in (run / "run.log").read_text(), name
+        assert json.loads((run / "summary.json").read_text())["reason"].startswith(f"The run was interrupted by {signal.Signals(kind).name}"), name
+        assert lines_of(run / "history.csv") < lines_of(plain / "history.csv")
+        resumed(barreno, 1, run)
+        assert not different_fields(plain, run) and not different_files(plain, run), name
+    two = folder / "usr1_two"
+    found = interrupted(barreno, 2, two, 12, signal.SIGUSR1)  # mpirun passes it on
+    assert found == 128 + signal.SIGUSR1, found
+    resumed(barreno, 2, two)
+    assert not different_fields(plain, two) and not different_files(plain, two)
+
+
+def check_full_disk(barreno, folder, plain):
+    """A file that cannot grow ends the run at once, behind a checkpoint; with room it goes on to the same answer."""
+    often = ("--set", "Output/Field Interval=1 us")
+    whole, run = folder / "often", folder / "limited"
+    must_work(program(barreno, 1, "run", DECK, "--out", whole, *SHORT, *often))
+    most = int(0.7 * (whole / "particles.e").stat().st_size)  # more than a checkpoint takes, and than MPI's own files
+    assert most > max(1.5 * (whole / "checkpoint.h5").stat().st_size, 8e6)
+    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))  # noqa: E731
+    words = [barreno, "run", DECK, "--out", str(run), *SHORT, *often]
+    result = subprocess.run(words, capture_output=True, text=True, env=mpi_environment(1), preexec_fn=limit, check=False)
+    assert result.returncode == 128 + signal.SIGXFSZ and "particles.e" in result.stdout, f"exit {result.returncode}: {result.stdout}"
+    assert result.stdout.rstrip().endswith(f"Next: ./barreno resume {run}"), result.stdout
+    resumed(barreno, 1, run)
+    assert not different_fields(whole, run) and not different_files(whole, run)
+
+
+def check_two_processes(barreno, folder, plain):
+    """A folder with a live run is refused to a second process, which names the first; the first ends as if alone."""
+    run = folder / "live"
+    words = ("run", DECK, "--out", str(run), *SHORT, "--set", "Output/Checkpoint Steps=20")
+    first = subprocess.Popen(command(barreno, 1, *words), stdout=subprocess.DEVNULL, env=mpi_environment(1))
+    while first.poll() is None and not (run / "checkpoint.h5").exists():
+        time.sleep(0.005)
+    first.send_signal(signal.SIGSTOP)
+    try:
+        second = [
+            subprocess.Popen(command(barreno, 1, *more), stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, env=mpi_environment(1))
+            for more in (("resume", str(run)), (*words, "--overwrite"))
+        ]
+        said = [(process.communicate()[1], process.returncode) for process in second]
+    finally:
+        first.send_signal(signal.SIGCONT)
+    for text, code in said:
+        assert code == 2 and f"is in use (process {first.pid} on " in text.splitlines()[-1], f"exit {code}: {text}"
+    assert first.wait() == 0 and not (run / "run.lock").exists()
+    assert not different_fields(plain, run) and not different_files(plain, run)
+
+
+def check_killed_group(barreno, folder, plain):
+    """mpirun's group is killed, its ranks live on for a moment, and the run is resumed at once: the answer is the same."""
+    words = ("run", DECK, *SHORT, "--set", "Output/Checkpoint Steps=40")
+    for turn in range(3):
+        run = folder / f"group{turn}"
+        first = subprocess.Popen(
+            command(barreno, 2, *words, "--out", str(run)), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=mpi_environment(2), start_new_session=True
+        )
+        while first.poll() is None and lines_of(run / "history.csv") < 12 + 5 * turn:
+            time.sleep(0.005)
+        os.killpg(first.pid, signal.SIGKILL)
+        first.wait()
+        resumed(barreno, 2, run)
+        assert not different_fields(plain, run) and not different_files(plain, run), f"turn {turn}"
 
 
 def check_ranks(barreno, folder, plain):
@@ -125,7 +202,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         plain = straight(barreno, folder / "plain")
-        for check in (check_signals, check_damage, check_refusals, check_longer, check_ranks):
+        for check in (check_signals, check_warnings, check_full_disk, check_two_processes, check_killed_group, check_damage, check_refusals, check_longer, check_ranks):
             check(barreno, folder, plain)
             print(check.__name__, "holds")
 

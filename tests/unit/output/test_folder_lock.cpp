@@ -46,7 +46,9 @@ TEST(FolderLock, KeepsOthersOutAndNamesItsHolder) {
   comm->barrier();
   EXPECT_FALSE(fs::exists(folder.path() / folder_lock_name));
   comm->barrier();
-  if (is_root(*comm)) EXPECT_EQ(refusal(folder.path()), "");
+  if (is_root(*comm)) {
+    EXPECT_EQ(refusal(folder.path()), "");
+  }
 }
 
 TEST(FolderLock, LastsUntilTheLastRankHasGone) {
