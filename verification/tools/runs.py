@@ -45,12 +45,16 @@ class Run:
         values = np.array([[float(x) for x in row] for row in rows[1:]])
         return {column: values[:, i] for i, column in enumerate(rows[0])}
 
-    def instants(self):
-        """How many times particles.e holds, the start included."""
+    def times(self):
+        """Times that particles.e holds, the start included [s]."""
         from netCDF4 import Dataset
 
         with Dataset(self.folder / "particles.e") as data:
-            return len(data.variables["time_whole"])
+            return np.array(data.variables["time_whole"][:])
+
+    def instants(self):
+        """How many times particles.e holds, the start included."""
+        return len(self.times())
 
     def particles(self, step=-1):
         """Element variables of all blocks at a time step, and corners as (particle, corner, xy or xyz)."""
