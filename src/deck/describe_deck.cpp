@@ -87,6 +87,7 @@ std::string presence_text(const Section& section) {
 void write_section(const Section& section, const std::string& path, std::ostream& out) {
   out << path << ": " << section.meaning << presence_text(section) << "\n";
   for (const Entry& entry : section.entries) write_entry(entry, out);
+  for (const Section& part : section.sections) write_section(part, path + "/" + part.name, out);
   for (const Section& named : section.named) write_section(named, path + "/" + named.name, out);
 }
 
@@ -162,6 +163,8 @@ void write_history_rows(
 void write_markdown_section(const Section& section, const std::string& path, std::ostream& out) {
   out << "## " << path << "\n\n" << section.meaning << presence_text(section) << ".\n\n";
   write_rows(section.entries, out);
+  for (const Section& part : section.sections)
+    write_markdown_section(part, path + "/" + part.name, out);
   for (const Section& named : section.named)
     write_markdown_section(named, path + "/" + named.name, out);
 }
