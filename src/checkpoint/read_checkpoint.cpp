@@ -81,7 +81,7 @@ void read_particles(
   reserve(particles, static_cast<int>(rows.size()));
   particles.count = static_cast<int>(rows.size());
   particles.sorted = false;
-  for (std::size_t p = 0; p < rows.size(); ++p) particles.key(p) = unplaced_key;
+  for (int p = 0; p < particles.count; ++p) put_unplaced(particles, p);
   for_own_rows<long long>(rows, file, group + "id", [&](int p, const long long* id) {
     particles.id(p) = static_cast<ParticleId>(*id);
   });

@@ -135,7 +135,7 @@ struct DrainSet {
     if (outcome.failed()) {
       if (spec.bad_particles == BadParticlePolicy::hold) tally.held += 1.0;
       if (spec.bad_particles == BadParticlePolicy::stop) tally.stops += 1.0;
-      treat_bad_particle(particles, p, spec.bad_particles, failed_key);
+      treat_bad_particle(particles, p, spec.bad_particles, Fault::failed);
       return;
     }
     at.write(p, particles);

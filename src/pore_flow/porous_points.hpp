@@ -52,14 +52,15 @@ inline double fluid_volume(
 }
 
 /// visit(row, key) for the rows of a set, tile by tile in the order of cells and ids; rows that are
-/// held as debris are no rock.
+/// held as debris, or about to be removed, are no rock.
 template <class Visitor>
 void for_each_solid_row(const Grid& grid, const Particles& particles, Visitor&& visit) {
   for (int i = particles.tile_begin(0);
        i < particles.tile_begin(static_cast<std::size_t>(grid.active));
        ++i) {
     const int p = particles.order(i);
-    if (!(particles.body(p) & held_bit) && particles.key(p) >= 0) visit(p, particles.key(p));
+    if (!(particles.body(p) & held_bit) && particles.fault(p) == Fault::none)
+      visit(p, particles.key(p));
   }
 }
 

@@ -197,7 +197,7 @@ int add_particle(
   particles.sorted = false;
   particles.id(p) = made.id;
   particles.body(p) = body;
-  particles.key(p) = unplaced_key;
+  put_unplaced(particles, p);
   particles.for_each_field([p](Field& field) {
     for (int c = 0; c < field.components; ++c) field(p, c) = 0.0;
   });

@@ -90,6 +90,7 @@ void reserve(Particles& particles, int capacity) {
   grow(particles.id, n);
   grow(particles.body, n);
   grow(particles.key, n);
+  grow(particles.fault, n);
   grow(particles.spare, n);
   grow(particles.spare_id, n);
   grow(particles.order, n);
@@ -112,6 +113,7 @@ void keep_rows(Particles& particles, const std::vector<char>& keep) {
       particles.id(kept) = particles.id(p);
       particles.body(kept) = particles.body(p);
       particles.key(kept) = particles.key(p);
+      particles.fault(kept) = particles.fault(p);
       particles.for_each_field([=](Field& field) {
         for (int c = 0; c < field.components; ++c) field(kept, c) = field(p, c);
       });
@@ -135,13 +137,16 @@ void permute_rows(Particles& particles) {
     }
   });
   const auto permute = [&](auto& values, auto& spare) {
-    for (std::size_t k = 0; k < n; ++k) spare(k) = values(static_cast<std::size_t>(order[k]));
+    for (std::size_t k = 0; k < n; ++k)
+      spare(k) =
+          static_cast<std::decay_t<decltype(spare(k))>>(values(static_cast<std::size_t>(order[k])));
     for (std::size_t k = 0; k < n; ++k)
       values(k) = static_cast<std::decay_t<decltype(values(k))>>(spare(k));
   };
   permute(particles.id, particles.spare_id);
   permute(particles.body, particles.spare);
   permute(particles.key, particles.spare);
+  permute(particles.fault, particles.spare);
   for (std::size_t k = 0; k < n; ++k) particles.order(k) = static_cast<int>(k);
 }
 
@@ -152,8 +157,9 @@ std::size_t bytes_per_particle(const Particles& particles) {
   };
   particles.for_each_field(add);
   particles.for_each_scratch_field(add);
+  // id; body, key and order; left_out and fault; the scratch of the sort
   return doubles * sizeof(double) + 2 * sizeof(ParticleId) + 2 * sizeof(unsigned char) +
-         3 * sizeof(int);
+         4 * sizeof(int);
 }
 
 }  // namespace barreno

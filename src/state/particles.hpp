@@ -2,9 +2,11 @@
 #pragma once
 
 #include "base/field.hpp"
+#include "grid/patch.hpp"
 #include "scene/scene.hpp"
 #include "state/tally_sizes.hpp"
 
+#include <cassert>
 #include <vector>
 
 namespace barreno {
@@ -24,12 +26,13 @@ namespace barreno {
 /// fewer bodies (its size is bounded).
 inline constexpr int held_bit = 1 << 30;
 
-/// Values of Particles::key that are not a cell: not placed yet; to be removed because its update
-/// failed.
+/// Particles::key of a row whose cell is not known: of newcomers, until place_particles.
 inline constexpr int unplaced_key = -1;
-inline constexpr int failed_key = -2;
-inline constexpr int expanded_key = -3;
-inline constexpr int inverted_key = -4;
+
+/// What a step has found wrong with a particle that its material then removes; locate_particles of
+/// the next step takes it out. It stands beside the key, which is that of the particle's cell until
+/// then: what is left of the step has the particle in its tile.
+enum class Fault : unsigned char { none, failed, expanded, inverted };
 
 /// All particles of one material: structure of arrays, `count` rows used of `capacity`.
 /// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
@@ -77,7 +80,8 @@ struct Particles {
   Field again_increment;  ///< XPIC only
   Field residual;         ///< of XPIC: what of v_p the grid does not hold [length/time]
 
-  ArrayView<int> key;    ///< tile * cells per tile + cell in tile, of the last sort
+  ArrayView<int> key;  ///< tile * cells per tile + cell in tile, of the last sort
+  ArrayView<Fault> fault;
   ArrayView<int> spare;  ///< scratch of the sort
   ArrayView<ParticleId> spare_id;
   ArrayView<int> order;                 ///< rows sorted by (key, id)
@@ -136,6 +140,19 @@ private:
     f(particles.residual);
   }
 };
+
+/// A row that has come: its cell is looked for by place_particles.
+inline void put_unplaced(const Particles& particles, int p) {
+  particles.key(p) = unplaced_key;
+  particles.fault(p) = Fault::none;
+}
+
+/// Tile of a row on this rank, to index with.
+/// @pre  place_particles has placed it
+KOKKOS_INLINE_FUNCTION int tile_of(const Patch& patch, const Particles& particles, int p) {
+  assert(particles.key(p) >= 0);
+  return particles.key(p) >> (patch.tile_bits * patch.dimensions);
+}
 
 /// Components of a symmetric tensor in a mode; the old volume follows them in `increment`.
 inline int tensor_components(int dimensions) {

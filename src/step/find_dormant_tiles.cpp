@@ -74,13 +74,12 @@ double stable_step_of(const Scene& scene, const State& state, int tile) {
 /// Which rows of which runs are in dormant tiles.
 /// @return the rows that are skipped
 int find_run_parts(const Patch& patch, const Dormancy& dormancy, const Particles& particles) {
-  const int bits = patch.tile_bits * patch.dimensions;
   int skipped = 0;
   for (int begin = 0; begin < particles.count; begin += rows_per_run) {
     const int end = std::min(begin + rows_per_run, particles.count);
     int left_out = 0;
     for (int p = begin; p < end; ++p) {
-      particles.left_out(p) = dormancy.dormant(particles.key(p) >> bits);
+      particles.left_out(p) = dormancy.dormant(tile_of(patch, particles, p));
       left_out += particles.left_out(p);
     }
     const bool skips = dormancy.skips && left_out == end - begin;

@@ -28,7 +28,7 @@ const double* unpack_row(const double* row, Particles& particles) {
   const int p = particles.count++;
   std::memcpy(&particles.id(p), row + 1, sizeof(ParticleId));
   particles.body(p) = static_cast<int>(row[2]);
-  particles.key(p) = unplaced_key;
+  put_unplaced(particles, p);
   row += 3;
   particles.for_each_field([&](Field& field) {
     for (int c = 0; c < field.components; ++c) field(p, c) = *row++;
@@ -46,6 +46,7 @@ void take_out_row(Particles& particles, int p) {
   particles.id(p) = particles.id(last);
   particles.body(p) = particles.body(last);
   particles.key(p) = particles.key(last);
+  particles.fault(p) = particles.fault(last);
   particles.for_each_field([=](Field& field) {
     for (int c = 0; c < field.components; ++c) field(p, c) = field(last, c);
   });

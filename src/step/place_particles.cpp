@@ -34,9 +34,16 @@ int removal_cause(const Grid& grid, const Particles& particles, int p) {
   const Vector v = vector_of(particles.velocity, p);
   const double sum = x[0] + x[1] + x[2] + v[0] + v[1] + v[2];
   if (!std::isfinite(sum)) return static_cast<int>(RemovalCause::not_finite);
-  if (particles.key(p) == failed_key) return static_cast<int>(RemovalCause::material_failure);
-  if (particles.key(p) == expanded_key) return static_cast<int>(RemovalCause::expanded);
-  if (particles.key(p) == inverted_key) return static_cast<int>(RemovalCause::inverted);
+  switch (particles.fault(p)) {
+    case Fault::failed:
+      return static_cast<int>(RemovalCause::material_failure);
+    case Fault::expanded:
+      return static_cast<int>(RemovalCause::expanded);
+    case Fault::inverted:
+      return static_cast<int>(RemovalCause::inverted);
+    case Fault::none:
+      break;
+  }
   if (!grid.holds(x)) return static_cast<int>(RemovalCause::left_grid);
   return -1;
 }
@@ -84,11 +91,12 @@ Found find_keys(const Grid& grid, const Particles& particles, int first_row) {
   const int* const owner = grid.owner.data();
   const int* const directory = grid.directory.data();
   int* const keys = particles.key.data();
+  const Fault* const faults = particles.fault.data();
   Found found;
   BARRENO_IVDEP
   for (int p = first_row; p < count; ++p) {
     const int old_key = keys[p];
-    int lost = static_cast<int>(old_key <= failed_key);
+    int lost = static_cast<int>(faults[p] != Fault::none);
     for (int d = 0; d < dimensions; ++d)
       lost |= static_cast<int>(!(position[d][p] >= lower[d])) |
               static_cast<int>(!(position[d][p] < upper[d]));

@@ -40,7 +40,7 @@ double release_set(
   double released = 0.0;
   for (int p = 0; p < particles.count; ++p) {
     if (particles.loaded_faces(p) == 0.0) continue;
-    const int tile = particles.key(p) >> (patch.tile_bits * patch.dimensions);
+    const int tile = tile_of(patch, particles, p);
     if (!nodes.keeps(tile) && torn<M>(scene, particles, p)) {
       particles.loaded_faces(p) = 0.0;
       released += 1.0;

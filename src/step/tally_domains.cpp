@@ -65,11 +65,11 @@ struct TallyDomains {
   }
 
   void treat_inverted(int p, DomainTally& tally) const {
-    if (particles.key(p) <= failed_key || (particles.body(p) & held_bit) != 0) return;
+    if (particles.fault(p) != Fault::none || (particles.body(p) & held_bit) != 0) return;
     tally.inverted += 1.0;
     const ParticleId id = particles.id(p);
     if (tally.first_bad < 0 || id < tally.first_bad) tally.first_bad = id;
-    treat_bad_particle(particles, p, policy, inverted_key);
+    treat_bad_particle(particles, p, policy, Fault::inverted);
   }
 
   void limit_step(int p, double critical_courant, DomainTally& tally) const {

@@ -35,18 +35,18 @@ struct UpdateStress {
     R stable_step = R{} + std::numeric_limits<double>::infinity();
   };
 
-  KOKKOS_INLINE_FUNCTION void treat_failure(int p, int key, StressTally& sums) const {
+  KOKKOS_INLINE_FUNCTION void treat_failure(int p, Fault fault, StressTally& sums) const {
     sums.failures += 1.0;
     const ParticleId id = particles.id(p);
     if (sums.first_failed < 0 || id < sums.first_failed) sums.first_failed = id;
-    treat_bad_particle(particles, p, policy, key);
+    treat_bad_particle(particles, p, policy, fault);
   }
   KOKKOS_INLINE_FUNCTION void treat_failures(
-      const Group& group, const Mask& failed, int key, StressTally& sums
+      const Group& group, const Mask& failed, Fault fault, StressTally& sums
   ) const {
     if (!real::any(failed)) return;
     for (int i = 0; i < group.count; ++i)
-      if (entry(failed, i) != 0) treat_failure(group.first + i, key, sums);
+      if (entry(failed, i) != 0) treat_failure(group.first + i, fault, sums);
   }
 
   /// Rows that are there and not held as debris.
@@ -120,8 +120,8 @@ struct UpdateStress {
     group.put(real::select(good, begun.q, begun.old_q), particles.viscous_pressure);
     const R modulus = real::select(good, outcome.longitudinal_modulus, begun.old_modulus);
     group.put(modulus, particles.longitudinal_modulus);
-    treat_failures(group, expanded, expanded_key, sums);
-    treat_failures(group, here & (!expanded) & (!sound), failed_key, sums);
+    treat_failures(group, expanded, Fault::expanded, sums);
+    treat_failures(group, here & (!expanded) & (!sound), Fault::failed, sums);
 
     const R reference_volume = begun.mass * (1.0 / reference_density);
     const R mean_volume = 0.5 * (begun.old_volume + begun.volume);

@@ -121,6 +121,40 @@ TEST_P(BadParticles, AreRemovedAndTalliedByTheirCause) {
   }
 }
 
+/// A step goes on with a particle that it has found bad: its tile stays known, in every order of
+/// the step, under a load on its faces and in tiles that may be at rest.
+TEST_P(BadParticles, StayInTheirTileUntilTheyAreRemoved) {
+  for (const Case& c : cases)
+    for (const Order order :
+         {Order::stress_last, Order::modified_stress_last, Order::stress_first}) {
+      SCOPED_TRACE(c.name);
+      Scene scene = block(GetParam(), BadParticlePolicy::remove);
+      scene.step.order = order;
+      PressureLoadSpec load;
+      load.faces.fill(true);
+      load.pressure = {{0.0}, {1e3}};
+      scene.loads.push_back(load);
+      State state = testing::start(scene);
+      advance(scene, 1.0, state);  // the first step strains last, whatever the order
+      const double before = sum_totals(state).particles;
+      harm(state, c.change);
+      advance(scene, 1.0, state);
+      double marked = 0.0;
+      for (const Particles& particles : state.particles)
+        for (int p = 0; p < particles.count; ++p) {
+          ASSERT_GE(particles.key(p), 0);
+          ASSERT_LT(tile_of(state.grid.patch, particles, p), state.grid.active);
+          if (particles.fault(p) != Fault::none) marked += 1.0;
+        }
+      std::vector<double> sum{marked};
+      sum_over_ranks(*state.grid.comm, sum);
+      EXPECT_EQ(sum[0], 1.0);
+      EXPECT_EQ(sum_totals(state).particles, before);
+      advance(scene, 1.0, state);
+      EXPECT_EQ(sum_totals(state).particles, before - 1.0);
+    }
+}
+
 TEST_P(BadParticles, AreHeldWithoutStressOnce) {
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);

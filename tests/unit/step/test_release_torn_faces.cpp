@@ -74,7 +74,6 @@ TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
     loaded += 1.0;
     if (kind >= 2) torn += 1.0;
   }
-  const int bits = state.grid.patch.tile_bits * state.grid.patch.dimensions;
   for (int pass = 0; pass < 2; ++pass) {
     release_torn_faces(scene, state);
     double still_loaded = 0.0;
@@ -82,7 +81,7 @@ TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
     for (int p = 0; p < particles.count; ++p) {
       if (particles.loaded_faces(p) == 0.0) continue;
       still_loaded += 1.0;
-      tiles[static_cast<std::size_t>(particles.key(p) >> bits)] = 1;
+      tiles[static_cast<std::size_t>(tile_of(state.grid.patch, particles, p))] = 1;
       EXPECT_LT(particles.id(p) % 4, 2);
     }
     EXPECT_EQ(still_loaded, loaded - torn);
