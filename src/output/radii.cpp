@@ -22,6 +22,13 @@ double root_of(Mode mode, double power) {
   return mode == Mode::plane_strain ? std::sqrt(positive) : std::cbrt(positive);
 }
 
+/// A sum must be carried that often.
+constexpr int rows_per_carry = 1 << 19;
+
+void carry(std::vector<WholeSum>& sums) {
+  for (WholeSum& sum : sums) sum.carry();
+}
+
 }  // namespace
 
 std::vector<int> hollow_balls(const Scene& scene) {
@@ -36,10 +43,11 @@ std::vector<int> hollow_balls(const Scene& scene) {
 std::vector<RadialMoment> radial_moments(
     const Scene& scene, const State& state, const std::vector<int>& bodies
 ) {
-  std::vector<double> sums(3 * bodies.size(), 0.0);
+  std::vector<WholeSum> sums(3 * bodies.size());  // whatever the ranks
   for (const Particles& set : state.particles) {
     const HostParticles particles(set);
     for (int p = 0; p < particles.count; ++p) {
+      if (p % rows_per_carry == 0) carry(sums);
       const int body = particles.body(p) & ~held_bit;
       const auto found = std::find(bodies.begin(), bodies.end(), body);
       if (found == bodies.end()) continue;
@@ -47,16 +55,19 @@ std::vector<RadialMoment> radial_moments(
       const double z = particles.dimensions() == 3 ? particles.position(p, 2) - centre[2] : 0.0;
       const double r =
           std::hypot(particles.position(p, 0) - centre[0], particles.position(p, 1) - centre[1], z);
-      double* const sum = &sums[3 * static_cast<std::size_t>(found - bodies.begin())];
+      WholeSum* const sum = &sums[3 * static_cast<std::size_t>(found - bodies.begin())];
       sum[0] += particles.mass(p, 0);
       sum[1] += particles.mass(p, 0) * power_of(scene.grid.mode, r);
       sum[2] += particles.volume(p, 0);
     }
   }
+  carry(sums);
   sum_over_ranks(*state.grid.comm, sums);
   std::vector<RadialMoment> moments;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    moments.push_back({sums[3 * i], sums[3 * i + 1] / sums[3 * i], sums[3 * i + 2]});
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double mass = sums[3 * i];
+    moments.push_back({mass, sums[3 * i + 1] / mass, sums[3 * i + 2]});
+  }
   return moments;
 }
 

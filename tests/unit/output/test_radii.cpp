@@ -81,6 +81,21 @@ TEST(Radii, FollowAUniformCompression) {
   EXPECT_NEAR(row[2], 0.9 * 3.5, 2e-3);
 }
 
+TEST(Radii, AreTheSameBitsOnAnyRanks) {
+  for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain}) {
+    const Scene scene = hollow_scene(mode);
+    State shared = testing::start(scene), alone = testing::start_alone(scene);
+    for (const double ratio : {1.0, 0.97}) {
+      for (State* state : {&shared, &alone}) implode(*state, 3, 0.3, ratio);
+      const RadialMoment here = radial_moments(scene, shared, {1}).front();
+      const RadialMoment expected = radial_moments(scene, alone, {1}).front();
+      EXPECT_EQ(here.mass, expected.mass);
+      EXPECT_EQ(here.mean_power, expected.mean_power);
+      EXPECT_EQ(here.volume, expected.volume);
+    }
+  }
+}
+
 TEST(Radii, AreForHollowBallsOnly) {
   EXPECT_EQ(hollow_balls(hollow_scene(Mode::axisymmetric)), std::vector<int>{1});
   EXPECT_TRUE(hollow_balls(synthetic::make_scene()).empty());
