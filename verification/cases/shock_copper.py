@@ -2,6 +2,7 @@
 """Symmetric impact of copper plates without strength: the plateau against the Mie-Grueneisen jump."""
 import numpy as np
 from case import Result
+from penetration import between_particles_and_grid
 from runs import run_deck
 
 C0, SLOPE, DENSITY, SPEED = 3940.0, 1.489, 8930.0, 1000.0
@@ -9,6 +10,23 @@ SHOCK_SPEED = C0 + SLOPE * SPEED
 PRESSURE = DENSITY * SHOCK_SPEED * SPEED
 SHOCKED = DENSITY * SHOCK_SPEED / (SHOCK_SPEED - SPEED)
 ENERGY = 0.5 * SPEED**2
+GRUNEISEN, HEAT, ROOM = 2.02, 383.0, 294.0  # of copper.xml: Gruneisen, Specific Heat [J/kg K], Room Temperature [K]
+
+
+def temperature_of_jump():
+    """Behind the shock [K]: with Gamma rho and c constant, e - e_s(V) = c (T - T_s(V)), where s is the isentrope through the
+    start: T_s = T_room exp(Gamma0 eta), e_s = integral over x from 0 to eta of P_H(x) (1 - Gamma0 x / 2) exp(Gamma0 (eta - x)) dx / rho0,
+    P_H = rho0 c0^2 x / (1 - s x)^2."""
+    eta = 1.0 - DENSITY / SHOCKED
+    x, weight = np.polynomial.legendre.leggauss(20)
+    x = 0.5 * eta * (1.0 + x)
+    curve = C0**2 * x / (1.0 - SLOPE * x) ** 2 * (1.0 - 0.5 * GRUNEISEN * x)
+    isentrope = 0.5 * eta * float(np.sum(weight * curve * np.exp(GRUNEISEN * (eta - x))))
+    return ROOM * np.exp(GRUNEISEN * eta) + (ENERGY - isentrope) / HEAT
+
+
+TEMPERATURE = temperature_of_jump()
+STEP = "what stress_integration and transfer take of the heat goes with the step, not with the cells (notes)"
 
 
 def settings(h):
@@ -38,7 +56,7 @@ def plateau(run):
     early, late = run.particles(-2), run.particles(-1)
     reach = (SHOCK_SPEED - SPEED) * late["time"]
     behind = (np.abs(late["x"]) > 0.3 * reach) & (np.abs(late["x"]) < 0.7 * reach)
-    mean = {name: float(late[name][behind].mean()) for name in ("pressure", "density", "internal_energy")}
+    mean = {name: float(late[name][behind].mean()) for name in ("pressure", "density", "internal_energy", "temperature")}
     mean["velocity"] = float(np.sqrt((late["velocity_x"][behind] ** 2).mean()))
     travelled = [front(late, side) - front(early, side) for side in (-1.0, 1.0)]
     return mean, float(np.mean(travelled)) / (late["time"] - early["time"]) + SPEED
@@ -48,26 +66,35 @@ def run(barreno, full):
     result = Result(
         "Shock in copper",
         "Pressure, density, internal energy behind a strong shock and its speed: the artificial viscosity heats as the jump demands.",
-        f"Rankine-Hugoniot: P = {PRESSURE:.6g} Pa, rho = {SHOCKED:.6g} kg/m3, e = {ENERGY:.6g} J/kg, U_s = {SHOCK_SPEED:.6g} m/s.",
-        ["cell [mm]", "pressure error", "density error", "energy error", "shock speed error", "ledger remainder"],
+        f"Rankine-Hugoniot: P = {PRESSURE:.6g} Pa, rho = {SHOCKED:.6g} kg/m3, e = {ENERGY:.6g} J/kg, U_s = {SHOCK_SPEED:.6g} m/s; "
+        f"with the equation of state T = {TEMPERATURE:.4g} K.",
+        ["cell [mm]", "pressure error", "density error", "energy error", "temperature error", "shock speed error",
+         "energy that stress_integration and transfer took, over what was put in", "ledger remainder"],
         [],
-    )
-    for h in (1.0, 0.5, 0.25) if full else (0.5,):
+    )  # fmt: skip
+    result.open = {
+        "temperature of the plateau, 0.5 mm": STEP,
+        "temperature of the plateau, 0.25 mm": STEP,
+        "internal energy of the plateau, 0.25 mm": STEP,
+    }
+    for h in (1.0, 0.5, 0.25) if full else (1.0, 0.5):
         finished = run_deck(barreno, "shock_copper.xml", settings(h))
         mean, speed = plateau(finished)
-        result.rows.append(
-            [
-                h,
-                mean["pressure"] / PRESSURE - 1.0,
-                mean["density"] / SHOCKED - 1.0,
-                mean["internal_energy"] / ENERGY - 1.0,
-                speed / SHOCK_SPEED - 1.0,
-                finished.summary["balances"]["energy"]["error"],
-            ]
-        )
-    at = next(row for row in result.rows if row[0] == 0.5)
-    result.demand("pressure of the plateau, 0.5 mm", abs(at[1]), 0.01)
-    result.demand("density of the plateau, 0.5 mm", abs(at[2]), 0.01)
-    result.demand("internal energy of the plateau, 0.5 mm", abs(at[3]), 0.01)
-    result.demand("shock speed, 0.5 mm", abs(at[4]), 0.005)
+        errors = {
+            "pressure of the plateau": mean["pressure"] / PRESSURE - 1.0,
+            "density of the plateau": mean["density"] / SHOCKED - 1.0,
+            "internal energy of the plateau": mean["internal_energy"] / ENERGY - 1.0,
+            "temperature of the plateau": mean["temperature"] / TEMPERATURE - 1.0,
+            "shock speed": speed / SHOCK_SPEED - 1.0,
+        }
+        result.rows.append([h, *errors.values(), between_particles_and_grid(finished), finished.summary["balances"]["energy"]["error"]])
+        for what, error in errors.items():
+            result.demand(f"{what}, {h} mm", abs(error), 0.005 if what == "shock speed" else 0.01)
+    result.notes = (
+        "The plateau's heat has two errors of opposite sign. One falls with the cells: with Courant Fraction 0.1 the energy is 1.3 % too "
+        "large at 1 mm and 0.04 % too small at 0.25 mm. The other does not, since a front is as many cells and steps wide on any grid: "
+        "stress_integration takes 0.8 % of the heat at 0.25 mm and transfer 0.5 %; that falls with the step, 1.3, 0.4 and 0.2 % in "
+        "all with Courant Fractions of 0.8, 0.2 and 0.1. With 1 mm the two cancel. 280 K of the temperature are heat, the rest the "
+        "isentrope's: 1 % of the energy is 1.9 % of the temperature."
+    )
     return result
