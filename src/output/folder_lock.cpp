@@ -44,7 +44,7 @@ bool has_no_locks(int error) {
   return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EINVAL;
 }
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+[[noreturn]] void refuse_lock(const fs::path& path, const std::string& why) {
   throw FileError(
       "cannot write into the run folder '" + path.parent_path().string() + "' (" + why +
       "). Give another one with --out."
@@ -57,12 +57,12 @@ int open_lock(const fs::path& path) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
   const int file = open(path.c_str(), flags, 0666);
   const std::string name = path.filename().string();
-  if (file < 0 && errno == ELOOP) refuse(path, name + " is a link");
-  if (file < 0) refuse(path, std::string(std::strerror(errno)) + ": " + name);
+  if (file < 0 && errno == ELOOP) refuse_lock(path, name + " is a link");
+  if (file < 0) refuse_lock(path, std::string(std::strerror(errno)) + ": " + name);
   struct stat found {};
   if (fstat(file, &found) == 0 && S_ISREG(found.st_mode)) return file;
   close(file);
-  refuse(path, name + " is no regular file");
+  refuse_lock(path, name + " is no regular file");
 }
 
 /// Whether the name still belongs to the open file: the run before may have removed it meanwhile.
@@ -99,7 +99,7 @@ void write_holder(int file, const fs::path& path) {
   const std::string text = holder_text() + "\n";
   const bool fine = ftruncate(file, 0) == 0 &&
                     pwrite(file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-  if (!fine) refuse(path, std::strerror(errno));
+  if (!fine) refuse_lock(path, std::strerror(errno));
 }
 
 /// One attempt. @return whether the lock is held; `holder` says who has it otherwise
@@ -116,7 +116,7 @@ bool try_lock(const fs::path& path, int& file, std::string& holder) {
   if (is_held(error)) holder = holder_of(file);
   close(file);
   file = -1;
-  if (error != 0 && !is_held(error)) refuse(path, std::strerror(error));
+  if (error != 0 && !is_held(error)) refuse_lock(path, std::strerror(error));
   return false;
 }
 

@@ -164,6 +164,5 @@ int serve(const Teuchos::RCP<const Comm>& comm) {
 
 int main(int argc, char** argv) {
   const Tpetra::ScopeGuard mpi_and_kokkos(&argc, &argv);
-  barreno::note_signals();
   return barreno::serve(Tpetra::getDefaultComm());
 }
