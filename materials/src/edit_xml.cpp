@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "barreno/input/error.hpp"
+#include "barreno/input/nearest_name.hpp"
 #include "barreno/input/scan_xml.hpp"
 #include "text.hpp"
 
@@ -32,6 +33,40 @@ XMLObject find_or_add(XMLObject& list, const char* tag, const std::string& name)
   return child;
 }
 
+/// A copy of a list without what the rest of the path names. A tree gives no child back, so the
+/// lists on the way are made anew; all others are shared with the first tree.
+XMLObject without(
+    const XMLObject& list,
+    const std::vector<std::string>& names,
+    std::size_t level,
+    const std::string& assignment
+) {
+  const bool last = level + 1 == names.size();
+  const auto parameter = last ? find_child(list, "Parameter", names[level]) : std::nullopt;
+  const char* const tag = parameter ? "Parameter" : "ParameterList";
+  if (!find_child(list, tag, names[level])) {
+    std::vector<std::string> known;
+    for (int i = 0; i < list.numChildren(); ++i)
+      if (list.getChild(i).hasAttribute("name"))
+        known.push_back(list.getChild(i).getAttribute("name"));
+    throw InputError(
+        "--set " + shown(assignment) + " takes away what is not there (" + shown(names[level]) +
+        "); " + suggest_name(names[level], known)
+    );
+  }
+  XMLObject copy(list.getTag());
+  copy.addAttribute("name", list.hasAttribute("name") ? list.getAttribute("name") : "");
+  for (int i = 0; i < list.numContentLines(); ++i) copy.addContent(list.getContentLine(i));
+  for (int i = 0; i < list.numChildren(); ++i) {
+    const XMLObject& child = list.getChild(i);
+    const bool named = child.getTag() == tag && child.hasAttribute("name") &&
+                       child.getAttribute("name") == names[level];
+    if (!named) copy.addChild(child);
+    if (named && !last) copy.addChild(without(child, names, level + 1, assignment));
+  }
+  return copy;
+}
+
 }  // namespace
 
 std::optional<std::string> find_text(const XMLObject& list, const std::string& name) {
@@ -54,7 +89,13 @@ UnitSystem units_of(const XMLObject& root, const std::string& source) {
   }
 }
 
-void override_value(
+void set_value(const XMLObject& list, const std::string& name, const std::string& value) {
+  XMLObject owner = list;
+  XMLObject parameter = find_or_add(owner, "Parameter", name);
+  parameter.addAttribute("value", value);
+}
+
+XMLObject override_value(
     const XMLObject& root, const std::string& assignment, const std::string& example
 ) {
   const std::size_t equals = assignment.find('=');
@@ -68,11 +109,18 @@ void override_value(
         example + "."
     );
   }
+  if (control_character(assignment) >= 0) {
+    throw InputError(
+        "--set " + shown(assignment) +
+        " holds a control character (names and values have none); write it without."
+    );
+  }
+  if (trim(assignment.substr(equals + 1)).empty()) return without(root, names, 0, assignment);
   XMLObject list = root;
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
     list = find_or_add(list, "ParameterList", names[i]);
-  XMLObject parameter = find_or_add(list, "Parameter", names.back());
-  parameter.addAttribute("value", assignment.substr(equals + 1));
+  set_value(list, names.back(), assignment.substr(equals + 1));
+  return root;
 }
 
 std::string join(const std::string& path, const std::string& name) {

@@ -51,14 +51,16 @@ bool contains_word(const std::string& text, const std::string& word) {
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
-/// A reference such as &#0; puts a zero byte into a value, where a text ends for many who read it.
-bool holds_zero(const Teuchos::XMLObject& xml) {
-  for (const char* name : {"name", "type", "value"})
-    if (xml.hasAttribute(name) && xml.getAttribute(name).find('\0') != std::string::npos)
-      return true;
+/// The first control character of the texts of a tree, which XML does not allow even as a
+/// reference such as &#27;, and which would end a text, or move a terminal's cursor; -1 if none.
+int control_character_of(const Teuchos::XMLObject& xml) {
+  for (const char* name : {"name", "type", "value"}) {
+    if (!xml.hasAttribute(name)) continue;
+    if (const int found = control_character(xml.getAttribute(name)); found >= 0) return found;
+  }
   for (int i = 0; i < xml.numChildren(); ++i)
-    if (holds_zero(xml.getChild(i))) return true;
-  return false;
+    if (const int found = control_character_of(xml.getChild(i)); found >= 0) return found;
+  return -1;
 }
 
 /// Teuchos' message carries the throw's location and number around the part that a user can act on.
@@ -87,8 +89,8 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
             std::to_string(largest_text) + "); is it the right file?"
     );
   }
-  const char* const no_text = "is not text (it holds a zero byte); is it the right file?";
-  if (text.find('\0') != std::string::npos) refuse(source, "", no_text);
+  if (text.find('\0') != std::string::npos)
+    refuse(source, "", "is not text (it holds a zero byte); is it the right file?");
   if (contains_word(text, "<!DOCTYPE") || contains_word(text, "<!ENTITY")) {
     refuse(
         source,
@@ -112,7 +114,14 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
         source, "", "is not well-formed XML " + reason_of(error.what()) + "; correct the file there"
     );
   }
-  if (holds_zero(root)) refuse(source, "", no_text);
+  if (const int code = control_character_of(root); code >= 0) {
+    refuse(
+        source,
+        "",
+        "holds the control character " + std::to_string(code) +
+            " in a name or a value (XML has none but tab and line end); is it the right file?"
+    );
+  }
   if (root.getTag() != "ParameterList") {
     refuse(
         source,

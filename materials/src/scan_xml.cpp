@@ -36,6 +36,7 @@ std::vector<std::string> types_of(Kind kind) {
 }
 
 std::string example_value(const Entry& entry) {
+  if (!entry.example.empty()) return entry.example;
   switch (entry.kind) {
     case Kind::number:
       return example_of(entry.dimension);

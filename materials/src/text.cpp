@@ -45,4 +45,11 @@ std::string cut_middle(std::string_view text, std::size_t longest) {
          std::string(text.substr(between_characters(text, text.size() - half)));
 }
 
+int control_character(std::string_view text) {
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r')
+      return static_cast<unsigned char>(c);
+  return -1;
+}
+
 }  // namespace barreno::input

@@ -16,4 +16,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 std::string cut_end(std::string_view text, std::size_t longest);
 std::string cut_middle(std::string_view text, std::size_t longest);
 
+/// The first control character besides tab, line feed and carriage return; -1 if there is none.
+int control_character(std::string_view text);
+
 }  // namespace barreno::input

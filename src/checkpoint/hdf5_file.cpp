@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "checkpoint/fletcher32.hpp"
 #include "checkpoint/hdf5_handle.hpp"
+#include "output/own_file.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -35,7 +36,8 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode)
   if (writes_) {
     const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     H5Pset_userblock(creation.get(), user_block);
-    file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), H5P_DEFAULT);
+    remove_leftover(path);  // a link of that name would be followed; a new file follows none
+    file_ = H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), H5P_DEFAULT);
   } else {
     file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   }

@@ -202,7 +202,8 @@ Section build_schema() {
       Presence::required,
       {integer(
            "Schema Version", any(), "version of this table: " + std::to_string(deck_schema_version)
-       ),
+       )
+           .such_as(std::to_string(deck_schema_version)),
        text("Title", "one line for screens and files").by_default(""),
        text("Units", "of plain numbers: SI, or units of length, time and mass (\"mm-us-g\")")
            .by_default("SI"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/echo_deck.hpp"
 
+#include "base/utf8.hpp"
+
 #include <Teuchos_TwoDArray.hpp>
 
 #include <barreno/input/scan_xml.hpp>
@@ -38,25 +40,41 @@ std::string type_of(const Teuchos::ParameterEntry& entry) {
   throw std::logic_error("a deck value of a type that no table has");
 }
 
+/// A character reference for what an attribute may not hold as it is: marks of XML, line ends and
+/// tabs (which readers turn into blanks), and bytes that are no UTF-8, as the characters of
+/// Latin-1.
+std::string reference(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return "&#" + std::to_string(static_cast<unsigned char>(c)) + ";";
+  }
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t bytes = character_bytes(text, at);
+    const bool plain = bytes > 0 && std::string("&<>\"\t\n\r").find(text[at]) == std::string::npos;
+    result += plain ? text.substr(at, bytes) : reference(text[at]);
+    at += plain ? bytes : 1;
+  }
+  return result;
+}
+
+/// On one line and without "--", which would end a comment, or make it no comment at all.
+std::string comment_of(const std::string& text) {
+  std::string result;
+  for (const char c : escaped(input::on_one_line(text))) {
+    if (c == '-' && !result.empty() && result.back() == '-') result += ' ';
+    result += c;
   }
   return result;
 }
@@ -94,7 +112,7 @@ std::string value_text(const Teuchos::ParameterEntry& entry) {
 
 std::string effective_deck_xml(const Deck& deck) {
   std::ostringstream xml;
-  xml << "<!-- Effective deck of " << escaped(deck.name())
+  xml << "<!-- Effective deck of " << comment_of(deck.name())
       << ": every value that was used, in SI. -->\n"
       << "<ParameterList name=\"Barreno\">\n";
   write_list(deck.values(), 1, xml);

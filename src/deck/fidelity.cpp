@@ -149,7 +149,7 @@ void Fidelity::choose(
   const auto said = input::find_text(list, name);
   const std::string whole = input::join(path, name);
   if (said && !same(*said, value, units_)) return keep(whole, *said, value);
-  if (!said) input::override_value(list, name + "=" + value);
+  if (!said) input::set_value(list, name, value);
   chosen_.push_back(whole + " = " + value);
 }
 

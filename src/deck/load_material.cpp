@@ -41,10 +41,10 @@ LoadedMaterial load_material(
   const std::string text = load_text(card, comm);
   const std::filesystem::path path(card);
   const std::string source = path.filename().string();
-  const Teuchos::XMLObject xml = input::parse_xml(text, source);
+  Teuchos::XMLObject xml = input::parse_xml(text, source);
   const std::vector<std::string> notes = assumptions_of(xml, source);
   for (const std::string& assignment : overrides)
-    input::override_value(xml, assignment, "\"PEAKI1=20 MPa\"");
+    xml = input::override_value(xml, assignment, "\"PEAKI1=20 MPa\"");
   return {make_material(path.stem().string(), scan_card(xml, source), source), notes};
 }
 

@@ -231,8 +231,8 @@ Deck read_deck(
       read_once([&] { return read_file(file, input::largest_text, "the deck"); }, comm);
   const std::filesystem::path path(file);
   const std::string name = path.filename().string();
-  const XMLObject root = input::parse_xml(text, name);
-  for (const std::string& assignment : overrides) input::override_value(root, assignment);
+  XMLObject root = input::parse_xml(text, name);
+  for (const std::string& assignment : overrides) root = input::override_value(root, assignment);
   const input::UnitSystem units = input::units_of(root, name);
   Reading reading{
       {name, units},

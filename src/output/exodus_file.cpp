@@ -32,15 +32,17 @@ ExodusFile::ExodusFile(
 
 void ExodusFile::create(const ExodusLayout& layout) {
   const auto nodes_per_element = static_cast<long long>(layout.nodes_per_element);
-  int mode = EX_CLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API;
+  int mode = EX_NOCLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API;
   // Ids beyond 32 bits need the netCDF-4 form, which readers must open without file locks while it
   // grows.
   if (layout.largest_id > std::numeric_limits<int>::max() / nodes_per_element)
     mode |= EX_ALL_INT64_DB;
   int computed_size = 8, stored_size = 8;  // 0 would mean 4-byte reals
   ex_opts(EX_DEFAULT);
+  remove_leftover(aside_);  // the library would follow a link of that name; a new file follows none
   file_ = ex_create(aside_.c_str(), mode, &computed_size, &stored_size);
   check(file_, "ex_create");
+  id_ = id_of(aside_);
 }
 
 ExodusFile::~ExodusFile() {
@@ -110,6 +112,7 @@ void ExodusFile::put_variable(
 
 void ExodusFile::end_step() {
   check(ex_update(file_), "ex_update");
+  refuse_if_gone(step_ < first_steps_ ? aside_ : path_, id_);
   if (++step_ != first_steps_) return;
   std::error_code error;
   std::filesystem::rename(aside_, path_, error);

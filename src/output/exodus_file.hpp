@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "output/own_file.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -74,6 +76,7 @@ private:
   void check(int code, const char* what) const;
 
   std::filesystem::path path_, aside_;
+  FileId id_;
   int file_ = -1;
   int step_ = 0, first_steps_;
   std::vector<std::string> variables_;  ///< of all blocks, in the order of the file

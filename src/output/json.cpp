@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/json.hpp"
 
+#include "base/utf8.hpp"
 #include "output/text_file.hpp"
 
 #include <cmath>
@@ -10,17 +11,21 @@ namespace barreno {
 
 std::string json_string(const std::string& text) {
   std::string out = "\"";
-  for (const char c : text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    const auto code = static_cast<unsigned char>(c);
+    const std::size_t bytes = character_bytes(text, at);
     if (c == '"' || c == '\\') {
       out += '\\';
       out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
-      out += code;
+    } else if (bytes == 0 || code < 0x20) {
+      char escape[8];  // a byte that is no UTF-8 as the character of Latin-1
+      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(code));
+      out += escape;
     } else {
-      out += c;
+      out += text.substr(at, bytes);
     }
+    at += bytes == 0 ? 1 : bytes;
   }
   return out + '"';
 }

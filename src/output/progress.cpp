@@ -4,6 +4,7 @@
 #include "output/radii.hpp"
 
 #include <algorithm>
+#include <barreno/input/scan_xml.hpp>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -200,7 +201,10 @@ std::vector<std::string> scene_lines(
     const Scene& scene, const RunDescription& run, int ranks, double particles
 ) {
   std::vector<std::string> lines;
-  lines.push_back("Barreno " + run.version + ": " + run.deck_name + ", " + scene.title);
+  // Names are the user's: a line of the screen stays one, without escape sequences.
+  lines.push_back(
+      input::on_one_line("Barreno " + run.version + ": " + run.deck_name + ", " + scene.title)
+  );
   lines.push_back("  grid       " + grid_text(scene.grid));
   for (const BodySpec& body : scene.bodies)
     lines.push_back("  body       " + body_text(scene, body));

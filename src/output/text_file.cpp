@@ -9,21 +9,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <cstring>
+#include <fcntl.h>
 #include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace barreno {
-namespace {
-
-[[noreturn]] void refuse(const std::filesystem::path& path, const char* verb) {
-  const std::string why = errno == 0 ? "the disk may be full" : std::strerror(errno);
-  throw FileError(
-      std::string("cannot ") + verb + " '" + path.string() + "' (" + why +
-      "). Free the disk or give another place with --out."
-  );
-}
-
-}  // namespace
 
 std::string to_text(double value) {
   std::array<char, 32> buffer{};
@@ -39,50 +30,72 @@ std::string number_line(const char* pattern, double a, double b, double c) {
 
 void write_whole_file(const std::filesystem::path& path, const std::string& text) {
   const std::filesystem::path aside = path.string() + ".tmp";
-  errno = 0;
-  std::ofstream stream(aside, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  std::error_code ignored;
-  if (!stream) {
-    const int why = errno;
-    std::filesystem::remove(aside, ignored);
-    errno = why;
-    refuse(path, "write");
+  const int handle = create_file(aside, path);
+  bool fine = write_all(handle, text);
+  int why = errno;
+  if (close(handle) != 0 && fine) {
+    fine = false;
+    why = errno;
   }
-  std::error_code error;
-  std::filesystem::rename(aside, path, error);
-  if (!error) return;
-  std::filesystem::remove(aside, ignored);
-  errno = error.value();
-  refuse(path, "write");
+  if (fine && std::rename(aside.c_str(), path.c_str()) == 0) return;
+  if (fine) why = errno;
+  unlink(aside.c_str());
+  errno = why;
+  refuse_file(path, "write");
 }
 
-LineFile::LineFile(const std::filesystem::path& path, std::uintmax_t kept)
-    : path_(path), bytes_(kept) {
-  errno = 0;
+namespace {
+
+/// The file as it is, its first `kept` bytes; nothing else takes its place. A pipe does not open
+/// without a reader, instead of waiting for one.
+int open_for_lines(const std::filesystem::path& path, std::uintmax_t kept) {
+  constexpr mode_t mode = 0666;  // less what the user's mask forbids
+  const int plain = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_APPEND;
+  const int wanted = kept == 0 ? plain | O_CREAT | O_TRUNC : plain;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
+  const int handle = open(path.c_str(), wanted, mode);
+  struct stat found {};
+  const bool there = handle >= 0 && fstat(handle, &found) == 0;
   if (kept == 0) {
-    stream_.open(path, std::ios::binary | std::ios::trunc);
-  } else {
-    std::error_code error;
-    if (std::filesystem::file_size(path, error) < kept || error)
-      throw FileError(
-          "cannot go on with '" + path.string() +
-          "' (it is shorter than when the checkpoint was written); put the file back or start the "
-          "run again with barreno run."
-      );
-    std::filesystem::resize_file(path, kept, error);
-    if (error) refuse(path_, "shorten");
-    stream_.open(path, std::ios::binary | std::ios::app);
+    if (!there) refuse_file(path, "create");
+    return handle;
   }
-  if (!stream_) refuse(path_, "create");
+  if ((handle < 0 && errno == ENOENT) ||
+      (there && static_cast<std::uintmax_t>(found.st_size) < kept)) {
+    if (handle >= 0) close(handle);
+    throw FileError(
+        "cannot go on with '" + path.string() +
+        "' (it is shorter than when the checkpoint was written); put the file back or start the "
+        "run again with barreno run."
+    );
+  }
+  if (!there) refuse_file(path, "go on with");
+  if (ftruncate(handle, static_cast<off_t>(kept)) == 0) return handle;
+  const int why = errno;
+  close(handle);
+  errno = why;
+  refuse_file(path, "shorten");
+}
+
+}  // namespace
+
+LineFile::LineFile(const std::filesystem::path& path, std::uintmax_t kept)
+    : path_(path), bytes_(kept), handle_(open_for_lines(path, kept)), id_(id_of(handle_)) {}
+
+LineFile::~LineFile() {
+  close(handle_);
 }
 
 void LineFile::append(const std::string& line) {
-  errno = 0;
-  stream_ << line << '\n' << std::flush;
-  if (!stream_) refuse(path_, "write");
+  if (!write_all(handle_, line + '\n')) {
+    const int why = errno;
+    // No half line stays; on what is no file nothing can be taken back.
+    if (ftruncate(handle_, static_cast<off_t>(bytes_)) != 0) errno = why;
+    errno = why;
+    refuse_file(path_, "write");
+  }
   bytes_ += line.size() + 1;
+  refuse_if_gone(path_, id_);
 }
 
 std::string column_name(std::string name) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "output/own_file.hpp"
+
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,25 +16,30 @@ std::string to_text(double value);
 /// Up to three numbers in a printf pattern.
 std::string number_line(const char* pattern, double a, double b = 0.0, double c = 0.0);
 
-/// Writes aside and renames, so that the final name never holds half a file. @throws FileError
+/// Writes aside (path.tmp, whatever had that name before) and renames, so that the final name never
+/// holds half a file. @throws FileError
 void write_whole_file(const std::filesystem::path& path, const std::string& text);
 
-/// A text file that grows line by line and is flushed after each, so that it can be read during the
+/// A text file that grows line by line, each at once in the file, so that it can be read during the
 /// run.
 class LineFile {
 public:
   /// @param kept  bytes of a file of that name that stay, what follows them is cut off; 0: a new
   ///              file
-  /// @throws FileError if it cannot be created, or holds fewer bytes
+  /// @throws FileError if it cannot be created, is a symbolic link, or holds fewer bytes
   explicit LineFile(const std::filesystem::path& path, std::uintmax_t kept = 0);
-  /// @throws FileError if the line did not reach the file
+  ~LineFile();
+  LineFile(const LineFile&) = delete;
+  LineFile& operator=(const LineFile&) = delete;
+  /// @throws FileError if the line did not reach the file, or the file is no longer at its path
   void append(const std::string& line);
   std::uintmax_t bytes() const { return bytes_; }
 
 private:
   std::filesystem::path path_;
   std::uintmax_t bytes_ = 0;
-  std::ofstream stream_;
+  int handle_;
+  FileId id_;
 };
 
 /// The values as one line of a CSV file.

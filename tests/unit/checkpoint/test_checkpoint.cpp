@@ -195,6 +195,19 @@ TEST_F(CheckpointTest, AFolderThatIsGoneIsAnErrorOnEveryRankAndCostsNothing) {
   EXPECT_EQ(find_checkpoint(comm, folder.path()).deck_text, "first");
 }
 
+TEST_F(CheckpointTest, FollowsNoLinkOfTheNameItIsWrittenUnder) {
+  const fs::path victim = folder.path() / "victim", aside = file.string() + ".tmp";
+  if (is_root(comm)) {
+    std::ofstream(victim) << "keep";
+    fs::create_symlink(victim, aside);
+  }
+  comm.barrier();
+  write("the deck\n");
+  EXPECT_EQ(synthetic::read_text(victim), "keep");
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(file)));
+  EXPECT_EQ(find_checkpoint(comm, folder.path()).deck_text, "the deck\n");
+}
+
 TEST(DeckDifference, NamesTheFirstLineButNotTheEndTime) {
   const std::string deck = "a\n  name=\"End Time\" value=\"1\"\n  b\n";
   EXPECT_EQ(deck_difference(deck, deck), "");

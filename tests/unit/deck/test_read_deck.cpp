@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
 #include "base/process.hpp"
+#include "base/utf8.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
@@ -80,6 +81,8 @@ protected:
     return read_deck((folder_ / name).string(), overrides, Teuchos::SerialComm<int>());
   }
 
+  const std::filesystem::path& folder() const { return folder_; }
+
 private:
   std::filesystem::path folder_;
 };
@@ -117,6 +120,61 @@ TEST_F(ReadDeck, TheEffectiveDeckGivesTheSameDeckWithoutOtherFiles) {
   EXPECT_EQ(again.values(), deck.values());
   EXPECT_EQ(again.number("Step/Courant Fraction"), 0.3);
   EXPECT_EQ(again.word("Title"), "a < b & \"c\"");
+}
+
+/// Of XML 1.0: what a comment and a document may not hold, and that a line end in a value is a
+/// reference, which every reader gives back.
+void expect_well_formed(const std::string& xml, const std::string& name) {
+  const std::size_t end = xml.find("-->");
+  ASSERT_NE(end, std::string::npos) << name;
+  EXPECT_EQ(xml.substr(4, end - 4).find("--"), std::string::npos) << name;
+  EXPECT_EQ(xml.find('\n'), end + 3) << name;
+  for (std::size_t at = 0; at < xml.size();) {
+    const std::size_t bytes = character_bytes(xml, at);
+    ASSERT_GT(bytes, 0U) << name;
+    EXPECT_TRUE(xml[at] == '\n' || static_cast<unsigned char>(xml[at]) >= ' ') << name;
+    at += bytes;
+  }
+}
+
+TEST_F(ReadDeck, NamesOfAnyBytesGiveAnEffectiveDeckThatIsXml) {
+  const std::string plain = effective_deck_xml(read("deck.xml"));
+  for (const char* name :
+       {"a--b.xml",
+        "---",
+        "-->.xml",
+        "a\nb.xml",
+        "a\x1b[31m\x01.xml",
+        "\xff\xfe.xml",
+        "\xc3.xml",
+        "\xed\xa0\x80.xml",
+        "\"'&<!DOCTYPE.xml",
+        "\xc3\xa9\xe2\x82\xac.xml"}) {
+    std::filesystem::copy_file(folder() / "deck.xml", folder() / name);
+    const std::string xml = effective_deck_xml(read(name));
+    expect_well_formed(xml, name);
+    EXPECT_EQ(xml.substr(xml.find('\n')), plain.substr(plain.find('\n'))) << name;
+    write("effective.xml", xml);
+    EXPECT_EQ(read("effective.xml").values(), read("deck.xml").values()) << name;
+  }
+}
+
+TEST_F(ReadDeck, TextsOfAnyBytesComeBackFromTheEffectiveDeck) {
+  const std::string title = "two\nlines\tand a tab, \xe9 of Latin-1, \xe2\x82\xac, \xf5\x80";
+  const Deck deck = read("deck.xml", {"Title=" + title});
+  const std::string xml = effective_deck_xml(deck);
+  expect_well_formed(xml, title);
+  write("effective.xml", xml);
+  EXPECT_EQ(read("effective.xml").word("Title"), title);
+  EXPECT_THROW(read("deck.xml", {"Title=\x1b[2J"}), DeckError);
+  write("escape.xml", "<ParameterList name=\"a\"><ParameterList name=\"&#27;c\"/></ParameterList>");
+  try {
+    read("escape.xml");
+    FAIL() << "a control character was read";
+  } catch (const DeckError& error) {
+    EXPECT_NE(std::string(error.what()).find("control character 27"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(ReadDeck, TeuchosItselfReadsTheEffectiveDeckAlike) {
@@ -229,6 +287,50 @@ TEST(Schema, TablesAreSound) {
     check_section(material_section(model));
     EXPECT_NE(describe_text(model.name).find(model.summary), std::string::npos);
     EXPECT_NO_THROW(valid_parameters(model));
+  }
+}
+
+/// Where what a sentence suggests begins and ends.
+const std::string suggestion = "add <Parameter ";
+
+/// Adds what the sentences suggest until nothing is missing. Whatever they suggest is accepted.
+void follow_suggestions(const input::Section& section) {
+  std::string body;
+  for (std::size_t turn = 0; turn <= section.entries.size(); ++turn) {
+    const auto xml =
+        input::parse_xml("<ParameterList name=\"t\">" + body + "</ParameterList>", "t");
+    input::Section alone = section;
+    alone.sections.clear();
+    try {
+      input::scan_list(xml, alone, "", {"t", {}});
+      break;
+    } catch (const InputError& error) {
+      const std::string said = error.what();
+      const std::size_t at = said.find(suggestion);
+      ASSERT_NE(at, std::string::npos) << section.name << ": " << said;
+      body += said.substr(at + 4, said.rfind("/>") + 2 - at - 4);
+    }
+  }
+  for (const auto& part : section.sections)
+    if (!part.read_elsewhere) follow_suggestions(part);
+  for (const auto& part : section.named) follow_suggestions(part);
+}
+
+TEST(Schema, WhatSentencesSuggestIsAccepted) {
+  follow_suggestions(deck_schema());
+  for (const ModelDescription& model : describe_models())
+    follow_suggestions(material_section(model));
+}
+
+TEST_F(ReadDeck, TheSchemaVersionThatIsSuggestedIsTheOneThatIsRead) {
+  try {
+    read("deck.xml", {"Schema Version="});
+    FAIL() << "a deck without its version was read";
+  } catch (const DeckError& error) {
+    const std::string said = error.what();
+    const std::string value = "value=\"" + std::to_string(deck_schema_version) + "\"/>";
+    EXPECT_NE(said.find("Schema Version is missing"), std::string::npos) << said;
+    EXPECT_NE(said.find(value), std::string::npos) << said;
   }
 }
 

@@ -163,6 +163,32 @@ TEST(ScanXml, OverridesReplaceAndAdd) {
   EXPECT_EQ(list.sublist("Filled").get<double>("Step"), 1e-3);
   EXPECT_THROW(override_value(xml, "Length"), InputError);
   EXPECT_THROW(override_value(xml, "/=3"), InputError);
+  EXPECT_THROW(override_value(xml, "Title=a\x1b[2J"), InputError);
+}
+
+TEST(ScanXml, OverridesTakeAway) {
+  const std::string items = "<ParameterList name=\"Items\"><ParameterList name=\"A\">" +
+                            parameter("Mass", "1") + "</ParameterList></ParameterList>";
+  const auto xml = parse_xml(
+      "<ParameterList name=\"t\">" + length + parameter("Count", "4") + items + "</ParameterList>",
+      "t"
+  );
+  const auto list_with = [&](const std::string& assignment) {
+    return scan_list(override_value(xml, assignment), table_of_tests(), "", {"t", {}});
+  };
+  EXPECT_EQ(list_with("Count=5").get<int>("Count"), 5);
+  EXPECT_EQ(list_with("Count=").get<int>("Count"), 3);
+  EXPECT_THROW(list_with("Length= "), InputError);
+  EXPECT_TRUE(list_with("Count=").sublist("Items").isSublist("A"));
+  EXPECT_FALSE(list_with("Items/A=").sublist("Items").isSublist("A"));
+  EXPECT_THROW(list_with("Items/A/Mass="), InputError);
+  for (const char* absent : {"Cuont=", "Items/B=", "Nothing/Mass="}) try {
+      override_value(xml, absent);
+      ADD_FAILURE() << absent;
+    } catch (const InputError& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find("takes away what is not there"), std::string::npos) << said;
+    }
 }
 
 TEST(ParseXml, HostileTextsAreRefused) {

@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "exodus_reader.hpp"
 #include "output/exodus_writer.hpp"
+#include "output/text_file.hpp"
 #include "synthetic_run.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
@@ -75,6 +76,30 @@ TEST_F(ExodusWriterTest, CornersStartInTheLaunchPlaneAndStayWhereLastSeen) {
   const std::size_t gone = 4 * (80 + removed - 1);
   EXPECT_GT(second[gone], 0.0);
   for (std::size_t a = 0; a < 4; ++a) EXPECT_EQ(second[gone + a], third[gone + a]);
+}
+
+TEST_F(ExodusWriterTest, FollowsNoLinkAndNoticesThatItsFileIsGone) {
+  const std::filesystem::path victim = folder.path() / "victim", aside = file.string() + ".tmp";
+  if (comm->getRank() == 0) {
+    write_whole_file(victim, "keep");
+    std::filesystem::create_symlink(victim, aside);
+  }
+  comm->barrier();
+  ExodusWriter writer(scene, synthetic::make_slots(scene), state, file, "1.2.3", {});
+  writer.write(scene, state);
+  comm->barrier();
+  EXPECT_EQ(synthetic::read_text(victim), "keep");
+  EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(file)));
+  comm->barrier();
+  if (comm->getRank() == 0) std::filesystem::remove(file);
+  comm->barrier();
+  try {
+    writer.write(scene, state);
+    FAIL() << "a file that is gone was written";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("removed, moved or replaced"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(ExodusWriterTest, WritesPointsWithARadius) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sys/stat.h>
 
 namespace barreno {
 namespace {
@@ -48,6 +49,14 @@ TEST(Json, EscapesAndNests) {
   );
 }
 
+TEST(Json, TextsOfAnyBytesAreJson) {
+  EXPECT_EQ(json_string("a\xff\x01"), "\"a\\u00ff\\u0001\"");
+  EXPECT_EQ(json_string("\xc3\xa9\xc3"), "\"\xc3\xa9\\u00c3\"");
+  EXPECT_EQ(json_string("\xed\xa0\x80"), "\"\\u00ed\\u00a0\\u0080\"");  // half a surrogate
+  EXPECT_EQ(json_string("\xf0\x9f\x99\x82"), "\"\xf0\x9f\x99\x82\"");
+  EXPECT_EQ(json_string("\xc0\xaf"), "\"\\u00c0\\u00af\"");  // overlong
+}
+
 TEST(TextFile, AppearsWholeOrNotAtAll) {
   const auto comm = Teuchos::DefaultComm<int>::getComm();
   const synthetic::TemporaryFolder folder(*comm);
@@ -66,6 +75,99 @@ TEST(TextFile, AppearsWholeOrNotAtAll) {
 TEST(TextFile, ReportsAFullDisk) {
   LineFile full("/dev/full");
   EXPECT_THROW(full.append("a row"), FileError);
+}
+
+namespace fs = std::filesystem;
+
+/// A folder of rank 0 and a file outside of it that nobody may touch.
+class PlantedFiles : public ::testing::Test {
+protected:
+  PlantedFiles() {
+    if (mine) write_whole_file(victim, "keep");
+  }
+  /// The sentence of what is thrown; empty if nothing is.
+  template <class Work>
+  static std::string sentence_of(const Work& work) {
+    try {
+      work();
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  const Teuchos::RCP<const Teuchos::Comm<int>> comm = Teuchos::DefaultComm<int>::getComm();
+  const bool mine = comm->getRank() == 0;
+  const synthetic::TemporaryFolder folder{*comm};
+  const fs::path victim = folder.path() / "victim", file = folder.path() / "a.csv";
+};
+
+TEST_F(PlantedFiles, WhatIsWrittenAsideFollowsNoLink) {
+  if (!mine) return;
+  const fs::path aside = file.string() + ".tmp";
+  fs::create_symlink(victim, aside);
+  write_whole_file(file, "new");
+  EXPECT_EQ(synthetic::read_text(file), "new");
+  EXPECT_FALSE(fs::exists(fs::symlink_status(aside)));
+  fs::create_hard_link(victim, aside);
+  write_whole_file(file, "newer");
+  EXPECT_EQ(synthetic::read_text(victim), "keep");
+  write_whole_file(aside, "of a run that was killed");
+  write_whole_file(file, "newest");
+  EXPECT_EQ(synthetic::read_text(file), "newest");
+  fs::create_symlink(folder.path() / "nowhere", aside);
+  write_whole_file(file, "last");
+  EXPECT_FALSE(fs::exists(folder.path() / "nowhere"));
+  fs::create_directory(aside);
+  EXPECT_NE(
+      sentence_of([&] { write_whole_file(file, "x"); }).find("cannot replace"), std::string::npos
+  );
+  EXPECT_EQ(synthetic::read_text(file), "last");
+}
+
+TEST_F(PlantedFiles, LinesFollowNoLinkAndWaitForNoPipe) {
+  if (!mine) return;
+  fs::create_symlink(victim, file);
+  EXPECT_NE(
+      sentence_of([&] { LineFile lines(file); }).find("is a symbolic link"), std::string::npos
+  );
+  EXPECT_NE(
+      sentence_of([&] { LineFile lines(file, 4); }).find("is a symbolic link"), std::string::npos
+  );
+  EXPECT_EQ(synthetic::read_text(victim), "keep");
+  fs::remove(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  EXPECT_NE(sentence_of([&] { LineFile lines(file); }), "");
+}
+
+TEST_F(PlantedFiles, LinesNoticeThatTheirFileIsGone) {
+  if (!mine) return;
+  const auto gone = [&](LineFile& lines) {
+    return sentence_of([&] { lines.append("b"); }).find("removed, moved or replaced") !=
+           std::string::npos;
+  };
+  for (int way = 0; way < 3; ++way) {
+    LineFile lines(file);
+    lines.append("a");
+    if (way == 0) fs::remove(file);
+    if (way == 1) fs::rename(file, folder.path() / "elsewhere");
+    if (way == 2) write_whole_file(file, "another");
+    EXPECT_TRUE(gone(lines)) << way;
+  }
+  EXPECT_EQ(synthetic::read_text(file), "another");
+}
+
+TEST_F(PlantedFiles, LinesGoOnWhereTheyWereLeft) {
+  if (!mine) return;
+  write_whole_file(file, "1\n2\n3\n");
+  {
+    LineFile lines(file, 4);
+    lines.append("4");
+    EXPECT_EQ(lines.bytes(), 6U);
+  }
+  EXPECT_EQ(synthetic::read_text(file), "1\n2\n4\n");
+  EXPECT_NE(sentence_of([&] { LineFile lines(file, 7); }).find("is shorter"), std::string::npos);
+  fs::remove(file);
+  EXPECT_NE(sentence_of([&] { LineFile lines(file, 7); }).find("is shorter"), std::string::npos);
 }
 
 }  // namespace

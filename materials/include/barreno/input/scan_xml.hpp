@@ -74,9 +74,17 @@ std::vector<Teuchos::XMLObject> sub_lists(
 /// The system that the list's "Units" names; SI without it.
 UnitSystem units_of(const Teuchos::XMLObject& root, const std::string& source);
 
-/// Set or add the parameter of "Sub List/Parameter=value"; sub-lists are made as needed.
+/// Sets or adds a parameter of this list, in the tree itself.
+void set_value(const Teuchos::XMLObject& list, const std::string& name, const std::string& value);
+
+/// Sets or adds the parameter of "Sub List/Parameter=value"; sub-lists are made as needed.
+/// "Sub List/Parameter=", with nothing behind the sign, takes the parameter away, or the list of
+/// that name: a default, or what a card says, then counts again. No text of the tables has an empty
+/// value that is not also its default.
 /// @param example  what could be written instead of an assignment without sense, for sentences
-void override_value(
+/// @return the tree that holds; values are put into the given one, taking away makes another
+/// @throws InputError if nothing is assigned, or what is taken away is not there
+Teuchos::XMLObject override_value(
     const Teuchos::XMLObject& root,
     const std::string& assignment,
     const std::string& example = "\"Time/End Time=50 us\""

@@ -35,12 +35,19 @@ struct Entry {
   std::string default_text{};        ///< in SI, as a deck would say it
   std::vector<std::string> words{};  ///< Kind::word and Kind::words
   std::vector<Dimension> columns{};  ///< Kind::table
+  std::string example{};             ///< for sentences; empty: one that suits kind and bounds
 
   /// The same entry with a default, as a deck in SI would say it.
   Entry by_default(std::string text) const {
     Entry entry = *this;
     entry.presence = Presence::defaulted;
     entry.default_text = std::move(text);
+    return entry;
+  }
+  /// The same entry with a value that sentences may suggest.
+  Entry such_as(std::string text) const {
+    Entry entry = *this;
+    entry.example = std::move(text);
     return entry;
   }
   /// The same entry, allowed to be absent; a rule across entries then decides.
