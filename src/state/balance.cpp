@@ -65,8 +65,21 @@ RemovalTally total_removed(const Ledger& ledger) {
 
 double Balance::error() const {
   if (remainder == 0.0) return 0.0;
-  return put_in > 0.0 ? remainder / put_in : std::numeric_limits<double>::infinity();
+  const double scale = std::max(put_in, moved);
+  return scale > 0.0 ? remainder / scale : std::numeric_limits<double>::infinity();
 }
+
+namespace {
+
+double energy_put_in(const Ledger& l) {
+  return l.initial_kinetic + l.launched_kinetic + l.prestress + std::abs(l.boundary_work) +
+         std::abs(l.body_work);
+}
+double energy_moved(const Ledger& l) {
+  return std::max({std::abs(l.fluid_work), std::abs(l.transfer), std::abs(l.stress_integration)});
+}
+
+}  // namespace
 
 Balance mass_balance(const Ledger& l) {
   const double put_in = l.initial_mass + l.launched_mass;
@@ -84,7 +97,11 @@ Balance momentum_balance(const Ledger& l) {
                        std::sqrt(2.0 * l.initial_mass * work) + std::abs(l.condition_impulse) +
                        std::abs(l.load_impulse) + std::abs(l.body_impulse) +
                        std::abs(l.damping_impulse) + std::abs(l.rigid_impulse);
-  return {l.momentum + total_removed(l).momentum - put_in, scale};
+  const double unpaid = std::max(0.0, energy_moved(l) - energy_put_in(l));
+  return {
+      l.momentum + total_removed(l).momentum - put_in,
+      scale,
+      std::sqrt(2.0 * l.initial_mass * unpaid)};
 }
 
 Balance energy_balance(const Ledger& l) {
@@ -92,9 +109,10 @@ Balance energy_balance(const Ledger& l) {
                        total_removed(l).kinetic;
   const double put_in =
       l.initial_kinetic + l.launched_kinetic + l.prestress + l.boundary_work + l.body_work;
-  const double scale = l.initial_kinetic + l.launched_kinetic + l.prestress +
-                       std::abs(l.boundary_work) + std::abs(l.body_work);
-  return {found - put_in - l.fluid_work - l.transfer - l.stress_integration, scale};
+  return {
+      found - put_in - l.fluid_work - l.transfer - l.stress_integration,
+      energy_put_in(l),
+      energy_moved(l)};
 }
 
 namespace {

@@ -19,11 +19,14 @@ void put_terms(const std::vector<WholeSum>& terms, OwnLedger& ledger);
 /// All causes together.
 RemovalTally total_removed(const Ledger& ledger);
 
-/// What a balance leaves over, and the same relative to what was put in.
+/// What a balance leaves over, and the same relative to what was put in, or to what numerical
+/// errors moved if that is more: a rigid body may strain its neighbours in a step that does no work
+/// yet.
 struct Balance {
   double remainder = 0.0;
-  double put_in = 0.0;  ///< the scale; 0: nothing came in, then the error is 0 or infinite
-  double error() const;
+  double put_in = 0.0;
+  double moved = 0.0;
+  double error() const;  ///< infinite where something came from nothing
 };
 
 /// mass + removed - initial - launched, relative to initial + launched.
@@ -31,11 +34,13 @@ Balance mass_balance(const Ledger& ledger);
 
 /// Axial momentum + removed - initial - launched - impulses of conditions, loads, body force and
 /// damping, relative to sqrt(2 m E) of what moved at the start, of the jet and of the work of loads
-/// and body force, plus the magnitudes of the impulses.
+/// and body force, plus the magnitudes of the impulses; where numerical errors moved more energy
+/// than was put in, at least to sqrt(2 m E) of the difference.
 Balance momentum_balance(const Ledger& ledger);
 
 /// The remainder of the identity at `Ledger`, relative to initial_kinetic + launched + prestress +
-/// |boundary_work| + |body_work|.
+/// |boundary_work| + |body_work|, or to the largest of |fluid_work|, |transfer| and
+/// |stress_integration|.
 Balance energy_balance(const Ledger& ledger);
 
 /// Mass, axial momentum and kinetic energy of the jet's first `slugs` slugs as the table gives

@@ -50,6 +50,10 @@ def check_deck(barreno, deck, folder):
         for name, bound in (("mass", 1e-12), ("momentum", 1e-12), ("energy", 1e-2)):
             error = run.summary["balances"][name]["error"]
             assert abs(error) <= bound, f"{name} balance is off by {error:g}"
+        # Row by row: the first ones, before anything has done work, too.
+        for name, bound in (("mass", 1e-12), ("momentum", 1e-12), ("energy", 1e-2)):
+            worst = np.max(np.abs(run.table("history.csv")[f"{name}_error"]))
+            assert worst <= bound, f"{name}_error in history.csv is {worst:g}"
         for name in ("history.csv", "deck.xml", "run.log"):
             assert (run.folder / name).stat().st_size > 0, f"{name} is empty"
         script("check_exodus.py", run.folder / "particles.e")

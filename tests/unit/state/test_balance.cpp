@@ -71,6 +71,21 @@ TEST(Balance, OfNothingIsZeroAndSomethingFromNothingIsInfinite) {
   EXPECT_TRUE(std::isinf(energy_balance(l).error()));
 }
 
+/// A rigid body that strains its neighbours before it does any work.
+TEST(Balance, IsRelativeToWhatNumericalErrorsMovedWhereNothingWasPutIn) {
+  Ledger l;
+  l.initial_mass = 2.0;
+  l.elastic = 4.0;
+  l.stress_integration = 4.0 - 1e-12;
+  l.momentum = 1e-12;
+  EXPECT_NEAR(energy_balance(l).error(), 0.25e-12, 1e-15);
+  EXPECT_NEAR(momentum_balance(l).error(), 0.25e-12, 1e-15);
+  l.boundary_work = 8.0;
+  l.kinetic = 8.0;
+  EXPECT_NEAR(energy_balance(l).error(), 0.125e-12, 1e-15);
+  EXPECT_EQ(energy_balance(l).put_in, 8.0);
+}
+
 TEST(Balance, AddsTheRanksButNotTheSharedStepCount) {
   const auto comm = Teuchos::DefaultComm<int>::getComm();
   OwnLedger mine;
