@@ -47,6 +47,7 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
+  refuse_endless(deck, scene);
   check_solver_lists(deck, scene, *comm);
   const Prediction prediction = predict_run(scene, *comm);
   State state = build_state(scene, comm);
@@ -71,6 +72,7 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
+  refuse_endless(deck, scene);
   check_solver_lists(deck, scene, *comm);
   const int ranks = std::max(1, options.ranks);
   const auto scene_with = [&](const std::string& fidelity) {

@@ -4,6 +4,7 @@
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
 #include "check/format.hpp"
+#include "check/jet_note.hpp"
 #include "check/locking_note.hpp"
 #include "check/predict_cost.hpp"
 #include "deck/fidelity.hpp"
@@ -15,6 +16,7 @@
 #include "state/particles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -98,11 +100,26 @@ void refuse_short_domains(const Deck& deck, const Scene& scene) {
   );
 }
 
+void refuse_endless(const Deck& deck, const Scene& scene) {
+  const double step = stable_step_of_scene(scene, true);
+  const double steps = scene.end_time / step;
+  if (std::isfinite(steps)) return;
+  deck.refuse_value(
+      "Time/End Time",
+      format(
+          "is never reached by steps of %g s (that is what the speeds and wave speeds of the scene "
+          "allow); look for a wrong unit of a time, velocity, stiffness or density",
+          step
+      )
+  );
+}
+
 std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   std::vector<std::string> notes = deck.notes;
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
     if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
+  if (std::string note = jet_note(scene); !note.empty()) notes.push_back(std::move(note));
   return notes;
 }
 
@@ -142,10 +159,11 @@ std::string plan_text(
       "Particles %.0f, the whole jet included; about %.0f MB in all\n", particles, cost.bytes * 1e-6
   );
   text += format(
-      "Time      to %g s, first steps of %.3g s: about %.0f steps, %.3g particle-steps\n",
+      "Time      to %g s, first steps of %.3g s: about %.*g steps, %.3g particle-steps\n",
       scene.end_time,
       cost.first_step,
-      cost.steps,
+      cost.steps < 1e9 ? 10 : 3,
+      cost.steps < 1e9 ? std::round(cost.steps) : cost.steps,
       cost.particle_steps
   );
   text += cost_line(scene, cost, ranks);

@@ -14,6 +14,9 @@ namespace barreno {
 /// @throws DeckError if Largest Domain would cut particles that have not deformed yet
 void refuse_short_domains(const Deck& deck, const Scene& scene);
 
+/// Refuses an end that no number of steps reaches. @throws DeckError
+void refuse_endless(const Deck& deck, const Scene& scene);
+
 /// What the user should know of deck and scene although it is no error, a sentence each.
 std::vector<std::string> notes_of(const Deck& deck, const Scene& scene);
 

@@ -98,7 +98,7 @@ void follow_jet_particle(
     deepest.id = id;
     deepest.velocity = path.direction * particles.velocity(p, 1);
   }
-  if (path.depth(particles.position(p, 1)) > 0.0)
+  if (path.has_target && path.depth(particles.position(p, 1)) > 0.0)
     deepest.mass += masses.count(particles.mass(p, 0));
 }
 
@@ -160,7 +160,9 @@ std::vector<double> open_radii(
 }
 
 /// Depth and velocity of the deepest particle of all ranks, on the root.
-void combine_reach(const Comm& comm, const JetReach& mine, Penetration& result) {
+void combine_reach(
+    const Comm& comm, const JetPath& path, const JetReach& mine, Penetration& result
+) {
   const std::vector<double> values =
       gather_to_root(comm, std::vector<double>{mine.depth, mine.velocity});
   const std::vector<long long> ids = gather_to_root(comm, std::vector<long long>{mine.id});
@@ -172,7 +174,8 @@ void combine_reach(const Comm& comm, const JetReach& mine, Penetration& result) 
     id = ids[r];
     result.tip_velocity = values[2 * r + 1];
   }
-  result.depth = std::max(0.0, depth);
+  result.met = path.has_target && depth > 0.0;
+  if (result.met) result.depth = depth;
 }
 
 }  // namespace
@@ -194,7 +197,8 @@ JetPath jet_path(const Scene& scene) {
     face = std::min(face, near);
     end = std::max(end, far);
   }
-  if (end < face) face = end = launch;
+  path.has_target = end >= face;
+  if (!path.has_target) face = end = launch;
   path.face = path.direction * face;
   path.end = path.direction * end;
   constexpr double round_off = 1e-9;
@@ -228,7 +232,7 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
   sum_over_ranks(comm, mass);
 
   Penetration result;
-  combine_reach(comm, deepest, result);
+  combine_reach(comm, path, deepest, result);
   result.jet_mass_inside = masses.mass(mass[0]);
   measure_channel(open_radii(fill, path, columns), path, result);
   return result;
@@ -248,7 +252,9 @@ DepthWriter::DepthWriter(
         "kg per m); tip_velocity m/s"
     );
     file_->append(
-        "# depths from the outer face at y = " + to_text(path_.face) + " along the jet's direction"
+        path_.has_target ? "# depths from the outer face at y = " + to_text(path_.face) +
+                               " along the jet's direction, 0 until the jet has met the target"
+                         : std::string("# no depth: the jet meets no target")
     );
     file_->append("time,depth,channel_depth,channel_radius_mid,jet_mass_inside,tip_velocity");
   });

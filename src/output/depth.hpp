@@ -16,8 +16,9 @@ namespace barreno {
 ///
 /// The face is the outer face, as the deck places it, of the first body that the jet meets on the
 /// axis (the casing if there is one); `end` is the far face of the last such body. Without a body
-/// on the axis the face is the launch plane and the path has no length.
+/// on the axis there is no target: the path has no length, and there are no depths.
 struct JetPath {
+  bool has_target = false;
   double face = 0.0, end = 0.0;  ///< coordinates along y [length]
   double direction = 1.0;
   double bin = 0.0;  ///< one cell [length]
@@ -29,8 +30,9 @@ JetPath jet_path(const Scene& scene);
 /// How far the jet has come. None of the numbers depends on the rank count or on the order of
 /// particles.
 struct Penetration {
-  /// Depth of the leading edge of the deepest jet particle, its box undeformed; 0 before the jet
-  /// arrives [length].
+  bool met = false;  ///< jet material is beyond the target's outer face
+  /// Depth of the leading edge of the deepest jet particle, its box undeformed; 0 until it has met
+  /// the target [length].
   double depth = 0.0;
   /// Length of the channel that is open from the outer face on: whole bins of one cell along the
   /// axis, open while target fills less than half of the cell at the axis, so that single particles
@@ -39,7 +41,7 @@ struct Penetration {
   /// Distance from the axis to the first cell that target fills by half, in the bin at half the
   /// channel depth; 0 without a channel, the width of the grid if there is no target [length].
   double channel_radius_mid = 0.0;
-  /// Mass of the jet particles whose centre is beyond the outer face [mass].
+  /// Mass of the jet particles whose centre is beyond the outer face of a target [mass].
   double jet_mass_inside = 0.0;
   /// Velocity along the jet's direction of the particle that reaches deepest, in free flight too; 0
   /// before the first launch [length/time].

@@ -16,11 +16,14 @@ std::vector<std::string> result_numbers(
 ) {
   std::vector<std::string> lines;
   if (scene.jet.present)
-    lines.push_back(number_line(
-        "depth %.2f mm, open channel %.2f mm",
-        1e3 * penetration.depth,
-        1e3 * penetration.channel_depth
-    ));
+    lines.push_back(
+        penetration.met ? number_line(
+                              "depth %.2f mm, open channel %.2f mm",
+                              1e3 * penetration.depth,
+                              1e3 * penetration.channel_depth
+                          )
+                        : "no depth: the jet has met no target"
+    );
   const Ledger& ledger = totals.ledger;
   lines.push_back(
       number_line(

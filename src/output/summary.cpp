@@ -6,6 +6,7 @@
 #include "output/json.hpp"
 #include "state/balance.hpp"
 
+#include <limits>
 #include <sstream>
 
 namespace barreno {
@@ -74,7 +75,8 @@ void put_prediction(JsonWriter& json, const RunDescription& run, const RunSummar
 
 void put_penetration(JsonWriter& json, const Penetration& p) {
   json.begin_object("penetration");
-  json.number("depth", p.depth);
+  json.flag("met_target", p.met);
+  json.number("depth", p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
   json.number("channel_depth", p.channel_depth);
   json.number("channel_radius_mid", p.channel_radius_mid);
   json.number("jet_mass_inside", p.jet_mass_inside);

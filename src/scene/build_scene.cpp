@@ -1,34 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/build_scene.hpp"
 
-#include "base/process.hpp"
-#include "scene/geometry.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <variant>
 
 namespace barreno {
-namespace {
-
-/// Per direction; the grid keeps a directory of tiles.
-constexpr int tile_cells(int dimensions) {
-  return dimensions == 3 ? 4 : 8;
-}
-constexpr double bytes_per_tile = 8.0;  ///< owner and local index of every tile of the box
-/// State arrays and their share of active tiles.
-constexpr double estimated_particle_bytes(int dimensions) {
-  return dimensions == 3 ? 500.0 : 250.0;
-}
 
 std::string text_of(const char* format, double x) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, format, x);
   return buffer;
 }
+
+namespace {
 
 Mode mode_of(const std::string& word) {
   if (word == "axisymmetric") return Mode::axisymmetric;
@@ -55,8 +42,10 @@ GridSpec read_grid(const Deck& deck) {
           "is not above Grid/Lower along " + axis + " (the box is empty); exchange the two"
       );
     }
-    // Beyond 1e12 the fraction is round-off, and memory refuses such a grid with its own sentence.
-    if (cells < 1e12 && std::abs(cells - std::round(cells)) > 1e-6 * std::max(1.0, cells)) {
+    const double whole = std::max(1.0, std::round(cells));
+    // Beyond 1e12 the fraction is round-off, and check_size refuses such a grid with its own
+    // sentence.
+    if (cells < 1e12 && std::abs(cells - whole) > 1e-6 * std::max(1.0, cells)) {
       deck.refuse_value(
           "Grid/Cell Size",
           "does not divide the box along " + axis + " (" + text_of("%.6g", cells) +
@@ -65,16 +54,6 @@ GridSpec read_grid(const Deck& deck) {
     }
   }
   return grid;
-}
-
-double tiles_of(const GridSpec& grid) {
-  double tiles = 1.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
-    tiles *= std::ceil(
-        (grid.upper[i] - grid.lower[i]) / (grid.cell_size * tile_cells(dimensions(grid.mode)))
-    );
-  }
-  return tiles;
 }
 
 BadParticlePolicy policy_of(const std::string& word) {
@@ -159,65 +138,7 @@ OutputSpec read_output(const Deck& deck) {
   return output;
 }
 
-/// Of the lattices that are walked through to fill bodies, all that are no boxes: one of a thin
-/// body across the grid is far larger than what it holds.
-double filling_bytes(const Scene& scene) {
-  constexpr double bytes_per_cell = 8.0;
-  double cells = 0.0;
-  for (const BodySpec& body : scene.bodies) {
-    if (std::holds_alternative<Box>(body.shape)) continue;
-    const Box around = box_around(body.shape, scene.grid);
-    const double size = scene.grid.cell_size / body.particles_per_cell;
-    double count = 1.0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(scene.grid.mode)); ++i)
-      count *= std::max(0.0, around.upper[i] - around.lower[i]) / size;
-    cells = std::max(cells, count);
-  }
-  return bytes_per_cell * cells;
-}
-
-/// Refused before anything is allocated; the grid is counted first, because its size needs no
-/// bodies.
-void check_memory(const Deck& deck, const Scene& scene) {
-  const double bytes = memory_estimate(scene) + filling_bytes(scene);
-  const double available = machine_bytes();
-  // Tiles are numbered with int.
-  const bool countable =
-      tiles_of(scene.grid) < static_cast<double>(std::numeric_limits<int>::max());
-  if (bytes <= available && countable) return;
-  deck.refuse_value(
-      "Grid/Cell Size",
-      "makes the run too large for memory (grid and particles need " + text_of("%.0f", bytes) +
-          " bytes, more than this machine has); choose larger cells or a smaller box" +
-          (countable ? ", or ranks on " + text_of("%.0f", std::ceil(bytes / available)) +
-                           " machines of this size"
-                     : "")
-  );
-}
-
 }  // namespace
-
-double particle_estimate(const Scene& scene) {
-  const int d = dimensions(scene.grid.mode);
-  double particles = 0.0;
-  for (const BodySpec& body : scene.bodies) {
-    const double size = scene.grid.cell_size / body.particles_per_cell;
-    particles += most_measure(body.shape, scene.grid) / std::pow(size, d);
-  }
-  for (const JetSlug& slug : scene.jet.slugs) {
-    const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;
-    // A slug thinner than a particle is still one.
-    const double across = std::max(1.0, slug.radius * per_length);
-    particles +=
-        (d == 3 ? 4.0 * across * across : across) * std::max(1.0, slug.length * per_length);
-  }
-  return particles;
-}
-
-double memory_estimate(const Scene& scene) {
-  return bytes_per_tile * tiles_of(scene.grid) +
-         estimated_particle_bytes(dimensions(scene.grid.mode)) * particle_estimate(scene);
-}
 
 Scene build_scene(const Deck& deck) {
   Scene scene;
@@ -226,8 +147,7 @@ Scene build_scene(const Deck& deck) {
   scene.grid = read_grid(deck);
   add_materials(deck, scene);
   add_bodies(deck, scene);
-  // Before lattices are filled.
-  check_memory(deck, scene);
+  check_size(deck, scene);  // before lattices are filled
   check_bodies(deck, scene);
   add_conditions(deck, scene);
   add_loads(deck, scene);
@@ -244,7 +164,8 @@ Scene build_scene(const Deck& deck) {
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse("Bodies", "is empty and there is no Jet (nothing would move); add a body or a jet");
   }
-  check_memory(deck, scene);
+  check_size(deck, scene);
+  check_magnitudes(deck, scene);
   return scene;
 }
 

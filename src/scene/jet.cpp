@@ -24,6 +24,9 @@ std::string problem_of(const JetSlug& slug, double material_density) {
     return "a launch time of " + text_of(slug.time) + " s (the run starts at 0); shift the table";
   }
   if (!(slug.velocity > 0.0)) return positive("velocity", slug.velocity, "m/s");
+  if (slug.velocity >= speed_of_light)
+    return "a velocity of " + text_of(slug.velocity) + " m/s, which nothing reaches (light has " +
+           text_of(speed_of_light) + " m/s); look for a wrong unit in the table";
   if (!(slug.radius > 0.0)) return positive("radius", slug.radius, "m");
   if (!(slug.length > 0.0)) return positive("length", slug.length, "m");
   if (!(slug.density > 0.0)) return positive("density", slug.density, "kg/m3");

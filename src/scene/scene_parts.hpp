@@ -24,10 +24,20 @@ void add_quasi_static(const Deck& deck, Scene& scene);
 void add_contacts(const Deck& deck, Scene& scene);
 void add_pore_flow(const Deck& deck, Scene& scene);
 
+/// Refuses a grid or particles that are too many for memory or for what counts them, before
+/// anything is allocated; the grid needs no bodies for it.
+void check_size(const Deck& deck, const Scene& scene);
+/// After all else: refuses speeds that nothing has, and masses and energies that the balances
+/// cannot hold.
+void check_magnitudes(const Deck& deck, const Scene& scene);
+
 /// Motion of a body that is prescribed to be rigid.
 MotionSpec read_motion(const Deck& deck, const std::string& path, Mode mode);
 /// A rigid body has a material of its own, and nothing presses it.
 void check_rigid_bodies(const Deck& deck, const Scene& scene);
+
+/// A number by a printf format, for sentences.
+std::string text_of(const char* format, double x);
 
 /// A vector with one entry per dimension of the mode.
 Vector vector_at(const Deck& deck, const std::string& path, Mode mode);

@@ -210,7 +210,7 @@ def index_text(run, summary, history, depth):
     rows += [("particles", f"{history['particles']:.0f}")]
     if depth:
         rows += [
-            ("depth", f"{depth['depth'] / MILLI:.2f} mm"),
+            ("depth", f"{depth['depth'] / MILLI:.2f} mm" if depth["depth"] > 0.0 else "none: the jet has met no target"),
             ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm"),
             ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
             ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),

@@ -42,6 +42,7 @@ TEST(JetPath, PassesBodiesBesideTheAxisAndBehindTheLaunchPlane) {
   scene.bodies.push_back(ball);
   EXPECT_NEAR(jet_path(scene).face, -0.003, 1e-15);
   scene.bodies.clear();
+  EXPECT_FALSE(jet_path(scene).has_target);
   EXPECT_EQ(jet_path(scene).face, launch_plane);
   EXPECT_EQ(jet_path(scene).bins, 0);
 }
@@ -77,6 +78,7 @@ TEST(Penetration, FollowsAJetOfKnownMotion) {
   synthetic::move_to(scene, state, before_arrival);
   result = measure_penetration(scene, state, path);
   if (comm->getRank() == 0) {
+    EXPECT_FALSE(result.met);
     EXPECT_EQ(result.depth, 0.0);
     EXPECT_EQ(result.tip_velocity, tip_speed);
     EXPECT_EQ(result.jet_mass_inside, 0.0);
@@ -84,6 +86,7 @@ TEST(Penetration, FollowsAJetOfKnownMotion) {
   synthetic::move_to(scene, state, inside);
   result = measure_penetration(scene, state, path);
   if (comm->getRank() == 0) {
+    EXPECT_TRUE(result.met);
     EXPECT_NEAR(result.depth, launch_plane + tip_speed * inside, 1e-12);
     EXPECT_NEAR(result.channel_depth, 0.014, 1e-12);
     // Whole cells: the radius is found to half of one.
@@ -91,6 +94,26 @@ TEST(Penetration, FollowsAJetOfKnownMotion) {
         result.channel_radius_mid, 0.004 * std::exp(-20.0 * 0.0075), 0.5 * scene.grid.cell_size
     );
     EXPECT_GT(result.jet_mass_inside, 0.0);
+  }
+}
+
+/// The same jet above a target that it flies away from: it moves, but there is nothing to be deep
+/// in.
+TEST(Penetration, NeedsATarget) {
+  const Scene scene = synthetic::make_scene();
+  JetPath path = jet_path(scene);
+  path.has_target = false;
+  path.face = path.end = launch_plane;
+  path.bins = 0;
+  State state = synthetic::make_state(scene, Teuchos::DefaultComm<int>::getComm());
+  synthetic::move_to(scene, state, 5e-6);
+  const Penetration result = measure_penetration(scene, state, path);
+  EXPECT_FALSE(result.met);
+  EXPECT_EQ(result.depth, 0.0);
+  EXPECT_EQ(result.channel_depth, 0.0);
+  if (state.grid.comm->getRank() == 0) {
+    EXPECT_EQ(result.jet_mass_inside, 0.0);
+    EXPECT_EQ(result.tip_velocity, tip_speed);
   }
 }
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/process.hpp"
+#include "scene/build_scene.hpp"
+#include "scene/geometry.hpp"
+#include "scene/scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+/// Per direction; the grid keeps a directory of tiles.
+constexpr int tile_cells(int dimensions) {
+  return dimensions == 3 ? 4 : 8;
+}
+/// Every rank goes through all tiles of the box when it shares them; more would take minutes, and
+/// gigabytes on each rank.
+constexpr double most_tiles = 16777216.0;
+/// Cells along an axis and particles of a rank are counted in 32 bits.
+constexpr double most_counted = std::numeric_limits<int>::max();
+/// Owner, local index and cost of every tile of the box.
+constexpr double bytes_per_tile = 32.0;
+/// State arrays and their share of active tiles.
+constexpr double estimated_particle_bytes(int dimensions) {
+  return dimensions == 3 ? 500.0 : 250.0;
+}
+
+double cells_along(const GridSpec& grid, std::size_t axis) {
+  return (grid.upper[axis] - grid.lower[axis]) / grid.cell_size;
+}
+
+double tiles_of(const GridSpec& grid) {
+  double tiles = 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i)
+    tiles *= std::ceil(cells_along(grid, i) / tile_cells(dimensions(grid.mode)));
+  return tiles;
+}
+
+/// Of the lattices that are walked through to fill bodies, all that are no boxes: one of a thin
+/// body across the grid is far larger than what it holds.
+double filling_bytes(const Scene& scene) {
+  constexpr double bytes_per_cell = 8.0;
+  double cells = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    if (std::holds_alternative<Box>(body.shape)) continue;
+    const Box around = box_around(body.shape, scene.grid);
+    const double size = scene.grid.cell_size / body.particles_per_cell;
+    double count = 1.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(scene.grid.mode)); ++i)
+      count *= std::max(0.0, around.upper[i] - around.lower[i]) / size;
+    cells = std::max(cells, count);
+  }
+  return bytes_per_cell * cells;
+}
+
+/// Of the cells around the path of a jet, in which its channel is measured.
+double channel_bytes(const Scene& scene) {
+  if (!scene.jet.present) return 0.0;
+  constexpr double bytes_per_cell = 8.0;
+  return bytes_per_cell * cells_along(scene.grid, 0) * cells_along(scene.grid, 1);
+}
+
+void check_cells(const Deck& deck, const GridSpec& grid) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
+    const double farthest = std::max(std::abs(grid.lower[i]), std::abs(grid.upper[i]));
+    constexpr double places_in_cell = 1e6;
+    if (farthest * std::numeric_limits<double>::epsilon() * places_in_cell > grid.cell_size)
+      deck.refuse_value(
+          "Grid/Cell Size",
+          "is too small for a box that reaches to " + text_of("%.6g", farthest) + " m along " +
+              std::string(1, "xyz"[i]) +
+              " (numbers there are hardly closer to each other than cells); choose larger cells or "
+              "move the box to the origin"
+      );
+  }
+}
+
+}  // namespace
+
+double particle_estimate(const Scene& scene) {
+  const int d = dimensions(scene.grid.mode);
+  double particles = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    const double size = scene.grid.cell_size / body.particles_per_cell;
+    particles += most_measure(body.shape, scene.grid) / std::pow(size, d);
+  }
+  for (const JetSlug& slug : scene.jet.slugs) {
+    const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;
+    // A slug thinner than a particle is still one.
+    const double across = std::max(1.0, slug.radius * per_length);
+    particles +=
+        (d == 3 ? 4.0 * across * across : across) * std::max(1.0, slug.length * per_length);
+  }
+  return particles;
+}
+
+double memory_estimate(const Scene& scene) {
+  return bytes_per_tile * tiles_of(scene.grid) + channel_bytes(scene) +
+         estimated_particle_bytes(dimensions(scene.grid.mode)) * particle_estimate(scene);
+}
+
+void check_size(const Deck& deck, const Scene& scene) {
+  check_cells(deck, scene.grid);
+  const double bytes = memory_estimate(scene) + filling_bytes(scene);
+  const double available = machine_bytes();
+  const double tiles = tiles_of(scene.grid), particles = particle_estimate(scene);
+  const int d = dimensions(scene.grid.mode);
+  if (!(tiles <= most_tiles))
+    deck.refuse_value(
+        "Grid/Cell Size",
+        "divides the box into " + text_of("%.3g", tiles * std::pow(tile_cells(d), d)) +
+            " cells (at most " + text_of("%.3g", most_tiles * std::pow(tile_cells(d), d)) +
+            " can be listed); choose larger cells or a smaller box"
+    );
+  if (!(particles <= most_counted))
+    deck.refuse_value(
+        "Grid/Cell Size",
+        "makes " + text_of("%.3g", particles) +
+            " particles (they are counted in 32 bits); choose larger cells, fewer Particles Per "
+            "Cell or smaller bodies"
+    );
+  if (bytes <= available) return;
+  deck.refuse_value(
+      "Grid/Cell Size",
+      "makes the run too large for memory (grid and particles need " + text_of("%.0f", bytes) +
+          " bytes, more than this machine has); choose larger cells or a smaller box, or ranks "
+          "on " +
+          text_of("%.0f", std::ceil(bytes / available)) + " machines of this size"
+  );
+}
+
+}  // namespace barreno
