@@ -16,9 +16,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
 from runs import DECKS, run_deck  # noqa: E402
-from verify import write_page as write_verification  # noqa: E402
 
-PAGE = HERE.parent / "docs" / "cost.md"
 STORED = HERE / "results" / "predictions.json"
 TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
          "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave")  # fmt: skip
@@ -46,18 +44,28 @@ def end_time(deck):
     return re.search(r'name="End Time"[^>]*value="([\d.e+-]+) *(\w*)"', (DECKS / f"{deck}.xml").read_text()).groups()
 
 
-def ratio(predicted, came):
-    return f"{predicted:.3g} / {came:.3g} = {predicted / came:.2f}"
-
-
-def row(deck, summary):
+def compared(summary):
+    """What was predicted of a run, and what came."""
     said = summary["prediction"]
     cpu = summary["cpu_seconds"]
     steps = summary["particle_steps"] + summary["skipped_particle_steps"]
-    ns = 1e9 * cpu / steps
-    return (f"{deck}.xml", ratio(said["steps"], summary["steps"]), ratio(said["particle_steps"], steps),
-            ratio(said["ns_per_particle_step"], ns), ratio(said["wall_seconds"], cpu), f"{summary['wall_seconds']:.3g}",
-            ratio(said["bytes"] / 1e6, summary["peak_resident_bytes"] / 1e6))  # fmt: skip
+    both = {
+        "steps": (said["steps"], summary["steps"]),
+        "particle_steps": (said["particle_steps"], steps),
+        "ns": (said["ns_per_particle_step"], 1e9 * cpu / steps),
+        "seconds": (said["wall_seconds"], cpu),
+        "megabytes": (said["bytes"] / 1e6, summary["peak_resident_bytes"] / 1e6),
+    }
+    return {name: {"predicted": a, "came": b} for name, (a, b) in both.items()} | {"wall": summary["wall_seconds"]}
+
+
+def stored_page():
+    """docs/cost.md."""
+    lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
+    for deck, data in json.loads(STORED.read_text()).items():
+        cells = {name: f"{v['predicted']:.3g} / {v['came']:.3g} = {v['predicted'] / v['came']:.2f}" for name, v in data.items() if name != "wall"}
+        lines.append(f"| {deck}.xml | {cells['steps']} | {cells['particle_steps']} | {cells['ns']} | {cells['seconds']} | {data['wall']:.3g} | {cells['megabytes']} |")
+    return HEAD + "\n" + "\n".join(lines) + "\n"
 
 
 def growth(barreno, deck, whole):
@@ -82,20 +90,19 @@ def main():
     parser.add_argument("--document", action="store_true")
     options = parser.parse_args()
     barreno = options.barreno.resolve()
-    lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
-    updates, ratios = [], {}
+    updates, found = [], {}
     for deck in TABLE:
         summary = run_deck(barreno, f"{deck}.xml").summary
-        lines.append("| " + " | ".join(row(deck, summary)) + " |")
-        ratios[deck] = {"seconds": summary["prediction"]["wall_seconds"] / summary["cpu_seconds"]}
-        print(lines[-1], flush=True)
+        found[deck] = compared(summary)
+        print(deck, found[deck], flush=True)
         if deck in FLOWING:
             updates += growth(barreno, deck, summary["phases"])
     print("\n".join(updates))
     if options.document:
-        PAGE.write_text(HEAD + "\n" + "\n".join(lines) + "\n")
-        STORED.write_text(json.dumps(ratios, indent=1) + "\n")
-        write_verification()
+        from pages import write_pages  # it asks this file for its page
+
+        STORED.write_text(json.dumps(found, indent=1) + "\n")
+        write_pages()
     return 0
 
 

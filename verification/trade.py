@@ -24,10 +24,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
 from choices import shape_functions, words  # noqa: E402
 from runs import DECKS, mpi_environment, run_deck  # noqa: E402
-from trade_checks import demands, verdict  # noqa: E402
-from trade_page import draw, write_page  # noqa: E402
+from trade_checks import demands, verdict_lines  # noqa: E402
+from trade_page import draw  # noqa: E402
 from trade_problems import PROBLEMS, Lost, has, richardson  # noqa: E402
-from verify import write_page as write_verification  # noqa: E402
+from pages import write_pages  # noqa: E402
+from verify import failures  # noqa: E402
 
 STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
@@ -182,12 +183,6 @@ def depth_limit(points):
     return {"limits": limits, "limit": middle, "uncertainty": 0.5 * (max(ends) - min(ends)), "finest": finest}
 
 
-def write_pages(data):
-    draw(data)
-    write_page(data)
-    write_verification()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", nargs="?", type=pathlib.Path)
@@ -198,7 +193,8 @@ def main():
     options = parser.parse_args()
     if options.draw:
         data = json.loads(STORED.read_text())
-        write_pages(data)
+        draw(data)
+        write_pages()
         return 0
     if options.barreno is None:
         parser.error("name the program, for example build/release/src/barreno")
@@ -208,14 +204,16 @@ def main():
     if not options.tiny:
         data["depth"] = depth_limit(points)
     data["checks"] = demands(points, options.tiny, said_errors(barreno))
-    for check in data["checks"]:
-        print(f"{check['what']}: {check['value']:.3g}, {'at least' if check['at_least'] else 'at most'} {check['limit']:.3g}: "
-              f"{verdict(check)}")  # fmt: skip
+    print("\n".join(verdict_lines(data["checks"], options.tiny)))
     if not options.tiny:
         STORED.write_text(json.dumps(data, indent=1) + "\n")
     if options.document:
-        write_pages(data)
-    return 0 if all(check["passed"] or check["open"] for check in data["checks"]) else 1
+        draw(data)
+        write_pages()
+    failed = failures("trade", data["checks"], not options.tiny)
+    for line in failed:
+        print(line, file=sys.stderr)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

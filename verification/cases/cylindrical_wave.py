@@ -54,9 +54,6 @@ def run(barreno, full):
          "energy ledger remainder"],
         [],
     )  # fmt: skip
-    result.open = {
-        "cubic B-spline: velocity": "a spline spreads a front over more cells",
-    }
     levels = (16, 32, 64, 128) if full else (16, 32)
     for shape in shape_functions(barreno):
         errors = []

@@ -85,10 +85,6 @@ def run(barreno, full):
          "energy ledger remainder"],
         [],
     )  # fmt: skip
-    result.open = {
-        "axisymmetric, contiguous GIMP, A = 0.1, 2 particles per cell: order of the last halving": "2 in the plane; towards 1.9 at these cells",
-        "axisymmetric, CPDI, A = 0.1, 2 particles per cell: order of the last halving": "2 in the plane; towards 1.9 at these cells",
-    }
     found = []
     for case in series(barreno, full):
         errors = refine(barreno, *case, result)

@@ -17,10 +17,6 @@ def run(barreno, full):
          "energy ledger remainder"],
         [],
     )  # fmt: skip
-    if full:
-        result.open = {
-            "CPDI, A = 0.01: order of the last halving": "the plane reaches 1.9 at 64 cells (1.93; 1.83 at 16, 1.80 at 32), too many here"
-        }
     runs = [("GIMP", 0.01, (4, 8, 16)), ("CPDI", 0.01, (4, 8, 16)), ("GIMP", 0.1, (4, 8, 16)), ("CPDI", 0.1, (4, 8, 16))]
     for shape, amplitude, levels in runs if full else [("GIMP", 0.01, (4, 8)), ("CPDI", 0.01, (4, 8))]:
         errors = refine(barreno, MODE, shape, amplitude, 2, levels, result)

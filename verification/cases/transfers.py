@@ -116,9 +116,6 @@ def run(barreno, full):
          f"energy of the bar, period {periods} over period 1, less 1", "momentum remainder", "energy ledger remainder"],
         [],
     )  # fmt: skip
-    result.open = {
-        f"FLIP, stress last: energy drift of the bar over {periods} periods, {CELLS} cells": "see the notes; 40 cells must hold it"
-    }
     every = orders(barreno) if full else orders(barreno)[:2]
     for how in every:
         lost = {}

@@ -5,7 +5,6 @@ from choices import shape_functions
 from extreme_rows.stable_step import CONTROL
 from small_decks import BARE, attempt, elastic
 
-NO_STEP = "linear functions have no stable step where a particle is near a node line (docs/method.md 4); `check` says so"
 STRAY = "stray energy over kinetic"
 MODES = {"plane strain": 2, "axisymmetric": 2, "3D": 3}
 
@@ -52,7 +51,7 @@ def alone_rows(barreno, full, table):
                 for per_cell in (1, 2, 4) if full else (2,):
                     deck = flying(mode, shape, per_cell, 0.99, poisson, near_axis=near_axis)
                     setup = f"{mode}{' at the axis' if near_axis else ''}, {shape}, {per_cell} per cell, nu = {poisson:g}, Courant Fraction 0.99"
-                    flown(table, title, setup, attempt(barreno, deck), why(shape, near_axis, False, poisson))
+                    flown(table, title, setup, attempt(barreno, deck), may_stop(shape, near_axis, False))
 
 
 def default_rows(barreno, full, table):
@@ -63,7 +62,7 @@ def default_rows(barreno, full, table):
                 for per_cell in (1, 2, 4) if full else (2,):
                     setup = f"{mode}, {shape}, {per_cell} per cell, nu = {poisson:g}, Stable Alone"
                     done = attempt(barreno, flying(mode, shape, per_cell, 0.8, poisson, viscosity=True))
-                    flown(table, title, setup, done, why(shape, False, True, poisson))
+                    flown(table, title, setup, done, may_stop(shape, False, True))
 
 
 def few_rows(barreno, full, table):
@@ -72,25 +71,21 @@ def few_rows(barreno, full, table):
         for per_cell in (1, 2, 4) if full else (2,):
             for poisson in (0.3, 0.49) if full else (0.3,):
                 done = attempt(barreno, flying("plane strain", "GIMP", per_cell, 0.99, poisson, across=across))
-                flown(table, title, f"{across} by {across} particles, GIMP, {per_cell} per cell, nu = {poisson:g}, Courant Fraction 0.99", done, "")
+                flown(table, title, f"{across} by {across} particles, GIMP, {per_cell} per cell, nu = {poisson:g}, Courant Fraction 0.99", done, False)
 
 
-def why(shape, near_axis, viscous, poisson):
-    if shape == CONTROL:
-        return NO_STEP
-    if near_axis and "spline" in shape:
-        return "points near the axis have stiffer hoops than the rule knows; take GIMP there, or half the Courant Fraction"
-    if viscous:
-        return "artificial viscosity pushes a particle alone out again in one step: bounded by the rule where nu > 0.3; half the Courant Fraction holds"
-    return ""
+def may_stop(shape, near_axis, viscous):
+    """Where no step is known to be stable: linear functions with a particle near a node line (docs/method.md 4), points near the
+    axis, whose hoops are stiffer than the rule for the step knows, and viscosity, which pushes a particle alone out in one step."""
+    return shape == CONTROL or (near_axis and "spline" in shape) or viscous
 
 
-def flown(table, title, setup, done, reason):
-    """Where the reason is known the run must at least say that it went wrong."""
-    if done.finished or not reason:
-        table.finishes(title, setup, done, STRAY, stray_energy, 1e-9, why=reason)
+def flown(table, title, setup, done, stopping):
+    """A run that may stop must say that it went wrong."""
+    if done.finished or not stopping:
+        table.finishes(title, setup, done, STRAY, stray_energy, 1e-9)
     else:
-        table.stops(title, setup, done, 3, "at t = ", "of material 'Elastic'", why=reason)
+        table.stops(title, setup, done, 3, "at t = ", "of material 'Elastic'")
 
 
 def run(barreno, full, table):

@@ -41,12 +41,12 @@ def answer(barreno, model, parameters, strains, steps=1):
         return None, str(error)[str(error).index("ended with") :]
 
 
-def within(table, title, setup, what, found, sentence, value, limit, at_least=False, why=""):
+def within(table, title, setup, what, found, sentence, value, limit, at_least=False):
     if found is None:
         refused = sentence.startswith("ended with 1") or sentence.startswith("ended with 3")
         table.add(title, setup, f"{what} {'>=' if at_least else '<='} {limit:.3g}, or a refusal with a sentence", sentence[:12], refused, STOPS, sentence)
     else:
-        table.within(title, setup, what, value(found), limit, at_least, why)
+        table.within(title, setup, what, value(found), limit, at_least)
 
 
 def random_strain(generator, size):

@@ -63,11 +63,7 @@ def own_limit_rows(barreno, full, table):
         setup = f"the bar with linear functions and a light node: critical number {own:.4f}, {part:g} of it (grows by {rate:.4g} a step)"
         done = attempt(barreno, bar(CONTROL, 1, part * own / whole, 2000 * own / SPEED, offset=0.55))
         if part < 1.0:
-            why = (
-                "gained in the first hundredth of the run, at 0.9 and 0.95 of the critical number as much (1.5 %), and lost later: 13 % less at the"
-                " end of the run, 19 % after four times as long. It is the start that linear functions disturb, not the step"
-            )
-            table.finishes(title, setup, done, GAIN, energy_gained, 1e-2, why=why)
+            table.finishes(title, setup, done, GAIN, energy_gained, 1e-2)
         else:
             table.stops(title, setup, done, 3, "energy that was put in", "Courant Fraction", "fastest particle")
     table.stops(title, "Courant Fraction 1.2", attempt(barreno, bar("GIMP", 2, 1.2, 0.1)), 1, "Courant Fraction")

@@ -9,16 +9,18 @@ through the system's memory, and the time ends when the disk has them. A part of
 both together are compared with the disk too. --document writes docs/performance.md.
 """
 import argparse
+import json
 import os
 import pathlib
 import sys
 import time
 
 import scaling_decks
-from page_part import write_part
 
 from resumed import must_work, program  # noqa: I001
-from runs import Run, scratch_folder
+from runs import ROOT, Run, scratch_folder
+
+STORED = ROOT / "verification" / "results" / "checkpoint_cost.json"
 
 DEFAULT_INTERVAL = 600.0  # Checkpoint Wall Interval [s]
 LEAST_BANDWIDTH, MOST_SHARE = 0.5, 0.02
@@ -54,6 +56,11 @@ def measure(barreno, ranks, quick):
     return {"particles": Run(folder).summary["particles"], "bytes": size, "writes": writes, "write": write, "verify": verify, "raw": raw}
 
 
+def stored_part():
+    found = json.loads(STORED.read_text())
+    return page(found, found["ranks"])
+
+
 def page(found, ranks):
     size = 1e-6 * found["bytes"]
     both = found["write"] + found["verify"]
@@ -79,7 +86,10 @@ def main():
     lines = page(found, arguments.ranks)
     print("\n".join(lines))
     if arguments.document:
-        write_part("checkpoint_cost.py", lines)
+        from pages import write_pages  # it asks this file for its part
+
+        STORED.write_text(json.dumps({"ranks": arguments.ranks, **found}, indent=1) + "\n")
+        write_pages()
     slow = found["raw"] / found["write"] < LEAST_BANDWIDTH
     long = found["write"] + found["verify"] > MOST_SHARE * DEFAULT_INTERVAL
     wrong = [text for text, bad in (("writing is slower than half the disk", slow), ("checkpoints take too long", long)) if bad]

@@ -20,7 +20,6 @@ import subprocess
 import sys
 
 import scaling_decks
-from page_part import write_part
 from scaling_decks import Problem
 
 from resumed import must_work, program  # noqa: I001
@@ -150,8 +149,12 @@ def measure(barreno, repeats, quick):
     return result
 
 
+def stored_part():
+    return page(json.loads(RESULT.read_text()))
+
+
 def page(result):
-    one, two = (result["triad"][n] for n in (1, 2))
+    one, two = (result["triad"].get(n) or result["triad"][str(n)] for n in (1, 2))  # JSON has words for keys
     lines = [f"Triad: {one:.1f} GB/s by one process, {two:.1f} GB/s by two at once, a ratio of {two / one:.2f}.", "",
              "| strong scaling | particles | steps | one rank | two ranks | speed-up | in all rounds | asked for | two runs at once |", "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for s in result["strong"]:
@@ -181,7 +184,9 @@ def main():
     print("\n".join(lines))
     if arguments.document:
         RESULT.write_text(json.dumps(result, indent=1) + "\n")
-        write_part("scaling.py", lines)
+        from pages import write_pages  # it asks this file for its part
+
+        write_pages()
     failed = [s["name"] for s in result["strong"] if s["speedup"] < s["least"]]
     sys.exit(f"below what is asked for: {', '.join(failed)}" if failed and not arguments.quick else 0)
 

@@ -1,16 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a step costs on many ranks, by a model of its messages: scaling_model.py [--document].
+"""What a step costs on many ranks, by a model of its messages; `verification/pages.py --write` puts it into docs/performance.md.
 
 Sizes of messages follow from the code (src/grid/patch.cpp, halo.cpp); what scaling.py has counted on two ranks is compared with
 them. Speeds of the machine are assumptions, stated in the table.
 """
-import argparse
 import json
 import math
 import pathlib
-
-from page_part import write_part
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COUNTED = ROOT / "verification" / "results" / "scaling.json"
@@ -107,15 +104,9 @@ def comparison():
     return lines
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--document", action="store_true")
-    arguments = parser.parse_args()
-    lines = [*(comparison() if COUNTED.exists() else []), "", *predictions()]
-    print("\n".join(lines))
-    if arguments.document:
-        write_part("scaling_model.py", lines)
+def stored_part():
+    return [*(comparison() if COUNTED.exists() else []), "", *predictions()]
 
 
 if __name__ == "__main__":
-    main()
+    print("\n".join(stored_part()))

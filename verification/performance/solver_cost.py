@@ -14,11 +14,6 @@ import pathlib
 import subprocess
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 POINTS = HERE / "rock_points.csv"
@@ -46,6 +41,11 @@ def at_error(rows, solver, column, target=TARGET):
 
 
 def draw(rows):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.2), layout="constrained")
     for i, solver in enumerate(dict.fromkeys(row["solver"] for row in rows)):
         colour = f"C{i}"
@@ -64,6 +64,10 @@ def draw(rows):
         one.legend(fontsize=8)
     figure.savefig(PICTURE, dpi=130)
     plt.close(figure)
+
+
+def stored_page():
+    return page_text(*read_table())
 
 
 def page_text(notes, rows):

@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What must hold in the trade between error and cost."""
 import numpy as np
+from demands import judge_all, open_demands
 
 FIDELITIES = ("fast", "balanced", "reference")
 NEAR = 2.5  # errors of a fidelity over the least that any choice has at its cost
-# What is known not to hold, and why.
-OPEN = {
-    "box, balanced: error over the least": "GIMP is the best for a jet; where strains are smooth and large, CPDI (and APIC) are",
-    "box, reference: error over the least": "CPDI with APIC has the least error here, but its depths do not settle with the cells",
-}
 LEVELS = {"box": (8, 16), "shock": (1.0, 0.5), "depth": (2.0, 1.0)}  # over which errors must fall
 
 
@@ -23,9 +19,7 @@ def demands(points, tiny, said):
     checks = []
 
     def demand(what, value, limit, at_least=False):
-        passed = value >= limit if at_least else value <= limit
-        why = "" if passed else next((reason for part, reason in OPEN.items() if what.startswith(part)), "")
-        checks.append({"what": what, "value": float(value), "limit": limit, "at_least": at_least, "passed": bool(passed), "open": why})
+        checks.append({"what": what, "value": float(value), "limit": limit, "at_least": at_least})
 
     for problem, (coarse, fine) in LEVELS.items():
         if (problem, "fast", coarse) not in at:
@@ -50,7 +44,8 @@ def demands(points, tiny, said):
     return checks
 
 
-def verdict(check):
-    if check["passed"]:
-        return "holds"
-    return "DOES NOT HOLD" + (f" (open: {check['open']})" if check["open"] else "")
+def verdict_lines(checks, tiny=False):
+    """A line for each check: figure, limit, verdict."""
+    judged, _ = judge_all(checks, open_demands("trade", not tiny))
+    return [f"{check['what']}: {check['value']:.3g} {'>=' if check['at_least'] else '<='} {check['limit']:.3g}, {verdict}" + (f" ({words})" if words else "")
+            for check, verdict, words in judged]  # fmt: skip

@@ -3,7 +3,7 @@
 import pathlib
 import statistics
 
-from trade_checks import verdict
+from trade_checks import verdict_lines
 from trade_problems import PROBLEMS
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
@@ -98,17 +98,13 @@ def reading(data):
 
 
 def check_lines(data):
-    lines = ["## What must hold", ""]
-    for check in data["checks"]:
-        sign = ">=" if check["at_least"] else "<="
-        lines.append(f"- {check['what']}: {check['value']:.3g} {sign} {check['limit']:.3g}, {verdict(check)}")
-    return "\n".join(lines) + "\n"
+    return "\n".join(["## What must hold", "", *(f"- {line}" for line in verdict_lines(data["checks"]))]) + "\n"
 
 
-def write_page(data):
+def page_of(data):
     text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
     parts = [HEAD + trust(data), fidelity_section(data), text, reading(data), *(table(problem, data) for problem in PROBLEMS), check_lines(data)]
-    (DOCS / "trade.md").write_text("\n".join(parts))
+    return "\n".join(parts)
 
 
 def curve(axes, points, style, label, colour):

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages and parts of pages that are made of results files.
+
+    pages.py            compare them with what verification/results gives; exit code 1 if one differs
+    pages.py --write    write them, and draw the pictures of cases anew whose figures have changed
+
+A part of a page stands between two marks, <!-- NAME --> and <!-- end of NAME -->; a mark without a writer is an error.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent
+sys.path[:0] = [str(HERE / "tools"), str(HERE), str(HERE / "performance")]
+
+import case_pictures  # noqa: E402
+import page_parts  # noqa: E402
+import verification_pages  # noqa: E402
+
+MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.DOTALL)
+PAGES_WITH_PARTS = ["README.md", "input_xml/README.md", *sorted(f"docs/{file.name}" for file in (ROOT / "docs").glob("*.md"))]
+
+
+def with_parts(text):
+    """The page with every marked part as its writer gives it."""
+
+    def part(found):
+        name = found.group(1)
+        if name not in page_parts.PARTS:
+            raise SystemExit(f"the mark <!-- {name} --> has no writer in verification/tools/page_parts.py")
+        return f"<!-- {name} -->\n\n" + "\n".join(page_parts.PARTS[name]()).strip() + f"\n\n<!-- end of {name} -->"
+
+    return MARK.sub(part, text)
+
+
+def pages():
+    """{file: text} of everything that is made of results files."""
+    out = {ROOT / "docs" / name: text for name, text in verification_pages.pages().items()}
+    out.update({ROOT / "docs" / name: text for name, text in page_parts.whole_pages().items()})
+    for name in PAGES_WITH_PARTS:
+        file = ROOT / name
+        if file not in out and "<!-- end of " in file.read_text():
+            out[file] = with_parts(file.read_text())
+    return out
+
+
+def left_over():
+    """Pages of cases that are no longer in the list."""
+    listed = {f"{name}.md" for name in case_pictures.cases()}
+    return [file for file in sorted((ROOT / "docs" / "verification").glob("*.md")) if file.name not in listed]
+
+
+def write_pages():
+    for file, text in pages().items():
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(text)
+    if case_pictures.outdated():
+        subprocess.run([sys.executable, str(HERE / "tools" / "case_pictures.py")], check=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--write", action="store_true")
+    if parser.parse_args().write:
+        write_pages()
+    wrong = [f"{file.relative_to(ROOT)} is not what verification/results gives" for file, text in pages().items() if not file.exists() or file.read_text() != text]
+    wrong += [f"{file.relative_to(ROOT)} is not drawn from verification/results as it is now" for file in case_pictures.outdated()]
+    wrong += [f"{file.relative_to(ROOT)} is of no case: remove it" for file in left_over()]
+    print("\n".join(wrong + ["`verification/pages.py --write` writes them"] if wrong else ["every figure is that of its results file"]))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of verification cases from their stored rows, as cases.toml says.
+
+    case_pictures.py        draw those in docs/pictures that are not of the stored figures
+
+Each holds a digest of what it shows, so that pages can be checked without drawing (pages.py)."""
+import hashlib
+import json
+import math
+import pathlib
+import struct
+import sys
+
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent)]
+from case_list import DOCS, cases, stored  # noqa: E402
+
+KEY = "Figures"  # of the digest in the PNG file
+
+
+def file_of(name, entry):
+    """Name in docs/pictures, or None for a case without a picture."""
+    picture = entry.get("picture")
+    return f"case_{name}.png" if isinstance(picture, dict) else picture
+
+
+def curves_of(picture, data):
+    """{label: [(x, y)]} from the rows of a case."""
+    column = {}
+    for i, name in enumerate(data["columns"]):
+        column.setdefault(name, i)
+    wanted = picture.get("rows", {})
+    rows = [row for row in data["rows"] if all(row[column[name]] in values for name, values in wanted.items())]
+    curves = {}
+    for row in rows:
+        of = ", ".join(f"{name} {row[column[name]]}" if not isinstance(row[column[name]], str) else row[column[name]] for name in picture.get("by", ()))
+        if "over" in picture:
+            curves.setdefault(of, []).extend((x, row[column[name]]) for name, x in picture["over"].items())
+            continue
+        for name in picture["y"]:
+            value = row[column[name]]
+            if not isinstance(value, str) and math.isfinite(value) and value != 0.0:
+                label = of if len(picture["y"]) == 1 and of else ", ".join(filter(None, (name, of)))
+                curves.setdefault(label, []).append((row[column[picture["x"]]], abs(value)))
+    return {label: sorted(points) for label, points in curves.items()}
+
+
+def digest(picture, curves):
+    return hashlib.sha256(json.dumps([picture, curves]).encode()).hexdigest()
+
+
+def stored_digest(file):
+    """The digest that a PNG file holds: the text chunk with our key."""
+    if not file.exists():
+        return None
+    raw, at = file.read_bytes(), 8
+    while at < len(raw):
+        length, kind = struct.unpack(">I4s", raw[at : at + 8])
+        key, _, text = raw[at + 8 : at + 8 + length].partition(b"\0")
+        if kind == b"tEXt" and key.decode("latin-1") == KEY:
+            return text.decode("latin-1")
+        at += 12 + length
+    return None
+
+
+def draw(file, title, picture, curves):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(5.6, 3.8), layout="constrained")
+    for i, (label, points) in enumerate(curves.items()):
+        axes.plot(*zip(*points), "o-", ms=4, lw=1.2, color=f"C{i}", label=label or None)
+    if "over" not in picture:
+        axes.set(xscale="log", yscale="log")
+        ticks = sorted({x for points in curves.values() for x, _ in points})
+        axes.set_xticks(ticks, [f"{x:g}" for x in ticks])
+        axes.minorticks_off()
+        if "slope" in picture:
+            x, y = next(iter(curves.values()))[0]
+            axes.plot([x, ticks[-1]], [y, y * (ticks[-1] / x) ** picture["slope"]], "k--", lw=0.8, label=f"slope {picture['slope']}")
+    axes.set(title=title, xlabel=picture["x"], ylabel=picture["y"][0] if len(picture["y"]) == 1 else "error")
+    axes.grid(alpha=0.3)
+    if len(curves) > 1 or "slope" in picture:
+        axes.legend(fontsize=8)
+    figure.savefig(file, dpi=80, metadata={"Software": None, KEY: digest(picture, curves)})
+    plt.close(figure)
+
+
+def drawn():
+    """(file, title, picture, curves) of every picture that this script draws."""
+    for name, entry in cases().items():
+        data = stored(name)
+        if data and isinstance(entry.get("picture"), dict):
+            yield DOCS / "pictures" / file_of(name, entry), data["title"], entry["picture"], curves_of(entry["picture"], data)
+
+
+def outdated():
+    return [file for file, _, picture, curves in drawn() if stored_digest(file) != digest(picture, curves)]
+
+
+if __name__ == "__main__":
+    old = outdated()
+    for one in drawn():
+        if one[0] in old:
+            draw(*one)
+            print(one[0].name)

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What README.md says of accuracy and cost."""
+import json
+
+from case_list import RESULTS, stored
+from solver_cost import FAST, read_table
+from trade_page import FIDELITIES
+
+
+def results(name):
+    return json.loads((RESULTS / f"{name}.json").read_text())
+
+
+def perforation_rows():
+    """{run: {column: value}}"""
+    data = stored("perforation")
+    return {row[0]: dict(zip(data["columns"], row)) for row in data["rows"]}
+
+
+def exponent(value):
+    return f"{abs(value):.0e}".replace("e-0", "e-")
+
+
+def figures():
+    job, runs = results("decks")["perforation.xml"], perforation_rows()
+    whole, cells = runs["perforation.xml, 1 ranks"], [runs[f"{h} mm"] for h in ("2.0", "1.0", "0.5")]
+    depths = [run["depth at 50 us [mm]"] for run in cells]
+    strong = next(one for one in results("scaling")["strong"] if one["name"].startswith("perforation"))
+    notes, rock = read_table()
+    point = next(row for row in rock if row["solver"] == FAST and row["knob"] == 1e-2)
+    elastic = next(note for note in notes if note.startswith("elastic")).split(": ")[1]
+    skipped = job["skipped_particle_steps"] / (job["skipped_particle_steps"] + job["particle_steps"])
+    return [
+        "| what | figure |", "|---|---|",
+        f"| perforation.xml to 120 us on one core, Arenisca yielding included | {job['seconds']:.0f} s of the processor, {1e-6 * job['bytes']:.0f} MB in all; "
+        f"{100 * skipped:.0f} % of the particle-steps are skipped, in tiles at rest |",
+        f"| two ranks against one, {strong['name']} ([docs/performance.md](docs/performance.md)) | {strong['speedup']:.1f} times as fast |",
+        f"| its balances ([docs/verification/perforation.md](docs/verification/perforation.md)) | mass {exponent(whole['mass'])}, axial momentum "
+        f"{exponent(whole['axial momentum'])}, energy ledger remainder {exponent(whole['energy ledger'])} |",
+        f"| its depth at 50, 90 and 120 us | {whole['depth at 50 us [mm]']:.0f}, {whole['depth at 90 us [mm]']:.0f} and {whole['final depth [mm]']:.0f} mm |",
+        f"| the depth at 50 us with cells of 2, 1 and 0.5 mm (differences) | {depths[0]:.0f}, {depths[1]:.0f} and {depths[2]:.0f} mm "
+        f"({depths[1] - depths[0]:.0f} and {depths[2] - depths[1]:.0f} mm) |",
+        f"| a point of yielding rock; elastic ([docs/materials/arenisca_cost.md](docs/materials/arenisca_cost.md)) | {1e-3 * point['ns_lanes']:.2g} us; {elastic} |",
+    ]  # fmt: skip
+
+
+# Problems of the trade, and the level that the front page shows.
+SHOWN = (("box", 32, "manufactured motion, 32 cells"), ("shell", 16, "coasting shell, 16 cells in the wall"),
+         ("shock", 0.5, "shock, pressures, 0.5 mm cells"), ("depth", 1.0, "depth of a perforation, 1 mm cells"))  # fmt: skip
+
+
+def fidelities():
+    data = results("trade")
+    at = {(p["problem"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
+    lines = ["| fidelity | " + " | ".join(words for _, _, words in SHOWN) + " |", "|---|" + "---|" * len(SHOWN)]
+    for name in FIDELITIES:
+        errors = [f"{100 * at[problem, name, level]['error']:.2g} %" for problem, level, _ in SHOWN]
+        lines.append(f"| {name} ({data['chosen'][name][0]['Shape Function']}) | " + " | ".join(errors) + " |")
+    steps = [at[problem, "fast", level]["work"] / at[problem, "balanced", level]["work"] for problem, level, _ in SHOWN]
+    return [*lines, "", f"*fast* takes {min(steps):.2f} to {max(steps):.2f} of the particle-steps of *balanced*."]

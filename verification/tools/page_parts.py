@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who writes which marked part of a page, and which page as a whole: always from files in verification/results (pages.py)."""
+import json
+
+import checkpoint_cost
+import deck_table
+import extremes
+import front_page
+import off_costs
+import predictions
+import scaling
+import scaling_model
+import solver_cost
+import trade_page
+from case_list import RESULTS
+from verification_pages import table
+
+
+def pore_cost():
+    data = json.loads((RESULTS / "pore_cost.json").read_text())
+    return table(data["columns"], [[f"{row[0]:,}", *(f"{v:.1f}" if isinstance(v, float) else v for v in row[1:])] for row in data["rows"]])
+
+
+PARTS = {
+    "checkpoint_cost.py": checkpoint_cost.stored_part,
+    "decks": deck_table.lines,
+    "figures": front_page.figures,
+    "fidelities": front_page.fidelities,
+    "off_costs.py": off_costs.stored_part,
+    "pore_cost": pore_cost,
+    "scaling.py": scaling.stored_part,
+    "scaling_model.py": scaling_model.stored_part,
+}
+
+
+def whole_pages():
+    """{file under docs: text}"""
+    return {
+        "extremes.md": extremes.stored_page(),
+        "trade.md": trade_page.page_of(json.loads((RESULTS / "trade.json").read_text())),
+        "cost.md": predictions.stored_page(),
+        "materials/arenisca_cost.md": solver_cost.stored_page(),
+    }
