@@ -12,7 +12,6 @@ TIMES = (20, 50, 90)  # us; at the end the jet of the finest cells has left the 
 # Depths [mm] at TIMES with uniform cells of 0.25 mm, run once (1.06 million particles, 18 minutes on two ranks); with 0.125 mm it is
 # 43.8 mm at 10 us, with 0.25 mm 44.1 mm. No depth is published for this shot.
 FINE = (85.5, 180.4, 271.5)
-COARSE = "cells that jet and target share slow the jet's skin, as thick as a cell, and the jet's radius is 1 to 2.2 mm"
 
 
 def row(name, run):
@@ -79,7 +78,6 @@ def run(barreno, full):
          "mass", "axial momentum", "energy ledger", "launched against table"],
         [],
     )  # fmt: skip
-    result.open = {f"{h} mm: depths against": COARSE for h in CELLS[:2]}
     two_ranks = compare_ranks(barreno, "perforation.xml" if full else "perforation_quick.xml", {}, result)
     if not full:
         demand_pins(two_ranks, "perforation_quick.xml", result)
