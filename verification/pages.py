@@ -5,7 +5,8 @@
     pages.py            compare them with what verification/results gives; exit code 1 if one differs
     pages.py --write    write them, and draw the pictures of cases anew whose figures have changed
 
-A part of a page stands between two marks, <!-- NAME --> and <!-- end of NAME -->; a mark without a writer is an error.
+A part of a page stands between two marks, <!-- NAME --> and <!-- end of NAME -->; a mark without a writer is an error. Outside of marks a
+page of WRITTEN gives no time, memory, rate or share, which would be a measurement without a file: what is set and not measured is in SETTINGS.
 """
 import argparse
 import json
@@ -23,6 +24,14 @@ import page_parts  # noqa: E402
 import verification_pages  # noqa: E402
 
 MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.DOTALL)
+FIGURE = re.compile(r"\d[\d.,e+-]*(?: (?:to|and|or) \d[\d.,e+-]*)* ?(?:%|(?:[nmu]?s|min|minutes?|seconds?|hours?|[KMG]B|[KMG]B/s|times)\b)")
+CODE = re.compile(r"`[^`\n]*`|^ {4}.*$", re.MULTILINE)
+WRITTEN = ("README.md", "input_xml/README.md")
+SETTINGS = {
+    "docs/checkpoints.md": ("1 MB",),  # of a chunk
+    "docs/finite_elements.md": ("2 %",),  # of strain, in the example
+    "docs/performance.md": ("1 MB",),
+}
 PAGES_WITH_PARTS = ["README.md", "input_xml/README.md", *sorted(f"docs/{file.name}" for file in (ROOT / "docs").glob("*.md"))]
 
 
@@ -49,6 +58,12 @@ def pages():
     return out
 
 
+def loose_figures(name, text):
+    """Figures of a page that look measured and stand outside of marks and code."""
+    text = CODE.sub("", MARK.sub("", text))
+    return [found.group(0) for found in FIGURE.finditer(text) if found.group(0) not in SETTINGS.get(name, ())]
+
+
 def left_over():
     """Pages of cases that are no longer in the list."""
     listed = {f"{name}.md" for name in case_pictures.cases()}
@@ -71,8 +86,10 @@ def main():
     wrong = [f"{file.relative_to(ROOT)} is not what verification/results gives" for file, text in pages().items() if not file.exists() or file.read_text() != text]
     wrong += [f"{file.relative_to(ROOT)} is not drawn from verification/results as it is now" for file in case_pictures.outdated()]
     wrong += [f"{file.relative_to(ROOT)} is of no case: remove it" for file in left_over()]
+    loose = [f"{name}: '{figure}' is of no results file: put it into a marked part, or say it in words" for name in WRITTEN for figure in loose_figures(name, (ROOT / name).read_text())]
+    print("\n".join(loose))
     print("\n".join(wrong + ["`verification/pages.py --write` writes them"] if wrong else ["every figure is that of its results file"]))
-    return 1 if wrong else 0
+    return 1 if wrong or loose else 0
 
 
 if __name__ == "__main__":

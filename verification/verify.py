@@ -9,6 +9,7 @@ results into verification/results, the pages that show them and their pictures (
 Exit code 1 if a figure does not hold that is not open (open_demands.toml), or an open one is worse than known, or holds.
 """
 import argparse
+import dataclasses
 import importlib
 import json
 import pathlib
@@ -65,7 +66,7 @@ def main():
     held = True
     for name in options.cases or CASES:
         result = importlib.import_module(f"cases.{name}").run(options.barreno.resolve(), options.full)
-        data = {**result.__dict__}
+        data = dataclasses.asdict(result)
         print(report(name, data, options.full))
         failed = failures(name, result.checks, options.full)
         for line in failed:

@@ -107,7 +107,7 @@ def run(barreno, full):
     if full:
         result.demand("CPDI over GIMP, time per particle-step", costs["CPDI"] / costs["GIMP"], DEAR)
     result.notes = "\n".join(lines) + (
-        "\n\n![error against cost](pictures/integrators.png)\n\nThe picture is drawn by `verification/cases/integrators.py` from the last "
+        "\n\nThe picture is drawn by `verification/cases/integrators.py` from the last "
         "measurement. At strains of 0.31 (box) the curves of fixed supports and point masses turn back: more cells cost more and are "
         "worse; domains that follow their particles go on."
     )

@@ -135,7 +135,6 @@ def run(barreno, full):
         for curve in CRUSH_CURVES:
             compare(barreno, curve, variant, result)
     porosity_order(result)
-    result.notes = "![load and unload](pictures/shell_and_arenisca.png)"
     return result
 
 

@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The checks of pages find what they are for: a figure that was changed by hand, a mark that nobody writes, a picture of other figures,
+a link that leads nowhere, a figure that no results file gives."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "verification"), str(ROOT / "tests" / "layout")]
+
+import check_links  # noqa: E402
+import pages  # noqa: E402
+from case_pictures import curves_of, digest, stored_digest  # noqa: E402
+
+
+class Pages(unittest.TestCase):
+    def test_a_changed_figure_is_put_right(self):
+        text = (ROOT / "README.md").read_text()
+        part = text.split("<!-- figures -->")[1].split("<!-- end of figures -->")[0]
+        at = next(i for i in range(text.index(part), len(text)) if text[i].isdigit())
+        changed = text[:at] + str((int(text[at]) + 1) % 10) + text[at + 1 :]
+        self.assertEqual(pages.with_parts(text), text)
+        self.assertEqual(pages.with_parts(changed), text)
+
+    def test_a_mark_needs_a_writer(self):
+        with self.assertRaises(SystemExit):
+            pages.with_parts("<!-- nobody -->\n\n1 s\n\n<!-- end of nobody -->\n")
+
+    def test_a_picture_is_of_its_figures(self):
+        picture = {"x": "cells", "y": ["error"]}
+        data = {"columns": ["cells", "error"], "rows": [[10, 0.1], [20, 0.05]]}
+        other = {**data, "rows": [[10, 0.1], [20, 0.04]]}
+        self.assertNotEqual(digest(picture, curves_of(picture, data)), digest(picture, curves_of(picture, other)))
+        self.assertIsNone(stored_digest(ROOT / "docs" / "pictures" / "arenisca_cost.png"))
+        self.assertIsNotNone(stored_digest(ROOT / "docs" / "pictures" / "case_bar_wave.png"))
+
+    def test_a_figure_without_a_file_is_found(self):
+        for words in ("It takes 42.4 s instead of 58.4 s.", "12 % of the energy", "132 MB in all", "120 ns per particle-step"):
+            self.assertTrue(pages.loose_figures("docs/performance.md", words), words)
+        for words in ("`--set \"Time/End Time=1 us\"`", "three ranks", "    run --until \"200 us\"", "<!-- a -->\n\n1 s\n\n<!-- end of a -->\n"):
+            self.assertFalse(pages.loose_figures("docs/performance.md", words), words)
+
+
+class Links(unittest.TestCase):
+    def problems(self, text):
+        with tempfile.NamedTemporaryFile("w", suffix=".md", dir=ROOT / "docs", delete=True) as file:
+            return check_links.problems_of(pathlib.Path(file.name), text, set())
+
+    def test_links(self):
+        self.assertFalse(self.problems("[a](method.md), [b](verification.md#what-is-open), [c](https://example.org), `src/main.cpp`"))
+        for text in ("[a](nothing.md)", "[b](verification.md#nothing)", "`src/nothing.cpp`", "![p](pictures/nothing.png)"):
+            self.assertEqual(len(self.problems(text)), 1, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
