@@ -14,7 +14,8 @@ struct Integrals {
 };
 Integrals integrals(double radius, double x) {
   const double h = std::sqrt(std::max(0.0, radius * radius - x * x));
-  const double angle = std::asin(std::clamp(x / radius, -1.0, 1.0));
+  // From h, so that its round-off near x = R, which is a root's (1e-8), leaves the sum below.
+  const double angle = std::atan2(x, h);
   return {
       0.5 * (x * h + radius * radius * angle),
       (radius * radius * radius - h * h * h) / 3.0,

@@ -11,6 +11,10 @@ namespace {
 
 /// Part of a cell below which a piece is a sliver.
 constexpr double sliver = 0.25;
+/// Part of a cell by which one of two neighbours must be fuller, so that round-off does not decide
+/// between those of a sliver on a diagonal: a body that is its own mirror image gets particles that
+/// are.
+constexpr double clearly = 1e-9;
 
 using Cell = std::array<long long, 3>;
 
@@ -95,7 +99,7 @@ private:
       const Cell from = found;
       for_each_neighbour(from, [&](const Cell& next) {
         const double other = piece(next).measure;
-        if (!(other > fullest)) return;
+        if (!(other > fullest + clearly * cell_measure_)) return;
         fullest = other;
         found = next;
       });

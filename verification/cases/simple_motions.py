@@ -188,7 +188,7 @@ def check_disks(barreno, shape, result):
     result.demand(f"colliding disks, {shape}: axial momentum", abs(balances["momentum"]["error"]), 1e-13)
     result.demand(f"colliding disks, {shape}: energy ledger", abs(balances["energy"]["error"]), 1e-3)
     result.demand(f"colliding disks, {shape}: energy gained at any time", above, 1e-3)
-    result.demand(f"colliding disks, {shape}: symmetric rebound", abs(apart[0] + apart[1]), 1e-3)
+    result.demand(f"colliding disks, {shape}: symmetric rebound", abs(apart[0] + apart[1]), 1e-12 if shape != CONTROL else 1e-6)
     result.demand(f"colliding disks, {shape}: rebound", -apart[0], 0.8, at_least=True)
 
 

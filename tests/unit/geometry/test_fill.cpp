@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <set>
 
 namespace barreno {
@@ -130,6 +131,35 @@ TEST(Fill, SharedPointsAreFoundAndTouchingIsNone) {
   EXPECT_FALSE(share_points(wedge, other, 2, lattice));
   EXPECT_TRUE(share_points(wedge, Ball{{0.3, 0.4}, 0.15}, 2, lattice));
   EXPECT_FALSE(share_points(wedge, Ball{{0.3, 0.6}, 0.15}, 2, lattice));
+}
+
+/// A disk whose centre is a corner of the lattice is its own mirror image, and so are its
+/// particles: also where a sliver on the diagonal could join either of two neighbours, and where
+/// the circle touches a line of the lattice.
+TEST(Fill, ParticlesOfADiskMirrorEachOther) {
+  const Vector corner{0.0, 0.0, 0.0};
+  const Ball disk{{0.3, 0.3, 0.0}, 0.2, 0.0};
+  const Lattice lattice = lattice_around(box_around(disk), corner, 0.0125, 2);
+  std::map<std::array<long long, 3>, Piece> pieces;
+  for_each_lattice_piece(
+      disk,
+      2,
+      lattice,
+      [&](const std::array<long long, 3>& cell, const Piece& p) { pieces[cell] = p; }
+  );
+  ASSERT_EQ(lattice.count[0], lattice.count[1]);
+  for (const auto& [cell, piece] : pieces)
+    for (const std::size_t axis : {0U, 1U}) {
+      std::array<long long, 3> other = cell;
+      other[axis] = lattice.count[axis] - 1 - cell[axis];
+      const auto found = pieces.find(other);
+      ASSERT_NE(found, pieces.end());
+      EXPECT_NEAR(found->second.measure, piece.measure, 1e-13 * 0.0125);
+      for (const std::size_t i : {0U, 1U}) {
+        const double mirrored = i == axis ? 0.6 - piece.centroid[i] : piece.centroid[i];
+        EXPECT_NEAR(found->second.centroid[i], mirrored, 1e-9 * 0.0125);
+      }
+    }
 }
 
 }  // namespace
