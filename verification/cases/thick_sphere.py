@@ -90,10 +90,9 @@ def run(barreno, full):
             result.demand(f"{name}: mean order of the displacement", order([m["displacement"] for m in ends], 4.0)[0], 1.5, at_least=True)
             result.demand(f"{name}: mean order of the stress", order([m["stress"] for m in ends], 4.0)[0], 0.8, at_least=True)
     result.notes = (
-        "With two particles per cell the error of the displacement does not fall evenly with the cells: it hangs on how the surface "
-        "happens to cut the squares of the particles, and is largest along the axis. With three it falls. Stress errors hang on it "
-        "too: CPDI has 0.030, 0.035, 0.033, 0.029, 0.028, 0.027, 0.026 with 12, 14, 16, 18, 20, 22, 24 cells, GIMP 0.032, 0.031, 0.026, 0.016, "
-        "0.019, 0.020, 0.024. Damping acts on particles that no node sees as well; before, they moved against each other at the inner "
-        "surface for ever (CPDI: 5e-4 of the elastic energy)."
+        "With two particles per cell the error of the displacement does not fall evenly with the cells: it hangs on how the "
+        "surface happens to cut the squares of the particles, and is largest along the axis. With three it falls. Stress "
+        "errors hang on it too. Damping acts on particles that no node sees as well; otherwise they move against each other "
+        "at the inner surface for ever."
     )
     return result

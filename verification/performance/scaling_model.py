@@ -104,8 +104,16 @@ def comparison():
     return lines
 
 
+def assumed():
+    """What the model takes for given."""
+    return ["| | | from |", "|---|---|---|",
+            f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node at work | assumed, more than one rank alone takes |",
+            f"| alpha, beta | {1e6 * LATENCY:.0f} us; {1e-9 * BANDWIDTH:.0f} GB/s for each rank when all of a node send | assumed, of a common cluster |",
+            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from rank 0 | what one core gathers, checks and writes (below) |", ""]  # fmt: skip
+
+
 def stored_part():
-    return [*(comparison() if COUNTED.exists() else []), "", *predictions()]
+    return [*assumed(), *(comparison() if COUNTED.exists() else []), "", *predictions()]
 
 
 if __name__ == "__main__":

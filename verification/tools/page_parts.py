@@ -21,8 +21,17 @@ def pore_cost():
     return table(data["columns"], [[f"{row[0]:,}", *(f"{v:.1f}" if isinstance(v, float) else v for v in row[1:])] for row in data["rows"]])
 
 
+def checkpoint_times():
+    """Of large runs, at the bandwidths of checkpoint_cost.py."""
+    found = json.loads((RESULTS / "checkpoint_cost.json").read_text())
+    size, seconds = found["bytes"] / found["particles"], (found["write"] + found["verify"]) / found["particles"]
+    rows = [[f"{n:.0e}".replace("e+0", "e"), f"{1e-9 * n * size:.0f}", f"{n * seconds / 60.0:.1f}"] for n in (1e7, 1e8, 1e9)]
+    return table(["particles in three dimensions", "GB", "minutes to write and verify"], rows)
+
+
 PARTS = {
     "checkpoint_cost.py": checkpoint_cost.stored_part,
+    "checkpoint_times": checkpoint_times,
     "decks": deck_table.lines,
     "figures": front_page.figures,
     "fidelities": front_page.fidelities,
