@@ -9,6 +9,10 @@ find_package(Trilinos QUIET COMPONENTS Teuchos Kokkos Tpetra Belos Ifpack2 MueLu
 if(NOT Trilinos_FOUND)
   message(FATAL_ERROR "Trilinos is missing: install the packages trilinos-all-dev, libptscotch-dev and libscotch-dev.")
 endif()
+if(BARRENO_DEVICE_TRILINOS AND NOT "${Kokkos_DEVICES}" MATCHES "CUDA|HIP|SYCL|OPENMPTARGET|OPENACC")
+  message(FATAL_ERROR "The Kokkos of BARRENO_DEVICE_TRILINOS ('${BARRENO_DEVICE_TRILINOS}') has no device backend "
+    "(${Kokkos_DEVICES}); give a Trilinos that has one, or take the preset release.")
+endif()
 add_library(barreno_trilinos INTERFACE)
 if(TARGET Trilinos::all_libs)
   target_link_libraries(barreno_trilinos INTERFACE Trilinos::all_libs)

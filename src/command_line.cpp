@@ -13,9 +13,6 @@ namespace barreno {
 namespace {
 
 const std::vector<std::string> commands = {"run", "resume", "check", "drive", "describe"};
-/// Part of the contract with users, but not built yet.
-const std::vector<std::string> later_commands = {"report"};
-
 /// The arguments, with a cursor that knows what an option still needs.
 class Arguments {
 public:
@@ -58,14 +55,11 @@ Command command_of(const std::string& word) {
   if (word == "check") return Command::check;
   if (word == "drive") return Command::drive;
   if (word == "describe") return Command::describe;
-  for (const auto& later : later_commands) {
-    if (word == later) {
-      throw DeckError(
-          "barreno " + word +
-          " is not built yet (this version has run, resume, check, drive and describe); use one of "
-          "those."
-      );
-    }
+  if (word == "report") {
+    throw DeckError(
+        "report is a command of the source tree (it draws with Python); write there ./barreno "
+        "report FOLDER."
+    );
   }
   throw DeckError(input::shown(word) + " is not a command; " + input::suggest_name(word, commands));
 }
@@ -130,7 +124,11 @@ void parse_option(const std::string& word, Arguments& arguments, Options& option
   bool known = false;
   for (const auto& option : known_options(command)) known = known || word == option;
   if (!known) refuse_option(word, command);
-  if (word == "--help") options.command = Command::help;
+  if (word == "--help") {
+    options.command = Command::help;
+    options.help_of = command;
+    return;
+  }
   if (command == Command::drive) return parse_drive_option(word, arguments, options.drive);
   if (word == "--markdown") options.markdown = true;
   if (word == "--overwrite") options.overwrite = true;
@@ -156,7 +154,8 @@ Options parse_command_line(int argc, const char* const* argv) {
   std::string& operand = options.command == Command::describe ? options.section : options.deck_file;
   bool given = false;
   while (!arguments.at_end()) {
-    const std::string word = arguments.next();
+    std::string word = arguments.next();
+    if (word == "-h") word = "--help";
     if (word.size() > 1 && word.front() == '-') {
       parse_option(word, arguments, options);
       if (options.command == Command::help) return options;
@@ -195,24 +194,37 @@ Options parse_command_line(int argc, const char* const* argv) {
   return options;
 }
 
-std::string help_text() {
-  return "barreno run DECK [--out DIR] [--ranks N] [--set \"Sub List/Parameter=value\"]... "
-         "[--overwrite]\n"
-         "        [--fidelity fast|balanced|reference]\n"
-         "    compute; without --out into runs/<deck name>-<counter>\n"
-         "barreno resume FOLDER [--until TIME] [--ranks N]\n"
-         "    go on from the last checkpoint of a run\n"
-         "barreno check DECK [--set \"Sub List/Parameter=value\"]... [--fidelity ...]\n"
-         "    validate, print the plan, write nothing; a fidelity chooses between error and cost\n"
-         "    what the deck does not say (docs/trade.md)\n"
-         "barreno drive --material CARD.xml --path PATH.csv --out OUT.csv\n"
-         "        [--steps-per-row N] [--set PARAMETER=value]...\n"
-         "    one material point along a path of the deformation gradient (docs/drive.md)\n"
-         "barreno describe [SECTION or MODEL] [--markdown]\n"
-         "    the deck reference\n"
+std::string help_text(Command command) {
+  const std::pair<Command, const char*> pages[] = {
+      {Command::run,
+       "barreno run DECK [--out DIR] [--ranks N] [--set \"Sub List/Parameter=value\"]... "
+       "[--overwrite]\n"
+       "        [--fidelity fast|balanced|reference]\n"
+       "    compute; without --out into runs/<deck name>-<counter>; --set \"Sub List/Parameter=\" "
+       "takes a\n"
+       "    value or a list away\n"},
+      {Command::resume,
+       "barreno resume FOLDER [--until TIME] [--ranks N]\n"
+       "    go on from the last checkpoint of a run\n"},
+      {Command::check,
+       "barreno check DECK [--set \"Sub List/Parameter=value\"]... [--fidelity ...] [--ranks N]\n"
+       "    validate, print the plan, write nothing; a fidelity chooses between error and cost\n"
+       "    what the deck does not say (docs/trade.md)\n"},
+      {Command::drive,
+       "barreno drive --material CARD --path PATH.csv --out OUT.csv\n"
+       "        [--steps-per-row N] [--set PARAMETER=value]...\n"
+       "    one material point along a path of the deformation gradient (docs/drive.md)\n"},
+      {Command::describe,
+       "barreno describe [SECTION or MODEL] [--markdown]\n"
+       "    the deck reference\n"}};
+  std::string text;
+  for (const auto& [one, page] : pages)
+    if (command == one || command == Command::help) text += page;
+  return text +
          "\n"
          "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, 3 numerical failure, 4 "
-         "internal.\n";
+         "internal,\n"
+         "128 + the signal's number where one ended the run.\n";
 }
 
 }  // namespace barreno

@@ -13,6 +13,7 @@ enum class Command { help, version, run, resume, check, drive, describe };
 /// What was typed after `barreno`.
 struct Options {
   Command command = Command::help;
+  Command help_of = Command::help;     ///< whose help was asked for
   std::string deck_file;               ///< run, check; of resume the run's folder
   std::vector<std::string> overrides;  ///< --set, in order; --until
   DriveRequest drive;
@@ -26,7 +27,7 @@ struct Options {
 /// @throws DeckError  with one sentence
 Options parse_command_line(int argc, const char* const* argv);
 
-/// What --help prints.
-std::string help_text();
+/// What --help prints of a command; of Command::help all.
+std::string help_text(Command command = Command::help);
 
 }  // namespace barreno

@@ -86,8 +86,7 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   return static_cast<int>(ExitCode::finished);
 }
 
-int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
-  const Options options = parse_command_line(argc, argv);
+int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const bool root = is_root(*comm);
   switch (options.command) {
     case Command::run:
@@ -98,7 +97,7 @@ int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
       return check_deck(options, comm);
     case Command::drive: {
       const std::string screen = drive(options.drive, *comm);
-      if (root) std::cout << screen;
+      if (root) (goes_to_stream(options.drive) ? std::cerr : std::cout) << screen;
       break;
     }
     case Command::describe:
@@ -109,10 +108,30 @@ int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
       if (root) std::cout << "barreno " << BARRENO_VERSION << '\n';
       break;
     case Command::help:
-      if (root) std::cout << help_text();
+      if (root) std::cout << help_text(options.help_of);
       break;
   }
   return static_cast<int>(ExitCode::finished);
+}
+
+/// A page that did not reach the file or pipe it was sent to is a failure; a run has its run.log.
+void refuse_lost_screen(const Options& options, const Comm& comm) {
+  const bool computes = options.command == Command::run || options.command == Command::resume;
+  RootWork work(comm);
+  work.run([&] {
+    if (!computes && !std::cout.flush())
+      throw FileError(
+          "cannot write to the standard output (the disk may be full); send it elsewhere."
+      );
+  });
+  work.agree();
+}
+
+int execute(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
+  const Options options = parse_command_line(argc, argv);
+  const int code = carry_out(options, comm);
+  refuse_lost_screen(options, *comm);
+  return code;
 }
 
 /// An error that every rank meets is said once and ends the run in order; one that only this rank

@@ -63,7 +63,8 @@ std::vector<fs::path> cards_in(const fs::path& directory) {
 
 std::string card_file(const std::string& name) {
   std::error_code ignored;
-  if (fs::is_regular_file(name, ignored)) return name;
+  for (const std::string& file : {name, name + ".xml"})
+    if (fs::is_regular_file(file, ignored)) return file;
   std::string wanted = lower(name);
   if (wanted.size() > 4 && wanted.compare(wanted.size() - 4, 4, ".xml") == 0)
     wanted.resize(wanted.size() - 4);

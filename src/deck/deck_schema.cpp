@@ -247,7 +247,11 @@ input::Section any_material_section() {
       "*",
       "one material: a card, a model with its parameters, or a card with single values overridden",
       Presence::required,
-      {file("Card", "file of a card: beside the deck, in materials/cards or in BARRENO_MATERIALS")
+      {file(
+           "Card",
+           "file of a card, with or without .xml: beside the deck, in materials/cards or in "
+           "BARRENO_MATERIALS"
+       )
            .if_given(),
        word(
            "Bad Particles",

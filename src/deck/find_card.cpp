@@ -34,9 +34,9 @@ std::string find_card(
   std::vector<std::string> known;
   std::error_code ignored;  // a directory that cannot be listed holds no card
   for (const fs::path& directory : directories(deck_directory)) {
-    const fs::path candidate = directory / card;
-    if (fs::exists(candidate, ignored) && !fs::is_directory(candidate, ignored))
-      return candidate.string();
+    for (const fs::path& candidate : {directory / card, directory / (card + ".xml")})
+      if (fs::exists(candidate, ignored) && !fs::is_directory(candidate, ignored))
+        return candidate.string();
     for (const auto& file : fs::directory_iterator(directory, ignored)) {
       if (file.path().extension() == ".xml") known.push_back(file.path().filename().string());
     }

@@ -74,11 +74,25 @@ void check_out(const DriveRequest& request) {
 
 void write(const DriveRequest& request, const std::string& text, const Comm& comm) {
   RootWork work(comm);
-  work.run([&] { write_whole_file(request.out, text); });
+  work.run([&] {
+    if (goes_to_stream(request))
+      write_into(request.out, text);
+    else
+      write_whole_file(request.out, text);
+  });
   work.agree();
 }
 
 }  // namespace
+
+bool goes_to_stream(const DriveRequest& request) {
+  for (const char* folder : {"/dev/", "/proc/"})
+    if (request.out.rfind(folder, 0) == 0) return true;
+  std::error_code ignored;
+  const auto status = std::filesystem::status(request.out, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+         !std::filesystem::is_directory(status);
+}
 
 std::string drive(const DriveRequest& request, const Comm& comm) {
   check_out(request);
@@ -91,8 +105,9 @@ std::string drive(const DriveRequest& request, const Comm& comm) {
 
   std::ostringstream screen;
   for (const std::string& note : notes) screen << "note: " << note << '\n';
-  screen << model_of(material) << " of '" << material.name << "': " << rows.size() << " rows, "
-         << request.steps_per_row << " steps between two, in " << request.out << '\n';
+  screen << model_of(material) << " of '" << material.name
+         << "': " << counted(static_cast<double>(rows.size()), "rows") << ", "
+         << counted(request.steps_per_row, "steps between two") << ", in " << request.out << '\n';
   return screen.str();
 }
 

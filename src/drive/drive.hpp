@@ -21,4 +21,7 @@ struct DriveRequest {
 /// @return what the screen shows, several lines
 std::string drive(const DriveRequest& request, const Comm& comm);
 
+/// The answer goes to a pipe or a device (/dev/stdout), beside which the screen must say nothing.
+bool goes_to_stream(const DriveRequest& request);
+
 }  // namespace barreno

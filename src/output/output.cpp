@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <unistd.h>
 
 namespace barreno {
@@ -167,7 +168,8 @@ void Output::Parts::show_progress(const State& state) {
        clock.step,
        totals.particles,
        totals.particle_steps,
-       energy_balance(totals.ledger).error()}
+       energy_balance(totals.ledger).error(),
+       numerical_energy(totals.ledger).sum()}
   );
 }
 
@@ -286,6 +288,8 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
     const auto numbers = result_numbers(scene, o.totals, penetration, summary, o.run.prediction);
     for (const std::string& line : result_lines(scene, state, o.run, verdict, numbers))
       o.progress->say(line);
+    // Whoever sends the screen to a file still sees why.
+    if (!verdict.finished) std::cerr << "barreno: " << verdict.reason << std::endl;
   });
   work.agree();
 }

@@ -2,6 +2,7 @@
 #include "output/progress.hpp"
 
 #include "output/radii.hpp"
+#include "scene/porous.hpp"
 
 #include <algorithm>
 #include <barreno/input/scan_xml.hpp>
@@ -35,6 +36,14 @@ std::uintmax_t size_of_file(const std::filesystem::path& path) {
   return error ? 0 : size;
 }
 
+/// Of so many parts of a run the ones that are done: all of them at its end and not before, however
+/// near it comes, so that a line says the end.
+int whole_parts(double done, int parts) {
+  constexpr double round_off = 1e-9;  // a step that ends on a tenth belongs to it
+  if (done >= 1.0) return parts;
+  return std::min(parts - 1, static_cast<int>(std::floor(parts * done + round_off)));
+}
+
 double seconds_between(Clock_::time_point a, Clock_::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
@@ -56,7 +65,7 @@ std::string cost_text(double seconds) {
 Progress::Progress(
     const std::filesystem::path& log, double end_time, bool terminal, const RunNumbers& position
 )
-    : log_(std::in_place, log, position.empty() ? 0 : size_of_file(log)),
+    : log_(std::in_place, log, position.empty() ? 0 : size_of_file(log), false),
       end_time_(end_time),
       first_time_(number_of(position, "time")),
       first_seconds_(number_of(position, "seconds")),
@@ -71,11 +80,15 @@ void Progress::append(const std::string& line) {
   if (log_) log_->append(line);
 }
 
-void Progress::say(const std::string& line) {
-  if (drawing_) std::cout << '\n';
+void Progress::say_on(std::ostream& screen, const std::string& line) {
+  if (drawing_) std::cout << std::endl;
   drawing_ = false;
-  std::cout << line << std::endl;
+  screen << line << std::endl;
   append(line);
+}
+
+void Progress::say(const std::string& line) {
+  say_on(std::cout, line);
 }
 
 std::string Progress::line(const ProgressNow& now) const {
@@ -85,24 +98,23 @@ std::string Progress::line(const ProgressNow& now) const {
   const double left = done > begun ? elapsed * (1.0 - done) / (done - begun) : -1.0;
   const double rate = elapsed > 0.0 ? (now.particle_steps - first_steps_) / elapsed : 0.0;
   return format(
-      "%3.0f %%  t %.4g s  step %ld  dt %.3g s  %.0f particles  %.3g particle-steps/s  left %s  "
-      "energy "
-      "error %+.1e",
-      std::floor(100.0 * done),
+      "%3d %%  t %.4g s  step %ld  dt %.3g s  %s  %.3g particle-steps/s  left %s  numerical energy "
+      "%+.2g %%  energy error %+.1e",
+      whole_parts(done, 100),
       now.time,
       now.step,
       now.dt,
-      now.particles,
+      counted(now.particles, "particles").c_str(),
       rate,
       now.step > 0 ? duration_text(left).c_str() : "?",
+      100.0 * now.numerical_energy,
       now.energy_error
   );
 }
 
 void Progress::show(const ProgressNow& now) {
-  constexpr double round_off = 1e-9;  // a step that ends on a tenth belongs to it
   const double done = end_time_ > 0.0 ? now.time / end_time_ : 1.0;
-  const int tenth = static_cast<int>(std::floor(10.0 * done + round_off));
+  const int tenth = whole_parts(done, 10);
   const bool passed = tenth > tenths_;
   tenths_ = std::max(tenths_, tenth);
   const std::string text = line(now);
@@ -123,12 +135,13 @@ void Progress::show(const ProgressNow& now) {
 void Progress::warn(const std::string& kind, const std::string& sentence, long count) {
   const bool first = warnings_.find(kind) == warnings_.end();
   warnings_[kind] += count;
-  if (first) say("warning: " + sentence);
+  if (first) say_on(std::cerr, "warning: " + sentence);
 }
 
 void Progress::list_warnings() {
   for (const auto& [kind, count] : warnings_)
-    if (count > 1) say("warning: " + kind + ": " + std::to_string(count) + " times in all");
+    if (count > 1)
+      say_on(std::cerr, "warning: " + kind + ": " + std::to_string(count) + " times in all");
 }
 
 namespace {
@@ -155,10 +168,11 @@ std::string body_text(const Scene& scene, const BodySpec& body) {
   const std::string model =
       std::visit([](const auto& m) { return std::string(m.name); }, material.model);
   std::string text = body.name + ": " + material.name + " (" + model + "), " +
-                     std::to_string(body.particles_per_cell) + " particles per cell and direction";
+                     counted(body.particles_per_cell, "particles per cell and direction");
   if (body.initial_pressure != 0.0)
     text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
-  if (body.pore_pressure) text += ", fluid under " + si(1e-6 * *body.pore_pressure, "MPa");
+  if (body.pore_pressure && (*body.pore_pressure > 0.0 || is_porous(material)))
+    text += ", fluid under " + si(1e-6 * *body.pore_pressure, "MPa");
   return text;
 }
 
@@ -215,10 +229,13 @@ std::vector<std::string> scene_lines(
   for (const std::string& note : run.notes) lines.push_back("  note       " + note);
   const char* const plural = ranks == 1 ? "" : "s";
   lines.push_back(
-      "  run        " +
-      format(
-          "%.0f particles now, to t = %.4g s, %d rank%s", particles, scene.end_time, ranks, plural
-      )
+      "  run        " + format(
+                            "%s now, to t = %.4g s, %d rank%s",
+                            counted(particles, "particles").c_str(),
+                            scene.end_time,
+                            ranks,
+                            plural
+                        )
   );
   lines.push_back("  files      " + run.folder.string());
   return lines;

@@ -16,10 +16,12 @@ struct ProgressNow {
   long step = 0;
   double particles = 0.0, particle_steps = 0.0;
   double energy_error = 0.0;
+  double numerical_energy = 0.0;  ///< that the method itself added, relative to what was put in
 };
 
 /// The screen and the same text in run.log. Root only.
 ///
+/// Warnings go to the standard error and to the log.
 /// On a terminal the progress line is redrawn in place; elsewhere, and in run.log, there is a line
 /// at every tenth of the run.
 class Progress {
@@ -49,6 +51,7 @@ public:
 private:
   std::string line(const ProgressNow& now) const;
   void append(const std::string& line);
+  void say_on(std::ostream& screen, const std::string& line);
 
   using Time = std::chrono::steady_clock::time_point;
   std::optional<LineFile> log_;

@@ -25,16 +25,23 @@ std::vector<std::string> result_numbers(
                         : "no depth: the jet has met no target"
     );
   const Ledger& ledger = totals.ledger;
+  const NumericalEnergy energy = numerical_energy(ledger);
+  lines.push_back(number_line(
+      "energy that the method itself added (+) or lost (-): %+.2g %% of what was put in (stress "
+      "integration %+.2g %%, transfer between particles and grid %+.2g %%)",
+      100.0 * energy.sum(),
+      100.0 * energy.stress_integration,
+      100.0 * energy.transfer
+  ));
+  lines.push_back(number_line(
+      "balances, these included, close to: energy %+.2e, mass %+.1e, axial momentum %+.1e",
+      energy_balance(ledger).error(),
+      mass_balance(ledger).error(),
+      momentum_balance(ledger).error()
+  ));
   lines.push_back(
-      number_line(
-          "errors: energy %+.2e, mass %+.1e",
-          energy_balance(ledger).error(),
-          mass_balance(ledger).error()
-      ) +
-      number_line(", axial momentum %+.1e", momentum_balance(ledger).error())
-  );
-  lines.push_back(
-      number_line("%.0f particles removed, %.0f held", total_removed(ledger).count, ledger.held)
+      counted(total_removed(ledger).count, "particles removed") +
+      number_line(", %.0f held", ledger.held)
   );
   lines.push_back(
       duration_text(summary.wall_seconds) +

@@ -124,9 +124,12 @@ void put_balances(JsonWriter& json, const Ledger& l) {
   json.number("launched_kinetic", l.launched_kinetic);
   json.number("boundary_work", l.boundary_work);
   json.number("body_work", l.body_work);
+  json.number("fluid_work", l.fluid_work);
   json.number("damped", l.damped);
   json.number("prestress", l.prestress);
   put_balance(json, energy_balance(l));
+  json.number("stress_integration_share", numerical_energy(l).stress_integration);
+  json.number("transfer_share", numerical_energy(l).transfer);
   json.end_object();
   json.end_object();
 }

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstring>
 #include <fcntl.h>
 #include <sstream>
 #include <sys/stat.h>
@@ -23,9 +24,26 @@ std::string to_text(double value) {
 }
 
 std::string number_line(const char* pattern, double a, double b, double c) {
-  char text[160];
+  char text[240];
   std::snprintf(text, sizeof text, pattern, a, b, c);
   return text;
+}
+
+std::string counted(double count, std::string things) {
+  const std::size_t end = std::min(things.find(' '), things.size());
+  if (count == 1.0 && end > 0 && things[end - 1] == 's') things.erase(end - 1, 1);
+  return number_line("%.0f ", count) + things;
+}
+
+void write_into(const std::filesystem::path& path, const std::string& text) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
+  const int handle = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (handle < 0) refuse_file(path, "write");
+  const bool fine = write_all(handle, text);
+  const int why = errno;
+  const bool closed = close(handle) == 0;
+  if (!fine) errno = why;
+  if (!fine || !closed) refuse_file(path, "write");
 }
 
 void write_whole_file(const std::filesystem::path& path, const std::string& text) {
@@ -46,30 +64,56 @@ void write_whole_file(const std::filesystem::path& path, const std::string& text
 
 namespace {
 
-/// The file as it is, its first `kept` bytes; nothing else takes its place. A pipe does not open
-/// without a reader, instead of waiting for one.
-int open_for_lines(const std::filesystem::path& path, std::uintmax_t kept) {
+/// Whether the first `kept` bytes are lines as a run writes them. An editor, or a copy to another
+/// system, that put other ends to lines has moved all that follows them.
+bool holds_lines(int handle, std::uintmax_t kept) {
+  std::string part(1 << 16, '\0');
+  char last = '\0';
+  for (std::uintmax_t at = 0; at < kept;) {
+    const std::size_t wanted = std::min<std::uintmax_t>(part.size(), kept - at);
+    const ssize_t count = pread(handle, part.data(), wanted, static_cast<off_t>(at));
+    if (count <= 0 || std::memchr(part.data(), '\r', static_cast<std::size_t>(count)) != nullptr)
+      return false;
+    last = part[static_cast<std::size_t>(count) - 1];
+    at += static_cast<std::uintmax_t>(count);
+  }
+  return last == '\n';
+}
+
+[[noreturn]] void refuse_to_go_on(const std::filesystem::path& path, const char* why) {
+  throw FileError(
+      "cannot go on with '" + path.string() + "' (" + why +
+      "); put the file back or start the run again with barreno run."
+  );
+}
+
+/// A new, empty file. Nothing is followed, and a pipe does not open without a reader, instead of
+/// waiting for one.
+int open_new_lines(const std::filesystem::path& path) {
   constexpr mode_t mode = 0666;  // less what the user's mask forbids
-  const int plain = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_APPEND;
-  const int wanted = kept == 0 ? plain | O_CREAT | O_TRUNC : plain;
+  constexpr int how = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_APPEND | O_CREAT | O_TRUNC;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
-  const int handle = open(path.c_str(), wanted, mode);
+  const int handle = open(path.c_str(), how, mode);
+  if (handle < 0) refuse_file(path, "create");
+  return handle;
+}
+
+/// A file of that name cut to its first bytes.
+int open_kept_lines(const std::filesystem::path& path, std::uintmax_t kept, bool rows) {
+  constexpr int how = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_APPEND;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
+  const int handle = open(path.c_str(), how);
+  if (handle < 0 && errno != ENOENT) refuse_file(path, "go on with");
   struct stat found {};
-  const bool there = handle >= 0 && fstat(handle, &found) == 0;
-  if (kept == 0) {
-    if (!there) refuse_file(path, "create");
-    return handle;
-  }
-  if ((handle < 0 && errno == ENOENT) ||
-      (there && static_cast<std::uintmax_t>(found.st_size) < kept)) {
+  if (handle < 0 || fstat(handle, &found) != 0 ||
+      static_cast<std::uintmax_t>(found.st_size) < kept) {
     if (handle >= 0) close(handle);
-    throw FileError(
-        "cannot go on with '" + path.string() +
-        "' (it is shorter than when the checkpoint was written); put the file back or start the "
-        "run again with barreno run."
-    );
+    refuse_to_go_on(path, "it is shorter than when the checkpoint was written");
   }
-  if (!there) refuse_file(path, "go on with");
+  if (rows && !holds_lines(handle, kept)) {
+    close(handle);
+    refuse_to_go_on(path, "its lines are not those that the run wrote");
+  }
   if (ftruncate(handle, static_cast<off_t>(kept)) == 0) return handle;
   const int why = errno;
   close(handle);
@@ -79,8 +123,11 @@ int open_for_lines(const std::filesystem::path& path, std::uintmax_t kept) {
 
 }  // namespace
 
-LineFile::LineFile(const std::filesystem::path& path, std::uintmax_t kept)
-    : path_(path), bytes_(kept), handle_(open_for_lines(path, kept)), id_(id_of(handle_)) {}
+LineFile::LineFile(const std::filesystem::path& path, std::uintmax_t kept, bool rows)
+    : path_(path),
+      bytes_(kept),
+      handle_(kept == 0 ? open_new_lines(path) : open_kept_lines(path, kept, rows)),
+      id_(id_of(handle_)) {}
 
 LineFile::~LineFile() {
   close(handle_);

@@ -16,9 +16,16 @@ std::string to_text(double value);
 /// Up to three numbers in a printf pattern.
 std::string number_line(const char* pattern, double a, double b = 0.0, double c = 0.0);
 
+/// A count with its things, in the plural as the first word: "1 particle removed", "2 particles
+/// removed".
+std::string counted(double count, std::string things);
+
 /// Writes aside (path.tmp, whatever had that name before) and renames, so that the final name never
 /// holds half a file. @throws FileError
 void write_whole_file(const std::filesystem::path& path, const std::string& text);
+
+/// Writes into a pipe or a device that is there, such as /dev/stdout. @throws FileError
+void write_into(const std::filesystem::path& path, const std::string& text);
 
 /// A text file that grows line by line, each at once in the file, so that it can be read during the
 /// run.
@@ -26,8 +33,12 @@ class LineFile {
 public:
   /// @param kept  bytes of a file of that name that stay, what follows them is cut off; 0: a new
   ///              file
-  /// @throws FileError if it cannot be created, is a symbolic link, or holds fewer bytes
-  explicit LineFile(const std::filesystem::path& path, std::uintmax_t kept = 0);
+  /// @param rows  of a table, which a changed file would tear; a log takes more lines whatever it
+  /// is
+  /// @throws FileError if it cannot be created, is a symbolic link, or no longer begins with so
+  /// many
+  ///         bytes of whole lines
+  explicit LineFile(const std::filesystem::path& path, std::uintmax_t kept = 0, bool rows = true);
   ~LineFile();
   LineFile(const LineFile&) = delete;
   LineFile& operator=(const LineFile&) = delete;

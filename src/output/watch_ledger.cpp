@@ -10,8 +10,7 @@ namespace barreno {
 void watch_ledger(const Ledger& ledger, double time, Ledger& watched, Progress& progress) {
   const std::string when = number_line(" by t = %.4g s.", time);
   const auto warn = [&](const std::string& kind, double before, double now) {
-    if (now > before)
-      progress.warn(kind, number_line("%.0f ", now) + kind + when, std::lround(now - before));
+    if (now > before) progress.warn(kind, counted(now, kind) + when, std::lround(now - before));
   };
   for (std::size_t cause = 0; cause < ledger.removed.size(); ++cause)
     warn(

@@ -18,13 +18,13 @@ inline bool is_porous(const Material& material) {
 }
 
 /// Stress, fluid and density of a body's points at rest under its initial pressure, with the pore
-/// pressure that it is given; not possible where its material has no fluid to give one.
+/// pressure that it is given; not possible where its material has no fluid to give one but 0.
 template <class Model>
 auto initial_state_of(const Model& model, const BodySpec& body) {
   if constexpr (is_drainable<Model>)
     if (body.pore_pressure) return model.initial_state(body.initial_pressure, *body.pore_pressure);
   auto start = model.initial_state(body.initial_pressure);
-  start.possible = start.possible && !body.pore_pressure;
+  start.possible = start.possible && body.pore_pressure.value_or(0.0) == 0.0;
   return start;
 }
 

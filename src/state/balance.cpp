@@ -115,6 +115,11 @@ Balance energy_balance(const Ledger& l) {
       energy_moved(l)};
 }
 
+NumericalEnergy numerical_energy(const Ledger& l) {
+  const double scale = energy_balance(l).put_in;
+  return {Balance{l.stress_integration, scale}.error(), Balance{l.transfer, scale}.error()};
+}
+
 namespace {
 
 /// Cross-section of a slug within the grid: a disk, of which planes x = 0 and z = 0 leave a half or

@@ -43,6 +43,14 @@ Balance momentum_balance(const Ledger& ledger);
 /// |stress_integration|.
 Balance energy_balance(const Ledger& ledger);
 
+/// What the method itself has added to the energy (< 0: taken from it), relative to the scale of
+/// energy_balance. Its remainder does not show these errors: the ledger names them.
+struct NumericalEnergy {
+  double stress_integration = 0.0, transfer = 0.0;
+  double sum() const { return stress_integration + transfer; }
+};
+NumericalEnergy numerical_energy(const Ledger& ledger);
+
 /// Mass, axial momentum and kinetic energy of the jet's first `slugs` slugs as the table gives
 /// them, of the part that lies within the grid: the full circle in axisymmetry, per unit thickness
 /// in plane strain, of the part inside in three dimensions.

@@ -20,6 +20,8 @@ def run(policy, folder):
     command += ["--set", "Step/Shape Function=CPDI", "--set", "Step/Largest Domain=0"]  # which does not part before
     result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, timeout=120)
     summary = json.loads((folder / "summary.json").read_text())
+    said = [line for line in result.stderr.splitlines() if not line.startswith("warning: ")]
+    assert said == ([f"barreno: {summary['reason']}"] if result.returncode else []), f"{policy}: {result.stderr}"
     assert summary["exit_code"] == result.returncode, f"{policy}: exit {result.returncode}, summary says {summary['exit_code']}"
     return result.returncode, summary, Run(folder).table("history.csv")
 

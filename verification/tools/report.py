@@ -6,9 +6,12 @@ The field picture shows the last state as deformed particles, pressure at the le
 right; in axisymmetry the left half is the mirror image.
 """
 import argparse
+import contextlib
 import json
+import os
 import pathlib
 import sys
+import warnings
 
 import matplotlib
 
@@ -21,6 +24,47 @@ from netCDF4 import Dataset, chartostring
 
 PLASTIC_STRAIN = ("equivalent_plastic_strain", "plastic_strain")
 MILLI, MICRO, MEGA = 1e-3, 1e-6, 1e6
+
+
+class Fault(Exception):
+    """What keeps a report from being made, as the part of a sentence in brackets."""
+
+
+def on_one_line(text):
+    return " ".join(str(text).split())
+
+
+@contextlib.contextmanager
+def reading(file):
+    """Whatever goes wrong with what a file holds is said of the file: a run that was killed, or a copy that was cut off,
+    leaves anything."""
+    try:
+        yield
+    except OSError as error:
+        raise Fault(f"{file.name} cannot be read: {on_one_line(error.strerror or error)}") from error
+    except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError, ValueError) as error:
+        raise Fault(f"{file.name} is cut off or was changed: {on_one_line(error)[:200]}") from error
+
+
+@contextlib.contextmanager
+def written(file):
+    """A name to write under, which becomes the file when all is there; a link that somebody laid there is not followed."""
+    aside = file.with_name(f".{file.name}.tmp{file.suffix}")
+    try:
+        aside.unlink(missing_ok=True)
+        os.close(os.open(aside, os.O_CREAT | os.O_EXCL | os.O_WRONLY | os.O_NOFOLLOW, 0o666))
+        yield aside
+        aside.replace(file)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            aside.unlink()
+        raise Fault(f"{file.name} cannot be written: {on_one_line(error.strerror or error)}") from error
+
+
+def save(figure, file):
+    with written(file) as aside:
+        figure.savefig(aside, dpi=130, bbox_inches="tight")
+    plt.close(figure)
 
 
 class Fields:
@@ -66,14 +110,40 @@ class Fields:
         return values[self.alive]
 
 
+class Table(dict):
+    """Columns by their names; one that a file lacks is said of the file."""
+
+    def __init__(self, file, columns):
+        super().__init__(columns)
+        self.file = file
+
+    def __missing__(self, name):
+        raise Fault(f"{self.file.name} lacks the column '{name}'")
+
+    def last_row(self):
+        return Table(self.file, {name: values[-1] for name, values in self.items()})
+
+
 def read_csv(file):
-    with open(file, encoding="utf-8") as lines:
-        rows = [line.strip() for line in lines if not line.startswith("#")]
-    header = rows[0].split(",")
-    # A run that was killed may have left half a line.
-    cells = [row.split(",") for row in rows[1:]]
-    table = np.array([row for row in cells if len(row) == len(header)], float)
-    return {name: table[:, i] for i, name in enumerate(header)}
+    """A table of numbers under a header, comments left out. A run that was killed may have left half a line at the end, which
+    is left out too; line ends of other systems are line ends."""
+    file = pathlib.Path(file)
+    with reading(file):
+        lines = file.read_bytes().decode("utf-8").replace("\r\n", "\n").split("\n")
+    rows = [(number, line.strip().split(",")) for number, line in enumerate(lines[:-1], 1) if line.strip() and not line.startswith("#")]
+    if len(rows) < 2:
+        raise Fault(f"{file.name} holds no row of numbers")
+    header = rows[0][1]
+    values = []
+    for number, cells in rows[1:]:
+        if len(cells) != len(header):
+            raise Fault(f"line {number} of {file.name} has {len(cells)} columns instead of {len(header)}")
+        try:
+            values.append([float(cell) for cell in cells])
+        except ValueError as error:
+            raise Fault(f"line {number} of {file.name} holds what is no number: {on_one_line(error)[:100]}") from error
+    table = np.array(values, float)
+    return Table(file, {name: table[:, i] for i, name in enumerate(header)})
 
 
 def draw_half(axes, corners, values, colours, limits):
@@ -113,6 +183,8 @@ def limits_of(values, areas, percent):
 def draw_fields(run, summary, folder):
     with as_one_file(run / "particles.e") as file:
         fields = Fields(file)
+    if len(fields.corners) == 0:
+        raise ValueError("its last step has no particle")
     mirrored = summary.get("mode", "axisymmetric") == "axisymmetric"
     corners = fields.corners / MILLI
     pressure = fields.of_alive(["pressure"]) / MEGA
@@ -144,8 +216,7 @@ def draw_fields(run, summary, folder):
         scale = figure.colorbar(bar, ax=one, location=side, label=label, shrink=0.5, pad=0.1, extend="both")
         scale.solids.set_edgecolor("face")
     left.set_title(f"t = {fields.time / MICRO:.4g} µs")
-    figure.savefig(folder / "fields.png", dpi=130, bbox_inches="tight")
-    plt.close(figure)
+    save(figure, folder / "fields.png")
 
 
 def draw_depth(run, folder):
@@ -165,9 +236,8 @@ def draw_depth(run, folder):
     for one in axes:
         one.set_xlabel("time [µs]")
         one.grid(alpha=0.3)
-    figure.savefig(folder / "depth.png", dpi=130, bbox_inches="tight")
-    plt.close(figure)
-    return {name: values[-1] for name, values in table.items()}
+    save(figure, folder / "depth.png")
+    return table.last_row()
 
 
 def draw_energy(run, summary, folder):
@@ -191,19 +261,19 @@ def draw_energy(run, summary, folder):
     axes[1].set_ylabel("energy error [%]")
     axes[1].set_xlabel("time [µs]")
     axes[1].grid(alpha=0.3)
-    figure.savefig(folder / "energy.png", dpi=130, bbox_inches="tight")
-    plt.close(figure)
-    return {name: values[-1] for name, values in table.items()}
+    save(figure, folder / "energy.png")
+    return table.last_row()
 
 
 def table_lines(rows):
     lines = ["| | |", "|---|---|"]
-    lines += [f"| {name} | {value} |" for name, value in rows]
+    cell = lambda text: on_one_line(text).replace("|", "\\|")
+    lines += [f"| {cell(name)} | {cell(value)} |" for name, value in rows]
     return lines + [""]
 
 
 def index_text(run, summary, history, depth):
-    title = summary.get("title") or run.name
+    title = on_one_line(summary.get("title") or run.name)
     state = "finished" if summary.get("finished") else summary.get("reason", "not finished")
     rows = [("deck", summary.get("deck", "")), ("result", state)]
     rows += [("time", f"{history['time'] / MICRO:.4g} µs"), ("steps", f"{history['step']:.0f}")]
@@ -215,8 +285,18 @@ def index_text(run, summary, history, depth):
             ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
             ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),
         ]
+    energy = summary.get("balances", {}).get("energy", {})
+    if "transfer_share" in energy:
+        integration, transfer = (100.0 * energy[name] for name in ("stress_integration_share", "transfer_share"))
+        rows.append(
+            (
+                "energy that the method itself added (+) or lost (-)",
+                f"{integration + transfer:+.2g} % of what was put in (stress integration {integration:+.2g} %, "
+                f"transfer between particles and grid {transfer:+.2g} %)",
+            )
+        )
     for name in ("energy", "mass", "momentum"):
-        rows.append((f"{name} error", f"{history[name + '_error']:.2e}"))
+        rows.append((f"{name} balance, these included, closes to", f"{history[name + '_error']:.2e}"))
     removed = sum(value for name, value in history.items() if name.startswith("removed_"))
     removed -= history["removed_kinetic"]
     rows += [("particles removed", f"{removed:.0f}"), ("held", f"{history['held']:.0f}")]
@@ -234,28 +314,55 @@ def index_text(run, summary, history, depth):
     return "\n".join(lines)
 
 
+def read_summary(file):
+    """What a run said of itself; nothing while it runs, or if it was killed."""
+    if not file.exists():
+        return {}
+    with reading(file):
+        summary = json.loads(file.read_text(encoding="utf-8"))
+        if not isinstance(summary, dict):
+            raise ValueError("it is no JSON object")
+        return summary
+
+
+def make_report(run):
+    """Writes the page and its pictures. @return the page  @raises Fault"""
+    summary = read_summary(run / "summary.json")
+    if not (run / "history.csv").exists():
+        raise Fault("it holds no history.csv; give the folder of a run")
+    try:
+        files_of(run / "particles.e")
+    except OSError as error:
+        raise Fault(on_one_line(error)) from error
+    folder = run / "report"
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        raise Fault(f"{folder.name} cannot be made there: {error.strerror}") from error
+    with reading(run / "particles.e"):
+        draw_fields(run, summary, folder)
+    with reading(run / "depth.csv"):
+        depth = draw_depth(run, folder)
+    with reading(run / "history.csv"):
+        history = draw_energy(run, summary, folder)
+    with reading(run / "summary.json"):
+        text = index_text(run, summary, history, depth)
+    with written(folder / "index.md") as aside:
+        aside.write_text(text, encoding="utf-8")
+    return folder / "index.md"
+
+
 def main():
     parser = argparse.ArgumentParser(description="Pictures and numbers of a run.")
     parser.add_argument("run", type=pathlib.Path, help="run folder")
     run = parser.parse_args().run
+    warnings.simplefilter("ignore")  # of what is drawn: numbers that are none leave gaps
     try:
-        summary = {}
-        if (run / "summary.json").exists():
-            summary = json.loads((run / "summary.json").read_text(encoding="utf-8"))
-        folder = run / "report"
-        if not (run / "history.csv").exists():
-            raise OSError("it holds no history.csv; give the folder of a run")
-        files_of(run / "particles.e")
-        folder.mkdir(exist_ok=True)
-        draw_fields(run, summary, folder)
-        depth = draw_depth(run, folder)
-        history = draw_energy(run, summary, folder)
-        text = index_text(run, summary, history, depth)
-        (folder / "index.md").write_text(text, encoding="utf-8")
-    except OSError as error:
-        print(f"cannot report on '{run}' ({error}).", file=sys.stderr)
+        page = make_report(run)
+    except Fault as fault:
+        print(f"barreno: cannot report on '{on_one_line(run)}' ({fault}).", file=sys.stderr)
         return 2
-    print(f"{folder / 'index.md'} and its pictures")
+    print(f"{page} and its pictures")
     return 0
 
 

@@ -187,6 +187,32 @@ TEST_F(ReadDeck, TeuchosItselfReadsTheEffectiveDeckAlike) {
   );
 }
 
+TEST_F(ReadDeck, NoPorePressureIsOneOfDryRock) {
+  EXPECT_NO_THROW(build_scene(read("deck.xml", {"Bodies/Front/Pore Pressure=0"})));
+  EXPECT_THROW(build_scene(read("deck.xml", {"Bodies/Front/Pore Pressure=1 Pa"})), DeckError);
+}
+
+TEST_F(ReadDeck, ACardIsNamedWithOrWithoutItsEnding) {
+  const Deck deck = read("deck.xml");
+  for (const char* name : {"rubber", "rubber.xml"})
+    EXPECT_EQ(
+        read("deck.xml", {std::string("Materials/Rubber/Card=") + name})
+            .number("Materials/Rubber/Density"),
+        deck.number("Materials/Rubber/Density")
+    ) << name;
+  EXPECT_NO_THROW(
+      read("deck.xml", {"Materials/Rubber/Card=berea_sandstone", "Materials/Rubber/Shear Modulus="})
+  );
+}
+
+TEST_F(ReadDeck, AnOverrideTakesAway) {
+  const Deck deck = read("deck.xml", {"Materials/Rubber/Shear Modulus=", "Jet=", "Title="});
+  EXPECT_EQ(deck.number("Materials/Rubber/Shear Modulus"), 3e6);  // the card's own
+  EXPECT_FALSE(deck.has("Jet/Material"));
+  EXPECT_EQ(deck.word("Title"), "");
+  EXPECT_THROW(read("deck.xml", {"Jet/Materail="}), DeckError);
+}
+
 TEST_F(ReadDeck, AnOverrideIsCheckedLikeTheDeck) {
   EXPECT_THROW(read("deck.xml", {"Step/Courant Fractoin=0.3"}), DeckError);
   EXPECT_THROW(read("deck.xml", {"Step/Courant Fraction=3"}), DeckError);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/progress.hpp"
+#include "output/result_numbers.hpp"
 #include "synthetic_run.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
@@ -24,6 +25,7 @@ TEST(Progress, LogsALineEveryTenthAndEachWarningOnce) {
   const synthetic::TemporaryFolder folder(*comm);
   if (comm->getRank() != 0) return;
   testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
   {
     Progress progress(folder.path() / "run.log", 1.0, false);
     for (int i = 0; i <= 100; ++i) progress.show({0.01 * i, 0.01, i, 10.0, 10.0 * i, 0.0});
@@ -33,12 +35,54 @@ TEST(Progress, LogsALineEveryTenthAndEachWarningOnce) {
   }
   const std::string screen = testing::internal::GetCapturedStdout();
   const std::string log = synthetic::read_text(folder.path() / "run.log");
-  EXPECT_EQ(screen, log);
-  EXPECT_EQ(std::count(log.begin(), log.end(), '%'), 11);
+  const std::string warnings = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(screen + warnings, log);
+  EXPECT_EQ(warnings.find("warning: 3 odd things"), 0U) << warnings;
+  EXPECT_EQ(std::count(screen.begin(), screen.end(), '\n'), 11);
   EXPECT_NE(
       log.find("warning: 3 odd things by t = 1 s.\nwarning: odd things: 4 times in all\n"),
       std::string::npos
   );
+}
+
+TEST(Progress, TheLastLineSaysTheEnd) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const synthetic::TemporaryFolder folder(*comm);
+  if (comm->getRank() != 0) return;
+  testing::internal::CaptureStdout();
+  {
+    Progress progress(folder.path() / "run.log", 1.0, false);
+    for (const double time : {0.0, 0.5, 1.0 - 1e-12, 1.0}) progress.show({time, 0.5, 1, 1.0});
+  }
+  testing::internal::GetCapturedStdout();
+  const std::string log = synthetic::read_text(folder.path() / "run.log");
+  const std::string last = log.substr(log.rfind('\n', log.size() - 2) + 1);
+  EXPECT_EQ(last.substr(0, 7), "100 %  ") << log;
+  EXPECT_EQ(log.find("100 %"), log.rfind("100 %")) << log;
+  EXPECT_NE(last.find(" 1 particle "), std::string::npos) << last;
+}
+
+TEST(Text, CountsHaveTheirNumber) {
+  EXPECT_EQ(counted(1.0, "particles removed"), "1 particle removed");
+  EXPECT_EQ(counted(0.0, "particles"), "0 particles");
+  EXPECT_EQ(counted(2.0, "steps retried with a smaller dt"), "2 steps retried with a smaller dt");
+}
+
+TEST(Progress, TheEndNamesTheEnergyThatTheMethodTook) {
+  const Scene scene = synthetic::make_scene();
+  RunTotals totals;
+  totals.ledger.initial_kinetic = 100.0;
+  totals.ledger.kinetic = 92.0;
+  totals.ledger.stress_integration = -3.0;
+  totals.ledger.transfer = -5.0;
+  std::string text;
+  for (const std::string& line : result_numbers(scene, totals, {}, {}, {})) text += line + "\n";
+  EXPECT_NE(
+      text.find("-8 % of what was put in (stress integration -3 %, transfer between particles and "
+                "grid -5 %)"),
+      std::string::npos
+  ) << text;
+  EXPECT_NE(text.find("close to: energy +0.00e+00"), std::string::npos) << text;
 }
 
 TEST(Progress, FirstAndLastBlocksNameWhatAUserLooksFor) {

@@ -166,6 +166,12 @@ TEST_F(PlantedFiles, LinesGoOnWhereTheyWereLeft) {
   }
   EXPECT_EQ(synthetic::read_text(file), "1\n2\n4\n");
   EXPECT_NE(sentence_of([&] { LineFile lines(file, 7); }).find("is shorter"), std::string::npos);
+  // Other ends of lines: six bytes are then two rows and a half.
+  write_whole_file(file, "1\r\n2\r\n4\r\n");
+  EXPECT_NE(sentence_of([&] { LineFile lines(file, 6); }).find("not those"), std::string::npos);
+  write_whole_file(file, "1,1\n2,2\n3,3\n");
+  EXPECT_NE(sentence_of([&] { LineFile lines(file, 6); }).find("not those"), std::string::npos);
+  EXPECT_EQ(fs::file_size(file), 12U);
   fs::remove(file);
   EXPECT_NE(sentence_of([&] { LineFile lines(file, 7); }).find("is shorter"), std::string::npos);
 }

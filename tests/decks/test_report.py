@@ -1,0 +1,174 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reports on runs whose files were cut off, changed or laid there: one sentence or a report, never a traceback.
+
+    test_report.py BARRENO [--random N]    N more files, cut and changed at random places
+"""
+import argparse
+import contextlib
+import io
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+
+TOOLS = pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"
+sys.path.insert(0, str(TOOLS))
+import report  # noqa: E402
+from runs import run_deck  # noqa: E402
+
+FILES = ("history.csv", "depth.csv", "summary.json", "particles.e")
+
+
+def cut(share):
+    return lambda data: data[: int(share * len(data))]
+
+
+def replaced(old, new):
+    def change(data):
+        assert old in data
+        return data.replace(old, new, 1)
+
+    return change
+
+
+def in_line(number, text):
+    """One more text at the end of a line, from 1."""
+
+    def change(data):
+        lines = data.split(b"\n")
+        lines[number - 1] += text
+        return b"\n".join(lines)
+
+    return change
+
+
+# file, what is done to it, part of the sentence; None: there is a report.
+CASES = [
+    ("history.csv", cut(0.0), "history.csv holds no row"),
+    ("history.csv", lambda data: b"\n".join(data.split(b"\n")[:2]) + b"\n", "history.csv holds no row"),
+    ("history.csv", cut(0.8), None),
+    ("history.csv", lambda data: data.replace(b"\n", b"\r\n"), None),
+    ("history.csv", in_line(5, b"," + b"0," * 20 + b"1"), "line 5 of history.csv has"),
+    ("history.csv", in_line(4, b"abc"), "line 4 of history.csv holds what is no number"),
+    ("history.csv", replaced(b",plastic,", b",plstic,"), "history.csv lacks the column 'plastic'"),
+    ("history.csv", lambda data: b"\xff\xfe\x00" + data, "history.csv is cut off or was changed"),
+    ("depth.csv", cut(0.0), "depth.csv holds no row"),
+    ("depth.csv", replaced(b",channel_depth", b",x"), "depth.csv lacks the column 'channel_depth'"),
+    ("summary.json", cut(0.5), "summary.json is cut off or was changed"),
+    ("summary.json", cut(0.0), "summary.json is cut off or was changed"),
+    ("summary.json", lambda data: b"[1, 2]", "summary.json is cut off or was changed: it is no JSON object"),
+    ("summary.json", lambda data: b'{"balances": 3}', "cut off or was changed"),
+    ("summary.json", replaced(b'"ranks": 1', b'"rank": 1'), "summary.json is cut off or was changed: 'ranks'"),
+    ("particles.e", cut(0.0), "particles.e cannot be read"),
+    ("particles.e", lambda data: b"CDF\x02" + b"\xff" * 200, "particles.e "),
+    ("particles.e", cut(0.01), "particles.e "),
+]
+
+
+def sentence_of(run):
+    """What a report says, "" if it is made; anything but a Fault goes through."""
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            report.make_report(run)
+    except report.Fault as fault:
+        return str(fault) or "nothing"
+    return ""
+
+
+def changed(whole, folder, file, change):
+    run = pathlib.Path(shutil.copytree(whole, folder / "run", dirs_exist_ok=False))
+    (run / file).write_bytes(change((run / file).read_bytes()))
+    return run
+
+
+def check_case(whole, folder, file, change, said):
+    run = changed(whole, folder, file, change)
+    got = sentence_of(run)
+    shutil.rmtree(run)
+    if (said is None) != (got == "") or (said or "") not in got or "\n" in got:
+        return [f"{file}: expected {said!r}, got {got!r}"]
+    return []
+
+
+def random_change(rng):
+    """Cut, or some bytes changed, left out or doubled."""
+
+    def change(data):
+        data = bytearray(data)
+        kind = rng.randrange(4)
+        for _ in range(1 if kind == 0 else rng.randrange(1, 6)):
+            at = rng.randrange(max(len(data), 1))
+            if kind == 0:
+                del data[at:]
+            elif kind == 1 and data:
+                data[at] = rng.randrange(256)
+            elif kind == 2:
+                del data[at : at + rng.randrange(1, 50)]
+            else:
+                data[at:at] = data[at : at + rng.randrange(1, 50)]
+        return bytes(data)
+
+    return change
+
+
+def check_random(whole, folder, count):
+    problems = []
+    for seed in range(count):
+        rng = random.Random(seed)
+        file = FILES[seed % len(FILES)]
+        run = changed(whole, folder, file, random_change(rng))
+        try:
+            got = sentence_of(run)
+            if "\n" in got or len(got) > 600:
+                problems.append(f"seed {seed}, {file}: {got!r}")
+        except Exception as error:  # noqa: BLE001  any is a finding
+            problems.append(f"seed {seed}, {file}: {type(error).__name__}: {error}")
+        shutil.rmtree(run)
+    return problems
+
+
+def check_links(whole, folder):
+    """What somebody laid where a report is written is not written through."""
+    run = pathlib.Path(shutil.copytree(whole, folder / "run"))
+    victim = folder / "victim"
+    victim.write_text("keep")
+    (run / "report").mkdir()
+    for name in ("fields.png", "index.md", ".index.md.tmp.md", ".energy.png.tmp.png"):
+        (run / "report" / name).symlink_to(victim)
+    got = sentence_of(run)
+    kept = victim.read_text() == "keep" and not (run / "report" / "index.md").is_symlink()
+    shutil.rmtree(run)
+    return [] if kept and got == "" else [f"links: {got!r}, {victim.read_text()[:20]!r}"]
+
+
+def check_command(folder):
+    """As a user calls it: the exit code and one line."""
+    (folder / "empty").mkdir()
+    words = [sys.executable, str(TOOLS / "report.py"), str(folder / "empty")]
+    result = subprocess.run(words, capture_output=True, text=True, check=False)
+    fine = result.returncode == 2 and result.stderr.startswith("barreno: cannot report on") and result.stderr.count("\n") == 1
+    return [] if fine else [f"an empty folder: exit {result.returncode}, {result.stderr}"]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("barreno", type=lambda path: str(pathlib.Path(path).resolve()))
+    parser.add_argument("--random", type=int, default=0)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        whole = folder / "whole"
+        run_deck(options.barreno, "perforation_quick.xml", {"Time/End Time": "1 us", "Output/Checkpoint Wall Interval": "0 s"}, folder=whole)
+        problems = check_command(folder) + check_links(whole, folder)
+        for case in CASES:
+            problems += check_case(whole, folder, *case)
+        problems += check_random(whole, folder, options.random)
+        print("\n".join([*problems, f"{len(CASES) + options.random} changed files: {len(problems)} problems"]))
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,160 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The launcher ./barreno on machines that it does not have here: package manager, CMake, ninja and mpirun are played by
+small scripts that note how they are called.
+
+    test_launcher.py BUILD_FOLDER
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LOCKED = "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 7 (apt-get)"
+
+# Name of a program: what it does after it has noted its name and words. $notes is the folder of notes.
+PROGRAMS = {
+    "dpkg-query": '[[ -e $notes/installed ]] && for p in "${@:4}"; do echo "installed $p"; done; exit 0',
+    "apt-get": f"""if [[ $* == *update* && -e $notes/locks ]]; then
+  left=$(<"$notes/locks"); ((left > 0)) && {{ echo $((left - 1)) >"$notes/locks"; echo "{LOCKED}" >&2; exit 100; }}
+fi
+[[ -e $notes/no_network && $* == *update* ]] && {{ echo "E: no network" >&2; exit 100; }}
+exit 0""",
+    "sudo": 'exec "$@"',
+    "cmake": "exit 0",
+    "ninja": '[[ $* == *" -n "* ]] && echo "ninja: work to do"; exit 0',
+    "mpirun": "exit 0",
+}
+
+
+class Machine:
+    """A tree with the launcher, and programs that note their calls."""
+
+    def __init__(self, folder):
+        self.tree, self.notes, bin_folder = folder / "a tree", folder / "notes", folder / "bin"
+        for made in (self.tree, self.notes, bin_folder):
+            made.mkdir()
+        shutil.copy(ROOT / "barreno", self.tree)
+        for name, does in PROGRAMS.items():
+            file = bin_folder / name
+            file.write_text(f'#!/usr/bin/env bash\nnotes="{self.notes}"\necho "{name} $*" >>"$notes/calls"\n{does}\n')
+            file.chmod(0o755)
+        self.environment = {**os.environ, "PATH": f"{bin_folder}:{os.environ['PATH']}", "BARRENO_LOCK_PAUSE": "0"}
+
+    def note(self, name, text=""):
+        (self.notes / name).write_text(text)
+
+    def file(self, name, text, executable=False):
+        path = self.tree / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        path.chmod(0o755 if executable else 0o644)
+
+    def built(self, home=None):
+        """As after a build of that tree."""
+        self.note("installed")
+        self.file("build/release/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={home or self.tree}\nBARRENO_TESTS:BOOL=OFF\n")
+        self.file("build/release/build.ninja", "")
+        self.file("build/release/src/barreno", '#!/bin/sh\necho "program $*"\n', executable=True)
+
+    def run(self, *words):
+        """What it says, and the calls that it made."""
+        (self.notes / "calls").write_text("")
+        command = [str(self.tree / "barreno"), *map(str, words)]
+        result = subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=60, check=False)
+        return result, (self.notes / "calls").read_text().splitlines()
+
+
+def refused(result, calls, code, *said):
+    lines = result.stderr.splitlines()
+    fine = result.returncode == code and len(lines) == 1 and all(words in result.stderr for words in said) and not calls
+    assert fine, f"exit {result.returncode}, calls {calls}: {result.stderr}"
+
+
+def check_copied_tree(machine, folder):
+    machine.built()
+    result, calls = machine.run("describe")
+    assert result.stdout == "program describe\n" and not any(call.startswith("cmake") for call in calls), calls
+    (folder / "first").mkdir()
+    machine.built(home=folder / "first")
+    result, calls = machine.run("describe")
+    assert any(re.match(r"cmake --fresh --preset release", call) for call in calls), calls
+    assert f"copy of '{folder / 'first'}'" in result.stderr and result.stdout == "program describe\n", result.stderr
+    machine.built(home=folder / "moved away")
+    assert any("--fresh" in call for call in machine.run("describe")[1])
+
+
+def check_locks(machine):
+    """Another process has the package manager: it is waited for. Other faults end at once."""
+    machine.note("locks", "3")
+    result, calls = machine.run("check", "deck.xml")
+    updates = [call for call in calls if call.startswith("apt-get") and "update" in call]
+    installs = [call for call in calls if call.startswith("apt-get") and " install " in call]
+    assert len(updates) == 4 and len(installs) == 1 and "DPkg::Lock::Timeout=" in installs[0], calls
+    assert result.stderr.count("another process uses the package manager") == 1, result.stderr
+    machine.note("no_network")
+    result, calls = machine.run("check", "deck.xml")
+    assert result.returncode == 2 and "E: no network" in result.stderr and "could not be installed" in result.stderr, result.stderr
+    assert len([call for call in calls if call.startswith("apt-get")]) == 1, calls
+    (machine.notes / "no_network").unlink()
+
+
+def check_report(machine, folder):
+    """Its words are looked at first, and only what it needs is installed."""
+    refused(*machine.run("report"), 1, "report takes the folder of one run")
+    refused(*machine.run("report", folder / "nowhere"), 2, "is no folder")
+    machine.file("verification/tools/report.py", "import sys; print('reported', sys.argv[1:])")
+    (folder / "a run").mkdir()
+    result, calls = machine.run("report", folder / "a run")
+    assert result.returncode == 0 and f"reported ['--', '{folder / 'a run'}']" in result.stdout, result.stderr
+    (install,) = [call for call in calls if " install " in call]
+    packages = install.split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
+
+
+def check_words(machine):
+    """What cannot be is said before anything is installed or built."""
+    refused(*machine.run("run", "deck.xml", "--ranks", "100000000"), 1, "--ranks 100000000 is more than this machine can start")
+    refused(*machine.run("resume", "run", "--ranks", "9" * 30), 1, "is more than this machine can start")
+    refused(*machine.run("run", "deck.xml", "--ranks", "0"), 1, "is no number of ranks")
+    refused(*machine.run("rnu", "deck.xml"), 1, '"rnu" is not a command')
+    for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["test", "-h"], ["drive", "--help"]):
+        result, calls = machine.run(*words)
+        assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
+        missing = [word for word in ("report", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
+        assert not missing, f"{words}: the help lacks {missing}"
+
+
+def check_install(machine, build):
+    """What a launcher's build makes is all that cmake --install takes from the build folder."""
+    machine.built()
+    _, calls = machine.run("describe")
+    (targets,) = {call.split(f"{machine.tree}/build/release ")[1] for call in calls if call.startswith("ninja") and " -n " not in call}
+    commands = subprocess.run(["ninja", "-C", build, "-t", "commands", *targets.split()], capture_output=True, text=True, check=True).stdout
+    listed = subprocess.run(["ninja", "-C", build, "-t", "targets", "all"], capture_output=True, text=True, check=True).stdout
+    made = {line.split(":")[0] for line in listed.splitlines()}
+    taken = set()
+    for script in [build / "cmake_install.cmake", *(build / part / "cmake_install.cmake" for part in ("materials", "src"))]:
+        taken |= set(re.findall(re.escape(f'"{build}/') + r'([^"]+)"', script.read_text()))
+    wanted = sorted(name for name in taken & made if not name.endswith(".cmake"))
+    assert {"src/barreno", "materials/libBARRENO.so"} <= set(wanted), wanted
+    missing = [name for name in wanted if name not in commands]
+    assert not missing, f"ninja {targets} does not make {missing}, which cmake --install takes"
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
+    for check in checks:
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            check(Machine(folder), folder)
+    print("the launcher does as it says")
+
+
+if __name__ == "__main__":
+    main()
