@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "check/plan.hpp"
+#include "checkpoint/check_values.hpp"
 #include "checkpoint/read_checkpoint.hpp"
 #include "deck/echo_deck.hpp"
 #include "deck/read_deck.hpp"
@@ -75,6 +76,8 @@ int resume(
   const Scene scene = build_scene(deck);
   refuse_resume(folder, deck, scene, checkpoint);
   State state = build_state(scene, comm);
+  check_checkpoint(scene, state, checkpoint);
+  settle_checkpoints(*comm, checkpoint);
   std::vector<std::string> notes = notes_of(deck, scene);
   notes.insert(notes.end(), checkpoint.notes.begin(), checkpoint.notes.end());
   notes.push_back(

@@ -65,13 +65,18 @@ public:
   /// Names of what lies in a group, sorted.
   std::vector<std::string> names(const std::string& group) const;
   bool has(const std::string& name) const;
+  /// Whether it is the same file as one that is open under this handle of the system.
+  bool is(int file) const;
 
   /// All is handed to the system when this returns.
   void close();
 
 private:
   [[noreturn]] void refuse(const std::string& what) const;
+  /// @throws FileError for a table that has not two dimensions, or more numbers than its file
   long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
+  /// @throws FileError for a table whose numbers are not of this class, H5T_INTEGER or H5T_FLOAT
+  void refuse_other_class(long long table, int wanted, const std::string& name) const;
   void read_part(
       long long table,
       long long type,

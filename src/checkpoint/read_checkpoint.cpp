@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checkpoint/read_checkpoint.hpp"
 
-#include "base/error.hpp"
 #include "base/gather.hpp"
 #include "base/region.hpp"
-#include "checkpoint/hdf5_file.hpp"
-#include "checkpoint/seal.hpp"
+#include "checkpoint/checkpoint_contents.hpp"
 #include "checkpoint/shared_file.hpp"
-#include "checkpoint/write_checkpoint.hpp"
 #include "grid/partition.hpp"
 #include "state/balance.hpp"
-
-#include <Teuchos_CommHelpers.hpp>
+#include "step/place_particles.hpp"
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 
 namespace barreno {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// visit(r, x) for the position of every particle of a material.
 template <class Visitor>
@@ -82,6 +75,9 @@ void read_particles(
   particles.count = static_cast<int>(rows.size());
   particles.sorted = false;
   for (int p = 0; p < particles.count; ++p) put_unplaced(particles, p);
+  for_own_rows<long long>(rows, file, group + "removal", [&](int p, const long long* cause) {
+    particles.fault(p) = fault_of_cause(static_cast<int>(*cause));
+  });
   for_own_rows<long long>(rows, file, group + "id", [&](int p, const long long* id) {
     particles.id(p) = static_cast<ParticleId>(*id);
   });
@@ -134,110 +130,12 @@ void read_sums(const SharedFile& file, State& state) {
   state.stable_step = file.read<double>("run/stable_step").at(0);
 }
 
-/// All tables of a group.
-RunNumbers read_numbers(const Hdf5File& file, const std::string& group) {
-  RunNumbers numbers;
-  for (const std::string& name : file.names(group))
-    numbers[name] = file.read(std::string(group).append("/").append(name)).values;
-  return numbers;
-}
-
-/// Whether a file is a whole checkpoint of this version; why not, if it is not.
-std::string fault_of(const fs::path& path, Checkpoint& found) {
-  std::string fault = broken_seal(path);
-  if (!fault.empty()) return fault;
-  try {
-    const Hdf5File file(path, Hdf5File::Mode::read);
-    const int version = static_cast<int>(file.read("run/version").values.at(0));
-    if (version != checkpoint_version)
-      return "it has version " + std::to_string(version) + ", this program reads " +
-             std::to_string(checkpoint_version);
-    found.deck_text = file.read_text("deck");
-    found.numbers = read_numbers(file, "run");
-    found.output = read_numbers(file, "output");
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  found.file = path;
-  return {};
-}
-
-Checkpoint find_on_root(const fs::path& folder) {
-  Checkpoint found;
-  std::string faults;
-  for (const char* name : {checkpoint_name, previous_checkpoint_name}) {
-    const fs::path path = folder / name;
-    if (!fs::exists(path)) continue;
-    const std::string fault = fault_of(path, found);
-    if (fault.empty()) return found;
-    faults += (faults.empty() ? "" : "; ") + std::string(name) + ": " + fault;
-    found.notes.push_back(std::string(name) + " is passed over: " + fault + ".");
-  }
-  throw FileError(
-      "cannot resume from '" + folder.string() + "' (" +
-      (faults.empty() ? "it holds no checkpoint.h5" : faults) +
-      "); name the folder of a run, or start it again with barreno run."
-  );
-}
-
-RunNumbers share(const Comm& comm, const RunNumbers& mine) {
-  std::ostringstream names;
-  std::vector<double> values;
-  for (const auto& [name, numbers] : mine) {
-    names << name << '\n' << numbers.size() << '\n';
-    values.insert(values.end(), numbers.begin(), numbers.end());
-  }
-  std::istringstream shared(broadcast_from_root(comm, names.str()));
-  RunNumbers all;
-  std::size_t total = 0;
-  std::vector<std::pair<std::string, std::size_t>> entries;
-  std::string name;
-  while (std::getline(shared, name)) {
-    std::string size;
-    std::getline(shared, size);
-    entries.emplace_back(name, std::stoul(size));
-    total += entries.back().second;
-  }
-  values.resize(total);
-  if (total > 0) Teuchos::broadcast<int, double>(comm, 0, static_cast<int>(total), values.data());
-  auto next = values.begin();
-  for (const auto& [entry, size] : entries) {
-    all[entry].assign(next, next + static_cast<std::ptrdiff_t>(size));
-    next += static_cast<std::ptrdiff_t>(size);
-  }
-  return all;
-}
-
-std::string trimmed(const std::string& line) {
-  const std::size_t begin = line.find_first_not_of(' ');
-  return begin == std::string::npos ? "an empty line" : line.substr(begin);
-}
-
-/// End times may differ, and the name that a comment gives the deck.
-bool may_differ(const std::string& a, const std::string& b) {
-  for (const char* mark : {"<!-- ", "name=\"End Time\""})
-    if (a.find(mark) != std::string::npos && b.find(mark) != std::string::npos) return true;
-  return false;
-}
-
 }  // namespace
-
-Checkpoint find_checkpoint(const Comm& comm, const fs::path& folder) {
-  Checkpoint found;
-  RootWork work(comm);
-  work.run([&] { found = find_on_root(folder); });
-  work.agree();
-  found.file = broadcast_from_root(comm, found.file.string());
-  found.deck_text = broadcast_from_root(comm, found.deck_text);
-  found.numbers = share(comm, found.numbers);
-  found.output = share(comm, found.output);
-  return found;
-}
 
 void read_checkpoint(const Checkpoint& checkpoint, State& state) {
   const Region region("read_checkpoint");
   const Comm& comm = *state.grid.comm;
-  const SharedFile file(comm, checkpoint.file);
+  const SharedFile file(comm, checkpoint.open);
   const auto wrote = static_cast<int>(checkpoint.numbers.at("ranks").at(0));
   const bool same_ranks = wrote == comm.getSize();
   read_sums(file, state);
@@ -248,20 +146,6 @@ void read_checkpoint(const Checkpoint& checkpoint, State& state) {
     value = static_cast<std::decay_t<decltype(value)>>(checkpoint.numbers.at(name).at(0));
   });
   state.cavities = checkpoint.numbers.at("cavities");
-}
-
-std::string deck_difference(const std::string& kept, const std::string& found) {
-  std::istringstream one(kept), other(found);
-  std::string a, b;
-  for (int line = 1;; ++line) {
-    const bool more = static_cast<bool>(std::getline(one, a));
-    const bool other_more = static_cast<bool>(std::getline(other, b));
-    if (!more && !other_more) return {};
-    if (!more) a = "nothing";
-    if (!other_more) b = "nothing";
-    if (a == b || may_differ(a, b)) continue;
-    return "line " + std::to_string(line) + ": " + trimmed(a) + " against " + trimmed(b);
-  }
 }
 
 }  // namespace barreno

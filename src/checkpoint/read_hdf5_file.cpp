@@ -3,6 +3,7 @@
 #include "checkpoint/hdf5_handle.hpp"
 
 #include <algorithm>
+#include <sys/stat.h>
 #include <type_traits>
 
 namespace barreno {
@@ -27,9 +28,22 @@ long long Hdf5File::open_table(const std::string& name, std::size_t& rows, std::
     H5Dclose(table);
     refuse(name + " is no table");
   }
+  // What a table claims is believed only as far as its file has bytes: memory is taken for it.
+  hsize_t bytes = 0;
+  H5Fget_filesize(file_, &bytes);
+  if (size[1] != 0 && size[0] > bytes / size[1]) {
+    H5Dclose(table);
+    refuse(name + " is larger than the file");
+  }
   rows = size[0];
   columns = size[1];
   return table;
+}
+
+void Hdf5File::refuse_other_class(long long table, int wanted, const std::string& name) const {
+  const Hdf5Handle type(H5Dget_type(table), H5Tclose);
+  if (H5Tget_class(type.get()) != wanted)
+    refuse(name + (wanted == H5T_FLOAT ? " holds no numbers" : " holds no whole numbers"));
 }
 
 /// Rows [first, first + count) of an open table.
@@ -63,6 +77,7 @@ std::vector<T> Hdf5File::read_rows(const std::string& name, std::size_t first, s
   const long long type = std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LLONG;
   Hdf5Size size;
   const Hdf5Handle table(open_table(name, size.rows, size.columns), H5Dclose);
+  refuse_other_class(table.get(), std::is_same_v<T, double> ? H5T_FLOAT : H5T_INTEGER, name);
   std::vector<T> values(count * size.columns);
   if (!values.empty()) read_part(table.get(), type, first, count, values.data(), name);
   return values;
@@ -85,6 +100,7 @@ Hdf5Table<long long> Hdf5File::read_integers(const std::string& name) const {
 std::string Hdf5File::read_text(const std::string& name) const {
   Hdf5Size size;
   const Hdf5Handle table(open_table(name, size.rows, size.columns), H5Dclose);
+  refuse_other_class(table.get(), H5T_INTEGER, name);
   std::string text(size.rows * size.columns, ' ');
   if (!text.empty()) read_part(table.get(), H5T_NATIVE_CHAR, 0, size.rows, text.data(), name);
   return text;
@@ -110,6 +126,15 @@ std::vector<std::string> Hdf5File::names(const std::string& group) const {
 
 bool Hdf5File::has(const std::string& name) const {
   return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool Hdf5File::is(int file) const {
+  void* mine = nullptr;
+  struct stat a {
+  }, b{};
+  return H5Fget_vfd_handle(file_, H5P_DEFAULT, &mine) >= 0 && mine != nullptr &&
+         fstat(*static_cast<int*>(mine), &a) == 0 && fstat(file, &b) == 0 && a.st_dev == b.st_dev &&
+         a.st_ino == b.st_ino;
 }
 
 }  // namespace barreno

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <libdeflate.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -21,22 +21,34 @@ namespace {
 using Block = std::array<char, user_block>;
 
 /// The user block that belongs to the bytes behind it.
-Block seal_of(std::ifstream& stream) {
+Block seal_of(int file) {
   std::vector<char> buffer(1 << 20);
   std::uint32_t digest = libdeflate_crc32(0, nullptr, 0);
   unsigned long long bytes = 0;
-  stream.seekg(static_cast<std::streamoff>(user_block));
-  while (stream) {
-    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    const auto count = static_cast<std::size_t>(stream.gcount());
-    digest = libdeflate_crc32(digest, buffer.data(), count);
-    bytes += count;
+  for (;;) {
+    const auto place = static_cast<off_t>(user_block + bytes);
+    const ssize_t count = pread(file, buffer.data(), buffer.size(), place);
+    if (count <= 0) break;  // a file that cannot be read to its end does not have its digest
+    digest = libdeflate_crc32(digest, buffer.data(), static_cast<std::size_t>(count));
+    bytes += static_cast<unsigned long long>(count);
   }
   Block block{};
   std::snprintf(
       block.data(), block.size(), "barreno checkpoint\nbytes %llu\ncrc32 %08x\n", bytes, digest
   );
   return block;
+}
+
+std::string broken_seal(int file) {
+  if (file < 0) return std::string("it cannot be opened: ") + std::strerror(errno);
+  struct stat found {};
+  if (fstat(file, &found) != 0 || !S_ISREG(found.st_mode)) return "it is no regular file";
+  Block block{};
+  if (pread(file, block.data(), block.size(), 0) != static_cast<ssize_t>(block.size()))
+    return "it is cut off";
+  if (std::strncmp(block.data(), "barreno checkpoint\n", 19) != 0)
+    return "it is no checkpoint of this program";
+  return seal_of(file) == block ? std::string() : "its bytes are not those that were written";
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path) {
@@ -49,10 +61,9 @@ Block seal_of(std::ifstream& stream) {
 }  // namespace
 
 void seal_checkpoint(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const Block block = seal_of(stream);
-  const int file = open(path.c_str(), O_WRONLY);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  const int file = open(path.c_str(), O_RDWR);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (file < 0) refuse(path);
+  const Block block = seal_of(file);
   const bool fine =
       pwrite(file, block.data(), block.size(), 0) == static_cast<ssize_t>(block.size()) &&
       fsync(file) == 0;
@@ -62,15 +73,13 @@ void seal_checkpoint(const std::filesystem::path& path) {
   if (!fine) refuse(path);
 }
 
-std::string broken_seal(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return "it cannot be opened";
-  Block found{};
-  stream.read(found.data(), static_cast<std::streamsize>(found.size()));
-  if (!stream) return "it is cut off";
-  if (std::strncmp(found.data(), "barreno checkpoint\n", 19) != 0)
-    return "it is no checkpoint of this program";
-  return seal_of(stream) == found ? std::string() : "its bytes are not those that were written";
+// A pipe of that name is not waited for.
+SealedFile::SealedFile(const std::filesystem::path& path)
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
+    : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)), fault_(broken_seal(file_)) {}
+
+SealedFile::~SealedFile() {
+  if (file_ >= 0) close(file_);
 }
 
 void sync_folder(const std::filesystem::path& folder) {

@@ -10,8 +10,22 @@ namespace barreno {
 /// disk (fsync). @throws FileError
 void seal_checkpoint(const std::filesystem::path& path);
 
-/// What is wrong with a sealed file: empty if its length and its digest are those of the seal.
-std::string broken_seal(const std::filesystem::path& path);
+/// A file whose length and digest were compared with its seal, held open: who reads it later can
+/// see to it that it is this file and none that has taken its name since.
+class SealedFile {
+public:
+  explicit SealedFile(const std::filesystem::path& path);
+  ~SealedFile();
+  SealedFile(const SealedFile&) = delete;
+  SealedFile& operator=(const SealedFile&) = delete;
+  /// What is wrong with it; empty if the seal is right.
+  const std::string& fault() const { return fault_; }
+  int handle() const { return file_; }  ///< of the system
+
+private:
+  int file_;
+  std::string fault_;
+};
 
 /// Brings the names in a folder to the disk.
 void sync_folder(const std::filesystem::path& folder);

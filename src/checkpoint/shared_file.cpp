@@ -5,12 +5,6 @@
 
 namespace barreno {
 
-SharedFile::SharedFile(const Comm& comm, const std::filesystem::path& path) : comm_(comm) {
-  RootWork work(comm);
-  work.run([&] { file_ = std::make_unique<Hdf5File>(path, Hdf5File::Mode::read); });
-  work.agree();
-}
-
 Hdf5Size SharedFile::size_of(const std::string& name) const {
   Hdf5Size found;
   RootWork work(comm_);

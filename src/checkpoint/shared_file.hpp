@@ -5,9 +5,9 @@
 #include "checkpoint/hdf5_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace barreno {
@@ -16,7 +16,9 @@ namespace barreno {
 /// every rank
 class SharedFile {
 public:
-  SharedFile(const Comm& comm, const std::filesystem::path& path);
+  /// @param file  open, on rank 0
+  SharedFile(const Comm& comm, std::shared_ptr<const Hdf5File> file)
+      : comm_(comm), file_(std::move(file)) {}
 
   /// A whole table, of double or long long.
   template <class T>
@@ -43,7 +45,7 @@ private:
   std::vector<T> read_rows(const std::string& name, const Hdf5Size& part, std::size_t first) const;
 
   const Comm& comm_;
-  std::unique_ptr<Hdf5File> file_;  ///< root only
+  std::shared_ptr<const Hdf5File> file_;  ///< root only
 };
 
 }  // namespace barreno

@@ -8,6 +8,7 @@
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_rows.hpp"
 #include "state/balance.hpp"
+#include "step/place_particles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +57,11 @@ void pack_rows(const Field& field, std::size_t first, std::size_t count, double*
 
 /// One material: ids, bodies and every field of the one list, with its unit.
 void write_particles(
-    const Comm& comm, const Particles& particles, RootWork& work, std::unique_ptr<Hdf5File>& file
+    const Comm& comm,
+    const Grid& grid,
+    const Particles& particles,
+    RootWork& work,
+    std::unique_ptr<Hdf5File>& file
 ) {
   const std::string group = particle_group(particles);
   const std::vector<std::size_t> first = first_rows(comm, particles.count);
@@ -69,6 +74,10 @@ void write_particles(
   });
   put(SharedTable<long long>{group + "id", "", 1, whole_numbers(particles.id)});
   put(SharedTable<long long>{group + "body", "", 1, whole_numbers(particles.body)});
+  const auto cause = [&](std::size_t p) {
+    return removal_cause(grid, particles, static_cast<int>(p));
+  };
+  put(SharedTable<long long>{group + "removal", "", 1, whole_numbers(cause)});
   particles.for_each_field([&](const Field& field) {
     if (field.components == 0) return;
     put(SharedTable<double>{
@@ -186,7 +195,10 @@ void close_aside(int file) {
   }
 }
 
-void keep_previous(const fs::path& folder, const fs::path& aside) {
+}  // namespace
+
+void name_checkpoint(const fs::path& folder) {
+  const fs::path aside = folder / checkpoint_aside_name;
   const fs::path previous = folder / previous_checkpoint_name;
   const int replaced =
       open(previous.c_str(), O_RDONLY);  // NOLINT(cppcoreguidelines-pro-type-vararg)
@@ -202,8 +214,6 @@ void keep_previous(const fs::path& folder, const fs::path& aside) {
     );
 }
 
-}  // namespace
-
 void write_checkpoint(
     const fs::path& folder,
     const std::string& deck_text,
@@ -212,7 +222,7 @@ void write_checkpoint(
 ) {
   const Region region("write_checkpoint");
   const Comm& comm = *state.grid.comm;
-  const fs::path aside = folder / (std::string(checkpoint_name) + ".tmp");
+  const fs::path aside = folder / checkpoint_aside_name;
   const double bytes = estimate(state);
   RootWork work(comm);
   std::unique_ptr<Hdf5File> file;
@@ -230,12 +240,13 @@ void write_checkpoint(
     );
   });
   write_sums(comm, state, work, file);
-  for (const Particles& particles : state.particles) write_particles(comm, particles, work, file);
+  for (const Particles& particles : state.particles)
+    write_particles(comm, state.grid, particles, work, file);
   work.run([&] {
     file->close();
     read_back(aside);
     seal_checkpoint(aside);
-    keep_previous(folder, aside);
+    name_checkpoint(folder);
   });
   file.reset();
   try {

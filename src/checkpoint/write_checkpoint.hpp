@@ -9,8 +9,9 @@
 
 namespace barreno {
 
-inline constexpr int checkpoint_version = 3;
+inline constexpr int checkpoint_version = 4;
 inline constexpr const char* checkpoint_name = "checkpoint.h5";
+inline constexpr const char* checkpoint_aside_name = "checkpoint.h5.tmp";
 inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5";
 
 /// Writes the state to `folder`/checkpoint.h5, the one before becomes checkpoint_previous.h5. The
@@ -29,5 +30,9 @@ void write_checkpoint(
     const RunNumbers& output,
     const State& state
 );
+
+/// Gives a sealed checkpoint.h5.tmp its name; what had that name becomes checkpoint_previous.h5.
+/// Root only. @throws FileError
+void name_checkpoint(const std::filesystem::path& folder);
 
 }  // namespace barreno

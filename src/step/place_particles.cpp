@@ -48,6 +48,13 @@ int removal_cause(const Grid& grid, const Particles& particles, int p) {
   return -1;
 }
 
+Fault fault_of_cause(int cause) {
+  if (cause == static_cast<int>(RemovalCause::material_failure)) return Fault::failed;
+  if (cause == static_cast<int>(RemovalCause::expanded)) return Fault::expanded;
+  if (cause == static_cast<int>(RemovalCause::inverted)) return Fault::inverted;
+  return Fault::none;
+}
+
 namespace {
 
 void remove_lost(const Grid& grid, Particles& particles, OwnLedger& ledger) {

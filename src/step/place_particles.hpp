@@ -19,6 +19,10 @@ struct Placement {
 /// Why row p is to be taken out, a RemovalCause; -1: it stays.
 int removal_cause(const Grid& grid, const Particles& particles, int p);
 
+/// The fault of a particle that is to be taken out for this cause; none for causes that its place
+/// and velocity tell.
+Fault fault_of_cause(int cause);
+
 /// Find every particle's cell. Particles outside the grid, not finite or given up by their material
 /// are taken out and tallied by cause.
 Placement locate_particles(const Scene& scene, State& state);

@@ -172,7 +172,7 @@ TEST_F(CheckpointTest, RefusesAnotherVersionAndAnEmptyFolder) {
     other.write("run/version", {1, 1, {checkpoint_version + 1.0}}, "");
     other.close();
     seal_checkpoint(file);
-    EXPECT_EQ(broken_seal(file), "");
+    EXPECT_EQ(SealedFile(file).fault(), "");
   }
   comm.barrier();
   try {
