@@ -61,9 +61,9 @@ PINS = {
         "energy": 0.0794,
     },
     "0.5 mm": {
-        "depth": [(20, 85.33, 5e-3), (50, 181.02, 5e-3), (90, 268.20, 2e-2), (END, 317.05, 2e-2)],
-        "hole": [],
-        "energy": None,
+        "depth": [(20, 85.33, 5e-3), (50, 181.02, 5e-3), (90, 268.20, 2e-2), (END, 317.85, 2e-2)],
+        "hole": [(20, 5.308, 1e-2), (50, 5.328, 3e-2), (END, 5.283, 0.15)],
+        "energy": 0.0393,
     },
 }
 
@@ -77,7 +77,5 @@ def pinned(run, name):
             words = f"radius of the hole at {when}" if quantity == "hole" else f"depth at {when}"
             found = 1e3 * measure(run, end if when == END else when * 1e-6)
             yield f"{name}: {words}{'' if when == END else ' us'} over {value} mm, less 1", found / value - 1.0, tolerance
-    if pins["energy"] is None:
-        return
     words = f"{name}: energy that stress_integration and transfer took, over {pins['energy']:.2%} of what was put in, less 1"
     yield words, between_particles_and_grid(run) / pins["energy"] - 1.0, 3e-2
