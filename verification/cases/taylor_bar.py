@@ -3,18 +3,24 @@
 from case import Result
 from runs import run_deck
 
-LENGTH, RADIUS = 21.4, 7.1
+LENGTHS, RADII = (21.2, 21.5), (7.0, 7.3)  # of published codes [mm]
+
+
+def outside(value, between):
+    """How far a value is outside of a range."""
+    return max(between[0] - value, value - between[1], 0.0)
 
 
 def run(barreno, full):
     result = Result(
         "Taylor bar",
         "Large plastic strain in axisymmetry against other codes (a cross-check, not an exact answer).",
-        f"published codes: length {LENGTH} mm, foot radius {RADIUS} mm at 80 us.",
-        ["cell [mm]", "particles per cell and direction", "length [mm]", "length / published", "foot radius [mm]", "radius / published", "ledger remainder"],
+        "published codes: length {} to {} mm, foot radius {} to {} mm at 80 us.".format(*LENGTHS, *RADII),
+        ["cell [mm]", "particles per cell and direction", "length [mm]", "length outside of the published ones by [mm]", "foot radius [mm]",
+         "foot radius outside of the published ones by [mm]", "ledger remainder"],
         [],
-    )
-    levels = [(0.8, 1), (0.4, 1), (0.2, 1), (0.4, 2)] if full else [(0.4, 1)]
+    )  # fmt: skip
+    levels = [(0.8, 1), (0.4, 1), (0.2, 1), (0.4, 2), (0.2, 2)] if full else [(0.4, 1), (0.4, 2)]
     for h, per_cell in levels:
         settings = {
             "Grid/Cell Size": f"{h} mm",
@@ -26,14 +32,16 @@ def run(barreno, full):
         length = corners[..., 1].max() - corners[..., 1].min()
         radius = corners[..., 0].max()
         remainder = finished.summary["balances"]["energy"]["error"]
-        result.rows.append([h, per_cell, length, length / LENGTH, radius, radius / RADIUS, remainder])
-    # The foot's edge is a particle's corner: its radius needs the finer cells.
-    finest = 0.2 if full else 0.4
-    at = next(row for row in result.rows if row[:2] == [finest, 1])
-    result.demand(f"length against the published one, {finest} mm", abs(at[3] - 1.0), 0.015)
-    result.demand(f"foot radius against the published one, {finest} mm", abs(at[5] - 1.0), 0.015 if full else 0.03)
+        beyond = outside(length, LENGTHS), outside(radius, RADII)
+        result.rows.append([h, per_cell, length, beyond[0], radius, beyond[1], remainder])
+        at = f"{h} mm, {per_cell} per cell"
+        result.demand(f"length outside of the published ones [mm], {at}", beyond[0], 0.0)
+        result.demand(f"foot radius outside of the published ones [mm], {at}", beyond[1], 0.0)
     result.notes = (
-        "One and two particles per cell agree. Nodes beyond the wall are mirrored: held instead, they make a foot that is too "
-        "small with two particles per cell, which looks like volumetric locking and is mass held beyond the wall."
+        "The length comes into the published range from above: cells of 0.2 mm with two particles per cell and direction reach it. What keeps "
+        "coarser cells above it is the artificial viscosity, which takes heat where the foot flows: without it cells of 0.4 mm with "
+        "two particles give 21.49 mm and 7.15 mm. With one particle per cell 0.02 to 0.05 mm of the length are corners beyond the "
+        "wall. While nodes beyond the wall were held instead of mirrored, two particles per cell gave a foot of 5.69 mm: what had "
+        "looked like volumetric locking was mass held beyond the wall."
     )
     return result
