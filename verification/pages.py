@@ -17,7 +17,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE), str(HERE / "performance")]
+sys.path[:0] = [str(HERE / "tools"), str(HERE), str(HERE / "performance"), str(HERE / "fits")]
 
 import case_pictures  # noqa: E402
 import page_parts  # noqa: E402
@@ -27,13 +27,13 @@ MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.D
 FIGURE = re.compile(r"\d[\d.,e+-]*(?: (?:to|and|or) \d[\d.,e+-]*)* ?(?:%|(?:[nmu]?s|min|minutes?|seconds?|hours?|[KMG]B|[KMG]B/s|times)\b)")
 CODE = re.compile(r"`[^`\n]*`|^ {4}.*$", re.MULTILINE)
 WRITTEN = ("README.md", "input_xml/README.md", "docs/architecture.md", "docs/checkpoints.md", "docs/development.md", "docs/drive.md",
-           "docs/extending.md", "docs/finite_elements.md", "docs/method.md", "docs/output.md", "docs/performance.md")  # fmt: skip
+           "docs/extending.md", "docs/finite_elements.md", "docs/materials/arenisca.md", "docs/materials/poroelastic.md", "docs/method.md", "docs/output.md", "docs/performance.md")  # fmt: skip
 SETTINGS = {
     "docs/checkpoints.md": ("1 MB",),  # of a chunk
     "docs/finite_elements.md": ("2 %",),  # of strain, in the example
     "docs/performance.md": ("1 MB",),
 }
-PAGES_WITH_PARTS = ["README.md", "input_xml/README.md", *sorted(f"docs/{file.name}" for file in (ROOT / "docs").glob("*.md"))]
+PAGES_WITH_PARTS = ["README.md", "input_xml/README.md", *sorted(str(file.relative_to(ROOT)) for folder in ("docs", "docs/materials") for file in (ROOT / folder).glob("*.md"))]
 
 
 def with_parts(text):

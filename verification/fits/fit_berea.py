@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fits materials/cards/berea_sandstone.xml to published data of Berea sandstone.
 
-Prints the misfit table and the parameters; with a file name as argument writes a picture of the fit.
+    fit_berea.py [PICTURE] [--document]
+
+Prints the misfit table and the parameters; with a file name as argument writes a picture of the fit, with --document
+verification/results/berea_fit.json, from which docs/materials/berea_fit.md has its table.
 
 Every datum says where it comes from and how sure it is:
   looked up   the number was read in a stored copy of the source, or of a text that quotes it
@@ -12,14 +15,23 @@ Every datum says where it comes from and how sure it is:
 Tension positive, I1 = tr(sigma), pressures in MPa and moduli in GPa as in the sources.
 """
 
+import json
+import pathlib
 import sys
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import least_squares
 
+VERIFICATION = pathlib.Path(__file__).resolve().parents[1]
+STORED = VERIFICATION / "results" / "berea_fit.json"
 POROSITY = 0.20  # between the 19 % and 21 % of the blocks below
 GRAIN_DENSITY = 2650.0  # quartz [kg/m3]
+
+
+def least_squares(*arguments, **settings):
+    from scipy.optimize import least_squares as solve  # only a fit needs it, not a page of the stored one
+
+    return solve(*arguments, **settings)
 
 
 class Datum(NamedTuple):
@@ -171,13 +183,17 @@ def fit_strength(crush):
     return fit.x, strength_rows(fit.x, crush)
 
 
-def print_rows(rows):
-    squares = []
-    for label, d, value in rows:
-        misfit = value / d.value - 1
-        squares.append((np.log(value / d.value) / d.sigma) ** 2)
-        print(f"| {label} | {d.value:.4g} | {value:.4g} | {100 * misfit:+.0f} % | {100 * d.sigma:.0f} % | {d.source} |")
-    return squares
+def table_of(rows):
+    """Lines of a page from rows of label, datum, model, uncertainty, source."""
+    lines = ["| quantity | data | model | misfit | uncertainty | source |", "|---|---|---|---|---|---|"]
+    for label, data, value, sigma, source in rows:
+        lines.append(f"| {label} | {data:.4g} | {value:.4g} | {100 * (value / data - 1):+.0f} % | {100 * sigma:.0f} % | {source} |")
+    squares = [(np.log(value / data) / sigma) ** 2 for _, data, value, sigma, _ in rows]
+    return [*lines, "", f"Root mean square of misfit over uncertainty: {np.sqrt(np.mean(squares)):.2f} ({len(squares)} data)"]
+
+
+def stored_part():
+    return table_of(json.loads(STORED.read_text()))
 
 
 def draw(name, v, crush):
@@ -198,9 +214,8 @@ def main():
     (B0, B1, B2), (G1, G2), moduli = fit_moduli()
     p3, crush, p1, crushing = fit_crushing()
     v, strength = fit_strength(crush)
-    print("| quantity | data | model | misfit | uncertainty | source |\n|---|---|---|---|---|---|")
-    squares = print_rows(moduli) + print_rows(crushing) + print_rows(strength)
-    print(f"\nroot mean square of misfit over uncertainty: {np.sqrt(np.mean(squares)):.2f} ({len(squares)} data)\n")
+    rows = [(label, d.value, float(value), d.sigma, d.source) for label, d, value in [*moduli, *crushing, *strength]]
+    print("\n".join(table_of(rows)) + "\n")
     G0 = 1.5 * B0 * (1 - 2 * G1) / (1 + G1)
     for name, value in [
         ("Density", GRAIN_DENSITY * (1 - POROSITY)), ("PEAKI1", v[0] * 1e6), ("FSLOPE", v[1]),
@@ -209,8 +224,15 @@ def main():
         ("p1_crush_curve", p1 * 1e-6), ("p3_crush_curve", p3),
     ]:
         print(f"{name:16s} {value:.6g}")
-    if len(sys.argv) > 1:
-        draw(sys.argv[1], v, crush)
+    pictures = [name for name in sys.argv[1:] if name != "--document"]
+    if pictures:
+        draw(pictures[0], v, crush)
+    if "--document" in sys.argv[1:]:
+        sys.path[:0] = [str(VERIFICATION)]
+        from pages import write_pages  # it asks this file for its part
+
+        STORED.write_text(json.dumps(rows, indent=1) + "\n")
+        write_pages()
 
 
 if __name__ == "__main__":

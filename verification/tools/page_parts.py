@@ -5,6 +5,7 @@ import json
 import checkpoint_cost
 import deck_table
 import extremes
+import fit_berea
 import front_page
 import off_costs
 import predictions
@@ -30,6 +31,7 @@ def checkpoint_times():
 
 
 PARTS = {
+    "berea_fit": fit_berea.stored_part,
     "checkpoint_cost.py": checkpoint_cost.stored_part,
     "checkpoint_times": checkpoint_times,
     "decks": deck_table.lines,
