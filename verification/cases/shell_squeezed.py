@@ -148,9 +148,9 @@ def run(barreno, full):
         if cells == max(r[2] for r in runs if r[:2] == (fluid, ratio)):
             demand(f"{'with water' if fluid else 'drained'}, K/G = {ratio:.3g}, {cells} cells", fluid, cells, m, result)
     result.notes = (
-        "What the pressure misses in loading is inertia: where all of the shell flows, the pressure hardly rises with the strain, and a "
-        "ramp of T to a strain e takes M 6 e / T^2, M = 0.8 kg/m (`shell_motion.py`'s equation of motion): rms 4 MPa or 1.1 % of "
-        "Pmax for T = 200 us. It falls with the square of T."
+        "What the pressure misses in loading is inertia: where all of the shell flows, the pressure hardly rises with the "
+        "strain, and a ramp of T to a strain e takes M 6 e / T^2, M = 0.8 kg/m (`shell_motion.py`'s equation of motion). It "
+        "falls with the square of T."
     )
     return result
 

@@ -85,10 +85,9 @@ def run(barreno, full):
         for what, error in errors.items():
             result.demand(f"{what}, {h} mm", abs(error), 0.005 if what == "shock speed" else 0.01)
     result.notes = (
-        "The plateau's heat has two errors of opposite sign. One falls with the cells: with Courant Fraction 0.1 the energy is 1.3 % too "
-        "large at 1 mm and 0.04 % too small at 0.25 mm. The other does not, since a front is as many cells and steps wide on any grid: "
-        "stress_integration takes 0.8 % of the heat at 0.25 mm and transfer 0.5 %; that falls with the step, 1.3, 0.4 and 0.2 % in "
-        "all with Courant Fractions of 0.8, 0.2 and 0.1. With 1 mm the two cancel. 280 K of the temperature are heat, the rest the "
-        "isentrope's: 1 % of the energy is 1.9 % of the temperature."
+        "The plateau's heat has two errors of opposite sign. One falls with the cells and makes it too large. The other does "
+        "not, since a front is as many cells and steps wide on any grid: what stress_integration and transfer take falls with "
+        "the step, not with the cells. At 1 mm the two cancel. Most of the temperature's rise is the isentrope's, so that an "
+        "error of the energy is about twice as large in the temperature."
     )
     return result

@@ -214,19 +214,14 @@ def run(barreno, full):
             check_impacts(barreno, shape, cells, result)
         check_disks(barreno, shape, result)
     result.notes = (
-        "A body that spins wants APIC with modified stress last (`Step/Transfer`, `Step/Order`). FLIP does not keep angular momentum: particles "
-        "move with velocities that the grid has smoothed, a body of few cells loses its spin and comes to rest, the less the finer the cells. "
-        "APIC keeps angular momentum, that of what particles remember of the velocities around them included. Over 1e4 rad it is a block of 4 "
-        "by 4 cells that turns (cubic splines: angular momentum 0.5 % more, energy never above that at the start and 1.9 % less at the end, while "
-        "the body's moment of inertia creeps by 2.5 %: positions and F part slowly). With quadratic splines a corner particle leaves the "
-        "block after some 7500 rad, with GIMP the moment of inertia has grown by 7.6 % after 4000 rad; the bar of 2 by 10 cells comes apart after 1000 to "
-        "6500 rad. "
-        "Energy is taken at one level of time: velocities belong to the middle of the step before a row of history.csv and stresses to the row, so that their "
-        "sum at a row is above the energy by half a step's work while stress builds up. That, not the shape functions, was a "
-        "gain of the first instants of 1.3e-3 (CPDI) to 4.4e-3 (cubic splines) with FLIP, where the grid's first velocities are not quite a rotation at "
-        "the edges; it was the same with a tenth of the spin and fell with the step. Bodies "
-        "share one velocity field: bars that touch in a common node press each other as they should, but are one bar afterwards "
-        "and do not part (the exact ratio is 1), while disks that approach from afar rebound and lose some energy between "
-        "particles and grid."
+        "A body that spins wants APIC with modified stress last (`Step/Transfer`, `Step/Order`). FLIP does not keep angular "
+        "momentum: particles move with velocities that the grid has smoothed, a body of few cells loses its spin and comes to "
+        "rest, the less the finer the cells. APIC keeps angular momentum, that of what particles remember of the velocities "
+        "around them included. Over very many turns the body's moment of inertia creeps, as positions and F part slowly, and "
+        "in the end a corner particle may leave it. Energy is taken at one level of time: velocities belong to the middle of "
+        "the step before a row of history.csv and stresses to the row, so that their sum at a row is above the energy by half "
+        "a step's work while stress builds up, which is no gain. Bodies share one velocity field: bars that touch in a common "
+        "node press each other as they should, but are one bar afterwards and do not part (the exact ratio is 1), while disks "
+        "that approach from afar rebound and lose some energy between particles and grid."
     )
     return result

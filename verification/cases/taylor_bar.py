@@ -38,10 +38,10 @@ def run(barreno, full):
         result.demand(f"length outside of the published ones [mm], {at}", beyond[0], 0.0)
         result.demand(f"foot radius outside of the published ones [mm], {at}", beyond[1], 0.0)
     result.notes = (
-        "The length comes into the published range from above: cells of 0.2 mm with two particles per cell and direction reach it. What keeps "
-        "coarser cells above it is the artificial viscosity, which takes heat where the foot flows: without it cells of 0.4 mm with "
-        "two particles give 21.49 mm and 7.15 mm. With one particle per cell 0.02 to 0.05 mm of the length are corners beyond the "
-        "wall. While nodes beyond the wall were held instead of mirrored, two particles per cell gave a foot of 5.69 mm: what had "
-        "looked like volumetric locking was mass held beyond the wall."
+        "The length comes into the published range from above: cells of 0.2 mm with two particles per cell and direction "
+        "reach it. What keeps coarser cells above it is the artificial viscosity, which takes heat where the foot flows; "
+        "without it they reach it too. With one particle per cell a part of the length are corners beyond the wall. Nodes "
+        "beyond the wall are mirrored: held instead, they make a foot that is too small with two particles per cell, which "
+        "looks like volumetric locking and is mass held beyond the wall."
     )
     return result
