@@ -6,6 +6,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 VERIFICATION = pathlib.Path(__file__).resolve().parents[2] / "verification"
 sys.path[:0] = [str(VERIFICATION / "tools"), str(VERIFICATION)]
@@ -13,6 +14,7 @@ sys.path[:0] = [str(VERIFICATION / "tools"), str(VERIFICATION)]
 from case import Result  # noqa: E402
 from demands import FAILS, HOLDS, OPEN, Open, judge, judge_all, open_demands, read_open  # noqa: E402
 from extreme import RED, Table  # noqa: E402
+import verify  # noqa: E402
 
 KNOWN = Open("a reason", 0.05)
 LEAST = Open("a reason", 1.2)
@@ -91,6 +93,20 @@ class Declaration(unittest.TestCase):
             self.assertEqual(open_demands(case, form == "full"), known)
             file = VERIFICATION / "extreme_rows" / f"{case.split('/')[1]}.py" if case.startswith("extremes/") else VERIFICATION / "cases" / f"{case}.py"
             self.assertTrue(case == "trade" or file.exists(), case)
+
+
+class Verdict(unittest.TestCase):
+    def failures(self, value):
+        result = Result("", "", "", [], [])
+        result.demand("a", value, 0.02)
+        with unittest.mock.patch.object(verify, "open_demands", lambda name, full: {"a": KNOWN}):
+            return verify.failures("case", result.checks, True)
+
+    def test_what_ends_a_case_with_1(self):
+        self.assertEqual(self.failures(0.04), [])
+        for value in (*NO_NUMBERS, 0.06, 0.01):
+            self.assertEqual(len(self.failures(value)), 1, value)
+        self.assertEqual(verify.failures("bar_wave", [], True), ["nothing was demanded"])
 
 
 class Extremes(unittest.TestCase):
