@@ -39,7 +39,9 @@ int received_signal() {
 
 std::string signal_name(int signal) {
   const char* const name = sigabbrev_np(signal);
-  return name == nullptr ? "signal " + std::to_string(signal) : std::string("SIG") + name;
+  if (name == nullptr) return "signal " + std::to_string(signal);
+  // The launcher passes every signal on as this one.
+  return signal == SIGUSR1 ? "a signal (SIGUSR1)" : std::string("SIG") + name;
 }
 
 }  // namespace barreno

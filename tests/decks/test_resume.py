@@ -60,7 +60,7 @@ def check_warnings(barreno, folder, plain):
         found = interrupted(barreno, 1, run, 12, kind)
         assert found == 128 + kind, f"{name}: exit {found}"
         assert f"Next: ./barreno resume '{run}'" in (run / "run.log").read_text(), name
-        assert json.loads((run / "summary.json").read_text())["reason"].startswith(f"The run was interrupted by {signal.Signals(kind).name}"), name
+        assert signal.Signals(kind).name in json.loads((run / "summary.json").read_text())["reason"], name
         assert lines_of(run / "history.csv") < lines_of(plain / "history.csv")
         resumed(barreno, 1, run)
         assert not different_fields(plain, run) and not different_files(plain, run), name
