@@ -47,11 +47,12 @@ def run(barreno, full):
 
 def demand(shape, levels, errors, result):
     fine, plane = errors["3D"], errors["axisymmetric"]
-    allowed = 0.01 * 16 / levels[-1]  # of the first order: as the axisymmetric case demands at 16 cells
-    result.demand(f"{shape}: displacement error in 3D at {levels[-1]} cells", fine[-1][0], allowed)
+    allowed = 0.01 * 16 / levels[-1]  # as the axisymmetric case demands at 16 cells, by the first order
+    for what, k, least in (("displacement", 0, 1.0), ("velocity", 1, 5.0), ("stress", 2, 5.0)):
+        result.demand(f"{shape}: {what} error in 3D at {levels[-1]} cells", fine[-1][k], least * allowed)
     # Beside the front nothing but the third direction tells the modes apart.
     for k, what in enumerate(("displacement", "velocity", "stress")):
         name = f"{shape}: {what} error in 3D over that in axisymmetry at {levels[-1]} cells"
         result.demand(name, fine[-1][k] / plane[-1][k], 1.1)
     rates = order([e[0] for e in fine])
-    result.demand(f"{shape}: order of the displacement in 3D", rates[-1], 0.7, at_least=True)
+    result.demand(f"{shape}: order of the displacement in 3D", rates[-1], 0.8, at_least=True)
