@@ -23,7 +23,9 @@ void note(int signal) {
 void note_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE, SIGXCPU, SIGXFSZ}) {
     struct sigaction before {};
-    if (signal == SIGHUP && sigaction(signal, nullptr, &before) == 0 &&
+    // Who has told the system to ignore these (nohup; a file that is too large is then an error of
+    // the write, as on a full disk) means it.
+    if ((signal == SIGHUP || signal == SIGXFSZ) && sigaction(signal, nullptr, &before) == 0 &&
         before.sa_handler == SIG_IGN)
       continue;
     struct sigaction action {};

@@ -8,7 +8,7 @@ namespace barreno {
 /// From now on the signals that ask a process to end or that a system or a batch queue warns with
 /// are noted, and the run ends after its step: SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE
 /// (nobody reads the screen any more), SIGXCPU and SIGXFSZ (a limit is reached). A second SIGINT,
-/// SIGTERM or SIGHUP ends it at once. A SIGHUP that is ignored (nohup) stays ignored.
+/// SIGTERM or SIGHUP ends it at once. A SIGHUP (nohup) or SIGXFSZ that is ignored stays ignored.
 void note_signals();
 
 /// The signal that was noted, or 0.

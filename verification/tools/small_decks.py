@@ -64,7 +64,8 @@ def attempt_file(barreno, deck, settings=None, longest=60.0, folder=None, ranks=
     except subprocess.TimeoutExpired:
         return Outcome(HANGS, f"no end in {longest:g} s", None, longest)
     summary = folder / "summary.json"
-    sentence = result.stderr.strip().removeprefix("barreno: ")
+    lines = [line for line in result.stderr.splitlines() if not line.startswith("warning: ")]
+    sentence = "\n".join(lines).strip().removeprefix("barreno: ")
     if summary.exists():
         reason = json.loads(summary.read_text()).get("reason") or ""
         sentence = reason or sentence
