@@ -8,7 +8,7 @@
 namespace barreno {
 namespace {
 
-std::string text_of(double x) {
+std::string number_text(double x) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%.6g", x);
   return buffer;
@@ -17,23 +17,25 @@ std::string text_of(double x) {
 /// What is wrong with one slug, or nothing.
 std::string problem_of(const JetSlug& slug, double material_density) {
   const auto positive = [](const char* name, double value, const char* unit) {
-    return "a " + std::string(name) + " of " + text_of(value) + " " + unit +
+    return "a " + std::string(name) + " of " + number_text(value) + " " + unit +
            " (it must be above 0); correct the table";
   };
   if (slug.time < 0.0) {
-    return "a launch time of " + text_of(slug.time) + " s (the run starts at 0); shift the table";
+    return "a launch time of " + number_text(slug.time) +
+           " s (the run starts at 0); shift the table";
   }
   if (!(slug.velocity > 0.0)) return positive("velocity", slug.velocity, "m/s");
   if (slug.velocity >= speed_of_light)
-    return "a velocity of " + text_of(slug.velocity) + " m/s, which nothing reaches (light has " +
-           text_of(speed_of_light) + " m/s); look for a wrong unit in the table";
+    return "a velocity of " + number_text(slug.velocity) +
+           " m/s, which nothing reaches (light has " + number_text(speed_of_light) +
+           " m/s); look for a wrong unit in the table";
   if (!(slug.radius > 0.0)) return positive("radius", slug.radius, "m");
   if (!(slug.length > 0.0)) return positive("length", slug.length, "m");
   if (!(slug.density > 0.0)) return positive("density", slug.density, "kg/m3");
   // A thousandth allows for the digits of a table.
   if (slug.density > 1.001 * material_density) {
-    return "a density of " + text_of(slug.density) + " kg/m3 above the " +
-           text_of(material_density) +
+    return "a density of " + number_text(slug.density) + " kg/m3 above the " +
+           number_text(material_density) +
            " kg/m3 of its material (only void can be added, not mass); correct the table or the "
            "Material";
   }
@@ -75,8 +77,8 @@ std::vector<JetSlug> discrete_slugs(
       return {};
     }
     if (!slugs.empty() && slug.time < slugs.back().time) {
-      problem = "launches slug " + number + " at " + text_of(slug.time) + " s, before slug " +
-                std::to_string(slugs.size()) + " at " + text_of(slugs.back().time) +
+      problem = "launches slug " + number + " at " + number_text(slug.time) + " s, before slug " +
+                std::to_string(slugs.size()) + " at " + number_text(slugs.back().time) +
                 " s (launch times must not decrease); sort the rows by time";
       return {};
     }

@@ -177,6 +177,20 @@ TEST(JohnsonCook, InitialStateLiesOnTheIsentrope) {
   EXPECT_FALSE(model.initial_state(std::nan("")).possible);
 }
 
+// Pressure on the isentrope falls before the compression limit, and is negative there.
+TEST(JohnsonCook, ALargeGruneisenStartsWithoutPressure) {
+  auto parameters = Sample<JohnsonCook>::parameters();
+  parameters.gamma = 3.8;
+  const JohnsonCook model(parameters, 8930.0);
+  for (const double p : {0.0, 68.95e6, 50e9}) {
+    const auto state = model.initial_state(p);
+    ASSERT_TRUE(state.possible) << p;
+    EXPECT_NEAR(pressure(state.stress), p, 1e-12 * p);
+    EXPECT_LT(1.0 - state.volume_ratio, 0.5);
+  }
+  EXPECT_FALSE(model.initial_state(1e16).possible);
+}
+
 TEST(JohnsonCook, UniaxialStrainIsExactJ2) {
   const auto parameters = linear_hardening();
   const JohnsonCook model(parameters, 8930.0);

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random valid option sets over the shipped decks, straight, killed and resumed, on one to three ranks and under sanitizers.
+"""What tries to break a run (docs/adversary.md): random valid option sets over the shipped decks, straight, killed and
+resumed, on one to three ranks, by two processes and under sanitizers; odd numbers in decks; forged checkpoints.
 
-    adversary.py BUILD [--sets N] [--seed S] [--out results.json] [--jobs J] [--only SEED:NUMBER]
+    adversary.py BUILD [--sets N] [--odd-numbers N] [--forgeries N] [--seed S] [--jobs J] [--out results.json]
+    adversary.py BUILD --only SEED:NUMBER
 
 BUILD is the build folder. With --out what is found is added to what is there already: a seed goes on behind its last
 set, so that several sittings make one count. --only runs one set again and keeps its folder.
@@ -11,6 +13,7 @@ Exit code 1 if there is a finding.
 import argparse
 import concurrent.futures
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -22,103 +25,162 @@ import traceback
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
+import numpy as np  # noqa: E402
 from described import described_options  # noqa: E402
-from one_set import Finding, OptionSet, Tally, try_set  # noqa: E402
+from forged import SCENES, forgeries_of, prepared, try_forgery  # noqa: E402
+from odd_numbers import all_odd_numbers, try_number  # noqa: E402
+from one_set import DECKS, Finding, OptionSet, Tally  # noqa: E402
 from run_server import RunServer  # noqa: E402
+from try_set import try_set  # noqa: E402
 
-SHARE = {"kills": 0.2, "ranks": 0.1, "sanitized": 0.3}
+# Chances that a set is tried so; all are checked and run.
+SHARE = {"kills": 0.15, "ranks": 0.1, "two": 0.04, "group": 0.01, "sanitized": 0.3}
+# Every checkpoint is brought to the disk, which takes its time on one: in memory, where there is some.
+SCRATCH = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+EMPTY = {"sets": {}, "odd numbers": {}, "forgeries": {}, "counts": {}, "drawn": [], "decks": [], "refusals": {}, "findings": []}
 
 
 def servers_of(build, folder):
-    programs = {"plain": "verification/serve_runs", "sanitized": "verification/serve_runs_sanitized"}
-    servers = {}
+    programs = {"plain": "serve_runs", "other": "serve_runs", "sanitized": "serve_runs_sanitized"}
+    servers = {"program": build / "src" / "barreno"}
     for name, program in programs.items():
         (folder / name).mkdir(parents=True, exist_ok=True)
-        servers[name] = RunServer(build / program, folder / name)
+        servers[name] = RunServer(build / "verification" / program, folder / name)
     for ranks in (2, 3):
-        servers[ranks] = RunServer(build / programs["plain"], folder, ranks)
+        servers[ranks] = RunServer(build / "verification" / "serve_runs", folder, ranks)
     return servers
 
 
-def worker(build, table, seed, numbers, share, until):
-    """Some sets of a seed. @return what came of them, and the sets that were tried"""
-    tally, tried, refusals = Tally(), [], {}
-    with tempfile.TemporaryDirectory(prefix="adversary-") as name:
+def kind_of(refusal):
+    """A sentence without the path, the names and the numbers in it."""
+    return re.sub(r"'[^']*'|\"[^\"]*\"|[-+\d.e]*\d[-+\d.e]*", "#", refusal.partition(": ")[2].partition(": ")[2])[:160]
+
+
+def try_sets(numbers, seed, table, servers, folder, tally):
+    """Yields (number, what is tried, how it is tried)."""
+    for number in numbers:
+        one = OptionSet(seed, number, table, folder / "set")
+
+        def trial(one=one):
+            for refusal in try_set(one, servers, SHARE, tally):
+                tally.refusals[kind_of(refusal)] = tally.refusals.get(kind_of(refusal), 0) + 1
+
+        yield number, lambda one=one: [one.source.name, *one.changes], trial
+
+
+def try_numbers(numbers, seed, table, servers, folder, tally):
+    odd = all_odd_numbers()
+    order = np.random.default_rng(seed).permutation(len(odd))
+    for number in numbers:
+        chosen = odd[order[number % len(odd)]]
+        yield number, lambda chosen=chosen: chosen, lambda chosen=chosen: try_number(chosen, servers["plain"], folder, tally)
+
+
+def try_forgeries(numbers, seed, table, servers, folder, tally):
+    scenes = []
+    for deck, settings in SCENES if numbers else ():
+        place = folder / deck
+        place.mkdir()
+        words = [word for item in settings.items() for word in ("--set", "=".join(item))]
+        straight, middle = prepared(servers["plain"], DECKS / deck, words, place)
+        scenes += [(deck, straight, middle, forgery) for forgery in forgeries_of(middle / "checkpoint.h5")]
+    order = np.random.default_rng(seed).permutation(len(scenes))
+    for number in numbers:
+        deck, straight, middle, forgery = scenes[order[number % len(scenes)]]
+
+        def trial(straight=straight, middle=middle, forgery=forgery, number=number):
+            came = try_forgery(servers["plain"], straight, middle, folder / "forged", forgery, np.random.default_rng([seed, number]))
+            tally.add(f"forged: {came}")
+
+        tally.add("forged checkpoints")
+        yield number, lambda deck=deck, forgery=forgery: [deck, *forgery], trial
+
+
+TRIALS = {"sets": try_sets, "odd numbers": try_numbers, "forgeries": try_forgeries}
+
+
+def worker(build, table, seed, shares, until):
+    """@param shares  of each kind of trial, the numbers of those to be done; @return what came of them, and how far they came"""
+    tally, done = Tally(), {}
+    with tempfile.TemporaryDirectory(prefix="adversary-", dir=SCRATCH) as name:
         folder = pathlib.Path(name)
         servers = servers_of(build, folder)
-        for number in numbers:
-            if time.time() > until:
-                break
-            one = OptionSet(seed, number, table, folder / "set")
-            try:
-                for refusal in try_set(one, servers, share, tally):
-                    kind = re.sub(r"'[^']*'|\"[^\"]*\"|[-+\d.e]*\d[-+\d.e]*", "#", refusal.partition(": ")[2].partition(": ")[2])[:160]
-                    refusals[kind] = refusals.get(kind, 0) + 1
-            except Exception as finding:  # what the scripts cannot read is one too
-                said = str(finding) if isinstance(finding, Finding) else traceback.format_exc()
-                tally.findings.append({"set": one.name, "deck": one.source.name, "said": said, "changes": one.changes})
-                print(f"{one.name} {one.source.name}: {said}\n   {one.changes}", flush=True)
-            tried.append(number)
+        for kind, trials in TRIALS.items():
+            for number, told, trial in trials(shares[kind], seed, table, servers, folder, tally):
+                if time.time() > until:
+                    break
+                try:
+                    trial()
+                except Exception as finding:  # what the scripts cannot read is one too
+                    said = str(finding) if isinstance(finding, Finding) else traceback.format_exc()
+                    tally.findings.append({"kind": kind, "number": f"{seed}:{number}", "said": said, "of": told()})
+                    print(f"{kind} {seed}:{number}: {said}\n   {told()}", flush=True)
+                done[kind] = number + 1
         for server in servers.values():
-            server.end()
-    return tally, tried, refusals
+            if isinstance(server, RunServer):
+                server.end()
+    return tally, done
 
 
-def merged(results, tally):
-    for name, number in tally.counts.items():
-        results["counts"][name] = results["counts"].get(name, 0) + number
+def add(results, tally):
+    for part, found in (("counts", tally.counts), ("refusals", tally.refusals)):
+        for name, number in found.items():
+            results[part][name] = results[part].get(name, 0) + number
     for key, values in (("drawn", tally.drawn), ("decks", tally.decks)):
         results[key] = sorted({*results[key], *values})
     results["findings"] += tally.findings
 
 
-def main():
+def parsed():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
-    parser.add_argument("--sets", type=int, default=60)
+    parser.add_argument("--sets", type=int, default=0)
+    parser.add_argument("--odd-numbers", type=int, default=0)
+    parser.add_argument("--forgeries", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--minutes", type=float, default=1e6, help="ends after so long, with what was done")
-    parser.add_argument("--only")
-    options = parser.parse_args()
+    parser.add_argument("--only", help="SEED:NUMBER of an option set")
+    return parser.parse_args()
+
+
+def run_one(build, table, name):
+    """One option set, tried in every way."""
+    seed, number = map(int, name.split(":"))
+    folder = (pathlib.Path("adversary") / name.replace(":", "-")).resolve()
+    shutil.rmtree(folder, ignore_errors=True)
+    one = OptionSet(seed, number, table, folder / "set")
+    print(one.source.name, *one.changes, sep="\n")
+    print(*try_set(one, servers_of(build, folder), {kind: 1.0 for kind in SHARE}, Tally()), f"no finding; {folder}", sep="\n")
+
+
+def main():
+    options = parsed()
     build = options.build.resolve()
     table = described_options(build / "src" / "barreno")
     if options.only:
-        seed, number = map(int, options.only.split(":"))
-        folder = pathlib.Path("adversary") / options.only.replace(":", "-")
-        shutil.rmtree(folder, ignore_errors=True)
-        servers = servers_of(build, folder.resolve())
-        one = OptionSet(seed, number, table, folder.resolve() / "set")
-        print(one.source.name, *one.changes, sep="\n")
-        print(*try_set(one, servers, {name: 1.0 for name in SHARE}, Tally()), f"no finding; {folder}", sep="\n")
+        run_one(build, table, options.only)
         return 0
-    results = {"sets": {}, "counts": {}, "drawn": [], "decks": [], "refusals": {}, "findings": []}
-    if options.out and options.out.exists():
-        results = json.loads(options.out.read_text())
-    first = results["sets"].get(str(options.seed), 0)
-    numbers = range(first, first + options.sets)
-    begun = time.time()
-    until = begun + 60.0 * options.minutes
+    results = json.loads(options.out.read_text()) if options.out and options.out.exists() else json.loads(json.dumps(EMPTY))
+    seed, before, begun = str(options.seed), len(results["findings"]), time.time()
+    asked = {"sets": options.sets, "odd numbers": options.odd_numbers, "forgeries": options.forgeries}
+    first = {kind: results[kind].get(seed, 0) for kind in TRIALS}
+    shares = [{kind: range(first[kind] + job, first[kind] + asked[kind], options.jobs) for kind in TRIALS} for job in range(options.jobs)]
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
-        shares = [numbers[job :: options.jobs] for job in range(options.jobs)]
-        parts = list(pool.map(worker, *zip(*[(build, table, options.seed, share, SHARE, until) for share in shares])))
-    before = len(results["findings"])
-    for tally, _, refusals in parts:
-        merged(results, tally)
-        for kind, count in refusals.items():
-            results["refusals"][kind] = results["refusals"].get(kind, 0) + count
-    done = max((max(tried) + 1 for _, tried, _ in parts if tried), default=first)
-    results["sets"][str(options.seed)] = done
+        jobs = [pool.submit(worker, build, table, options.seed, share, begun + 60.0 * options.minutes) for share in shares]
+        parts = [job.result() for job in jobs]
+    for tally, done in parts:
+        add(results, tally)
+        for kind, number in done.items():
+            results[kind][seed] = max(results[kind].get(seed, 0), number)
     if options.out:
         options.out.write_text(json.dumps(results, indent=1) + "\n")
-    seconds = time.time() - begun
-    counts = results["counts"]
-    print(json.dumps(counts, indent=1))
     known = [o.path for section, part in table.items() if not section.startswith("Model ") for o in part]
-    print(f"{len(results['drawn'])} options drawn of {len(known)} that are described; {len(results['decks'])} decks; {seconds:.0f} s, {(done - first) / seconds:.2f} sets/s")
-    for kind, count in sorted(results["refusals"].items(), key=lambda item: -item[1])[:40]:
-        print(count, kind)
+    print(json.dumps(results["counts"], indent=1))
+    print(f"{len(results['drawn'])} options drawn ({len(known)} are described) over {len(results['decks'])} decks in {time.time() - begun:.0f} s")
+    for finding in results["findings"][before:]:
+        print(f"finding: {finding['kind']} {finding['number']}: {finding['said'][:200]}")
     return 1 if len(results["findings"]) > before else 0
 
 

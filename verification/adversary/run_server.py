@@ -28,7 +28,7 @@ class RunServer:
     """One rank, or several; begun again after a crash of ranks that have no process of their own."""
 
     def __init__(self, program, folder, ranks=1):
-        self.program, self.folder, self.ranks, self.process, self.count = program, pathlib.Path(folder), ranks, None, 0
+        self.program, self.folder, self.ranks, self.process, self.seconds = program, pathlib.Path(folder), ranks, None, 0.0
 
     def begin(self):
         words = ["mpirun", "--quiet", "-n", str(self.ranks)] if self.ranks > 1 else []
@@ -43,7 +43,6 @@ class RunServer:
         """Runs one command. @param signal  sent after so many seconds, 0: none"""
         if self.process is None:
             self.begin()
-        self.count += 1
         prefix = self.folder / f"said{self.ranks}"
         for ending in (".out", ".err"):
             pathlib.Path(f"{prefix}{ending}").unlink(missing_ok=True)
@@ -58,6 +57,7 @@ class RunServer:
         if len(answer) != 3:
             self.end()
             answer = ["lost", "0", "0"]
+        self.seconds += float(answer[2])
         said = [self.text_of(f"{prefix}{ending}") for ending in (".out", ".err")]
         return Ended(answer[0], int(answer[1]), float(answer[2]), *said, words)
 

@@ -5,16 +5,20 @@ import math
 
 from deck_tree import metres
 
-# Cells of the box, at most and at least.
-MOST = {2: 2500, 3: 2500}
+# Cells of the box, by its dimensions.
+MOST = {2: 2500, 3: 1000}
 LEAST = 24
 
 
-def cell_sizes(deck):
-    """Edges of cells, in metres, that divide the box and give it not too many and not too few of them."""
+def box_of(deck):
+    """Lower corner and edges, and the edge of a cell, in metres."""
     lower, upper = metres(deck.value("Grid/Lower")), metres(deck.value("Grid/Upper"))
-    (size,) = metres(deck.value("Grid/Cell Size"))
-    edges = [b - a for a, b in zip(lower, upper)]
+    return lower, [b - a for a, b in zip(lower, upper)], metres(deck.value("Grid/Cell Size"))[0]
+
+
+def cell_sizes(deck):
+    """Edges of cells that divide the box and give it not too many and not too few of them."""
+    _, edges, size = box_of(deck)
     cells = [round(edge / size) for edge in edges]
     coarsest = functools.reduce(math.gcd, cells)
     sizes = []
@@ -25,10 +29,22 @@ def cell_sizes(deck):
     return sizes
 
 
+def enlarge_box(deck, rng):
+    """Cells of a size that does not divide the box, which ends at whole ones."""
+    lower, edges, _ = box_of(deck)
+    count = math.exp(rng.uniform(math.log(LEAST), math.log(MOST[len(edges)])))
+    size = (math.prod(edges) / count) ** (1.0 / len(edges))
+    upper = [a + math.ceil(edge / size) * size for a, edge in zip(lower, edges)]
+    deck.set("Grid/Cell Size", f"{size!r} m")
+    deck.set("Grid/Upper", "{" + ", ".join(f"{b!r} m" for b in upper) + "}")
+
+
 def shrink(deck, rng):
-    """Another cell size, if the box allows one; else a box that ends at whole cells of twice, three times ... the size."""
+    """Another cell size that divides the box, if there is one."""
     sizes = cell_sizes(deck)
-    if sizes:
-        # Coarse ones are cheap and no less likely to go wrong.
-        weights = [1.0 / (1.0 + i) for i in range(len(sizes))]
-        deck.set("Grid/Cell Size", repr(float(rng.choice(sizes, p=[w / sum(weights) for w in weights]))) + " m")
+    if not sizes or rng.random() < 0.1:
+        return enlarge_box(deck, rng)
+    # Coarse ones are cheap and no less likely to go wrong.
+    weights = [1.0 / (1.0 + i) for i in range(len(sizes))]
+    chosen = float(rng.choice(sizes, p=[w / sum(weights) for w in weights]))
+    return deck.set("Grid/Cell Size", f"{chosen!r} m")

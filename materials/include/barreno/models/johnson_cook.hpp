@@ -347,10 +347,9 @@ private:
 inline InitialStateOf<Sym3, JohnsonCook::History> JohnsonCook::initial_state(double pressure
 ) const {
   InitialStateOf<Sym3, History> state{isotropic(0.0), initial_history(), 1.0, 0.0, true};
-  const double limit = eos_.compression_limit();
-  const double limit_pressure =
-      eos_.pressure(limit, eos_.isentrope_energy(limit) * inverse_density_);
-  state.possible = pressure >= 0.0 && pressure < limit_pressure;
+  double limit = eos_.compression_limit();
+  if (!(pressure < eos_.isentrope_pressure(limit))) limit = eos_.rising_limit();
+  state.possible = pressure >= 0.0 && pressure < eos_.isentrope_pressure(limit);
   if (!state.possible) return state;
   double low = 0.0, high = limit;
   double eta = pressure / eos_.bulk_modulus();

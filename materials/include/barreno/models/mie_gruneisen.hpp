@@ -101,6 +101,24 @@ struct MieGruneisen {
     }
     return sum;
   }
+
+  /// Pressure on that isentrope [stress].
+  double isentrope_pressure(double eta) const {
+    return pressure(eta, isentrope_energy(eta) / density);
+  }
+
+  /// Largest eta, to 1/256 of the compression limit, up to which that pressure rises: where Gamma0
+  /// is large it falls again before the limit. Set-up only.
+  double rising_limit() const {
+    constexpr int parts = 256;
+    const double part = compression_limit() / parts;
+    for (int i = 1; i <= parts; ++i) {
+      const double eta = i * part;
+      if (!(reference(eta).derivative + gamma * isentrope_pressure(eta) > 0.0))
+        return (i - 1) * part;
+    }
+    return compression_limit();
+  }
 };
 
 }  // namespace barreno

@@ -1,0 +1,100 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Short forms of the shipped decks with every order of the step and every transfer, under the sanitizers and with every index
+checked: none may end otherwise than with a result, a reason (no numerical answer) or a sentence.
+
+    test_orders.py SERVE_RUNS_SANITIZED SERVE_RUNS BARRENO [--all]
+
+Without --all every deck comes with one transfer for each order, every transfer with every order over the decks; the shape
+functions and the expansion beyond which particles go take their turn. --all: every deck with every pair, and every shape
+function with each.
+"""
+import argparse
+import itertools
+import pathlib
+import sys
+import tempfile
+
+ADVERSARY = pathlib.Path(__file__).resolve().parents[2] / "verification" / "adversary"
+sys.path[:0] = [str(ADVERSARY)]
+import numpy as np  # noqa: E402
+from deck_tree import Deck  # noqa: E402
+from described import described_options  # noqa: E402
+from one_set import DECKS, FINISHED, NUMERICAL, REFUSED, Finding, must_end, shortened  # noqa: E402
+from run_server import RunServer  # noqa: E402
+from small_scene import shrink  # noqa: E402
+
+STEPS = 40
+# Particle-steps under the sanitizers: a few tenths of a second.
+WORK = 6e3
+# None, the smallest that matter leaves, and one that a jet's debris reaches.
+EXPANSIONS = (None, "1.001", "1.1")
+
+
+def combinations(decks, words, everything):
+    """(deck, order, transfer, shape function, largest expansion)"""
+    orders, transfers, shapes = (words[name] for name in ("Order", "Transfer", "Shape Function"))
+    if everything:
+        return [(d, o, t, s, EXPANSIONS[i % len(EXPANSIONS)]) for i, (d, o, t, s) in enumerate(itertools.product(decks, orders, transfers, shapes))]
+    found = []
+    for i, (deck, order) in enumerate(itertools.product(decks, orders)):
+        turn = i + i // (len(orders) * len(transfers))
+        found.append((deck, order, transfers[(turn // len(orders) + turn) % len(transfers)], shapes[turn % len(shapes)], EXPANSIONS[turn % len(EXPANSIONS)]))
+    pairs = {(order, transfer) for _, order, transfer, _, _ in found}
+    assert len(pairs) == len(orders) * len(transfers), f"not every transfer comes with every order: {sorted(pairs)}"
+    return found
+
+
+def try_combination(servers, folder, combination, seed):
+    """@return whether it was run to its end. @raises Finding"""
+    name, order, transfer, shape, expansion = combination
+    deck = Deck(DECKS / name)
+    shrink(deck, np.random.default_rng(seed))
+    for path, value in {"Step/Order": order, "Step/Transfer": transfer, "Step/Shape Function": shape, "Step/Largest Expansion": expansion}.items():
+        if value is not None:
+            deck.set(path, value)
+    # What belongs to the transfer that the deck has itself.
+    for path in ("Step/PIC Fraction", "Step/XPIC Order"):
+        deck.remove(path)
+    file = folder / "deck.xml"
+    deck.write(file)
+    plan = servers[0].run("check", file)
+    if must_end(plan, FINISHED, REFUSED) == REFUSED:
+        return False
+    end = shortened(plan.out, WORK, STEPS)[0]
+    ended = servers[1].run("run", file, "--out", folder / "run", "--overwrite", "--set", f"Time/End Time={end!r}")
+    must_end(ended, FINISHED, NUMERICAL)
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("sanitized", type=pathlib.Path)
+    parser.add_argument("plain", type=pathlib.Path)
+    parser.add_argument("barreno", type=pathlib.Path)
+    parser.add_argument("--all", action="store_true")
+    options = parser.parse_args()
+    words = {option.name: option.words for option in described_options(options.barreno)["Step"]}
+    decks = sorted(file.name for file in DECKS.glob("*.xml"))
+    chosen = combinations(decks, words, options.all)
+    findings, refused, seconds = 0, 0, 0.0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "jets").symlink_to(DECKS / "jets")
+        servers = [RunServer(program.resolve(), folder) for program in (options.plain, options.sanitized)]
+        for seed, combination in enumerate(chosen):
+            try:
+                refused += not try_combination(servers, folder, combination, seed)
+            except Finding as finding:
+                findings += 1
+                print(*combination, ":", finding, flush=True)
+        for server in servers:
+            seconds += server.seconds
+            server.end()
+    print(f"{len(chosen)} combinations over {len(decks)} decks, {refused} refused, {findings} findings, {seconds:.0f} s of processor")
+    assert refused <= 0.1 * len(chosen), "most of what was to be run was refused"
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
