@@ -20,13 +20,12 @@ public:
   bool at_end() const { return at_ == words_.size(); }
   std::string next() { return words_[at_++]; }
   std::string value_of(const std::string& option, const std::string& example) {
-    if (at_end()) {
-      throw DeckError(
-          option + " has no value after it (it needs one); write for example " + option + " " +
-          example + "."
-      );
-    }
-    return next();
+    const std::string value = at_end() ? "" : next();
+    if (!value.empty()) return value;
+    throw DeckError(
+        option + " has no value after it (it needs one); write for example " + option + " " +
+        example + "."
+    );
   }
 
 private:
@@ -49,7 +48,7 @@ int count_of(const std::string& option, const std::string& text, const std::stri
 
 Command command_of(const std::string& word) {
   if (word == "--help" || word == "-h" || word == "help") return Command::help;
-  if (word == "--version") return Command::version;
+  if (word == "--version" || word == "version") return Command::version;
   if (word == "run") return Command::run;
   if (word == "resume") return Command::resume;
   if (word == "check") return Command::check;
@@ -172,7 +171,7 @@ Options parse_command_line(int argc, const char* const* argv) {
       );
     } else {
       operand = word;
-      given = true;
+      given = !word.empty();  // of a variable of a script that is not set
     }
   }
   if (options.command == Command::drive) {

@@ -166,7 +166,7 @@ std::string shell_word(const std::string& path) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != std::string::npos;
   };
   // A word that begins with a dash would be an option.
-  const std::string word = !path.empty() && path.front() == '-' ? "./" + path : path;
+  std::string word = !path.empty() && path.front() == '-' ? "./" + path : path;
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
   std::string quoted = "'";
   for (const char c : word) {

@@ -106,6 +106,10 @@ def check_help(barreno, folder):
         assert result.returncode == 0 and "Exit codes" in result.stdout and not result.stderr, f"{words}: {result.stderr}"
         assert len(words) == 1 or f"barreno {words[0]} " in result.stdout, f"{words}: {result.stdout}"
     one_sentence(program(barreno, "report", folder), 1, "./barreno report")
+    one_sentence(program(barreno, "run", ""), 1, "no deck is named")
+    one_sentence(program(barreno, "resume", ""), 1, "no run is named")
+    for option in ("--out", "--set", "--fidelity", "--ranks"):
+        one_sentence(program(barreno, "run", QUICK, option, ""), 1, f"{option} has no value")
 
 
 def check_screen(barreno, folder):

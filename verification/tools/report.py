@@ -295,13 +295,14 @@ def index_text(run, summary, history, depth):
                 f"transfer between particles and grid {transfer:+.2g} %)",
             )
         )
-    for name in ("energy", "mass", "momentum"):
-        rows.append((f"{name} balance, these included, closes to", f"{history[name + '_error']:.2e}"))
+    errors = (history[f"{name}_error"] for name in ("energy", "mass", "momentum"))
+    rows.append(("balances, these included, close to", "energy {:+.2e}, mass {:+.1e}, axial momentum {:+.1e}".format(*errors)))
     removed = sum(value for name, value in history.items() if name.startswith("removed_"))
     removed -= history["removed_kinetic"]
     rows += [("particles removed", f"{removed:.0f}"), ("held", f"{history['held']:.0f}")]
     if "wall_seconds" in summary:
-        rows.append(("wall time", f"{summary['wall_seconds']:.1f} s on {summary['ranks']} ranks"))
+        ranks = "1 rank" if summary["ranks"] == 1 else f"{summary['ranks']} ranks"
+        rows.append(("wall time", f"{summary['wall_seconds']:.1f} s on {ranks}"))
         rows.append(("per particle-step", f"{summary['ns_per_particle_step']:.0f} ns"))
         rows.append(("state per particle", f"{summary['bytes_per_particle']:.0f} bytes"))
     lines = [f"# {title}", ""] + table_lines(rows) + ["![fields](fields.png)", ""]
