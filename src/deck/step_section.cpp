@@ -79,7 +79,13 @@ std::vector<Entry> scheme_entries() {
           "accelerated particles give back to the grid, or from those that moved particles give "
           "it at the start of the next step"
       )
-          .by_default("stress last")};
+          .by_default("stress last"),
+      flag(
+          "Return Losses",
+          "what a step takes from the energy of a metal (transfer and stress_integration of "
+          "history.csv) becomes its heat; of FLIP, stress last, without damping"
+      )
+          .by_default("false")};
 }
 
 std::vector<Entry> remaining_entries() {

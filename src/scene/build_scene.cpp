@@ -119,9 +119,27 @@ StepSpec read_step(const Deck& deck, Mode mode) {
   step.quadratic_viscosity = deck.number("Step/Quadratic Viscosity");
   step.initial_step = deck.number("Step/Initial Step");
   step.largest_step = deck.number("Step/Largest Step");
+  step.return_losses = deck.flag("Step/Return Losses");
   step.skip_dormant = deck.flag("Step/Skip Dormant Tiles");
   if (deck.has("Step/Rest Motion")) step.rest_motion = deck.number("Step/Rest Motion");
   return step;
+}
+
+/// The losses of other schemes are not known particle by particle.
+void check_returned_losses(const Deck& deck, const Scene& scene) {
+  const StepSpec& step = scene.step;
+  if (!step.return_losses) return;
+  const bool flip = step.transfer == Transfer::flip && step.pic_fraction == 0.0;
+  if (flip && step.order == Order::stress_last && step.damping == 0.0) return;
+  deck.refuse_value(
+      "Step/Return Losses",
+      std::string("needs Transfer FLIP without PIC Fraction, Order stress last and no Damping (of "
+      ) +
+          (!flip                              ? transfer_name(step)
+           : step.order != Order::stress_last ? order_name(step.order)
+                                              : "damping") +
+          " it is not known which particle lost what); remove it or those"
+  );
 }
 
 OutputSpec read_output(const Deck& deck) {
@@ -161,6 +179,7 @@ Scene build_scene(const Deck& deck) {
   scene.step = read_step(deck, scene.grid.mode);
   scene.output = read_output(deck);
   add_quasi_static(deck, scene);
+  check_returned_losses(deck, scene);
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse("Bodies", "is empty and there is no Jet (nothing would move); add a body or a jet");
   }

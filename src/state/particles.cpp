@@ -3,6 +3,7 @@
 
 #include "base/rows.hpp"
 #include "scene/body_force.hpp"
+#include "scene/heat.hpp"
 #include "scene/porous.hpp"
 #include "shape/shape_facts.hpp"
 #include "state/surface_share.hpp"
@@ -45,6 +46,7 @@ void add_transfer_fields(const Scene& scene, Particles& p) {
   p.again_motion = {"again_motion", dim::velocity, again ? 2 * d : 0, {}};
   p.again_increment = {"again_increment", dim::none, xpic ? gradient : 0, {}};
   p.residual = {"residual", dim::velocity, xpic ? d : 0, {}};
+  p.heat = {"heat", dim::none, takes_losses(scene, p.material) ? 1 : 0, {}};
 }
 
 }  // namespace

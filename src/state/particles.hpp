@@ -78,7 +78,9 @@ struct Particles {
   /// What the grid says a second time: XPIC, modified stress last and stress first only.
   Field again_motion;
   Field again_increment;  ///< XPIC only
-  Field residual;         ///< of XPIC: what of v_p the grid does not hold [length/time]
+  Field heat;  ///< energy that the step must leave in the particle, where its losses are returned
+               ///< [energy]
+  Field residual;  ///< of XPIC: what of v_p the grid does not hold [length/time]
 
   ArrayView<int> key;  ///< tile * cells per tile + cell in tile, of the last sort
   ArrayView<Fault> fault;
@@ -137,6 +139,7 @@ private:
     f(particles.increment);
     f(particles.again_motion);
     f(particles.again_increment);
+    f(particles.heat);
     f(particles.residual);
   }
 };

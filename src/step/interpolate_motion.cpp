@@ -7,6 +7,7 @@
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/shape_fields.hpp"
+#include "step/space_stress.hpp"
 
 namespace barreno {
 namespace {
@@ -45,6 +46,7 @@ struct InterpolateMotion {
       if (particles.run_part(p / rows_per_run) == no_part_of_run) continue;
       for (int c = 0; c < particles.grid_motion.components; ++c) grid_motion(p, c) = 0.0;
       for (int c = 0; c < particles.increment.components; ++c) increment(p, c) = 0.0;
+      if (particles.heat.components > 0) particles.heat(p) = 0.0;
     }
   }
 
@@ -61,6 +63,32 @@ struct InterpolateMotion {
     return sum;
   }
 
+  /// Energy that the grid took from row p: the work of its internal forces on the mean velocities
+  /// of their nodes, and what FLIP loses since the particle takes one increment where nodes have
+  /// many. docs/method.md (2.13)
+  template <class Support, class At>
+  KOKKOS_INLINE_FUNCTION double heat_of(
+      int p, const Support& support, const At& at, const Motion* patch
+  ) const {
+    const Sym3 s = space_stress<M>(particles, p);
+    const double q = particles.viscous_pressure(p);
+    const double stress[3][3] = {
+        {s.xx - q, s.xy, s.zx}, {s.xy, s.yy - q, s.yz}, {s.zx, s.yz, s.zz - q}};
+    double rate = 0.0;
+    for (int i = 0; i < dimensions; ++i)
+      for (int j = 0; j < dimensions; ++j)
+        rate += stress[i][j] * (at.d[j][i] - 0.5 * at.d[j][dimensions + i]);
+    if constexpr (M::hoop) rate += stress[2][2] * (at.hoop[0] - 0.5 * at.hoop[dimensions]);
+    double spread = 0.0;
+    support.for_each_node(frame.patch, [&](int slot, double weight, const double*, double) {
+      for (int i = 0; i < dimensions; ++i) {
+        const double off = patch[slot][dimensions + i] - at.value[dimensions + i];
+        spread += weight * off * off;
+      }
+    });
+    return dt * particles.volume(p) * rate + 0.5 * particles.mass(p) * spread;
+  }
+
   KOKKOS_INLINE_FUNCTION double batch(int tile, const BatchRows& rows, const Motion* patch) const {
     SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
@@ -69,7 +97,9 @@ struct InterpolateMotion {
     double largest = 0.0;
     for (int k = 0; k < rows.count; ++k) {
       const int p = rows.row[k];
-      const auto at = supports.get(k).template interpolate<M::hoop>(patch, frame.patch);
+      const auto support = supports.get(k);
+      const auto at = support.template interpolate<M::hoop>(patch, frame.patch);
+      if (particles.heat.components > 0) particles.heat(p) = heat_of(p, support, at, patch);
       for (int i = 0; i < 2 * dimensions; ++i) grid_motion(p, i) = at.value[i];
       for (int i = 0; i < dimensions; ++i)
         for (int j = 0; j < dimensions; ++j) increment(p, dimensions * i + j) = dt * at.d[j][i];

@@ -8,6 +8,7 @@
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/shape_fields.hpp"
+#include "step/space_stress.hpp"
 
 namespace barreno {
 namespace {
@@ -18,25 +19,6 @@ using Sums = Pack<sum_components>;
 /// stress, -V (sigma - q I), times the gradients of S.
 template <class M>
 struct Given;
-
-template <class M>
-KOKKOS_INLINE_FUNCTION Sym3 space_stress(const Particles& particles, int p) {
-  Sym3 unrotated{
-      particles.stress(p, 0),
-      particles.stress(p, 1),
-      particles.stress(p, 2),
-      particles.stress(p, 3),
-      0.0,
-      0.0};
-  if constexpr (M::dimensions == 3) {
-    unrotated.yz = particles.stress(p, 4);
-    unrotated.zx = particles.stress(p, 5);
-  }
-  return rotate(
-      load_rotation<M>(particles.deformation_gradient.values, particles.rotation.values, p),
-      unrotated
-  );
-}
 
 /// In two dimensions one pack holds all of it.
 template <class M>

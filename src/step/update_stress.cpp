@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
+#include "scene/heat.hpp"
 #include "state/bad_particle.hpp"
 #include "state/step_rule.hpp"
 #include "step/point_group.hpp"
@@ -116,7 +117,6 @@ struct UpdateStress {
     group.put_tensor(
         select_points(good, update.stress, begun.old_stress), particles.stress, components
     );
-    group.put_history(good, update.history, particles.history);
     group.put(real::select(good, begun.q, begun.old_q), particles.viscous_pressure);
     const R modulus = real::select(good, outcome.longitudinal_modulus, begun.old_modulus);
     group.put(modulus, particles.longitudinal_modulus);
@@ -126,14 +126,25 @@ struct UpdateStress {
     const R reference_volume = begun.mass * (1.0 / reference_density);
     const R mean_volume = 0.5 * (begun.old_volume + begun.volume);
     const R viscous = increment.viscous_pressure * (begun.old_volume - begun.volume);
-    const R stress_work =
+    R stress_work =
         mean_volume * (0.5 * contract(begun.old_stress + update.stress, increment.strain) -
                        increment.viscous_pressure * trace(increment.strain));
+    R elastic_work = reference_volume * outcome.elastic_work;
+    auto history = update.history;
+    if constexpr (keeps_heat<Model>) {
+      if (particles.heat.components > 0) {  // the particle gets what the grid took from it
+        stress_work = group.get(particles.heat);
+        elastic_work = stress_work - reference_volume * outcome.plastic_work - viscous;
+        const auto before = group.get_history(particles.history);
+        model.correct_energy(before, R(stress_work / begun.mass), history);
+      }
+    }
+    group.put_history(good, history, particles.history);
     const SplitSizes& sizes = particles.tally_sizes.energy;
     const auto enter = [&](const R& energy, RowSum<R>& sum, WholeSum& beyond) {
       sum.add(real::select(good, energy, 0.0), sizes, beyond);
     };
-    enter(reference_volume * outcome.elastic_work, tally.elastic, sums.elastic);
+    enter(elastic_work, tally.elastic, sums.elastic);
     enter(reference_volume * outcome.plastic_work, tally.plastic, sums.plastic);
     enter(viscous, tally.viscous, sums.viscous);
     enter(stress_work, tally.stress_work, sums.stress_work);

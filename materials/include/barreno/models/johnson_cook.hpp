@@ -261,6 +261,18 @@ struct JohnsonCook {
         -trace(stress) / 3.0, volume_ratio, derivative, MaskOf<double>(history.damage >= 1.0)
     );
   }
+  /// Gives a point another gain of energy than its update found; the difference is heat.
+  /// @param before  history at the start of the update
+  /// @param gain    of internal energy over the update [energy/mass]
+  template <class R>
+  BARRENO_FUNCTION void correct_energy(
+      const HistoryOf<R>& before, const R& gain, HistoryOf<R>& history
+  ) const {
+    const R heat = gain - (history.internal_energy - before.internal_energy);
+    history.internal_energy += heat;
+    history.temperature += heat * (1.0 / p_.specific_heat);
+  }
+
   const Parameters& parameters() const { return p_; }
   const MieGruneisen& equation_of_state() const { return eos_; }
   const JohnsonCookFlow& flow() const { return flow_; }
