@@ -61,7 +61,8 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       effective_deck_xml(deck),
       BARRENO_VERSION,
       notes_of(deck, scene),
-      prediction};
+      prediction,
+      deck.surface_files};
   note_signals();  // before this nothing is lost
   Output output(scene, state, description);
   output.write_if_due(scene, state);

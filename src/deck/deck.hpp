@@ -15,6 +15,13 @@ namespace barreno {
 
 class Surface;
 
+/// A file of a surface, and what the folder of a run has of it.
+struct SurfaceFile {
+  std::string original;  ///< path
+  std::string digest;    ///< digest_of() its bytes
+  std::string copy;      ///< name in the run folder, which deck.xml gives it
+};
+
 /// A deck that was read: every value checked against the tables, in SI, defaults filled, cards,
 /// jet table and surfaces included. Paths are "Sub List/Parameter".
 class Deck {
@@ -30,6 +37,7 @@ public:
   std::string jet_table;
   /// What the File of a list holds, by the path of the list: "Bodies/Charge".
   std::map<std::string, std::shared_ptr<const Surface>> surfaces;
+  std::vector<SurfaceFile> surface_files;
 
   /// A parameter or a list of that path is there (given, included or by default).
   bool has(const std::string& path) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/read_deck.hpp"
 
+#include "base/digest.hpp"
 #include "base/error.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/fidelity.hpp"
@@ -168,8 +169,28 @@ std::string include_jet_table(const Reading& reading, ParameterList& values) {
   return table;
 }
 
+/// The digest of a surface file; one that the deck gives must be it.
+std::string check_digest(
+    const std::string& text, const std::string& source, const ParameterList& list
+) {
+  const std::string digest = digest_of(text);
+  if (!list.isParameter("File Digest")) return digest;
+  const auto wanted = list.get<std::string>("File Digest");
+  if (wanted != digest)
+    throw DeckError(
+        source + " has the digest " + digest + " instead of " + input::shown(wanted) +
+        " (it is not the file that the deck was written for); put that file back, or remove File "
+        "Digest to take this one."
+    );
+  return digest;
+}
+
+/// Names the copy in the run folder for the effective deck, which lies there.
 std::shared_ptr<const Surface> load_surface(
-    const Reading& reading, const std::string& path, ParameterList& list
+    const Reading& reading,
+    const std::string& path,
+    ParameterList& list,
+    std::vector<SurfaceFile>& files
 ) {
   const auto file = list.get<std::string>("File");
   const auto place = std::filesystem::path(reading.directory) / file;
@@ -184,8 +205,10 @@ std::shared_ptr<const Surface> load_surface(
         shift.begin()
     );
   }
-  // The effective deck lies in another folder.
-  list.set("File", std::filesystem::absolute(place).lexically_normal().string());
+  const std::string digest = check_digest(text, source, list);
+  files.push_back({place.string(), digest, "surface_" + digest + ".stl"});
+  list.set("File", files.back().copy);
+  list.set("File Digest", digest);
   const double unit = list.isParameter("File Unit") ? list.get<double>("File Unit") : 1.0;
   return read_surface(text, unit, shift, source);
 }
@@ -193,7 +216,9 @@ std::shared_ptr<const Surface> load_surface(
 using Surfaces = std::map<std::string, std::shared_ptr<const Surface>>;
 
 /// Surfaces of all lists that name a file; whether the list may name one is for the scene to say.
-Surfaces read_surfaces(const Reading& reading, ParameterList& values) {
+Surfaces read_surfaces(
+    const Reading& reading, ParameterList& values, std::vector<SurfaceFile>& files
+) {
   Surfaces surfaces;
   for (const char* section : {"Shapes", "Bodies"}) {
     ParameterList& lists = values.sublist(section);
@@ -202,7 +227,7 @@ Surfaces read_surfaces(const Reading& reading, ParameterList& values) {
     for (const std::string& name : names) {
       ParameterList& list = lists.sublist(name);
       const std::string path = join(section, name);
-      if (list.isParameter("File")) surfaces[path] = load_surface(reading, path, list);
+      if (list.isParameter("File")) surfaces[path] = load_surface(reading, path, list, files);
     }
   }
   return surfaces;
@@ -248,9 +273,11 @@ Deck read_deck(
   read_materials(root, reading, values);
   read_solver_lists(root, name, values);
   const std::string jet_table = include_jet_table(reading, values);
-  const auto surfaces = read_surfaces(reading, values);
+  std::vector<SurfaceFile> surface_files;
+  const auto surfaces = read_surfaces(reading, values, surface_files);
   Deck deck(name, values, root);
   deck.surfaces = surfaces;
+  deck.surface_files = surface_files;
   deck.jet_table = jet_table;
   deck.notes = reading.fidelity.notes();
   deck.notes.insert(deck.notes.end(), reading.notes.begin(), reading.notes.end());

@@ -80,6 +80,12 @@ std::vector<Entry> made_entries() {
           "only"
       )
           .if_given(),
+      text(
+          "File Digest",
+          "CRC-32 of the STL file in hexadecimal digits: another file of that name is refused; "
+          "deck.xml of a run has it"
+      )
+          .if_given(),
       number("File Unit", dim::length, above(0.0), "length of 1 in the STL file, which has no unit")
           .if_given(),
       vector("Shift", dim::length, any(), "added to the corners of the STL file; none without it")

@@ -5,6 +5,7 @@
 #include "base/gather.hpp"
 #include "base/process.hpp"
 #include "output/cavities.hpp"
+#include "output/copy_surfaces.hpp"
 #include "output/depth.hpp"
 #include "output/exodus_writer.hpp"
 #include "output/history_writer.hpp"
@@ -93,6 +94,7 @@ Output::Parts::Parts(
         std::make_unique<Progress>(run.folder / "run.log", scene.end_time, has_reader(), position);
     for (const std::string& line : scene_lines(scene, run, comm->getSize(), totals.particles))
       progress->say(line);
+    copy_surfaces(run.surfaces, run.folder);
     write_whole_file(run.folder / "deck.xml", run.deck_text);
   });
   work.agree();

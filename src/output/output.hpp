@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_numbers.hpp"
+#include "deck/deck.hpp"
 #include "output/prediction.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
@@ -19,8 +20,9 @@ struct RunDescription {
   std::string deck_name;         ///< as the user typed it
   std::string deck_text;         ///< the effective deck: re-runnable, written as deck.xml
   std::string version;
-  std::vector<std::string> notes;  ///< further lines for the first block on the screen
-  Prediction prediction{};         ///< of its cost
+  std::vector<std::string> notes;       ///< further lines for the first block on the screen
+  Prediction prediction{};              ///< of its cost
+  std::vector<SurfaceFile> surfaces{};  ///< that deck.xml names, to be copied beside it
 };
 
 /// How a run ended.

@@ -26,9 +26,10 @@ constexpr std::array<const char*, 12> result_files{
     "checkpoint_previous_damaged.h5",
     "summary.json"};
 
-/// particles.e, a file of its set (particles.e.2.0), one of them half written, or a copied surface.
+/// particles.e, a file of its set (particles.e.2.0), or one of them half written. A surface that
+/// was copied into the folder stays: the deck that is run again there may name it.
 bool is_result(const std::string& name) {
-  return name.rfind("particles.e", 0) == 0 || name.rfind(copied_surface_prefix, 0) == 0 ||
+  return name.rfind("particles.e", 0) == 0 ||
          std::find(result_files.begin(), result_files.end(), name) != result_files.end();
 }
 

@@ -15,9 +15,6 @@ struct RunFolderRequest {
   std::string deck_name;   ///< file name of the deck without folder and extension
 };
 
-/// Begins the name of a surface file that is copied into the folder.
-inline constexpr const char* copied_surface_prefix = "surface_";
-
 /// Chooses and creates the folder; collective, the same answer on every rank.
 /// @throws FileError on every rank if it holds a result that may not be overwritten, or cannot be
 /// had; then nothing is changed

@@ -30,7 +30,7 @@ Keys keys_of(const std::string& shape, Mode mode) {
     return {"a polygon in three dimensions", {"Corners", "Axis", "From", "To"}, {}};
   if (shape == "polygon") return {"a polygon in two dimensions", {"Corners"}, {}};
   if (shape == "half-space") return {"a half-space", {"Point", "Normal"}, {}};
-  if (shape == "STL") return {"an STL surface", {"File", "File Unit"}, {"Shift"}};
+  if (shape == "STL") return {"an STL surface", {"File", "File Unit"}, {"Shift", "File Digest"}};
   return {(shape == "intersection" ? "an " : "a ") + shape, {"Parts"}, {}};
 }
 
