@@ -36,7 +36,7 @@ def main():
         must_work(program(barreno, 1, "run", again / "deck.xml", "--out", again, "--overwrite"))  # over itself
         assert not different_fields(plain, again)
 
-        for text, code, said in ((copies[0].read_text().replace("1.5", "1.6"), 1, "has the digest"), (None, 2, "cannot")):
+        for text, code, said in ((copies[0].read_text().replace("1.5", "1.6"), 1, "has the digest"), (None, 2, "names no file")):
             changed = at_previous(pathlib.Path(shutil.copytree(plain, folder / f"changed{code}")))
             before = (changed / "history.csv").read_bytes()
             (changed / copies[0].name).unlink()
