@@ -81,7 +81,8 @@ std::string fault_of_length(
   // A file that is shorter, or gone, has its own sentence.
   const int last = bytes < 1.0 ? 0 : stream.get();
   if (last == '\n' || !stream) return {};
-  return "output/" + number + " is " + to_text(bytes) + ", where no line of " + file + " ends";
+  return "output/" + number + " is " + to_text(bytes) + ", where no line of " + file +
+         " ends; put that table back if it was changed";
 }
 
 std::string fault_of_output(const Scene& scene, const State& state, const Checkpoint& checkpoint) {
