@@ -20,8 +20,10 @@ ROOT = HERE.parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE), str(HERE / "performance"), str(HERE / "fits")]
 
 import case_pictures  # noqa: E402
+import extremes  # noqa: E402
 import page_parts  # noqa: E402
 import verification_pages  # noqa: E402
+from demands import FAILS, judge_all, open_demands, read_open  # noqa: E402
 
 MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.DOTALL)
 FIGURE = re.compile(r"\d[\d.,e+-]*(?: (?:to|and|or) \d[\d.,e+-]*)* ?(?:%|(?:[nmu]?s|min|minutes?|seconds?|hours?|[KMG]B|[KMG]B/s|times)\b)")
@@ -65,6 +67,18 @@ def loose_figures(name, text):
     return [found.group(0) for found in FIGURE.finditer(text) if found.group(0) not in SETTINGS.get(name, ())]
 
 
+def failing():
+    """Stored demands that fail, and red rows of the extremes that are not open: what a page would have to call so."""
+    out = []
+    for name in case_pictures.cases():
+        data = case_pictures.stored(name)
+        judged, _ = judge_all(data["checks"], open_demands(name, True)) if data else ([], [])
+        out += [f"results/{name}.json: {check['what']}: {words}" for check, verdict, words in judged if verdict == FAILS]
+    known = {what for (case, form), demands in read_open().items() if case.startswith("extremes/") and form == "full" for what in demands}
+    rows = [extremes.Row(**row) for row in json.loads(extremes.STORED.read_text())]
+    return out + [f"results/extremes.json: {row.name}" for row in rows if (row.verdict == extremes.RED) != (row.name in known)]
+
+
 def left_over():
     """Pages of cases that are no longer in the list."""
     listed = {f"{name}.md" for name in case_pictures.cases()}
@@ -86,10 +100,12 @@ def main():
         write_pages()
     wrong = [f"{file.relative_to(ROOT)} is not what verification/results gives" for file, text in pages().items() if not file.exists() or file.read_text() != text]
     wrong += [f"{file.relative_to(ROOT)} is not drawn from verification/results as it is now" for file in case_pictures.outdated()]
+    wrong += ["`verification/pages.py --write` writes them"] if wrong else []
     wrong += [f"{file.relative_to(ROOT)} is of no case: remove it" for file in left_over()]
-    loose = [f"{name}: '{figure}' is of no results file: put it into a marked part, or say it in words" for name in WRITTEN for figure in loose_figures(name, (ROOT / name).read_text())]
-    print("\n".join(loose + wrong + ["`verification/pages.py --write` writes them"] if wrong or loose else ["every figure is that of its results file"]))
-    return 1 if wrong or loose else 0
+    wrong += [f"{name}: '{figure}' is of no results file: put it into a marked part, or say it in words" for name in WRITTEN for figure in loose_figures(name, (ROOT / name).read_text())]
+    wrong += [f"{line}; measure it anew (--full --document)" for line in failing()]
+    print("\n".join(wrong or ["every figure is that of its results file"]))
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

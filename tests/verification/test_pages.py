@@ -5,6 +5,7 @@ a link that leads nowhere, a figure that no results file gives."""
 import pathlib
 import sys
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "verification"), str(ROOT / "tests" / "layout")]
@@ -40,6 +41,11 @@ class Pages(unittest.TestCase):
             self.assertTrue(pages.loose_figures("docs/performance.md", words), words)
         for words in ("`--set \"Time/End Time=1 us\"`", "three ranks", "    run --until \"200 us\"", "<!-- a -->\n\n1 s\n\n<!-- end of a -->\n"):
             self.assertFalse(pages.loose_figures("docs/performance.md", words), words)
+
+
+    def test_a_page_of_what_fails_is_found(self):
+        with unittest.mock.patch.object(pages, "open_demands", lambda name, full: {}):
+            self.assertTrue(any("does not hold" in line for line in pages.failing()))
 
 
 class Links(unittest.TestCase):

@@ -70,7 +70,7 @@ def overview():
     lines += ["| **Elsewhere** | | | | | |", *rows_elsewhere(RESULTS)]
     total = sum(totals.values())
     words = f"{total} demands of {len(cases())} cases: {totals[HOLDS]} hold, {totals[OPEN]} are open, {totals[FAILS]} fail.\n\n"
-    return HEAD + words + "| claim | exact answer | error | demand | verdict | |\n|---|---|---|---|---|---|\n" + "\n".join(lines) + "\n\n" + open_section()
+    return HEAD + words + "| claim | exact answer | error | demand | verdict | picture |\n|---|---|---|---|---|---|\n" + "\n".join(lines) + "\n\n" + open_section()
 
 
 def open_section():
