@@ -31,7 +31,7 @@ public:
 
 private:
   /// Ranks of a killed run live on for a moment.
-  static constexpr double most_wait = 5.0;
+  static constexpr double most_wait = 10.0;
 
   std::filesystem::path path_;
   int file_ = -1;
