@@ -498,7 +498,8 @@ TEST(AreniscaFuzz, stays_on_the_surface_and_dissipates) {
       least_work = std::min(least_work, o.plastic_work / scale);
     }
     EXPECT_LE(worst, 1e-8) << "set " << k;
-    EXPECT_GE(least_work, -1e-8) << "set " << k;  // strengthless rock dissipates 0 to round-off
+    // Strengthless rock (set 2) dissipates 0 to the round-off of its return: -2.0e-9.
+    EXPECT_GE(least_work, k == 2 ? -5e-9 : -1e-9) << "set " << k;
     EXPECT_EQ(failures, 0) << "set " << k;
     EXPECT_GT(plastic, 1000) << "set " << k;
   }

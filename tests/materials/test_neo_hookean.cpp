@@ -76,7 +76,7 @@ double error_of_shear(int n) {
 
 TEST(NeoHookean, LargeShearIsSecondOrderInTheStep) {
   const double coarse = error_of_shear(100), fine = error_of_shear(200);
-  EXPECT_LE(coarse, 4e-4);
+  EXPECT_LE(coarse, 3.5e-4);  // 3.06e-4: steps of 0.04 in shear, each turned by its own middle
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.1);
   RecordProperty("error", std::to_string(coarse));
 }

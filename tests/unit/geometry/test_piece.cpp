@@ -100,14 +100,15 @@ void compare(const std::vector<Shape>& shapes, int dimension, double tolerance) 
       const double all = measure_of(box, dimension);
       EXPECT_NEAR(exact.measure, count.measure, tolerance * all) << "shape " << s;
       if (side_of(shapes[s], box, dimension) == Side::inside) {
-        EXPECT_NEAR(count.measure, all, 1e-10 * all) << "shape " << s;
+        // The count is a sum of up to millions of equal parts: 5e-12 of round-off.
+        EXPECT_NEAR(count.measure, all, 1e-11 * all) << "shape " << s;
       }
       if (count.measure < 0.05 * all || count.measure > 0.99 * all) continue;
       ++cut;
       for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
         EXPECT_NEAR(exact.centroid[i], count.centroid[i], 4.0 * tolerance) << "shape " << s;
     }
-    EXPECT_GT(cut, 0) << "shape " << s;
+    EXPECT_GT(cut, 2) << "shape " << s;
   }
 }
 

@@ -162,7 +162,7 @@ void expect_same_when_shuffled(const Scene& scene) {
   advance_to(scene, end_time / 2.0, shuffled, 20);
   reverse_rows(shuffled);
   advance_to(scene, end_time, shuffled);
-  EXPECT_GT(straight.clock.step, 50);
+  EXPECT_GT(straight.clock.step, 55);
   expect_same(straight, shuffled);
 }
 TEST(SameAnswer, ShuffledParticlesGiveTheSameBits) {
