@@ -174,7 +174,9 @@ std::vector<signed char> read_causes(
 /// Whether a value may stand in a field of a particle that stays.
 bool is_possible(const Scene& scene, const std::string& field, double value) {
   if (!std::isfinite(value)) return false;
-  if (field == "mass" || field == "volume" || field == "half_size") return value > 0.0;
+  if (field == "mass" || field == "volume") return value > 0.0;
+  // A particle of one per cell, and a sliver that has joined it: nodes farther off are not kept.
+  if (field == "half_size") return value > 0.0 && value <= scene.grid.cell_size;
   if (field == "longitudinal_modulus") return value >= 0.0;
   if (field == "clipped") return value == 0.0 || value == 1.0;
   if (field == "loaded_faces")

@@ -75,8 +75,10 @@ private:
   [[noreturn]] void refuse(const std::string& what) const;
   /// @throws FileError for a table that has not two dimensions, or more numbers than its file
   long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
-  /// @throws FileError for a table whose numbers are not of this class, H5T_INTEGER or H5T_FLOAT
-  void refuse_other_class(long long table, int wanted, const std::string& name) const;
+  /// @throws FileError for a table whose numbers are not of this class, H5T_INTEGER or H5T_FLOAT,
+  ///         or of another length
+  void refuse_other_type(long long table, int wanted, std::size_t bytes, const std::string& name)
+      const;
   void read_part(
       long long table,
       long long type,

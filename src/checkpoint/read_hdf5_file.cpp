@@ -40,10 +40,18 @@ long long Hdf5File::open_table(const std::string& name, std::size_t& rows, std::
   return table;
 }
 
-void Hdf5File::refuse_other_class(long long table, int wanted, const std::string& name) const {
+void Hdf5File::refuse_other_type(
+    long long table, int wanted, std::size_t bytes, const std::string& name
+) const {
   const Hdf5Handle type(H5Dget_type(table), H5Tclose);
   if (H5Tget_class(type.get()) != wanted)
     refuse(name + (wanted == H5T_FLOAT ? " holds no numbers" : " holds no whole numbers"));
+  const std::size_t found = H5Tget_size(type.get());
+  if (found != bytes)
+    refuse(
+        name + " has numbers of " + std::to_string(found) + " bytes instead of " +
+        std::to_string(bytes)
+    );
 }
 
 /// Rows [first, first + count) of an open table.
@@ -77,7 +85,9 @@ std::vector<T> Hdf5File::read_rows(const std::string& name, std::size_t first, s
   const long long type = std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LLONG;
   Hdf5Size size;
   const Hdf5Handle table(open_table(name, size.rows, size.columns), H5Dclose);
-  refuse_other_class(table.get(), std::is_same_v<T, double> ? H5T_FLOAT : H5T_INTEGER, name);
+  refuse_other_type(
+      table.get(), std::is_same_v<T, double> ? H5T_FLOAT : H5T_INTEGER, sizeof(T), name
+  );
   std::vector<T> values(count * size.columns);
   if (!values.empty()) read_part(table.get(), type, first, count, values.data(), name);
   return values;
@@ -100,7 +110,7 @@ Hdf5Table<long long> Hdf5File::read_integers(const std::string& name) const {
 std::string Hdf5File::read_text(const std::string& name) const {
   Hdf5Size size;
   const Hdf5Handle table(open_table(name, size.rows, size.columns), H5Dclose);
-  refuse_other_class(table.get(), H5T_INTEGER, name);
+  refuse_other_type(table.get(), H5T_INTEGER, 1, name);
   std::string text(size.rows * size.columns, ' ');
   if (!text.empty()) read_part(table.get(), H5T_NATIVE_CHAR, 0, size.rows, text.data(), name);
   return text;

@@ -74,6 +74,8 @@ def all_kinds(h5, jet):
     for name in ("mass", "volume", "half_size"):
         yield put(f"particles/{jet}/{name}", -1.0)
         yield put(f"particles/{jet}/{name}", float("inf"))
+    yield put(f"particles/{jet}/half_size", 0.1)  # many cells
+    yield replace(f"particles/{jet}/stress", h5[f"particles/{jet}/stress"][...].astype(np.float32))
     yield put(f"particles/{jet}/position", 1e9)
     yield put(f"particles/{jet}/id", 2**62)
     yield put(f"particles/{jet}/id", int(h5[f"particles/{jet}/id"][1, 0]))  # twice

@@ -50,6 +50,12 @@ set_tests_properties(sanitized.build PROPERTIES LABELS "sanitized;slow" TIMEOUT 
 barreno_sanitized_script(runs mpi ${CMAKE_CURRENT_SOURCE_DIR}/sanitized/test_runs.py)
 barreno_sanitized_script(shipped_decks deck ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_shipped_decks.py)
 set_tests_properties(sanitized.runs sanitized.shipped_decks PROPERTIES PROCESSORS 2)
+# Every deck with every order of the step, transfers and shape functions in turn; all with all under slow.
+set(orders ${CMAKE_CURRENT_SOURCE_DIR}/sanitized/test_orders.py $<TARGET_FILE_DIR:barreno>/../verification)
+add_test(NAME sanitized.orders COMMAND ${BARRENO_PYTHON} ${orders})
+add_test(NAME slow.sanitized_orders COMMAND ${BARRENO_PYTHON} ${orders} --all)
+set_tests_properties(sanitized.orders PROPERTIES LABELS "sanitized;deck" TIMEOUT 900 ENVIRONMENT "${sanitized_environment}")
+set_tests_properties(slow.sanitized_orders PROPERTIES LABELS slow TIMEOUT 20000 ENVIRONMENT "${sanitized_environment}")
 foreach(script bad_decks bad_particles clipped_domains drive file_sets pore_flow quick_perforation resume rigid_shapes)
   barreno_sanitized_script(${script} slow ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_${script}.py)
 endforeach()

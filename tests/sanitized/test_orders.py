@@ -3,7 +3,7 @@
 """Short forms of the shipped decks with every order of the step and every transfer, under the sanitizers and with every index
 checked: none may end otherwise than with a result, a reason (no numerical answer) or a sentence.
 
-    test_orders.py SERVE_RUNS_SANITIZED SERVE_RUNS BARRENO [--all]
+    test_orders.py BUILD/verification [--all]
 
 Without --all every deck comes with one transfer for each order, every transfer with every order over the decks; the shape
 functions and the expansion beyond which particles go take their turn. --all: every deck with every pair, and every shape
@@ -37,9 +37,9 @@ def combinations(decks, words, everything):
     if everything:
         return [(d, o, t, s, EXPANSIONS[i % len(EXPANSIONS)]) for i, (d, o, t, s) in enumerate(itertools.product(decks, orders, transfers, shapes))]
     found = []
-    for i, (deck, order) in enumerate(itertools.product(decks, orders)):
-        turn = i + i // (len(orders) * len(transfers))
-        found.append((deck, order, transfers[(turn // len(orders) + turn) % len(transfers)], shapes[turn % len(shapes)], EXPANSIONS[turn % len(EXPANSIONS)]))
+    for (k, deck), (j, order) in itertools.product(enumerate(decks), enumerate(orders)):
+        shape = shapes[(k + k // len(transfers) + 2 * j) % len(shapes)]
+        found.append((deck, order, transfers[(k + j) % len(transfers)], shape, EXPANSIONS[(k + k // len(EXPANSIONS) + j) % len(EXPANSIONS)]))
     pairs = {(order, transfer) for _, order, transfer, _, _ in found}
     assert len(pairs) == len(orders) * len(transfers), f"not every transfer comes with every order: {sorted(pairs)}"
     return found
@@ -69,19 +69,18 @@ def try_combination(servers, folder, combination, seed):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("sanitized", type=pathlib.Path)
-    parser.add_argument("plain", type=pathlib.Path)
-    parser.add_argument("barreno", type=pathlib.Path)
+    parser.add_argument("programs", type=pathlib.Path, help="folder of serve_runs and serve_runs_sanitized")
     parser.add_argument("--all", action="store_true")
     options = parser.parse_args()
-    words = {option.name: option.words for option in described_options(options.barreno)["Step"]}
+    programs = options.programs.resolve()
+    words = {option.name: option.words for option in described_options(programs.parent / "src" / "barreno")["Step"]}
     decks = sorted(file.name for file in DECKS.glob("*.xml"))
     chosen = combinations(decks, words, options.all)
     findings, refused, seconds = 0, 0, 0.0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "jets").symlink_to(DECKS / "jets")
-        servers = [RunServer(program.resolve(), folder) for program in (options.plain, options.sanitized)]
+        servers = [RunServer(programs / name, folder) for name in ("serve_runs", "serve_runs_sanitized")]
         for seed, combination in enumerate(chosen):
             try:
                 refused += not try_combination(servers, folder, combination, seed)

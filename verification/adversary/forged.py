@@ -108,7 +108,8 @@ def try_forgery(barreno, straight, middle, folder, forgery, rng):
     if must_end(ended, FINISHED, REFUSED, FILE, NUMERICAL) in (REFUSED, FILE):
         sentence = sentence_of(ended)
         last = name.rpartition("/")[2]
-        if last not in sentence and last.replace("_", " ") not in sentence:
+        # Where two disagree, either may be named: a file of the run that is shorter than its length here, counts against rows.
+        if not any(word in sentence for word in (last, ".csv", "particles.e", "rank_counts")):
             raise Finding(f"the refusal does not name it: {sentence}")
         return "refused"
     if ended.code == NUMERICAL:
@@ -120,7 +121,8 @@ def try_forgery(barreno, straight, middle, folder, forgery, rng):
         return "the same run"
     if what in IMPOSSIBLE or what in FORMS:
         raise Finding(f"not refused, and the run is another one: {'; '.join(wrong[:4])}")
-    wrong = [what for what in unsound(folder) if "mass balance" not in what]  # the ledger may be what was forged
+    # The balances say that mass or a ledger is another one.
+    wrong = [] if name.startswith("ledger/") else [what for what in unsound(folder) if "mass balance" not in what]
     if wrong:
         raise Finding(f"not refused, and what came of it is {'; '.join(wrong[:4])}")
     return "another state"

@@ -20,10 +20,9 @@ def killed(barreno, deck, folder, seconds, rng, tally):
             tally.add("kills that came too late")
             return True
         if not any((folder / name).exists() for name in ("checkpoint.h5", "checkpoint_previous.h5")):
-            refusal = barreno.run("resume", folder)
-            must_end(refusal, FILE)
+            # A sealed file that had no name yet is one to go on from.
             tally.add("killed before the first checkpoint")
-            return False
+            return must_end(barreno.run("resume", folder), FILE, FINISHED) == FINISHED
         # The last attempt is left alone.
         kind = int(rng.choice([*KINDS, *len(KINDS) * [0]])) if turn < 2 else 0
         ended = barreno.run("resume", folder, signal=kind, after=rng.uniform(0.0, 1.0) * seconds)
