@@ -121,7 +121,9 @@ def check_killed_group(barreno, folder, plain):
             time.sleep(0.005)
         os.killpg(first.pid, signal.SIGKILL)
         first.wait()
-        resumed(barreno, 2, run)
+        result = program(barreno, 2, "resume", run)
+        # On a busy machine the ranks may live on to the end of the run.
+        assert result.returncode == 0 or "has reached its end time" in result.stderr, f"exit {result.returncode}: {result.stderr}"
         assert not different_fields(plain, run) and not different_files(plain, run), f"turn {turn}"
 
 
