@@ -38,16 +38,19 @@ KOKKOS_INLINE_FUNCTION AxisWeights<N> average_hats(
     const double from = a > node ? a : node;
     const double to = b < node + 1.0 ? b : node + 1.0;
     const double w = to > from ? to - from : 0.0;
-    const double m = 0.5 * (from + to) - node;
+    const double m = 0.5 * ((from - node) + (to - node));
+    // Not 1 - m, nor the rest of the sum: of a part that just touches the cell little would be left
+    // but round-off, and a node with a force and no mass.
+    const double l = 0.5 * ((node + 1.0 - from) + (node + 1.0 - to));
     const double r = Radial ? axis + node + m : 1.0;
-    const double upper = Radial ? w * m * r + w * w * w / 12.0 : w * m;
+    const double curved = Radial ? w * w * w / 12.0 : 0.0;
     size += w * r;
-    out.s[k] += w * r - upper;
-    out.s[k + 1] += upper;
+    out.s[k] += w * l * r - curved;
+    out.s[k + 1] += w * m * r + curved;
     out.g[k] -= w * r;
     out.g[k + 1] += w * r;
     if constexpr (Radial) {
-      out.t[k] += w * (1.0 - m);
+      out.t[k] += w * l;
       out.t[k + 1] += w * m;
     }
   }

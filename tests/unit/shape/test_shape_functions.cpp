@@ -236,6 +236,24 @@ void expect_stretches() {
     for (unsigned d = 0; d < D; ++d) EXPECT_NEAR(c.place.stretch[d], c.stretch[d], 1e-14);
   }
 }
+/// A box that just reaches into a cell gives its far node a force of the reach and a mass of the
+/// reach's square: were the mass lost in round-off, the node would fly away.
+TEST(AverageHats, WhatTouchesACellHasItsMass) {
+  for (const double reach : {1e-15, 3e-14, 1e-12, 1e-9, 1e-6}) {
+    const double low = 3.0 - reach, high = 4.0 + reach;
+    const double below = 3.0 - low, above = high - 4.0;  // as they are stored
+    const AxisWeights<4> plane = average_hats<false, 4>(low, high, 2, 0.0, 1.0);
+    const double size = high - low;
+    EXPECT_NEAR(plane.s[0] * size / (0.5 * below * below), 1.0, 1e-6) << reach;
+    EXPECT_NEAR(plane.s[3] * size / (0.5 * above * above), 1.0, 1e-6) << reach;
+    EXPECT_NEAR(plane.g[0] * size / below, -1.0, 1e-6) << reach;
+    const AxisWeights<4> radial = average_hats<true, 4>(low, high, 2, 0.0, 1.0);
+    const double area = 0.5 * (high * high - low * low);
+    EXPECT_NEAR(radial.s[0] * area / (0.5 * below * below * 3.0), 1.0, 1e-5) << reach;
+    EXPECT_NEAR(radial.s[3] * area / (0.5 * above * above * 4.0), 1.0, 1e-5) << reach;
+  }
+}
+
 TEST(Stretches, AreTheDiagonalOfU) {
   expect_stretches<PlaneStrain>();
   expect_stretches<ThreeDimensional>();
