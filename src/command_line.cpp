@@ -20,7 +20,7 @@ public:
   bool at_end() const { return at_ == words_.size(); }
   std::string next() { return words_[at_++]; }
   std::string value_of(const std::string& option, const std::string& example) {
-    const std::string value = at_end() ? "" : next();
+    std::string value = at_end() ? "" : next();
     if (!value.empty()) return value;
     throw DeckError(
         option + " has no value after it (it needs one); write for example " + option + " " +

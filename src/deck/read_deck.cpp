@@ -173,7 +173,7 @@ std::string include_jet_table(const Reading& reading, ParameterList& values) {
 std::string check_digest(
     const std::string& text, const std::string& source, const ParameterList& list
 ) {
-  const std::string digest = digest_of(text);
+  std::string digest = digest_of(text);
   if (!list.isParameter("File Digest")) return digest;
   const auto wanted = list.get<std::string>("File Digest");
   if (wanted != digest)

@@ -124,19 +124,17 @@ bool try_lock(const fs::path& path, int& file, std::string& holder) {
 int wait_for_lock(const fs::path& path, double wait_seconds) {
   using Watch = std::chrono::steady_clock;
   const auto end = Watch::now() + std::chrono::duration<double>(wait_seconds);
-  const std::string folder = path.parent_path().string();
+  const std::string in_use = "the run folder '" + path.parent_path().string() + "' is in use (";
   std::string holder;
   int file = -1;
   for (bool told = false; !try_lock(path, file, holder); told = true) {
     if (Watch::now() >= end)
       throw FileError(
-          "the run folder '" + folder + "' is in use (" + holder +
-          "); wait until that process ends, or stop it."
+          std::string(in_use).append(holder).append("); wait until that process ends, or stop it.")
       );
     if (!told && !holder.empty())
-      std::cerr << "barreno: the run folder '" << folder << "' is in use (" << holder
-                << "); waiting up to " << wait_seconds << " s for that process to end."
-                << std::endl;
+      std::cerr << "barreno: " << in_use << holder << "); waiting up to " << wait_seconds
+                << " s for that process to end." << std::endl;
     std::this_thread::sleep_for(between_looks);
   }
   write_holder(file, path);
