@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/hdf5_handle.hpp"
+#include "output/own_file.hpp"
 
 #include <algorithm>
-#include <sys/stat.h>
 #include <type_traits>
 
 namespace barreno {
@@ -140,11 +140,8 @@ bool Hdf5File::has(const std::string& name) const {
 
 bool Hdf5File::is(int file) const {
   void* mine = nullptr;
-  struct stat a {
-  }, b{};
   return H5Fget_vfd_handle(file_, H5P_DEFAULT, &mine) >= 0 && mine != nullptr &&
-         fstat(*static_cast<int*>(mine), &a) == 0 && fstat(file, &b) == 0 && a.st_dev == b.st_dev &&
-         a.st_ino == b.st_ino;
+         id_of(*static_cast<int*>(mine)) == id_of(file);
 }
 
 }  // namespace barreno

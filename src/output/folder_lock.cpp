@@ -2,6 +2,7 @@
 #include "output/folder_lock.hpp"
 
 #include "base/error.hpp"
+#include "output/own_file.hpp"
 
 #include <array>
 #include <cerrno>
@@ -67,10 +68,7 @@ int open_lock(const fs::path& path) {
 
 /// Whether the name still belongs to the open file: the run before may have removed it meanwhile.
 bool has_name(int file, const fs::path& path) {
-  struct stat opened {
-  }, named{};
-  return fstat(file, &opened) == 0 && lstat(path.c_str(), &named) == 0 &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+  return id_of(file) == id_of(path);
 }
 
 std::string host_name() {

@@ -50,7 +50,7 @@ bool write_all(int handle, const std::string& text) {
 
 void refuse_if_gone(const std::filesystem::path& path, const FileId& id) {
   const FileId found = id_of(path);
-  if (found.number == id.number && found.device == id.device) return;
+  if (found == id) return;
   throw FileError(
       "cannot go on writing '" + path.string() +
       "' (it was removed, moved or replaced during the run). Leave the run folder where it is "

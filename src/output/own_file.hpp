@@ -15,6 +15,9 @@ struct FileId {
   dev_t device = 0;
   ino_t number = 0;  ///< 0: none
 };
+inline bool operator==(const FileId& a, const FileId& b) {
+  return a.number != 0 && a.device == b.device && a.number == b.number;
+}
 FileId id_of(int handle);
 /// Of a link the link's own.
 FileId id_of(const std::filesystem::path& path);

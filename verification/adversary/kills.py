@@ -8,6 +8,11 @@ from same_runs import different
 KINDS = [9, 9, 9, 9, int(signal.SIGTERM), int(signal.SIGINT), int(signal.SIGHUP), int(signal.SIGUSR1)]
 
 
+def said_all(ended):
+    """Whether a resume found a run that had said its last words before the kill came: its files are whole."""
+    return ended.code == REFUSED and "has reached its end time" in ended.err
+
+
 def killed(barreno, deck, folder, seconds, rng, tally):
     """A run that gets a signal, and is resumed until it has ended. @return whether there was something to resume"""
     kind = int(rng.choice(KINDS))
@@ -26,6 +31,9 @@ def killed(barreno, deck, folder, seconds, rng, tally):
         # The last attempt is left alone.
         kind = int(rng.choice([*KINDS, *len(KINDS) * [0]])) if turn < 2 else 0
         ended = barreno.run("resume", folder, signal=kind, after=rng.uniform(0.0, 1.0) * seconds)
+        if said_all(ended):
+            tally.add("kills that came too late")
+            return True
         if kind == 0:
             must_end(ended, FINISHED)
             tally.add("resumed to the end")
