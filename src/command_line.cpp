@@ -2,105 +2,158 @@
 #include "command_line.hpp"
 
 #include "base/error.hpp"
-#include "deck/fidelity.hpp"
+#include "command_pages.hpp"
 
-#include <algorithm>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
-#include <charconv>
+#include <map>
 
 namespace barreno {
 namespace {
 
-const std::vector<std::string> commands = {"run", "resume", "check", "drive", "describe"};
-/// The arguments, with a cursor that knows what an option still needs.
-class Arguments {
-public:
-  Arguments(int argc, const char* const* argv) : words_(argv + 1, argv + argc) {}
-  bool at_end() const { return at_ == words_.size(); }
-  std::string next() { return words_[at_++]; }
-  std::string value_of(const std::string& option, const std::string& example) {
-    std::string value = at_end() ? "" : next();
-    if (!value.empty()) return value;
-    throw DeckError(
-        option + " has no value after it (it needs one); write for example " + option + " " +
-        example + "."
-    );
-  }
+const char* const title =
+    "Barreno: a material point code for shaped-charge jets that perforate rock.\n";
+const char* const exit_codes =
+    "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, 3 numerical failure, 4 internal,\n"
+    "128 + the signal's number where one ended the run.";
+const char* const other_words =
+    "barreno COMMAND --help says more of a command. In the source tree ./barreno also has\n"
+    "report FOLDER (pictures and numbers of a run) and test.\n\n";
 
-private:
-  std::vector<std::string> words_;
-  std::size_t at_ = 0;
-};
+/// Options of CLI11 back to what this code knows of them.
+using Known = std::map<const CLI::Option*, const OptionPage*>;
 
-/// @param what  "number of ranks", for the sentence
-int count_of(const std::string& option, const std::string& text, const std::string& what) {
-  int count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc{} || end != text.data() + text.size() || count < 1) {
-    throw DeckError(
-        option + " " + input::shown(text) + " is no " + what + " (1 or more); write for example " +
-        option + " 2."
-    );
+void add_command(const CommandPage& page, CLI::App& program, Known& known) {
+  CLI::App& app = *program.add_subcommand(page.name, std::string(page.summary) + "\n");
+  app.allow_extras();  // said in sentences of our own
+  app.group("Commands");
+  app.footer(
+      "Examples:\n  " + CLI::detail::find_and_replace(page.examples, "\n", "\n  ") + "\n\n" +
+      exit_codes
+  );
+  if (page.operand != nullptr) {
+    CLI::Option& operand = *app.add_option(page.operand)->description(page.operand_meaning);
+    operand.option_text(" ");
+    operand.required(page.operand_required);
   }
-  return count;
+  for (const OptionPage& one : page.options) {
+    CLI::Option& option =
+        one.value == nullptr
+            ? *app.add_flag(one.name)->disable_flag_override()
+            : *app.add_option(one.name)->type_name(one.value)->allow_extra_args(false);
+    option.description(one.meaning);
+    option.required(one.required);
+    option.multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    known[&option] = &one;
+  }
 }
 
-Command command_of(const std::string& word) {
-  if (word == "--help" || word == "-h" || word == "help") return Command::help;
-  if (word == "--version" || word == "version") return Command::version;
-  if (word == "run") return Command::run;
-  if (word == "resume") return Command::resume;
-  if (word == "check") return Command::check;
-  if (word == "drive") return Command::drive;
-  if (word == "describe") return Command::describe;
+void add_commands(CLI::App& program, Known& known) {
+  program.set_help_flag("-h,--help", "this page");
+  program.allow_extras();
+  program.require_subcommand(0, 1);
+  program.footer(std::string(other_words) + exit_codes);
+  program.get_formatter()->column_width(36);
+  program.get_formatter()->label("Positionals", "Arguments");
+  program.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  program.get_formatter()->label("REQUIRED", "(required)");
+  for (const CommandPage& page : command_pages()) add_command(page, program, known);
+  program.add_flag("--version", "version, commit, compiler and libraries");
+}
+
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word.front() == '-';
+}
+
+[[noreturn]] void refuse_command(const std::string& word) {
   if (word == "report") {
     throw DeckError(
         "report is a command of the source tree (it draws with Python); write there ./barreno "
         "report FOLDER."
     );
   }
-  throw DeckError(input::shown(word) + " is not a command; " + input::suggest_name(word, commands));
+  std::vector<std::string> names;
+  for (const CommandPage& page : command_pages()) names.emplace_back(page.name);
+  throw DeckError(input::shown(word) + " is not a command; " + input::suggest_name(word, names));
 }
 
-std::vector<std::string> known_options(Command command) {
-  if (command == Command::describe) return {"--markdown", "--help"};
-  if (command == Command::drive)
-    return {"--material", "--path", "--out", "--steps-per-row", "--set", "--help"};
-  if (command == Command::check) return {"--set", "--fidelity", "--ranks", "--help"};
-  if (command == Command::resume) return {"--until", "--ranks", "--help"};
-  return {"--out", "--ranks", "--set", "--fidelity", "--overwrite", "--help"};
-}
-
-[[noreturn]] void refuse_option(const std::string& word, Command command) {
+[[noreturn]] void refuse_option(const std::string& word, const CommandPage& page) {
+  std::vector<std::string> names;
+  for (const OptionPage& option : page.options) names.emplace_back(option.name);
+  names.emplace_back("--help");
   throw DeckError(
       word + " is not an option of this command; " +
-      input::suggest_name(word, known_options(command))
+      input::suggest_name(word.substr(0, word.find('=')), names)
   );
 }
 
-/// As the deck would say it, so that it can be read back from the effective deck.
-std::string fidelity_override(const std::string& name) {
-  const std::vector<std::string> known = fidelity_words();
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw DeckError(
-        "--fidelity " + input::shown(name) + " names no set of choices; " +
-        input::suggest_name(name, known)
-    );
-  }
-  return "Fidelity=" + name;
+[[noreturn]] void refuse_no_value(const OptionPage& option) {
+  throw DeckError(
+      std::string(option.name) + " has no value after it (it needs one); write for example " +
+      option.name + " " + option.example + "."
+  );
 }
 
-/// The options that have another meaning for `drive`, or none elsewhere.
-void parse_drive_option(const std::string& word, Arguments& arguments, DriveRequest& request) {
-  if (word == "--material") request.material = arguments.value_of(word, "berea_sandstone.xml");
-  if (word == "--path")
-    request.path = arguments.value_of(word, "input_xml/paths/uniaxial_berea.csv");
-  if (word == "--out") request.out = arguments.value_of(word, "answer.csv");
-  if (word == "--set") request.overrides.push_back(arguments.value_of(word, "\"PEAKI1=20 MPa\""));
-  if (word == "--steps-per-row") {
-    const std::string text = arguments.value_of(word, "10");
-    request.steps_per_row = count_of(word, text, "number of steps");
+/// What CLI11 could not read: an option without its value, or with one that it does not take.
+[[noreturn]] void refuse_line(const CLI::ParseError& error, const CommandPage* page) {
+  const std::string what = error.what();
+  if (page != nullptr) {
+    for (const OptionPage& option : page->options) {
+      if (what.rfind(std::string(option.name) + ":", 0) == 0) refuse_no_value(option);
+      if (option.value == nullptr && what.rfind(option.name + 2, 0) == 0) {
+        throw DeckError(
+            std::string(option.name) + " has a value (it takes none); write " + option.name + "."
+        );
+      }
+    }
+  }
+  throw DeckError("the command line cannot be read (" + what + "); see barreno --help.");
+}
+
+/// Words that belong to no option; an empty one is a variable of a script that is not set.
+std::string operand_of(const CLI::App& app, const CommandPage& page) {
+  std::vector<std::string> words;
+  if (page.operand != nullptr) words = app.get_option(page.operand)->results();
+  for (const std::string& word : app.remaining()) {
+    if (is_option(word)) refuse_option(word, page);
+    words.push_back(word);
+  }
+  std::string operand;
+  for (const std::string& word : words) {
+    if (word.empty()) continue;
+    if (page.operand == nullptr) {
+      throw DeckError(
+          input::shown(word) +
+          " stands alone (drive takes every file by its option); write --material, --path or --out "
+          "before it."
+      );
+    }
+    if (!operand.empty()) {
+      throw DeckError(
+          input::shown(word) + " comes after " + input::shown(operand) +
+          " (one is enough); remove one of them."
+      );
+    }
+    operand = word;
+  }
+  return operand;
+}
+
+/// In the order in which they were typed: later ones win.
+void take_options(const CLI::App& app, const Known& known, Options& options) {
+  std::map<const CLI::Option*, std::size_t> seen;
+  for (const CLI::Option* given : app.parse_order()) {
+    const auto found = known.find(given);
+    if (found == known.end()) continue;  // the operand
+    const OptionPage& page = *found->second;
+    const std::string value = given->results().at(seen[given]++);
+    const CLI::Option* const other = app.get_option_no_throw(value);
+    if (page.value != nullptr && (value.empty() || (is_option(value) && other != nullptr)))
+      refuse_no_value(page);
+    page.take(options, value);
   }
 }
 
@@ -118,112 +171,77 @@ void check_drive(const DriveRequest& request) {
   }
 }
 
-void parse_option(const std::string& word, Arguments& arguments, Options& options) {
-  const Command command = options.command;
-  bool known = false;
-  for (const auto& option : known_options(command)) known = known || word == option;
-  if (!known) refuse_option(word, command);
-  if (word == "--help") {
-    options.command = Command::help;
-    options.help_of = command;
-    return;
-  }
-  if (command == Command::drive) return parse_drive_option(word, arguments, options.drive);
-  if (word == "--markdown") options.markdown = true;
-  if (word == "--overwrite") options.overwrite = true;
-  if (word == "--until")
-    options.overrides.push_back("Time/End Time=" + arguments.value_of(word, "\"200 us\""));
-  if (word == "--out") options.out = arguments.value_of(word, "results");
-  if (word == "--ranks")
-    options.ranks = count_of(word, arguments.value_of(word, "2"), "number of ranks");
-  if (word == "--set")
-    options.overrides.push_back(arguments.value_of(word, "\"Time/End Time=50 us\""));
-  if (word == "--fidelity")
-    options.overrides.push_back(fidelity_override(arguments.value_of(word, "balanced")));
-}
-
-}  // namespace
-
-Options parse_command_line(int argc, const char* const* argv) {
-  Arguments arguments(argc, argv);
-  Options options;
-  if (arguments.at_end()) return options;
-  options.command = command_of(arguments.next());
-  if (options.command == Command::help || options.command == Command::version) return options;
-  std::string& operand = options.command == Command::describe ? options.section : options.deck_file;
-  bool given = false;
-  while (!arguments.at_end()) {
-    std::string word = arguments.next();
-    if (word == "-h") word = "--help";
-    if (word.size() > 1 && word.front() == '-') {
-      parse_option(word, arguments, options);
-      if (options.command == Command::help) return options;
-    } else if (options.command == Command::drive) {
-      throw DeckError(
-          input::shown(word) +
-          " stands alone (drive takes every file by its option); write --material, --path or --out "
-          "before it."
-      );
-    } else if (given) {
-      throw DeckError(
-          input::shown(word) + " comes after " + input::shown(operand) +
-          " (one is enough); remove one of them."
-      );
-    } else {
-      operand = word;
-      given = !word.empty();  // of a variable of a script that is not set
-    }
-  }
-  if (options.command == Command::drive) {
-    check_drive(options.drive);
-    return options;
-  }
-  if (!given && options.command == Command::resume) {
+void check_operand(const std::string& operand, Command command) {
+  if (!operand.empty()) return;
+  if (command == Command::resume) {
     throw DeckError(
         "no run is named (its folder holds the checkpoint); write for example barreno resume "
         "runs/perforation-1."
     );
   }
-  if (!given && options.command != Command::describe) {
+  if (command == Command::run || command == Command::check) {
     throw DeckError(
         "no deck is named (it says what to compute); write for example barreno run "
         "input_xml/perforation.xml."
     );
   }
+}
+
+const CommandPage* page_of(const CLI::App& program) {
+  if (program.get_subcommands().empty()) return nullptr;
+  const std::string name = program.get_subcommands().front()->get_name();
+  for (const CommandPage& page : command_pages())
+    if (name == page.name) return &page;
+  return nullptr;
+}
+
+}  // namespace
+
+Options parse_command_line(int argc, const char* const* argv) {
+  Options options;
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) return options;
+  if (words.front() == "help" || words.front() == "version") words.front().insert(0, "--");
+  if (!is_option(words.front()) && words.front() == "report") refuse_command(words.front());
+  CLI::App program(title, "barreno");
+  Known known;
+  add_commands(program, known);
+  bool help = false;
+  try {
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    help = true;
+  } catch (const CLI::RequiredError&) {  // said below, as an empty one is
+  } catch (const CLI::ParseError& error) {
+    refuse_line(error, page_of(program));
+  }
+  const CommandPage* const page = page_of(program);
+  if (!program.remaining().empty()) refuse_command(program.remaining().front());
+  options.help_of = page != nullptr ? page->command : Command::help;
+  if (help) return options;
+  if (page == nullptr) {
+    options.command = Command::version;
+    return options;
+  }
+  options.command = page->command;
+  const CLI::App& app = *program.get_subcommands().front();
+  const std::string operand = operand_of(app, *page);
+  take_options(app, known, options);
+  (page->command == Command::describe ? options.section : options.deck_file) = operand;
+  if (page->command == Command::drive)
+    check_drive(options.drive);
+  else
+    check_operand(operand, page->command);
   return options;
 }
 
 std::string help_text(Command command) {
-  const std::pair<Command, const char*> pages[] = {
-      {Command::run,
-       "barreno run DECK [--out DIR] [--ranks N] [--set \"Sub List/Parameter=value\"]... "
-       "[--overwrite]\n"
-       "        [--fidelity fast|balanced|reference]\n"
-       "    compute; without --out into runs/<deck name>-<counter>; --set \"Sub List/Parameter=\" "
-       "takes a\n"
-       "    value or a list away\n"},
-      {Command::resume,
-       "barreno resume FOLDER [--until TIME] [--ranks N]\n"
-       "    go on from the last checkpoint of a run\n"},
-      {Command::check,
-       "barreno check DECK [--set \"Sub List/Parameter=value\"]... [--fidelity ...] [--ranks N]\n"
-       "    validate, print the plan, write nothing; a fidelity chooses between error and cost\n"
-       "    what the deck does not say (docs/trade.md)\n"},
-      {Command::drive,
-       "barreno drive --material CARD --path PATH.csv --out OUT.csv\n"
-       "        [--steps-per-row N] [--set PARAMETER=value]...\n"
-       "    one material point along a path of the deformation gradient (docs/drive.md)\n"},
-      {Command::describe,
-       "barreno describe [SECTION or MODEL] [--markdown]\n"
-       "    the deck reference\n"}};
-  std::string text;
-  for (const auto& [one, page] : pages)
-    if (command == one || command == Command::help) text += page;
-  return text +
-         "\n"
-         "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, 3 numerical failure, 4 "
-         "internal,\n"
-         "128 + the signal's number where one ended the run.\n";
+  CLI::App program(title, "barreno");
+  Known known;
+  add_commands(program, known);
+  for (const CommandPage& page : command_pages())
+    if (page.command == command) return program.get_subcommand(page.name)->help("barreno");
+  return program.help("", CLI::AppFormatMode::All);
 }
 
 }  // namespace barreno

@@ -16,6 +16,7 @@
 #include "run.hpp"
 #include "scene/build_scene.hpp"
 #include "state/build_state.hpp"
+#include "version.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
@@ -47,7 +48,7 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
-  refuse_endless(deck, scene);
+  refuse_unreachable_end(deck, scene);
   check_solver_lists(deck, scene, *comm);
   const Prediction prediction = predict_run(scene, *comm);
   State state = build_state(scene, comm);
@@ -63,7 +64,7 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       notes_of(deck, scene),
       prediction,
       deck.surface_files};
-  note_signals();  // before this nothing is lost
+  catch_signals();  // before this nothing is lost
   Output output(scene, state, description);
   output.write_if_due(scene, state);
   return run_to_end(scene, state, output, description);
@@ -73,7 +74,7 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
-  refuse_endless(deck, scene);
+  refuse_unreachable_end(deck, scene);
   check_solver_lists(deck, scene, *comm);
   const int ranks = std::max(1, options.ranks);
   const auto scene_with = [&](const std::string& fidelity) {
@@ -106,7 +107,7 @@ int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
         std::cout << (options.markdown ? describe_markdown() : describe_text(options.section));
       break;
     case Command::version:
-      if (root) std::cout << "barreno " << BARRENO_VERSION << '\n';
+      if (root) std::cout << version_text();
       break;
     case Command::help:
       if (root) std::cout << help_text(options.help_of);

@@ -41,8 +41,9 @@ void refuse_resume(
   const std::string other = deck_difference(checkpoint.deck_text, effective_deck_xml(deck));
   if (!other.empty())
     throw DeckError(
-        "cannot resume '" + folder.string() + "': its deck.xml is not that of its checkpoint (" +
-        other + "); put the deck back, or start a new run with barreno run."
+        "cannot resume '" + folder.string() +
+        "': its deck.xml differs from the deck in its checkpoint (" + other +
+        "); put the deck back, or start a new run with barreno run."
     );
   const double time = number_of(checkpoint.numbers, "time");
   const bool over = time > scene.end_time ||
@@ -89,7 +90,7 @@ int resume(
   const RunDescription description{folder, file, text, BARRENO_VERSION, notes};
   RunNumbers position = checkpoint.output;
   position["time"] = checkpoint.numbers.at("time");
-  note_signals();
+  catch_signals();
   Output output(scene, state, description, position);  // files begin with the state at t = 0
   read_checkpoint(checkpoint, state);
   output.go_on_from(scene, state);

@@ -5,7 +5,7 @@
 #include "base/gather.hpp"
 #include "base/interrupt.hpp"
 #include "step/advance.hpp"
-#include "step/place_particles.hpp"
+#include "step/order/remove_lost.hpp"
 #include "step/stable_step.hpp"
 #include "watch_run.hpp"
 
@@ -21,10 +21,10 @@ namespace {
 /// What went wrong with the particle that stopped the run, by its cause.
 constexpr std::array<const char*, removal_causes> what_failed{
     "left the grid",
-    "moved to a place or with a velocity that is no number",
+    "has a position or velocity that is not a finite number",
     "failed in its stress update",
     "expanded beyond \"Largest Expansion\"",
-    "was turned inside out or flat by its deformation"};
+    "was inverted or flattened by its deformation"};
 
 /// Its cause, known to the rank that holds it and told to all.
 int failure_cause(const State& state, const StepResult& result) {
@@ -32,7 +32,7 @@ int failure_cause(const State& state, const StepResult& result) {
   for (const Particles& particles : state.particles)
     for (int p = 0; p < particles.count; ++p)
       if (particles.id(p) == result.failed && particles.material == result.material)
-        cause[0] = removal_cause(state.grid, particles, p);
+        cause[0] = RemovalRule(state.grid, particles).cause_of(p);
   max_over_ranks(*state.grid.comm, cause);
   return static_cast<int>(cause[0]);
 }
@@ -53,9 +53,9 @@ RunVerdict cut_off(
   if (!fault.empty()) output.give_up_files();
   const bool kept = checkpoints.write(output, state);
   verdict.reason = fault.empty() ? "The run was interrupted by " + signal_name(signal) : fault;
-  verdict.reason += fault.empty() ? (kept ? "; its checkpoint is of this step."
+  verdict.reason += fault.empty() ? (kept ? "; the checkpoint was written at this step."
                                           : ", and no checkpoint could be written.")
-                                  : (kept ? " The checkpoint is of this step."
+                                  : (kept ? " The checkpoint was written at this step."
                                           : " No checkpoint of this step could be written either.");
   return verdict;
 }
@@ -82,7 +82,7 @@ struct Named {
   int material = -1;
 };
 
-/// The first particle of all ranks whose stress was no number before the step: it has kept it, and
+/// The first particle of all ranks whose stress was not finite before the step: it has kept it, and
 /// what failed around it had its forces.
 Named find_source(const State& state) {
   constexpr double none = std::numeric_limits<double>::max();
@@ -109,11 +109,11 @@ std::string failure_sentence(const Scene& scene, const State& state, const StepR
   Named named{result.failed, result.material};
   if (const Named source = find_source(state); source.id >= 0) {
     named = source;
-    words = "has a stress that is no number";
+    words = "has a stress that is not a finite number";
   }
   std::ostringstream text;
   text << "Particle " << named.id << " of material '"
-       << scene.materials[static_cast<std::size_t>(named.material)].material.name << "' " << words
+       << scene.materials[static_cast<std::size_t>(named.material)].name() << "' " << words
        << " at t = " << state.clock.time << " s, dt = " << state.clock.dt
        << " s, and its policy is to stop. Set its \"Bad Particles\" to remove or hold, or take a "
           "smaller \"Courant Fraction\".";
@@ -123,7 +123,8 @@ std::string failure_sentence(const Scene& scene, const State& state, const StepR
 RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& checkpoints) {
   if (state.clock.step == 0)
     for (const Particles& particles : state.particles)
-      state.stable_step = std::min(state.stable_step, stable_step_of_rows(scene, particles, 0));
+      state.stable_step =
+          std::min(state.stable_step, stable_step_of_rows(scene.step, state.grid, particles, 0));
   int interrupt = 0;
   RunWatch watch;
   while (state.clock.time < scene.end_time) {

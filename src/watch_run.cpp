@@ -13,8 +13,8 @@
 namespace barreno {
 namespace {
 
-constexpr double most_gain = 10.0;
-constexpr int most_standing = 10;
+constexpr double max_gain = 10.0;
+constexpr int max_stalled_steps = 10;
 
 /// Particle, material and speed of the fastest of all ranks; the first of equal ones.
 struct Fastest {
@@ -52,16 +52,16 @@ std::string fastest_words(const Scene& scene, const State& state) {
   std::ostringstream text;
   if (found.material < 0) return "there is no particle";
   text << "the fastest particle is " << found.id << " of material '"
-       << scene.materials[static_cast<std::size_t>(found.material)].material.name << "', with "
+       << scene.materials[static_cast<std::size_t>(found.material)].name() << "', with "
        << found.speed << " m/s";
   return text.str();
 }
 
 std::string standing_sentence(const Scene& scene, const State& state) {
   std::ostringstream text;
-  text << "Time stands still at t = " << state.clock.time << " s, step " << state.clock.step
-       << ": steps of dt = " << state.clock.dt << " s never come to the end at " << scene.end_time
-       << " s (" << fastest_words(scene, state)
+  text << "Time has stalled at t = " << state.clock.time << " s, step " << state.clock.step
+       << ": steps of dt = " << state.clock.dt << " s will never reach the end at "
+       << scene.end_time << " s (" << fastest_words(scene, state)
        << "). Look for a velocity, stiffness or density in a wrong unit, or for a \"Largest Step\" "
           "that is too small.";
   return text.str();
@@ -70,7 +70,7 @@ std::string standing_sentence(const Scene& scene, const State& state) {
 bool time_stands(const Scene& scene, const Clock& clock, double last_dt, RunWatch& watch) {
   const bool tiny = scene.end_time + clock.dt == scene.end_time && !(clock.dt > 1.01 * last_dt);
   watch.standing = tiny ? watch.standing + 1 : 0;
-  return watch.standing >= most_standing;
+  return watch.standing >= max_stalled_steps;
 }
 
 /// Energies now, and what was put in, of all ranks.
@@ -86,14 +86,14 @@ Energies sum_energies(const State& state) {
 }
 
 std::string gain_sentence(
-    const Scene& scene, const State& state, const Energies& energies, double most_put_in
+    const Scene& scene, const State& state, const Energies& energies, double max_energy_input
 ) {
   std::ostringstream text;
   text
-      << "The particles have more than " << most_gain
+      << "The particles have more than " << max_gain
       << " times the energy that was put in at t = " << state.clock.time << " s, step "
       << state.clock.step << ", dt = " << state.clock.dt << " s: " << energies.kinetic
-      << " J kinetic and " << energies.elastic << " J elastic of " << most_put_in << " J ("
+      << " J kinetic and " << energies.elastic << " J elastic of " << max_energy_input << " J ("
       << fastest_words(scene, state)
       << "). The steps are unstable: set \"Stable Alone\" where particles fly alone, take half the "
          "\"Courant Fraction\" or \"Order\" modified stress last, or \"Bad Particles\" remove with "
@@ -109,11 +109,11 @@ std::string watch_run(const Scene& scene, const State& state, double last_dt, Ru
   if (time_stands(scene, clock, last_dt, watch)) return standing_sentence(scene, state);
   if (clock.step % energy_interval != 0 && clock.time < scene.end_time) return {};
   const Energies energies = sum_energies(state);
-  watch.most_put_in = std::max(watch.most_put_in, energies.put_in);
-  // Neither makes up for the other, and what is no number is wrong too.
+  watch.max_energy_input = std::max(watch.max_energy_input, energies.put_in);
+  // Neither compensates for the other, and values that are not finite are wrong too.
   const double held = energies.kinetic + std::abs(energies.elastic);
-  if (held <= most_gain * watch.most_put_in) return {};
-  return gain_sentence(scene, state, energies, watch.most_put_in);
+  if (held <= max_gain * watch.max_energy_input) return {};
+  return gain_sentence(scene, state, energies, watch.max_energy_input);
 }
 
 }  // namespace barreno

@@ -11,8 +11,8 @@ namespace barreno {
 /// What a run that goes wrong without any bad particle is told by: time that stands still, energy
 /// that nothing put in.
 struct RunWatch {
-  double most_put_in = 0.0;  ///< energy, the most so far [energy]
-  int standing = 0;          ///< steps in a row that the end time cannot tell from none
+  double max_energy_input = 0.0;  ///< energy, the most so far [energy]
+  int standing = 0;               ///< steps in a row that the end time cannot tell from none
 };
 
 /// Look at the state after a step. Collective; the energies are looked at every `energy_interval`

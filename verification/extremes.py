@@ -28,8 +28,8 @@ FILES = ["point", "porous_point", "stable_step", "flight", "impact", "stretch", 
 STORED = HERE / "results" / "extremes.json"
 HEAD = """# Extremes
 
-Measured by `verification/extremes.py BARRENO --full --document`; do not edit by hand. Every row runs to its criterion (holds), stops
-with the sentence that names what and why (stops), or does neither (RED: open in `verification/open_demands.toml`, with the reason). The cheap forms run with every test
+Measured by `verification/extremes.py BARRENO --full --document`; do not edit by hand. Every row meets its criterion (holds), stops
+with a sentence that names fault and reason (stops), or does neither (RED: open in `verification/open_demands.toml`, with the reason). The cheap forms are part of every test run
 (`ctest -R verification.extremes`).
 """
 

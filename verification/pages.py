@@ -98,13 +98,13 @@ def main():
     parser.add_argument("--write", action="store_true")
     if parser.parse_args().write:
         write_pages()
-    wrong = [f"{file.relative_to(ROOT)} is not what verification/results gives" for file, text in pages().items() if not file.exists() or file.read_text() != text]
-    wrong += [f"{file.relative_to(ROOT)} is not drawn from verification/results as it is now" for file in case_pictures.outdated()]
+    wrong = [f"{file.relative_to(ROOT)} does not match verification/results" for file, text in pages().items() if not file.exists() or file.read_text() != text]
+    wrong += [f"{file.relative_to(ROOT)} was not drawn from the present verification/results" for file in case_pictures.outdated()]
     wrong += ["`verification/pages.py --write` writes them"] if wrong else []
-    wrong += [f"{file.relative_to(ROOT)} is of no case: remove it" for file in left_over()]
-    wrong += [f"{name}: '{figure}' is of no results file: put it into a marked part, or say it in words" for name in WRITTEN for figure in loose_figures(name, (ROOT / name).read_text())]
-    wrong += [f"{line}; measure it anew (--full --document)" for line in failing()]
-    print("\n".join(wrong or ["every figure is that of its results file"]))
+    wrong += [f"{file.relative_to(ROOT)} belongs to no case: remove it" for file in left_over()]
+    wrong += [f"{name}: '{figure}' comes from no results file: put it into a marked part, or say it in words" for name in WRITTEN for figure in loose_figures(name, (ROOT / name).read_text())]
+    wrong += [f"{line}; measure it again (--full --document)" for line in failing()]
+    print("\n".join(wrong or ["every figure matches its results file"]))
     return 1 if wrong else 0
 
 

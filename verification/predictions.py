@@ -21,22 +21,22 @@ STORED = HERE / "results" / "predictions.json"
 TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
          "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave")  # fmt: skip
 FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact")
-COLUMNS = ("deck", "steps, predicted / came", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / came")
+COLUMNS = ("deck", "steps, predicted / actual", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / actual")
 
-HEAD = """# What a run costs, predicted and measured
+HEAD = """# Cost of a run, predicted and measured
 
-`barreno check` predicts particle-steps and seconds, and every run compares them with what came (`prediction` in `summary.json`, the
+`barreno check` predicts particle-steps and seconds, and every run compares them with the actual values (`prediction` in `summary.json`, the
 last block on the screen). Measured by `verification/predictions.py build/release/src/barreno --document`; do not edit by hand.
 
-- Particle-steps: the stable step of the scene with the artificial viscosity of what collides, or the longest step of the probe if
-  that is shorter; a slug of the jet counts from its launch on.
-- ns: a probe takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
-  that mode, shape function, transfer, loads and contact are those of the run. Stresses of what will flow are taken as
-  `src/check/cost_growth.hpp` says times as dear as in the first steps.
-- Files: 350 ns for a particle and instant of `particles.e`, 12 ns for one in a row of `history.csv`.
-- Not in it: start-up (0.1 s), implicit solves of the pore flow, waiting ranks.
+- Particle-steps: the stable step of the scene with the artificial viscosity of what collides, or the longest step of the probe run if
+that is shorter; a slug of the jet counts from its launch on.
+- ns: a probe run takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
+  that mode, shape function, transfer, loads and contact are those of the run. The stress update of materials that will yield is taken to be
+more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`.
+- Files: 350 ns per particle and instant of `particles.e`, 12 ns per particle and row of `history.csv`.
+- Not included: start-up (0.1 s), implicit solves of the pore flow, waiting of ranks.
 
-Seconds of one core (user and system time) are compared; wall seconds, which other work on the machine makes longer, are beside them.
+Seconds of one core (user and system time) are compared; wall seconds, which other work on the machine increases, are given for comparison.
 """
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/whole_sum.hpp"
+#include "base/reproducible_sum.hpp"
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_EReductionType.hpp>
@@ -29,17 +29,17 @@ void reduce(
     const Comm& comm, Teuchos::EReductionType operation, long long* values, std::size_t count
 );
 inline void reduce(
-    const Comm& comm, Teuchos::EReductionType operation, WholeSum* values, std::size_t count
+    const Comm& comm, Teuchos::EReductionType operation, ReproducibleSum* values, std::size_t count
 ) {
-  static_assert(sizeof(WholeSum) == WholeSum::parts * sizeof(long long));
-  if (count > 0) reduce(comm, operation, values->part, count * WholeSum::parts);
+  static_assert(sizeof(ReproducibleSum) == ReproducibleSum::parts * sizeof(long long));
+  if (count > 0) reduce(comm, operation, values->part, count * ReproducibleSum::parts);
 }
 }  // namespace detail
 
 /// Entry by entry over the ranks, the result on every rank; all ranks give the same number of
 /// entries.
 /// @param values  a std::vector or, without any allocation, a std::array: of double, of long long
-///                or, to be added, of WholeSum
+///                or, to be added, of ReproducibleSum
 template <class Values>
 auto sum_over_ranks(const Comm& comm, Values& values) -> decltype(void(values.data())) {
   detail::reduce(comm, Teuchos::REDUCE_SUM, values.data(), values.size());

@@ -20,7 +20,7 @@ void note(int signal) {
 
 }  // namespace
 
-void note_signals() {
+void catch_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE, SIGXCPU, SIGXFSZ}) {
     struct sigaction before {};
     // Who has told the system to ignore these (nohup; a file that is too large is then an error of

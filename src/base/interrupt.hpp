@@ -9,7 +9,7 @@ namespace barreno {
 /// are noted, and the run ends after its step: SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE
 /// (nobody reads the screen any more), SIGXCPU and SIGXFSZ (a limit is reached). A second SIGINT,
 /// SIGTERM or SIGHUP ends it at once. A SIGHUP (nohup) or SIGXFSZ that is ignored stays ignored.
-void note_signals();
+void catch_signals();
 
 /// The signal that was noted, or 0.
 int received_signal();

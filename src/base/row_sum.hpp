@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/points.hpp"
+#include "base/reproducible_sum.hpp"
 #include "base/rows.hpp"
-#include "base/split_sizes.hpp"
-#include "base/whole_sum.hpp"
+#include "base/split_scales.hpp"
 
 #include <cstring>
 
@@ -18,25 +18,27 @@ template <class R>
 struct RowSum {
   R high{}, low{};
 
-  KOKKOS_INLINE_FUNCTION static MaskOf<R> fits(const R& number, const SplitSizes& sizes) {
+  KOKKOS_INLINE_FUNCTION static MaskOf<R> fits(const R& number, const SplitScales& sizes) {
     return real::abs(number) < sizes.top;
   }
   /// @pre it fits
-  KOKKOS_INLINE_FUNCTION void split(const R& number, const SplitSizes& sizes) {
+  KOKKOS_INLINE_FUNCTION void split(const R& number, const SplitScales& sizes) {
     const R rounded = (number + sizes.first) - sizes.first;
     const R rest = number - rounded;
     high += rounded;
     low += (rest + sizes.second) - sizes.second;
   }
   /// @param beyond  takes numbers that are too large to be split
-  KOKKOS_INLINE_FUNCTION void add(const R& number, const SplitSizes& sizes, WholeSum& beyond) {
+  KOKKOS_INLINE_FUNCTION void add(
+      const R& number, const SplitScales& sizes, ReproducibleSum& beyond
+  ) {
     const MaskOf<R> small = fits(number, sizes);
     if (real::all(small)) return split(number, sizes);
     for (int i = 0; i < width<R>; ++i)
       if (entry(small, i) == 0) beyond += entry(number, i);
     split(real::select(small, number, 0.0), sizes);
   }
-  KOKKOS_INLINE_FUNCTION void add_to(WholeSum& sum) const {
+  KOKKOS_INLINE_FUNCTION void add_to(ReproducibleSum& sum) const {
     double total_high = 0.0, total_low = 0.0;
     for (int i = 0; i < width<R>; ++i) {
       total_high += entry(high, i);
@@ -55,8 +57,8 @@ using RowReal = double;
 #endif
 
 /// Numbers of a run of rows. Those from `count` on are not looked at, but set to nothing.
-KOKKOS_INLINE_FUNCTION void add_run(
-    double (&numbers)[rows_per_run], int count, const SplitSizes& sizes, WholeSum& sum
+KOKKOS_INLINE_FUNCTION void add_chunk(
+    double (&numbers)[rows_per_chunk], int count, const SplitScales& sizes, ReproducibleSum& sum
 ) {
   constexpr int step = width<RowReal>;
   for (int k = count; k % step != 0; ++k) numbers[k] = 0.0;

@@ -9,18 +9,19 @@
 namespace barreno {
 
 /// Rows that kernels take one after the other: their sums have one order.
-inline constexpr int rows_per_run = 64;
+inline constexpr int rows_per_chunk = 64;
 
-/// What a step does to a run: rows that it leaves as they are may be all of it, or some.
-enum RunPart : unsigned char { whole_run, part_of_run, no_part_of_run };
+/// Which rows of a chunk a step updates: those of dormant tiles may be all of it, or some.
+enum ChunkPart : unsigned char { whole_chunk, part_of_chunk, no_part_of_chunk };
 
 /// Rows [begin, end) of a particle set.
 struct Rows {
   int begin = 0, end = 0;
-  const unsigned char* runs = nullptr;  ///< RunPart of each run of the set; null: all of every run
+  const unsigned char* chunks =
+      nullptr;  ///< ChunkPart of each chunk of the set; null: all of every chunk
 
   KOKKOS_INLINE_FUNCTION bool skips(int row) const {
-    return runs != nullptr && runs[row / rows_per_run] == no_part_of_run;
+    return chunks != nullptr && chunks[row / rows_per_chunk] == no_part_of_chunk;
   }
 };
 
@@ -35,9 +36,9 @@ inline constexpr int rows_per_block =
 
 /// update(rows) for block after block of [0, count).
 template <class Update>
-void for_each_block(int count, Update&& update, const unsigned char* runs = nullptr) {
+void for_each_block(int count, Update&& update, const unsigned char* chunks = nullptr) {
   for (int begin = 0; begin < count; begin += std::min(rows_per_block, count - begin))
-    update(Rows{begin, begin + std::min(rows_per_block, count - begin), runs});
+    update(Rows{begin, begin + std::min(rows_per_block, count - begin), chunks});
 }
 
 #if defined(__GNUC__) && !defined(__clang__)
@@ -57,17 +58,17 @@ void for_each_block(int count, Update&& update, const unsigned char* runs = null
 #define BARRENO_UNROLL
 #endif
 
-/// Short runs of rows, each of which the compiler may vectorise: body(row) must touch its own row
+/// Chunks of rows, each of which the compiler may vectorise: body(row) must touch its own row
 /// only.
 template <class Body>
 void for_each_row(const char* label, Rows rows, const Body& body) {
-  const int runs = (rows.end - rows.begin + rows_per_run - 1) / rows_per_run;
+  const int chunks = (rows.end - rows.begin + rows_per_chunk - 1) / rows_per_chunk;
   launch(
       label,
-      range(runs),
+      range(chunks),
       KOKKOS_LAMBDA(const int r) {
-        const int begin = rows.begin + r * rows_per_run;
-        const int end = begin + rows_per_run < rows.end ? begin + rows_per_run : rows.end;
+        const int begin = rows.begin + r * rows_per_chunk;
+        const int end = begin + rows_per_chunk < rows.end ? begin + rows_per_chunk : rows.end;
         if (rows.skips(begin)) return;
         BARRENO_IVDEP
         for (int p = begin; p < end; ++p) body(p);

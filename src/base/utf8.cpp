@@ -22,4 +22,19 @@ std::size_t character_bytes(const std::string& text, std::size_t at) {
   return none || code < smallest[bytes - 2] ? 0 : bytes;
 }
 
+std::string as_utf8(const std::string& text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t bytes = character_bytes(text, at);
+    if (bytes == 0) {
+      const auto code = static_cast<unsigned char>(text[at]);  // 0x80 or more: two bytes
+      out += static_cast<char>(0xC0U | (code >> 6U));
+      out += static_cast<char>(0x80U | (code & 0x3FU));
+    }
+    out += text.substr(at, bytes);
+    at += bytes == 0 ? 1 : bytes;
+  }
+  return out;
+}
+
 }  // namespace barreno

@@ -13,9 +13,9 @@ Choice pore_flow_choice(const Scene& scene) {
   if (flow.rocks.empty()) return {false, "no Pore Flow list: undrained"};
   const double length = drained_length(scene), cells = length / scene.grid.cell_size;
   const bool matters = cells >= shortest_drained_length;
-  const char* const verdict = flow.on() ? (matters ? "" : "; Drainage is on all the same")
+  const char* const verdict = flow.on() ? (matters ? "" : "; Drainage is on nevertheless")
                               : matters ? "; Drainage is off"
-                                        : ": too little to matter (Drainage = on forces it)";
+                                        : ": negligible (Drainage = on forces it)";
   char text[160];
   std::snprintf(
       text,
@@ -34,13 +34,11 @@ Choice dormancy_choice(const Scene& scene) {
   const std::string why = why_all_awake(scene);
   if (!why.empty()) return {false, why};
   const double motion = rest_motion(scene);
-  if (motion == 0.0) return {true, "tiles at rest are left out: the same to the last bit"};
+  if (motion == 0.0)
+    return {true, "dormant tiles are skipped: the answer is the same, bit for bit"};
   char text[120];
   std::snprintf(
-      text,
-      sizeof text,
-      "tiles at rest are left out until a node moves %.2g cells in a step",
-      motion
+      text, sizeof text, "dormant tiles are skipped until a node moves %.2g cells in a step", motion
   );
   return {true, text};
 }

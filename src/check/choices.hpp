@@ -16,7 +16,7 @@ struct Choice {
 /// Whether pore fluid drains: how far pressure diffuses in the run, and who decided.
 Choice pore_flow_choice(const Scene& scene);
 
-/// Whether tiles at rest are left out of a step, or why not.
+/// Whether dormant tiles are skipped, or why not.
 Choice dormancy_choice(const Scene& scene);
 
 /// Whether inertia is scaled: by how much, and how fast that is beside diffusion.

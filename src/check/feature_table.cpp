@@ -24,7 +24,7 @@ struct Feature {
 };
 
 /// Of the particles of that material that need most.
-std::size_t most_bytes(const Scene& scene) {
+std::size_t max_bytes(const Scene& scene) {
   std::size_t most = 0;
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
     most = std::max(most, bytes_per_particle(make_particles(scene, static_cast<int>(m))));
@@ -37,7 +37,7 @@ std::string row(const Scene& scene, const Probe& probe, const Feature& feature) 
   feature.leave_out(without);
   double share = 0.0;
   for (const char* verb : feature.verbs) share += share_of(probe, verb);
-  const auto more = static_cast<long>(most_bytes(scene)) - static_cast<long>(most_bytes(without));
+  const auto more = static_cast<long>(max_bytes(scene)) - static_cast<long>(max_bytes(without));
   const std::string time = feature.verbs.empty() ? "     -" : format("%4.1f %%", 100.0 * share);
   return format(
       "  %-22s %-3s %5ld  %s  %s\n",
@@ -53,7 +53,7 @@ Choice loads_of(const Scene& scene, LoadKind kind) {
   const auto count = std::count_if(scene.loads.begin(), scene.loads.end(), [&](const auto& load) {
     return load.kind == kind;
   });
-  return {count > 0, std::to_string(count) + " asked for"};
+  return {count > 0, std::to_string(count) + " in the deck"};
 }
 
 template <LoadKind kind>
@@ -104,7 +104,7 @@ void keep_all(Scene& /*scene*/) {}
 /// Of how a step is taken.
 std::vector<Feature> step_features(const Scene& scene) {
   const StepSpec& step = scene.step;
-  const bool pic = step.transfer == Transfer::flip && step.pic_fraction > 0.0;
+  const bool pic = step.transfer != Transfer::apic && step.pic_fraction > 0.0;
   const bool viscous = step.linear_viscosity + step.quadratic_viscosity > 0.0;
   return {
       {"artificial viscosity",
@@ -128,7 +128,7 @@ std::vector<Feature> step_features(const Scene& scene) {
        leave_out_transfer,
        {"filter_velocity"}},
       {"APIC",
-       transfer_choice(step, Transfer::apic, "particles keep first moments of the velocity"),
+       transfer_choice(step, Transfer::apic, "particles carry first moments of the velocity"),
        leave_out_transfer,
        {"project_affine", "gather_affine", "start_affine"}},
       {"returned losses",
@@ -137,7 +137,7 @@ std::vector<Feature> step_features(const Scene& scene) {
        [](Scene& without) { without.step.return_losses = false; },
        {}},
       {"second projection",
-       {step.order != Order::stress_last, std::string("Order is ") + order_name(step.order)},
+       {step.order != Order::stress_last, std::string("Order is ") + word_of(step.order)},
        [](Scene& without) { without.step.order = Order::stress_last; },
        {}}};
 }
@@ -159,6 +159,7 @@ std::vector<Feature> scene_features(const Scene& scene) {
         "tally_loads",
         "project_surface_pressures",
         "tally_surface_pressures",
+        "grow_cavities",
         "release_torn_faces"}},
       {"non-reflecting faces",
        loads_of(scene, LoadKind::non_reflecting),
@@ -182,7 +183,7 @@ std::vector<Feature> scene_features(const Scene& scene) {
       {"contact",
        contact_choice(scene),
        keep_all,
-       {"seek_normals", "fit_normals", "solve_contact", "share_nodes"}},
+       {"detect_contact_nodes", "fit_surface_normals", "refine_surface_normals", "solve_contact"}},
       {"pore flow", pore_flow_choice(scene), [](Scene& without) { without.pore_flow = {}; }, {}},
       {"dormant tiles",
        dormancy_choice(scene),
@@ -195,8 +196,8 @@ std::vector<Feature> scene_features(const Scene& scene) {
 
 std::string feature_table(const Scene& scene, const Probe& probe) {
   std::string text =
-      "Features                     bytes   time  (of a particle, saved without it; of the first "
-      "steps, in verbs of its own)\n";
+      "Features                     bytes   time  (per particle, saved without the feature; share "
+      "of the first steps in its own functions)\n";
   for (const auto& features : {scene_features(scene), step_features(scene)})
     for (const Feature& feature : features) text += row(scene, probe, feature);
   return text;

@@ -29,17 +29,17 @@ std::string jet_note(const Scene& scene) {
   const char* const along = path.direction > 0.0 ? "+y" : "-y";
   if (!path.has_target)
     return format(
-               "the jet meets no body (none is in its path along %s from y = %g m), so there will "
+               "the jet hits no body (none is in its path along %s from y = %g m), so there will "
                "be "
                "no depth; ",
                along,
                scene.jet.launch_position
            ) +
-           "turn Jet/Direction, or move Jet/Launch Position or a body, if it should";
+           "reverse Jet/Direction, or move Jet/Launch Position or a body, if it should";
   const double arrival = first_arrival(scene, path);
   if (arrival < scene.end_time) return {};
   return format(
-      "the jet comes to the target at %g s, not before Time/End Time = %g s, so there will be no "
+      "the jet reaches the target at %g s, not before Time/End Time = %g s, so there will be no "
       "depth; take a later End Time if it should",
       arrival,
       scene.end_time

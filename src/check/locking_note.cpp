@@ -28,13 +28,13 @@ double bulk_over_shear(const Material& material) {
 }  // namespace
 
 std::string locking_note(const Scene& scene, int material) {
-  const Material& rock = scene.materials[static_cast<std::size_t>(material)].material;
+  const Material& rock = scene.materials[static_cast<std::size_t>(material)].material();
   const double ratio = bulk_over_shear(rock);
   const bool spline = scene.step.shape.find("B-spline") != std::string::npos;
   if (ratio <= stiffest || spline || smallest_half_size(scene, material) >= 0.5) return {};
   std::ostringstream text;
-  text << "material '" << rock.name << "' hardly changes its volume (K = " << ratio
-       << " G) and will be too stiff by volumetric locking with " << scene.step.shape
+  text << "material '" << rock.name << "' is nearly incompressible (K = " << ratio
+       << " G) and will respond too stiffly, through volumetric locking, with " << scene.step.shape
        << " and more than one particle per cell; take Particles Per Cell 1 or Shape Function "
           "quadratic B-spline";
   return text.str();

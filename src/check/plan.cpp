@@ -8,6 +8,8 @@
 #include "check/locking_note.hpp"
 #include "check/predict_cost.hpp"
 #include "deck/fidelity.hpp"
+#include "deck/section_table.hpp"
+#include "deck/time_section.hpp"
 #include "geometry/piece.hpp"
 #include "output/progress.hpp"
 #include "scene/build_scene.hpp"
@@ -16,6 +18,7 @@
 #include "state/particles.hpp"
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -37,7 +40,7 @@ const char* model_name(const Material& material) {
 std::string material_lines(const Scene& scene) {
   std::string text;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m].material;
+    const Material& material = scene.materials[m].material();
     const std::size_t bytes = bytes_per_particle(make_particles(scene, static_cast<int>(m)));
     text += format(
         "  %-22s %s, %.6g kg/m3, %zu bytes per particle\n",
@@ -76,7 +79,7 @@ std::string body_lines(const Scene& scene) {
 std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
   return format(
       "Cost      %s %s of computing on %d rank%s, %.0f ns per particle-step of one core\n",
-      dormancy_choice(scene).on ? "at most" : "about",  // tiles that rest take none
+      dormancy_choice(scene).on ? "at most" : "about",  // dormant tiles take none
       cost_text(cost.seconds).c_str(),
       ranks,
       ranks == 1 ? "" : "s",
@@ -91,7 +94,7 @@ void refuse_short_domains(const Deck& deck, const Scene& scene) {
   // Round-off of the deck's numbers is no reason to refuse it.
   if (!follows_deformation(scene) || scene.step.largest_domain >= corner * (1.0 - 1e-9)) return;
   deck.refuse_value(
-      "Step/Largest Domain",
+      path_of(&StepSpec::largest_domain),
       format(
           "is shorter than undeformed particles (their corners are %.3g cells from the centre); "
           "choose at least that, or more particles per cell",
@@ -100,15 +103,15 @@ void refuse_short_domains(const Deck& deck, const Scene& scene) {
   );
 }
 
-void refuse_endless(const Deck& deck, const Scene& scene) {
+void refuse_unreachable_end(const Deck& deck, const Scene& scene) {
   const double step = stable_step_of_scene(scene, true);
   const double steps = scene.end_time / step;
   if (std::isfinite(steps)) return;
   deck.refuse_value(
-      "Time/End Time",
+      path_of(&TimeSpec::end_time),
       format(
-          "is never reached by steps of %g s (that is what the speeds and wave speeds of the scene "
-          "allow); look for a wrong unit of a time, velocity, stiffness or density",
+          "cannot be reached with steps of %g s (the stable step at the speeds and wave speeds of "
+          "this scene); look for a wrong unit of a time, velocity, stiffness or density",
           step
       )
   );
@@ -125,9 +128,9 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
 
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
   std::string text =
-      "Fidelity (--fidelity NAME chooses what the deck does not say; errors measured in "
-      "docs/trade.md: depth of a jet at cells of its radius, pressures of a shock, smooth strains "
-      "of 0.3)\n";
+      "Fidelity (--fidelity NAME chooses what the deck leaves open; errors measured in "
+      "docs/trade.md: depth of a jet with cells of its radius, pressures of a shock, smooth "
+      "strains of 0.3)\n";
   for (const std::string& name : fidelity_words()) {
     const Scene scene = scene_with(name);
     const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);
@@ -147,16 +150,18 @@ std::string plan_text(
 ) {
   const double particles = static_cast<double>(first_ids(scene).back() - 1);
   const Prediction cost = predict_cost(scene, probe, ranks);
-  std::string text = scene.title.empty() ? std::string("The deck is sound.\n")
-                                         : scene.title + "\nThe deck is sound.\n";
+  std::string text = scene.title.empty() ? std::string("The deck is valid.\n")
+                                         : scene.title + "\nThe deck is valid.\n";
   text += format(
       "Grid      %s, %s m, cells of %g m\n",
-      mode_name(scene.grid.mode),
+      word_of(scene.grid.mode).c_str(),
       box_text(scene.grid).c_str(),
       scene.grid.cell_size
   );
   text += format(
-      "Particles %.0f, the whole jet included; about %.0f MB in all\n", particles, cost.bytes * 1e-6
+      "Particles %.0f, including the whole jet; about %.0f MB in total\n",
+      particles,
+      cost.bytes * 1e-6
   );
   text += format(
       "Time      to %g s, first steps of %.3g s: about %.*g steps, %.3g particle-steps\n",

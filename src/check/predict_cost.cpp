@@ -7,10 +7,11 @@
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
-#include "state/lone_courant.hpp"
+#include "state/isolated_courant.hpp"
 #include "state/step_rule.hpp"
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -65,7 +66,7 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const int index = static_cast<int>(m);
-    const Material& material = scene.materials[m].material;
+    const Material& material = scene.materials[m].material();
     const double courant = visit_shape(scene.step.shape, [&](auto shape) {
       return decltype(shape)::critical_courant(smallest_half_size(scene, index));
     });
@@ -79,8 +80,13 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
     const double jump = std::max(compression * slow, compression_of_jet * jet);
     // Any rate below zero brings the linear part; that of the colliding bodies the quadratic one.
     const double rate = viscous ? -(jump + 1e-9) / scene.grid.cell_size : 0.0;
-    const StepRule rule(scene, courant, lone_courant(scene, static_cast<int>(m)));
-    step = std::min(step, rule.stable_step(material.density, modulus, rate, std::max(slow, jet)));
+    const StepRule rule(
+        scene.step, scene.grid.mode, courant, isolated_courant(scene, static_cast<int>(m))
+    );
+    step = std::min(
+        step,
+        rule.stable_step(scene.grid.cell_size, material.density, modulus, rate, std::max(slow, jet))
+    );
   }
   return step;
 }

@@ -14,8 +14,9 @@ namespace barreno {
 /// @param viscous  with the artificial viscosity that compression brings
 double stable_step_of_scene(const Scene& scene, bool viscous);
 
-/// What a run will cost on so many ranks: particle-steps by the stable step and by the launch of
-/// each slug, times what the probe's particles took, times what flow will add to their materials.
+/// What a run will cost on a number of ranks: particle-steps by the stable step and by the launch
+/// of each slug, times what the probe's particles took, times what flow will add to their
+/// materials.
 Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks);
 
 /// How many times as long as in the probe a verb will take over the run, as measured in runs

@@ -17,9 +17,9 @@
 namespace barreno {
 namespace {
 
-constexpr double most_particles = 20000.0;
+constexpr double max_particles = 20000.0;
 constexpr double enough_seconds = 0.02;
-constexpr int warm_up = 2, most_steps = 40;
+constexpr int warm_up = 2, max_steps = 40;
 constexpr std::size_t fewest_steps = 4;
 
 /// The scene with cells so large that it has few particles; the box grows to whole cells.
@@ -31,8 +31,8 @@ Scene probed_scene(const Scene& scene) {
   Scene bodies = scene;
   bodies.jet.slugs.clear();
   const double particles = particle_estimate(bodies);
-  if (particles <= most_particles) return probed;
-  const double factor = std::ceil(std::pow(particles / most_particles, 1.0 / d));
+  if (particles <= max_particles) return probed;
+  const double factor = std::ceil(std::pow(particles / max_particles, 1.0 / d));
   const double h = probed.grid.cell_size *= factor;
   for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
     const double lower = scene.grid.lower[i];
@@ -67,11 +67,12 @@ Probe probe_cost(const Scene& scene) {
   const Scene probed = probed_scene(scene);
   State state = build_state(probed, Teuchos::rcp(new Teuchos::SerialComm<int>));
   for (const Particles& particles : state.particles)
-    state.stable_step = std::min(state.stable_step, stable_step_of_rows(probed, particles, 0));
+    state.stable_step =
+        std::min(state.stable_step, stable_step_of_rows(probed.step, state.grid, particles, 0));
   std::vector<double> seconds;
   std::map<std::string, std::vector<double>> verbs;
   const double start = cpu_seconds();
-  for (int i = 0; i < warm_up + most_steps && state.clock.time < probed.end_time; ++i) {
+  for (int i = 0; i < warm_up + max_steps && state.clock.time < probed.end_time; ++i) {
     clear_phase_times();
     const double before = cpu_seconds();
     if (advance(probed, probed.end_time, state).stopped) break;

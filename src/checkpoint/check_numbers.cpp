@@ -11,7 +11,7 @@ namespace barreno {
 namespace {
 
 /// Larger whole numbers are not exact as doubles.
-constexpr double most_whole = 9007199254740992.0;
+constexpr double max_exact_integer = 9007199254740992.0;
 
 /// What a number may be.
 struct Rule {
@@ -52,7 +52,7 @@ Rule rule_of(const Scene& scene, const std::string& name) {
       name == "pore_flow_waiting" || name == "pore_flow_iterations")
     return {name, 0.0, most, false};
   if (name == "step" || name == "retried_steps" || name == "pore_flow_solves")
-    return {name, 0.0, most_whole, true};
+    return {name, 0.0, max_exact_integer, true};
   if (name == "next_slug") return {name, 0.0, static_cast<double>(scene.jet.slugs.size()), true};
   return {name, -most, most, false};
 }
@@ -89,7 +89,7 @@ std::string fault_of_output(const Scene& scene, const State& state, const Checkp
   const RunNumbers& numbers = checkpoint.output;
   const double step = number_of(checkpoint.numbers, "step");
   const double time = number_of(checkpoint.numbers, "time");
-  const double most_ranks = 1e9;
+  const double max_ranks = 1e9;
   for (const Rule& rule : std::vector<Rule>{
            {"seconds", 0.0, std::numeric_limits<double>::max(), false},
            {"fields_step", 0.0, step, true},
@@ -97,11 +97,11 @@ std::string fault_of_output(const Scene& scene, const State& state, const Checkp
            {"fields_time", 0.0, time, false},
            {"row_time", 0.0, time, false},
            {"fields_kept", 1.0, step + 1.0, true},
-           {"fields_files", 1.0, most_ranks, true},
-           {"history_bytes", 1.0, most_whole, true},
-           {"depth_bytes", 0.0, most_whole, true},
-           {"radii_bytes", 0.0, most_whole, true},
-           {"cavities_bytes", 0.0, most_whole, true}}) {
+           {"fields_files", 1.0, max_ranks, true},
+           {"history_bytes", 1.0, max_exact_integer, true},
+           {"depth_bytes", 0.0, max_exact_integer, true},
+           {"radii_bytes", 0.0, max_exact_integer, true},
+           {"cavities_bytes", 0.0, max_exact_integer, true}}) {
     std::string fault = fault_of_number(numbers, "output/", rule);
     if (!fault.empty()) return fault;
   }

@@ -6,8 +6,8 @@
 #include "checkpoint/checkpoint_contents.hpp"
 #include "output/text_file.hpp"
 #include "state/balance.hpp"
-#include "state/slots.hpp"
-#include "step/place_particles.hpp"
+#include "state/id_ranges.hpp"
+#include "state/load_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,12 +72,13 @@ void check_owners(const Hdf5File& file, const State& state, long long ranks) {
 
 /// Whole sums in their one form, far from what a part can hold.
 void check_whole_sums(const Hdf5File& file, const std::string& name, std::size_t rows) {
-  constexpr long long part = 1LL << WholeSum::bits_per_part;
-  constexpr long long most_first = 1LL << 52U;
-  expect_size(file, name, {rows, WholeSum::parts});
+  constexpr long long part = 1LL << ReproducibleSum::bits_per_part;
+  constexpr long long max_leading_part = 1LL << 52U;
+  expect_size(file, name, {rows, ReproducibleSum::parts});
   for_each_row<long long>(file, name, [&](std::size_t row, const long long* parts) {
-    bool fine = parts[0] > -most_first && parts[0] < most_first;
-    for (int i = 1; i < WholeSum::parts; ++i) fine = fine && parts[i] >= 0 && parts[i] < part;
+    bool fine = parts[0] > -max_leading_part && parts[0] < max_leading_part;
+    for (int i = 1; i < ReproducibleSum::parts; ++i)
+      fine = fine && parts[i] >= 0 && parts[i] < part;
     if (!fine) throw WrongTable{name + " holds no sum in row " + std::to_string(row)};
   });
 }
@@ -96,11 +97,11 @@ class Ids {
 public:
   Ids(const Scene& scene, const State& state, const Checkpoint& checkpoint, int material) {
     const auto next = static_cast<std::size_t>(number_of(checkpoint.numbers, "next_slug"));
-    for (SlotRange range : all_slots(scene)) {
+    for (IdRange range : particle_id_ranges(scene)) {
       if (range.material != material) continue;
-      const bool jet = scene.jet.present && next < state.slug_ids.size() &&
-                       range.first == state.slug_ids.front();
-      if (jet) range.count = state.slug_ids[next] - range.first;
+      const bool jet = scene.jet.present && next < state.jet.slug_ids.size() &&
+                       range.first == state.jet.slug_ids.front();
+      if (jet) range.count = state.jet.slug_ids[next] - range.first;
       begins_.push_back(seen_.size());
       ranges_.push_back(range);
       seen_.resize(seen_.size() + static_cast<std::size_t>(range.count), false);
@@ -120,7 +121,7 @@ public:
   }
 
 private:
-  std::vector<SlotRange> ranges_;
+  std::vector<IdRange> ranges_;
   std::vector<std::size_t> begins_;
   std::vector<bool> seen_;
 };
@@ -151,7 +152,7 @@ void check_bodies(
 ) {
   const auto bodies = static_cast<long long>(scene.bodies.size());
   for_each_value<long long>(file, name, rows, [&](std::size_t row, long long value) {
-    const long long body = value & ~static_cast<long long>(held_bit);
+    const long long body = value & ~static_cast<long long>(debris_bit);
     const bool of_body = body >= 0 && body < bodies &&
                          scene.bodies[static_cast<std::size_t>(body)].material == material;
     const bool of_jet = scene.jet.present && body == bodies && scene.jet.material == material;
@@ -181,7 +182,7 @@ bool is_possible(const Scene& scene, const std::string& field, double value) {
   if (field == "clipped") return value == 0.0 || value == 1.0;
   if (field == "loaded_faces")
     return value >= 0.0 && value == std::floor(value) &&
-           value < std::ldexp(1.0, static_cast<int>(6 * scene.loads.size()));
+           value < std::ldexp(1.0, max_loaded_faces(scene));
   return true;
 }
 

@@ -21,7 +21,7 @@ void for_each_number(AnyState& state, Visitor&& visit) {
   visit("time", state.clock.time);
   visit("dt", state.clock.dt);
   visit("step", state.clock.step);
-  visit("next_slug", state.next_slug);
+  visit("next_slug", state.jet.next_slug);
   visit("retried_steps", state.ledger.retried_steps);
   visit("pore_flow_waiting", state.pore_flow.waiting);
   visit("pore_flow_interval", state.pore_flow.interval);

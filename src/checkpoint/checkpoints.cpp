@@ -4,7 +4,7 @@
 #include "base/error.hpp"
 #include "base/gather.hpp"
 #include "checkpoint/write_checkpoint.hpp"
-#include "step/place_particles.hpp"
+#include "step/ranks/place_particles.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

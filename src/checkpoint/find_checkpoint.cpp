@@ -39,7 +39,7 @@ std::string fault_of(const fs::path& path, Checkpoint& found) {
   if (!sealed.fault().empty()) return sealed.fault();
   try {
     auto file = std::make_shared<Hdf5File>(path, Hdf5File::Mode::read);
-    if (!file->is(sealed.handle())) return "it was replaced while it was looked at";
+    if (!file->is(sealed.handle())) return "it was replaced while it was being read";
     const double version = version_of(*file);
     if (version != checkpoint_version)
       return "it has version " + to_text(version) + ", this program reads " +
@@ -58,7 +58,7 @@ std::string fault_of(const fs::path& path, Checkpoint& found) {
 Checkpoint find_on_root(const fs::path& folder) {
   Checkpoint found;
   // One that was not sealed is what every kill may leave: no news.
-  const fs::path aside = folder / checkpoint_aside_name;
+  const fs::path aside = folder / checkpoint_temporary_name;
   if (fs::exists(aside) && SealedFile(aside).fault().empty() && fault_of(aside, found).empty())
     return found;
   std::string faults;
@@ -69,7 +69,7 @@ Checkpoint find_on_root(const fs::path& folder) {
     if (fault.empty()) return found;
     faults += (faults.empty() ? "" : "; ") + std::string(name) + ": " + fault;
     found.notes.push_back(
-        std::string(name) + " is passed over (" + fault + ") and kept as " +
+        std::string(name) + " is skipped (" + fault + ") and kept as " +
         damaged_name(path).filename().string() + "."
     );
     found.damaged.push_back(path);
@@ -147,8 +147,8 @@ void settle_checkpoints(const Comm& comm, const Checkpoint& checkpoint) {
             "); check the folder's permissions."
         );
     }
-    if (checkpoint.file.filename() == checkpoint_aside_name)
-      name_checkpoint(checkpoint.file.parent_path());
+    if (checkpoint.file.filename() == checkpoint_temporary_name)
+      rename_checkpoint(checkpoint.file.parent_path());
   });
   work.agree();
 }

@@ -4,7 +4,7 @@
 #include "base/error.hpp"
 #include "checkpoint/fletcher32.hpp"
 #include "checkpoint/hdf5_handle.hpp"
-#include "output/own_file.hpp"
+#include "output/guarded_file.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -41,7 +41,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode)
   } else {
     file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   }
-  if (file_ < 0) refuse(writes_ ? "it cannot be created" : "it is no whole HDF5 file");
+  if (file_ < 0) refuse(writes_ ? "it cannot be created" : "it is not a complete HDF5 file");
 }
 
 Hdf5File::~Hdf5File() {
@@ -61,7 +61,7 @@ void Hdf5File::close() {
   const bool fine = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
   const bool closed = H5Fclose(file_) >= 0;
   file_ = -1;
-  if (!fine || !closed) refuse("the disk did not take all of it");
+  if (!fine || !closed) refuse("the disk did not accept all of it");
 }
 
 std::size_t rows_per_chunk(std::size_t rows, std::size_t columns) {

@@ -6,8 +6,9 @@
 #include "checkpoint/checkpoint_contents.hpp"
 #include "checkpoint/shared_file.hpp"
 #include "grid/partition.hpp"
+#include "grid/tiles.hpp"
 #include "state/balance.hpp"
-#include "step/place_particles.hpp"
+#include "step/order/remove_lost.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -74,7 +75,7 @@ void read_particles(
   reserve(particles, static_cast<int>(rows.size()));
   particles.count = static_cast<int>(rows.size());
   particles.sorted = false;
-  for (int p = 0; p < particles.count; ++p) put_unplaced(particles, p);
+  for (int p = 0; p < particles.count; ++p) mark_unplaced(particles, p);
   for_own_rows<long long>(rows, file, group + "removal", [&](int p, const long long* cause) {
     particles.fault(p) = fault_of_cause(static_cast<int>(*cause));
   });
@@ -97,7 +98,7 @@ void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
   Grid& grid = state.grid;
   if (same_ranks) {
     const auto owner = file.read<long long>("grid/owner");
-    grid.owner.assign(owner.begin(), owner.end());
+    set_owners({owner.begin(), owner.end()}, grid);
     return;
   }
   std::vector<TileCost> counts(grid.owner.size());
@@ -105,13 +106,13 @@ void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
     for_each_position(state, particles, file, [&](std::size_t, const Vector& x, bool held) {
       if (held) counts[static_cast<std::size_t>(cell_of(grid, x).tile)].particles += 1.0;
     });
-  grid.owner = bisect_tiles(grid.tiles, counts, grid.comm->getSize());
+  set_owners(bisect_tiles(grid.tiles, counts, grid.comm->getSize()), grid);
 }
 
 /// Rank 0 takes what all have given.
-std::vector<WholeSum> root_part(const Comm& comm, const std::vector<long long>& values) {
-  constexpr std::size_t columns = WholeSum::parts;
-  std::vector<WholeSum> sums(values.size() / columns);
+std::vector<ReproducibleSum> root_part(const Comm& comm, const std::vector<long long>& values) {
+  constexpr std::size_t columns = ReproducibleSum::parts;
+  std::vector<ReproducibleSum> sums(values.size() / columns);
   if (!is_root(comm)) return sums;
   for (std::size_t i = 0; i < values.size(); ++i) sums[i / columns].part[i % columns] = values[i];
   return sums;
@@ -120,10 +121,11 @@ std::vector<WholeSum> root_part(const Comm& comm, const std::vector<long long>& 
 void read_sums(const SharedFile& file, State& state) {
   const Comm& comm = *state.grid.comm;
   put_terms(root_part(comm, file.read<long long>("ledger/terms")), state.ledger);
-  const std::vector<WholeSum> impulses = root_part(comm, file.read<long long>("ledger/reactions"));
+  const std::vector<ReproducibleSum> impulses =
+      root_part(comm, file.read<long long>("ledger/reactions"));
   auto next = impulses.begin();
   for (Reaction& reaction : state.reactions)
-    for (WholeSum& sum : reaction.impulse) sum = *next++;
+    for (ReproducibleSum& sum : reaction.impulse) sum = *next++;
   const auto steps = file.read<double>("ledger/particle_steps");
   state.particle_steps = is_root(comm) ? steps[0] : 0.0;
   state.skipped_steps = is_root(comm) ? steps[1] : 0.0;
@@ -145,7 +147,8 @@ void read_checkpoint(const Checkpoint& checkpoint, State& state) {
   for_each_number(state, [&](const char* name, auto& value) {
     value = static_cast<std::decay_t<decltype(value)>>(checkpoint.numbers.at(name).at(0));
   });
-  state.cavities = checkpoint.numbers.at("cavities");
+  const std::vector<double>& volumes = checkpoint.numbers.at("cavities");
+  for (std::size_t l = 0; l < state.cavities.size(); ++l) state.cavities[l].volume = volumes[l];
 }
 
 }  // namespace barreno

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/hdf5_handle.hpp"
-#include "output/own_file.hpp"
+#include "output/guarded_file.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -26,7 +26,7 @@ long long Hdf5File::open_table(const std::string& name, std::size_t& rows, std::
   if (H5Sget_simple_extent_ndims(space.get()) != 2 ||
       H5Sget_simple_extent_dims(space.get(), size, nullptr) < 0) {
     H5Dclose(table);
-    refuse(name + " is no table");
+    refuse(name + " is not a table");
   }
   // What a table claims is believed only as far as its file has bytes: memory is taken for it.
   hsize_t bytes = 0;
@@ -45,7 +45,7 @@ void Hdf5File::refuse_other_type(
 ) const {
   const Hdf5Handle type(H5Dget_type(table), H5Tclose);
   if (H5Tget_class(type.get()) != wanted)
-    refuse(name + (wanted == H5T_FLOAT ? " holds no numbers" : " holds no whole numbers"));
+    refuse(name + (wanted == H5T_FLOAT ? " does not hold numbers" : " does not hold integers"));
   const std::size_t found = H5Tget_size(type.get());
   if (found != bytes)
     refuse(
@@ -70,7 +70,7 @@ void Hdf5File::read_part(
   const Hdf5Handle rows(H5Screate_simple(2, part, nullptr), H5Sclose);
   if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, begin, nullptr, part, nullptr) < 0 ||
       H5Dread(table, type, rows.get(), space.get(), H5P_DEFAULT, values) < 0)
-    refuse(name + " does not have its checksum");
+    refuse(name + " does not match its checksum");
 }
 
 Hdf5Size Hdf5File::size_of(const std::string& name) const {

@@ -42,13 +42,13 @@ Block seal_of(int file) {
 std::string broken_seal(int file) {
   if (file < 0) return std::string("it cannot be opened: ") + std::strerror(errno);
   struct stat found {};
-  if (fstat(file, &found) != 0 || !S_ISREG(found.st_mode)) return "it is no regular file";
+  if (fstat(file, &found) != 0 || !S_ISREG(found.st_mode)) return "it is not a regular file";
   Block block{};
   if (pread(file, block.data(), block.size(), 0) != static_cast<ssize_t>(block.size()))
-    return "it is cut off";
+    return "it is truncated";
   if (std::strncmp(block.data(), "barreno checkpoint\n", 19) != 0)
-    return "it is no checkpoint of this program";
-  return seal_of(file) == block ? std::string() : "its bytes are not those that were written";
+    return "it is not a checkpoint of this program";
+  return seal_of(file) == block ? std::string() : "its contents are not what was written";
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path) {

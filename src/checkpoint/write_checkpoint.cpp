@@ -8,7 +8,7 @@
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_rows.hpp"
 #include "state/balance.hpp"
-#include "step/place_particles.hpp"
+#include "step/order/remove_lost.hpp"
 
 #include <algorithm>
 #include <array>
@@ -74,9 +74,8 @@ void write_particles(
   });
   put(SharedTable<long long>{group + "id", "", 1, whole_numbers(particles.id)});
   put(SharedTable<long long>{group + "body", "", 1, whole_numbers(particles.body)});
-  const auto cause = [&](std::size_t p) {
-    return removal_cause(grid, particles, static_cast<int>(p));
-  };
+  const RemovalRule rule(grid, particles);
+  const auto cause = [&](std::size_t p) { return rule.cause_of(static_cast<int>(p)); };
   put(SharedTable<long long>{group + "removal", "", 1, whole_numbers(cause)});
   particles.for_each_field([&](const Field& field) {
     if (field.components == 0) return;
@@ -91,18 +90,18 @@ void write_particles(
 }
 
 /// Of all ranks: whole sums have no order.
-Hdf5Table<long long> whole_table(const Comm& comm, std::vector<WholeSum> sums) {
+Hdf5Table<long long> whole_table(const Comm& comm, std::vector<ReproducibleSum> sums) {
   sum_over_ranks(comm, sums);
-  Hdf5Table<long long> table{sums.size(), WholeSum::parts, {}};
-  for (WholeSum& sum : sums) {
+  Hdf5Table<long long> table{sums.size(), ReproducibleSum::parts, {}};
+  for (ReproducibleSum& sum : sums) {
     sum.carry();
-    table.values.insert(table.values.end(), sum.part, sum.part + WholeSum::parts);
+    table.values.insert(table.values.end(), sum.part, sum.part + ReproducibleSum::parts);
   }
   return table;
 }
 
-std::vector<WholeSum> impulses_of(const State& state) {
-  std::vector<WholeSum> impulses;
+std::vector<ReproducibleSum> impulses_of(const State& state) {
+  std::vector<ReproducibleSum> impulses;
   for (const Reaction& reaction : state.reactions)
     impulses.insert(impulses.end(), reaction.impulse.begin(), reaction.impulse.end());
   return impulses;
@@ -134,7 +133,8 @@ RunNumbers numbers_of(const State& state) {
   for_each_number(state, [&](const char* name, const auto& value) {
     numbers[name] = {static_cast<double>(value)};
   });
-  numbers["cavities"] = state.cavities;
+  std::vector<double>& volumes = numbers["cavities"];
+  for (const Cavity& cavity : state.cavities) volumes.push_back(cavity.volume);
   return numbers;
 }
 
@@ -197,8 +197,8 @@ void close_aside(int file) {
 
 }  // namespace
 
-void name_checkpoint(const fs::path& folder) {
-  const fs::path aside = folder / checkpoint_aside_name;
+void rename_checkpoint(const fs::path& folder) {
+  const fs::path aside = folder / checkpoint_temporary_name;
   const fs::path previous = folder / previous_checkpoint_name;
   const int replaced =
       open(previous.c_str(), O_RDONLY);  // NOLINT(cppcoreguidelines-pro-type-vararg)
@@ -222,7 +222,7 @@ void write_checkpoint(
 ) {
   const Region region("write_checkpoint");
   const Comm& comm = *state.grid.comm;
-  const fs::path aside = folder / checkpoint_aside_name;
+  const fs::path aside = folder / checkpoint_temporary_name;
   const double bytes = estimate(state);
   RootWork work(comm);
   std::unique_ptr<Hdf5File> file;
@@ -246,7 +246,7 @@ void write_checkpoint(
     file->close();
     read_back(aside);
     seal_checkpoint(aside);
-    name_checkpoint(folder);
+    rename_checkpoint(folder);
   });
   file.reset();
   try {

@@ -9,9 +9,9 @@
 
 namespace barreno {
 
-inline constexpr int checkpoint_version = 4;
+inline constexpr int checkpoint_version = 5;
 inline constexpr const char* checkpoint_name = "checkpoint.h5";
-inline constexpr const char* checkpoint_aside_name = "checkpoint.h5.tmp";
+inline constexpr const char* checkpoint_temporary_name = "checkpoint.h5.tmp";
 inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5";
 
 /// Writes the state to `folder`/checkpoint.h5, the one before becomes checkpoint_previous.h5. The
@@ -33,6 +33,6 @@ void write_checkpoint(
 
 /// Gives a sealed checkpoint.h5.tmp its name; what had that name becomes checkpoint_previous.h5.
 /// Root only. @throws FileError
-void name_checkpoint(const std::filesystem::path& folder);
+void rename_checkpoint(const std::filesystem::path& folder);
 
 }  // namespace barreno

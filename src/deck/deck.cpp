@@ -2,6 +2,8 @@
 #include "deck/deck.hpp"
 
 #include "deck/echo_deck.hpp"
+#include "deck/material_section.hpp"
+#include "deck/section_table.hpp"
 
 #include <Teuchos_TwoDArray.hpp>
 
@@ -89,10 +91,10 @@ Teuchos::ParameterList Deck::list(const std::string& path) const {
 }
 
 Material Deck::material(const std::string& name) const {
-  Teuchos::ParameterList list = values_.sublist("Materials").sublist(name);
+  Teuchos::ParameterList list = values_.sublist(table_of<MaterialSection>().path).sublist(name);
   // The deck's own words, which no model knows.
-  list.remove("Bad Particles");
-  return make_material(name, list, name_, "Materials/" + name);
+  list.remove(name_of(&MaterialSection::bad_particles));
+  return make_material(name, list, name_, list_of<MaterialSection>(name));
 }
 
 void Deck::refuse_value(const std::string& path, const std::string& problem) const {

@@ -4,7 +4,6 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_XMLObject.hpp>
 
-#include <barreno/models.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +13,7 @@
 namespace barreno {
 
 class Surface;
+struct Material;
 
 /// A file of a surface, and what the folder of a run has of it.
 struct SurfaceFile {

@@ -15,7 +15,4 @@ const input::Section& deck_schema();
 /// The table of one list below Materials.
 input::Section material_section(const ModelDescription& model);
 
-/// What every list below Materials may hold besides its model's parameters.
-input::Section any_material_section();
-
 }  // namespace barreno

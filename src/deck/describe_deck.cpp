@@ -81,7 +81,7 @@ void write_entry(const Entry& entry, std::ostream& out) {
 /// Lists of free name are there when they are written, so only fixed ones can be missing.
 std::string presence_text(const Section& section) {
   if (section.name == "*") return "";
-  return section.presence == Presence::required ? " (required)" : " (may be left out)";
+  return section.presence == Presence::required ? " (required)" : " (optional)";
 }
 
 void write_section(const Section& section, const std::string& path, std::ostream& out) {
@@ -103,7 +103,7 @@ void write_model(const ModelDescription& model, std::ostream& out) {
   if (!model.history.empty()) out << "  history of every particle:\n";
   for (const HistoryField& field : model.history) write_history(field, out);
   if (model.more_history.empty()) return;
-  out << "  and where the parameters ask for more than the plain form:\n";
+  out << "  and further history where the parameters select the general form:\n";
   for (const HistoryField& field : model.more_history) write_history(field, out);
 }
 
@@ -216,7 +216,7 @@ std::string describe_markdown() {
     if (model.history.empty()) continue;
     write_history_rows("history", model.history, out);
     if (model.more_history.empty()) continue;
-    write_history_rows("where the parameters ask for more", model.more_history, out);
+    write_history_rows("further history of the general form", model.more_history, out);
   }
   std::string text = out.str();
   text.pop_back();  // one newline at the end, not two

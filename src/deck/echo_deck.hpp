@@ -13,7 +13,7 @@ namespace barreno {
 /// without reference to another file. Numbers are written so that reading gives the same doubles.
 std::string effective_deck_xml(const Deck& deck);
 
-/// A value as a deck says it.
+/// A value as it is written in a deck.
 std::string value_text(const Teuchos::ParameterEntry& entry);
 
 }  // namespace barreno

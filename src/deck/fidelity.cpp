@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/fidelity.hpp"
 
-#include "deck/deck_schema.hpp"
+#include "deck/body_section.hpp"
 #include "deck/describe_deck.hpp"
+#include "deck/jet_section.hpp"
+#include "deck/output_section.hpp"
+#include "deck/section_table.hpp"
+#include "deck/step_section.hpp"
+#include "deck/time_section.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -19,48 +24,48 @@ using Teuchos::XMLObject;
 struct Choices {
   const char* name;
   const char* shape;
-  const char* transfer;
-  const char* order;
-  const char* courant;
-  const char* per_cell;      ///< of bodies, per direction
-  const char* jet_per_cell;  ///< of the jet, whose radius may be less than a cell
-  const char* tolerance;     ///< of materials that integrate with a controlled error
-  double fields, rows;       ///< instants of the output in a run; 0: first and last
-  const char* errors;  ///< depth of a jet at cells of its radius / shock / smooth strains of 0.3
+  Transfer transfer;
+  Order order;
+  double courant_fraction;
+  int per_cell;         ///< of bodies, per direction
+  int jet_per_cell;     ///< of the jet, whose radius may be less than a cell
+  double tolerance;     ///< of materials that integrate with a controlled error
+  double fields, rows;  ///< instants of the output in a run; 0: first and last
+  const char* errors;   ///< depth of a jet at cells of its radius / shock / smooth strains of 0.3
 };
 
 /// One row for each name. The numbers come from the curves of docs/trade.md.
 constexpr Choices fidelities[] = {
     {"fast",
      "quadratic B-spline",
-     "FLIP",
-     "stress last",
-     "0.9",
-     "2",
-     "2",
-     "0.1",
+     Transfer::flip,
+     Order::stress_last,
+     0.9,
+     2,
+     2,
+     0.1,
      0.0,
      100.0,
      "16 %, 6 %, 3 %"},
     {"balanced",
      "GIMP",
-     "FLIP",
-     "stress last",
-     "0.8",
-     "2",
-     "4",
-     "0.01",
+     Transfer::flip,
+     Order::stress_last,
+     0.8,
+     2,
+     4,
+     0.01,
      20.0,
      500.0,
      "16 %, 11 %, 3 %"},
     {"reference",
      "CPDI",
-     "FLIP",
-     "stress last",
-     "0.8",
-     "2",
-     "4",
-     "0.001",
+     Transfer::flip,
+     Order::stress_last,
+     0.8,
+     2,
+     4,
+     0.001,
      50.0,
      2000.0,
      "18 %, 11 %, 0.6 %"},
@@ -72,41 +77,53 @@ const Choices* choices_of(const std::string& name) {
   return nullptr;
 }
 
-/// A text as a deck would read it, in SI; nothing where it is no such number.
-std::optional<double> value_of(
-    const std::string& text, const Dimension& unit, const input::UnitSystem& units
+/// A text as a deck would read it for an entry, in SI; empty where that refuses it.
+Teuchos::ParameterList value_of(
+    const input::Entry& entry, const std::string& text, const input::UnitSystem& units
 ) {
-  const input::Entry entry = input::number("value", unit, any(), "");
+  Teuchos::ParameterList list;
   try {
-    Teuchos::ParameterList list;
     input::put_value(list, entry, text, units);
-    return list.get<double>("value");
   } catch (const InputError&) {
     return {};
   }
+  return list;
 }
 
 /// The deck's End Time; nothing where it is missing or no time, which is refused elsewhere.
 std::optional<double> end_time(const XMLObject& root, const input::UnitSystem& units) {
-  const auto time = input::find_list(root, "Time");
-  const auto text = time ? input::find_text(*time, "End Time") : std::nullopt;
-  return text ? value_of(*text, dimension::time, units) : std::nullopt;
+  const input::Entry& entry = row_of<TimeSpec>(&TimeSpec::end_time).entry;
+  const auto time = input::find_list(root, table_of<TimeSpec>().path);
+  const auto text = time ? input::find_text(*time, entry.name) : std::nullopt;
+  if (!text) return {};
+  const Teuchos::ParameterList list = value_of(entry, *text, units);
+  return list.isParameter(entry.name) ? std::optional(list.get<double>(entry.name)) : std::nullopt;
 }
 
-std::string interval(double time, double instants) {
+double interval(double time, double instants) {
+  return instants > 0.0 ? time / instants : 0.0;
+}
+
+/// A choice as it is written in a deck; numbers to four digits, so that they can be read.
+template <class T>
+std::string choice_text(const T& value) {
+  return DeckValue<T>::text(value);
+}
+std::string choice_text(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g s", instants > 0.0 ? time / instants : 0.0);
+  std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
 
-/// Whether two texts say the same: "0.80" and "0.8", "5 us" and "5e-06 s".
-bool same(const std::string& a, const std::string& b, const input::UnitSystem& units) {
-  if (a == b) return true;
-  for (const Dimension& unit : {dimension::none, dimension::time}) {
-    const auto first = value_of(a, unit, units), second = value_of(b, unit, units);
-    if (first && first == second) return true;
-  }
-  return false;
+/// Whether two texts say the same of an entry: "0.80" and "0.8", "5 us" and "5e-06 s".
+bool same(
+    const input::Entry& entry,
+    const std::string& a,
+    const std::string& b,
+    const input::UnitSystem& units
+) {
+  const Teuchos::ParameterList first = value_of(entry, a, units);
+  return a == b || (first.numParams() > 0 && first == value_of(entry, b, units));
 }
 
 }  // namespace
@@ -125,14 +142,16 @@ std::string fidelity_errors(const std::string& name) {
 std::string fidelity_text() {
   std::string text;
   for (const Choices& c : fidelities)
-    text += (text.empty() ? "" : "; ") + std::string(c.name) + ": " + c.shape + ", " + c.transfer +
-            ", " + c.order + ", Courant Fraction " + c.courant + ", " + c.per_cell +
-            " particles per cell and direction, " + c.jet_per_cell + " in the jet, Tolerance " +
-            c.tolerance + ", errors " + c.errors;
+    text += (text.empty() ? "" : "; ") + std::string(c.name) + ": " + c.shape + ", " +
+            word_of(c.transfer) + ", " + word_of(c.order) + ", " +
+            name_of(&StepSpec::courant_fraction) + " " + choice_text(c.courant_fraction) + ", " +
+            std::to_string(c.per_cell) + " particles per cell and direction, " +
+            std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
+            ", errors " + c.errors;
   return text;
 }
 
-// A name that is none is refused with the other words of the deck.
+// An unknown name is refused with the other words of the deck.
 Fidelity::Fidelity(const std::string& name, const input::UnitSystem& units)
     : name_(choices_of(name) ? name : ""), units_(units) {}
 
@@ -143,57 +162,75 @@ void Fidelity::keep(const std::string& path, const std::string& said, const std:
 void Fidelity::choose(
     const XMLObject& list,
     const std::string& path,
-    const std::string& name,
+    const input::Entry& entry,
     const std::string& value
 ) {
-  const auto said = input::find_text(list, name);
-  const std::string whole = input::join(path, name);
-  if (said && !same(*said, value, units_)) return keep(whole, *said, value);
-  if (!said) input::set_value(list, name, value);
+  const auto said = input::find_text(list, entry.name);
+  const std::string whole = input::join(path, entry.name);
+  if (said && !same(entry, *said, value, units_)) return keep(whole, *said, value);
+  if (!said) input::set_value(list, entry.name, value);
   chosen_.push_back(whole + " = " + value);
+}
+
+template <class Spec, class T>
+void Fidelity::choose(
+    const XMLObject& list, const std::string& path, T Spec::*member, const T& value
+) {
+  const input::Entry& entry = row_of<Spec>(member).entry;
+  choose(list, path, entry, with_unit(choice_text(value), entry));
+}
+
+void Fidelity::choose_for_step(const XMLObject& list, const std::string& path) {
+  const Choices& choices = *choices_of(name_);
+  choose(list, path, &StepSpec::shape, std::string(choices.shape));
+  choose(list, path, &StepSpec::transfer, choices.transfer);
+  choose(list, path, &StepSpec::order, choices.order);
+  choose(list, path, &StepSpec::courant_fraction, choices.courant_fraction);
 }
 
 void Fidelity::choose_for_deck(const XMLObject& root) {
   const Choices* const choices = choices_of(name_);
   if (choices == nullptr) return;
-  const auto add_list = [&](const char* name) {
+  const auto add_list = [&](const std::string& name) {
     if (!input::find_list(root, name)) {
       XMLObject list("ParameterList");
-      list.addAttribute("name", std::string(name));
+      list.addAttribute("name", name);
       XMLObject(root).addChild(list);
     }
     return *input::find_list(root, name);
   };
-  const XMLObject step = add_list("Step");
-  choose(step, "Step", "Shape Function", choices->shape);
-  choose(step, "Step", "Transfer", choices->transfer);
-  choose(step, "Step", "Order", choices->order);
-  choose(step, "Step", "Courant Fraction", choices->courant);
-  if (const auto bodies = input::find_list(root, "Bodies"))
+  const std::string step = table_of<StepSpec>().path, output = table_of<OutputSpec>().path;
+  choose_for_step(add_list(step), step);
+  if (const auto bodies = input::find_list(root, table_of<BodySpec>().path))
     for (int i = 0; i < bodies->numChildren(); ++i) {
       const XMLObject& body = bodies->getChild(i);
       if (body.getTag() != "ParameterList" || !body.hasAttribute("name")) continue;
-      const std::string path = input::join("Bodies", body.getAttribute("name"));
-      choose(body, path, "Particles Per Cell", choices->per_cell);
+      const std::string path = list_of<BodySpec>(body.getAttribute("name"));
+      choose(body, path, &BodySpec::particles_per_cell, choices->per_cell);
     }
-  if (const auto jet = input::find_list(root, "Jet"))
-    choose(*jet, "Jet", "Particles Per Cell", choices->jet_per_cell);
+  const std::string jet = table_of<JetSpec>().path;
+  if (const auto found = input::find_list(root, jet))
+    choose(*found, jet, &JetSpec::particles_per_cell, choices->jet_per_cell);
   const auto time = end_time(root, units_);
   if (!time) return;
-  const XMLObject output = add_list("Output");
-  choose(output, "Output", "Field Interval", interval(*time, choices->fields));
-  choose(output, "Output", "History Interval", interval(*time, choices->rows));
+  const XMLObject list = add_list(output);
+  choose(list, output, &OutputSpec::field_interval, interval(*time, choices->fields));
+  choose(list, output, &OutputSpec::history_interval, interval(*time, choices->rows));
 }
 
 void Fidelity::choose_tolerance(
-    const XMLObject& material, const std::string& path, const std::optional<std::string>& card
+    const XMLObject& material,
+    const std::string& path,
+    const input::Entry& tolerance,
+    const std::optional<std::string>& card
 ) {
   const Choices* const choices = choices_of(name_);
   if (choices == nullptr) return;
-  const bool card_decides = card && !input::find_text(material, "Tolerance");
-  if (card_decides && !same(*card, choices->tolerance, units_))
-    return keep(input::join(path, "Tolerance"), *card, choices->tolerance);
-  choose(material, path, "Tolerance", choices->tolerance);
+  const std::string value = choice_text(choices->tolerance);
+  const bool card_decides = card && !input::find_text(material, tolerance.name);
+  if (card_decides && !same(tolerance, *card, value, units_))
+    return keep(input::join(path, tolerance.name), *card, value);
+  choose(material, path, tolerance, value);
 }
 
 std::vector<std::string> Fidelity::notes() const {

@@ -3,6 +3,7 @@
 
 #include <Teuchos_XMLObject.hpp>
 
+#include <barreno/input/schema.hpp>
 #include <barreno/input/units.hpp>
 #include <optional>
 #include <string>
@@ -32,10 +33,12 @@ public:
   void choose_for_deck(const Teuchos::XMLObject& root);
 
   /// The tolerance of a material whose model has one.
+  /// @param tolerance  the model's entry
   /// @param card  what its card says, if it has one that does
   void choose_tolerance(
       const Teuchos::XMLObject& material,
       const std::string& path,
+      const input::Entry& tolerance,
       const std::optional<std::string>& card
   );
 
@@ -43,11 +46,17 @@ public:
   std::vector<std::string> notes() const;
 
 private:
+  void choose_for_step(const Teuchos::XMLObject& list, const std::string& path);
   void choose(
       const Teuchos::XMLObject& list,
       const std::string& path,
-      const std::string& name,
+      const input::Entry& entry,
       const std::string& value
+  );
+  /// The value of a member's entry.
+  template <class Spec, class T>
+  void choose(
+      const Teuchos::XMLObject& list, const std::string& path, T Spec::*member, const T& value
   );
   void keep(const std::string& path, const std::string& said, const std::string& value);
 

@@ -19,7 +19,7 @@ Teuchos::TwoDArray<double> read_jet_table(const std::string& text, const std::st
     input::refuse(
         source,
         "",
-        "holds no slug (a jet needs at least one row below the header); add rows or remove Jet"
+        "contains no slug (a jet needs at least one row below the header); add rows or remove Jet"
     );
   }
   using Index = Teuchos::TwoDArray<double>::size_type;

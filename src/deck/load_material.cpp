@@ -2,9 +2,9 @@
 #include "deck/load_material.hpp"
 
 #include "base/error.hpp"
-#include "deck/find_card.hpp"
-#include "deck/read_once.hpp"
+#include "deck/read_on_root.hpp"
 
+#include <barreno/find_card.hpp>
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
 
@@ -15,13 +15,13 @@ std::string load_text(const std::string& card, const Comm& comm) {
   const auto read = [&] {
     std::string file;
     try {
-      file = find_card(card, ".", "in this directory");
+      file = find_card(card);
     } catch (const FileError& error) {
       throw FileError("--material " + input::shown(card) + " " + error.what());
     }
     return read_file(file, input::largest_text, "a card");
   };
-  return read_once(read, comm);
+  return read_on_root(read, comm);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/pore_flow_section.hpp"
 
-#include "deck/boundary_sections.hpp"
+#include "deck/section_table.hpp"
 
 namespace barreno {
 namespace {
@@ -9,59 +9,96 @@ namespace {
 using namespace input;
 namespace dim = dimension;
 
-Section rocks_section() {
-  const Section rock = {
-      "*",
-      "the permeability of one of Materials, whose model must have a fluid that drains",
+SectionTable<PermeabilitySpec> rock_table() {
+  return {
+      "Pore Flow/Rocks",
+      "named as in Materials",
       Presence::required,
-      {vector(
-           "Permeability",
-           dim::area,
-           at_least(0.0),
-           "one number, or one along each axis; 0: nothing flows"
+      {read_by(
+           "read_permeability",
+           &PermeabilitySpec::permeability,
+           vector(
+               "Permeability",
+               dim::area,
+               at_least(0.0),
+               "one number, or one along each axis; 0: no flow"
+           )
        ),
-       flag("Kozeny-Carman", "permeability times (phi/phi0)^3 ((1-phi0)/(1-phi))^2")
-           .by_default("false")},
-      {},
-      {}};
-  return {"Rocks", "by the names in Materials", Presence::required, {}, {}, {rock}};
+       defaulted(
+           &PermeabilitySpec::kozeny_carman,
+           "Kozeny-Carman",
+           "permeability times (phi/phi0)^3 ((1-phi0)/(1-phi))^2"
+       )},
+      "permeability of one of the Materials, whose model must have a fluid that can drain"};
 }
 
-Section conditions_of_flow() {
-  const Section condition = {
-      "*",
-      "one condition",
-      Presence::required,
-      {word(
-           "Kind",
-           {"drained", "flux"},
-           "drained: the fluid outside has this Pressure; flux: fluid comes in at this Flux"
-       ),
-       words("Grid Faces", {face_names.begin(), face_names.end()}, "faces of the grid box")
-           .if_given(),
-       words(
-           "Open Faces",
-           {face_names.begin(), face_names.end()},
-           "where rock looks to this side into a cell that holds nothing solid: outer surfaces, "
-           "and "
-           "the channel as a jet opens it"
-       )
-           .if_given(),
-       number("Pressure", dim::stress, any(), "of the fluid outside (or Times and Pressures)")
-           .if_given(),
-       vector("Times", dim::time, any(), "increasing; the pressure is linear in between")
-           .if_given(),
-       vector("Pressures", dim::stress, any(), "one for each of Times").if_given(),
-       number("Flux", dim::velocity, any(), "volume per area and time, negative: out").if_given()},
-      {},
-      {}};
+SectionTable<PoreConditionSpec> flow_condition_table() {
   return {
-      "Conditions",
-      "of the fluid, a list of free name each; rock is sealed where none is",
+      "Pore Flow/Conditions",
+      "boundary conditions of the fluid, one freely named list each; elsewhere rock is sealed",
       Presence::defaulted,
-      {},
-      {},
-      {condition}};
+      {needed(
+           &PoreConditionSpec::kind,
+           "Kind",
+           "drained: the fluid outside has this Pressure; flux: fluid flows in at this Flux"
+       ),
+       if_given(&PoreConditionSpec::grid_faces, "Grid Faces", "faces of the grid box"),
+       if_given(
+           &PoreConditionSpec::open_faces,
+           "Open Faces",
+           "where rock faces, to this side, a cell without solid: outer surfaces, and the channel "
+           "as a jet opens it"
+       ),
+       read_by<PoreConditionSpec>(
+           "read_pressure",
+           number(
+               pressure_word, dim::stress, any(), "of the fluid outside (or Times and Pressures)"
+           )
+               .if_given()
+       ),
+       read_by<PoreConditionSpec>(
+           "read_pressure",
+           vector(times_word, dim::time, any(), "increasing; the pressure is linear in between")
+               .if_given()
+       ),
+       read_by<PoreConditionSpec>(
+           "read_pressure",
+           vector(pressures_word, dim::stress, any(), "one for each of Times").if_given()
+       ),
+       read_by(
+           "read_flux",
+           &PoreConditionSpec::value,
+           number("Flux", dim::velocity, any(), "volume per area and time, negative: out")
+               .if_given()
+       )},
+      "one condition"};
+}
+
+SectionTable<PoreFlowSpec> flow_table() {
+  return {
+      "Pore Flow",
+      "pore fluid that drains through the rock",
+      Presence::optional,
+      {defaulted(
+           &PoreFlowSpec::drainage,
+           "Drainage",
+           "automatic: off where pressure cannot diffuse as far as a twentieth of a cell"
+       ),
+       needed(&PoreFlowSpec::viscosity, "Viscosity", dim::viscosity, above(0.0), "of the fluid"),
+       defaulted(
+           &PoreFlowSpec::fluid_density,
+           "Fluid Density",
+           dim::density,
+           at_least(0.0),
+           "moves the fluid under gravity"
+       ),
+       defaulted(
+           &PoreFlowSpec::diffusion_number,
+           "Diffusion Number",
+           dim::none,
+           above(0.0),
+           "largest c dt / h^2 accumulated between two solves, c the diffusivity at fixed strain"
+       )}};
 }
 
 /// Handed on as it is.
@@ -71,47 +108,56 @@ Section library_section(const std::string& name, const std::string& meaning) {
   return section;
 }
 
+std::vector<Section> library_sections() {
+  return {
+      library_section(
+          "Belos",
+          "parameters of the linear solver, and Solver, its name (default CG); Convergence "
+          "Tolerance applies to the true residual (default 1e-10)"
+      ),
+      library_section(
+          "Ifpack2",
+          "parameters of a preconditioner, and Type, its name; default symmetric Gauss-Seidel, for "
+          "up to 2000 cells or short intervals"
+      ),
+      library_section(
+          "MueLu",
+          "parameters of a multigrid preconditioner; default smoothed aggregation, for more cells "
+          "and long intervals (docs/performance.md)"
+      )};
+}
+
 }  // namespace
 
-Section pore_flow_section() {
-  return {
-      "Pore Flow",
-      "pore fluid that drains through the rock",
-      Presence::optional,
-      {word(
-           "Drainage",
-           {"automatic", "on", "off"},
-           "automatic: off where pressure cannot diffuse as far as a twentieth of a cell"
-       )
-           .by_default("automatic"),
-       number("Viscosity", dim::viscosity, above(0.0), "of the fluid"),
-       number("Fluid Density", dim::density, at_least(0.0), "moves the fluid under gravity")
-           .by_default("1000"),
-       number(
-           "Diffusion Number",
-           dim::none,
-           above(0.0),
-           "largest c dt / h^2 that waits for one solve, c the diffusivity at fixed strain"
-       )
-           .by_default("1")},
-      {rocks_section(),
-       conditions_of_flow(),
-       library_section(
-           "Belos",
-           "the linear solver in its own words, and Solver, its name: CG without it; Convergence "
-           "Tolerance is of the true residual, 1e-10 without it"
-       ),
-       library_section(
-           "Ifpack2",
-           "a preconditioner in its own words, and Type, its name; symmetric Gauss-Seidel without "
-           "it, for up to 2000 cells or short intervals"
-       ),
-       library_section(
-           "MueLu",
-           "a multigrid preconditioner in its own words; smoothed aggregation without it, for more "
-           "cells and long intervals (docs/performance.md)"
-       )},
-      {}};
+template <>
+const SectionTable<PermeabilitySpec>& table_of<PermeabilitySpec>() {
+  static const SectionTable<PermeabilitySpec> table = rock_table();
+  return table;
+}
+
+template <>
+const SectionTable<PoreConditionSpec>& table_of<PoreConditionSpec>() {
+  static const SectionTable<PoreConditionSpec> table = flow_condition_table();
+  return table;
+}
+
+template <>
+const SectionTable<PoreFlowSpec>& table_of<PoreFlowSpec>() {
+  static const SectionTable<PoreFlowSpec> table = flow_table();
+  return table;
+}
+
+std::vector<std::string> solver_lists() {
+  std::vector<std::string> names;
+  for (const Section& library : library_sections()) names.push_back(library.name);
+  return names;
+}
+
+input::Section pore_flow_section() {
+  Section flow = section_of<PoreFlowSpec>();
+  flow.sections = {section_of<PermeabilitySpec>(), section_of<PoreConditionSpec>()};
+  for (const Section& library : library_sections()) flow.sections.push_back(library);
+  return flow;
 }
 
 }  // namespace barreno

@@ -3,16 +3,22 @@
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
+#include "deck/body_section.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/fidelity.hpp"
-#include "deck/find_card.hpp"
+#include "deck/head_section.hpp"
+#include "deck/jet_section.hpp"
 #include "deck/jet_table.hpp"
 #include "deck/load_material.hpp"
-#include "deck/read_once.hpp"
+#include "deck/material_section.hpp"
+#include "deck/read_on_root.hpp"
 #include "deck/read_solver_lists.hpp"
 #include "deck/read_surface.hpp"
+#include "deck/section_table.hpp"
+#include "deck/shape_section.hpp"
 
 #include <algorithm>
+#include <barreno/find_card.hpp>
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
 
@@ -42,9 +48,7 @@ const ModelDescription& model_of(
   const auto word = input::find_text(xml, "Model");
   if (!word) {
     input::refuse(
-        source,
-        path,
-        "says neither Card nor Model (the material is not defined); add one of the two"
+        source, path, "has neither Card nor Model (the material is not defined); add one of the two"
     );
   }
   try {
@@ -54,38 +58,47 @@ const ModelDescription& model_of(
   }
 }
 
-/// The model integrates with an error that it controls.
-bool has_tolerance(const input::Section& section) {
-  const auto is = [](const input::Entry& entry) { return entry.name == "Tolerance"; };
-  return std::any_of(section.entries.begin(), section.entries.end(), is);
+/// How far the model lets the error of its integration go; nothing if it does not control that.
+const input::Entry* find_tolerance(const input::Section& section) {
+  for (const input::Entry& entry : section.entries)
+    if (entry.name == "Tolerance") return &entry;
+  return nullptr;
 }
 
 std::string load_card(const std::string& card, const std::string& path, const Reading& reading) {
   const auto read = [&] {
     try {
-      return read_file(find_card(card, reading.directory), input::largest_text, "a card");
+      return read_file(
+          find_card(card, reading.directory, "beside the deck"), input::largest_text, "a card"
+      );
     } catch (const FileError& error) {
-      throw FileError(included(reading, join(path, "Card"), card) + " " + error.what());
+      throw FileError(
+          included(reading, join(path, name_of(&MaterialSection::card)), card) + " " + error.what()
+      );
     } catch (const DeckError& error) {
-      throw DeckError(included(reading, join(path, "Card"), card) + " " + error.what());
+      throw DeckError(
+          included(reading, join(path, name_of(&MaterialSection::card)), card) + " " + error.what()
+      );
     }
   };
-  return read_once(read, reading.comm);
+  return read_on_root(read, reading.comm);
 }
 
-/// A card is complete in itself; what the deck says beside it replaces single values.
+/// A card is complete in itself; values in the deck beside it replace single ones.
 ParameterList read_card_material(
     const XMLObject& xml, const std::string& card, const std::string& path, Reading& reading
 ) {
   const std::string text = load_card(card, path, reading);
-  const std::string source = included(reading, join(path, "Card"), card);
+  const std::string source = included(reading, join(path, name_of(&MaterialSection::card)), card);
   const XMLObject card_xml = input::parse_xml(text, source);
   for (const std::string& note : assumptions_of(card_xml, card)) reading.notes.push_back(note);
   ParameterList list = scan_card(card_xml, source);
   const auto model = list.get<std::string>("Model");
   const input::Section section = material_section(find_model(model));
-  if (has_tolerance(section))
-    reading.fidelity.choose_tolerance(xml, path, input::find_text(card_xml, "Tolerance"));
+  if (const input::Entry* const tolerance = find_tolerance(section))
+    reading.fidelity.choose_tolerance(
+        xml, path, *tolerance, input::find_text(card_xml, tolerance->name)
+    );
   ParameterList overrides =
       input::scan_list(xml, section, path, reading.source, input::Completeness::partial);
   if (overrides.isParameter("Model") && overrides.get<std::string>("Model") != model) {
@@ -97,30 +110,33 @@ ParameterList read_card_material(
             "'); remove it or write all parameters instead of the card"
     );
   }
-  overrides.remove("Card");
-  list.remove("Units");
-  list.remove("Schema Version");
+  overrides.remove(name_of(&MaterialSection::card));
+  list.remove(name_of(&HeadSection::units));
+  list.remove(name_of(&HeadSection::schema_version));
   // The effective deck names no card, so the card is remembered as the source of the numbers.
   if (!list.isParameter("Source")) list.set("Source", "card " + card);
-  list.set("Bad Particles", any_material_section().entries.back().default_text);
+  const input::Entry& policy = row_of<MaterialSection>(&MaterialSection::bad_particles).entry;
+  list.set(policy.name, policy.default_text);
   list.setParameters(overrides);
   return list;
 }
 
 ParameterList read_material(const XMLObject& xml, const std::string& path, Reading& reading) {
-  if (const auto card = input::find_text(xml, "Card"))
+  if (const auto card = input::find_text(xml, name_of(&MaterialSection::card)))
     return read_card_material(xml, *card, path, reading);
   const input::Section section = material_section(model_of(xml, path, reading.source.name));
-  if (has_tolerance(section)) reading.fidelity.choose_tolerance(xml, path, {});
+  if (const input::Entry* const tolerance = find_tolerance(section))
+    reading.fidelity.choose_tolerance(xml, path, *tolerance, {});
   return input::scan_list(xml, section, path, reading.source);
 }
 
 void read_materials(const XMLObject& root, Reading& reading, ParameterList& values) {
-  ParameterList& materials = values.sublist("Materials");
-  const auto xml = input::find_list(root, "Materials");
-  for (const XMLObject& child : input::sub_lists(*xml, "Materials", reading.source.name)) {
+  const std::string& path = table_of<MaterialSection>().path;
+  ParameterList& materials = values.sublist(path);
+  const auto xml = input::find_list(root, path);
+  for (const XMLObject& child : input::sub_lists(*xml, path, reading.source.name)) {
     const std::string& name = child.getAttribute("name");
-    materials.sublist(name) = read_material(child, join("Materials", name), reading);
+    materials.sublist(name) = read_material(child, join(path, name), reading);
   }
 }
 
@@ -145,27 +161,29 @@ std::string load_beside(
       throw DeckError(source + ": " + error.what());
     }
   };
-  return read_once(read, reading.comm);
+  return read_on_root(read, reading.comm);
 }
 
 /// The table's rows become part of the deck, so that the effective deck needs no other file.
 std::string include_jet_table(const Reading& reading, ParameterList& values) {
-  if (!values.isSublist("Jet")) return {};
-  ParameterList& jet = values.sublist("Jet");
-  if (jet.isParameter("Table") == jet.isParameter("Slugs")) {
+  const std::string &path = table_of<JetSpec>().path, &file = name_of(&JetSpec::table_file);
+  const std::string& slugs = name_of(&JetSpec::slugs);
+  if (!values.isSublist(path)) return {};
+  ParameterList& jet = values.sublist(path);
+  if (jet.isParameter(file) == jet.isParameter(slugs)) {
     input::refuse(
         reading.source.name,
-        "Jet",
-        "needs either Table or Slugs (one of them says what is launched); give exactly one of the "
-        "two"
+        path,
+        "needs either Table or Slugs (one of them must list what is launched); give exactly one of "
+        "the two"
     );
   }
-  if (!jet.isParameter("Table")) return {};
-  auto table = jet.get<std::string>("Table");
-  const std::string source = included(reading, "Jet/Table", table);
+  if (!jet.isParameter(file)) return {};
+  auto table = jet.get<std::string>(file);
+  const std::string source = included(reading, join(path, file), table);
   const std::string text = load_beside(reading, table, source, input::largest_text, "a jet table");
-  jet.set("Slugs", read_jet_table(text, source));
-  jet.remove("Table");
+  jet.set(slugs, read_jet_table(text, source));
+  jet.remove(file);
   return table;
 }
 
@@ -174,8 +192,8 @@ std::string check_digest(
     const std::string& text, const std::string& source, const ParameterList& list
 ) {
   std::string digest = digest_of(text);
-  if (!list.isParameter("File Digest")) return digest;
-  const auto wanted = list.get<std::string>("File Digest");
+  if (!list.isParameter(name_of(&ShapeSection::file_digest))) return digest;
+  const auto& wanted = list.get<std::string>(name_of(&ShapeSection::file_digest));
   if (wanted != digest)
     throw DeckError(
         source + " has the digest " + digest + " instead of " + input::shown(wanted) +
@@ -192,13 +210,13 @@ std::shared_ptr<const Surface> load_surface(
     ParameterList& list,
     std::vector<SurfaceFile>& files
 ) {
-  const auto file = list.get<std::string>("File");
+  const auto file = list.get<std::string>(name_of(&ShapeSection::file));
   const auto place = std::filesystem::path(reading.directory) / file;
-  const std::string source = included(reading, join(path, "File"), file);
+  const std::string source = included(reading, join(path, name_of(&ShapeSection::file)), file);
   const std::string text = load_beside(reading, file, source, largest_surface, "an STL surface");
   Vector shift{};
-  if (list.isParameter("Shift")) {
-    const auto given = list.get<Teuchos::Array<double>>("Shift");
+  if (list.isParameter(name_of(&ShapeSection::shift))) {
+    const auto given = list.get<Teuchos::Array<double>>(name_of(&ShapeSection::shift));
     std::copy_n(
         given.begin(),
         std::min<std::size_t>(3, static_cast<std::size_t>(given.size())),
@@ -207,9 +225,11 @@ std::shared_ptr<const Surface> load_surface(
   }
   const std::string digest = check_digest(text, source, list);
   files.push_back({place.string(), digest, "surface_" + digest + ".stl"});
-  list.set("File", files.back().copy);
-  list.set("File Digest", digest);
-  const double unit = list.isParameter("File Unit") ? list.get<double>("File Unit") : 1.0;
+  list.set(name_of(&ShapeSection::file), files.back().copy);
+  list.set(name_of(&ShapeSection::file_digest), digest);
+  const std::string& unit_entry = name_of(&ShapeSection::file_unit);
+  const double unit =
+      list.isParameter(unit_entry) ? list.get<double>(unit_entry) : ShapeSection{}.file_unit;
   return read_surface(text, unit, shift, source);
 }
 
@@ -220,25 +240,26 @@ Surfaces read_surfaces(
     const Reading& reading, ParameterList& values, std::vector<SurfaceFile>& files
 ) {
   Surfaces surfaces;
-  for (const char* section : {"Shapes", "Bodies"}) {
+  for (const std::string& section : {table_of<ShapeSection>().path, table_of<BodySpec>().path}) {
     ParameterList& lists = values.sublist(section);
     std::vector<std::string> names;
     for (auto item = lists.begin(); item != lists.end(); ++item) names.push_back(lists.name(item));
     for (const std::string& name : names) {
       ParameterList& list = lists.sublist(name);
       const std::string path = join(section, name);
-      if (list.isParameter("File")) surfaces[path] = load_surface(reading, path, list, files);
+      if (list.isParameter(name_of(&ShapeSection::file)))
+        surfaces[path] = load_surface(reading, path, list, files);
     }
   }
   return surfaces;
 }
 
 void check_version(const ParameterList& values, const std::string& source) {
-  const int version = values.get<int>("Schema Version");
+  const int version = values.get<int>(name_of(&HeadSection::schema_version));
   if (version == deck_schema_version) return;
   input::refuse_value(
       source,
-      "Schema Version",
+      name_of(&HeadSection::schema_version),
       std::to_string(version),
       "is not the version that this program reads (" + std::to_string(deck_schema_version) +
           "); convert the deck or use the program that it was written for"
@@ -253,7 +274,7 @@ Deck read_deck(
     const Teuchos::Comm<int>& comm
 ) {
   const std::string text =
-      read_once([&] { return read_file(file, input::largest_text, "the deck"); }, comm);
+      read_on_root([&] { return read_file(file, input::largest_text, "the deck"); }, comm);
   const std::filesystem::path path(file);
   const std::string name = path.filename().string();
   XMLObject root = input::parse_xml(text, name);
@@ -263,13 +284,13 @@ Deck read_deck(
       {name, units},
       path.has_parent_path() ? path.parent_path().string() : ".",
       comm,
-      {input::find_text(root, "Fidelity").value_or(""), units},
+      {input::find_text(root, name_of(&HeadSection::fidelity)).value_or(""), units},
       {}};
   reading.fidelity.choose_for_deck(root);
 
   ParameterList values = input::scan_list(root, deck_schema(), "", reading.source);
   check_version(values, name);
-  values.set("Units", "SI");
+  values.set(name_of(&HeadSection::units), HeadSection{}.units);
   read_materials(root, reading, values);
   read_solver_lists(root, name, values);
   const std::string jet_table = include_jet_table(reading, values);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/read_solver_lists.hpp"
 
+#include "deck/pore_flow_section.hpp"
+#include "deck/section_table.hpp"
+
 #include <Teuchos_XMLParameterListReader.hpp>
 
 #include <barreno/input/scan_xml.hpp>
@@ -42,8 +45,8 @@ ParameterList read_foreign_list(
   } catch (const std::exception&) {
     input::refuse(
         source,
-        join("Pore Flow", name),
-        "is no list that Teuchos reads (a type may not fit its value); write type=\"int\", "
+        join(table_of<PoreFlowSpec>().path, name),
+        "is not a list that Teuchos can read (a type may not fit its value); write type=\"int\", "
         "\"double\", \"bool\" or \"string\" and a value of that type"
     );
   }
@@ -52,12 +55,13 @@ ParameterList read_foreign_list(
 }  // namespace
 
 void read_solver_lists(const XMLObject& root, const std::string& source, ParameterList& values) {
-  const auto flow = input::find_list(root, "Pore Flow");
+  const std::string& path = table_of<PoreFlowSpec>().path;
+  const auto flow = input::find_list(root, path);
   if (!flow) return;
-  for (const char* name : {"Belos", "Ifpack2", "MueLu"})
+  for (const std::string& name : solver_lists())
     if (const auto list = input::find_list(*flow, name)) {
       add_types(*list);
-      values.sublist("Pore Flow").sublist(name) = read_foreign_list(*list, name, source);
+      values.sublist(path).sublist(name) = read_foreign_list(*list, name, source);
     }
 }
 

@@ -12,7 +12,7 @@ namespace barreno {
 /// has that which it looks like.
 ///
 /// @param source  the deck's name, for sentences
-/// @throws InputError if a list is none that Teuchos reads
+/// @throws InputError if Teuchos cannot read a list
 void read_solver_lists(
     const Teuchos::XMLObject& root, const std::string& source, Teuchos::ParameterList& values
 );

@@ -46,9 +46,9 @@ bool is_binary(const std::string& text, const std::string& source) {
   if (size > text.size())
     refuse(
         source,
-        "is no whole STL file (it announces " + std::to_string(facets) + " facets, which take " +
-            std::to_string(size) + " bytes, but has " + std::to_string(text.size()) +
-            "); export it again"
+        "is not a complete STL file (it announces " + std::to_string(facets) +
+            " facets, which take " + std::to_string(size) + " bytes, but has " +
+            std::to_string(text.size()) + "); export it again"
     );
   return true;
 }
@@ -67,8 +67,8 @@ Soup read_soup(const std::string& text, const std::string& source) {
   if (!sound || soup.triangles.empty())
     refuse(
         source,
-        "is no whole STL file (neither as text from solid to endsolid nor in binary); export it "
-        "again"
+        "is not a complete STL file (neither as text from solid to endsolid nor in binary); export "
+        "it again"
     );
   return soup;
 }
@@ -90,24 +90,22 @@ void check_sound(const Surface& surface, const std::string& source) {
         source,
         "has " + counted(faults.branching_edges, "edge where", "edges where") +
             " more than two facets meet (inside and outside are not defined there); give every "
-            "solid "
-            "a surface of its own"
+            "solid a surface of its own"
     );
   if (faults.flipped_facets > 0)
     refuse(
         source,
         "has " + counted(faults.flipped_facets, "flipped facet", "flipped facets") +
             " (neighbours disagree about which side is outside); make its normals agree where it "
-            "was "
-            "made"
+            "was made"
     );
   if (faults.wrong_facets > 0)
     refuse(
         source,
         "has " + counted(faults.wrong_facets, "facet", "facets") +
             " without the inside on one side and the outside on the other (the surface is inside "
-            "out "
-            "or goes through itself); turn its normals outward or unite its parts where it was made"
+            "out or goes through itself); turn its normals outward or unite its parts where it was "
+            "made"
     );
 }
 
@@ -121,7 +119,8 @@ std::shared_ptr<const Surface> read_surface(
   for (const Point& p : soup.points) {
     points.push_back({p.x() * unit + shift[0], p.y() * unit + shift[1], p.z() * unit + shift[2]});
     for (const double x : points.back())
-      if (!std::isfinite(x)) refuse(source, "has a corner that is no number; export it again");
+      if (!std::isfinite(x))
+        refuse(source, "has a corner that is not a finite number; export it again");
   }
   std::vector<Surface::Facet> facets;
   for (const Triangle& t : soup.triangles) {

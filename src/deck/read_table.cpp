@@ -66,7 +66,7 @@ void read_row(
         source,
         where,
         "has " + std::to_string(cells.size()) + " values (" + std::to_string(columns.size()) +
-            " belong there); write a row as " + header_of(columns)
+            " are expected); write a row as " + header_of(columns)
     );
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -87,8 +87,8 @@ TableRows read_table(
     const std::string& source
 ) {
   const std::string header = header_of(columns);
-  const std::string not_a_header =
-      "is not the header of " + what + " (columns go by it); write \"" + header + "\"";
+  const std::string not_a_header = "is not the header of " + what +
+                                   " (the header identifies the columns); write \"" + header + "\"";
   if (text.find('\0') != std::string::npos)
     refuse(source, "", "is not text (it holds a zero byte); is it the right file?");
   std::istringstream stream(text);

@@ -3,7 +3,7 @@
 
 #include "base/error.hpp"
 #include "deck/load_material.hpp"
-#include "deck/read_once.hpp"
+#include "deck/read_on_root.hpp"
 #include "drive/drive_point.hpp"
 #include "output/text_file.hpp"
 
@@ -99,7 +99,7 @@ std::string drive(const DriveRequest& request, const Comm& comm) {
   const auto [material, notes] = load_material(request.material, request.overrides, comm);
   const auto read = [&] { return read_file(request.path, input::largest_text, "a path"); };
   const std::string name = std::filesystem::path(request.path).filename().string();
-  const std::vector<PathRow> path = read_path(read_once(read, comm), name);
+  const std::vector<PathRow> path = read_path(read_on_root(read, comm), name);
   const auto rows = drive_point(material, path, request.steps_per_row, name);
   write(request, table_text(material, path, rows), comm);
 

@@ -4,7 +4,9 @@
 #include "base/error.hpp"
 #include "drive/matrix.hpp"
 
+#include <barreno/history_values.hpp>
 #include <barreno/input/scan_xml.hpp>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <type_traits>
 
@@ -17,11 +19,11 @@ using input::exact_text;
 const char* words_of(Status status) {
   switch (status) {
     case Status::substep_limit:
-      return "it needs more substeps than it may take";
+      return "it needs more substeps than are allowed";
     case Status::not_converged:
       return "its equations did not converge";
     case Status::bad_input:
-      return "the strain of one step is beyond what it can take";
+      return "the strain of one step is too large for it";
     case Status::ok:
       break;
   }
@@ -39,7 +41,7 @@ Mat3 step_gradient(
       source,
       "line " + std::to_string(row.line),
       "is half a turn or more from line " + std::to_string(before.line) +
-          " (no constant velocity gradient leads there the short way); add rows between them"
+          " (there is no unique constant velocity gradient between them); add rows between them"
   );
 }
 
@@ -71,10 +73,8 @@ public:
 
   DrivenRow row() const {
     DrivenRow row{rotate(rotation_, stress_), {}};
-    // A History struct holds doubles only (describe.hpp); one without any has a size all the same.
-    const auto* values = reinterpret_cast<const double*>(&history_);
-    if constexpr (Model::history_count > 0)
-      row.history.assign(values, values + Model::history_count);
+    const double* const values = history_values<Model>(history_);
+    row.history.assign(values, values + Model::history_count);
     return row;
   }
 

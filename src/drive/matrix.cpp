@@ -96,10 +96,10 @@ Mat3 inverse(const Mat3& a) {
 
 std::optional<Mat3> logarithm_1p(const Mat3& g) {
   constexpr double small = 0.25;
-  constexpr int most_roots = 40, terms = 12;
+  constexpr int max_roots = 40, terms = 12;
   Mat3 rest = g;
   double factor = 2.0;
-  for (int i = 0; i < most_roots && norm(rest) > small; ++i) {
+  for (int i = 0; i < max_roots && norm(rest) > small; ++i) {
     rest = square_root(identity() + rest) - identity();
     factor *= 2.0;
   }

@@ -22,7 +22,7 @@ double norm(const Mat3& a);
 /// By cofactors; entries are not finite when the determinant is zero.
 Mat3 inverse(const Mat3& a);
 
-/// Principal logarithm of I + g; nothing when there is none (an eigenvalue of I + g is negative, as
+/// Principal logarithm of I + g; nothing if there is none (an eigenvalue of I + g is negative, as
 /// after half a turn) or when it is lost in round-off.
 ///
 /// Takes g and not I + g, so that the logarithm of a small g keeps all its digits. Square roots

@@ -53,7 +53,7 @@ void check_volume(const PathRow& row, const std::string& source) {
       source,
       line_of(row),
       "has det F = " + exact_text(volume) +
-          " (a body keeps a volume above 0); correct F11 to F33 of that row"
+          " (volumes are positive); correct F11 to F33 of that row"
   );
 }
 

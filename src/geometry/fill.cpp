@@ -167,7 +167,7 @@ Filling filling_of(const Shape& shape, int dimension, const Lattice& lattice) {
   return filling;
 }
 
-bool share_points(const Shape& a, const Shape& b, int dimension, const Lattice& lattice) {
+bool have_common_points(const Shape& a, const Shape& b, int dimension, const Lattice& lattice) {
   constexpr double gauss = 0.21132486540518713;  // (1 - 1/sqrt(3)) / 2
   bool shared = false;
   for_each_cell(lattice, [&](const Cell& cell) {

@@ -40,6 +40,6 @@ Filling filling_of(const Shape& shape, int dimension, const Lattice& lattice);
 
 /// Some point of a lattice's cells is in both shapes: 2 points per direction and cell, at the
 /// places of the Gauss rule, which faces at round figures do not meet.
-bool share_points(const Shape& a, const Shape& b, int dimension, const Lattice& lattice);
+bool have_common_points(const Shape& a, const Shape& b, int dimension, const Lattice& lattice);
 
 }  // namespace barreno

@@ -23,7 +23,7 @@ std::vector<GlobalTile> touching_tiles(const Grid& grid, const std::vector<int>&
   const int me = grid.comm->getRank();
   std::vector<GlobalTile> touching;
   for (const int id : owned) {
-    const TilePlace at = grid.place_of_tile(id);
+    const TilePosition at = grid.position_of_tile(id);
     for_each_neighbour(grid.patch, [&](int, int dx, int dy, int dz) {
       const int x = at[0] + dx, y = at[1] + dy, z = at[2] + dz;
       if (!grid.has_tile(x, y, z)) return;

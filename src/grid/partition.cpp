@@ -18,7 +18,7 @@ constexpr double move = 0.05;
 struct Tiles {
   const int (&along)[3];
   const std::vector<TileCost>& costs;
-  const std::vector<int>& owner;  ///< empty: nobody
+  const std::vector<int>& owner;  ///< empty: no owner yet
 
   int index(int place, int axis) const {
     if (axis == 0) return place % along[0];

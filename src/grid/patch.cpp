@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid/patch.hpp"
 
+#include "scene/tile_size.hpp"
+
 #include <stdexcept>
 
 namespace barreno {
@@ -18,11 +20,10 @@ Patch make_patch(int dimensions, int reach) {
   Patch patch;
   patch.dimensions = dimensions;
   patch.reach = reach;
-  // A patch of 3D with 8 cells per direction would not fit into the first-level cache.
-  patch.tile_bits = dimensions == 2 ? 3 : 2;
-  patch.tile_cells = 1 << patch.tile_bits;
+  patch.tile_bits = tile_bits(dimensions);
+  patch.tile_cells = tile_cells(dimensions);
   patch.nodes = patch.tile_cells + 1 + 2 * reach;
-  if (patch.nodes > most_patch_nodes)
+  if (patch.nodes > max_patch_nodes)
     throw std::logic_error("a shape function reaches too far for a patch");
   patch.size = power(patch.nodes, dimensions);
   patch.cells = power(patch.tile_cells, dimensions);

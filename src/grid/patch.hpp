@@ -11,8 +11,8 @@ namespace barreno {
 /// around it. Slots of a patch run along x, then y, then z.
 struct Patch {
   int dimensions = 2;
-  int tile_cells = 8;  ///< per direction, a power of two
-  int tile_bits = 3;   ///< tile_cells = 2^tile_bits
+  int tile_cells = 0;  ///< per direction (scene/tile_size.hpp)
+  int tile_bits = 0;   ///< tile_cells = 2^tile_bits
   int reach = 1;       ///< nodes beyond the tile's own cells
   int nodes = 0;       ///< per direction
   int size = 0;        ///< nodes of the patch
@@ -35,16 +35,16 @@ struct Patch {
 
 /// Place of a slot in its patch along each of N axes.
 template <class T, std::size_t N>
-KOKKOS_INLINE_FUNCTION void place_of_slot(const Patch& patch, int slot, T (&at)[N]) {
+KOKKOS_INLINE_FUNCTION void position_of_slot(const Patch& patch, int slot, T (&at)[N]) {
   for (std::size_t d = 0; d < N; ++d, slot /= patch.nodes) at[d] = slot % patch.nodes;
 }
 
 /// Nodes per direction of the largest patch: kernels keep one row of nodes on their stack.
-inline constexpr int most_patch_nodes = 64;
+inline constexpr int max_patch_nodes = 64;
 
-/// The patch for particles that reach so many nodes beyond the cells of their tile.
+/// The patch for particles that reach `reach` nodes beyond the cells of their tile.
 ///
-/// @throws std::logic_error if a row of its nodes is longer than most_patch_nodes
+/// @throws std::logic_error if a row of its nodes is longer than max_patch_nodes
 Patch make_patch(int dimensions, int reach);
 
 /// visit(number of the neighbour, its offset in tiles along x, y, z), lexicographic.

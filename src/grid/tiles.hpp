@@ -11,12 +11,18 @@ namespace barreno {
 /// partitioned.
 ///
 /// @param reach  nodes beyond its own tile that a particle can give to (a shape function's reach())
-Grid make_grid(const GridSpec& spec, int reach, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
+Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
+
+/// Say which rank owns every tile of the box.
+void set_owners(const std::vector<int>& owner, Grid& grid);
 
 /// Make exactly the listed tiles active on this rank, find neighbours and ghosts, and say which
 /// copy of each node counts. Collective.
 ///
 /// @param owned  box ids of tiles that this rank owns, ascending
 void activate_tiles(Grid& grid, const std::vector<int>& owned);
+
+/// The step that the tiles take next (TileFrame::dt), those of other ranks included [time].
+void set_tile_steps(const Grid& grid, double dt);
 
 }  // namespace barreno

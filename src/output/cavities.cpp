@@ -2,7 +2,7 @@
 #include "output/cavities.hpp"
 
 #include "base/region.hpp"
-#include "step/surface_pressures.hpp"
+#include "step/loads/load_pressures.hpp"
 
 namespace barreno {
 
@@ -33,11 +33,11 @@ CavitiesWriter::CavitiesWriter(
 
 void CavitiesWriter::write(const Scene& scene, const State& state) {
   const Region region("write_cavities");
-  const ByLoad pressures = load_pressures(scene, state);
   std::vector<double> row{state.clock.time};
   for (const int load : pore_fluids(scene)) {
-    row.push_back(state.cavities[static_cast<std::size_t>(load)]);
-    row.push_back(pressures[static_cast<std::size_t>(load)]);
+    const auto l = static_cast<std::size_t>(load);
+    row.push_back(state.cavities[l].volume);
+    row.push_back(load_pressure(scene.loads[l], state.cavities[l], state.clock.time));
   }
   RootWork work(*state.grid.comm);
   work.run([&] { file_->append(csv_line(row)); });

@@ -46,7 +46,7 @@ public:
   void refuse_fewer(int steps) const {
     if (this->steps() < steps)
       refuse(
-          "it has " + std::to_string(this->steps()) + " time steps, the checkpoint knows of " +
+          "it has " + std::to_string(this->steps()) + " time steps, but the checkpoint records " +
           std::to_string(steps)
       );
   }

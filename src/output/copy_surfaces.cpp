@@ -21,7 +21,7 @@ void copy_surfaces(const std::vector<SurfaceFile>& files, const std::filesystem:
     if (!stream || digest_of(text) != file.digest)
       throw FileError(
           "the surface '" + file.original + "' has changed since the deck was read (its copy in '" +
-          folder.string() + "' would be another one); start the run again."
+          folder.string() + "' would differ); start the run again."
       );
     write_whole_file(copy, text);
   }

@@ -123,9 +123,9 @@ std::vector<long long> fill_cells(
   );
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const HostParticles& particles = sets[set];
-    const double density = scene.materials[set].material.density;
+    const double density = scene.materials[set].density();
     for (int p = 0; p < particles.count; ++p) {
-      if ((particles.body(p) & ~held_bit) == static_cast<int>(scene.bodies.size()))
+      if ((particles.body(p) & ~debris_bit) == static_cast<int>(scene.bodies.size()))
         continue;  // the jet itself
       const double bin = std::floor(path.depth(particles.position(p, 1)) / h);
       const double z = grid.mode == Mode::three_dimensional ? particles.position(p, 2) : 0.0;

@@ -41,7 +41,7 @@ std::vector<double> ExodusWriter::pack_rows(
   std::vector<int> holders(static_cast<std::size_t>(particles.count));
   for (int p = 0; p < particles.count; ++p)
     holders[static_cast<std::size_t>(p)] =
-        holder_of(shares_, place_of(shares_, set, particles.id(p)).file, ranks);
+        writing_rank(shares_, position_of(shares_, set, particles.id(p)).file, ranks);
   std::vector<double> values;
   values.reserve(holders.size() * width);
   for (const int p : sort_by_rank(holders, counts)) {
@@ -51,7 +51,7 @@ std::vector<double> ExodusWriter::pack_rows(
     } else {
       particles.append_corners(p, values);
     }
-    append_particle_fields(particles, p, scene.materials[set].material.density, values);
+    append_particle_fields(particles, p, scene.materials[set].density(), values);
     double size = 1.0;
     for (int d = 0; d < dimensions_; ++d) size *= particles.half_size(p, d);
     values.push_back(std::pow(size, 1.0 / dimensions_));
@@ -67,14 +67,14 @@ ExodusWriter::Rows ExodusWriter::bring_rows(const Scene& scene, const State& sta
   const std::vector<double> mine = pack_rows(scene, state, set, counts);
   Rows rows;
   rows.values = exchange(comm, mine, counts);
-  rows.of_file.resize(held_.size());
+  rows.of_file.resize(open_files_.size());
   const std::size_t width = row_width(scene, set);
   for (std::size_t begin = 0; begin < rows.values.size(); begin += width) {
     ParticleId id = 0;
     std::memcpy(&id, &rows.values[begin], sizeof id);
-    const FilePlace place = place_of(shares_, set, id);
-    const auto h = static_cast<std::size_t>(place.file - held_.front().number);
-    rows.of_file[h].push_back({held_[h].begin[set] + place.element, begin + 1});
+    const FilePosition place = position_of(shares_, set, id);
+    const auto h = static_cast<std::size_t>(place.file - open_files_.front().number);
+    rows.of_file[h].push_back({open_files_[h].begin[set] + place.element, begin + 1});
   }
   return rows;
 }

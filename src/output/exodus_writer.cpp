@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <barreno/models.hpp>
 #include <limits>
 
 namespace barreno {
@@ -25,11 +26,11 @@ void refuse_too_many(
     const Scene& scene, const FileShares& shares, std::size_t set, int ranks, std::size_t width
 ) {
   const long long share = (shares.blocks[set].count + shares.files - 1) / shares.files;
-  const long long held = (shares.files + ranks - 1) / ranks;
-  if (share * held <= std::numeric_limits<int>::max() / static_cast<long long>(width)) return;
+  const long long open = (shares.files + ranks - 1) / ranks;
+  if (share * open <= std::numeric_limits<int>::max() / static_cast<long long>(width)) return;
   throw DeckError(
       "Output/Particle Files: " + std::to_string(shares.blocks[set].count) + " particles of '" +
-      scene.materials[set].material.name + "' are too many for what one rank can write (" +
+      scene.materials[set].name() + "' are more than one rank can write (" +
       std::to_string(shares.files) + " files on " + std::to_string(ranks) +
       " ranks); choose \"one per rank\" and more ranks."
   );
@@ -44,7 +45,7 @@ int nodes_of(Glyph glyph, int dimensions) {
 
 ExodusWriter::ExodusWriter(
     const Scene& scene,
-    const std::vector<SlotRange>& slots,
+    const std::vector<IdRange>& ranges,
     const State& state,
     const std::filesystem::path& path,
     const std::string& version,
@@ -54,13 +55,15 @@ ExodusWriter::ExodusWriter(
     : dimensions_(dimensions(scene.grid.mode)),
       nodes_(nodes_of(scene.output.glyph, dimensions_)),
       steps_(kept.steps),
-      shares_(share_out(slots, scene.materials.size(), count_files(scene, *state.grid.comm, kept))
-      ) {
+      shares_(divide_among_files(
+          ranges, scene.materials.size(), count_files(scene, *state.grid.comm, kept)
+      )) {
   const Comm& comm = *state.grid.comm;
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b)
     refuse_too_many(scene, shares_, b, comm.getSize(), row_width(scene, b));
   for (int file = 0; file < shares_.files; ++file)
-    if (holder_of(shares_, file, comm.getSize()) == comm.getRank()) held_.push_back(hold(file));
+    if (writing_rank(shares_, file, comm.getSize()) == comm.getRank())
+      open_files_.push_back(open_file(file));
   ExodusLayout common = describe(scene, version);
   common.information = information;
   const std::vector<ExodusLayout> layouts = record_start(scene, state, common);
@@ -68,8 +71,8 @@ ExodusWriter::ExodusWriter(
   RankWork find(comm);
   if (steps_ > 0)
     find.run([&] {
-      for (const Held& held : held_)
-        refuse_fewer_steps(name_in_set(path, shares_, held.number), steps_);
+      for (const OpenFile& open : open_files_)
+        refuse_fewer_steps(name_in_set(path, shares_, open.number), steps_);
     });
   find.agree();
   RankWork open(comm);
@@ -80,24 +83,24 @@ ExodusWriter::ExodusWriter(
 void ExodusWriter::open_files(
     const std::filesystem::path& path, const std::vector<ExodusLayout>& layouts, int kept
 ) {
-  for (std::size_t h = 0; h < held_.size(); ++h) {
-    Held& held = held_[h];
-    const std::filesystem::path name = name_in_set(path, shares_, held.number);
-    held.file = std::make_unique<ExodusFile>(name, layouts[h], std::max(kept, 1));
-    if (kept > 0) held.displacement = copy_exodus_steps(name, layouts[h], kept, *held.file);
+  for (std::size_t h = 0; h < open_files_.size(); ++h) {
+    OpenFile& open = open_files_[h];
+    const std::filesystem::path name = name_in_set(path, shares_, open.number);
+    open.file = std::make_unique<ExodusFile>(name, layouts[h], std::max(kept, 1));
+    if (kept > 0) open.displacement = copy_exodus_steps(name, layouts[h], kept, *open.file);
   }
 }
 
-ExodusWriter::Held ExodusWriter::hold(int file) const {
-  Held held;
-  held.number = file;
-  held.begin.push_back(0);
+ExodusWriter::OpenFile ExodusWriter::open_file(int file) const {
+  OpenFile open;
+  open.number = file;
+  open.begin.push_back(0);
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b)
-    held.begin.push_back(
-        held.begin.back() +
+    open.begin.push_back(
+        open.begin.back() +
         static_cast<std::size_t>(share_begin(shares_, b, file + 1) - share_begin(shares_, b, file))
     );
-  return held;
+  return open;
 }
 
 /// What all files have alike.
@@ -111,7 +114,7 @@ ExodusLayout ExodusWriter::describe(const Scene& scene, const std::string& versi
   layout.set.files = shares_.files;
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
     const FileShares::Block& block = shares_.blocks[b];
-    layout.blocks.push_back({scene.materials[b].material.name, {}, variables(scene, b)});
+    layout.blocks.push_back({scene.materials[b].name(), {}, variables(scene, b)});
     layout.set.block_elements.push_back(block.count);
     if (!block.ranges.empty())
       layout.largest_id =
@@ -120,11 +123,11 @@ ExodusLayout ExodusWriter::describe(const Scene& scene, const std::string& versi
   return layout;
 }
 
-ExodusLayout ExodusWriter::layout_of(const Held& held, const ExodusLayout& common) const {
+ExodusLayout ExodusWriter::layout_of(const OpenFile& open, const ExodusLayout& common) const {
   ExodusLayout layout = common;
-  layout.set.file = held.number;
+  layout.set.file = open.number;
   for (std::size_t b = 0; b < layout.blocks.size(); ++b)
-    layout.blocks[b].ids = ids_of(shares_, b, held.number);
+    layout.blocks[b].ids = ids_of(shares_, b, open.number);
   return layout;
 }
 
@@ -135,30 +138,31 @@ std::vector<ExodusLayout> ExodusWriter::record_start(
   const auto nodes = static_cast<std::size_t>(nodes_);
   const double launched_size = scene.grid.cell_size / (2.0 * scene.jet.particles_per_cell);
   std::vector<ExodusLayout> layouts;
-  for (Held& held : held_) {
-    layouts.push_back(layout_of(held, common));
-    held.start.assign(directions, std::vector<double>(held.begin.back() * nodes, 0.0));
-    held.displacement = held.start;
-    std::fill(held.start[1].begin(), held.start[1].end(), scene.jet.launch_position);
-    if (nodes_ == 1) layouts.back().radius.assign(held.begin.back(), launched_size);
+  for (OpenFile& open : open_files_) {
+    layouts.push_back(layout_of(open, common));
+    open.start.assign(directions, std::vector<double>(open.begin.back() * nodes, 0.0));
+    open.displacement = open.start;
+    std::fill(open.start[1].begin(), open.start[1].end(), scene.jet.launch_position);
+    if (nodes_ == 1) layouts.back().radius.assign(open.begin.back(), launched_size);
   }
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
     const Rows rows = bring_rows(scene, state, b);
     const std::size_t radius = node_values() + common.blocks[b].variables.size();
-    for (std::size_t h = 0; h < held_.size(); ++h)
+    for (std::size_t h = 0; h < open_files_.size(); ++h)
       for (const Rows::Row& row : rows.of_file[h]) {
         const double* values = &rows.values[row.begin];
         for (std::size_t v = 0; v < node_values(); ++v)
-          held_[h].start[v % directions][row.element * nodes + v / directions] = values[v];
+          open_files_[h].start[v % directions][row.element * nodes + v / directions] = values[v];
         if (nodes_ == 1) layouts[h].radius[row.element] = values[radius];
       }
   }
-  for (std::size_t h = 0; h < held_.size(); ++h) layouts[h].coordinates = held_[h].start;
+  for (std::size_t h = 0; h < open_files_.size(); ++h)
+    layouts[h].coordinates = open_files_[h].start;
   return layouts;
 }
 
 std::vector<std::string> ExodusWriter::variables(const Scene& scene, std::size_t set) const {
-  const Material& material = scene.materials[set].material;
+  const Material& material = scene.materials[set].material();
   return particle_field_names(material, dimensions_, optional_fields(scene, material));
 }
 
@@ -168,33 +172,33 @@ std::size_t ExodusWriter::row_width(const Scene& scene, std::size_t set) const {
 
 void ExodusWriter::move_nodes(const Rows& rows, std::size_t h) {
   const auto directions = static_cast<std::size_t>(dimensions_);
-  Held& held = held_[h];
+  OpenFile& open = open_files_[h];
   for (const Rows::Row& row : rows.of_file[h])
     for (std::size_t v = 0; v < node_values(); ++v) {
       const std::size_t d = v % directions;
       const std::size_t node = row.element * static_cast<std::size_t>(nodes_) + v / directions;
-      held.displacement[d][node] = rows.values[row.begin + v] - held.start[d][node];
+      open.displacement[d][node] = rows.values[row.begin + v] - open.start[d][node];
     }
 }
 
 void ExodusWriter::put_block(const Scene& scene, std::size_t set, const Rows& rows, std::size_t h) {
-  const Held& held = held_[h];
+  const OpenFile& open = open_files_[h];
   const std::vector<std::string> names = variables(scene, set);
-  std::vector<double> values(held.begin[set + 1] - held.begin[set]);
+  std::vector<double> values(open.begin[set + 1] - open.begin[set]);
   for (std::size_t v = 0; v < names.size(); ++v) {
     std::fill(values.begin(), values.end(), 0.0);
     for (const Rows::Row& row : rows.of_file[h])
-      values[row.element - held.begin[set]] = rows.values[row.begin + node_values() + v];
-    held.file->put_variable(set, names[v], values);
+      values[row.element - open.begin[set]] = rows.values[row.begin + node_values() + v];
+    open.file->put_variable(set, names[v], values);
   }
 }
 
 void ExodusWriter::end_step(const State& state, double present) {
-  for (const Held& held : held_) {
+  for (const OpenFile& open : open_files_) {
     for (int d = 0; d < dimensions_; ++d)
-      held.file->put_displacement(d, held.displacement[static_cast<std::size_t>(d)]);
-    held.file->put_globals({static_cast<double>(state.clock.step), state.clock.dt, present});
-    held.file->end_step();
+      open.file->put_displacement(d, open.displacement[static_cast<std::size_t>(d)]);
+    open.file->put_globals({static_cast<double>(state.clock.step), state.clock.dt, present});
+    open.file->end_step();
   }
 }
 
@@ -202,14 +206,14 @@ void ExodusWriter::write(const Scene& scene, const State& state) {
   const Region region("write_fields");
   RankWork work(*state.grid.comm);
   work.run([&] {
-    for (const Held& held : held_) held.file->begin_step(state.clock.time);
+    for (const OpenFile& open : open_files_) open.file->begin_step(state.clock.time);
   });
   std::array<double, 1> present{0.0};
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
     const Rows rows = bring_rows(scene, state, b);
     present[0] += static_cast<double>(state.particles[b].count);
     work.run([&] {
-      for (std::size_t h = 0; h < held_.size(); ++h) {
+      for (std::size_t h = 0; h < open_files_.size(); ++h) {
         move_nodes(rows, h);
         put_block(scene, b, rows, h);
       }
@@ -224,7 +228,7 @@ void ExodusWriter::write(const Scene& scene, const State& state) {
 void ExodusWriter::close(const Comm& comm) {
   RankWork work(comm);
   work.run([&] {
-    for (const Held& held : held_) held.file->close();
+    for (const OpenFile& open : open_files_) open.file->close();
   });
   work.agree();
 }

@@ -29,11 +29,11 @@ struct KeptFields {
 /// are brought to the ranks that write them.
 class ExodusWriter {
 public:
-  /// @param slots       all particles that the run has or will have, see all_slots
+  /// @param ranges       all particles that the run has or will have, see particle_id_ranges
   /// @param information lines kept in the files' information records
   ExodusWriter(
       const Scene& scene,
-      const std::vector<SlotRange>& slots,
+      const std::vector<IdRange>& ranges,
       const State& state,
       const std::filesystem::path& path,
       const std::string& version,
@@ -48,7 +48,7 @@ public:
 
 private:
   /// A file that this rank writes.
-  struct Held {
+  struct OpenFile {
     int number = 0;                  ///< among the files
     std::vector<std::size_t> begin;  ///< first element of each block, then the number of all
     std::vector<std::vector<double>> start, displacement;  ///< per direction, per node
@@ -61,15 +61,15 @@ private:
       std::size_t begin;    ///< of its values
     };
     std::vector<double> values;
-    std::vector<std::vector<Row>> of_file;  ///< as held_
+    std::vector<std::vector<Row>> of_file;  ///< as open_files_
   };
 
   void open_files(
       const std::filesystem::path& path, const std::vector<ExodusLayout>& layouts, int kept
   );
-  Held hold(int file) const;
+  OpenFile open_file(int file) const;
   ExodusLayout describe(const Scene& scene, const std::string& version) const;
-  ExodusLayout layout_of(const Held& held, const ExodusLayout& common) const;
+  ExodusLayout layout_of(const OpenFile& open, const ExodusLayout& common) const;
   std::vector<ExodusLayout> record_start(
       const Scene& scene, const State& state, const ExodusLayout& common
   );
@@ -91,7 +91,7 @@ private:
   int nodes_ = 4;  ///< per element
   int steps_ = 0;
   FileShares shares_;
-  std::vector<Held> held_;  ///< ascending, without a gap
+  std::vector<OpenFile> open_files_;  ///< ascending, without a gap
 };
 
 }  // namespace barreno

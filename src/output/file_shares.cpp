@@ -24,19 +24,21 @@ long long ordinal_of(const FileShares::Block& block, ParticleId id) {
 
 }  // namespace
 
-FileShares share_out(const std::vector<SlotRange>& slots, std::size_t materials, int files) {
-  std::vector<SlotRange> sorted = slots;
-  std::sort(sorted.begin(), sorted.end(), [](const SlotRange& a, const SlotRange& b) {
+FileShares divide_among_files(
+    const std::vector<IdRange>& ranges, std::size_t materials, int files
+) {
+  std::vector<IdRange> sorted = ranges;
+  std::sort(sorted.begin(), sorted.end(), [](const IdRange& a, const IdRange& b) {
     return a.first < b.first;
   });
   FileShares shares;
   shares.files = files;
   shares.blocks.resize(materials);
-  for (const SlotRange& slot : sorted) {
-    if (slot.first < 1) throw std::logic_error("particle ids must be positive");
-    FileShares::Block& block = shares.blocks[static_cast<std::size_t>(slot.material)];
-    block.ranges.push_back({slot.first, slot.count, block.count});
-    block.count += slot.count;
+  for (const IdRange& range : sorted) {
+    if (range.first < 1) throw std::logic_error("particle ids must be positive");
+    FileShares::Block& block = shares.blocks[static_cast<std::size_t>(range.material)];
+    block.ranges.push_back({range.first, range.count, block.count});
+    block.count += range.count;
   }
   return shares;
 }
@@ -54,7 +56,7 @@ std::vector<long long> ids_of(const FileShares& shares, std::size_t block, int f
   return ids;
 }
 
-FilePlace place_of(const FileShares& shares, std::size_t block, ParticleId id) {
+FilePosition position_of(const FileShares& shares, std::size_t block, ParticleId id) {
   const long long ordinal = ordinal_of(shares.blocks[block], id);
   // The last file whose share does not begin after it.
   const auto file =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/slots.hpp"
+#include "state/id_ranges.hpp"
 
 #include <filesystem>
 #include <vector>
@@ -25,7 +25,7 @@ struct FileShares {
   std::vector<Block> blocks;  ///< as Scene::materials
 };
 
-FileShares share_out(const std::vector<SlotRange>& slots, std::size_t materials, int files);
+FileShares divide_among_files(const std::vector<IdRange>& ranges, std::size_t materials, int files);
 
 /// Each file takes consecutive particles of a block, as many as the others to one: those from here
 /// on up to the next file's.
@@ -34,15 +34,15 @@ inline long long share_begin(const FileShares& shares, std::size_t block, int fi
 }
 std::vector<long long> ids_of(const FileShares& shares, std::size_t block, int file);
 
-struct FilePlace {
+struct FilePosition {
   int file = 0;
   std::size_t element = 0;  ///< within the block of that file
 };
-FilePlace place_of(const FileShares& shares, std::size_t block, ParticleId id);
+FilePosition position_of(const FileShares& shares, std::size_t block, ParticleId id);
 
 /// The rank that writes a file. A set keeps its number of files when its run is resumed on other
 /// ranks: then some have several, or none.
-inline int holder_of(const FileShares& shares, int file, int ranks) {
+inline int writing_rank(const FileShares& shares, int file, int ranks) {
   if (shares.files <= ranks) return file;
   return static_cast<int>(static_cast<long long>(file) * ranks / shares.files);
 }

@@ -2,7 +2,7 @@
 #include "output/folder_lock.hpp"
 
 #include "base/error.hpp"
-#include "output/own_file.hpp"
+#include "output/guarded_file.hpp"
 
 #include <array>
 #include <cerrno>
@@ -63,7 +63,7 @@ int open_lock(const fs::path& path) {
   struct stat found {};
   if (fstat(file, &found) == 0 && S_ISREG(found.st_mode)) return file;
   close(file);
-  refuse_lock(path, name + " is no regular file");
+  refuse_lock(path, name + " is not a regular file");
 }
 
 /// Whether the name still belongs to the open file: the run before may have removed it meanwhile.

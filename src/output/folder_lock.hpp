@@ -21,9 +21,7 @@ class FolderLock {
 public:
   /// Waits `wait_seconds` for another run to end, and says so on stderr. Collective.
   /// @throws FileError on every rank if the folder is still in use then, or cannot be written
-  FolderLock(
-      const Comm& comm, const std::filesystem::path& folder, double wait_seconds = most_wait
-  );
+  FolderLock(const Comm& comm, const std::filesystem::path& folder, double wait_seconds = max_wait);
   /// Frees the folder and removes the file.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
@@ -31,7 +29,7 @@ public:
 
 private:
   /// Ranks of a killed run live on for a moment.
-  static constexpr double most_wait = 10.0;
+  static constexpr double max_wait = 10.0;
 
   std::filesystem::path path_;
   int file_ = -1;

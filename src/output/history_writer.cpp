@@ -42,7 +42,7 @@ HistoryWriter::HistoryWriter(
     const Comm& comm,
     const std::filesystem::path& path,
     std::uintmax_t kept,
-    const RowBefore& before
+    const PreviousRow& before
 )
     : before_(before) {
   std::string header =

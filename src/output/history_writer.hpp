@@ -24,7 +24,7 @@ struct RunTotals {
 RunTotals sum_totals(const State& state);
 
 /// What a row needs of the one before: forces are means over the time between.
-struct RowBefore {
+struct PreviousRow {
   double time = 0.0;
   std::vector<double> reactions;  ///< none before the first row
 };
@@ -40,17 +40,17 @@ public:
       const Comm& comm,
       const std::filesystem::path& path,
       std::uintmax_t kept = 0,
-      const RowBefore& before = {}
+      const PreviousRow& before = {}
   );
   /// Collective. @throws FileError on every rank
   void write(const Comm& comm, const Clock& clock, const RunTotals& totals);
 
   std::uintmax_t bytes() const { return file_ ? file_->bytes() : 0; }
-  const RowBefore& last_row() const { return before_; }
+  const PreviousRow& last_row() const { return before_; }
 
 private:
   std::unique_ptr<LineFile> file_;  ///< root only
-  RowBefore before_;
+  PreviousRow before_;
 };
 
 }  // namespace barreno

@@ -67,7 +67,7 @@ struct Output::Parts {
   double cpu_start = cpu_seconds();
 };
 
-/// Whether somebody watches a terminal. mpirun gives its ranks terminals of its own: there the
+/// Whether the output goes to a terminal. mpirun gives its ranks terminals of its own: there the
 /// launcher, which knows, says so in BARRENO_TERMINAL.
 bool has_reader() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return isatty(STDOUT_FILENO) == 1;
@@ -115,14 +115,14 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
   };
   fields = std::make_unique<ExodusWriter>(
       scene,
-      all_slots(scene),
+      particle_id_ranges(scene),
       state,
       run.folder / "particles.e",
       run.version,
       lines_of(run.deck_text),
       KeptFields{static_cast<int>(kept("fields_kept")), static_cast<int>(kept("fields_files"))}
   );
-  RowBefore before;
+  PreviousRow before;
   if (!position.empty()) before = {number_of(position, "row_time"), position.at("row_reactions")};
   history = std::make_unique<HistoryWriter>(
       scene, *comm, run.folder / "history.csv", kept("history_bytes"), before

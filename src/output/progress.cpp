@@ -153,7 +153,7 @@ std::string transfer_text(const StepSpec& step) {
 }
 
 std::string grid_text(const GridSpec& grid) {
-  std::string text = mode_name(grid.mode);
+  std::string text = word_of(grid.mode);
   if (grid.mode == Mode::axisymmetric) text += " (x = r, y = axial)";
   if (grid.mode == Mode::plane_strain) text += " (per m of thickness)";
   const auto last = static_cast<std::size_t>(dimensions(grid.mode)) - 1;
@@ -164,7 +164,7 @@ std::string grid_text(const GridSpec& grid) {
 }
 
 std::string body_text(const Scene& scene, const BodySpec& body) {
-  const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+  const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material();
   const std::string model =
       std::visit([](const auto& m) { return std::string(m.name); }, material.model);
   std::string text = body.name + ": " + material.name + " (" + model + "), " +
@@ -178,7 +178,8 @@ std::string body_text(const Scene& scene, const BodySpec& body) {
 
 std::string jet_text(const Scene& scene) {
   const auto& slugs = scene.jet.slugs;
-  const Material& material = scene.materials[static_cast<std::size_t>(scene.jet.material)].material;
+  const Material& material =
+      scene.materials[static_cast<std::size_t>(scene.jet.material)].material();
   std::string text = std::to_string(slugs.size()) + " slugs of " + material.name;
   if (!scene.jet.table_file.empty()) text += " from " + scene.jet.table_file;
   if (slugs.empty()) return text;
@@ -187,7 +188,7 @@ std::string jet_text(const Scene& scene) {
 
 std::string modelled_text(const Scene& scene) {
   return "explicit dynamics, " + scene.step.shape + ", " + transfer_text(scene.step) + ", " +
-         order_name(scene.step.order) + ", artificial viscosity, " +
+         word_of(scene.step.order) + ", artificial viscosity, " +
          (scene.pore_flow.on() ? "pore fluid flow, " : "") +
          std::to_string(scene.conditions.size()) + " conditions, " +
          std::to_string(scene.loads.size()) + " loads";

@@ -25,8 +25,8 @@ double root_of(Mode mode, double power) {
 /// A sum must be carried that often.
 constexpr int rows_per_carry = 1 << 19;
 
-void carry(std::vector<WholeSum>& sums) {
-  for (WholeSum& sum : sums) sum.carry();
+void carry(std::vector<ReproducibleSum>& sums) {
+  for (ReproducibleSum& sum : sums) sum.carry();
 }
 
 }  // namespace
@@ -43,19 +43,19 @@ std::vector<int> hollow_balls(const Scene& scene) {
 std::vector<RadialMoment> radial_moments(
     const Scene& scene, const State& state, const std::vector<int>& bodies
 ) {
-  std::vector<WholeSum> sums(3 * bodies.size());  // whatever the ranks
+  std::vector<ReproducibleSum> sums(3 * bodies.size());  // whatever the ranks
   for (const Particles& set : state.particles) {
     const HostParticles particles(set);
     for (int p = 0; p < particles.count; ++p) {
       if (p % rows_per_carry == 0) carry(sums);
-      const int body = particles.body(p) & ~held_bit;
+      const int body = particles.body(p) & ~debris_bit;
       const auto found = std::find(bodies.begin(), bodies.end(), body);
       if (found == bodies.end()) continue;
       const Vector& centre = ball_of(scene, body).centre;
       const double z = particles.dimensions() == 3 ? particles.position(p, 2) - centre[2] : 0.0;
       const double r =
           std::hypot(particles.position(p, 0) - centre[0], particles.position(p, 1) - centre[1], z);
-      WholeSum* const sum = &sums[3 * static_cast<std::size_t>(found - bodies.begin())];
+      ReproducibleSum* const sum = &sums[3 * static_cast<std::size_t>(found - bodies.begin())];
       sum[0] += particles.mass(p, 0);
       sum[1] += particles.mass(p, 0) * power_of(scene.grid.mode, r);
       sum[2] += particles.volume(p, 0);

@@ -19,7 +19,7 @@ Axes axes_of(Mode mode) {
 
 std::vector<double> reaction_impulses(const State& state) {
   const Axes axes = axes_of(state.grid.mode);
-  std::vector<WholeSum> sums;
+  std::vector<ReproducibleSum> sums;
   for (const Reaction& reaction : state.reactions)
     for (int d = axes.first; d < axes.end; ++d)
       sums.push_back(reaction.impulse[static_cast<std::size_t>(d)]);
@@ -27,7 +27,7 @@ std::vector<double> reaction_impulses(const State& state) {
   sum_over_ranks(*state.grid.comm, sums);
   std::vector<double> impulses;
   impulses.reserve(sums.size());
-  for (const WholeSum& sum : sums) impulses.push_back(sum.value());
+  for (const ReproducibleSum& sum : sums) impulses.push_back(sum.value());
   return impulses;
 }
 

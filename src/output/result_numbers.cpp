@@ -22,19 +22,19 @@ std::vector<std::string> result_numbers(
                               1e3 * penetration.depth,
                               1e3 * penetration.channel_depth
                           )
-                        : "no depth: the jet has met no target"
+                        : "no depth: the jet has hit no target"
     );
   const Ledger& ledger = totals.ledger;
   const NumericalEnergy energy = numerical_energy(ledger);
   lines.push_back(number_line(
-      "energy that the method itself added (+) or lost (-): %+.2g %% of what was put in (stress "
-      "integration %+.2g %%, transfer between particles and grid %+.2g %%)",
+      "numerical energy error of the method, added (+) or lost (-): %+.2g %% of the energy put in "
+      "(stress integration %+.2g %%, transfer between particles and grid %+.2g %%)",
       100.0 * energy.sum(),
       100.0 * energy.stress_integration,
       100.0 * energy.transfer
   ));
   lines.push_back(number_line(
-      "balances, these included, close to: energy %+.2e, mass %+.1e, axial momentum %+.1e",
+      "balances, including these errors, close to: energy %+.2e, mass %+.1e, axial momentum %+.1e",
       energy_balance(ledger).error(),
       mass_balance(ledger).error(),
       momentum_balance(ledger).error()
@@ -55,7 +55,7 @@ std::vector<std::string> result_numbers(
     lines.push_back(
         "predicted: " + cost_text(prediction.seconds) +
         number_line(
-            ", %.0f ns per particle-step, %.3g particle-steps (%.3g came)",
+            ", %.0f ns per particle-step, %.3g particle-steps (actual %.3g)",
             prediction.nanoseconds,
             prediction.particle_steps,
             totals.particle_steps
@@ -63,7 +63,7 @@ std::vector<std::string> result_numbers(
     );
   if (totals.skipped_steps > 0.0)
     lines.push_back(number_line(
-        "%.0f %% of all particle-steps were skipped: in tiles at rest",
+        "%.0f %% of all particle-steps were skipped: in dormant tiles",
         100.0 * totals.skipped_steps / (totals.skipped_steps + totals.particle_steps)
     ));
   return lines;

@@ -3,14 +3,27 @@
 
 #include "base/process.hpp"
 #include "base/region.hpp"
-#include "output/json.hpp"
+#include "base/utf8.hpp"
 #include "state/balance.hpp"
 
+#include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace barreno {
 namespace {
+
+/// Members stay in the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+/// Counts are kept as doubles, and stand in the file as whole numbers. What JSON cannot say, nan
+/// and infinity, becomes null.
+Json number(double value) {
+  constexpr double largest = 9007199254740992.0;  // 2^53: beyond, doubles are no counts
+  if (value == std::floor(value) && std::abs(value) < largest) return static_cast<long long>(value);
+  return value;
+}
 
 /// Phases by the root's labels: every rank runs the same verbs.
 std::vector<PhaseSummary> collect_phases(const Comm& comm) {
@@ -39,133 +52,121 @@ std::vector<PhaseSummary> collect_phases(const Comm& comm) {
   return phases;
 }
 
-void put_cost(JsonWriter& json, const RunSummary& summary, const RunTotals& totals) {
-  json.number("particle_steps", totals.particle_steps);
-  json.number("skipped_particle_steps", totals.skipped_steps);
-  json.number("wall_seconds", summary.wall_seconds);
+void put_cost(Json& json, const RunSummary& summary, const RunTotals& totals) {
+  json["particle_steps"] = number(totals.particle_steps);
+  json["skipped_particle_steps"] = number(totals.skipped_steps);
+  json["wall_seconds"] = number(summary.wall_seconds);
   const double steps = totals.particle_steps;
-  json.number("ns_per_particle_step", steps > 0.0 ? 1e9 * summary.wall_seconds / steps : 0.0);
-  json.number("bytes_per_particle", summary.bytes_per_particle);
-  json.number("peak_resident_bytes", summary.peak_resident_bytes);
-  json.number("largest_rank_peak_bytes", summary.largest_rank_peak_bytes);
-  json.begin_object("phases");
+  json["ns_per_particle_step"] = number(steps > 0.0 ? 1e9 * summary.wall_seconds / steps : 0.0);
+  json["bytes_per_particle"] = number(summary.bytes_per_particle);
+  json["peak_resident_bytes"] = number(summary.peak_resident_bytes);
+  json["largest_rank_peak_bytes"] = number(summary.largest_rank_peak_bytes);
+  Json& phases = json["phases"] = Json::object();
   for (const PhaseSummary& phase : summary.phases) {
-    json.begin_object(phase.label);
-    json.number("seconds", phase.mean_seconds);
-    json.number("largest_rank_seconds", phase.largest_seconds);
-    json.integer("calls", phase.calls);
-    json.number("ns_per_particle_step", steps > 0.0 ? 1e9 * phase.mean_seconds / steps : 0.0);
-    json.end_object();
+    Json& one = phases[phase.label];
+    one["seconds"] = number(phase.mean_seconds);
+    one["largest_rank_seconds"] = number(phase.largest_seconds);
+    one["calls"] = phase.calls;
+    one["ns_per_particle_step"] = number(steps > 0.0 ? 1e9 * phase.mean_seconds / steps : 0.0);
   }
-  json.end_object();
 }
 
 /// What was expected before the run, beside what came.
-void put_prediction(JsonWriter& json, const RunDescription& run, const RunSummary& summary) {
-  json.number("cpu_seconds", summary.cpu_seconds);
+void put_prediction(Json& json, const RunDescription& run, const RunSummary& summary) {
+  json["cpu_seconds"] = number(summary.cpu_seconds);
   if (!(run.prediction.seconds > 0.0)) return;  // a resumed run has none
-  json.begin_object("prediction");
-  json.number("steps", run.prediction.steps);
-  json.number("particle_steps", run.prediction.particle_steps);
-  json.number("ns_per_particle_step", run.prediction.nanoseconds);
-  json.number("wall_seconds", run.prediction.seconds);
-  json.number("bytes", run.prediction.bytes);
-  json.end_object();
+  Json& expected = json["prediction"];
+  expected["steps"] = number(run.prediction.steps);
+  expected["particle_steps"] = number(run.prediction.particle_steps);
+  expected["ns_per_particle_step"] = number(run.prediction.nanoseconds);
+  expected["wall_seconds"] = number(run.prediction.seconds);
+  expected["bytes"] = number(run.prediction.bytes);
 }
 
-void put_penetration(JsonWriter& json, const Penetration& p) {
-  json.begin_object("penetration");
-  json.flag("met_target", p.met);
-  json.number("depth", p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
-  json.number("channel_depth", p.channel_depth);
-  json.number("channel_radius_mid", p.channel_radius_mid);
-  json.number("jet_mass_inside", p.jet_mass_inside);
-  json.number("tip_velocity", p.tip_velocity);
-  json.end_object();
+void put_penetration(Json& json, const Penetration& p) {
+  Json& reached = json["penetration"];
+  reached["met_target"] = p.met;
+  reached["depth"] = number(p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
+  reached["channel_depth"] = number(p.channel_depth);
+  reached["channel_radius_mid"] = number(p.channel_radius_mid);
+  reached["jet_mass_inside"] = number(p.jet_mass_inside);
+  reached["tip_velocity"] = number(p.tip_velocity);
 }
 
-void put_balance(JsonWriter& json, const Balance& balance) {
-  json.number("remainder", balance.remainder);
-  json.number("put_in", balance.put_in);
-  json.number("error", balance.error());
+void put_balance(Json& json, const Balance& balance) {
+  json["remainder"] = number(balance.remainder);
+  json["put_in"] = number(balance.put_in);
+  json["error"] = number(balance.error());
 }
 
-void put_balances(JsonWriter& json, const Ledger& l) {
-  json.begin_object("balances");
-  json.begin_object("mass");
-  json.number("now", l.mass);
-  json.number("initial", l.initial_mass);
-  json.number("launched", l.launched_mass);
-  json.number("removed", total_removed(l).mass);
-  put_balance(json, mass_balance(l));
-  json.end_object();
-  json.begin_object("momentum");
-  json.number("now", l.momentum);
-  json.number("initial", l.initial_momentum);
-  json.number("launched", l.launched_momentum);
-  json.number("condition_impulse", l.condition_impulse);
-  json.number("load_impulse", l.load_impulse);
-  json.number("body_impulse", l.body_impulse);
-  json.number("damping_impulse", l.damping_impulse);
-  json.number("rigid_impulse", l.rigid_impulse);
-  json.number("removed", total_removed(l).momentum);
-  put_balance(json, momentum_balance(l));
-  json.end_object();
-  json.begin_object("energy");
-  json.number("kinetic", l.kinetic);
-  json.number("elastic", l.elastic);
-  json.number("plastic", l.plastic);
-  json.number("viscous", l.viscous);
-  json.number("friction", l.friction);
-  json.number("stress_integration", l.stress_integration);
-  json.number("transfer", l.transfer);
-  json.number("removed_kinetic", total_removed(l).kinetic);
-  json.number("initial_kinetic", l.initial_kinetic);
-  json.number("launched_kinetic", l.launched_kinetic);
-  json.number("boundary_work", l.boundary_work);
-  json.number("body_work", l.body_work);
-  json.number("fluid_work", l.fluid_work);
-  json.number("damped", l.damped);
-  json.number("prestress", l.prestress);
-  put_balance(json, energy_balance(l));
-  json.number("stress_integration_share", numerical_energy(l).stress_integration);
-  json.number("transfer_share", numerical_energy(l).transfer);
-  json.end_object();
-  json.end_object();
+void put_balances(Json& json, const Ledger& l) {
+  Json& balances = json["balances"];
+  Json& mass = balances["mass"];
+  mass["now"] = number(l.mass);
+  mass["initial"] = number(l.initial_mass);
+  mass["launched"] = number(l.launched_mass);
+  mass["removed"] = number(total_removed(l).mass);
+  put_balance(mass, mass_balance(l));
+  Json& momentum = balances["momentum"];
+  momentum["now"] = number(l.momentum);
+  momentum["initial"] = number(l.initial_momentum);
+  momentum["launched"] = number(l.launched_momentum);
+  momentum["condition_impulse"] = number(l.condition_impulse);
+  momentum["load_impulse"] = number(l.load_impulse);
+  momentum["body_impulse"] = number(l.body_impulse);
+  momentum["damping_impulse"] = number(l.damping_impulse);
+  momentum["rigid_impulse"] = number(l.rigid_impulse);
+  momentum["removed"] = number(total_removed(l).momentum);
+  put_balance(momentum, momentum_balance(l));
+  Json& energy = balances["energy"];
+  energy["kinetic"] = number(l.kinetic);
+  energy["elastic"] = number(l.elastic);
+  energy["plastic"] = number(l.plastic);
+  energy["viscous"] = number(l.viscous);
+  energy["friction"] = number(l.friction);
+  energy["stress_integration"] = number(l.stress_integration);
+  energy["transfer"] = number(l.transfer);
+  energy["removed_kinetic"] = number(total_removed(l).kinetic);
+  energy["initial_kinetic"] = number(l.initial_kinetic);
+  energy["launched_kinetic"] = number(l.launched_kinetic);
+  energy["boundary_work"] = number(l.boundary_work);
+  energy["body_work"] = number(l.body_work);
+  energy["fluid_work"] = number(l.fluid_work);
+  energy["damped"] = number(l.damped);
+  energy["prestress"] = number(l.prestress);
+  put_balance(energy, energy_balance(l));
+  energy["stress_integration_share"] = number(numerical_energy(l).stress_integration);
+  energy["transfer_share"] = number(numerical_energy(l).transfer);
 }
 
-void put_jet(JsonWriter& json, const Scene& scene, const State& state, const Ledger& l) {
-  const JetTotals table = jet_table_totals(scene, state.next_slug);
+void put_jet(Json& json, const Scene& scene, const State& state, const Ledger& l) {
+  const JetTotals table = jet_table_totals(scene, state.jet.next_slug);
+  Json& jet = json["jet"];
   const auto compare = [&](const char* name, double launched, double expected) {
-    json.begin_object(name);
-    json.number("launched", launched);
-    json.number("table", expected);
-    json.number("difference", expected != 0.0 ? launched / expected - 1.0 : launched);
-    json.end_object();
+    Json& one = jet[name];
+    one["launched"] = number(launched);
+    one["table"] = number(expected);
+    one["difference"] = number(expected != 0.0 ? launched / expected - 1.0 : launched);
   };
-  json.begin_object("jet");
-  json.text("table_file", scene.jet.table_file);
-  json.number("direction", scene.jet.direction);
-  json.integer("slugs", static_cast<long long>(scene.jet.slugs.size()));
-  json.integer("slugs_launched", static_cast<long long>(state.next_slug));
+  jet["table_file"] = as_utf8(scene.jet.table_file);
+  jet["direction"] = number(scene.jet.direction);
+  jet["slugs"] = scene.jet.slugs.size();
+  jet["slugs_launched"] = state.jet.next_slug;
   compare("mass", l.launched_mass, table.mass);
   compare("momentum", l.launched_momentum, table.momentum);
   compare("kinetic", l.launched_kinetic, table.kinetic);
-  json.end_object();
 }
 
-void put_removed(JsonWriter& json, const Ledger& l) {
-  json.begin_object("removed_particles");
+void put_removed(Json& json, const Ledger& l) {
+  Json& removed = json["removed_particles"];
   for (int cause = 0; cause < removal_causes; ++cause) {
     const RemovalTally& tally = l.removed[static_cast<std::size_t>(cause)];
-    json.begin_object(removal_names[static_cast<std::size_t>(cause)]);
-    json.number("count", tally.count);
-    json.number("mass", tally.mass);
-    json.number("momentum", tally.momentum);
-    json.number("kinetic", tally.kinetic);
-    json.end_object();
+    Json& one = removed[removal_names[static_cast<std::size_t>(cause)]];
+    one["count"] = number(tally.count);
+    one["mass"] = number(tally.mass);
+    one["momentum"] = number(tally.momentum);
+    one["kinetic"] = number(tally.kinetic);
   }
-  json.end_object();
 }
 
 }  // namespace
@@ -201,35 +202,34 @@ std::string summary_text(
     const RunSummary& summary,
     const RunVerdict& verdict
 ) {
-  JsonWriter json;
-  json.text("deck", run.deck_name);
-  json.text("title", scene.title);
-  json.text("version", run.version);
-  json.text("mode", mode_name(scene.grid.mode));
-  json.flag("finished", verdict.finished);
-  json.text("reason", verdict.reason);
-  json.integer("exit_code", verdict.exit_code);
-  json.integer("ranks", summary.ranks);
+  Json json;
+  json["deck"] = as_utf8(run.deck_name);
+  json["title"] = as_utf8(scene.title);
+  json["version"] = as_utf8(run.version);
+  json["mode"] = word_of(scene.grid.mode);
+  json["finished"] = verdict.finished;
+  json["reason"] = as_utf8(verdict.reason);
+  json["exit_code"] = verdict.exit_code;
+  json["ranks"] = summary.ranks;
   // Of mass, momentum and kinetic energy below.
-  if (scene.quasi_static.on()) json.number("inertia_factor", scene.quasi_static.inertia_factor);
-  json.number("time", state.clock.time);
-  json.number("end_time", scene.end_time);
-  json.number("particles", totals.particles);
-  json.integer("steps", state.clock.step);
+  if (scene.quasi_static.on()) json["inertia_factor"] = number(scene.quasi_static.inertia_factor);
+  json["time"] = number(state.clock.time);
+  json["end_time"] = number(scene.end_time);
+  json["particles"] = number(totals.particles);
+  json["steps"] = state.clock.step;
   put_cost(json, summary, totals);
   put_prediction(json, run, summary);
   if (scene.jet.present) put_penetration(json, penetration);
   put_balances(json, totals.ledger);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
   put_removed(json, totals.ledger);
-  json.number("held_particles", totals.ledger.held);
-  json.number("unloaded_particles", totals.ledger.unloaded);
-  json.number("clipped_particles", totals.ledger.clipped);
-  json.number("retried_steps", totals.ledger.retried_steps);
-  json.begin_object("warnings");
-  for (const auto& [kind, count] : summary.warnings) json.integer(kind, count);
-  json.end_object();
-  return json.finish();
+  json["held_particles"] = number(totals.ledger.held);
+  json["unloaded_particles"] = number(totals.ledger.unloaded);
+  json["clipped_particles"] = number(totals.ledger.clipped);
+  json["retried_steps"] = number(totals.ledger.retried_steps);
+  Json& warnings = json["warnings"] = Json::object();
+  for (const auto& [kind, count] : summary.warnings) warnings[as_utf8(kind)] = count;
+  return json.dump(2) + "\n";
 }
 
 }  // namespace barreno

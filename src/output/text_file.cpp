@@ -112,7 +112,7 @@ int open_kept_lines(const std::filesystem::path& path, std::uintmax_t kept, bool
   }
   if (rows && !holds_lines(handle, kept)) {
     close(handle);
-    refuse_to_go_on(path, "its lines are not those that the run wrote");
+    refuse_to_go_on(path, "its lines are not what the run wrote");
   }
   if (ftruncate(handle, static_cast<off_t>(kept)) == 0) return handle;
   const int why = errno;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/own_file.hpp"
+#include "output/guarded_file.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -57,10 +57,10 @@ void assemble_system(double dt, PoreNetwork& network) {
 
 double flow_through(const PoreNetwork& network, std::size_t i, std::size_t face, bool changed) {
   const PoreLink& link = network.links[i][face];
-  if (!(link.conductance > 0.0)) return link.given;
+  if (!(link.conductance > 0.0)) return link.prescribed_flow;
   double outside = link.outside;
   if (link.cell >= 0) outside += pressure_of(network, static_cast<std::size_t>(link.cell), changed);
-  return link.conductance * (outside - pressure_of(network, i, changed)) + link.given;
+  return link.conductance * (outside - pressure_of(network, i, changed)) + link.prescribed_flow;
 }
 
 }  // namespace barreno

@@ -108,7 +108,7 @@ void check_belos(const Deck& deck, const Teuchos::ParameterList& list) {
   } catch (const std::exception&) {
     deck.refuse_value(
         path + "/Solver",
-        "is no method that Belos has; use CG, MINRES, GMRES or another of its factory"
+        "is not a method of Belos; use CG, MINRES, GMRES or another that its factory offers"
     );
   }
   known.emplace_back("Solver");
@@ -120,7 +120,7 @@ void check_belos(const Deck& deck, const Teuchos::ParameterList& list) {
   if (!list.isType<double>(tolerance) || !(list.get<double>(tolerance) > 0.0) ||
       !(list.get<double>(tolerance) < 1.0))
     deck.refuse_value(
-        path + "/" + tolerance, "is no double between 0 and 1; 1e-10 is used without it"
+        path + "/" + tolerance, "is not a double between 0 and 1; without it 1e-10 is used"
     );
 }
 

@@ -32,7 +32,7 @@ double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, co
   return p;
 }
 
-/// The material's own drain, in pieces where it does not manage at once (rock that jumps on the
+/// The material's own drain, in parts where it fails in one (rock that jumps on the
 /// way). A point that fails is as before.
 ///
 /// @param start  what the flow sees of the point
@@ -40,11 +40,11 @@ template <class Model>
 Outcome drain_point(
     const Model& model, const PorePoint& start, double fluid_volume, PorousPoint<Model>& point
 ) {
-  constexpr int most_pieces = 64;
+  constexpr int max_pieces = 64;
   const PorousPoint<Model> before = point;
   const bool emptied = fluid_mass_after(start, fluid_volume) == 0.0;
   Outcome outcome;
-  for (int pieces = 1; pieces <= most_pieces; pieces *= 4) {
+  for (int pieces = 1; pieces <= max_pieces; pieces *= 4) {
     Outcome sum;
     sum.substeps = 0;
     point = before;

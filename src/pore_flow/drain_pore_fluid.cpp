@@ -29,7 +29,7 @@ bool build_network(const Scene& scene, State& state, PoreNetwork& network) {
 std::string not_converged(const Clock& clock, const SolveReport& report) {
   std::ostringstream text;
   text
-      << "The pore pressure of t = " << clock.time << " s was not found: " << report.method
+      << "The pore pressure at t = " << clock.time << " s was not found: " << report.method
       << " left a residual of " << report.residual << " after " << report.iterations
       << " iterations. Raise Belos/Maximum Iterations, choose another preconditioner in Pore Flow, "
          "or solve more often with a smaller Diffusion Number.";
@@ -38,11 +38,10 @@ std::string not_converged(const Clock& clock, const SolveReport& report) {
 
 std::string not_drained(const Clock& clock, double failures) {
   std::ostringstream text;
-  text
-      << "At t = " << clock.time << " s " << failures
-      << " particles could not take the change of their pore pressure (more fluid would leave than "
-         "there is, or their stress update failed), and their policy is to stop. Set \"Bad "
-         "Particles\" to remove or hold, or solve more often with a smaller Diffusion Number.";
+  text << "At t = " << clock.time << " s " << failures
+       << " particles could not accept the change in their pore pressure (more fluid would leave "
+          "than they hold, or their stress update failed), and their policy is to stop. Set \"Bad "
+          "Particles\" to remove or hold, or solve more often with a smaller Diffusion Number.";
   return text.str();
 }
 
@@ -173,14 +172,14 @@ bool fill_or_empty(const Scene& scene, const State& state, PoreNetwork& network)
 /// in the pressure but for where a gap is full and where nothing is left. A cell on the edge of its
 /// gap may go to and fro: the last round keeps the mass as well.
 SolveReport find_change(const Scene& scene, double dt, State& state, PoreNetwork& network) {
-  constexpr int most_rounds = 20;
+  constexpr int max_rounds = 20;
   bool same_graph = build_network(scene, state, network);
   int iterations = 0;
   for (int round = 1;; ++round) {
     assemble_system(dt, network);
     SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
     report.iterations = iterations += report.iterations;
-    if (!report.converged || round == most_rounds || !fill_or_empty(scene, state, network))
+    if (!report.converged || round == max_rounds || !fill_or_empty(scene, state, network))
       return report;
     same_graph = true;
   }

@@ -31,7 +31,7 @@ constexpr double default_tolerance = 1e-10;
 /// Below so many unknowns in all, or so much flow to neighbours over what is stored (2 d c dt/h^2
 /// of a uniform rock in d dimensions), a smoother is cheaper than grids (docs/performance.md).
 constexpr long long fewest_for_multigrid = 2000;
-constexpr double least_flow_for_multigrid = 500.0;
+constexpr double min_flow_for_multigrid = 500.0;
 
 }  // namespace
 
@@ -98,7 +98,7 @@ bool wants_multigrid(const LinearSolver& solver) {
   if (solver.ifpack2.numParams() > 0) return false;
   if (solver.muelu.numParams() > 0) return true;
   return static_cast<long long>(solver.map->getGlobalNumElements()) >= fewest_for_multigrid &&
-         solver.flow_over_storage >= least_flow_for_multigrid;
+         solver.flow_over_storage >= min_flow_for_multigrid;
 }
 
 void update_relaxation(LinearSolver& solver) {
@@ -174,7 +174,7 @@ std::pair<bool, int> solve_once(double tolerance, LinearSolver& solver) {
   return {said, krylov->getNumIters()};
 }
 
-/// The same where a method gives up: it says so by throwing, on every rank.
+/// The same where a method gives up, which it reports by an exception on every rank.
 std::pair<bool, int> try_once(double tolerance, LinearSolver& solver) {
   try {
     return solve_once(tolerance, solver);
@@ -186,13 +186,13 @@ std::pair<bool, int> try_once(double tolerance, LinearSolver& solver) {
 /// Solves for what is left until the true residual is small: what a method says of itself is its
 /// own recurrence, which round-off parts from the truth.
 SolveReport refine(double size, LinearSolver& solver) {
-  constexpr int most_rounds = 4;
+  constexpr int max_rounds = 4;
   SolveReport report;
   report.method = solver.krylov + (solver.with_multigrid ? " with MueLu" : " with Ifpack2");
   solver.x->putScalar(0.0);
   find_residual(solver);
   double left = size;
-  for (int round = 0; round < most_rounds && left > solver.tolerance * size; ++round) {
+  for (int round = 0; round < max_rounds && left > solver.tolerance * size; ++round) {
     const auto [said, iterations] =
         try_once(std::min(0.5, 0.5 * solver.tolerance * size / left), solver);
     report.iterations += iterations;

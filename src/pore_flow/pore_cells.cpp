@@ -14,7 +14,7 @@ namespace {
 /// The id of the cell with this key.
 long long id_of_key(const Grid& grid, int key) {
   const Patch& patch = grid.patch;
-  const TilePlace& tile = grid.tile_place(static_cast<std::size_t>(key / patch.cells));
+  const TilePosition& tile = grid.tile_frame(static_cast<std::size_t>(key / patch.cells)).position;
   int inside = key % patch.cells;
   long long at[3] = {0, 0, 0};
   for (int d = 0; d < patch.dimensions; ++d, inside >>= patch.tile_bits)

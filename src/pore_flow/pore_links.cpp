@@ -58,7 +58,7 @@ PoreLink link_to_outside(
   const HalfLink half = half_link(grid, cell, d, plane);
   link.area = half.area;
   if (condition->kind == PoreConditionKind::flux) {
-    link.given = condition->value(time) * half.area;
+    link.prescribed_flow = condition->value(time) * half.area;
   } else if (cell.mobility[d] > 0.0) {
     link.conductance = 1.0 / half.resistance;
     link.outside = condition->value(time) + column(scene, d, plane, cell.centroid[d]);

@@ -4,6 +4,7 @@
 #include "scene/porous.hpp"
 #include "state/state.hpp"
 
+#include <barreno/history_values.hpp>
 #include <type_traits>
 #include <variant>
 
@@ -19,13 +20,13 @@ struct PorousPoint {
     PorousPoint point{};
     for (int c = 0; c < particles.stress.components; ++c)
       (&point.stress.xx)[c] = particles.stress(p, c);
-    auto* const h = reinterpret_cast<double*>(&point.history);
+    double* const h = history_values<Model>(point.history);
     for (int c = 0; c < Model::history_count; ++c) h[c] = particles.history(p, c);
     return point;
   }
   void write(int p, const Particles& particles) const {
     for (int c = 0; c < particles.stress.components; ++c) particles.stress(p, c) = (&stress.xx)[c];
-    const auto* const h = reinterpret_cast<const double*>(&history);
+    const double* const h = history_values<Model>(history);
     for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
   }
 };
@@ -37,7 +38,7 @@ void visit_porous(const Scene& scene, const Particles& particles, Visitor&& visi
       [&](const auto& model) {
         if constexpr (is_drainable<std::decay_t<decltype(model)>>) visit(model);
       },
-      scene.materials[static_cast<std::size_t>(particles.material)].material.model
+      scene.materials[static_cast<std::size_t>(particles.material)].material().model
   );
 }
 
@@ -46,21 +47,20 @@ void visit_porous(const Scene& scene, const Particles& particles, Visitor&& visi
 inline double fluid_volume(
     const Scene& scene, const Particles& particles, int p, double initial_porosity
 ) {
-  const double density =
-      scene.materials[static_cast<std::size_t>(particles.material)].material.density;
+  const double density = scene.materials[static_cast<std::size_t>(particles.material)].density();
   return initial_porosity * particles.mass(p) / density;
 }
 
-/// visit(row, key) for the rows of a set, tile by tile in the order of cells and ids; rows that are
-/// held as debris, or about to be removed, are no rock.
+/// visit(row, its cell's number) for the rows of a set, tile by tile in the order of cells and ids;
+/// rows that are held as debris, or about to be removed, are no rock.
 template <class Visitor>
 void for_each_solid_row(const Grid& grid, const Particles& particles, Visitor&& visit) {
   for (int i = particles.tile_begin(0);
        i < particles.tile_begin(static_cast<std::size_t>(grid.active));
        ++i) {
     const int p = particles.order(i);
-    if (!(particles.body(p) & held_bit) && particles.fault(p) == Fault::none)
-      visit(p, particles.key(p));
+    if (!(particles.body(p) & debris_bit) && particles.fault(p) == Fault::none)
+      visit(p, index_of(particles.key(p)));
   }
 }
 

@@ -30,7 +30,7 @@ Teuchos::RCP<const RowMatrix> one_row() {
 }  // namespace
 
 SmootherNames smoother_names(const std::string& kind, const Teuchos::ParameterList& list) {
-  Teuchos::ParameterList fresh;  // its entries know that nobody has read them
+  Teuchos::ParameterList fresh;  // none of its entries is marked as read yet
   for (auto item = list.begin(); item != list.end(); ++item)
     fresh.setEntry(list.name(item), Teuchos::ParameterEntry(list.entry(item).getAny(false)));
   Ifpack2::Factory::create<RowMatrix>(kind, one_row())->setParameters(fresh);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/build_scene.hpp"
 
+#include "deck/head_section.hpp"
+#include "deck/section_table.hpp"
+#include "deck/time_section.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <cstdio>
 
@@ -17,20 +21,12 @@ std::string text_of(const char* format, double x) {
 
 namespace {
 
-Mode mode_of(const std::string& word) {
-  if (word == "axisymmetric") return Mode::axisymmetric;
-  return word == "3D" ? Mode::three_dimensional : Mode::plane_strain;
-}
-
 GridSpec read_grid(const Deck& deck) {
-  GridSpec grid;
-  grid.mode = mode_of(deck.word("Grid/Mode"));
-  grid.lower = vector_at(deck, "Grid/Lower", grid.mode);
-  grid.upper = vector_at(deck, "Grid/Upper", grid.mode);
-  grid.cell_size = deck.number("Grid/Cell Size");
+  const auto grid = read_section<GridSpec>(deck);
   if (grid.mode == Mode::axisymmetric && grid.lower[0] < 0.0) {
     deck.refuse_value(
-        "Grid/Lower", "has a negative radius (the axis is at x = 0); begin at 0 or outside the axis"
+        path_of(&GridSpec::lower),
+        "has a negative radius (the axis is at x = 0); start at 0 or at a positive radius"
     );
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
@@ -38,8 +34,8 @@ GridSpec read_grid(const Deck& deck) {
     const double cells = (grid.upper[i] - grid.lower[i]) / grid.cell_size;
     if (!(cells > 0.0)) {
       deck.refuse_value(
-          "Grid/Upper",
-          "is not above Grid/Lower along " + axis + " (the box is empty); exchange the two"
+          path_of(&GridSpec::upper),
+          "is not above Grid/Lower along " + axis + " (the box is empty); swap the two"
       );
     }
     const double whole = std::max(1.0, std::round(cells));
@@ -47,7 +43,7 @@ GridSpec read_grid(const Deck& deck) {
     // sentence.
     if (cells < 1e12 && std::abs(cells - whole) > 1e-6 * std::max(1.0, cells)) {
       deck.refuse_value(
-          "Grid/Cell Size",
+          path_of(&GridSpec::cell_size),
           "does not divide the box along " + axis + " (" + text_of("%.6g", cells) +
               " cells); change the cell size or the corners of the box"
       );
@@ -56,72 +52,44 @@ GridSpec read_grid(const Deck& deck) {
   return grid;
 }
 
-BadParticlePolicy policy_of(const std::string& word) {
-  if (word == "stop") return BadParticlePolicy::stop;
-  return word == "hold" ? BadParticlePolicy::hold : BadParticlePolicy::remove;
-}
-
 void add_materials(const Deck& deck, Scene& scene) {
-  for (const std::string& name : deck.lists("Materials")) {
-    scene.materials.push_back(
-        {deck.material(name), policy_of(deck.word("Materials/" + name + "/Bad Particles"))}
-    );
+  for (const std::string& name : deck.lists(table_of<MaterialSection>().path)) {
+    const auto said = read_list<MaterialSection>(deck, list_of<MaterialSection>(name));
+    scene.materials.emplace_back(deck.material(name), said.bad_particles);
   }
 }
 
 /// PIC is the blend's end and APIC takes the grid's own velocity as PIC does.
-void read_transfer(const Deck& deck, StepSpec& step) {
-  const std::string word = deck.word("Step/Transfer");
-  if (word == "XPIC") step.transfer = Transfer::xpic;
-  if (word == "APIC") step.transfer = Transfer::apic;
-  step.pic_fraction = deck.number("Step/PIC Fraction");
-  if (word != "FLIP" && step.pic_fraction != 0.0) {
+void settle_transfer(const Deck& deck, StepSpec& step) {
+  const std::string word = word_of(step.transfer);
+  if (step.transfer != Transfer::flip && step.pic_fraction != StepSpec{}.pic_fraction) {
     deck.refuse_value(
-        "Step/PIC Fraction",
-        "belongs to FLIP, but Transfer is " + word +
-            " (which has no share of PIC to choose); remove one of the two"
+        path_of(&StepSpec::pic_fraction),
+        "applies to FLIP, but Transfer is " + word +
+            " (which has no PIC fraction); remove one of the two"
     );
   }
-  if (word == "PIC" || word == "APIC") step.pic_fraction = 1.0;
-  step.xpic_order = deck.integer("Step/XPIC Order");
-  if (word != "XPIC" && step.xpic_order != StepSpec{}.xpic_order) {
+  if (step.transfer == Transfer::pic || step.transfer == Transfer::apic) step.pic_fraction = 1.0;
+  if (step.transfer != Transfer::xpic && step.xpic_order != StepSpec{}.xpic_order) {
     deck.refuse_value(
-        "Step/XPIC Order",
-        "belongs to XPIC, but Transfer is " + word +
+        path_of(&StepSpec::xpic_order),
+        "applies to XPIC, but Transfer is " + word +
             " (which has no order); remove it or write Transfer = XPIC"
     );
   }
-  const std::string order = deck.word("Step/Order");
-  if (order == "modified stress last") step.order = Order::modified_stress_last;
-  if (order == "stress first") step.order = Order::stress_first;
 }
 
 StepSpec read_step(const Deck& deck, Mode mode) {
-  StepSpec step;
-  step.shape = deck.word("Step/Shape Function");
-  step.largest_domain = deck.number("Step/Largest Domain");
+  auto step = read_section<StepSpec>(deck);
   if (step.largest_domain == 0.0) step.largest_domain = farthest_domain(mode);
   if (step.largest_domain > farthest_domain(mode)) {
     deck.refuse_value(
-        "Step/Largest Domain",
+        path_of(&StepSpec::largest_domain),
         "is longer than " + text_of("%.3g", farthest_domain(mode)) +
-            " cells (a tile sees no further); choose at most that, or 0 for as far as it goes"
+            " cells (the reach of a tile); choose at most that, or 0 for the largest possible"
     );
   }
-  step.courant_fraction = deck.number("Step/Courant Fraction");
-  step.stable_alone = deck.flag("Step/Stable Alone");
-  step.growth_limit = deck.number("Step/Growth Limit");
-  step.largest_strain = deck.number("Step/Largest Strain");
-  step.largest_expansion = deck.number("Step/Largest Expansion");
-  read_transfer(deck, step);
-  step.damping = deck.number("Step/Damping");
-  step.linear_viscosity = deck.number("Step/Linear Viscosity");
-  step.quadratic_viscosity = deck.number("Step/Quadratic Viscosity");
-  step.initial_step = deck.number("Step/Initial Step");
-  step.largest_step = deck.number("Step/Largest Step");
-  step.return_losses = deck.flag("Step/Return Losses");
-  step.skip_dormant = deck.flag("Step/Skip Dormant Tiles");
-  if (deck.has("Step/Rest Motion")) step.rest_motion = deck.number("Step/Rest Motion");
+  settle_transfer(deck, step);
   return step;
 }
 
@@ -132,36 +100,23 @@ void check_returned_losses(const Deck& deck, const Scene& scene) {
   const bool flip = step.transfer == Transfer::flip && step.pic_fraction == 0.0;
   if (flip && step.order == Order::stress_last && step.damping == 0.0) return;
   deck.refuse_value(
-      "Step/Return Losses",
-      std::string("needs Transfer FLIP without PIC Fraction, Order stress last and no Damping (of "
+      path_of(&StepSpec::return_losses),
+      std::string(
+          "needs Transfer FLIP without PIC Fraction, Order stress last and no Damping (with "
       ) +
           (!flip                              ? transfer_name(step)
-           : step.order != Order::stress_last ? order_name(step.order)
+           : step.order != Order::stress_last ? word_of(step.order)
                                               : "damping") +
-          " it is not known which particle lost what); remove it or those"
+          " it is not known which particle lost how much); remove it or those"
   );
-}
-
-OutputSpec read_output(const Deck& deck) {
-  OutputSpec output;
-  output.field_interval = deck.number("Output/Field Interval");
-  output.history_interval = deck.number("Output/History Interval");
-  output.checkpoint = {
-      deck.number("Output/Checkpoint Wall Interval"),
-      deck.number("Output/Checkpoint Interval"),
-      deck.integer("Output/Checkpoint Steps")};
-  output.glyph = deck.word("Output/Particle Glyph") == "point" ? Glyph::point : Glyph::deformed;
-  output.files = deck.word("Output/Particle Files") == "one" ? ParticleFiles::one
-                                                             : ParticleFiles::one_per_rank;
-  return output;
 }
 
 }  // namespace
 
 Scene build_scene(const Deck& deck) {
   Scene scene;
-  scene.title = deck.word("Title");
-  scene.end_time = deck.number("Time/End Time");
+  scene.title = read_section<HeadSection>(deck).title;
+  scene.end_time = read_section<TimeSpec>(deck).end_time;
   scene.grid = read_grid(deck);
   add_materials(deck, scene);
   add_bodies(deck, scene);
@@ -177,11 +132,14 @@ Scene build_scene(const Deck& deck) {
   add_contacts(deck, scene);
   add_pore_flow(deck, scene);
   scene.step = read_step(deck, scene.grid.mode);
-  scene.output = read_output(deck);
+  scene.output = read_section<OutputSpec>(deck);
   add_quasi_static(deck, scene);
   check_returned_losses(deck, scene);
   if (scene.bodies.empty() && !scene.jet.present) {
-    deck.refuse("Bodies", "is empty and there is no Jet (nothing would move); add a body or a jet");
+    deck.refuse(
+        table_of<BodySpec>().path,
+        "is empty and there is no Jet (nothing would move); add a body or a jet"
+    );
   }
   check_size(deck, scene);
   check_magnitudes(deck, scene);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "deck/section_table.hpp"
 #include "scene/geometry.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <variant>
 
@@ -23,7 +25,7 @@ void check_speed(const Deck& deck, const std::string& path, double speed) {
   if (speed < speed_of_light) return;
   deck.refuse_value(
       path,
-      "means " + text_of("%.6g", speed) + " m/s, which nothing reaches (light has " +
+      "means " + text_of("%.6g", speed) + " m/s, which is not below the speed of light (" +
           text_of("%.6g", speed_of_light) + " m/s); look for a wrong unit"
   );
 }
@@ -41,28 +43,31 @@ double body_speed(const BodySpec& body, const GridSpec& grid) {
 
 void check_speeds(const Deck& deck, const Scene& scene) {
   for (const BodySpec& body : scene.bodies) {
-    const std::string path = "Bodies/" + body.name;
-    check_speed(deck, path + "/Velocity", length_of(body.velocity));
-    check_speed(deck, path + "/Radial Velocity", std::abs(body.radial_velocity));
-    check_speed(deck, path + "/Spin", rim_speed(body, scene.grid));
+    check_speed(deck, path_of(&BodySpec::velocity, body.name), length_of(body.velocity));
+    check_speed(
+        deck, path_of(&BodySpec::radial_velocity, body.name), std::abs(body.radial_velocity)
+    );
+    check_speed(deck, path_of(&BodySpec::spin, body.name), rim_speed(body, scene.grid));
     if (body.motion.prescribed)
       check_speed(
-          deck, path + "/Motion", length_of(body.motion.velocity) * largest_of(body.motion.factor)
+          deck,
+          path_of(&MotionSpec::velocity, body.name),
+          length_of(body.motion.velocity) * largest_of(body.motion.factor)
       );
   }
   for (const ConditionSpec& condition : scene.conditions)
     if (condition.kind == ConditionKind::prescribed_velocity)
       check_speed(
           deck,
-          "Conditions/" + condition.name + "/Velocity",
+          path_of(&ConditionSpec::velocity, condition.name),
           length_of(condition.velocity) * largest_of(condition.factor)
       );
 }
 
-/// Sums of mass and energy hold numbers from 6e-61 to 5e39 (WholeSum); within these limits no term
-/// of a balance is lost.
-constexpr double least_mass = 1e-40;  ///< of a particle [mass]
-constexpr double most_energy = 1e36;  ///< of a body, if it were all kinetic or elastic [energy]
+/// Sums of mass and energy hold numbers from 6e-61 to 5e39 (ReproducibleSum); within these limits
+/// no term of a balance is lost.
+constexpr double min_mass = 1e-40;   ///< of a particle [mass]
+constexpr double max_energy = 1e36;  ///< of a body, if it were all kinetic or elastic [energy]
 
 /// The smallest particle that fills a body, about.
 double smallest_volume(const BodySpec& body, const GridSpec& grid) {
@@ -75,14 +80,14 @@ double smallest_volume(const BodySpec& body, const GridSpec& grid) {
   return volume * two_pi * (box.lower[0] + 0.5 * std::min(size, box.upper[0] - box.lower[0]));
 }
 
-double most_volume(const BodySpec& body, const GridSpec& grid) {
+double max_volume(const BodySpec& body, const GridSpec& grid) {
   const double round = grid.mode == Mode::axisymmetric ? two_pi * grid.upper[0] : 1.0;
-  return round * most_measure(body.shape, grid);
+  return round * max_measure(body.shape, grid);
 }
 
 void check_masses(const Deck& deck, const Scene& scene) {
   for (const BodySpec& body : scene.bodies) {
-    const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+    const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material();
     const double modulus = std::visit(
         [](const auto& model) {
           return model.longitudinal_modulus({}, model.initial_history(), 1.0);
@@ -92,20 +97,21 @@ void check_masses(const Deck& deck, const Scene& scene) {
     const double speed = body_speed(body, scene.grid);
     const double mass = material.density * smallest_volume(body, scene.grid);
     const double energy =
-        most_volume(body, scene.grid) * (modulus + material.density * speed * speed);
-    if (!(mass >= least_mass))
+        max_volume(body, scene.grid) * (modulus + material.density * speed * speed);
+    if (!(mass >= min_mass))
       deck.refuse(
-          "Bodies/" + body.name,
+          list_of<BodySpec>(body.name),
           "has particles of " + text_of("%.6g", mass) +
-              " kg (balances of mass and energy are lost below " + text_of("%.6g", least_mass) +
-              " kg); look for a wrong unit of its size, its density or of "
-              "Grid/Cell Size"
+              " kg (mass and energy balances lose their meaning below " +
+              text_of("%.6g", min_mass) +
+              " kg); look for a wrong unit of its size, its density or of " +
+              path_of(&GridSpec::cell_size)
       );
-    if (!(energy <= most_energy))
+    if (!(energy <= max_energy))
       deck.refuse(
-          "Bodies/" + body.name,
-          "may hold " + text_of("%.6g", energy) + " J (balances of energy are lost beyond " +
-              text_of("%.6g", most_energy) +
+          list_of<BodySpec>(body.name),
+          "may hold " + text_of("%.6g", energy) + " J (energy balances lose their meaning beyond " +
+              text_of("%.6g", max_energy) +
               " J); look for a wrong unit of its size, velocity, density or stiffness"
       );
   }
@@ -123,13 +129,13 @@ void check_jet(const Deck& deck, const Scene& scene) {
                         (scene.grid.mode == Mode::plane_strain ? 1.0 : across);
     const double whole = slug.density * slug.length * slug.radius *
                          (scene.grid.mode == Mode::plane_strain ? 1.0 : slug.radius);
-    if (mass >= least_mass && whole * slug.velocity * slug.velocity <= most_energy) continue;
+    if (mass >= min_mass && whole * slug.velocity * slug.velocity <= max_energy) continue;
     deck.refuse_value(
-        jet.table_file.empty() ? "Jet/Slugs" : "Jet/Table",
+        jet.table_file.empty() ? path_of(&JetSpec::slugs) : path_of(&JetSpec::table_file),
         "gives slug " + std::to_string(s + 1) + " particles of " + text_of("%.6g", mass) +
             " kg and " + text_of("%.6g", whole * slug.velocity * slug.velocity) +
-            " J (balances of mass and energy need at least " + text_of("%.6g", least_mass) +
-            " kg and at most " + text_of("%.6g", most_energy) +
+            " J (mass and energy balances need at least " + text_of("%.6g", min_mass) +
+            " kg and at most " + text_of("%.6g", max_energy) +
             " J); look for a wrong unit in the table"
     );
   }

@@ -18,12 +18,12 @@ bool is_steady(const PressureLoadSpec& load) {
 
 std::string why_all_awake(const Scene& scene) {
   if (scene.step.order != Order::stress_last)
-    return std::string("Order is ") + order_name(scene.step.order) + ", which asks all tiles twice";
+    return std::string("Order is ") + word_of(scene.step.order) + ", which visits all tiles twice";
   if (scene.step.transfer == Transfer::xpic)
-    return "Transfer is XPIC, which asks all tiles several times";
+    return "Transfer is XPIC, which visits all tiles several times";
   if (scene.step.transfer == Transfer::apic)
-    return "Transfer is APIC, whose particles keep more than a velocity";
-  if (!scene.contacts.empty()) return "surfaces that meet are sought in all tiles";
+    return "Transfer is APIC, whose particles carry more than a velocity";
+  if (!scene.contacts.empty()) return "contact is searched for in all tiles";
   if (scene.body_force.kind != BodyForceKind::none) return "a body force acts on all particles";
   if (scene.pore_flow.on()) return "pore fluid flows through all rock";
   if (!std::all_of(scene.loads.begin(), scene.loads.end(), is_steady))

@@ -7,7 +7,7 @@
 
 namespace barreno {
 
-/// Why no tile of a scene may be left out of a step; empty: those at rest may. docs/method.md 9
+/// Why no tile of a scene may be dormant; empty: tiles may. docs/method.md 9
 std::string why_all_awake(const Scene& scene);
 
 /// What a node may move by in a step without waking a tile [cells]: the deck's word, or by default

@@ -51,7 +51,7 @@ std::optional<Middle> middle_of(const Shape& shape) {
 
 }  // namespace
 
-double touching(const GridSpec& grid) {
+double length_tolerance(const GridSpec& grid) {
   return 1e-6 * grid.cell_size;
 }
 
@@ -62,8 +62,8 @@ FaceList cutting_faces(const Shape& shape, const GridSpec& grid) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
     for (const bool upper : {false, true}) {
       const double place = (upper ? grid.upper : grid.lower)[i];
-      if (std::abs(middle->start[i] - place) <= touching(grid) &&
-          std::abs(middle->end[i] - place) <= touching(grid))
+      if (std::abs(middle->start[i] - place) <= length_tolerance(grid) &&
+          std::abs(middle->end[i] - place) <= length_tolerance(grid))
         faces.face[faces.count++] = static_cast<Face>(2 * i + (upper ? 1 : 0));
     }
   }
@@ -89,7 +89,7 @@ Box box_around(const Shape& shape, const GridSpec& grid) {
   return box;
 }
 
-double most_measure(const Shape& shape, const GridSpec& grid) {
+double max_measure(const Shape& shape, const GridSpec& grid) {
   const int dimension = dimensions(grid.mode);
   const double own = std::ldexp(
       measure_bound(shape, dimension), -static_cast<int>(cutting_faces(shape, grid).count)
@@ -106,7 +106,7 @@ Lattice lattice_of(const Shape& shape, const GridSpec& grid, double size) {
 }
 
 bool overlap(const Shape& a, const Shape& b, const GridSpec& grid, double spacing) {
-  const double tolerance = touching(grid);
+  const double tolerance = length_tolerance(grid);
   const auto dimension = static_cast<std::size_t>(dimensions(grid.mode));
   const auto *box_a = std::get_if<Box>(&a), *box_b = std::get_if<Box>(&b);
   const auto *ball_a = std::get_if<Ball>(&a), *ball_b = std::get_if<Ball>(&b);
@@ -121,7 +121,7 @@ bool overlap(const Shape& a, const Shape& b, const GridSpec& grid, double spacin
     common.upper[i] = std::min(common.upper[i], other.upper[i]);
     if (common.upper[i] - common.lower[i] <= tolerance) return false;
   }
-  return share_points(
+  return have_common_points(
       a,
       b,
       dimensions(grid.mode),
@@ -131,7 +131,7 @@ bool overlap(const Shape& a, const Shape& b, const GridSpec& grid, double spacin
 
 bool inside(const Shape& shape, const GridSpec& grid) {
   const Box box = box_around(shape, grid);
-  const double tolerance = touching(grid);
+  const double tolerance = length_tolerance(grid);
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
     if (box.lower[i] < grid.lower[i] - tolerance || box.upper[i] > grid.upper[i] + tolerance)
       return false;

@@ -26,7 +26,7 @@ Box box_around(const Shape& shape, const GridSpec& grid);
 
 /// Area in the plane, in three dimensions volume, that particles fill at most; exact for single
 /// shapes [length^dimension].
-double most_measure(const Shape& shape, const GridSpec& grid);
+double max_measure(const Shape& shape, const GridSpec& grid);
 
 /// The grid's own lattice of particles around a shape, so that they sit in their cells alike
 /// everywhere.
@@ -40,6 +40,6 @@ bool overlap(const Shape& a, const Shape& b, const GridSpec& grid, double spacin
 bool inside(const Shape& shape, const GridSpec& grid);
 
 /// Lengths below this are round-off of a deck's numbers [length].
-double touching(const GridSpec& grid);
+double length_tolerance(const GridSpec& grid);
 
 }  // namespace barreno

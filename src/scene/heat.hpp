@@ -3,6 +3,7 @@
 
 #include "scene/scene.hpp"
 
+#include <barreno/models.hpp>
 #include <barreno/tensor.hpp>
 #include <type_traits>
 #include <utility>
@@ -28,7 +29,7 @@ inline bool takes_losses(const Scene& scene, int material) {
   return scene.step.return_losses &&
          std::visit(
              [](const auto& model) { return keeps_heat<std::decay_t<decltype(model)>>; },
-             scene.materials[static_cast<std::size_t>(material)].material.model
+             scene.materials[static_cast<std::size_t>(material)].material().model
          );
 }
 

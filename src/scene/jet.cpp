@@ -27,7 +27,7 @@ std::string problem_of(const JetSlug& slug, double material_density) {
   if (!(slug.velocity > 0.0)) return positive("velocity", slug.velocity, "m/s");
   if (slug.velocity >= speed_of_light)
     return "a velocity of " + number_text(slug.velocity) +
-           " m/s, which nothing reaches (light has " + number_text(speed_of_light) +
+           " m/s, which is not below the speed of light (" + number_text(speed_of_light) +
            " m/s); look for a wrong unit in the table";
   if (!(slug.radius > 0.0)) return positive("radius", slug.radius, "m");
   if (!(slug.length > 0.0)) return positive("length", slug.length, "m");
@@ -43,25 +43,6 @@ std::string problem_of(const JetSlug& slug, double material_density) {
 }
 
 }  // namespace
-
-double cross_section(const JetSlug& slug, const GridSpec& grid) {
-  const double disk = pi * slug.radius * slug.radius;
-  if (grid.mode == Mode::axisymmetric) return disk;
-  if (grid.mode == Mode::three_dimensional)
-    return disk * (grid.lower[0] < 0.0 ? 1.0 : 0.5) * (grid.lower[2] < 0.0 ? 1.0 : 0.5);
-  return grid.lower[0] < 0.0 ? 2.0 * slug.radius : slug.radius;
-}
-
-JetTotals jet_totals(const JetSpec& jet, const GridSpec& grid) {
-  JetTotals totals;
-  for (const JetSlug& slug : jet.slugs) {
-    const double mass = slug.density * cross_section(slug, grid) * slug.length;
-    totals.mass += mass;
-    totals.momentum += mass * slug.velocity;
-    totals.energy += 0.5 * mass * slug.velocity * slug.velocity;
-  }
-  return totals;
-}
 
 std::vector<JetSlug> discrete_slugs(
     const std::vector<std::vector<double>>& rows, double material_density, std::string& problem

@@ -1,50 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deck/section_table.hpp"
 #include "scene/scene_parts.hpp"
 
+#include <barreno/models.hpp>
 #include <cmath>
 
 namespace barreno {
 namespace {
 
-BodyForceKind body_force_kind(const std::string& word) {
-  if (word == "gravity") return BodyForceKind::gravity;
-  if (word == "axis-aligned displacement") return BodyForceKind::axis_aligned;
-  return word == "generalized vortex" ? BodyForceKind::vortex : BodyForceKind::ring;
-}
-
 /// The one entry that a kind needs; the others would be read and do nothing.
 void check_entries(const Deck& deck, const std::string& kind, const std::string& needed) {
-  for (const char* const name : {"Acceleration", "Amplitude", "Angle"}) {
-    const std::string path = std::string("Body Force/") + name;
-    if (name == needed && !deck.has(path))
+  for (const std::string& path :
+       {path_of(&BodyForceSpec::acceleration),
+        path_of(&BodyForceSpec::amplitude),
+        path_of(&BodyForceSpec::angle)}) {
+    if (path == needed && !deck.has(path))
       deck.refuse(path, "is missing (the kind '" + kind + "' needs it); add it or change Kind");
-    if (name != needed && deck.has(path))
+    if (path != needed && deck.has(path))
       deck.refuse_value(
           path, "has no meaning for the kind '" + kind + "'; remove it or change Kind"
       );
   }
 }
 
-void read_gravity(const Deck& deck, Scene& scene) {
-  const std::string path = "Body Force/Acceleration";
-  scene.body_force.acceleration = vector_at(deck, path, scene.grid.mode);
+void check_gravity(const Deck& deck, const Scene& scene) {
   if (scene.grid.mode == Mode::axisymmetric && scene.body_force.acceleration[0] != 0.0)
     deck.refuse_value(
-        path, "has a radial component (no such field is axisymmetric); write {0 m/s2, ...}"
+        path_of(&BodyForceSpec::acceleration),
+        "has a radial component (no such field is axisymmetric); write {0 m/s2, ...}"
     );
 }
 
 void read_solid(const Deck& deck, Scene& scene) {
   BodyForceSpec& spec = scene.body_force;
-  const std::string path = "Body Force/Kind";
+  const std::string path = path_of(&BodyForceSpec::kind);
   if (scene.bodies.size() != 1 || scene.jet.present)
     deck.refuse_value(path, "moves one body alone; leave one in Bodies and no Jet");
   const Material& material =
-      scene.materials[static_cast<std::size_t>(scene.bodies[0].material)].material;
+      scene.materials[static_cast<std::size_t>(scene.bodies[0].material)].material();
   const auto* solid = std::get_if<NeoHookean>(&material.model);
   if (solid == nullptr)
     deck.refuse_value(
-        path, "is made for a Neo-Hookean material (its stress is in the formula); change the Model"
+        path,
+        "is derived for a Neo-Hookean material (the body force contains its stress); change the "
+        "Model"
     );
   spec.density = material.density;
   spec.lambda = solid->lambda();
@@ -59,20 +58,20 @@ void check_unit_box(const Deck& deck, const Scene& scene) {
     unit = box->lower[i] == 0.0 && box->upper[i] == 1.0;
   if (!unit)
     deck.refuse(
-        "Bodies/" + scene.bodies[0].name,
-        "is not the box from 0 to 1 m (the displacement is made for it); give it these corners"
+        list_of<BodySpec>(scene.bodies[0].name),
+        "is not the box from 0 to 1 m (on which the displacement is defined); give it these corners"
     );
 }
 
 void read_disk(const Deck& deck, Scene& scene) {
   BodyForceSpec& spec = scene.body_force;
   const auto* ball = std::get_if<Ball>(&scene.bodies[0].shape);
-  const std::string path = "Bodies/" + scene.bodies[0].name;
+  const std::string path = list_of<BodySpec>(scene.bodies[0].name);
   if (ball == nullptr || ball->inner_radius == 0.0 || scene.grid.mode != Mode::plane_strain)
     deck.refuse(
         path,
-        "is not a hollow disk (this Body Force turns or widens one); make it a ball "
-        "with Inner Radius in plane strain"
+        "is not a hollow disk (this Body Force rotates or expands one); make it a ball with Inner "
+        "Radius in plane strain"
     );
   spec.centre = ball->centre;
   spec.inner_radius = ball->inner_radius;
@@ -80,40 +79,40 @@ void read_disk(const Deck& deck, Scene& scene) {
   if (spec.kind == BodyForceKind::vortex && (spec.inner_radius < 0.75 || spec.outer_radius > 1.25))
     deck.refuse(
         path,
-        "reaches beyond radii of 0.75 m and 1.25 m (the vortex is made for the ring "
-        "between them); make it smaller"
+        "reaches beyond radii of 0.75 m and 1.25 m (the vortex is defined on the ring between "
+        "them); make it smaller"
     );
   if (spec.kind != BodyForceKind::ring) return;
   if (std::abs(spec.outer_radius - 3.0 * spec.inner_radius) < 1e-6 * spec.outer_radius)
     deck.refuse(
         path,
-        "has an outer radius of three times the inner one (the expanding ring has no "
-        "solution there); change one of them"
+        "has an outer radius of three times the inner one (the expanding ring has no solution "
+        "there); change one of them"
     );
   if (spec.lambda > 1e-6 * spec.shear)
     deck.refuse_value(
-        "Body Force/Kind",
-        "is made for a material without lateral strain; write Bulk Modulus = 2/3 Shear Modulus"
+        path_of(&BodyForceSpec::kind),
+        "is derived for a material without lateral strain; write Bulk Modulus = 2/3 Shear Modulus"
     );
 }
 
 }  // namespace
 
 void add_body_force(const Deck& deck, Scene& scene) {
-  if (!deck.has("Body Force/Kind")) return;
+  if (!deck.has(path_of(&BodyForceSpec::kind))) return;
   BodyForceSpec& spec = scene.body_force;
-  const std::string word = deck.word("Body Force/Kind");
-  spec.kind = body_force_kind(word);
+  spec = read_section<BodyForceSpec>(deck);
   spec.dimensions = dimensions(scene.grid.mode);
   spec.axisymmetric = scene.grid.mode == Mode::axisymmetric;
-  const bool vortex = spec.kind == BodyForceKind::vortex;
+  const std::string word = word_of(spec.kind);
   if (spec.kind == BodyForceKind::gravity) {
-    check_entries(deck, word, "Acceleration");
-    read_gravity(deck, scene);
+    check_entries(deck, word, path_of(&BodyForceSpec::acceleration));
+    check_gravity(deck, scene);
     return;
   }
-  check_entries(deck, word, vortex ? "Angle" : "Amplitude");
-  spec.amplitude = deck.number(vortex ? "Body Force/Angle" : "Body Force/Amplitude");
+  const bool vortex = spec.kind == BodyForceKind::vortex;
+  check_entries(deck, word, path_of(vortex ? &BodyForceSpec::angle : &BodyForceSpec::amplitude));
+  if (vortex) spec.amplitude = spec.angle;
   read_solid(deck, scene);
   if (spec.kind == BodyForceKind::axis_aligned)
     check_unit_box(deck, scene);

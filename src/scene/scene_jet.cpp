@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deck/section_table.hpp"
 #include "scene/geometry.hpp"
 #include "scene/jet.hpp"
 #include "scene/scene_parts.hpp"
@@ -27,41 +28,39 @@ Box launch_box(const JetSpec& jet, const GridSpec& grid) {
 }  // namespace
 
 void add_jet(const Deck& deck, Scene& scene) {
-  if (!deck.has("Jet/Slugs")) return;
+  const std::string slugs = path_of(&JetSpec::slugs);
+  if (!deck.has(slugs)) return;
   JetSpec& jet = scene.jet;
+  jet = read_section<JetSpec>(deck);
   jet.present = true;
-  jet.material = material_at(deck, "Jet/Material");
-  jet.launch_position = deck.number("Jet/Launch Position");
-  jet.direction = deck.word("Jet/Direction") == "+y" ? 1.0 : -1.0;
-  jet.particles_per_cell = deck.integer("Jet/Particles Per Cell");
   jet.table_file = deck.jet_table;
-  const std::string rows_path = jet.table_file.empty() ? "Jet/Slugs" : "Jet/Table";
+  const std::string rows_path = jet.table_file.empty() ? slugs : path_of(&JetSpec::table_file);
   std::string problem;
-  const double density = scene.materials[static_cast<std::size_t>(jet.material)].material.density;
-  jet.slugs = discrete_slugs(deck.rows("Jet/Slugs"), density, problem);
+  const double density = scene.materials[static_cast<std::size_t>(jet.material)].density();
+  jet.slugs = discrete_slugs(deck.rows(slugs), density, problem);
   if (!problem.empty()) deck.refuse_value(rows_path, problem);
 
   const Box place = launch_box(jet, scene.grid);
   const bool space = scene.grid.mode == Mode::three_dimensional;
   if (scene.grid.lower[0] > 0.0 || (space && scene.grid.lower[2] > 0.0)) {
     deck.refuse(
-        "Jet",
+        table_of<JetSpec>().path,
         std::string("is launched along x = 0") + (space ? ", z = 0" : "") +
             ", which is outside the grid (its box begins beyond); extend Grid/Lower to 0"
     );
   }
   if (!inside(place, scene.grid)) {
     deck.refuse_value(
-        "Jet/Launch Position",
-        "puts the launch plane outside the grid (every slug must fit into its box at launch); "
+        path_of(&JetSpec::launch_position),
+        "puts the launch plane outside the grid (every slug must fit into the grid box at launch); "
         "enlarge Grid or move the plane"
     );
   }
   for (const BodySpec& body : scene.bodies) {
     if (overlap(place, body.shape, scene.grid, scene.grid.cell_size / body.particles_per_cell)) {
       deck.refuse_value(
-          "Jet/Launch Position",
-          "puts the launch plane into Bodies/" + body.name +
+          path_of(&JetSpec::launch_position),
+          "puts the launch plane into " + list_of<BodySpec>(body.name) +
               " (the jet is launched in free space); move the plane away from the body"
       );
     }

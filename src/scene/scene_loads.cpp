@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/boundary_sections.hpp"
+#include "deck/section_table.hpp"
+#include "deck/shape_section.hpp"
 #include "scene/geometry.hpp"
 #include "scene/load_tables.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 
 namespace barreno {
@@ -28,11 +30,6 @@ std::vector<Face> faces_of(Mode mode) {
   return faces;
 }
 
-ConditionKind condition_kind(const std::string& word) {
-  if (word == "symmetry") return ConditionKind::symmetry;
-  return word == "fixed" ? ConditionKind::fixed : ConditionKind::prescribed_velocity;
-}
-
 const ConditionSpec* condition_on(const Scene& scene, Face face) {
   for (const ConditionSpec& condition : scene.conditions) {
     if (condition.face == face) return &condition;
@@ -46,14 +43,15 @@ void check_axis(const Deck& deck, const Scene& scene) {
   const ConditionSpec* condition = condition_on(scene, Face::x_lower);
   if (condition == nullptr) {
     deck.refuse(
-        "Conditions",
-        "has none on x_lower, which is the axis (nothing crosses it); add one of Kind symmetry"
+        table_of<ConditionSpec>().path,
+        "has no condition on x_lower, which is the axis (nothing may cross it); add one of Kind "
+        "symmetry"
     );
   }
   if (condition->kind != ConditionKind::symmetry) {
     deck.refuse_value(
-        "Conditions/" + condition->name + "/Kind",
-        "stands on x_lower, which is the axis (matter must be free to move along it); write "
+        path_of(&ConditionSpec::kind, condition->name),
+        "is set on x_lower, which is the axis (material must be free to move along it); write "
         "symmetry"
     );
   }
@@ -66,16 +64,17 @@ void check_cut_bodies(const Deck& deck, const Scene& scene) {
     for (const Face face : cutting_faces(body.shape, scene.grid)) {
       const ConditionSpec* condition = condition_on(scene, face);
       if (condition != nullptr && condition->kind == ConditionKind::symmetry) continue;
-      const std::string& name = face_names[static_cast<std::size_t>(face)];
+      const std::string name = word_of(face);
       std::string problem = "lies on ";
       problem.append(name)
           .append(" of the grid, which cuts the ")
           .append(ball ? "ball" : "body")
-          .append(" (its other part can only be a mirror image); ")
+          .append(" (the part cut off can only be a mirror image); ")
           .append("add a condition of Kind symmetry on ")
           .append(name)
           .append(" or enlarge Grid");
-      deck.refuse_value("Bodies/" + body.name + (ball ? "/Centre" : "/Start"), problem);
+      const std::string& entry = name_of(ball ? &ShapeSection::centre : &ShapeSection::start);
+      deck.refuse_value(input::join(list_of<BodySpec>(body.name), entry), problem);
     }
   }
 }
@@ -111,7 +110,7 @@ bool is_outer(
   const auto is_box = [&](int index) {
     return std::holds_alternative<Box>(scene.bodies[static_cast<std::size_t>(index)].shape);
   };
-  const double tolerance = touching(scene.grid);
+  const double tolerance = length_tolerance(scene.grid);
   const Box box = box_of(body), grid{scene.grid.lower, scene.grid.upper};
   const bool at_grid_face = std::abs(coordinate(box, face) - coordinate(grid, face)) <= tolerance;
   if (at_grid_face && condition_on(scene, face) != nullptr) return false;
@@ -121,12 +120,12 @@ bool is_outer(
     if (shared == Sharing::whole) return false;
     if (shared == Sharing::part) {
       deck.refuse_value(
-          "Confinement/Bodies",
-          "puts the pressure on a part of the face " + face_names[static_cast<std::size_t>(face)] +
-              " of '" + scene.bodies[static_cast<std::size_t>(body)].name + "' ('" +
+          path_of(&ConfinementSection::bodies),
+          "puts the pressure on only part of the face " + word_of(face) + " of '" +
+              scene.bodies[static_cast<std::size_t>(body)].name + "' ('" +
               scene.bodies[static_cast<std::size_t>(other)].name +
-              "' covers the rest, and a face is pressed whole or not); make the faces equal or "
-              "split the body"
+              "' covers the rest, but a face is loaded as a whole or not at all); make the faces "
+              "equal or split the body"
       );
     }
   }
@@ -135,43 +134,29 @@ bool is_outer(
 
 }  // namespace
 
-Face face_at(const Deck& deck, const std::string& path, const std::string& word, Mode mode) {
-  const auto found = std::find(face_names.begin(), face_names.end(), word);
-  const auto face = static_cast<Face>(found - face_names.begin());
-  if (axis_of(face) >= static_cast<std::size_t>(dimensions(mode))) {
-    deck.refuse_value(
-        path,
-        "names a face that does not exist in this mode (it has x and y only); choose one of those"
-    );
-  }
-  return face;
-}
-
 void add_conditions(const Deck& deck, Scene& scene) {
-  for (const std::string& name : deck.lists("Conditions")) {
-    const std::string path = "Conditions/" + name;
-    ConditionSpec condition;
+  for (const std::string& name : deck.lists(table_of<ConditionSpec>().path)) {
+    const std::string path = list_of<ConditionSpec>(name);
+    auto condition = read_list<ConditionSpec>(deck, path);
     condition.name = name;
-    condition.face = face_at(deck, path + "/Face", deck.word(path + "/Face"), scene.grid.mode);
-    condition.kind = condition_kind(deck.word(path + "/Kind"));
-    const bool prescribed = condition.kind == ConditionKind::prescribed_velocity;
-    if (prescribed) {
-      if (!deck.has(path + "/Velocity"))
-        deck.refuse(path + "/Velocity", "is missing (a prescribed velocity needs it); add it");
-      condition.velocity = vector_at(deck, path + "/Velocity", scene.grid.mode);
+    const std::string velocity = path_of(&ConditionSpec::velocity, name);
+    if (condition.kind == ConditionKind::prescribed_velocity) {
+      if (!deck.has(velocity))
+        deck.refuse(velocity, "is missing (a prescribed velocity needs it); add it");
       condition.factor = read_factors(deck, path, "");
     } else {
-      for (const char* entry : {"/Velocity", "/Times", "/Factors"})
-        if (deck.has(path + entry))
+      for (const std::string& entry :
+           {velocity, input::join(path, times_word), input::join(path, factors_word)})
+        if (deck.has(entry))
           deck.refuse_value(
-              path + entry, "has no meaning for this Kind; remove it or write prescribed velocity"
+              entry, "has no meaning for this Kind; remove it or write prescribed velocity"
           );
     }
     if (const ConditionSpec* other = condition_on(scene, condition.face)) {
       deck.refuse_value(
-          path + "/Face",
+          path_of(&ConditionSpec::face, name),
           "has the condition '" + other->name +
-              "' already (a face moves in one way); remove one of them"
+              "' already (a face can have only one); remove one of them"
       );
     }
     scene.conditions.push_back(condition);
@@ -191,8 +176,8 @@ void check_holds(
   );
   if (possible) return;
   deck.refuse_value(
-      "Confinement/Pressure",
-      "is more than '" + material.name + "' of Bodies/" + body +
+      path_of(&ConfinementSection::pressure),
+      "is more than '" + material.name + "' of " + list_of<BodySpec>(body) +
           " can hold elastically (it could not start in equilibrium); lower the pressure or change "
           "the material"
   );
@@ -208,11 +193,11 @@ void preload(const Deck& deck, Scene& scene, int body, Face face, double pressur
   for (PressureLoadSpec& load : scene.loads) {
     if (load.body != body || !load.faces[static_cast<std::size_t>(face)]) continue;
     const bool absorbs = load.kind == LoadKind::non_reflecting;
-    if (!absorbs || has_pressure(deck, "Loads/" + load.name)) {
+    if (!absorbs || has_pressure(deck, list_of<PressureLoadSpec>(load.name))) {
       deck.refuse_value(
-          "Confinement/Bodies",
-          "presses a face of '" + scene.bodies[static_cast<std::size_t>(body)].name +
-              "' that a load presses too (the body would not start in equilibrium); remove the " +
+          path_of(&ConfinementSection::bodies),
+          "acts on a face of '" + scene.bodies[static_cast<std::size_t>(body)].name +
+              "' that another load acts on (the body would not start in equilibrium); remove the " +
               (absorbs ? "load's pressure" : "load")
       );
     }
@@ -226,9 +211,9 @@ void confine_ball(const Deck& deck, const Scene& scene, const Ball& ball, Pressu
     if (surface == BallSurface::inner && !(ball.inner_radius > 0.0)) continue;
     if (is_loaded(scene, load.body, surface)) {
       deck.refuse_value(
-          "Confinement/Bodies",
-          "presses a surface of '" + scene.bodies[static_cast<std::size_t>(load.body)].name +
-              "' that a load presses too (the body would not start in equilibrium); remove the "
+          path_of(&ConfinementSection::bodies),
+          "acts on a surface of '" + scene.bodies[static_cast<std::size_t>(load.body)].name +
+              "' that another load acts on (the body would not start in equilibrium); remove the "
               "load"
       );
     }
@@ -239,16 +224,20 @@ void confine_ball(const Deck& deck, const Scene& scene, const Ball& ball, Pressu
 }  // namespace
 
 void add_confinement(const Deck& deck, Scene& scene) {
-  if (!deck.has("Confinement/Pressure")) return;
-  const double pressure = deck.number("Confinement/Pressure");
+  if (!deck.has(path_of(&ConfinementSection::pressure))) return;
+  const auto said = read_section<ConfinementSection>(deck);
+  const double pressure = said.pressure;
   std::vector<int> confined;
-  for (const std::string& name : deck.words("Confinement/Bodies")) {
-    confined.push_back(body_named(deck, scene, "Confinement/Bodies", name));
+  for (const std::string& name : said.bodies) {
+    confined.push_back(body_named(deck, scene, path_of(&ConfinementSection::bodies), name));
   }
   for (const int body : confined) {
     BodySpec& spec = scene.bodies[static_cast<std::size_t>(body)];
     check_holds(
-        deck, scene.materials[static_cast<std::size_t>(spec.material)].material, spec.name, pressure
+        deck,
+        scene.materials[static_cast<std::size_t>(spec.material)].material(),
+        spec.name,
+        pressure
     );
     spec.initial_pressure = pressure;
     PressureLoadSpec load;
@@ -266,7 +255,7 @@ void add_confinement(const Deck& deck, Scene& scene) {
           load.faces[static_cast<std::size_t>(face)] = true;
       }
     }
-    add_load(deck, "Confinement", load, scene);
+    scene.loads.push_back(load);
   }
 }
 

@@ -31,16 +31,13 @@ void check_size(const Deck& deck, const Scene& scene);
 /// cannot hold.
 void check_magnitudes(const Deck& deck, const Scene& scene);
 
-/// Motion of a body that is prescribed to be rigid.
-MotionSpec read_motion(const Deck& deck, const std::string& path, Mode mode);
+/// Motion of the body of that name, if it is prescribed to be rigid.
+MotionSpec read_motion(const Deck& deck, const std::string& body, Mode mode);
 /// A rigid body has a material of its own, and nothing presses it.
 void check_rigid_bodies(const Deck& deck, const Scene& scene);
 
 /// A number by a printf format, for sentences.
 std::string text_of(const char* format, double x);
-
-/// A vector with one entry per dimension of the mode.
-Vector vector_at(const Deck& deck, const std::string& path, Mode mode);
 
 /// The shape that a list of Bodies or Shapes says, with its parts; every list of Shapes is one.
 Shape read_shape(const Deck& deck, const std::string& path, Mode mode);
@@ -51,25 +48,15 @@ void check_shapes(const Deck& deck, Mode mode);
 void check_bodies(const Deck& deck, const Scene& scene);
 /// Refuse bodies that fill the same place. Of n bodies that are scattered it looks at about n
 /// pairs.
-void check_apart(const Deck& deck, const Scene& scene);
-
-/// Index of the material that the parameter at `path` names.
-int material_at(const Deck& deck, const std::string& path);
+void check_overlaps(const Deck& deck, const Scene& scene);
 
 /// Index of the body of that name, which the parameter at `path` says.
 int body_named(
     const Deck& deck, const Scene& scene, const std::string& path, const std::string& name
 );
 
-/// Append a load, of which a scene has at most most_loads; `path` names it in the sentence.
-void add_load(
-    const Deck& deck, const std::string& path, const PressureLoadSpec& load, Scene& scene
-);
 /// A load of the scene so far acts on that face or surface of the body.
 bool is_loaded(const Scene& scene, int body, Face face);
 bool is_loaded(const Scene& scene, int body, BallSurface surface);
-
-/// A face that exists in the mode; `word` out of the parameter at `path`.
-Face face_at(const Deck& deck, const std::string& path, const std::string& word, Mode mode);
 
 }  // namespace barreno

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "deck/quasi_static_section.hpp"
+#include "deck/section_table.hpp"
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <limits>
 
@@ -33,7 +36,7 @@ double slowest_wave(const Scene& scene) {
   double slowest = std::numeric_limits<double>::infinity();
   for (const BodySpec& body : scene.bodies) {
     if (body.motion.prescribed) continue;
-    const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+    const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material();
     const double modulus = std::visit(
         [&](const auto& model) {
           const auto start = model.initial_state(body.initial_pressure);
@@ -49,39 +52,44 @@ double slowest_wave(const Scene& scene) {
 /// What moves at the start, or is thrown in, has a momentum that must not be scaled.
 void refuse_motion(const Deck& deck, const Scene& scene) {
   const std::string why =
-      "cannot be joined with Quasi-Static (inertia is scaled there, so that nothing may move by "
-      "it); remove one of the two";
-  if (scene.jet.present) deck.refuse("Jet", why);
+      "cannot be combined with Quasi-Static (which scales inertia, so that inertial motion would "
+      "be wrong); remove one of the two";
+  if (scene.jet.present) deck.refuse(table_of<JetSpec>().path, why);
   const BodyForceKind force = scene.body_force.kind;
   if (force != BodyForceKind::none && force != BodyForceKind::gravity)
-    deck.refuse_value("Body Force/Kind", why);
+    deck.refuse_value(path_of(&BodyForceSpec::kind), why);
   for (const BodySpec& body : scene.bodies)
-    for (const char* entry : {"/Velocity", "/Spin", "/Radial Velocity"})
-      if (deck.has("Bodies/" + body.name + entry) && !body.motion.prescribed)
-        deck.refuse_value("Bodies/" + body.name + entry, why);
+    for (const std::string& path :
+         {path_of(&BodySpec::velocity, body.name),
+          path_of(&BodySpec::spin, body.name),
+          path_of(&BodySpec::radial_velocity, body.name)})
+      if (deck.has(path) && !body.motion.prescribed) deck.refuse_value(path, why);
 }
 
 }  // namespace
 
 void add_quasi_static(const Deck& deck, Scene& scene) {
-  if (!deck.has("Quasi-Static/Transit Ratio")) return;
+  if (!deck.has(path_of(&QuasiStaticSection::transit_ratio))) return;
+  const auto said = read_section<QuasiStaticSection>(deck);
   refuse_motion(deck, scene);
   const double side = longest_side(scene);
   if (!(side > 0.0))
-    deck.refuse("Quasi-Static", "has no body that deforms; remove the list or add a body");
+    deck.refuse(
+        table_of<QuasiStaticSection>().path,
+        "has no body that deforms; remove the list or add a body"
+    );
   QuasiStaticSpec& quasi_static = scene.quasi_static;
   const double diffused = drained_length(scene) / side;
   quasi_static.slow_time = scene.end_time / std::max(1.0, diffused * diffused);
   const double transit = side / slowest_wave(scene);
-  double root = deck.number("Quasi-Static/Transit Ratio") * quasi_static.slow_time / transit;
-  if (deck.has("Quasi-Static/Inertia Factor"))
-    root = std::sqrt(deck.number("Quasi-Static/Inertia Factor"));
+  double root = said.transit_ratio * quasi_static.slow_time / transit;
+  if (said.inertia_factor) root = std::sqrt(*said.inertia_factor);
   root = std::max(1.0, root);
   quasi_static.inertia_factor = root * root;
   quasi_static.transit_time = root * transit;
   // Twice the angular frequency of a column's slowest wave, four lengths long: critical.
   if (scene.step.damping == 0.0) scene.step.damping = std::acos(-1.0) / quasi_static.transit_time;
-  for (MaterialSpec& spec : scene.materials) spec.material.density *= quasi_static.inertia_factor;
+  for (MaterialSpec& spec : scene.materials) spec.scale_density(quasi_static.inertia_factor);
   for (double& a : scene.body_force.acceleration) a /= quasi_static.inertia_factor;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deck/section_table.hpp"
+#include "deck/shape_section.hpp"
 #include "geometry/surface.hpp"
 #include "scene/geometry.hpp"
 #include "scene/scene_parts.hpp"
@@ -10,7 +12,36 @@
 namespace barreno {
 namespace {
 
-using Names = std::vector<const char*>;
+using input::join;
+using Names = std::vector<std::string>;
+
+/// A list of the deck that says a shape.
+struct ShapeList {
+  const Deck& deck;
+  std::string path;
+  Mode mode;
+  ShapeSection said;
+};
+
+template <class T>
+std::string entry_of(const ShapeList& list, T ShapeSection::*member) {
+  return join(list.path, name_of(member));
+}
+template <class T>
+bool is_given(const ShapeList& list, T ShapeSection::*member) {
+  return list.deck.has(entry_of(list, member));
+}
+template <class T>
+[[noreturn]] void refuse(
+    const ShapeList& list, T ShapeSection::*member, const std::string& problem
+) {
+  list.deck.refuse_value(entry_of(list, member), problem);
+}
+
+template <class... Members>
+Names names_of(Members... members) {
+  return {name_of(members)...};
+}
 
 /// The parameters of a shape in a mode, and how sentences call it.
 struct Keys {
@@ -18,104 +49,118 @@ struct Keys {
   Names needed, allowed;
 };
 
-Keys keys_of(const std::string& shape, Mode mode) {
-  const bool plane = mode == Mode::plane_strain, space = dimensions(mode) == 3;
-  if (shape == "box") return {"a box", {"Lower", "Upper"}, {}};
-  if (shape == "ball") return {"a ball", {"Centre", "Radius"}, {"Inner Radius"}};
-  if (shape == "cylinder" && plane)
-    return {"a cylinder in plane strain", {"Centre", "Radius"}, {"Inner Radius"}};
-  if (shape == "cylinder") return {"a cylinder", {"Start", "End", "Radius"}, {"Inner Radius"}};
-  if (shape == "cone") return {"a cone", {"Start", "End", "Radius"}, {"End Radius"}};
-  if (shape == "polygon" && space)
-    return {"a polygon in three dimensions", {"Corners", "Axis", "From", "To"}, {}};
-  if (shape == "polygon") return {"a polygon in two dimensions", {"Corners"}, {}};
-  if (shape == "half-space") return {"a half-space", {"Point", "Normal"}, {}};
-  if (shape == "STL") return {"an STL surface", {"File", "File Unit"}, {"Shift", "File Digest"}};
-  return {(shape == "intersection" ? "an " : "a ") + shape, {"Parts"}, {}};
+Keys keys_of_round(ShapeWord word, Mode mode) {
+  using S = ShapeSection;
+  const Names hollow = names_of(&S::inner_radius), ball = names_of(&S::centre, &S::radius);
+  if (word == ShapeWord::ball) return {"a ball", ball, hollow};
+  if (word == ShapeWord::cylinder && mode == Mode::plane_strain)
+    return {"a cylinder in plane strain", ball, hollow};
+  const Names line = names_of(&S::start, &S::end, &S::radius);
+  if (word == ShapeWord::cylinder) return {"a cylinder", line, hollow};
+  return {"a cone", line, names_of(&S::end_radius)};
+}
+
+Keys keys_of(ShapeWord word, Mode mode) {
+  using S = ShapeSection;
+  switch (word) {
+    case ShapeWord::box:
+      return {"a box", names_of(&S::lower, &S::upper), {}};
+    case ShapeWord::ball:
+    case ShapeWord::cylinder:
+    case ShapeWord::cone:
+      return keys_of_round(word, mode);
+    case ShapeWord::polygon:
+      if (dimensions(mode) == 2) return {"a polygon in two dimensions", names_of(&S::corners), {}};
+      return {
+          "a polygon in three dimensions", names_of(&S::corners, &S::axis, &S::from, &S::to), {}};
+    case ShapeWord::half_space:
+      return {"a half-space", names_of(&S::point, &S::normal), {}};
+    case ShapeWord::stl:
+      return {
+          "an STL surface",
+          names_of(&S::file, &S::file_unit),
+          names_of(&S::shift, &S::file_digest)};
+    case ShapeWord::joined:
+    case ShapeWord::difference:
+    case ShapeWord::intersection:
+      break;
+  }
+  const char* const article = word == ShapeWord::intersection ? "an " : "a ";
+  return {article + word_of(word), names_of(&S::parts), {}};
 }
 
 /// Refuse a parameter of another shape, which would be read and do nothing.
-void check_keys(const Deck& deck, const std::string& path, const Keys& keys) {
+void check_keys(const ShapeList& list) {
+  const Keys keys = keys_of(list.said.word, list.mode);
   const auto in = [](const Names& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  for (const char* name : keys.needed) {
-    if (deck.has(path + "/" + name)) continue;
-    deck.refuse(
-        path + "/" + name, "is missing (" + keys.called + " needs it); add it or change Shape"
-    );
+  for (const std::string& name : keys.needed) {
+    const std::string entry = join(list.path, name);
+    if (list.deck.has(entry)) continue;
+    list.deck.refuse(entry, "is missing (" + keys.called + " needs it); add it or change Shape");
   }
-  for (const char* name :
-       {"Lower",
-        "Upper",
-        "Centre",
-        "Start",
-        "End",
-        "Radius",
-        "End Radius",
-        "Inner Radius",
-        "Corners",
-        "Axis",
-        "From",
-        "To",
-        "Point",
-        "Normal",
-        "Parts",
-        "File",
-        "File Unit",
-        "Shift"}) {
-    if (!deck.has(path + "/" + name) || in(keys.needed, name) || in(keys.allowed, name)) continue;
-    deck.refuse_value(
-        path + "/" + name, "has no meaning for " + keys.called + "; remove it or change Shape"
-    );
+  for (const input::Entry& entry : entries_of<ShapeSection>()) {
+    const std::string& name = entry.name;
+    if (name == name_of(&ShapeSection::word) || in(keys.needed, name) || in(keys.allowed, name))
+      continue;
+    if (list.deck.has(join(list.path, name)))
+      list.deck.refuse_value(
+          join(list.path, name), "has no meaning for " + keys.called + "; remove it or change Shape"
+      );
   }
 }
 
 /// Shapes that a mode cannot have.
-void check_mode(const Deck& deck, const std::string& path, const std::string& shape, Mode mode) {
-  if (shape == "cone" && mode == Mode::plane_strain) {
-    deck.refuse_value(
-        path + "/Shape", "has no meaning in plane strain (nothing is round there); write a polygon"
+void check_mode(const ShapeList& list) {
+  const ShapeWord word = list.said.word;
+  if (word == ShapeWord::cone && list.mode == Mode::plane_strain) {
+    refuse(
+        list,
+        &ShapeSection::word,
+        "has no meaning in plane strain (there is no axis of rotation); write a polygon"
     );
   }
-  if (shape == "STL" && dimensions(mode) != 3) {
-    deck.refuse_value(
-        path + "/Shape",
-        "needs three dimensions (a surface is no figure in the plane); write a polygon"
+  if (word == ShapeWord::stl && dimensions(list.mode) != 3) {
+    refuse(
+        list,
+        &ShapeSection::word,
+        "needs three dimensions (a surface does not define a plane figure); write a polygon"
     );
   }
 }
 
-Shape read_box(const Deck& deck, const std::string& path, Mode mode) {
-  const Box box{vector_at(deck, path + "/Lower", mode), vector_at(deck, path + "/Upper", mode)};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(mode)); ++i) {
+Shape read_box(const ShapeList& list) {
+  const Box box{list.said.lower, list.said.upper};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(list.mode)); ++i) {
     if (box.upper[i] > box.lower[i]) continue;
-    deck.refuse_value(
-        path + "/Upper",
-        std::string("is not above Lower along ") + "xyz"[i] +
-            " (the body is empty); exchange the two"
+    refuse(
+        list,
+        &ShapeSection::upper,
+        std::string("is not above Lower along ") + "xyz"[i] + " (the body is empty); swap the two"
     );
   }
   return box;
 }
 
-double inner_radius(const Deck& deck, const std::string& path, double radius) {
-  if (!deck.has(path + "/Inner Radius")) return 0.0;
-  const double inner = deck.number(path + "/Inner Radius");
-  if (!(inner < radius)) {
-    deck.refuse_value(
-        path + "/Inner Radius", "is not below Radius (the body is empty); make it smaller"
+/// The hollow is inside.
+void check_inner_radius(const ShapeList& list) {
+  const bool hollow = is_given(list, &ShapeSection::inner_radius);
+  if (hollow && !(list.said.inner_radius < list.said.radius)) {
+    refuse(
+        list,
+        &ShapeSection::inner_radius,
+        "is not below Radius (the body is empty); make it smaller"
     );
   }
-  return inner;
 }
 
-Shape read_ball(const Deck& deck, const std::string& path, Mode mode) {
-  Ball ball{vector_at(deck, path + "/Centre", mode), deck.number(path + "/Radius")};
-  ball.inner_radius = inner_radius(deck, path, ball.radius);
-  if (mode == Mode::axisymmetric && ball.centre[0] != 0.0) {
-    deck.refuse_value(
-        path + "/Centre", "is off the axis (the ball would be a ring); put it at x = 0"
+Shape read_ball(const ShapeList& list) {
+  const Ball ball{list.said.centre, list.said.radius, list.said.inner_radius};
+  check_inner_radius(list);
+  if (list.mode == Mode::axisymmetric && ball.centre[0] != 0.0) {
+    refuse(
+        list, &ShapeSection::centre, "is off the axis (the ball would be a ring); put it at x = 0"
     );
   }
   return ball;
@@ -135,22 +180,21 @@ Shape figure_of(const Cone& cone) {
   return figure;
 }
 
-Shape read_round(const Deck& deck, const std::string& path, const std::string& word, Mode mode) {
-  if (mode == Mode::plane_strain) return read_ball(deck, path, mode);  // a disk
-  Cone cone{vector_at(deck, path + "/Start", mode), vector_at(deck, path + "/End", mode)};
-  cone.start_radius = cone.end_radius = deck.number(path + "/Radius");
-  cone.inner_radius = inner_radius(deck, path, cone.start_radius);
-  if (word == "cone")
-    cone.end_radius = deck.has(path + "/End Radius") ? deck.number(path + "/End Radius") : 0.0;
+Shape read_round(const ShapeList& list) {
+  if (list.mode == Mode::plane_strain) return read_ball(list);  // a disk
+  const ShapeSection& said = list.said;
+  const double end_radius = said.word == ShapeWord::cone ? said.end_radius : said.radius;
+  const Cone cone{said.start, said.end, said.radius, end_radius, said.inner_radius};
+  check_inner_radius(list);
   if (cone.start == cone.end) {
-    deck.refuse_value(path + "/End", "is where Start is (the body is empty); move one of the two");
-  }
-  if (mode != Mode::axisymmetric) return cone;
-  for (const char* name : {"/Start", "/End"}) {
-    if (vector_at(deck, path + name, mode)[0] == 0.0) continue;
-    deck.refuse_value(
-        path + name, "is off the axis (the body would not be round about it); put it at x = 0"
+    refuse(
+        list, &ShapeSection::end, "coincides with Start (the body is empty); move one of the two"
     );
+  }
+  if (list.mode != Mode::axisymmetric) return cone;
+  for (const auto member : {&ShapeSection::start, &ShapeSection::end}) {
+    if ((said.*member)[0] == 0.0) continue;
+    refuse(list, member, "is off the axis (the body would not be axisymmetric); put it at x = 0");
   }
   return figure_of(cone);
 }
@@ -176,34 +220,38 @@ std::vector<std::size_t> crossing_edges(const Polygon& polygon) {
   return {};
 }
 
-Shape read_polygon(const Deck& deck, const std::string& path, Mode mode) {
+Shape read_polygon(const ShapeList& list) {
   Polygon polygon;
-  for (const std::vector<double>& row : deck.rows(path + "/Corners"))
+  for (const std::vector<double>& row : list.said.corners)
     polygon.corners.push_back({row[0], row[1]});
-  if (dimensions(mode) == 3) {
-    polygon.axis = static_cast<int>(std::string("xyz").find(deck.word(path + "/Axis")));
-    polygon.from = deck.number(path + "/From");
-    polygon.to = deck.number(path + "/To");
+  if (dimensions(list.mode) == 3) {
+    polygon.axis = list.said.axis;
+    polygon.from = list.said.from;
+    polygon.to = list.said.to;
     if (!(polygon.to > polygon.from))
-      deck.refuse_value(path + "/To", "is not above From (the body is empty); exchange the two");
+      refuse(list, &ShapeSection::to, "is not above From (the body is empty); swap the two");
   }
   if (polygon.corners.size() < 3 || measure_bound(Shape(polygon), 2) == 0.0) {
-    deck.refuse_value(
-        path + "/Corners", "enclose no area (the body is empty); give three corners or more"
+    refuse(
+        list,
+        &ShapeSection::corners,
+        "enclose no area (the body is empty); give three corners or more"
     );
   }
-  constexpr std::size_t most_corners = 10000;  // every edge is compared with every other
-  if (polygon.corners.size() > most_corners) {
-    deck.refuse_value(
-        path + "/Corners",
-        "has more than " + std::to_string(most_corners) +
-            " corners (that many cannot be compared); leave out those that change little"
+  constexpr std::size_t max_corners = 10000;  // every edge is compared with every other
+  if (polygon.corners.size() > max_corners) {
+    refuse(
+        list,
+        &ShapeSection::corners,
+        "has more than " + std::to_string(max_corners) +
+            " corners (too many to compare); leave out those that matter least"
     );
   }
   const auto edges = crossing_edges(polygon);
   if (!edges.empty()) {
-    deck.refuse_value(
-        path + "/Corners",
+    refuse(
+        list,
+        &ShapeSection::corners,
         "has edges " + std::to_string(edges[0]) + " and " + std::to_string(edges[1]) +
             " that cross (inside and outside are not defined); put the corners in order"
     );
@@ -211,18 +259,13 @@ Shape read_polygon(const Deck& deck, const std::string& path, Mode mode) {
   return polygon;
 }
 
-Shape read_half_space(const Deck& deck, const std::string& path, Mode mode) {
-  HalfSpace half{vector_at(deck, path + "/Point", mode), vector_at(deck, path + "/Normal", mode)};
+Shape read_half_space(const ShapeList& list) {
+  HalfSpace half{list.said.point, list.said.normal};
   const double length = std::hypot(half.normal[0], half.normal[1], half.normal[2]);
   if (!(length > 0.0))
-    deck.refuse_value(path + "/Normal", "is zero (it points nowhere); give a direction");
+    refuse(list, &ShapeSection::normal, "is zero (it has no direction); give a nonzero vector");
   for (double& component : half.normal) component /= length;
   return half;
-}
-
-Shape read_surface_shape(const Deck& deck, const std::string& path, Mode mode) {
-  if (deck.has(path + "/Shift")) vector_at(deck, path + "/Shift", mode);
-  return Faceted{deck.surfaces.at(path)};
 }
 
 /// Where in the tree of parts a shape is read: the combinations around it, and the shapes read so
@@ -231,59 +274,74 @@ struct Reached {
   std::vector<std::string> within;
   int shapes = 0;
 };
-constexpr int most_shapes = 1000;
+constexpr int max_shapes = 1000;
 
 Shape read_any(const Deck& deck, const std::string& path, Mode mode, Reached& reached);
 
-Shape read_combination(
-    const Deck& deck, const std::string& path, const std::string& word, Mode mode, Reached& reached
-) {
+Shape read_combination(const ShapeList& list, Reached& reached) {
   Combination combination;
-  if (word == "difference") combination.operation = Operation::subtract;
-  if (word == "intersection") combination.operation = Operation::intersect;
-  const auto names = deck.lists("Shapes"), parts = deck.words(path + "/Parts");
+  if (list.said.word == ShapeWord::difference) combination.operation = Operation::subtract;
+  if (list.said.word == ShapeWord::intersection) combination.operation = Operation::intersect;
+  const Names names = list.deck.lists(table_of<ShapeSection>().path), &parts = list.said.parts;
   if (parts.size() < 2)
-    deck.refuse_value(path + "/Parts", "names fewer than two shapes; name what is joined");
+    refuse(list, &ShapeSection::parts, "names fewer than two shapes; name all shapes to combine");
   for (const std::string& part : parts) {
     if (std::find(names.begin(), names.end(), part) == names.end()) {
-      deck.refuse_value(
-          path + "/Parts",
+      refuse(
+          list,
+          &ShapeSection::parts,
           "names '" + part + "', which is not in Shapes; " +
               (names.empty() ? "add that section with the shape" : input::suggest_name(part, names))
       );
     }
     auto& within = reached.within;
     if (std::find(within.begin(), within.end(), part) != within.end()) {
-      deck.refuse_value(
-          path + "/Parts",
-          "names '" + part + "', which this is a part of (a shape cannot hold itself); remove it"
+      refuse(
+          list,
+          &ShapeSection::parts,
+          "names '" + part + "', of which this is a part (a shape cannot contain itself); remove it"
       );
     }
-    if (++reached.shapes > most_shapes) {
-      deck.refuse_value(
-          path + "/Parts",
-          "makes a shape of more than " + std::to_string(most_shapes) +
+    if (++reached.shapes > max_shapes) {
+      refuse(
+          list,
+          &ShapeSection::parts,
+          "makes a shape of more than " + std::to_string(max_shapes) +
               " shapes (parts of parts count); make it simpler, or an STL surface"
       );
     }
     within.push_back(part);
-    combination.parts.push_back(read_any(deck, "Shapes/" + part, mode, reached));
+    combination.parts.push_back(read_any(list.deck, list_of<ShapeSection>(part), list.mode, reached)
+    );
     within.pop_back();
   }
   return combination;
 }
 
 Shape read_any(const Deck& deck, const std::string& path, Mode mode, Reached& reached) {
-  const std::string word = deck.word(path + "/Shape");
-  check_mode(deck, path, word, mode);
-  check_keys(deck, path, keys_of(word, mode));
-  if (word == "box") return read_box(deck, path, mode);
-  if (word == "ball") return read_ball(deck, path, mode);
-  if (word == "cylinder" || word == "cone") return read_round(deck, path, word, mode);
-  if (word == "polygon") return read_polygon(deck, path, mode);
-  if (word == "half-space") return read_half_space(deck, path, mode);
-  if (word == "STL") return read_surface_shape(deck, path, mode);
-  return read_combination(deck, path, word, mode, reached);
+  const ShapeList list{deck, path, mode, read_list<ShapeSection>(deck, path)};
+  check_mode(list);
+  check_keys(list);
+  switch (list.said.word) {
+    case ShapeWord::box:
+      return read_box(list);
+    case ShapeWord::ball:
+      return read_ball(list);
+    case ShapeWord::cylinder:
+    case ShapeWord::cone:
+      return read_round(list);
+    case ShapeWord::polygon:
+      return read_polygon(list);
+    case ShapeWord::half_space:
+      return read_half_space(list);
+    case ShapeWord::stl:
+      return Faceted{deck.surfaces.at(path)};
+    case ShapeWord::joined:
+    case ShapeWord::difference:
+    case ShapeWord::intersection:
+      break;
+  }
+  return read_combination(list, reached);
 }
 
 }  // namespace
@@ -294,9 +352,9 @@ Shape read_shape(const Deck& deck, const std::string& path, Mode mode) {
 }
 
 void check_shapes(const Deck& deck, Mode mode) {
-  for (const std::string& name : deck.lists("Shapes")) {
+  for (const std::string& name : deck.lists(table_of<ShapeSection>().path)) {
     Reached reached{{name}, 0};
-    read_any(deck, "Shapes/" + name, mode, reached);
+    read_any(deck, list_of<ShapeSection>(name), mode, reached);
   }
 }
 

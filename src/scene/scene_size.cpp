@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/process.hpp"
+#include "deck/section_table.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/geometry.hpp"
 #include "scene/scene_parts.hpp"
+#include "scene/tile_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +14,11 @@
 namespace barreno {
 namespace {
 
-/// Per direction; the grid keeps a directory of tiles.
-constexpr int tile_cells(int dimensions) {
-  return dimensions == 3 ? 4 : 8;
-}
 /// Every rank goes through all tiles of the box when it shares them; more would take minutes, and
 /// gigabytes on each rank.
-constexpr double most_tiles = 16777216.0;
+constexpr double max_tiles = 16777216.0;
 /// Cells along an axis and particles of a rank are counted in 32 bits.
-constexpr double most_counted = std::numeric_limits<int>::max();
+constexpr double max_count = std::numeric_limits<int>::max();
 /// Owner, local index and cost of every tile of the box.
 constexpr double bytes_per_tile = 32.0;
 /// State arrays and their share of active tiles.
@@ -69,11 +67,11 @@ void check_cells(const Deck& deck, const GridSpec& grid) {
     constexpr double places_in_cell = 1e6;
     if (farthest * std::numeric_limits<double>::epsilon() * places_in_cell > grid.cell_size)
       deck.refuse_value(
-          "Grid/Cell Size",
+          path_of(&GridSpec::cell_size),
           "is too small for a box that reaches to " + text_of("%.6g", farthest) + " m along " +
               std::string(1, "xyz"[i]) +
-              " (numbers there are hardly closer to each other than cells); choose larger cells or "
-              "move the box to the origin"
+              " (double-precision numbers there are hardly finer than the cells); choose larger "
+              "cells or move the box to the origin"
       );
   }
 }
@@ -85,7 +83,7 @@ double particle_estimate(const Scene& scene) {
   double particles = 0.0;
   for (const BodySpec& body : scene.bodies) {
     const double size = scene.grid.cell_size / body.particles_per_cell;
-    particles += most_measure(body.shape, scene.grid) / std::pow(size, d);
+    particles += max_measure(body.shape, scene.grid) / std::pow(size, d);
   }
   for (const JetSlug& slug : scene.jet.slugs) {
     const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;
@@ -108,23 +106,23 @@ void check_size(const Deck& deck, const Scene& scene) {
   const double available = machine_bytes();
   const double tiles = tiles_of(scene.grid), particles = particle_estimate(scene);
   const int d = dimensions(scene.grid.mode);
-  if (!(tiles <= most_tiles))
+  if (!(tiles <= max_tiles))
     deck.refuse_value(
-        "Grid/Cell Size",
+        path_of(&GridSpec::cell_size),
         "divides the box into " + text_of("%.3g", tiles * std::pow(tile_cells(d), d)) +
-            " cells (at most " + text_of("%.3g", most_tiles * std::pow(tile_cells(d), d)) +
-            " can be listed); choose larger cells or a smaller box"
+            " cells (at most " + text_of("%.3g", max_tiles * std::pow(tile_cells(d), d)) +
+            " can be indexed); choose larger cells or a smaller box"
     );
-  if (!(particles <= most_counted))
+  if (!(particles <= max_count))
     deck.refuse_value(
-        "Grid/Cell Size",
+        path_of(&GridSpec::cell_size),
         "makes " + text_of("%.3g", particles) +
             " particles (they are counted in 32 bits); choose larger cells, fewer Particles Per "
             "Cell or smaller bodies"
     );
   if (bytes <= available) return;
   deck.refuse_value(
-      "Grid/Cell Size",
+      path_of(&GridSpec::cell_size),
       "makes the run too large for memory (grid and particles need " + text_of("%.0f", bytes) +
           " bytes, more than this machine has); choose larger cells or a smaller box, or ranks "
           "on " +

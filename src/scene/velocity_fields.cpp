@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/velocity_fields.hpp"
 
+#include <algorithm>
+
 namespace barreno {
 namespace {
 
@@ -36,6 +38,12 @@ int rigid_body_of(const Scene& scene, int material) {
     if (scene.bodies[b].material == material && scene.bodies[b].motion.prescribed)
       return static_cast<int>(b);
   return -1;
+}
+
+bool has_surfaces(const VelocityFields& fields) {
+  return std::any_of(fields.pairs.begin(), fields.pairs.end(), [](const FieldPair& pair) {
+    return pair.kind != ContactKind::bonded;
+  });
 }
 
 VelocityFields velocity_fields(const Scene& scene) {

@@ -27,8 +27,16 @@ struct VelocityFields {
   std::vector<FieldPair> pairs;  ///< all but two rigid ones
 };
 
+/// Whether some of them meet at surfaces: pairs that are not bonded.
+bool has_surfaces(const VelocityFields& fields);
+
+/// Bits of both fields of a pair.
+inline unsigned bits_of(const FieldPair& pair) {
+  return 1U << static_cast<unsigned>(pair.a) | 1U << static_cast<unsigned>(pair.b);
+}
+
 /// Fields of one scene at most.
-inline constexpr int most_velocity_fields = 8;
+inline constexpr int max_velocity_fields = 8;
 
 VelocityFields velocity_fields(const Scene& scene);
 

@@ -30,73 +30,79 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
   static double unbalanced(double /*size*/) { return 0.0; }
 
   /// Four nodes hold a box of two cells.
-  static constexpr double most_half = 1.0;
+  static constexpr double max_half = 1.0;
 
   static int reach(const Scene& /*scene*/) { return 1; }
 
-  KOKKOS_INLINE_FUNCTION static double largest_half(const ParticlePlace& place) {
-    return place.largest < most_half ? place.largest : most_half;
+  KOKKOS_INLINE_FUNCTION static double largest_half(const ParticleGeometry& particle) {
+    return particle.largest < max_half ? particle.largest : max_half;
   }
 
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static bool clipped(const ParticleGeometry& particle) {
     bool out = false;
     for (int d = 0; d < M::dimensions; ++d)
-      out = out | !(place.half[d] * place.stretch[d] <= largest_half(place));
+      out = out | !(particle.half[d] * particle.stretch[d] <= largest_half(particle));
     return out;
   }
 
-  /// A box has no inside to turn out; only a stretch that is none counts.
+  /// A box cannot be inverted; only a stretch that is not positive counts.
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static bool inverted(const ParticleGeometry& particle) {
     bool out = false;
-    for (int d = 0; d < M::dimensions; ++d) out = out | !(place.stretch[d] > 0.0);
+    for (int d = 0; d < M::dimensions; ++d) out = out | !(particle.stretch[d] > 0.0);
     return out;
   }
 
-  /// The place with its half sizes stretched and cut.
+  /// The particle with its half sizes stretched and cut.
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static ParticlePlace stretched(ParticlePlace place) {
-    const double most = largest_half(place);
+  KOKKOS_FORCEINLINE_FUNCTION static ParticleGeometry stretched(ParticleGeometry particle) {
+    const double most = largest_half(particle);
     for (int d = 0; d < M::dimensions; ++d) {
-      const double wanted = place.half[d] * place.stretch[d];
-      const double least = place.half[d] < thinnest_half ? place.half[d] : thinnest_half;
+      const double wanted = particle.half[d] * particle.stretch[d];
+      const double least = particle.half[d] < thinnest_half ? particle.half[d] : thinnest_half;
       const double wide = wanted < least ? least : wanted;
-      place.half[d] = wide < most ? wide : most;  // not a number: the largest
+      particle.half[d] = wide < most ? wide : most;  // not a number: the largest
     }
-    return place;
+    return particle;
   }
 
   /// Half width of the box where it is narrowest [cells].
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
-    const ParticlePlace own = stretched<M>(place);
+  KOKKOS_FORCEINLINE_FUNCTION static double narrowest(const ParticleGeometry& particle) {
+    const ParticleGeometry own = stretched<M>(particle);
     double least = own.half[0];
     for (int d = 1; d < M::dimensions; ++d) least = own.half[d] < least ? own.half[d] : least;
     return least;
   }
 
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
-    return TensorShape::support<M>(stretched<M>(place));
+  KOKKOS_INLINE_FUNCTION static Support<M> support(const ParticleGeometry& particle) {
+    return TensorShape::support<M>(stretched<M>(particle));
   }
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Support<M> face_support(const ParticlePlace& place, int face) {
-    return TensorShape::face_support<M>(stretched<M>(place), face);
+  KOKKOS_INLINE_FUNCTION static Support<M> face_support(
+      const ParticleGeometry& particle, int face
+  ) {
+    return TensorShape::face_support<M>(stretched<M>(particle), face);
   }
 
   template <bool Radial>
-  KOKKOS_INLINE_FUNCTION static AxisWeights<4> axis_weights(const ParticlePlace& place, int d) {
-    double a = place.x[d] - place.half[d];
-    const double b = place.x[d] + place.half[d];
-    if constexpr (Radial) a = a > -place.axis ? a : -place.axis;
-    return average_hats<Radial, 4>(a, b, first_of<4>(place, a), place.axis, place.per_cell);
+  KOKKOS_INLINE_FUNCTION static AxisWeights<4> axis_weights(
+      const ParticleGeometry& particle, int d
+  ) {
+    double a = particle.x[d] - particle.half[d];
+    const double b = particle.x[d] + particle.half[d];
+    if constexpr (Radial) a = a > -particle.axis ? a : -particle.axis;
+    return average_hats<Radial, 4>(
+        a, b, first_of<4>(particle, a), particle.axis, particle.per_cell
+    );
   }
   KOKKOS_INLINE_FUNCTION static AxisWeights<4> face_weights(
-      const ParticlePlace& place, int d, double side
+      const ParticleGeometry& particle, int d, double side
   ) {
-    const double x = place.x[d] + side * place.half[d];
-    return hats_at<4>(x, first_of<4>(place, x));
+    const double x = particle.x[d] + side * particle.half[d];
+    return hats_at<4>(x, first_of<4>(particle, x));
   }
 
   /// Of the undeformed particles, as for GIMP.
@@ -106,7 +112,7 @@ struct ContiguousGimp : TensorShape<ContiguousGimp, 4> {
 
   /// As for GIMP: k = sum g^2 / S is 1 / (a (1 - a)) where the box lies in one cell and 1 / a more
   /// where it touches a third node.
-  static double lone_courant(double half_size_in_cells) {
+  static double isolated_courant(double half_size_in_cells) {
     const double a = half_size_in_cells;
     return std::sqrt(2.0 * a * (1.0 - a) / (2.0 - a));
   }

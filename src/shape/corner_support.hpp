@@ -32,7 +32,7 @@ struct CornerSupport {
   static constexpr double share = 1.0 / corners;
 
   int slot[extent<corners>] = {};              ///< lowest node of each corner's cell
-  double at[extent<corners>][extent<D>] = {};  ///< place in that cell, 0 to 1
+  double at[extent<corners>][extent<D>] = {};  ///< position in that cell, 0 to 1
   double slope[extent<D>][extent<D>] = {};     ///< grad xi_i [1/length]
   double skew[2] = {};                         ///< axisymmetry only
   double per_radius = 0.0;                     ///< 1 / r_p [1/length]; axisymmetry only

@@ -3,7 +3,7 @@
 
 #include "shape/corner_support.hpp"
 #include "shape/courant_table.hpp"
-#include "shape/particle_place.hpp"
+#include "shape/particle_geometry.hpp"
 
 #include <cmath>
 #include <utility>
@@ -45,10 +45,10 @@ struct Cpdi {
 
   /// e_i = F e_i0 [cells].
   template <int D>
-  KOKKOS_FORCEINLINE_FUNCTION static Domain<D> deformed(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static Domain<D> deformed(const ParticleGeometry& particle) {
     Domain<D> out;
     for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k) out.e[i][k] = place.f[k][i] * place.half[i];
+      for (int k = 0; k < D; ++k) out.e[i][k] = particle.f[k][i] * particle.half[i];
     return out;
   }
 
@@ -62,35 +62,37 @@ struct Cpdi {
   }
 
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static bool inverted(const ParticlePlace& place) {
-    return flat(deformed<M::dimensions>(place));
+  KOKKOS_FORCEINLINE_FUNCTION static bool inverted(const ParticleGeometry& particle) {
+    return flat(deformed<M::dimensions>(particle));
   }
 
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static bool clipped(const ParticlePlace& place) {
-    return exceeds(deformed<M::dimensions>(place), place.largest);
+  KOKKOS_FORCEINLINE_FUNCTION static bool clipped(const ParticleGeometry& particle) {
+    return exceeds(deformed<M::dimensions>(particle), particle.largest);
   }
 
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static Domain<M::dimensions> domain(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static Domain<M::dimensions> domain(const ParticleGeometry& particle
+  ) {
     constexpr int D = M::dimensions;
-    Domain<D> out = deformed<D>(place);
+    Domain<D> out = deformed<D>(particle);
     const bool none = flat(out);
     for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k) out.e[i][k] = none ? (i == k ? place.half[i] : 0.0) : out.e[i][k];
+      for (int k = 0; k < D; ++k)
+        out.e[i][k] = none ? (i == k ? particle.half[i] : 0.0) : out.e[i][k];
     double least = thinnest_half;
-    for (int d = 0; d < D; ++d) least = place.half[d] < least ? place.half[d] : least;
-    const double radius = place.axis + place.x[0];
+    for (int d = 0; d < D; ++d) least = particle.half[d] < least ? particle.half[d] : least;
+    const double radius = particle.axis + particle.x[0];
     if constexpr (M::hoop) out = narrow_at_axis(out, radius);
-    out = widen_domain(scale_domain(out, place.largest), least);
+    out = widen_domain(scale_domain(out, particle.largest), least);
     if constexpr (M::hoop) out = narrow_at_axis(out, radius);
     return out;
   }
 
   /// Half width of the domain where it is narrowest [cells].
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static double narrowest(const ParticlePlace& place) {
-    const Domain<M::dimensions> slope = dual(domain<M>(place));
+  KOKKOS_FORCEINLINE_FUNCTION static double narrowest(const ParticleGeometry& particle) {
+    const Domain<M::dimensions> slope = dual(domain<M>(particle));
     double steepest = length_squared(slope.e[0]);
     for (int i = 1; i < M::dimensions; ++i) {
       const double squared = length_squared(slope.e[i]);
@@ -99,24 +101,24 @@ struct Cpdi {
     return 1.0 / std::sqrt(steepest);
   }
 
-  /// A corner of a domain as a place on the grid. It is held inside the patch and, in axisymmetry,
-  /// off the other side of the axis, where round-off may carry it.
+  /// A corner of a domain as a point of the grid. It is held inside the patch and, in
+  /// axisymmetry, off the other side of the axis, where round-off may carry it.
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION static void put_corner(
-      const ParticlePlace& place, const Domain<M::dimensions>& domain, int c, Support<M>& out
+      const ParticleGeometry& particle, const Domain<M::dimensions>& domain, int c, Support<M>& out
   ) {
     constexpr int D = M::dimensions;
     int slot = 0;
     for (int d = D - 1; d >= 0; --d) {
-      double x = place.x[d];
+      double x = particle.x[d];
       for (int i = 0; i < D; ++i) x += Support<M>::sign(c, i) * domain.e[i][d];
-      if (M::hoop && d == 0) x = x > -place.axis ? x : -place.axis;
+      if (M::hoop && d == 0) x = x > -particle.axis ? x : -particle.axis;
       x = x > 0.0 ? x : 0.0;  // not a number: 0
-      x = x < place.last ? x : place.last;
+      x = x < particle.last ? x : particle.last;
       double node = std::floor(x);
-      node = node < place.last - 1.0 ? node : place.last - 1.0;
+      node = node < particle.last - 1.0 ? node : particle.last - 1.0;
       out.at[c][d] = x - node;
-      slot = slot * place.row + static_cast<int>(node);
+      slot = slot * particle.row + static_cast<int>(node);
     }
     out.slot[c] = slot;
   }
@@ -124,33 +126,33 @@ struct Cpdi {
   /// A call for each, no loop: compilers vectorise over the particles only what has none inside.
   template <class M, int... Corners>
   KOKKOS_FORCEINLINE_FUNCTION static void put_corners(
-      const ParticlePlace& place,
+      const ParticleGeometry& particle,
       const Domain<M::dimensions>& domain,
       Support<M>& out,
       std::integer_sequence<int, Corners...> /*each*/
   ) {
-    (put_corner<M>(place, domain, Corners, out), ...);
+    (put_corner<M>(particle, domain, Corners, out), ...);
   }
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION static void put_corners(
-      const ParticlePlace& place, const Domain<M::dimensions>& domain, Support<M>& out
+      const ParticleGeometry& particle, const Domain<M::dimensions>& domain, Support<M>& out
   ) {
-    put_corners<M>(place, domain, out, std::make_integer_sequence<int, Support<M>::corners>{});
+    put_corners<M>(particle, domain, out, std::make_integer_sequence<int, Support<M>::corners>{});
   }
 
   template <class M>
-  KOKKOS_FORCEINLINE_FUNCTION static Support<M> support(const ParticlePlace& place) {
+  KOKKOS_FORCEINLINE_FUNCTION static Support<M> support(const ParticleGeometry& particle) {
     constexpr int D = M::dimensions;
-    const Domain<D> edges = domain<M>(place);
+    const Domain<D> edges = domain<M>(particle);
     const Domain<D> slope = dual(edges);
     Support<M> out;
-    put_corners<M>(place, edges, out);
+    put_corners<M>(particle, edges, out);
     for (int i = 0; i < D; ++i)
-      for (int d = 0; d < D; ++d) out.slope[i][d] = slope.e[i][d] * place.per_cell;
+      for (int d = 0; d < D; ++d) out.slope[i][d] = slope.e[i][d] * particle.per_cell;
     if constexpr (M::hoop) {
-      const double per_radius = 1.0 / (place.axis + place.x[0]);
+      const double per_radius = 1.0 / (particle.axis + particle.x[0]);
       for (int i = 0; i < 2; ++i) out.skew[i] = edges.e[i][0] * per_radius / 3.0;
-      out.per_radius = per_radius * place.per_cell;
+      out.per_radius = per_radius * particle.per_cell;
     }
     return out;
   }
@@ -158,12 +160,14 @@ struct Cpdi {
   /// Mean over one face, in axisymmetry weighted with r: the corners of that face twice, those of
   /// the opposite one not at all.
   template <class M>
-  KOKKOS_INLINE_FUNCTION static Support<M> face_support(const ParticlePlace& place, int face) {
+  KOKKOS_INLINE_FUNCTION static Support<M> face_support(
+      const ParticleGeometry& particle, int face
+  ) {
     constexpr int D = M::dimensions;
     const int normal = face / 2;
     const double side = face % 2 == 0 ? -1.0 : 1.0;
-    Domain<D> edges = domain<M>(place);
-    ParticlePlace centre = place;
+    Domain<D> edges = domain<M>(particle);
+    ParticleGeometry centre = particle;
     for (int d = 0; d < D; ++d) {
       centre.x[d] += side * edges.e[normal][d];
       edges.e[normal][d] = 0.0;
@@ -182,7 +186,7 @@ struct Cpdi {
   }
 
   /// k = sum g^2 / S = 1 / (a (1 - a)) with an end on a node.
-  static double lone_courant(double half_size_in_cells) {
+  static double isolated_courant(double half_size_in_cells) {
     const double a = half_size_in_cells;
     return std::sqrt(2.0 * a * (1.0 - a));
   }

@@ -27,7 +27,7 @@ enum class Gradient { at_start, at_end };
 /// Entries beyond a half, with which 2 I +- dt L might have no inverse, give A = dt L.
 ///
 /// Source: the Cayley transform; N. Higham, Functions of Matrices (SIAM 2008), 11.1.
-inline constexpr double most_of_generator = 0.5;
+inline constexpr double generator_limit = 0.5;
 
 KOKKOS_INLINE_FUNCTION PlaneTensor scaled(double s, const PlaneTensor& a) {
   return {s * a.xx, s * a.xy, s * a.yx, s * a.yy, s * a.zz};
@@ -82,10 +82,10 @@ KOKKOS_INLINE_FUNCTION double largest_in_plane(const PlaneTensor& x) {
 
 /// The same for any tensor.
 KOKKOS_INLINE_FUNCTION PlaneTensor generator(const PlaneTensor& x, double sign) {
-  return largest_in_plane(x) <= most_of_generator ? short_generator(x, sign) : x;
+  return largest_in_plane(x) <= generator_limit ? short_generator(x, sign) : x;
 }
 KOKKOS_INLINE_FUNCTION SpaceTensor generator(const SpaceTensor& x, double sign) {
-  return largest_entry(x) <= most_of_generator ? short_generator(x, sign) : x;
+  return largest_entry(x) <= generator_limit ? short_generator(x, sign) : x;
 }
 
 KOKKOS_INLINE_FUNCTION double sign_of(Gradient gradient) {

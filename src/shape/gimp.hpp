@@ -34,11 +34,13 @@ struct Gimp : TensorShape<Gimp, 3> {
   /// [a, b] in cells, b - a <= 1, split at the node inside it: part [a, c] lies in the first cell,
   /// [1, e] in the second, and either may be empty.
   template <bool Radial>
-  KOKKOS_INLINE_FUNCTION static AxisWeights<3> axis_weights(const ParticlePlace& place, int d) {
-    const double axis = place.axis;
-    const double per_cell = place.per_cell;
-    double a = place.x[d] - place.half[d];
-    double b = place.x[d] + place.half[d];
+  KOKKOS_INLINE_FUNCTION static AxisWeights<3> axis_weights(
+      const ParticleGeometry& particle, int d
+  ) {
+    const double axis = particle.axis;
+    const double per_cell = particle.per_cell;
+    double a = particle.x[d] - particle.half[d];
+    double b = particle.x[d] + particle.half[d];
     // Selections instead of fmin and fmax, which do not vectorise.
     if constexpr (Radial) a = a > -axis ? a : -axis;
     const double base = std::floor(a);
@@ -79,10 +81,10 @@ struct Gimp : TensorShape<Gimp, 3> {
   /// sum_p V_p grad S_p of a body is then exactly the sum over its outer faces, and a body under
   /// uniform pressure is in exact equilibrium.
   KOKKOS_INLINE_FUNCTION static AxisWeights<3> face_weights(
-      const ParticlePlace& place, int d, double side
+      const ParticleGeometry& particle, int d, double side
   ) {
-    const double x = place.x[d] + side * place.half[d];
-    return hats_at<3>(x, first_of<3>(place, x));
+    const double x = particle.x[d] + side * particle.half[d];
+    return hats_at<3>(x, first_of<3>(particle, x));
   }
 
   static double critical_courant(double half_size_in_cells) {
@@ -91,7 +93,7 @@ struct Gimp : TensorShape<Gimp, 3> {
 
   /// k = sum g^2 / S is 1 / (a (1 - a)) where the box lies in one cell and 1 / a more where it
   /// touches a third node.
-  static double lone_courant(double half_size_in_cells) {
+  static double isolated_courant(double half_size_in_cells) {
     const double a = half_size_in_cells;
     return std::sqrt(2.0 * a * (1.0 - a) / (2.0 - a));
   }

@@ -159,9 +159,9 @@ inline constexpr double short_series = 0.1;
 /// Whether components [first, last) of dt L of all rows are within that.
 inline bool all_short(const FieldView& increment, Rows rows, int first, int last) {
   int large = 0;
-  for (int begin = rows.begin; begin < rows.end; begin += rows_per_run) {
+  for (int begin = rows.begin; begin < rows.end; begin += rows_per_chunk) {
     if (rows.skips(begin)) continue;
-    const int end = std::min(begin + rows_per_run, rows.end);
+    const int end = std::min(begin + rows_per_chunk, rows.end);
     for (int c = first; c < last; ++c)
       for (int p = begin; p < end; ++p)
         large |= static_cast<int>(!(std::abs(increment(p, c)) <= short_series));

@@ -204,10 +204,11 @@ KOKKOS_INLINE_FUNCTION SpaceRotation mean_rotation(const SpaceRotation& a, const
 ///   (tr(S) I - S) w = {Gzy - Gyz, Gxz - Gzx, Gyx - Gxy}
 ///
 /// Errors are cubed by a step, because the third derivative has no part along w at the solution.
-struct TurnLeft {
+struct RotationCorrection {
   double x, y, z;
 };
-KOKKOS_INLINE_FUNCTION TurnLeft turn_left(const SpaceTensor& f, const SpaceRotation& near) {
+KOKKOS_INLINE_FUNCTION RotationCorrection
+rotation_correction(const SpaceTensor& f, const SpaceRotation& near) {
   const SpaceTensor g = multiply(transpose(matrix(near)), f);
   const double ax = g.zy - g.yz, ay = g.xz - g.zx, az = g.yx - g.xy;
   const double xx = g.yy + g.zz, yy = g.xx + g.zz, zz = g.xx + g.yy;
@@ -220,19 +221,20 @@ KOKKOS_INLINE_FUNCTION TurnLeft turn_left(const SpaceTensor& f, const SpaceRotat
       (cxy * ax + cyy * ay + cyz * az) * inverse,
       (cxz * ax + cyz * ay + czz * az) * inverse};
 }
-KOKKOS_INLINE_FUNCTION SpaceRotation turned(const SpaceRotation& r, const TurnLeft& by) {
+KOKKOS_INLINE_FUNCTION SpaceRotation
+corrected(const SpaceRotation& r, const RotationCorrection& by) {
   return unit(multiply(r, SpaceRotation{1.0, 0.5 * by.x, 0.5 * by.y, 0.5 * by.z}));
 }
 
 /// R of F = R U from a rotation near it, by a Newton step; without branches.
 /// @param[out] left  size of the step, squared: R is exact to round-off if it is at most
-///                   `last_turn`
-inline constexpr double last_turn = 1e-11;
+///                   `rotation_tolerance`
+inline constexpr double rotation_tolerance = 1e-11;
 KOKKOS_INLINE_FUNCTION SpaceRotation
 nearer_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& left) {
-  const TurnLeft by = turn_left(f, near);
+  const RotationCorrection by = rotation_correction(f, near);
   left = by.x * by.x + by.y * by.y + by.z * by.z;
-  return turned(near, by);
+  return corrected(near, by);
 }
 /// By two of them.
 KOKKOS_INLINE_FUNCTION SpaceRotation
@@ -241,9 +243,9 @@ near_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& lef
   return nearer_polar_rotation(f, nearer_polar_rotation(f, near, left), left);
 }
 
-/// R turned by the spin of A, the antisymmetric part: R of exp(A) F but for what the stretch of F
-/// makes of the strain of A, and for third order.
-KOKKOS_INLINE_FUNCTION SpaceRotation spun(const SpaceRotation& r, const SpaceTensor& a) {
+/// R rotated by the spin of A, the antisymmetric part: R of exp(A) F but for what the stretch of
+/// F makes of the strain of A, and for third order.
+KOKKOS_INLINE_FUNCTION SpaceRotation rotated_by_spin(const SpaceRotation& r, const SpaceTensor& a) {
   return unit(multiply(
       SpaceRotation{1.0, 0.25 * (a.zy - a.yz), 0.25 * (a.xz - a.zx), 0.25 * (a.yx - a.xy)}, r
   ));
@@ -289,7 +291,7 @@ polar_rotation(const SpaceTensor& f, const SpaceRotation& near) {
   double left = 1.0;
   for (int i = 0; i < 3; ++i) {
     r = near_polar_rotation(f, r, left);
-    if (left <= last_turn && stretches(f, r)) return r;
+    if (left <= rotation_tolerance && stretches(f, r)) return r;
   }
   return near_polar_rotation(f, rough_polar_rotation(f), left);
 }

@@ -20,21 +20,25 @@ struct SplineShape : TensorShape<S, Degree + 1> {
 
   template <bool Radial>
   KOKKOS_INLINE_FUNCTION static AxisWeights<Degree + 1> axis_weights(
-      const ParticlePlace& place, int d
+      const ParticleGeometry& particle, int d
   ) {
     return spline_weights<Radial, Degree>(
-        place.x[d], place.low[d], place.high[d], place.axis, place.per_cell
+        particle.x[d], particle.low[d], particle.high[d], particle.axis, particle.per_cell
     );
   }
   KOKKOS_INLINE_FUNCTION static AxisWeights<Degree + 1> face_weights(
-      const ParticlePlace& place, int d, double side
+      const ParticleGeometry& particle, int d, double side
   ) {
-    const double x = place.x[d] + side * place.half[d];
-    const double above = x > place.low[d] ? x : place.low[d];
+    const double x = particle.x[d] + side * particle.half[d];
+    const double above = x > particle.low[d] ? x : particle.low[d];
     // The upper end belongs to the last cell.
-    const double end = place.high[d] * (1.0 - 1e-15);
+    const double end = particle.high[d] * (1.0 - 1e-15);
     return spline_weights<false, Degree>(
-        above < end ? above : end, place.low[d], place.high[d], place.axis, place.per_cell
+        above < end ? above : end,
+        particle.low[d],
+        particle.high[d],
+        particle.axis,
+        particle.per_cell
     );
   }
 };
@@ -50,9 +54,9 @@ struct SplineShape : TensorShape<S, Degree + 1> {
 struct Linear : SplineShape<Linear, 1> {
   static constexpr const char* word = "linear";
   static constexpr const char* warning =
-      "linear shape functions have no critical step (nodes that barely touch a body have next to "
-      "no mass): energy may grow at edges and where particles cross cells; take GIMP or CPDI for "
-      "anything but comparison";
+      "linear shape functions have no lower bound on the stable step (nodes that barely touch a "
+      "body have almost no mass): energy may grow at edges and where particles cross cells; use "
+      "GIMP or CPDI except for comparison";
   /// V grad S = sum over the faces where all of the particle's box lies in one cell. Elsewhere a
   /// part of a face's force of up to `unbalanced` is left at some node, by its size in cells.
   static constexpr double balanced_part = 1.0;
@@ -63,7 +67,7 @@ struct Linear : SplineShape<Linear, 1> {
     return CourantTable{{0.866, 0.884, 0.846, 0.819, 0.761, 0.725}}.at(half_size_in_cells);
   }
   /// The median over the places, as above.
-  static double lone_courant(double /*half_size_in_cells*/) { return 0.612; }
+  static double isolated_courant(double /*half_size_in_cells*/) { return 0.612; }
 };
 
 /// Quadratic B-splines, knots at the centres of the cells.
@@ -82,7 +86,7 @@ struct QuadraticSpline : SplineShape<QuadraticSpline, 2> {
     return CourantTable{{0.868, 0.960, 0.995, 1.023, 1.089, 1.153}}.at(half_size_in_cells);
   }
   /// k = sum g^2 / S = 6 where a third node comes into reach.
-  static double lone_courant(double /*half_size_in_cells*/) { return 0.577; }
+  static double isolated_courant(double /*half_size_in_cells*/) { return 0.577; }
 };
 
 /// Cubic B-splines, knots at the nodes.
@@ -98,7 +102,7 @@ struct CubicSpline : SplineShape<CubicSpline, 3> {
     return CourantTable{{1.404, 1.472, 1.489, 1.495, 1.499, 1.500}}.at(half_size_in_cells);
   }
   /// The largest sum g^2 / S over the places is 3.14.
-  static double lone_courant(double /*half_size_in_cells*/) { return 0.798; }
+  static double isolated_courant(double /*half_size_in_cells*/) { return 0.798; }
 };
 
 }  // namespace barreno

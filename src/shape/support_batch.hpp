@@ -3,7 +3,7 @@
 
 #include "base/rows.hpp"
 #include "base/types.hpp"
-#include "shape/place.hpp"
+#include "shape/patch_frame.hpp"
 
 namespace barreno {
 
@@ -56,7 +56,7 @@ KOKKOS_INLINE_FUNCTION void find_supports(
   const auto first = frame.first(tile);
   BARRENO_IVDEP
   for (int k = 0; k < rows_per_batch; ++k)
-    out.put(k, S::template support<M>(frame.template place<S>(first, fields, rows.row[k])));
+    out.put(k, S::template support<M>(frame.template geometry<S>(first, fields, rows.row[k])));
 }
 
 }  // namespace barreno

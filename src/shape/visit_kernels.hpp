@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "grid/grid.hpp"
 #include "shape/contiguous_gimp.hpp"
 #include "shape/cpdi.hpp"
 #include "shape/gimp.hpp"
@@ -53,9 +54,9 @@ decltype(auto) visit_shape(const std::string& word, F&& f) {
 
 /// f(mode, shape): kernels are compiled once for each pair.
 template <class F>
-decltype(auto) visit_kernels(const Scene& scene, F&& f) {
-  return visit_mode(scene.grid.mode, [&](auto mode) {
-    return visit_shape(scene.step.shape, [&](auto shape) { return f(mode, shape); });
+decltype(auto) visit_kernels(const Grid& grid, F&& f) {
+  return visit_mode(grid.mode, [&](auto mode) {
+    return visit_shape(grid.shape, [&](auto shape) { return f(mode, shape); });
   });
 }
 

@@ -13,7 +13,7 @@ KOKKOS_INLINE_FUNCTION void treat_bad_particle(
   particles.viscous_pressure(p) = 0.0;
   if (policy == BadParticlePolicy::hold) {
     for (int c = 0; c < particles.stress.components; ++c) particles.stress(p, c) = 0.0;
-    particles.body(p) |= held_bit;
+    particles.body(p) |= debris_bit;
   } else {
     particles.fault(p) = fault;
   }

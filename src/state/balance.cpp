@@ -14,36 +14,36 @@ namespace barreno {
 
 namespace {
 
-using OwnTerms = LedgerTerms<WholeSum>;
+using OwnTerms = LedgerTerms<ReproducibleSum>;
 using Terms = LedgerTerms<double>;
-constexpr std::size_t term_count = sizeof(OwnTerms) / sizeof(WholeSum);
+constexpr std::size_t term_count = sizeof(OwnTerms) / sizeof(ReproducibleSum);
 static_assert(
-    sizeof(OwnTerms) == term_count * sizeof(WholeSum) &&
+    sizeof(OwnTerms) == term_count * sizeof(ReproducibleSum) &&
         sizeof(Terms) == term_count * sizeof(double) && std::is_trivially_copyable_v<Terms>,
     "ledgers are read as arrays of their terms"
 );
 
 }  // namespace
 
-std::vector<WholeSum> terms_of(const OwnLedger& ledger) {
-  std::vector<WholeSum> terms(term_count);
+std::vector<ReproducibleSum> terms_of(const OwnLedger& ledger) {
+  std::vector<ReproducibleSum> terms(term_count);
   std::memcpy(
       static_cast<void*>(terms.data()), static_cast<const OwnTerms*>(&ledger), sizeof(OwnTerms)
   );
   return terms;
 }
 
-void put_terms(const std::vector<WholeSum>& terms, OwnLedger& ledger) {
+void put_terms(const std::vector<ReproducibleSum>& terms, OwnLedger& ledger) {
   std::memcpy(static_cast<void*>(static_cast<OwnTerms*>(&ledger)), terms.data(), sizeof(OwnTerms));
 }
 
 void carry(OwnLedger& ledger) {
-  auto* const terms = reinterpret_cast<WholeSum*>(static_cast<OwnTerms*>(&ledger));
+  auto* const terms = reinterpret_cast<ReproducibleSum*>(static_cast<OwnTerms*>(&ledger));
   for (std::size_t i = 0; i < term_count; ++i) terms[i].carry();
 }
 
 Ledger sum_over_ranks(const Comm& comm, const OwnLedger& mine) {
-  std::vector<WholeSum> terms = terms_of(mine);
+  std::vector<ReproducibleSum> terms = terms_of(mine);
   sum_over_ranks(comm, terms);
   const std::vector<double> values(terms.begin(), terms.end());
   Ledger sum;

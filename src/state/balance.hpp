@@ -13,8 +13,8 @@ namespace barreno {
 Ledger sum_over_ranks(const Comm& comm, const OwnLedger& mine);
 
 /// Its terms one after the other, as a checkpoint keeps them.
-std::vector<WholeSum> terms_of(const OwnLedger& ledger);
-void put_terms(const std::vector<WholeSum>& terms, OwnLedger& ledger);
+std::vector<ReproducibleSum> terms_of(const OwnLedger& ledger);
+void put_terms(const std::vector<ReproducibleSum>& terms, OwnLedger& ledger);
 
 /// All causes together.
 RemovalTally total_removed(const Ledger& ledger);

@@ -71,21 +71,24 @@ NewParticle particle_of(const GridSpec& grid, double size, const Piece& piece) {
   return p;
 }
 
-/// Length of a slug at the material's own density.
-double solid_length(const Scene& scene, const JetSlug& slug) {
-  const double density =
-      scene.materials[static_cast<std::size_t>(scene.jet.material)].material.density;
-  return slug.length * slug.density / density;
+/// What slugs are cut into: the grid's lattice, the jet's particles per cell, and its material's
+/// own density.
+struct SlugLattice {
+  const GridSpec& grid;
+  const JetSpec& jet;
+  double density;
+
+  double size() const { return grid.cell_size / jet.particles_per_cell; }
+};
+SlugLattice slug_lattice(const Scene& scene) {
+  const auto m = static_cast<std::size_t>(scene.jet.material);
+  return {scene.grid, scene.jet, scene.materials[m].density()};
 }
 
-double slug_size(const Scene& scene) {
-  return scene.grid.cell_size / scene.jet.particles_per_cell;
-}
-
-/// Layers of a slug along its axis.
-Division divide_length(const Scene& scene, const JetSlug& slug) {
-  const double length = solid_length(scene, slug);
-  return divide(-0.5 * length, 0.5 * length, slug_size(scene), scene.grid.cell_size);
+/// Layers of a slug along its axis, which is as long as its mass is at the material's own density.
+Division divide_length(const SlugLattice& lattice, const JetSlug& slug) {
+  const double length = slug.length * slug.density / lattice.density;
+  return divide(-0.5 * length, 0.5 * length, lattice.size(), lattice.grid.cell_size);
 }
 
 /// Where a slug begins along x or z: a grid that begins at 0 holds a half.
@@ -94,26 +97,26 @@ double slug_lower(const GridSpec& grid, const JetSlug& slug, std::size_t axis) {
 }
 
 /// @pre the mode has two dimensions
-Divisions divide_slug(const Scene& scene, const JetSlug& slug) {
-  const double lower = slug_lower(scene.grid, slug, 0);
+Divisions divide_slug(const SlugLattice& lattice, const JetSlug& slug) {
+  const double lower = slug_lower(lattice.grid, slug, 0);
   return {
-      {divide(lower, slug.radius, slug_size(scene), scene.grid.cell_size),
-       divide_length(scene, slug),
+      {divide(lower, slug.radius, lattice.size(), lattice.grid.cell_size),
+       divide_length(lattice, slug),
        {}}};
 }
 
 /// visit(piece) for what the disk of a round slug fills of the lattice in the plane of x and z.
 void for_each_disk_piece(
-    const Scene& scene, const JetSlug& slug, const std::function<void(const Piece&)>& visit
+    const SlugLattice& lattice, const JetSlug& slug, const std::function<void(const Piece&)>& visit
 ) {
-  const GridSpec& grid = scene.grid;
+  const GridSpec& grid = lattice.grid;
   const Box around{
       {slug_lower(grid, slug, 0), slug_lower(grid, slug, 2), 0.0}, {slug.radius, slug.radius, 0.0}};
   const Vector origin{grid.lower[0], grid.lower[2], 0.0};
   for_each_lattice_piece(
       Ball{{}, slug.radius},
       2,
-      lattice_around(around, origin, slug_size(scene), 2),
+      lattice_around(around, origin, lattice.size(), 2),
       [&](const Index& /*cell*/, const Piece& piece) { visit(piece); }
   );
 }
@@ -182,20 +185,23 @@ long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
 }
 
 void for_each_slug_particle(
-    const Scene& scene,
+    const GridSpec& grid,
+    const JetSpec& jet,
+    double density,
     const JetSlug& slug,
     ParticleId first,
     const std::function<void(const NewParticle&)>& visit
 ) {
-  if (scene.grid.mode != Mode::three_dimensional) {
-    for_each_particle(scene.grid, divide_slug(scene, slug), first, visit);
+  const SlugLattice lattice{grid, jet, density};
+  if (grid.mode != Mode::three_dimensional) {
+    for_each_particle(grid, divide_slug(lattice, slug), first, visit);
     return;
   }
   ParticleId id = first;
-  const Division layers = divide_length(scene, slug);
-  for_each_disk_piece(scene, slug, [&](const Piece& piece) {
+  const Division layers = divide_length(lattice, slug);
+  for_each_disk_piece(lattice, slug, [&](const Piece& piece) {
     for (long long j = 0; j < layers.count; ++j) {
-      NewParticle p = round_particle(slug_size(scene), piece, layers, j);
+      NewParticle p = round_particle(lattice.size(), piece, layers, j);
       p.id = id++;
       visit(p);
     }
@@ -203,10 +209,12 @@ void for_each_slug_particle(
 }
 
 long long count_slug_particles(const Scene& scene, const JetSlug& slug) {
-  if (scene.grid.mode != Mode::three_dimensional) return count_particles(divide_slug(scene, slug));
+  const SlugLattice lattice = slug_lattice(scene);
+  if (scene.grid.mode != Mode::three_dimensional)
+    return count_particles(divide_slug(lattice, slug));
   long long pieces = 0;
-  for_each_disk_piece(scene, slug, [&](const Piece&) { ++pieces; });
-  return pieces * divide_length(scene, slug).count;
+  for_each_disk_piece(lattice, slug, [&](const Piece&) { ++pieces; });
+  return pieces * divide_length(lattice, slug).count;
 }
 
 std::vector<ParticleId> first_ids(const Scene& scene) {
@@ -218,9 +226,9 @@ std::vector<ParticleId> first_ids(const Scene& scene) {
   return first;
 }
 
-std::vector<SlotRange> all_slots(const Scene& scene) {
+std::vector<IdRange> particle_id_ranges(const Scene& scene) {
   const std::vector<ParticleId> first = first_ids(scene);
-  std::vector<SlotRange> slots;
+  std::vector<IdRange> slots;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     slots.push_back({scene.bodies[b].material, first[b], first[b + 1] - first[b]});
   if (scene.jet.present) {
@@ -245,12 +253,13 @@ double smallest_half_size(const Scene& scene, int material) {
     for (int d = 0; d < dimensions(scene.grid.mode); ++d) take(divisions.along[d]);
   }
   if (!scene.jet.present || scene.jet.material != material) return smallest;
+  const SlugLattice lattice = slug_lattice(scene);
   for (const JetSlug& slug : scene.jet.slugs) {
-    take(divide_length(scene, slug));
+    take(divide_length(lattice, slug));
     if (scene.grid.mode == Mode::three_dimensional)
       smallest = std::min(smallest, 0.5 / scene.jet.particles_per_cell);
     else
-      take(divide_slug(scene, slug).along[0]);
+      take(divide_slug(lattice, slug).along[0]);
   }
   return smallest;
 }
@@ -272,10 +281,12 @@ double largest_corner(const Scene& scene) {
       take(size, size, size);
     }
   }
+  if (!scene.jet.present) return largest;
+  const SlugLattice lattice = slug_lattice(scene);
   for (const JetSlug& slug : scene.jet.slugs) {
     const double across =
-        dimension == 2 ? divide_slug(scene, slug).along[0].size : slug_size(scene);
-    take(across, divide_length(scene, slug).size, across);
+        dimension == 2 ? divide_slug(lattice, slug).along[0].size : lattice.size();
+    take(across, divide_length(lattice, slug).size, across);
   }
   return largest;
 }

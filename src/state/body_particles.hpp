@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "state/slots.hpp"
+#include "state/id_ranges.hpp"
 
 #include <functional>
 
@@ -15,6 +15,7 @@ struct NewParticle {
   Vector half{};
   double volume = 0.0;
   unsigned loaded_sides = 0;  ///< bits by Face: the outer layers of a box
+  Vector velocity{};          ///< at the start
 };
 
 /// Fill a body with particles, in the order of their ids from `first` on.
@@ -37,8 +38,12 @@ long long count_body_particles(const GridSpec& grid, const BodySpec& body);
 /// In plane strain with x = 0 at the lower edge of the grid the half x > 0 is made, else the whole
 /// width. In three dimensions a slug is round: pieces of its disk in the squares of the grid's
 /// lattice, of which planes x = 0 and z = 0 at lower faces of the grid leave a half or a quarter.
+///
+/// @param density  of the jet's material at reference [mass/length^3]
 void for_each_slug_particle(
-    const Scene& scene,
+    const GridSpec& grid,
+    const JetSpec& jet,
+    double density,
     const JetSlug& slug,
     ParticleId first,
     const std::function<void(const NewParticle&)>& visit

@@ -2,6 +2,7 @@
 #include "state/build_state.hpp"
 
 #include "base/error.hpp"
+#include "base/launch.hpp"
 #include "base/region.hpp"
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
@@ -9,14 +10,16 @@
 #include "scene/dormant.hpp"
 #include "scene/porous.hpp"
 #include "shape/visit_kernels.hpp"
-#include "state/lone_courant.hpp"
+#include "state/isolated_courant.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>
+#include <barreno/history_values.hpp>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace barreno {
@@ -27,21 +30,6 @@ template <class Model, class = void>
 struct VariesByPiece : std::false_type {};
 template <class Model>
 struct VariesByPiece<Model, std::void_t<decltype(&Model::vary)>> : std::true_type {};
-
-/// Bits of the pressure loads on a particle's own faces: load * 6 + face.
-double loaded_faces(const Scene& scene, int body, unsigned sides) {
-  double bits = 0.0;
-  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
-    if (scene.loads[l].body != body) continue;
-    const PressureLoadSpec& load = scene.loads[l];
-    for (unsigned face = 0; face < 6; ++face)
-      if (load.faces[face] && (sides >> face & 1U))
-        bits += std::ldexp(1.0, static_cast<int>(6 * l + face));
-    for (unsigned surface = 0; surface < 2; ++surface)  // of the ball: every particle has a share
-      if (load.surfaces[surface]) bits += std::ldexp(1.0, static_cast<int>(6 * l + surface));
-  }
-  return bits;
-}
 
 /// Shares of a particle in the pressures on the surfaces of its ball.
 void put_shares(const Scene& scene, const BodySpec& body, int p, Particles& particles) {
@@ -139,14 +127,14 @@ void enter(const Particles& particles, int first, double stored_energy, OwnLedge
     ledger.initial_momentum += m * v[1];
     ledger.initial_kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     ledger.prestress += m * stored_energy;
-    if (p % most_summed_rows == 0) carry(ledger);
+    if (p % max_summed_rows == 0) carry(ledger);
   }
 }
 
 /// Elastic energy of the initial equilibrium per mass.
 /// @throws NumericalError if the material cannot hold the pressure
 double initial_energy(const Scene& scene, const BodySpec& body) {
-  const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material;
+  const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material();
   return std::visit(
       [&](const auto& model) {
         const auto start = initial_state_of(model, body);
@@ -161,87 +149,136 @@ double initial_energy(const Scene& scene, const BodySpec& body) {
   );
 }
 
-/// Without skipping, tiles that rest only matter where their nodes may move a little.
+/// Without skipping, dormant tiles only matter where their nodes may move a little.
 Dormancy make_dormancy(const Scene& scene) {
   Dormancy dormancy;
   dormancy.motion = rest_motion(scene);
-  dormancy.skips = scene.step.skip_dormant;
-  dormancy.on = why_all_awake(scene).empty() && (dormancy.skips || dormancy.motion > 0.0);
+  dormancy.skip = scene.step.skip_dormant;
+  dormancy.on = why_all_awake(scene).empty() && (dormancy.skip || dormancy.motion > 0.0);
   return dormancy;
 }
 
 }  // namespace
 
-StartPoint start_point(const Scene& scene, int material, const BodySpec* body) {
+StartPoint start_point(const MaterialSpec& material, const BodySpec* body) {
   return std::visit(
       [&](const auto& model) {
         using Model = std::decay_t<decltype(model)>;
         const auto start = body ? initial_state_of(model, *body) : model.initial_state(0.0);
-        const auto* const h = reinterpret_cast<const double*>(&start.history);
+        const double* const h = history_values<Model>(start.history);
         return StartPoint{start.stress, {h, h + Model::history_count}, start.volume_ratio};
       },
-      scene.materials[static_cast<std::size_t>(material)].material.model
+      material.material().model
   );
 }
 
-int add_particle(
-    const Scene& scene,
-    Particles& particles,
-    const NewParticle& made,
+namespace {
+
+/// Writes the rows of new particles that start alike, from `first_row` on.
+template <class Model>
+struct WriteNewParticles {
+  Model model;
+  double density;  ///< at reference [mass/length^3]
+  double volume_ratio;
+  Sym3 stress;
+  double start_history[Model::history_count + 1] = {};
+  int body, first_row;
+  ArrayView<NewParticle> made;
+  Particles particles;
+
+  KOKKOS_INLINE_FUNCTION void write_motion(const NewParticle& from, int p) const {
+    particles.id(p) = from.id;
+    particles.body(p) = body;
+    mark_unplaced(particles, p);
+    const int d = particles.position.components;
+    for (int i = 0; i < d; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      particles.position(p, i) = from.x[axis];
+      particles.velocity(p, i) = from.velocity[axis];
+      particles.half_size(p, i) = from.half[axis];
+      particles.deformation_gradient(p, i * (d + 1)) = 1.0;
+    }
+    if (particles.deformation_gradient.components == 5) particles.deformation_gradient(p, 4) = 1.0;
+    if (particles.rotation.components > 0) particles.rotation(p, 0) = 1.0;
+    for (int c = 0; c < particles.reference_position.components; ++c)
+      particles.reference_position(p, c) = from.x[static_cast<std::size_t>(c)];
+  }
+  /// Area in its plane, in three dimensions that of a cube of its volume, which is what the scatter
+  /// of strength asks for.
+  KOKKOS_INLINE_FUNCTION double section(const NewParticle& from) const {
+    if (particles.position.components == 3) return std::pow(from.volume, 2.0 / 3.0);
+    return 2.0 * from.half[0] * (2.0 * from.half[1]);
+  }
+  /// A call of its own: in the loop over rows compilers round the parts that do not change with the
+  /// row by themselves.
+  [[gnu::noinline]] KOKKOS_FUNCTION double modulus(const typename Model::History& history) const {
+    return model.longitudinal_modulus(stress, history, volume_ratio);
+  }
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
+    const NewParticle& from = made(k);
+    const int p = first_row + k;
+    write_motion(from, p);
+    auto history = model.initial_history();
+    double* const h = history_values<Model>(history);
+    for (int c = 0; c < Model::history_count; ++c) h[c] = start_history[c];
+    if constexpr (VariesByPiece<Model>::value)
+      model.vary(history, {static_cast<std::uint64_t>(from.id), from.volume, section(from)});
+    for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&stress.xx)[c];
+    for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
+    particles.volume(p) = from.volume;
+    particles.mass(p) = density / volume_ratio * from.volume;
+    particles.longitudinal_modulus(p) = modulus(history);
+  }
+};
+
+/// Room for so many rows more, all fields 0.
+int add_empty_rows(int count, Particles& particles) {
+  const int first_row = particles.count;
+  reserve(particles, first_row + count);
+  particles.count += count;
+  particles.sorted = false;
+  const std::pair<int, int> rows(first_row, particles.count);
+  particles.for_each_field([&](const Field& field) {
+    Kokkos::deep_copy(Kokkos::subview(field.values, rows, Kokkos::ALL), 0.0);
+  });
+  return first_row;
+}
+
+}  // namespace
+
+int add_particles(
+    const MaterialSpec& material,
+    const std::vector<NewParticle>& made,
     int body,
     const StartPoint& start,
-    const Vector& velocity
+    Particles& particles
 ) {
-  reserve(particles, particles.count + 1);
-  const int p = particles.count++;
-  particles.sorted = false;
-  particles.id(p) = made.id;
-  particles.body(p) = body;
-  put_unplaced(particles, p);
-  particles.for_each_field([p](Field& field) {
-    for (int c = 0; c < field.components; ++c) field(p, c) = 0.0;
-  });
-  const int d = particles.position.components;
-  double section = 1.0;  // of the undeformed particle in its plane
-  for (int i = 0; i < d; ++i) {
-    const auto axis = static_cast<std::size_t>(i);
-    particles.position(p, i) = made.x[axis];
-    particles.velocity(p, i) = velocity[axis];
-    particles.half_size(p, i) = made.half[axis];
-    section *= 2.0 * made.half[axis];
-  }
-  // In three dimensions that of a cube of its volume, which is what the scatter of strength asks
-  // for.
-  if (d == 3) section = std::pow(made.volume, 2.0 / 3.0);
-  particles.volume(p) = made.volume;
-  for (int i = 0; i < d; ++i) particles.deformation_gradient(p, i * (d + 1)) = 1.0;
-  if (scene.grid.mode == Mode::axisymmetric) particles.deformation_gradient(p, 4) = 1.0;
-  if (particles.rotation.components > 0) particles.rotation(p, 0) = 1.0;
-  for (int c = 0; c < particles.reference_position.components; ++c)
-    particles.reference_position(p, c) = made.x[static_cast<std::size_t>(c)];
-  if (particles.loaded_faces.components > 0)
-    particles.loaded_faces(p) = loaded_faces(scene, body, made.loaded_sides);
-  if (const auto b = static_cast<std::size_t>(body); b < scene.bodies.size())
-    put_shares(scene, scene.bodies[b], p, particles);
-
-  const Material& material = scene.materials[static_cast<std::size_t>(particles.material)].material;
+  const int count = static_cast<int>(made.size());
+  const int first_row = add_empty_rows(count, particles);
+  const Kokkos::View<const NewParticle*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> from(
+      made.data(), made.size()
+  );
+  ArrayView<NewParticle> rows("new_particles", made.size());
+  Kokkos::deep_copy(rows, from);
   std::visit(
       [&](const auto& model) {
         using Model = std::decay_t<decltype(model)>;
-        auto history = model.initial_history();
-        auto* const h = reinterpret_cast<double*>(&history);
-        std::copy(start.history.begin(), start.history.end(), h);
-        if constexpr (VariesByPiece<Model>::value)
-          model.vary(history, {static_cast<std::uint64_t>(made.id), made.volume, section});
-        for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&start.stress.xx)[c];
-        for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
-        particles.mass(p) = material.density / start.volume_ratio * made.volume;
-        particles.longitudinal_modulus(p) =
-            model.longitudinal_modulus(start.stress, history, start.volume_ratio);
+        WriteNewParticles<Model> write{
+            model,
+            material.material().density,
+            start.volume_ratio,
+            start.stress,
+            {},
+            body,
+            first_row,
+            rows,
+            particles};
+        std::copy(start.history.begin(), start.history.end(), write.start_history);
+        launch("add_particles", range(count), write);
       },
-      material.model
+      material.material().model
   );
-  return p;
+  return first_row;
 }
 
 namespace {
@@ -255,8 +292,8 @@ void add_sets(const Scene& scene, State& state) {
     particles.critical_courant = visit_shape(scene.step.shape, [&](auto shape) {
       return decltype(shape)::critical_courant(smallest_half_size(scene, m));
     });
-    particles.lone_courant = lone_courant(scene, m);
-    particles.tally_sizes = tally_sizes(scene, m);
+    particles.isolated_courant = isolated_courant(scene, m);
+    particles.tally_scales = tally_scales(scene, m);
     particles.field = state.fields.of_material[static_cast<std::size_t>(m)];
     particles.rigid = state.fields.rigid_body[static_cast<std::size_t>(particles.field)] >= 0;
     state.particles.push_back(particles);
@@ -271,30 +308,49 @@ std::vector<Reaction> reactions_of(const Scene& scene, const VelocityFields& fie
   return reactions;
 }
 
+/// Particles that are added at once: enough for a kernel, few beside those of a run.
+constexpr std::size_t particles_at_once = 4096;
+
+/// What the scene lays on the particles of a body, row by row of what was made.
+void put_loads(
+    const Scene& scene,
+    std::size_t b,
+    const std::vector<NewParticle>& made,
+    int first_row,
+    Particles& particles
+) {
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    const int p = first_row + static_cast<int>(k);
+    if (particles.loaded_faces.components > 0)
+      particles.loaded_faces(p) =
+          loaded_face_bits(scene, static_cast<int>(b), made[k].loaded_sides);
+    put_shares(scene, scene.bodies[b], p, particles);
+    put_velocity_gradient(scene, scene.bodies[b], made[k], p, particles);
+  }
+}
+
 /// The particles of a body that are in this rank's tiles.
 void fill_body(const Scene& scene, std::size_t b, ParticleId first_id, State& state) {
   const BodySpec& body = scene.bodies[b];
+  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
   const double energy = initial_energy(scene, body);
-  const StartPoint at_rest = start_point(scene, body.material, &body);
+  const StartPoint start = start_point(material, &body);
   Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
   const int first_row = particles.count;
-  for_each_body_particle(scene.grid, body, first_id, [&](const NewParticle& made) {
-    if (owner_of(state.grid, made.x) != state.grid.comm->getRank()) return;
-    const Vector velocity = start_velocity(scene, body, made.x);
-    const int p = add_particle(scene, particles, made, static_cast<int>(b), at_rest, velocity);
-    put_velocity_gradient(scene, body, made, p, particles);
+  std::vector<NewParticle> made;
+  const auto add = [&] {
+    const int row = add_particles(material, made, static_cast<int>(b), start, particles);
+    put_loads(scene, b, made, row, particles);
+    made.clear();
+  };
+  for_each_body_particle(scene.grid, body, first_id, [&](NewParticle particle) {
+    if (owner_of(state.grid, particle.x) != state.grid.comm->getRank()) return;
+    particle.velocity = start_velocity(scene, body, particle.x);
+    made.push_back(particle);
+    if (made.size() == particles_at_once) add();
   });
+  add();
   if (!particles.rigid) enter(particles, first_row, energy, state.ledger);
-}
-
-std::vector<double> cavities_of(const Scene& scene) {
-  std::vector<double> cavities;
-  for (const PressureLoadSpec& load : scene.loads) {
-    const bool fluid = load.kind == LoadKind::pore_fluid;
-    const Shape& shape = scene.bodies[static_cast<std::size_t>(load.body)].shape;
-    cavities.push_back(fluid ? cavity_volume(std::get<Ball>(shape), scene.grid) : 0.0);
-  }
-  return cavities;
 }
 
 }  // namespace
@@ -304,17 +360,22 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
   State state;
   const int reach =
       visit_shape(scene.step.shape, [&](auto shape) { return decltype(shape)::reach(scene); });
-  state.grid = make_grid(scene.grid, reach, comm);
-  state.grid.owner =
-      bisect_tiles(state.grid.tiles, count_in_tiles(scene, state.grid), comm->getSize());
+  state.grid = make_grid(scene, reach, comm);
+  set_owners(
+      bisect_tiles(state.grid.tiles, count_in_tiles(scene, state.grid), comm->getSize()), state.grid
+  );
   add_sets(scene, state);
   state.reactions = reactions_of(scene, state.fields);
   state.pore_flow.on = scene.pore_flow.on();
   state.dormancy = make_dormancy(scene);
-  state.cavities = cavities_of(scene);
+  state.loads = make_load_table(scene);
+  state.conditions = make_node_conditions(scene.conditions, state.grid);
+  state.rigid_motions = make_rigid_motions(scene.bodies, state.fields);
+  state.cavities = make_cavities(scene);
   const std::vector<ParticleId> first = first_ids(scene);
   const std::size_t bodies = scene.bodies.size();
-  state.slug_ids.assign(first.begin() + static_cast<std::ptrdiff_t>(bodies), first.end());
+  state.jet.body = static_cast<int>(bodies);
+  state.jet.slug_ids.assign(first.begin() + static_cast<std::ptrdiff_t>(bodies), first.end());
   for (std::size_t b = 0; b < bodies; ++b) fill_body(scene, b, first[b], state);
   OwnLedger& ledger = state.ledger;
   ledger.mass = ledger.initial_mass;

@@ -4,6 +4,7 @@
 #include "state/body_particles.hpp"
 #include "state/state.hpp"
 
+#include <barreno/tensor.hpp>
 #include <vector>
 
 namespace barreno {
@@ -14,7 +15,7 @@ namespace barreno {
 /// @throws NumericalError if a material cannot hold its body's initial pressure elastically
 State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 
-/// A particle at rest: found once for all that start alike.
+/// A particle before it moves: found once for all that start alike.
 struct StartPoint {
   Sym3 stress;
   std::vector<double> history;
@@ -22,17 +23,17 @@ struct StartPoint {
 };
 
 /// @param body  whose pressures the point is under; null: none
-StartPoint start_point(const Scene& scene, int material, const BodySpec* body);
+StartPoint start_point(const MaterialSpec& material, const BodySpec* body);
 
-/// Add one particle to its set; counts nothing in the ledger.
-/// @return its row
-int add_particle(
-    const Scene& scene,
-    Particles& particles,
-    const NewParticle& made,
+/// Add particles to the set of their material, unplaced; counts nothing in the ledger.
+/// @param body  of all: index into Scene::bodies, or their number for the jet
+/// @return row of the first
+int add_particles(
+    const MaterialSpec& material,
+    const std::vector<NewParticle>& made,
     int body,
     const StartPoint& start,
-    const Vector& velocity
+    Particles& particles
 );
 
 }  // namespace barreno

@@ -28,7 +28,7 @@ KOKKOS_INLINE_FUNCTION constexpr int impulse_components(int dimensions) {
   return 3 * dimensions;
 }
 
-/// Where the values of a tile begin, so many per node.
+/// Where the values of a tile begin, `components` per node.
 KOKKOS_INLINE_FUNCTION std::size_t first_value(const Patch& patch, int tile, int components) {
   return static_cast<std::size_t>(tile) * static_cast<std::size_t>(patch.size * components);
 }
@@ -43,8 +43,6 @@ struct ContactNodes {
   std::vector<ArrayView<double>> moments;  ///< by field; own tiles, then ghosts
   std::vector<ArrayView<double>> normal;   ///< by pair; own tiles
   std::vector<ArrayView<double>> reach;    ///< by pair; own tiles, then ghosts
-  ArrayView<double> tally;                 ///< of rigid bodies, by tile
-  ArrayView<double> given;                 ///< impulses on rigid bodies, by tile
 };
 
 }  // namespace barreno

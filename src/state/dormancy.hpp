@@ -7,25 +7,27 @@
 
 namespace barreno {
 
-/// Tiles whose particles a step leaves as they are. It follows from the particles and the motion of
-/// the nodes anew in every step, so that it is the same on any ranks; by own tile.
+/// Dormant tiles, whose particles a step leaves as they are; all others are awake. Which tiles are
+/// dormant follows from the particles and the motion of the nodes anew in every step, so that it is
+/// the same on any ranks. Arrays by own tile. docs/method.md 9
 struct Dormancy {
   bool on = false;      ///< without it nothing here is used
-  bool skips = false;   ///< without it dormant particles are updated too, with no motion
+  bool skip = false;    ///< without it dormant particles are updated too, with no motion
   double motion = 0.0;  ///< what a node may move by in a step without waking a tile [cells]
-  ArrayView<unsigned char> rests;    ///< its particles have no velocity
-  ArrayView<unsigned char> dormant;  ///< and none of its nodes moves
-  ArrayView<int> rows;  ///< particles that its sums of the last step belong to; 0: sum afresh
-  ArrayView<unsigned char> still;         ///< none of its nodes moves, of tiles that rest
+  ArrayView<unsigned char> candidate;   ///< its particles have no velocity (9.1)
+  ArrayView<unsigned char> motionless;  ///< none of its nodes moves, of candidates (9.2)
+  ArrayView<unsigned char> dormant;     ///< both
+  ArrayView<int> rows;                  ///< its particles
+  ArrayView<int>
+      summed_rows;  ///< particles that its sums of the last step belong to; 0: sum afresh
   ArrayView<double> speed, acceleration;  ///< of their nodes, at most; speed infinite if unknown
-  ArrayView<double> step;                 ///< stable step of the particles that `rows` counts
-  /// The least of those of tiles that are left out.
+  ArrayView<double> step;  ///< stable step of the particles that `summed_rows` counts
+  /// The least of those of tiles that are skipped.
   double stable_step = std::numeric_limits<double>::infinity();
   long activation = -1;  ///< Grid::activations that all this belongs to
-  int skipped = 0;       ///< particles that the last step left out on this rank
+  int skipped_rows = 0;  ///< particles that the last step skipped on this rank
 
-  /// Whether the particles of a tile stay as they are.
-  KOKKOS_INLINE_FUNCTION bool leaves(int tile) const { return on && dormant(tile) != 0; }
+  KOKKOS_INLINE_FUNCTION bool is_dormant(int tile) const { return on && dormant(tile) != 0; }
 };
 
 }  // namespace barreno

@@ -47,7 +47,7 @@ struct Effort {
 
 /// What ranks lose by how the tiles are shared, and what changing that costs: they change when they
 /// have lost as much. The same on all ranks.
-struct Sharing {
+struct LoadBalance {
   double waited_seconds =
       0.0;  ///< for the rank with the most to do, since tiles last changed hands
   double change_seconds = 0.0;  ///< that a change takes; 0: there was none yet

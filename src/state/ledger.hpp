@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/whole_sum.hpp"
+#include "base/reproducible_sum.hpp"
 
 #include <array>
 
@@ -65,11 +65,11 @@ struct Ledger : LedgerTerms<double> {
 
 /// This rank's part: whole sums, so that the ledger of all ranks does not depend on who has which
 /// particles.
-struct OwnLedger : LedgerTerms<WholeSum> {
+struct OwnLedger : LedgerTerms<ReproducibleSum> {
   double retried_steps = 0.0;  ///< the same on every rank
 };
 
-/// WholeSum::carry() of all terms.
+/// ReproducibleSum::carry() of all terms.
 void carry(OwnLedger& ledger);
 
 }  // namespace barreno

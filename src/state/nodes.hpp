@@ -36,15 +36,15 @@ KOKKOS_INLINE_FUNCTION std::size_t first_motion(const Patch& patch, int tile) {
 struct Nodes {
   ArrayView<double>
       sums;  ///< own tiles, then ghosts; partial until solve_velocity adds the overlaps
-  ArrayView<unsigned char> kept;  ///< by own tile: 1 if its sums of the step before still hold
-  ArrayView<double> motion;       ///< own tiles only
-  ArrayView<double> tally;        ///< energy and impulse of each tile over the step, scratch
-  ArrayView<double> beyond;   ///< by own tile: momentum and force along y that its particles gave
-                              ///< to nodes beyond symmetry planes across y; empty without such
-  ArrayView<double> impulse;  ///< of contact, in shared tiles (ContactNodes); empty without it
+  ArrayView<unsigned char> sums_kept;  ///< by own tile: 1 if its sums of the step before still hold
+  ArrayView<double> motion;            ///< own tiles only
+  ArrayView<double> tally;             ///< energy and impulse of each tile over the step, scratch
+  ArrayView<double> mirrored;  ///< by own tile: momentum and force along y that its particles gave
+                               ///< to nodes behind symmetry planes across y; empty without such
+  ArrayView<double> impulse;   ///< of contact, in shared tiles (ContactNodes); empty without it
 
-  KOKKOS_INLINE_FUNCTION bool keeps(int tile) const {
-    return kept.extent(0) > 0 && kept(tile) != 0;
+  KOKKOS_INLINE_FUNCTION bool keeps_sums(int tile) const {
+    return sums_kept.extent(0) > 0 && sums_kept(tile) != 0;
   }
 };
 

@@ -24,15 +24,29 @@ void grow(View& view, int capacity) {
   Kokkos::resize(view, static_cast<std::size_t>(capacity));
 }
 
-/// The pressure loads of a scene fit into the bits of one double: six faces each.
-bool has_loads(const Scene& scene, int material, bool surfaces) {
+/// Whether a load of the scene that `counts` acts on bodies of a material.
+template <class Counts>
+bool has_loads(const Scene& scene, int material, const Counts& counts) {
   return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const PressureLoadSpec& load) {
-    return scene.bodies[static_cast<std::size_t>(load.body)].material == material &&
-           (!surfaces || is_on_surfaces(load));
+    return scene.bodies[static_cast<std::size_t>(load.body)].material == material && counts(load);
   });
 }
 
-/// What the grid says to the particles, and what the transfer remembers of it.
+/// What loads need of their particles.
+void add_load_fields(const Scene& scene, int material, Particles& p) {
+  namespace dim = dimension;
+  const int d = dimensions(scene.grid.mode);
+  const auto any = [](const PressureLoadSpec&) { return true; };
+  const auto absorbs = [](const PressureLoadSpec& load) {
+    return load.kind == LoadKind::non_reflecting;
+  };
+  const bool on_surfaces = has_loads(scene, material, is_on_surfaces);
+  p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material, any) ? 1 : 0, {}};
+  p.surface_share = {"surface_share", dim::none, on_surfaces ? 2 * (1 + d) : 0, {}};
+  p.shear_modulus = {"shear_modulus", dim::stress, has_loads(scene, material, absorbs) ? 1 : 0, {}};
+}
+
+/// What particles receive from the grid, and what the transfer stores of it.
 void add_transfer_fields(const Scene& scene, Particles& p) {
   namespace dim = dimension;
   const int d = dimensions(scene.grid.mode);
@@ -43,8 +57,8 @@ void add_transfer_fields(const Scene& scene, Particles& p) {
   p.affine = {"affine", {2, -1, 0, 0}, affine ? d * d : 0, {}};
   p.grid_motion = {"grid_motion", dim::velocity, 2 * d, {}};
   p.increment = {"increment", dim::none, gradient, {}};
-  p.again_motion = {"again_motion", dim::velocity, again ? 2 * d : 0, {}};
-  p.again_increment = {"again_increment", dim::none, xpic ? gradient : 0, {}};
+  p.second_pass_motion = {"second_pass_motion", dim::velocity, again ? 2 * d : 0, {}};
+  p.second_pass_increment = {"second_pass_increment", dim::none, xpic ? gradient : 0, {}};
   p.residual = {"residual", dim::velocity, xpic ? d : 0, {}};
   p.heat = {"heat", dim::none, takes_losses(scene, p.material) ? 1 : 0, {}};
 }
@@ -55,7 +69,7 @@ Particles make_particles(const Scene& scene, int material) {
   namespace dim = dimension;
   const int d = dimensions(scene.grid.mode);
   const bool axisymmetric = scene.grid.mode == Mode::axisymmetric;
-  const Material& m = scene.materials[static_cast<std::size_t>(material)].material;
+  const Material& m = scene.materials[static_cast<std::size_t>(material)].material();
   Particles p;
   p.material = material;
   p.position = {"position", dim::length, d, {}};
@@ -75,9 +89,7 @@ Particles make_particles(const Scene& scene, int material) {
       is_manufactured(scene.body_force) ? dimensions(scene.grid.mode) : 0,
       {}};
   p.clipped = {"clipped", dim::none, follows_deformation(scene) ? 1 : 0, {}};
-  p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material, false) ? 1 : 0, {}};
-  p.surface_share = {
-      "surface_share", dim::none, has_loads(scene, material, true) ? 2 * (1 + d) : 0, {}};
+  add_load_fields(scene, material, p);
   const bool drains = scene.pore_flow.on() && is_porous(m);
   p.darcy_velocity = {"darcy_velocity", dim::velocity, drains ? d : 0, {}};
   add_transfer_fields(scene, p);
@@ -96,8 +108,8 @@ void reserve(Particles& particles, int capacity) {
   grow(particles.spare, n);
   grow(particles.spare_id, n);
   grow(particles.order, n);
-  grow(particles.run_part, n / rows_per_run + 1);
-  grow(particles.left_out, n);
+  grow(particles.chunk_part, n / rows_per_chunk + 1);
+  grow(particles.dormant, n);
   const auto grow_field = [n](Field& field) {
     Kokkos::resize(
         field.values, static_cast<std::size_t>(n), static_cast<std::size_t>(field.components)
@@ -107,49 +119,100 @@ void reserve(Particles& particles, int capacity) {
   particles.for_each_scratch_field(grow_field);
 }
 
-void keep_rows(Particles& particles, const std::vector<char>& keep) {
-  int kept = 0;
-  for (int p = 0; p < particles.count; ++p) {
-    if (!keep[static_cast<std::size_t>(p)]) continue;
-    if (kept != p) {
-      particles.id(kept) = particles.id(p);
-      particles.body(kept) = particles.body(p);
-      particles.key(kept) = particles.key(p);
-      particles.fault(kept) = particles.fault(p);
-      particles.for_each_field([=](Field& field) {
-        for (int c = 0; c < field.components; ++c) field(kept, c) = field(p, c);
-      });
-    }
-    ++kept;
-  }
-  particles.count = kept;
+namespace {
+
+/// Lists in `order` the marked rows below `left` from the front, and what stays from `left` on from
+/// the back. @return how many there are of either
+int list_moves(const Particles& particles, int left) {
+  const ArrayView<int> marked = particles.spare, order = particles.order;
+  const int count = particles.count;
+  int gaps = 0;
+  launch_reduction(
+      "count_gaps", range(left), KOKKOS_LAMBDA(const int p, int& sum) { sum += marked(p); }, gaps
+  );
+  launch_scan(
+      "list_gaps",
+      range(left),
+      KOKKOS_LAMBDA(const int p, int& sum, const bool last) {
+        if (last && marked(p) != 0) order(sum) = p;
+        sum += marked(p);
+      }
+  );
+  launch_scan(
+      "list_last_rows",
+      range({left, count}),
+      KOKKOS_LAMBDA(const int p, int& sum, const bool last) {
+        if (last && marked(p) == 0) order(count - 1 - sum) = p;
+        sum += 1 - marked(p);
+      }
+  );
+  return gaps;
+}
+
+}  // namespace
+
+void remove_marked_rows(Particles& particles, int marked) {
+  if (marked == 0) return;
+  const int count = particles.count;
+  const ArrayView<int> order = particles.order;
+  const int moves = list_moves(particles, count - marked);
+  const auto move = [&](const char* label, const auto& values) {
+    launch(
+        label,
+        range(moves),
+        KOKKOS_LAMBDA(const int k) { values(order(k)) = values(order(count - 1 - k)); }
+    );
+  };
+  move("move_ids", particles.id);
+  move("move_bodies", particles.body);
+  move("move_keys", particles.key);
+  move("move_faults", particles.fault);
+  particles.for_each_field([&](Field& field) {
+    const FieldView values = field.values;
+    const int components = field.components;
+    launch(
+        "move_fields",
+        range(moves),
+        KOKKOS_LAMBDA(const int k) {
+          for (int c = 0; c < components; ++c)
+            values(order(k), c) = values(order(count - 1 - k), c);
+        }
+    );
+  });
+  particles.count -= marked;
   particles.sorted = false;
 }
 
 void permute_rows(Particles& particles) {
-  const auto n = static_cast<std::size_t>(particles.count);
-  const int* const order = particles.order.data();
-  // One column of scratch serves every component in turn.
-  double* const column = particles.grid_motion.values.data();
-  particles.for_each_field([&](Field& field) {
-    for (int c = 0; c < field.components; ++c) {
-      double* const values = &field(0, c);
-      for (std::size_t k = 0; k < n; ++k) column[k] = values[order[k]];
-      std::copy(column, column + n, values);
-    }
-  });
-  const auto permute = [&](auto& values, auto& spare) {
-    for (std::size_t k = 0; k < n; ++k)
-      spare(k) =
-          static_cast<std::decay_t<decltype(spare(k))>>(values(static_cast<std::size_t>(order[k])));
-    for (std::size_t k = 0; k < n; ++k)
-      values(k) = static_cast<std::decay_t<decltype(values(k))>>(spare(k));
+  const RowPolicy rows = range(particles.count);
+  const ArrayView<int> order = particles.order;
+  const auto permute = [&](const auto& values, const auto& spare) {
+    using Value = typename std::decay_t<decltype(values)>::value_type;
+    using Spare = typename std::decay_t<decltype(spare)>::value_type;
+    launch(
+        "permute_rows",
+        rows,
+        KOKKOS_LAMBDA(const int k) { spare(k) = static_cast<Spare>(values(order(k))); }
+    );
+    launch(
+        "permute_rows_back",
+        rows,
+        KOKKOS_LAMBDA(const int k) { values(k) = static_cast<Value>(spare(k)); }
+    );
   };
+  // One column of scratch serves every component in turn.
+  const auto column = Kokkos::subview(particles.grid_motion.values, Kokkos::ALL, 0);
+  particles.for_each_field([&](Field& field) {
+    for (int c = 0; c < field.components; ++c)
+      permute(Kokkos::subview(field.values, Kokkos::ALL, c), column);
+  });
   permute(particles.id, particles.spare_id);
   permute(particles.body, particles.spare);
   permute(particles.key, particles.spare);
   permute(particles.fault, particles.spare);
-  for (std::size_t k = 0; k < n; ++k) particles.order(k) = static_cast<int>(k);
+  launch(
+      "order_rows", rows, KOKKOS_LAMBDA(const int k) { order(k) = k; }
+  );
 }
 
 std::size_t bytes_per_particle(const Particles& particles) {
@@ -159,7 +222,7 @@ std::size_t bytes_per_particle(const Particles& particles) {
   };
   particles.for_each_field(add);
   particles.for_each_scratch_field(add);
-  // id; body, key and order; left_out and fault; the scratch of the sort
+  // id; body, key and order; dormant and fault; the scratch of the sort
   return doubles * sizeof(double) + 2 * sizeof(ParticleId) + 2 * sizeof(unsigned char) +
          4 * sizeof(int);
 }

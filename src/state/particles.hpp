@@ -4,7 +4,7 @@
 #include "base/field.hpp"
 #include "grid/patch.hpp"
 #include "scene/scene.hpp"
-#include "state/tally_sizes.hpp"
+#include "state/tally_scales.hpp"
 
 #include <cassert>
 #include <vector>
@@ -24,10 +24,20 @@ namespace barreno {
 
 /// Set in Particles::body of a particle that its policy holds as stress-free debris. A deck has
 /// fewer bodies (its size is bounded).
-inline constexpr int held_bit = 1 << 30;
+inline constexpr int debris_bit = 1 << 30;
 
-/// Particles::key of a row whose cell is not known: of newcomers, until place_particles.
-inline constexpr int unplaced_key = -1;
+/// The cell of a row among those of this rank's tiles, tile * cells per tile + cell in tile; or
+/// `unplaced`, of newcomers until place_particles. A type of its own, so that it cannot be an index
+/// without a check that it may be one (index_of).
+enum class CellKey : int { unplaced = -1 };
+KOKKOS_INLINE_FUNCTION constexpr bool is_placed(CellKey key) {
+  return key != CellKey::unplaced;
+}
+/// @pre  place_particles has placed its row
+KOKKOS_INLINE_FUNCTION int index_of(CellKey key) {
+  assert(is_placed(key));
+  return static_cast<int>(key);
+}
 
 /// What a step has found wrong with a particle that its material then removes; locate_particles of
 /// the next step takes it out. It stands beside the key, which is that of the particle's cell until
@@ -44,12 +54,12 @@ struct Particles {
   int count = 0;
   int capacity = 0;
   double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set
-  double lone_courant = 1.0;      ///< of lone_courant()
-  TallySizes tally_sizes;         ///< of tally_sizes()
+  double isolated_courant = 1.0;  ///< of isolated_courant()
+  TallyScales tally_scales;       ///< of tally_scales()
   bool sorted = false;            ///< order and tile_begin belong to the present rows and tiles
 
   ArrayView<ParticleId> id;  ///< unique over the run; files sort by it
-  ArrayView<int> body;  ///< index into Scene::bodies, or its size for the jet; held_bit: debris
+  ArrayView<int> body;  ///< index into Scene::bodies, or its size for the jet; debris_bit: debris
 
   Field position;              ///< x_p [length]
   Field velocity;              ///< v_p [length/time]
@@ -63,8 +73,9 @@ struct Particles {
   Field longitudinal_modulus;  ///< K + 4G/3 of the last update [stress]
   Field history;  ///< the model's internal variables, in the order of its history_table()
   Field reference_position;  ///< X_p, only where a manufactured body force asks for it [length]
-  Field clipped;       ///< 1 if the domain is cut at Largest Domain, of shapes that deform [-]
-  Field loaded_faces;  ///< bits of pressure loads on own faces; no components if there are none
+  Field clipped;  ///< 1 if the domain is cut at Largest Domain, of shapes that deform [-]
+  Field
+      loaded_faces;  ///< bits of own faces with loads (LoadTable); no components if there are none
   /// SurfaceShare of the inner, then the outer surface of a loaded ball; no components without one.
   Field surface_share;
   Field darcy_velocity;  ///< of the fluid, where it drains [length/time]
@@ -72,24 +83,25 @@ struct Particles {
   /// gradient of the initial velocity [1/time].
   Field affine;
 
-  /// Scratch of the step, not state: what the grid says to the particle.
+  /// Scratch of the step, not state: what particles receive from the grid.
   Field grid_motion;  ///< interpolated velocity, then velocity increment [length/time]
   Field increment;    ///< dt L, then the unrotated strain increment, then the old volume
-  /// What the grid says a second time: XPIC, modified stress last and stress first only.
-  Field again_motion;
-  Field again_increment;  ///< XPIC only
+  /// What they receive in a second pass: XPIC, modified stress last and stress first only.
+  Field second_pass_motion;
+  Field second_pass_increment;  ///< XPIC only
   Field heat;  ///< energy that the step must leave in the particle, where its losses are returned
                ///< [energy]
-  Field residual;  ///< of XPIC: what of v_p the grid does not hold [length/time]
+  Field shear_modulus;  ///< of particles with non-reflecting faces, where there are such [stress]
+  Field residual;       ///< of XPIC: part of v_p that the grid cannot represent [length/time]
 
-  ArrayView<int> key;  ///< tile * cells per tile + cell in tile, of the last sort
+  ArrayView<CellKey> key;  ///< of the last sort
   ArrayView<Fault> fault;
-  ArrayView<int> spare;  ///< scratch of the sort
+  ArrayView<int> spare;  ///< scratch
   ArrayView<ParticleId> spare_id;
   ArrayView<int> order;                 ///< rows sorted by (key, id)
   ArrayView<int> cell_begin, cell_end;  ///< scratch of the sort
-  ArrayView<unsigned char> run_part;    ///< RunPart of each run of rows
-  ArrayView<unsigned char> left_out;    ///< 1 for rows of a run in part that stay as they are
+  ArrayView<unsigned char> chunk_part;  ///< ChunkPart of each chunk of rows
+  ArrayView<unsigned char> dormant;     ///< 1 for rows of dormant tiles
   ArrayView<int> tile_begin;  ///< order[tile_begin[t] .. tile_begin[t+1]) are the rows in tile t
 
   /// Every field that is state: migration, restart, output and the finiteness audit walk this one
@@ -137,24 +149,24 @@ private:
   static void list_scratch_fields(Any& particles, F& f) {
     f(particles.grid_motion);
     f(particles.increment);
-    f(particles.again_motion);
-    f(particles.again_increment);
+    f(particles.second_pass_motion);
+    f(particles.second_pass_increment);
     f(particles.heat);
+    f(particles.shear_modulus);
     f(particles.residual);
   }
 };
 
 /// A row that has come: its cell is looked for by place_particles.
-inline void put_unplaced(const Particles& particles, int p) {
-  particles.key(p) = unplaced_key;
+inline void mark_unplaced(const Particles& particles, int p) {
+  particles.key(p) = CellKey::unplaced;
   particles.fault(p) = Fault::none;
 }
 
 /// Tile of a row on this rank, to index with.
 /// @pre  place_particles has placed it
 KOKKOS_INLINE_FUNCTION int tile_of(const Patch& patch, const Particles& particles, int p) {
-  assert(particles.key(p) >= 0);
-  return particles.key(p) >> (patch.tile_bits * patch.dimensions);
+  return index_of(particles.key(p)) >> (patch.tile_bits * patch.dimensions);
 }
 
 /// Components of a symmetric tensor in a mode; the old volume follows them in `increment`.
@@ -169,6 +181,11 @@ inline Vector vector_of(const Field& field, int p) {
   return v;
 }
 
+/// Whether it keeps first moments of the grid's velocity (APIC).
+inline bool has_affine_velocity(const Particles& particles) {
+  return particles.affine.components > 0 && !particles.rigid;
+}
+
 /// An empty set for one material with the fields that the scene needs.
 Particles make_particles(const Scene& scene, int material);
 
@@ -178,8 +195,9 @@ void reserve(Particles& particles, int capacity);
 /// Put the rows into the order of the last sort, for the sake of the cache.
 void permute_rows(Particles& particles);
 
-/// Rows [0, count) of the listed rows only, in their present order; `keep[p]` says which.
-void keep_rows(Particles& particles, const std::vector<char>& keep);
+/// Remove the `marked` rows that `spare` marks with 1: the last ones of those that stay take
+/// their places, so that no more is moved than has gone. Storage order has no meaning.
+void remove_marked_rows(Particles& particles, int marked);
 
 /// Bytes of state and scratch arrays that one particle of this set occupies.
 std::size_t bytes_per_particle(const Particles& particles);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "shape/place.hpp"
+#include "shape/patch_frame.hpp"
 #include "state/particles.hpp"
 
 namespace barreno {

@@ -2,77 +2,75 @@
 #include "step/advance.hpp"
 
 #include "base/region.hpp"
+#include "grid/tiles.hpp"
 #include "pore_flow/drain_pore_fluid.hpp"
-#include "step/balance_load.hpp"
-#include "step/filter_velocity.hpp"
-#include "step/find_dormant_tiles.hpp"
-#include "step/find_motion.hpp"
-#include "step/fit_normals.hpp"
-#include "step/gather_affine.hpp"
-#include "step/launch_jet.hpp"
-#include "step/project_body_force.hpp"
-#include "step/project_loads.hpp"
-#include "step/project_sets.hpp"
-#include "step/release_torn_faces.hpp"
-#include "step/seek_normals.hpp"
-#include "step/share_nodes.hpp"
-#include "step/stable_step.hpp"
-#include "step/start_affine.hpp"
-#include "step/surface_pressures.hpp"
+#include "step/apply_loads.hpp"
+#include "step/contact/detect_contact_nodes.hpp"
+#include "step/contact/fit_surface_normals.hpp"
+#include "step/contact/refine_surface_normals.hpp"
+#include "step/dormant/find_dormant_tiles.hpp"
+#include "step/prepare_step.hpp"
+#include "step/solve_motion.hpp"
 #include "step/tally_step.hpp"
+#include "step/transfer/filter_velocity.hpp"
+#include "step/transfer/gather_affine.hpp"
+#include "step/transfer/project_sets.hpp"
 #include "step/update_sets.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace barreno {
 namespace {
 
 /// Where velocity fields meet: usually there is one. docs/method.md 6
-void meet_fields(const Scene& scene, State& state) {
-  share_nodes(state);
-  fit_normals(scene, state);   // of the surfaces between them
-  seek_normals(scene, state);  // turned to the widest gap, and the gap
+void detect_contact(const SymmetryPlanes& symmetry, State& state) {
+  const auto& [grid, fields, sets] = std::tie(state.grid, state.fields, state.particles);
+  detect_contact_nodes(grid, fields, sets, state.nodes, state.contact);
+  fit_surface_normals(grid, fields, sets, symmetry, state.contact);
+  refine_surface_normals(grid, fields, sets, symmetry, state.contact);  // and the gaps
 }
 
 /// From forces to the velocity of the step, which every order of the step has in the middle.
-void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally) {
-  find_resting_tiles(scene, state);  // which may keep their sums
-  project_sets(scene, state);        // m, p, f                    (2.1-2.3)
-  release_torn_faces(scene, state);  // debris has none
-  project_loads(scene, state);       // pressure on faces          (2.4)
-  project_surface_pressures(scene, state);
-  project_body_force(scene, state);                    // force per mass
-  join_nodes(scene, state);                            // symmetry planes, other ranks
-  meet_fields(scene, state);                           // contact
-  find_motion(scene, dt, state, tally);                // v', conditions; v, dt L (2.5-2.6)
-  tally.applied_work = tally_loads(scene, dt, state);  // before F and x move on
-  tally.applied_work += tally_surface_pressures(scene, dt, state);
-  tally.applied_work += tally_body_force(scene, dt, state);
-  gather_affine(scene, state);                       // APIC   (2.12)
-  tally.filter = filter_velocity(scene, dt, state);  // XPIC   (2.10)
+void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTally& tally) {
+  const SymmetryPlanes symmetry(scene.conditions, state.grid);
+  set_tile_steps(state.grid, dt);
+  find_dormant_candidates(
+      state.grid, state.particles, state.dormancy, state.nodes.front(), state.effort
+  );  // which may keep their sums
+  project_sets(state.grid, state.particles, state.nodes, state.effort);  // m, p, f  (2.1-2.3)
+  apply_loads(scene, state);                               // pressures, body force    (2.4)
+  sum_halos(symmetry, state.grid, state.nodes);            // symmetry planes, other ranks
+  detect_contact(symmetry, state);                         // contact
+  solve_motion(scene, dt, state, tally);                   // v', conditions; v, dt L (2.5-2.6)
+  tally.applied_work = tally_applied_loads(scene, state);  // before F and x move on
+  state.ledger.remembered = gather_affine(state.grid, state.nodes, state.particles);  // APIC
+  tally.filter = filter_velocity(scene, state);  // XPIC   (2.10)
 }
 
 /// Strain from the velocities that particles now have, of a step from `clock` on. (2.11)
 void strain_again(const Scene& scene, const Clock& clock, double dt, State& state) {
-  project_sets(scene, state);
-  drop_forces(state);
-  join_nodes(scene, state);
-  meet_fields(scene, state);
-  find_strain(scene, clock, dt, state);
+  set_tile_steps(state.grid, dt);
+  project_sets(state.grid, state.particles, state.nodes, state.effort);
+  drop_forces(state.grid, state.nodes);
+  const SymmetryPlanes symmetry(scene.conditions, state.grid);
+  sum_halos(symmetry, state.grid, state.nodes);
+  detect_contact(symmetry, state);
+  solve_strain(scene, clock, state);
 }
 
 /// Stress last (USL): strain from v'.
 void step_usl(const Scene& scene, double& dt, State& state, StepTally& tally, StepResult& result) {
-  solve_motion(scene, dt, state, tally);
-  update_sets(scene, dt, state, tally, result);  // v, x, F, sigma (2.7-2.9)
+  solve_momentum_balance(scene, dt, state, tally);
+  update_sets(set_update(scene, state), tally, result);  // v, x, F, sigma (2.7-2.9)
 }
 
 /// Modified stress last (MUSL): strain from the new velocities of particles, weights as before.
 void step_musl(const Scene& scene, double& dt, State& state, StepTally& tally, StepResult& result) {
-  solve_motion(scene, dt, state, tally);
-  accelerate_sets(scene, dt, state, tally);
+  solve_momentum_balance(scene, dt, state, tally);
+  accelerate_sets(set_update(scene, state), tally);
   strain_again(scene, state.clock, dt, state);
-  move_and_strain_sets(scene, dt, state, tally, result);
+  move_and_strain_sets(set_update(scene, state), tally, result);
 }
 
 /// Stress first (USF): the strain of the last step is found where the particles have come to. The
@@ -81,40 +79,36 @@ void step_usf(const Scene& scene, double& dt, State& state, StepTally& tally, St
   const Clock& clock = state.clock;
   if (clock.dt > 0.0) {
     strain_again(scene, {clock.time - clock.dt, clock.dt, clock.step - 1}, clock.dt, state);
-    strain_sets(scene, clock.dt, state, tally, result);
+    strain_sets(set_update(scene, state), tally, result);
   } else {
     tally.stress.stable_step = state.stable_step;
   }
-  solve_motion(scene, dt, state, tally);
-  accelerate_and_move_sets(scene, dt, state, tally);
+  solve_momentum_balance(scene, dt, state, tally);
+  accelerate_and_move_sets(set_update(scene, state), tally);
 }
 
 }  // namespace
 
 StepResult advance(const Scene& scene, double next_time, State& state) {
   const Region region("advance");
-  balance_load(scene, state);                            // tiles to ranks by measured cost
-  launch_jet(scene, state);                              // slugs whose time has come
-  Placement placement = locate_particles(scene, state);  // cell of each; the lost are tallied
-  double dt = agree_on_step(scene, next_time, placement, state);  // of all ranks
-  place_particles(scene, placement, state);                       // ranks, tiles, order
-  start_affine(scene, state);                                     // APIC, first step
-
+  const StepStart start = prepare_step(scene, next_time, state);  // cells, ranks, jet; dt
+  double dt = start.dt;
   StepTally tally;
   StepResult result;
-  result.interrupt = placement.interrupt;
+  result.interrupt = start.interrupt;
   const auto step = scene.step.order == Order::stress_last            ? step_usl
                     : scene.step.order == Order::modified_stress_last ? step_musl
                                                                       : step_usf;
   step(scene, dt, state, tally, result);
-  move_rigid_sets(scene, dt, state, tally);
-  tally_step(tally, state);  // energy and momentum, term by term
-  agree_on_failure(scene, state, result);
+  Clock& clock = state.clock;
+  move_rigid_sets(state.rigid_motions, clock.time, state.grid, state.particles, tally);
+  tally_step(tally, state.ledger, state.reactions);  // energy and momentum, term by term
+  agree_on_failure(scene.materials, *state.grid.comm, result);
 
-  tally_particle_steps(state);  // advanced, and left as they were
+  tally_particle_steps(state.particles, state.dormancy, state.particle_steps, state.skipped_steps);
   state.stable_step = std::min(tally.stress.stable_step, state.dormancy.stable_step);
-  const double left = next_time - state.clock.time;
-  state.clock = {dt >= left ? next_time : state.clock.time + dt, dt, state.clock.step + 1};
+  const double left = next_time - clock.time;
+  clock = {dt >= left ? next_time : clock.time + dt, dt, clock.step + 1};
   result.not_drained = drain_pore_fluid(scene, dt, state);  // (7)
   return result;
 }

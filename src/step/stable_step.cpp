@@ -4,8 +4,8 @@
 #include "base/gather.hpp"
 #include "base/interrupt.hpp"
 #include "base/region.hpp"
+#include "base/rows.hpp"
 #include "state/step_rule.hpp"
-#include "step/surface_pressures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,16 +15,30 @@
 
 namespace barreno {
 
-double stable_step_of_rows(const Scene& scene, const Particles& particles, int first_row) {
-  const StepRule rule(scene, particles.critical_courant, particles.lone_courant);
-  double step = std::numeric_limits<double>::infinity();
-  for (int p = first_row; p < particles.count; ++p) {
-    const double density = particles.mass(p) / particles.volume(p);
-    const Vector v = vector_of(particles.velocity, p);
-    const double speed = std::hypot(v[0], v[1], v[2]);
-    step = std::min(step, rule.stable_step(density, particles.longitudinal_modulus(p), 0.0, speed));
-  }
-  return step;
+double stable_step_of_rows(
+    const StepSpec& spec, const Grid& grid, const Particles& particles, int first_row
+) {
+  if (first_row == particles.count) return std::numeric_limits<double>::infinity();
+  const StepRule rule(spec, grid.mode, particles.critical_courant, particles.isolated_courant);
+  const FieldView mass = particles.mass.values, volume = particles.volume.values;
+  const FieldView modulus = particles.longitudinal_modulus.values;
+  const FieldView velocity = particles.velocity.values;
+  const int dimensions = particles.velocity.components;
+  const double cell_size = grid.cell_size;  // these rows are in no tile yet
+  double least = 0.0;
+  launch_reduction(
+      "stable_step_of_rows",
+      range({first_row, particles.count}),
+      KOKKOS_LAMBDA(const int p, double& part) {
+        const double z = dimensions == 3 ? velocity(p, 2) : 0.0;
+        const double speed = std::hypot(velocity(p, 0), velocity(p, 1), z);
+        const double density = mass(p, 0) / volume(p, 0);
+        const double step = rule.stable_step(cell_size, density, modulus(p, 0), 0.0, speed);
+        part = step < part ? step : part;
+      },
+      Kokkos::Min<double>(least)
+  );
+  return least;
 }
 
 double damped_step(double dt, double damping, double fraction) {
@@ -32,23 +46,26 @@ double damped_step(double dt, double damping, double fraction) {
   return 4.0 * fraction / (damping + std::hypot(damping, 4.0 * fraction / dt));
 }
 
-double agree_on_step(const Scene& scene, double next_time, Placement& placement, State& state) {
-  const Region region("agree_on_step");
+double agree_on_stable_step(
+    const Teuchos::Comm<int>& comm, double stable_step, Placement& placement
+) {
+  const Region region("agree_on_stable_step");
   std::array<double, 4> flags{
-      -state.stable_step,
+      -stable_step,
       placement.someone_left ? 1.0 : 0.0,
       placement.new_tile ? 1.0 : 0.0,
       static_cast<double>(received_signal())};
-  max_over_ranks(*state.grid.comm, flags);
+  max_over_ranks(comm, flags);
   placement = {flags[1] > 0.0, flags[2] > 0.0, static_cast<int>(flags[3])};
+  return -flags[0];
+}
 
-  const StepSpec& spec = scene.step;
-  double dt = stable_step_with_fluids(scene, state, -flags[0]);
-  dt = damped_step(dt, spec.damping, spec.courant_fraction);
-  if (state.clock.step == 0 && spec.initial_step > 0.0) dt = std::min(dt, spec.initial_step);
-  if (state.clock.dt > 0.0) dt = std::min(dt, spec.growth_limit * state.clock.dt);
+double next_step(const StepSpec& spec, const Clock& clock, double next_time, double stable_step) {
+  double dt = damped_step(stable_step, spec.damping, spec.courant_fraction);
+  if (clock.step == 0 && spec.initial_step > 0.0) dt = std::min(dt, spec.initial_step);
+  if (clock.dt > 0.0) dt = std::min(dt, spec.growth_limit * clock.dt);
   if (spec.largest_step > 0.0) dt = std::min(dt, spec.largest_step);
-  const double left = next_time - state.clock.time;
+  const double left = next_time - clock.time;
   if (dt >= left) return left;
   // Two even steps rather than a whole one and a sliver.
   return 2.0 * dt > left ? 0.5 * left : dt;

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "state/state.hpp"
-#include "step/place_particles.hpp"
+#include "step/order/locate_particles.hpp"
 
 namespace barreno {
 
 /// Smallest step that the particles now in the state allow, from their modulus and speed: for
 /// particles that had no stress update yet (start of a run, launched jet) [time].
-double stable_step_of_rows(const Scene& scene, const Particles& particles, int first_row);
+double stable_step_of_rows(
+    const StepSpec& spec, const Grid& grid, const Particles& particles, int first_row
+);
 
 /// The fraction f of the step that is stable with damping a, where `dt` is the fraction of the one
 /// without, 2 / omega:
@@ -19,13 +21,20 @@ double stable_step_of_rows(const Scene& scene, const Particles& particles, int f
 /// (tests/unit/step/test_stable_step.cpp); much damping leaves 2 f / a [time].
 double damped_step(double dt, double damping, double fraction);
 
-/// The size of the next step, the same on every rank, and what else the ranks must agree on: one
-/// reduction.
+/// The least stable step of all ranks, and what else they must agree on: one reduction.
+///
+/// @param stable_step        of this rank [time]
+/// @param[in,out] placement  in: this rank's; out: of any rank
+double agree_on_stable_step(
+    const Teuchos::Comm<int>& comm, double stable_step, Placement& placement
+);
+
+/// The size of the next step [time].
 ///
 ///   dt = min(stable step, growth limit * last dt, largest step, time to the next event)
 ///
-/// @param[in,out] placement  in: this rank's; out: of any rank
-/// @param next_time          the step ends there at the latest, exactly [time]
-double agree_on_step(const Scene& scene, double next_time, Placement& placement, State& state);
+/// @param next_time    the step ends there at the latest, exactly [time]
+/// @param stable_step  of all ranks, without damping
+double next_step(const StepSpec& spec, const Clock& clock, double next_time, double stable_step);
 
 }  // namespace barreno

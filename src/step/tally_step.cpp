@@ -3,9 +3,8 @@
 
 namespace barreno {
 
-void tally_step(const StepTally& tally, State& state) {
+void tally_step(const StepTally& tally, OwnLedger& ledger, std::vector<Reaction>& reactions) {
   const auto& [grid, rigid, applied_work, filter, moved, stress] = tally;
-  OwnLedger& ledger = state.ledger;
   ledger.mass = moved.mass;
   ledger.momentum = moved.momentum;
   ledger.kinetic = moved.kinetic;
@@ -20,15 +19,15 @@ void tally_step(const StepTally& tally, State& state) {
   ledger.transfer -= grid.kinetic_after;
   ledger.transfer += moved.gain;
   ledger.boundary_work += rigid.work;
-  for (std::size_t r = 0; r < state.reactions.size(); ++r) {
+  for (std::size_t r = 0; r < reactions.size(); ++r) {
     ledger.rigid_impulse -= rigid.reaction[r][1];
     for (std::size_t d = 0; d < 3; ++d) {
-      WholeSum& impulse = state.reactions[r].impulse[d];
+      ReproducibleSum& impulse = reactions[r].impulse[d];
       impulse += rigid.reaction[r][d];
       impulse.carry();
     }
   }
-  WholeSum lost_along = rigid.tangential_work;
+  ReproducibleSum lost_along = rigid.tangential_work;
   lost_along -= grid.tangential_work;
   ledger.friction += lost_along;
   ledger.transfer += lost_along;
@@ -47,11 +46,16 @@ void tally_step(const StepTally& tally, State& state) {
   carry(ledger);
 }
 
-void tally_particle_steps(State& state) {
-  for (const Particles& particles : state.particles)
-    if (!particles.rigid) state.particle_steps += particles.count;
-  state.particle_steps -= state.dormancy.skipped;
-  state.skipped_steps += state.dormancy.skipped;
+void tally_particle_steps(
+    const std::vector<Particles>& sets,
+    const Dormancy& dormancy,
+    double& particle_steps,
+    double& skipped_steps
+) {
+  for (const Particles& particles : sets)
+    if (!particles.rigid) particle_steps += particles.count;
+  particle_steps -= dormancy.skipped_rows;
+  skipped_steps += dormancy.skipped_rows;
 }
 
 }  // namespace barreno

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "step/accelerate_particles.hpp"
-#include "step/filter_velocity.hpp"
-#include "step/mirror_walls.hpp"
-#include "step/solve_contact.hpp"
-#include "step/update_stress.hpp"
+#include "step/boundary/apply_symmetry.hpp"
+#include "step/contact/solve_contact.hpp"
+#include "step/particles/update_stress.hpp"
+#include "step/transfer/accelerate_particles.hpp"
+#include "step/transfer/filter_velocity.hpp"
 
 #include <vector>
 
@@ -15,16 +15,21 @@ namespace barreno {
 struct StepTally {
   GridTally grid;
   RigidTally rigid;
-  WholeSum applied_work;  ///< of loads and body force
+  ReproducibleSum applied_work;  ///< of loads and body force
   FilterTally filter;
   ParticleTally moved;
   StressTally stress;
 };
 
 /// Each term where it arises; see Ledger.
-void tally_step(const StepTally& tally, State& state);
+void tally_step(const StepTally& tally, OwnLedger& ledger, std::vector<Reaction>& reactions);
 
-/// Particles that the step has advanced, and those that it has left as they were (Dormancy).
-void tally_particle_steps(State& state);
+/// Particles that the step has advanced, and those that it has skipped (Dormancy).
+void tally_particle_steps(
+    const std::vector<Particles>& sets,
+    const Dormancy& dormancy,
+    double& particle_steps,
+    double& skipped_steps
+);
 
 }  // namespace barreno

@@ -2,10 +2,10 @@
 #include "step/update_sets.hpp"
 
 #include "base/gather.hpp"
-#include "step/move_particles.hpp"
-#include "step/move_rigid.hpp"
-#include "step/tally_domains.hpp"
-#include "step/update_deformation.hpp"
+#include "step/boundary/move_rigid_particles.hpp"
+#include "step/particles/move_particles.hpp"
+#include "step/particles/tally_domains.hpp"
+#include "step/particles/update_deformation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,24 +14,24 @@
 namespace barreno {
 namespace {
 
-/// update(rows, particles) of set s, timed for the balance of the ranks.
-template <class Update>
-void for_each_set_block(State& state, std::size_t s, const Update& update) {
-  Particles& particles = state.particles[s];
+/// change(rows, particles) of set s, timed for the balance of the ranks.
+template <class Change>
+void for_each_set_block(const SetUpdate& update, std::size_t s, const Change& change) {
+  Particles& particles = update.sets[s];
   std::size_t block = 0;
-  const auto update_block = [&](Rows rows) {
+  const auto change_block = [&](Rows rows) {
     const Stopwatch watch;
-    update(rows, particles);
-    state.effort.add(s, block++, watch.seconds());
+    change(rows, particles);
+    update.effort.add(s, block++, watch.seconds());
   };
   for_each_block(
-      particles.count, update_block, state.dormancy.on ? particles.run_part.data() : nullptr
+      particles.count, change_block, update.dormancy.on ? particles.chunk_part.data() : nullptr
   );
 }
-template <class Update>
-void for_each_block_of_sets(State& state, const Update& update) {
-  for (std::size_t s = 0; s < state.particles.size(); ++s)
-    if (!state.particles[s].rigid) for_each_set_block(state, s, update);
+template <class Change>
+void for_each_block_of_sets(const SetUpdate& update, const Change& change) {
+  for (std::size_t s = 0; s < update.sets.size(); ++s)
+    if (!update.sets[s].rigid) for_each_set_block(update, s, change);
 }
 
 /// Particles with an inverted domain have failed like those that their material gave up.
@@ -46,110 +46,122 @@ void add(const DomainTally& domains, StressTally& set, double& clipped) {
 
 /// What the set's particle policy says to its failures.
 void apply_policy(
-    const Scene& scene,
-    const Particles& particles,
+    BadParticlePolicy policy,
+    int material,
     const StressTally& set,
-    State& state,
+    OwnLedger& ledger,
     StepResult& result
 ) {
-  const BadParticlePolicy policy =
-      scene.materials[static_cast<std::size_t>(particles.material)].bad_particles;
-  if (policy == BadParticlePolicy::hold) state.ledger.held += set.failures;
+  if (policy == BadParticlePolicy::hold) ledger.held += set.failures;
   const bool stops = policy == BadParticlePolicy::stop;
   if (set.failures > 0.0 && stops && (result.failed < 0 || set.first_failed < result.failed))
-    result = {true, set.first_failed, particles.material, result.interrupt, {}};
+    result = {true, set.first_failed, material, result.interrupt, {}};
 }
 
 /// F and sigma of all sets, after first(rows, particles) of each block.
 template <class First>
 void strain_after(
-    const Scene& scene,
-    double dt,
-    State& state,
-    StepTally& tally,
-    StepResult& result,
+    const SetUpdate& update,
     Gradient gradient,
-    const First& first
+    const First& first,
+    StepTally& tally,
+    StepResult& result
 ) {
+  const auto& [materials, step, grid, dormancy, sets, ledger, effort] = update;
   double clipped = 0.0;
-  for (std::size_t s = 0; s < state.particles.size(); ++s) {
-    if (state.particles[s].rigid) continue;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    if (sets[s].rigid) continue;
+    const MaterialSpec& material = materials[static_cast<std::size_t>(sets[s].material)];
     StressTally set;
-    for_each_set_block(state, s, [&](Rows rows, Particles& particles) {
+    for_each_set_block(update, s, [&](Rows rows, Particles& particles) {
       first(rows, particles);
-      update_deformation(scene, rows, gradient, particles);
-      add(update_stress(scene, dt, rows, particles), set);
+      update_deformation(update.grid.mode, rows, gradient, particles);
+      add(update_stress(material, update.step, update.grid, rows, particles), set);
     });
-    add(tally_domains(scene, state.grid, state.particles[s]), set, clipped);
-    apply_policy(scene, state.particles[s], set, state, result);
+    add(tally_domains(step, material.bad_particles, grid, sets[s]), set, clipped);
+    apply_policy(material.bad_particles, sets[s].material, set, ledger, result);
     add(set, tally.stress);
   }
-  state.ledger.clipped = {};
-  state.ledger.clipped += clipped;
+  ledger.clipped = {};
+  ledger.clipped += clipped;
 }
 
 }  // namespace
 
-void update_sets(
-    const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
-) {
-  const auto first = [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
-    move_particles(scene, dt, rows, particles);
-  };
-  strain_after(scene, dt, state, tally, result, Gradient::at_start, first);
+SetUpdate set_update(const Scene& scene, State& state) {
+  return {
+      scene.materials,
+      scene.step,
+      state.grid,
+      state.dormancy,
+      state.particles,
+      state.ledger,
+      state.effort};
 }
 
-void accelerate_sets(const Scene& scene, double dt, State& state, StepTally& tally) {
-  for_each_block_of_sets(state, [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
+void update_sets(const SetUpdate& update, StepTally& tally, StepResult& result) {
+  const auto first = [&](Rows rows, Particles& particles) {
+    add(accelerate_particles(update.step, update.grid, rows, particles), tally.moved);
+    move_particles(update.grid, rows, particles);
+  };
+  strain_after(update, Gradient::at_start, first, tally, result);
+}
+
+void accelerate_sets(const SetUpdate& update, StepTally& tally) {
+  for_each_block_of_sets(update, [&](Rows rows, Particles& particles) {
+    add(accelerate_particles(update.step, update.grid, rows, particles), tally.moved);
   });
 }
 
-void move_and_strain_sets(
-    const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
-) {
+void move_and_strain_sets(const SetUpdate& update, StepTally& tally, StepResult& result) {
   const auto first = [&](Rows rows, Particles& particles) {
-    move_particles(scene, dt, rows, particles);
+    move_particles(update.grid, rows, particles);
   };
-  strain_after(scene, dt, state, tally, result, Gradient::at_start, first);
+  strain_after(update, Gradient::at_start, first, tally, result);
 }
 
-void strain_sets(
-    const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
-) {
-  strain_after(scene, dt, state, tally, result, Gradient::at_end, [](Rows, Particles&) {});
+void strain_sets(const SetUpdate& update, StepTally& tally, StepResult& result) {
+  strain_after(
+      update, Gradient::at_end, [](Rows, Particles&) {}, tally, result
+  );
 }
 
-void accelerate_and_move_sets(const Scene& scene, double dt, State& state, StepTally& tally) {
-  for_each_block_of_sets(state, [&](Rows rows, Particles& particles) {
-    add(accelerate_particles(scene, dt, rows, particles), tally.moved);
-    move_particles(scene, dt, rows, particles);
+void accelerate_and_move_sets(const SetUpdate& update, StepTally& tally) {
+  for_each_block_of_sets(update, [&](Rows rows, Particles& particles) {
+    add(accelerate_particles(update.step, update.grid, rows, particles), tally.moved);
+    move_particles(update.grid, rows, particles);
   });
 }
 
-void move_rigid_sets(const Scene& scene, double dt, State& state, StepTally& tally) {
-  for (Particles& particles : state.particles) {
+void move_rigid_sets(
+    const RigidMotions& motions,
+    double time,
+    const Grid& grid,
+    std::vector<Particles>& sets,
+    StepTally& tally
+) {
+  for (Particles& particles : sets) {
     if (!particles.rigid) continue;
     StressTally set;
-    set.stable_step = move_rigid(scene, state.clock, dt, particles);
+    set.stable_step = move_rigid_particles(motions, time, grid, particles);
     add(set, tally.stress);
   }
 }
 
-void agree_on_failure(const Scene& scene, const State& state, StepResult& result) {
-  const bool may_stop =
-      std::any_of(scene.materials.begin(), scene.materials.end(), [](const MaterialSpec& m) {
-        return m.bad_particles == BadParticlePolicy::stop;
-      });
+void agree_on_failure(
+    const std::vector<MaterialSpec>& materials, const Teuchos::Comm<int>& comm, StepResult& result
+) {
+  const bool may_stop = std::any_of(materials.begin(), materials.end(), [](const MaterialSpec& m) {
+    return m.bad_particles == BadParticlePolicy::stop;
+  });
   if (!may_stop) return;
   constexpr double none = std::numeric_limits<double>::max();
   std::array<double, 1> first{result.failed < 0 ? none : static_cast<double>(result.failed)};
-  min_over_ranks(*state.grid.comm, first);
+  min_over_ranks(comm, first);
   if (first[0] == none) return;
   std::array<double, 1> material{
       static_cast<double>(result.failed) == first[0] ? result.material : -1.0};
-  max_over_ranks(*state.grid.comm, material);
+  max_over_ranks(comm, material);
   result = {
       true, static_cast<ParticleId>(first[0]), static_cast<int>(material[0]), result.interrupt, {}};
 }

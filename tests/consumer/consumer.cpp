@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A finite element code in C++ that takes the models themselves: the same point as in consumer.c.
-#include <barreno/registry.hpp>
+#include <barreno/find_card.hpp>
 #include <barreno/tangent.hpp>
 #include <cmath>
 #include <cstdio>
@@ -27,7 +27,8 @@ int squeeze(const Model& model) {
 
 int main(int argc, char** argv) {
   try {
-    const barreno::Material material = barreno::read_card(argc > 1 ? argv[1] : "");
+    const barreno::Material material =
+        barreno::material_open(argc > 1 ? argv[1] : "berea_sandstone");
     return std::visit([](const auto& model) { return squeeze(model); }, material.model);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

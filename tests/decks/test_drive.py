@@ -53,23 +53,23 @@ PATH_FILES = {
 BAD = {  # name: (arguments, exit code, sentence)
     "missing path file": (
         CARD + ["--path", "nowhere.csv"] + OUT, 2,
-        "nowhere.csv does not exist (it was to be a path); check the path."),
+        "nowhere.csv does not exist (needed as a path); check the path."),
     "path is a directory": (
         CARD + ["--path", "folder"] + OUT, 2,
-        "folder is a directory (it was to be a path); give the path of a file."),
+        "folder is a directory (needed as a path); give the path of a file."),
     "header": (
         CARD + ["--path", "header.csv"] + OUT, 1,
-        f'header.csv: line 1 = "time,F11,F22" is not the header of a path (columns go by it); write "{HEADER}".'),
+        f'header.csv: line 1 = "time,F11,F22" is not the header of a path (the header identifies the columns); write "{HEADER}".'),
     "text in a number": (
         CARD + ["--path", "text.csv"] + OUT, 1,
-        'text.csv: line 3, F22 = "one" is not a number (a number without unit belongs here); write for example "0.5".'),
+        'text.csv: line 3, F22 = "one" is not a number (a number without unit is expected here); write for example "0.5".'),
     "infinite": (
         CARD + ["--path", "infinite.csv"] + OUT, 1,
-        'infinite.csv: line 3, F11 = "inf" is not a number (a number without unit belongs here); write for example '
+        'infinite.csv: line 3, F11 = "inf" is not a number (a number without unit is expected here); write for example '
         '"0.5".'),
     "short row": (
         CARD + ["--path", "short_row.csv"] + OUT, 1,
-        f"short_row.csv: line 3 has 2 values (10 belong there); write a row as {HEADER}."),
+        f"short_row.csv: line 3 has 2 values (10 are expected); write a row as {HEADER}."),
     "one row": (
         CARD + ["--path", "one_row.csv"] + OUT, 1,
         "one_row.csv: too few rows: 1 below the header (a path leads from one instant to another); give at least two."),
@@ -82,42 +82,44 @@ BAD = {  # name: (arguments, exit code, sentence)
         "the time."),
     "inverted": (
         CARD + ["--path", "inverted.csv"] + OUT, 1,
-        "inverted.csv: line 3 has det F = -0.5 (a body keeps a volume above 0); correct F11 to F33 of that row."),
+        "inverted.csv: line 3 has det F = -0.5 (volumes are positive); correct F11 to F33 of that row."),
     "first row without volume": (
         CARD + ["--path", "first_inverted.csv"] + OUT, 1,
-        "first_inverted.csv: line 2 has det F = 0 (a body keeps a volume above 0); correct F11 to F33 of that row."),
+        "first_inverted.csv: line 2 has det F = 0 (volumes are positive); correct F11 to F33 of that row."),
     "half a turn": (
         CARD + ["--path", "half_turn.csv"] + OUT, 1,
-        "half_turn.csv: line 3 is half a turn or more from line 2 (no constant velocity gradient leads there the short "
-        "way); add rows between them."),
+        "half_turn.csv: line 3 is half a turn or more from line 2 (there is no unique constant velocity gradient between them); add rows between them."),
     "the model fails": (
         ["--material", "berea_sandstone.xml", "--path", "too_far.csv"] + OUT, 3,
-        "too_far.csv: line 4 cannot be reached: at time 2e-06 s the Arenisca of 'berea_sandstone' fails (the strain of "
-        "one step is beyond what it can take); check F of that row, or take smaller steps with --steps-per-row."),
+        "too_far.csv: line 4 cannot be reached: at time 2e-06 s the Arenisca of 'berea_sandstone' fails (the strain of one step is too large for it); check F of that row, or take smaller steps with --steps-per-row."),
     "missing card": (
         ["--material", "berea_sandstome.xml"] + PATH + OUT, 2,
-        '--material "berea_sandstome.xml" names no file (it is neither in this directory, nor in materials/cards, nor '
-        "in BARRENO_MATERIALS); did you mean 'berea_sandstone.xml'?"),
+        '--material "berea_sandstome.xml" names no card (there is none of that name in the working directory, in '
+        "BARRENO_MATERIALS or among those that Barreno comes with); did you mean 'berea_sandstone'?"),
+    "card of a far name": (
+        ["--material", "granite"] + PATH + OUT, 2,
+        '--material "granite" names no card (there is none of that name in the working directory, in BARRENO_MATERIALS or '
+        "among those that Barreno comes with); choose one of " + ", ".join(f"'{card.stem}'" for card in CARDS) + "."),
     "unknown parameter": (
         GOOD + ["--set", "Bulk Modulis=1 GPa"], 1,
-        "glass.xml: Bulk Modulis is not a parameter that is known here; did you mean 'Bulk Modulus'?"),
+        "glass.xml: Bulk Modulis is not a known parameter; did you mean 'Bulk Modulus'?"),
     "wrong dimension": (
         GOOD + ["--set", "Bulk Modulus=1 m"], 1,
-        "glass.xml: Bulk Modulus = 1 m has the unit of a length ('m'), but a stress belongs here; write for example "
+        "glass.xml: Bulk Modulus = 1 m has the unit of a length ('m'), but a stress is expected here; write for example "
         '"10 ksi".'),
     "out of bounds": (
         GOOD + ["--set", "Bulk Modulus=-1"], 1,
         "glass.xml: Bulk Modulus = -1 is out of bounds (it must be above 0 Pa); choose a value in that range."),
     "set without value": (
         GOOD + ["--set", "Bulk Modulus"], 1,
-        "--set \"Bulk Modulus\" assigns nothing (a path, '=' and a value belong here); write for example --set "
+        "--set \"Bulk Modulus\" assigns nothing (a path, '=' and a value are expected here); write for example --set "
         '"PEAKI1=20 MPa".'),
     "unknown option": (
         GOOD + ["--step-per-row", "3"], 1,
         "--step-per-row is not an option of this command; did you mean '--steps-per-row'?"),
     "no steps": (
         GOOD + ["--steps-per-row", "0"], 1,
-        "--steps-per-row 0 is no number of steps (1 or more); write for example --steps-per-row 2."),
+        "--steps-per-row 0 is not a number of steps (1 or more); write for example --steps-per-row 2."),
     "option without value": (
         CARD + PATH + ["--out"], 1, "--out has no value after it (it needs one); write for example --out answer.csv."),
     "no card": (
@@ -225,7 +227,11 @@ def check_cards(barreno, folder):
 
 
 def check_place_of_cards(barreno, folder):
-    """A full path, and a folder of BARRENO_MATERIALS."""
+    """A full path; a folder of BARRENO_MATERIALS, which goes before the shipped cards; a shipped card by its bare name."""
+    for name in ("berea_sandstone", "BEREA_Sandstone.xml"):
+        result = drive(barreno, folder, ["--material", name] + PATH + OUT)
+        if f"Arenisca of '{name.removesuffix('.xml')}'" not in result.stdout:
+            yield f"{name}: {result.stdout}{result.stderr}"
     other = folder / "folder" / "brick.xml"
     other.write_text(GLASS)
     result = drive(barreno, folder, ["--material", str(other)] + PATH + OUT)
@@ -236,6 +242,11 @@ def check_place_of_cards(barreno, folder):
     result = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
     if result.returncode != 0:
         yield f"a card of BARRENO_MATERIALS: {result.stderr}"
+    other.rename(other.with_name("copper.xml"))
+    command[3] = "copper"
+    result = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
+    if "Linear Elastic of 'copper'" not in result.stdout:
+        yield f"BARRENO_MATERIALS goes before the shipped cards: {result.stdout}{result.stderr}"
 
 
 def check_ranks(barreno, folder):

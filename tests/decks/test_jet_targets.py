@@ -32,7 +32,7 @@ def check_case(folder, words, met, *settings):
             assert not notes, notes
         else:
             assert len(notes) == 1 and words in notes[0], text
-    assert ("no depth: the jet has met no target" in text) == (not met), text
+    assert ("no depth: the jet has hit no target" in text) == (not met), text
     penetration = json.loads((folder / "summary.json").read_text())["penetration"]
     depths = Run(folder).table("depth.csv")
     assert penetration["met_target"] == met, penetration
@@ -49,7 +49,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         check_case(folder / "down", None, True)
-        check_case(folder / "up", "meets no body (none is in its path along -y", False, "Jet/Direction=-y")
+        check_case(folder / "up", "hits no body (none is in its path along -y", False, "Jet/Direction=-y")
         check_case(folder / "late", "not before Time/End Time", False, "Jet/Launch Position=-35 mm")
 
 

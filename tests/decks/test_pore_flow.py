@@ -40,8 +40,8 @@ def check_planner(barreno):
     for more, state, reason in (
         ({}, "on", "17 cells (limit 0.05)"),
         ({"Pore Flow/Drainage": "off"}, "off", "Drainage is off"),
-        (tight, "off", "too little to matter (Drainage = on forces it)"),
-        ({**tight, "Pore Flow/Drainage": "on"}, "on", "Drainage is on all the same"),
+        (tight, "off", "negligible (Drainage = on forces it)"),
+        ({**tight, "Pore Flow/Drainage": "on"}, "on", "Drainage is on nevertheless"),
     ):
         line = plan_line(barreno, more)
         assert line.split()[2] == state and reason in line, line

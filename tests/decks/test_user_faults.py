@@ -105,6 +105,10 @@ def check_help(barreno, folder):
         result = program(barreno, *words)
         assert result.returncode == 0 and "Exit codes" in result.stdout and not result.stderr, f"{words}: {result.stderr}"
         assert len(words) == 1 or f"barreno {words[0]} " in result.stdout, f"{words}: {result.stdout}"
+    for word in ("--version", "version"):
+        lines = program(barreno, word).stdout.splitlines()
+        assert [line.split()[0] for line in lines] == ["barreno", "commit", "compiler", "Trilinos", "Kokkos", "MPI"], lines
+        assert all(len(line.split()) >= 2 for line in lines), lines
     one_sentence(program(barreno, "report", folder), 1, "./barreno report")
     one_sentence(program(barreno, "run", ""), 1, "no deck is named")
     one_sentence(program(barreno, "resume", ""), 1, "no run is named")

@@ -5,7 +5,7 @@
 #include "deck/jet_table.hpp"
 #include "deck/load_material.hpp"
 #include "deck/read_deck.hpp"
-#include "deck/read_once.hpp"
+#include "deck/read_on_root.hpp"
 #include "deck/read_surface.hpp"
 #include "drive/path_table.hpp"
 #include "scene/build_scene.hpp"

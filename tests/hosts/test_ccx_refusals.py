@@ -37,7 +37,7 @@ REFUSED = {
     "no_such_card": (
         deck(good().replace(CARD, "BERA_SANDSTONE")),
         STOPPED,
-        ["'BERA_SANDSTONE' names no card", "did you mean 'berea_sandstone'?"],
+        ['"BERA_SANDSTONE" names no card', "did you mean 'berea_sandstone'?"],
     ),
     "too_few_state_variables": (
         deck(good().replace("*DEPVAR\n4", "*DEPVAR\n3")),
@@ -57,7 +57,7 @@ REFUSED = {
     "impossible_state": (
         deck(good(), before="*INITIAL CONDITIONS,TYPE=SOLUTION\n" + "".join(f"1,{p},0.5,1.,0.,0.\n" for p in range(1, 9))),
         STOPPED,
-        ["point 0 of the batch has a step or a state that cannot be", "`initialized` or initial stress out of range"],
+        ["point 0 of the batch has an impossible step or state", "`initialized` or initial stress out of range"],
     ),
 }
 

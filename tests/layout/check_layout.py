@@ -1,13 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rules of docs/architecture.md that a script can hold: includes point left, files stay small, third-party
-headers stay in their folders, what is built is listed."""
+"""The rules of docs/architecture.md that a script can hold: includes point left, also between the rooms of the step, files
+and rooms stay small, third-party headers stay in their folders, what is built is listed, every header of the step stands
+in a test."""
 import pathlib
 import re
 import sys
 
+import tested_headers
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_flow", "step", "output", "checkpoint", "drive", "check", "."]
+# Of src/step; files directly in it stand to the right of all rooms, but for headers that include none.
+ROOMS = ["order", "ranks", "jet", "dormant", "boundary", "grid", "contact", "loads", "transfer", "particles"]
+LARGEST_ROOM = 20  # files
 ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "exodusII": {"output"},
     "hdf5": {"checkpoint"},
@@ -19,6 +25,8 @@ ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "Teuchos_XML": {"deck"},
     "Teuchos_ParameterList": {"deck", "pore_flow"},
     "CGAL": {"deck"},
+    "CLI/": {"."},
+    "nlohmann": {"output"},
 }
 LONGEST = 500
 problems = []
@@ -41,6 +49,40 @@ def check_includes(path, lines):
                 problems.append(f"{path.relative_to(ROOT)}:{number}: <{other.group(1)}> belongs in {sorted(folders)}")
 
 
+def rooms_in(path):
+    """(line, room) of what a file includes from the rooms of the step."""
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        found = re.match(r'#include "step/([^"/]+)/', line)
+        if found:
+            yield number, found.group(1)
+
+
+def check_rooms(step):
+    """A room includes only itself and those to its left."""
+    for folder in sorted(path for path in step.iterdir() if path.is_dir()):
+        if folder.name not in ROOMS:
+            problems.append(f"src/step/{folder.name} is no room of this script's list")
+            continue
+        files = sorted(folder.iterdir())
+        if len(files) > LARGEST_ROOM:
+            problems.append(f"src/step/{folder.name}: {len(files)} files, more than {LARGEST_ROOM}")
+        for path in files:
+            for number, room in rooms_in(path):
+                if room not in ROOMS or ROOMS.index(room) > ROOMS.index(folder.name):
+                    problems.append(f"{path.relative_to(ROOT)}:{number}: {folder.name} must not include {room}")
+            for outside in re.findall(r'^#include "step/([^"/]+)"', path.read_text(), re.MULTILINE):
+                if any(rooms_in(step / outside)):
+                    problems.append(f"{path.relative_to(ROOT)}: a room must not include {outside}, which includes rooms")
+
+
+def check_tests():
+    """Every verb of the step is tested by itself, so a test includes its header."""
+    tested = tested_headers.included_in_tests()
+    for folder, headers in tested_headers.headers_by_folder().items():
+        if pathlib.Path(folder).parts[:1] == ("step",):
+            problems.extend(f"src/{name}: no test includes it" for name in headers if name not in tested)
+
+
 def main():
     sources = sorted((ROOT / "src").rglob("*.[ch]pp"))
     listed = (ROOT / "src" / "CMakeLists.txt").read_text()
@@ -54,6 +96,8 @@ def main():
         name = str(path.relative_to(ROOT / "src"))
         if path.suffix == ".cpp" and name not in listed:
             problems.append(f"src/{name} is not built: it is not in src/CMakeLists.txt")
+    check_rooms(ROOT / "src" / "step")
+    check_tests()
     print("\n".join(problems) or "layout is as docs/architecture.md says")
     return 1 if problems else 0
 

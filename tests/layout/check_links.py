@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every link of a page leads to a file and a heading of this repository, every picture is shown or linked somewhere, and every
-file that a page names in backticks is there."""
+"""Every link of a page leads to a file and a heading of this repository, every picture is shown or linked somewhere, every
+file that a page names in backticks is there, and so is every name in the code that the glossary gives."""
 import pathlib
 import re
 import sys
@@ -41,11 +41,26 @@ def problems_of(page, text, shown):
     return out
 
 
+def missing_names(glossary, sources):
+    """Names of the glossary's column 'in the code' that stand in no source."""
+    out, column = [], None
+    for line in glossary.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        column = None if not line.startswith("|") else cells.index("in the code") if "in the code" in cells else column
+        for name in CODE.findall(cells[column]) if column is not None and column < len(cells) else ():
+            last = name.split("::")[-1].split("/")[-1].rstrip("*").removesuffix(".hpp").removesuffix(".cpp")
+            if last and not re.search(rf"\b{re.escape(last)}", sources):
+                out.append(f"docs/notation.md: no source has the name {name}")
+    return out
+
+
 def main():
     problems, shown = [], set()
     for page in pages():
         problems += problems_of(page, page.read_text(), shown)
     problems += [f"{file.relative_to(ROOT)} is on no page" for file in sorted((ROOT / "docs" / "pictures").iterdir()) if file.resolve() not in shown]
+    sources = "\n".join(f"{file}\n{file.read_text()}" for folder in ("src", "materials") for file in sorted((ROOT / folder).rglob("*.?pp")))
+    problems += missing_names((ROOT / "docs" / "notation.md").read_text(), sources)
     print("\n".join(problems) or "every link leads somewhere")
     return 1 if problems else 0
 

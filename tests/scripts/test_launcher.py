@@ -106,7 +106,7 @@ def check_locks(machine):
 def check_report(machine, folder):
     """Its words are looked at first, and only what it needs is installed."""
     refused(*machine.run("report"), 1, "report takes the folder of one run")
-    refused(*machine.run("report", folder / "nowhere"), 2, "is no folder")
+    refused(*machine.run("report", folder / "nowhere"), 2, "is not a folder")
     machine.file("verification/tools/report.py", "import sys; print('reported', sys.argv[1:])")
     (folder / "a run").mkdir()
     result, calls = machine.run("report", folder / "a run")
@@ -120,7 +120,7 @@ def check_words(machine):
     """What cannot be is said before anything is installed or built."""
     refused(*machine.run("run", "deck.xml", "--ranks", "100000000"), 1, "--ranks 100000000 is more than this machine can start")
     refused(*machine.run("resume", "run", "--ranks", "9" * 30), 1, "is more than this machine can start")
-    refused(*machine.run("run", "deck.xml", "--ranks", "0"), 1, "is no number of ranks")
+    refused(*machine.run("run", "deck.xml", "--ranks", "0"), 1, "is not a number of ranks")
     refused(*machine.run("rnu", "deck.xml"), 1, '"rnu" is not a command')
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)

@@ -8,12 +8,13 @@
 #include <Tpetra_Core.hpp>
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <limits>
 #include <map>
 
 namespace barreno::testing {
 
-Material copper(double strength) {
+MaterialSpec copper(double strength) {
   JohnsonCook::Parameters p;
   p.shear_modulus = 47.7e9;
   p.a = 90e6 * strength;
@@ -26,19 +27,20 @@ Material copper(double strength) {
   p.sound_speed = 3940.0;
   p.slope = 1.489;
   p.gamma = 2.02;
-  return {"copper", 8930.0, JohnsonCook(p, 8930.0)};
+  return Material{"copper", 8930.0, JohnsonCook(p, 8930.0)};
 }
 
-Material elastic(double young, double poisson, double density) {
+MaterialSpec elastic(double young, double poisson, double density) {
   const double bulk = young / (3.0 * (1.0 - 2.0 * poisson));
   const double shear = young / (2.0 * (1.0 + poisson));
-  return {"elastic", density, LinearElastic({bulk, shear}, density)};
+  return Material{"elastic", density, LinearElastic({bulk, shear}, density)};
 }
 
-Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const Material& material) {
+Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const MaterialSpec& material) {
   Scene scene;
   scene.grid = {mode, lower, upper, h};
-  scene.materials.push_back({material, BadParticlePolicy::stop});
+  scene.materials.push_back(material);
+  scene.materials[0].bad_particles = BadParticlePolicy::stop;
   return scene;
 }
 
@@ -62,7 +64,8 @@ namespace {
 State start_on(const Scene& scene, const Teuchos::RCP<const Comm>& comm) {
   State state = build_state(scene, comm);
   for (const Particles& particles : state.particles)
-    state.stable_step = std::min(state.stable_step, stable_step_of_rows(scene, particles, 0));
+    state.stable_step =
+        std::min(state.stable_step, stable_step_of_rows(scene.step, state.grid, particles, 0));
   return state;
 }
 

@@ -13,13 +13,13 @@ namespace barreno::testing {
 constexpr Mode all_modes[] = {Mode::axisymmetric, Mode::plane_strain, Mode::three_dimensional};
 
 /// Copper with a Mie-Grueneisen pressure; strength off if `strength` is 0.
-Material copper(double strength = 1.0);
+MaterialSpec copper(double strength = 1.0);
 
 /// Linear elastic with the given Young's modulus and Poisson's ratio.
-Material elastic(double young, double poisson, double density);
+MaterialSpec elastic(double young, double poisson, double density);
 
-/// Empty grid box [lower, upper] with cells of size h; one material.
-Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const Material& material);
+/// Empty grid box [lower, upper] with cells of size h; one material, whose failure stops the run.
+Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const MaterialSpec& material);
 
 /// Adds a box body of material 0.
 BodySpec& add_box(

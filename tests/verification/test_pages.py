@@ -53,9 +53,15 @@ class Links(unittest.TestCase):
         return check_links.problems_of(ROOT / "docs" / "page.md", text, set())
 
     def test_links(self):
-        self.assertFalse(self.problems("[a](method.md), [b](verification.md#what-is-open), [c](https://example.org), `src/main.cpp`"))
+        self.assertFalse(self.problems("[a](method.md), [b](verification.md#open-requirements), [c](https://example.org), `src/main.cpp`"))
         for text in ("[a](nothing.md)", "[b](verification.md#nothing)", "`src/nothing.cpp`", "![p](pictures/nothing.png)"):
             self.assertEqual(len(self.problems(text)), 1, text)
+
+    def test_glossary(self):
+        glossary = "| term | in the code |\n|---|---|\n| cell | `grid/cell.hpp`, `Grid::cell_size` |\n| tile | `%s` |\n\nand `nothing`"
+        sources = "src/grid/cell.hpp\ndouble cell_size = tile_size;"
+        self.assertEqual(check_links.missing_names(glossary % "tile_*", sources), [])
+        self.assertEqual(len(check_links.missing_names(glossary % "tile_count", sources)), 1)
 
 
 if __name__ == "__main__":

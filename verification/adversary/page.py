@@ -17,44 +17,44 @@ HEAD = """# The adversary
 
 Written by `verification/adversary/page.py` from `verification/results/adversary.json`; do not edit.
 
-`verification/adversary/adversary.py BUILD` tries to break runs. Every test run takes its short form (`ctest -R verification.adversary`), `ctest -R slow.adversary` the
-long one; `--out FILE` adds to what earlier sittings found, so that they make one count.
+`verification/adversary/adversary.py BUILD` tries to break runs. Every test run includes its short form (`ctest -R verification.adversary`); `ctest -R slow.adversary` is the
+long one; `--out FILE` adds to the counts of earlier invocations.
 
 - **Option sets.** A shipped deck, at a size that runs in a twentieth of a second, with options drawn at random from what `barreno describe --markdown`
-  says of their kind, unit and bounds: an option that is new is drawn without a line of script. A change that `check` refuses, with one sentence that names
-  it, is taken back, until the deck is sound. The set is then run, and of some sets a part is done again: killed at random moments by
-  SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, as often as three times; run on two or three ranks, and resumed there from one; run
-  by two processes that want one folder; killed with mpirun's process group and resumed at once; run under the address and undefined-behaviour
+  says of their kind, unit and bounds, so new options are included automatically. A change that `check` refuses, with one sentence that names
+  it, is undone, until the deck is valid. The set is then run, and some sets are repeated in part: killed at random moments by
+  SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, up to three times; run on two or three ranks, and resumed there from one; run
+  by two processes that compete for one folder; killed with mpirun's process group and resumed at once; run under the address and undefined-behaviour
   sanitizers with every index checked.
 - **Odd numbers.** Every number of every shipped deck, one at a time, as 1e300, 1e-300, -0, 5e-324, 2^31, 2^63, -1, 0, nan and inf.
-- **Forged checkpoints.** Every table of a checkpoint with values no state has, with another number of rows or columns, of another type, or
-  missing, under a seal that is right.
+- **Forged checkpoints.** Every table of a checkpoint with values that no state can have, with a wrong number of rows or columns, of a wrong type, or
+  missing, under a valid seal.
 
-A finding is an end by a signal or a sanitizer, an internal error, a refusal that is not one sentence, a hang, a number that is none in a result,
-mass that comes or goes, or files that are not those of the straight run: every table, every field of particles.e and of the checkpoint, and what
-the summary says of balances, bit for bit; with pore flow to 1e-5 of the largest value of a field.
+A finding is a crash by a signal or a sanitizer error, an internal error, a refusal that is not one sentence, a hang, a result that is not a finite number,
+mass that appears or vanishes, or files that differ from those of the uninterrupted run: every table, every field of particles.e and of the checkpoint, and what
+the summary reports of balances, bit for bit; with pore flow to 1e-5 of the largest value of a field.
 
 """
 
 ROWS = (
-    ("option sets", "sets"), ("sound", "accepted"), ("finished", "finished"), ("ended with a reason (exit 3)", "stopped with a reason"),
-    ("changes that were refused and taken back", "refused"), ("run under sanitizers", "under sanitizers"), ("kills", "kills"),
-    ("killed, resumed and the same", "killed, resumed and the same"),
-    ("killed, resumed on more ranks and the same", "killed, resumed on more ranks and the same"),
-    ("process groups killed, resumed at once and the same", "process group killed, resumed at once and the same"),
-    ("the same on two or three ranks", "the same on more ranks"), ("two processes on one folder", "two processes on one folder"),
+    ("option sets", "sets"), ("valid", "accepted"), ("finished", "finished"), ("ended with a reason (exit 3)", "stopped with a reason"),
+    ("changes that were refused and undone", "refused"), ("run under sanitizers", "under sanitizers"), ("kills", "kills"),
+    ("killed, resumed and identical", "killed, resumed and the same"),
+    ("killed, resumed on more ranks and identical", "killed, resumed on more ranks and the same"),
+    ("process groups killed, resumed at once and identical", "process group killed, resumed at once and the same"),
+    ("identical on two or three ranks", "the same on more ranks"), ("two processes on one folder", "two processes on one folder"),
     ("odd numbers in decks", "odd numbers"), ("of these refused with a sentence", "odd numbers refused"), ("forged checkpoints", "forged checkpoints"),
-    ("of these refused with a sentence that names the table", "forged: refused"), ("of these the same run", "forged: the same run"),
+    ("of these refused with a sentence that names the table", "forged: refused"), ("of these with an identical run", "forged: the same run"),
 )
 
 
 def text(results):
     counts = results["counts"]
-    page = HEAD + "| what | number |\n|---|---|\n"
+    page = HEAD + "| quantity | number |\n|---|---|\n"
     page += "".join(f"| {said} | {counts.get(name, 0)} |\n" for said, name in ROWS)
-    page += f"| shipped decks among them | {len(results['decks'])} |\n| options among them | {len(results['drawn'])} |\n| findings that are open | {len(results['findings'])} |\n"
+    page += f"| shipped decks among them | {len(results['decks'])} |\n| options among them | {len(results['drawn'])} |\n| open findings | {len(results['findings'])} |\n"
     seeds = ", ".join(f"{seed} ({sets} sets)" for seed, sets in sorted(results["sets"].items(), key=lambda item: int(item[0])))
-    page += f"\nSeeds: {seeds}. `adversary.py BUILD --only SEED:NUMBER` does one set again.\n"
+    page += f"\nSeeds: {seeds}. `adversary.py BUILD --only SEED:NUMBER` repeats one set.\n"
     for finding in results["findings"]:
         page += f"\n- {finding['kind']} {finding['number']}: {finding['said'].splitlines()[0][:300]}"
     return page + ("\n" if results["findings"] else "")
@@ -64,7 +64,7 @@ def main():
     page = text(json.loads(RESULTS.read_text()))
     if sys.argv[1:] == ["--check"]:
         if PAGE.read_text() != page:
-            print("docs/adversary.md is not what verification/results/adversary.json says; write it with verification/adversary/page.py")
+            print("docs/adversary.md does not match verification/results/adversary.json; write it with verification/adversary/page.py")
             return 1
         return 0
     PAGE.write_text(page)

@@ -27,7 +27,8 @@ def card(number, unit):
     """Parameters of a benchmark in Pa."""
     parameters = {"p3_crush_curve": 0.0, "FSLOPE": 0.0, "PEAKI1": 0.0, **BENCHMARKS["T" + number]}
     factor = {name: unit for name in STRESSES} | {"p1_crush_curve": 1.0 / unit}
-    return {name: repr(value * factor.get(name, 1.0)) for name, value in parameters.items()}
+    numbers = {name: repr(value * factor.get(name, 1.0)) for name, value in parameters.items()}
+    return {**numbers, "Backstress strain": "elastic centre"} if "fluid_B0" in parameters else numbers
 
 
 # ------------------------------------------------------------------------------------------ what is compared

@@ -81,9 +81,9 @@ def error(barreno, benchmark, refinement, settings=None):
 def run(barreno, full):
     result = Result(
         "Arenisca: published single-element benchmarks",
-        "`barreno drive` gives the published answers with the card's own tolerance; errors are the largest over all "
-        "instants and quantities, over the scale of the quantity.",
-        "closed forms, or integrations that converged to 1e-6 (verification/oracles).",
+        "`barreno drive` gives the published answers with the card's own tolerance; errors are the largest over all instants and "
+        "quantities, relative to the scale of the quantity.",
+        "closed forms, or numerical integrations converged to 1e-6 (verification/oracles).",
         ["benchmark", "what", "steps", "error", "with solver tolerance 1e-6", "of 16 times the steps", "order"],
         [],
     )

@@ -33,7 +33,7 @@ def frequency(run):
 def run(barreno, full):
     result = Result(
         "Standing wave of an elastic bar",
-        "GIMP at two particles per cell: frequency of the first mode is second order, energy is kept.",
+        "GIMP at two particles per cell: the frequency of the first mode converges at second order, and energy is conserved.",
         "omega = pi c / (2 L), uniaxial strain.",
         ["cells", "frequency error", "order", "energy drift over one period", "energy ledger remainder"],
         [],

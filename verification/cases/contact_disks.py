@@ -15,8 +15,8 @@ def surface_gap(particles, low):
 def run(barreno, full):
     result = Result(
         "Collision of two elastic disks",
-        "Contact begins when the surfaces meet, keeps momentum, and lets the bodies part.",
-        "both disks turn round with the speed that they had, but for the little that stays in them as vibration; momentum.",
+        "Contact begins when the surfaces meet, conserves momentum, and lets the bodies separate.",
+        "both disks rebound with their initial speed, except for a small part that remains as vibration; momentum is conserved.",
         ["cell [m]", "gap one step of output before contact [cells]", "smallest gap [cells]", "speed after / before", "energy lost to transfer", "ledger remainder"],
         [],
     )
@@ -43,9 +43,9 @@ def run(barreno, full):
         # What is missing halves with the cell: 0.203, 0.063, 0.040, 0.019.
         result.demand("speed missing at 0.0025 m over that at 0.005 m", (1 - result.rows[3][3]) / (1 - result.rows[2][3]), 0.6)
     result.notes = (
-        "The ratio tends to 1 with the cells. Of the kinetic and elastic energy that is lost half goes between particles and "
-        "grid (transfer), half into the work of the nodal forces (stress_integration); the likely cause, not isolated, is "
-        "that nodes whose fields come into touch agree on one velocity, an inelastic impact of the masses within about a cell "
-        "of the surface. What is missing in the mean speed beyond that stays in the disks as vibration."
+        "The ratio tends to 1 as cells are refined. Of the kinetic and elastic energy lost, half is lost between particles and grid "
+        "(transfer) and half in the work of the nodal forces (stress_integration); the likely cause, not isolated, is that nodes whose "
+        "fields come into contact take a common velocity, an inelastic impact of the masses within about a cell "
+        "of the surface. The rest of the deficit in mean speed remains in the disks as vibration."
     )
     return result

@@ -112,9 +112,9 @@ def run(barreno, full):
     duration, approach = hertz()
     result = Result(
         "Collision of elastic spheres",
-        "Contact, momentum and energy in three dimensions; the same in one velocity field, without contact.",
-        f"Hertz: contact lasts {1e3 * duration:.4g} ms, the centres come nearer by {1e3 * approach:.4g} mm, and the spheres part as "
-        "fast as they met but for a little vibration; momentum; kinetic and elastic energy are kept.",
+        "Contact, momentum and energy in three dimensions; for comparison, also in a single velocity field, without contact.",
+        f"Hertz: contact lasts {1e3 * duration:.4g} ms, the centres approach by {1e3 * approach:.4g} mm, and the spheres separate "
+        "as fast as they met except for slight vibration; momentum and the sum of kinetic and elastic energy are conserved.",
         ["contact", "cells per radius", "Courant fraction", "duration / Hertz", "approach / Hertz", "speed after / before",
          "momentum error", "kinetic and elastic / initial energy", "lost to transfer / initial energy", "energy ledger remainder"],
         [],
@@ -131,7 +131,7 @@ def run(barreno, full):
         m = together(barreno, h, fraction)
         result.rows.append(["one velocity field", 0.2 / h, fraction, "", "", m["ratio"], m["momentum"], m["kept"], m["lost"], m["ledger"]])
         demand(f"one field, {0.2 / h:g} cells per radius, Courant fraction {fraction}", m, 1e-3, result)
-        result.demand(f"they did meet: largest elastic energy, {0.2 / h:g} cells per radius, Courant fraction {fraction}", m["squeezed"], 0.2, at_least=True)
+        result.demand(f"contact occurred: largest elastic energy, {0.2 / h:g} cells per radius, Courant fraction {fraction}", m["squeezed"], 0.2, at_least=True)
     if full:
         # Of the cells, not of the step: half the step changes the loss by a factor of 1.02 (contact) and 0.77 (one field), since it is the
         # layer of a cell that gets one velocity which loses it.
@@ -139,10 +139,10 @@ def run(barreno, full):
             missing = [1.0 - result.rows[i][7] for i in (coarse, fine)]
             result.demand(f"energy missing with half the cells over that with the cells, {name}", missing[1] / missing[0], 0.6)
     result.notes = (
-        "Momentum is kept to round-off. Energy is not: where surfaces meet, a layer about a cell thick gets one velocity, as in a collision "
-        "without rebound. What is missing falls with the cell (first order or better); with contact the step hardly matters. The surfaces "
-        "are known to half a particle, a quarter of a cell: so much the centres' approach misses, in a contact whose radius by Hertz "
-        "is 11 mm, one and two cells."
+        "Momentum is conserved to round-off. Energy is not: where surfaces meet, a layer about a cell thick takes a common velocity, as in "
+        "a perfectly inelastic collision. The loss decreases with the cell size (first order or better); with contact the step size hardly "
+        "matters. The surfaces are resolved to half a particle, a quarter of a cell, which is the error of the centres' approach in a "
+        "contact whose Hertz radius is 11 mm, one and two cells."
     )
     return result
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cryer's ball: the pressure in its middle rises before it falls, though nothing but draining goes on."""
+"""Cryer's ball: the pressure at its centre rises before it falls, though nothing but draining goes on."""
 import functools
 
 import numpy as np
@@ -48,10 +48,10 @@ def history(barreno, h):
 def run(barreno, full):
     result = Result(
         "Cryer's ball",
-        "Rock that drains at its surface squeezes what has not drained: the pressure in the middle rises above the first one.",
-        "the series of the ball (compressible grains and fluid), the load's ramp by superposition. Errors over the exact peak, the "
-        f"largest and rms of the instants c t / R^2 = {FIRST:g} ... {LAST:g}.",
-        ["cells in the radius", "peak, p / P", "exact", "error of the peak", "largest error", "rms", "order", "fluid that is missing"],
+        "Rock that has drained at the surface squeezes the rock that has not: the pressure at the centre rises above its initial value.",
+        "the series of the ball (compressible grains and fluid), with the load ramp by superposition. Errors relative to the exact peak, "
+        f"largest and rms over the instants c t / R^2 = {FIRST:g} ... {LAST:g}.",
+        ["cells in the radius", "peak, p / P", "exact", "error of the peak", "largest error", "rms", "order", "missing fluid"],
         [],
     )
     found = []
@@ -63,7 +63,7 @@ def run(barreno, full):
         found.append(float(np.sqrt(np.mean(error**2))))
         rate = order(found[-2:])[0] if len(found) > 1 else float("nan")
         result.rows.append([round(1.0 / h), measured, wanted, measured / wanted - 1.0, float(error.max()), found[-1], rate, missing])
-        result.demand(f"{round(1.0 / h)} cells: fluid that is missing", missing, 1e-12)
+        result.demand(f"{round(1.0 / h)} cells: missing fluid", missing, 1e-12)
         result.demand(f"{round(1.0 / h)} cells: the pressure rises above the first one", measured / ROCK.skempton, 1.03, at_least=True)
     result.demand("error of the peak at the finest mesh", abs(result.rows[-1][3]), 1e-2 if full else 4e-2)
     result.demand("largest error at the finest mesh", result.rows[-1][4], 1e-2 if full else 5e-2)

@@ -46,9 +46,9 @@ def measure(barreno, shape, cells):
 def run(barreno, full):
     result = Result(
         "Wave from a cylindrical cavity",
-        "A jump in axisymmetry: its arrival, its decay with the radius and the motion behind it.",
+        "A pressure jump in axisymmetry: its arrival, its decay with radius and the motion behind it.",
         "Laplace transform of the linear solution, inverted numerically (`verification/oracles/cavity_waves.py`). rms errors "
-        f"over all particles and six instants, velocity and stress further than {FRONT} m from the front; over p a / (rho c^2), "
+        f"over all particles and six instants, velocity and stress at more than {FRONT} m from the front; relative to p a / (rho c^2), "
         "p / (rho c) and p.",
         ["shape function", "cells per radius", "displacement error", "order", "velocity error", "order", "stress error", "order",
          "energy ledger remainder"],
@@ -67,8 +67,8 @@ def run(barreno, full):
         rate = order([errors[0][0], errors[-1][0]], ratio=2.0 ** (len(errors) - 1))[0]
         result.demand(f"{shape}: mean order of the displacement", rate, 0.8, at_least=True)
     result.notes = (
-        "A jump is resolved by a fixed number of cells: behind it, errors are of the first order and not more. A load that is there "
-        "from the start gives its whole first step to velocities that belong to the middle of that step: it acts from half a "
-        "step before the start, and the wave is that much early, also first order."
+        "A jump spans a fixed number of cells: behind it, errors are of first order at best. A load present from the start acts for the "
+        "whole first step on velocities that belong to the midpoint of that step: it acts from half a step before the start, so the wave "
+        "arrives that much too early, which is also first order."
     )
     return result

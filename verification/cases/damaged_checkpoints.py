@@ -24,8 +24,8 @@ def damage(data, turn, rng):
 def run(barreno, full):
     result = Result(
         "Damaged checkpoints",
-        "One wrong bit, or a file that ends too soon, is found; the checkpoint before is taken, and the run ends as if nothing had happened.",
-        "the run that was left alone, its tables byte for byte and its fields bit for bit.",
+        "A single wrong bit or a truncated file is detected; the previous checkpoint is used, and the run ends as if nothing had happened.",
+        "the undisturbed run, its tables byte for byte and its fields bit for bit.",
         ["damage", "files", "found", "previous one used", "ended differently"],
         [],
     )
@@ -43,7 +43,7 @@ def run(barreno, full):
         (folder / "checkpoint.h5").write_bytes(data)
         ended = program(barreno, 1, "resume", folder)
         count[0] += 1
-        count[1] += "checkpoint.h5 is passed over" in ended.stdout
+        count[1] += "checkpoint.h5 is skipped" in ended.stdout
         count[2] += ended.returncode == 0 and "resumed from checkpoint_previous.h5" in ended.stdout
         count[3] += bool(different_fields(plain, folder) or different_files(plain, folder))
     for kind, count in counts.items():

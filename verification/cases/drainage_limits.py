@@ -41,10 +41,10 @@ def row(name, run, drained):
 def run(barreno, full):
     result = Result(
         "Perforation without and with all drainage",
-        "Pore flow switched on without permeability changes nothing; with very much of it rock behaves as drained rock.",
-        "the undrained run, bit for bit; the run of dry rock of equal density, whose pores are empty (pores of the others are full "
-        "at no pressure, as is everything outside). Stresses: rms difference over all particles of the rock.",
-        ["rock", "depth [mm]", "plastic work [J]", "stresses against drained", "particles against drained [mm]", "fluid that is missing"],
+        "Pore flow with zero permeability changes nothing; with very high permeability rock behaves as drained rock.",
+        "the undrained run, bit for bit; the run of dry rock of equal density, whose pores are empty (the pores of the others are full at "
+        "zero pressure, like everything outside). Stresses: rms difference over all particles of the rock.",
+        ["rock", "depth [mm]", "plastic work [J]", "stresses against drained", "particles against drained [mm]", "missing fluid"],
         [],
     )
     for end in (6.0, 20.0) if full else (6.0,):
@@ -58,7 +58,7 @@ def run(barreno, full):
             result.rows.append(row(f"{permeability:g} m2, {end:g} us", with_flow(barreno, permeability, end), drained))
         where, most = f"against drained, {end:g} us", result.rows[-1]
         undrained_apart = apart(drained, closed)[0]
-        result.demand(f"{where}: stresses with the most permeability, over those of undrained rock", most[3] / undrained_apart, 0.1)
-        result.demand(f"{where}: depth with the most permeability, relative", abs(most[1] / (1e3 * depth(drained)) - 1.0), 1e-3)
-        result.demand(f"against drained, {end:g} us: fluid that is missing", result.rows[-1][-1], 1e-9)
+        result.demand(f"{where}: stresses with the highest permeability, over those of undrained rock", most[3] / undrained_apart, 0.1)
+        result.demand(f"{where}: depth with the highest permeability, relative", abs(most[1] / (1e3 * depth(drained)) - 1.0), 1e-3)
+        result.demand(f"against drained, {end:g} us: missing fluid", result.rows[-1][-1], 1e-9)
     return result

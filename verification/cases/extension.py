@@ -115,8 +115,8 @@ def at(entries, stretch):
 def run(barreno, full):
     result = Result(
         "Bar pulled to five times its length",
-        "The extension instability (numerical fracture), its absence under CPDI, and domain scaling, which brings it back where l_crit "
-        "says.",
+        "The extension instability (numerical fracture), its absence under CPDI, and domain scaling, which brings it back at a stretch set "
+        "by l_crit.",
         "one stretch and one stress all over the bar (neo-Hookean, uniaxial strain); two particles per cell and direction, 4 cells at "
         "the start. Greatest errors of any particle, over stretch and stress of a bar of the mean stretch; gaps over the mean length "
         f"of a particle; parted: the first of instants {COARSE:g} apart at which a particle of the inner {100 * INSIDE:g} % carries "
@@ -137,11 +137,11 @@ def run(barreno, full):
                                 five["error"], five["stress"], five["gap"], seen, five["clipped"][0]])  # fmt: skip
             demand(f"{shape}, l_crit {shown}" if shown else shape, shape, domain, entries, seen, result)
     result.notes = (
-        "With two particles per cell a CPDI domain is clipped from a stretch of sqrt(16 l_crit^2 - 1) on. There the bar parts: where it "
-        "has a gap it carries less. CPDI's domains stay in touch because a particle moves with the mean velocity of the ends of its "
+        "With two particles per cell a CPDI domain is clipped from a stretch of sqrt(16 l_crit^2 - 1) on. There the bar separates: where "
+        "it has a gap it carries less. CPDI domains stay connected because a particle moves with the mean velocity of the ends of its "
         "domain and its length grows with their difference, so that a gap between two ends grows only with the difference of the grid's "
-        "velocity across it. Contiguous GIMP moves with the mean over the box, which is another one where a node lies inside it; the "
-        "boxes part, and so does the bar, long before they are clipped. The errors at a stretch of 2 are those of the cell at the "
-        "grip, which holds one node after the other and lets it go at once."
+        "velocity across it. Contiguous GIMP moves with the mean over the box, which differs where a node lies inside it; the boxes "
+        "separate, and so does the bar, long before they are clipped. The errors at a stretch of 2 stem from the cell at the grip, which "
+        "constrains one node after another and releases each abruptly."
     )
     return result

@@ -21,10 +21,10 @@ def build(scratch):
 def run(barreno, full):
     result = Result(
         "Full disk",
-        "A disk that fills up ends the run with one sentence, or a warning if a checkpoint was all that found no room; with room again the run is "
-        "resumed and ends as if nothing had happened.",
-        "the run that was left alone, its tables byte for byte and its fields bit for bit. From the write call of the first column on all fail "
-        "(tools/full_disk.c, preloaded); the run is one that is resumed, so that older files are there to be damaged.",
+        "A disk that fills up ends the run with one sentence, or causes a warning if only a checkpoint found no room; once there is room "
+        "again, the resumed run ends as if nothing had happened.",
+        "the undisturbed run, its tables byte for byte and its fields bit for bit. All write calls fail from the one in the first column "
+        "on (tools/full_disk.c, preloaded); the run is a resumed one, so that older files exist that could be damaged.",
         ["write call", "exit code", "lines on stderr", "resumed", "ended differently"],
         [],
     )

@@ -32,11 +32,11 @@ def fuzz(program, folder, reader, rounds, seed):
 def run(barreno, full):
     result = Result(
         "Changed input",
-        "No input ends the reading of a deck, a card, a jet table, a path or an STL surface otherwise than with a scene, a material, a table or one "
-        "sentence.",
-        "the rule that a refusal is one line that begins with the file's name, gives a reason and says what to do. The inputs are changed at random "
-        "(tests/fuzz): values, names, types and lists of the decks and cards of this repository, cells of tables, corners of surfaces, bytes; under the "
-        "address and undefined-behaviour sanitizers, on a machine of 64 MB. A deck goes the whole way: text, what it includes, tables, scene.",
+        "Whatever the input, reading a deck, a card, a jet table, a path or an STL surface ends with a scene, a material, a table or one sentence.",
+        "the rule that a refusal is one line that begins with the file's name, states a reason and says what to do. The inputs are changed at random "
+        "(tests/fuzz): values, names, types and lists of the decks and cards of this repository, cells of tables, corners of surfaces, "
+        "bytes; under the "
+        "address and undefined-behaviour sanitizers, on a machine of 64 MB. A deck is processed completely: text, included files, tables, scene.",
         ["reader", "inputs", "seeds", "accepted", "kinds of sentences", "crashes", "not one sentence", "over 1 s", "longest [s of processor]"],
         [],
     )
@@ -62,6 +62,6 @@ def run(barreno, full):
         if crashes or sums["faults"] or sums["slow"]:
             print("\n".join(part["said"] for part in found))
     result.notes = (
-        "Kinds are sentences that differ in more than the numbers and the quoted words in them (of the seed that saw more)."
+        "Kinds are sentences that differ in more than their numbers and quoted words (of the seed that produced more of them)."
     )
     return result

@@ -13,7 +13,7 @@ def run(barreno, full):
     result = Result(
         "Block on an incline",
         "Contact with friction under the body's own weight.",
-        "a = g (sin - friction * cos), and none below the angle of friction, 16.7 degrees.",
+        "a = g (sin - friction * cos), and no sliding below the friction angle, 16.7 degrees.",
         ["cell [m]", "angle [degrees]", "acceleration [m/s2]", "exact [m/s2]", "ledger remainder"],
         [],
     )

@@ -88,7 +88,7 @@ def text_of(seconds):
 def run(barreno, full):
     result = Result(
         "Comparison of the integrators: error against cost",
-        "What each integrator's accuracy costs where the answer is smooth.",
+        "The cost of accuracy with each integrator where the solution is smooth.",
         "manufactured solutions (see Axis-aligned displacement and Generalized vortex), plane strain, two particles per cell and "
         "direction, the default Largest Domain; rms displacement error over A (box) or in metres (vortex). Cost: CPU seconds on one "
         "core, particles x steps x time per particle-step of the finest level.",
@@ -108,8 +108,8 @@ def run(barreno, full):
         result.demand("CPDI over GIMP, time per particle-step", costs["CPDI"] / costs["GIMP"], DEAR)
     result.notes = "\n".join(lines) + (
         "\n\nThe picture is drawn by `verification/cases/integrators.py` from the last "
-        "measurement. At strains of 0.31 (box) the curves of fixed supports and point masses turn back: more cells cost more and are "
-        "worse; domains that follow their particles go on."
+        "measurement. At strains of 0.31 (box) the curves of fixed supports and point masses turn back: more cells cost more and are less "
+        "accurate; domains that follow their particles keep converging."
     )
     return result
 

@@ -12,7 +12,7 @@ from runs import DECKS, scratch_folder
 
 DECK = DECKS / "perforation_quick.xml"
 SHORT = ("--set", "Time/End Time=6 us", "--set", "Output/Field Interval=3 us", "--set", "Output/Checkpoint Steps=10")
-MOST = 5  # kills of one run, so that one that is killed before its first checkpoint is begun anew
+MOST = 5  # kills of one run, so that one that is killed before its first checkpoint is started again
 
 
 def is_finished(folder):
@@ -41,9 +41,9 @@ def killed_and_resumed(barreno, folder, seconds):
 def run(barreno, full):
     result = Result(
         "SIGKILL at random moments",
-        "A run on two ranks that is killed at any moment and resumed ends as the run that was left alone.",
+        "A run on two ranks that is killed at any moment and resumed ends exactly like the undisturbed run.",
         "the fields of that run, bit for bit.",
-        ["killed runs", "kills", "resumed from a checkpoint", "begun anew", "ended with other fields"],
+        ["killed runs", "kills", "resumed from a checkpoint", "started again", "ended with different fields"],
         [],
     )
     scratch = pathlib.Path(scratch_folder())
@@ -63,5 +63,5 @@ def run(barreno, full):
     result.rows.append([runs, *map(int, sums), other])
     result.demand("kills", int(sums[0]), wanted, at_least=True)
     result.demand("resumed from a checkpoint", int(sums[1]), 1, at_least=True)
-    result.demand("runs that ended with other fields", other, 0)
+    result.demand("runs that ended with different fields", other, 0)
     return result

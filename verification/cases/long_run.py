@@ -51,9 +51,9 @@ def run(barreno, full):
     steps = 100000 if full else 40000
     result = Result(
         "A long run",
-        "Over very many steps energy stays and memory is flat.",
-        "kinetic and elastic energy, which nothing takes: means over a period (velocities are half a step before stresses), against the first; "
-        "memory of the process from a quarter of the run on, with twenty checkpoints.",
+        "Over very many steps energy is conserved and memory stays constant.",
+        "kinetic and elastic energy, which no process dissipates: means over a period (velocities lag stresses by half a step), compared "
+        "with the first; memory of the process from a quarter of the run on, with twenty checkpoints.",
         ["order of the step", "steps", "worst error of the energy", "memory at a quarter [MB]", "largest later [MB]"],
         [],
     )

@@ -62,12 +62,12 @@ def demand(mode, shape, amplitude, per_cell, levels, errors, result):
         least = 1.9 if amplitude == LARGE or levels[-1] >= SETTLED else 1.8
         result.demand(f"{what} of the last halving", rates[-1], least, at_least=True)
     elif amplitude == SMALL:
-        result.demand(f"{what}, least of all halvings", min(rates), 1.8, at_least=True)
+        result.demand(f"{what}, minimum over all halvings", min(rates), 1.8, at_least=True)
 
 
 def floor_lines(found):
     """Where the errors of each refinement at the large amplitude stop to fall, and how they grow."""
-    lines = ["| mode | shape function | particles per cell | least error / A | at cells | order of the last halving |", "|---|---|---|---|---|---|"]
+    lines = ["| mode | shape function | particles per cell | smallest error / A | at cells | order of the last halving |", "|---|---|---|---|---|---|"]
     for (mode, shape, amplitude, per_cell, levels), errors in found:
         if amplitude == LARGE and errors and shape not in FOLLOWS_ITS_PARTICLES:
             least = min(errors)
@@ -78,9 +78,9 @@ def floor_lines(found):
 def run(barreno, full):
     result = Result(
         "Axis-aligned displacement",
-        "Order of accuracy at small and large strain, for shape functions and modes that this build has.",
-        "manufactured solution of the neo-Hookean box (`verification/oracles/manufactured.py`); rms and greatest error of "
-        "the displacement over all particles, the largest over ten instants of half a period, over the amplitude A in metres.",
+        "Order of accuracy at small and large strain, for all shape functions and modes of this build.",
+        "manufactured solution of the neo-Hookean box (`verification/oracles/manufactured.py`); rms and largest error of the displacement "
+        "over all particles, the largest over ten instants of half a period, relative to the amplitude A in metres.",
         ["mode", "shape function", "A", "particles per cell", "cells", "rms error / A", "order", "greatest error / A",
          "energy ledger remainder"],
         [],
@@ -92,10 +92,10 @@ def run(barreno, full):
         found.append((case, errors))
     result.notes = (
         "Supports of fixed size (GIMP) and point masses (B-splines, linear) stop converging where strained particles no longer fill "
-        "the cells evenly: sums over particles are then integrals with an error that grows with the strain and is divided by the "
-        "cell size. From that floor on the error is inversely proportional to the cell size (order -1); it is lower with more "
-        "particles per cell and for smoother functions. No order is demanded there; shape functions that follow their particles "
-        "must keep their order at both amplitudes, and linear functions, the control, must not converge. At A = 0.1:\n\n"
+        "the cells evenly: sums over particles then approximate integrals with an error that grows with the strain and is divided by the "
+        "cell size. Beyond that floor the error is inversely proportional to the cell size (order -1); it is lower with more particles per "
+        "cell and for smoother functions. No order is required there; shape functions that follow their particles must keep their order at "
+        "both amplitudes, and linear functions, the control, must not converge. At A = 0.1:\n\n"
         + floor_lines(found)
     )
     return result

@@ -61,11 +61,11 @@ def rings(barreno, shape, full, result):
 def run(barreno, full):
     result = Result(
         "Generalized vortex and expanding ring",
-        "Rotation with shears up to 1.2 (A = 0.2) and 6 (A = 1), and hoop strains of a ring, on a grid that is not aligned.",
-        "manufactured solutions of the neo-Hookean disk (`verification/oracles/manufactured.py`); rms and greatest error of "
-        "the displacement over all particles, the largest over ten instants, metres (the disk reaches to 1.25 m, the ring to "
-        "0.6 m); A in radians for the vortex, in metres for the ring; the vortex keeps volumes (ratio 1). Largest Domain is 1 "
-        "cell, or as large as it comes (any domain).",
+        "Rotation with shears up to 1.2 (A = 0.2) and 6 (A = 1), and hoop strains of a ring, on a grid that is not aligned with the motion.",
+        "manufactured solutions of the neo-Hookean disk (`verification/oracles/manufactured.py`); rms and largest error of the "
+        "displacement over all particles, the largest over ten instants, in metres (the disk reaches to 1.25 m, the ring to "
+        "0.6 m); A in radians for the vortex, in metres for the ring; the vortex preserves volumes (ratio 1). Largest Domain is 1 cell, or "
+        "unlimited (any domain).",
         ["motion", "shape function", "A", "cell [m]", "rms error [m]", "order", "greatest error [m]", "least volume ratio",
          "energy ledger remainder"],
         [],
@@ -75,8 +75,8 @@ def run(barreno, full):
         vortices(barreno, shape, full, result)
     result.notes = (
         "A support of fixed size cannot follow such shears, and a box that only stretches (contiguous GIMP) cannot either: the error "
-        "grows with refinement at A = 0.2, and at A = 1 particles leave their bodies. That is what independent prototypes of the method "
-        "find (orders 0.1 and -1.2 at A = 0.2; no result at A = 1); CPDI must converge, if its domains may be as long as they become: "
-        "cut at one cell they part from their neighbours, and the disk with them."
+        "grows with refinement at A = 0.2, and at A = 1 particles leave their bodies. Independent prototypes of the method show the same "
+        "(orders 0.1 and -1.2 at A = 0.2; no result at A = 1); CPDI must converge if its domains are not limited: clipped at one cell they "
+        "separate from their neighbours, and the disk with them."
     )
     return result

@@ -10,9 +10,9 @@ MODE = "3D"
 def run(barreno, full):
     result = Result(
         "Axis-aligned displacement, in three dimensions",
-        "Order of accuracy in 3D at small and large strain; mirrors on six sides.",
-        "manufactured solution of the neo-Hookean box (`verification/oracles/manufactured.py`), phases 0, pi, 0; rms and greatest "
-        "error of the displacement over all particles, the largest over ten instants of half a period, over the amplitude A in metres.",
+        "Order of accuracy in 3D at small and large strain; symmetry planes on six sides.",
+        "manufactured solution of the neo-Hookean box (`verification/oracles/manufactured.py`), phases 0, pi, 0; rms and largest error of "
+        "the displacement over all particles, the largest over ten instants of half a period, relative to the amplitude A in metres.",
         ["mode", "shape function", "A", "particles per cell", "cells", "rms error / A", "order", "greatest error / A",
          "energy ledger remainder"],
         [],
@@ -25,8 +25,8 @@ def run(barreno, full):
             least = 1.9 if shape in FOLLOWS_ITS_PARTICLES and full else 1.8
             result.demand(what, order(errors)[-1] if len(errors) == len(levels) else -1.0, least, at_least=True)
     result.notes = (
-        "Phases of 0, 2 pi / 3, 4 pi / 3 would need a start that is already deformed (displacement, F and stress of every particle), "
-        "which decks cannot give; with 0, pi, 0 the box starts undeformed, and all three directions still have strains and forces of "
-        "their own in one field of ln J. GIMP is not asked for an order at A = 0.1: see the note of the plane."
+        "Phases of 0, 2 pi / 3, 4 pi / 3 would need a deformed initial state (displacement, F and stress of every particle), which decks "
+        "cannot specify; with 0, pi, 0 the box starts undeformed, and all three directions still have different strains and forces in a "
+        "common field of ln J. No order is required of GIMP at A = 0.1: see the notes of the plane case."
     )
     return result

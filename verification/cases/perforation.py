@@ -71,8 +71,8 @@ def run(barreno, full):
     result = Result(
         "Perforation",
         "The main job on 1, 2 and 4 ranks and at three cell sizes.",
-        "balances are identities; rank counts must not differ; the depth has no exact answer: it is held to what it was (a change of the "
-        "answer is seen), and against that with cells of 0.25 mm.",
+        "balances are identities; the number of ranks must not matter; the depth has no exact answer: it is compared with its earlier "
+        "value (to detect changes) and with that of cells of 0.25 mm.",
         ["run", *(f"depth at {time} us [mm]" for time in TIMES), "final depth [mm]",
          "final radius of the hole, 20 to 60 mm deep [mm]", "energy that stress_integration and transfer took, over what was put in",
          "mass", "axial momentum", "energy ledger", "launched against table"],

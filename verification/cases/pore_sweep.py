@@ -37,9 +37,9 @@ def run(barreno, full):
     end = END if full else 6.0
     result = Result(
         "Depth against permeability",
-        "One deck from undrained to drained rock.",
-        "none between the ends; permeability 0 is the undrained run, the most is near the drained one (dry rock of equal density).",
-        ["rock", "permeability [m2]", "depth [mm]", "plastic work [J]", "highest pore pressure [MPa]", "fluid that left [%]", "fluid that is missing",
+        "One deck, from undrained to drained rock.",
+        "none between the limits; permeability 0 is the undrained run, the largest is close to the drained one (dry rock of equal density).",
+        ["rock", "permeability [m2]", "depth [mm]", "plastic work [J]", "highest pore pressure [MPa]", "fluid that left [%]", "missing fluid",
          "particles removed"],
         [],
     )  # fmt: skip
@@ -48,13 +48,13 @@ def run(barreno, full):
         result.rows.append(row("saturated", permeability, with_flow(barreno, permeability, end)))
     result.rows.append(row("drained", float("inf"), dry(barreno, end)))
     result.demand("depth with permeability 0 less the undrained one [mm]", abs(result.rows[1][2] - result.rows[0][2]), 0.0)
-    result.demand("depth with the most permeability over the drained one", abs(result.rows[-2][2] / result.rows[-1][2] - 1.0), 5e-3)
-    result.demand("fluid that is missing, the worst of all", max(r[-2] for r in result.rows), 1e-9)
+    result.demand("depth with the highest permeability over the drained one", abs(result.rows[-2][2] / result.rows[-1][2] - 1.0), 5e-3)
+    result.demand("missing fluid, maximum", max(r[-2] for r in result.rows), 1e-9)
     gone = max(r[-1] for r in result.rows)
-    result.demand("particles removed, the most of all", gone, 0.0)
+    result.demand("particles removed, maximum", gone, 0.0)
     result.notes = (
         "`verification/depth_against_permeability.py BARRENO` runs the "
-        f"sweep and draws. Cells of 4 mm, {END:g} us: a jet is as deep in undrained as in dry rock of equal density."
+        f"sweep and draws it. With cells of 4 mm, at {END:g} us, a jet is as deep in undrained as in dry rock of equal density."
     )
     return result
 

@@ -70,12 +70,13 @@ def measure(barreno, mode, shape, cells):
 def run(barreno, full):
     result = Result(
         "A pulse leaves a preloaded bar",
-        "Non-reflecting faces under a confining pressure, and a wall that moves by a table.",
-        "d'Alembert: a wave that runs one way, then rest under the preload, moved on by what the wall has moved. The wave: rms of "
-        "velocity and stress over the peaks while it passes; what comes back: largest velocity or stress of any particle "
-        f"further than a cell from the moved end, over the same, from {1e3 * GONE:g} ms to 4 ms; drift: mean motion from then on over that of the wall.",
-        ["mode", "shape function", "cells", "wave error", "order", "comes back, amplitude", "order", "comes back, kinetic energy",
-         "final place", "drift", "energy ledger remainder"],
+        "Non-reflecting faces under a confining pressure, and a wall moved by a table.",
+        "d'Alembert: a wave in one direction, then rest under the preload, displaced by as much as the wall. The wave: rms errors of "
+        "velocity and stress relative to the peaks while it passes; reflection: largest velocity or stress of any particle "
+        f"more than a cell from the moved end, relative to the same, from {1e3 * GONE:g} ms to 4 ms; drift: mean motion from then on "
+        "relative to that of the wall.",
+        ["mode", "shape function", "cells", "wave error", "order", "reflected amplitude", "order", "reflected kinetic energy",
+         "final position", "drift", "energy ledger remainder"],
         [],
     )  # fmt: skip
     levels = (25, 50, 100) if full else (25, 50)
@@ -90,9 +91,9 @@ def run(barreno, full):
                                     m["remainder"]])  # fmt: skip
             m = found[1]
             name = f"{mode}, {shape}, 50 cells"
-            result.demand(f"{name}: amplitude that comes back", m["peak"], 0.02)
-            result.demand(f"{name}: kinetic energy that comes back", m["energy"], 4e-4)
-            result.demand(f"{name}: final place", m["moved"], 1e-2)
+            result.demand(f"{name}: reflected amplitude", m["peak"], 0.02)
+            result.demand(f"{name}: reflected kinetic energy", m["energy"], 4e-4)
+            result.demand(f"{name}: final position", m["moved"], 1e-2)
             result.demand(f"{name}: drift under the preload", m["drift"], 1e-3)
             result.demand(f"{name}: wave error", m["wave"], 0.05)
             result.demand(f"{name}: energy ledger remainder", m["remainder"], 1e-3)

@@ -15,7 +15,7 @@ def mean_stress(finished, name):
 def run(barreno, full):
     result = Result(
         "Two blocks pressed together",
-        "A plane contact carries the pressure evenly, edge included, and no shear, although the blocks bulge differently.",
+        "A plane contact carries a uniform pressure up to the edge, and no shear, although the blocks bulge differently.",
         "sigma_yy = -p in every particle, sigma_xx = sigma_xy = 0.",
         ["cell [m]", "mean sigma_yy / p", "largest error of sigma_yy / p", "largest sigma_xx / p", "largest sigma_xy / p", "gap [cells]"],
         [],

@@ -11,9 +11,9 @@ from runs import DECKS, scratch_folder
 def run(barreno, full):
     result = Result(
         "Restart on another number of ranks",
-        "Neither fields nor tables nor balances depend on where a run was resumed, nor on how many ranks.",
-        "the run on two ranks that was left alone: variables of particles.e, history.csv and depth.csv byte for byte, and all numbers of "
-        "summary.json but times, memory and the number of particle-steps that were skipped.",
+        "Neither fields nor tables nor balances depend on when a run was resumed or on how many ranks.",
+        "the undisturbed run on two ranks: variables of particles.e, history.csv and depth.csv byte for byte, and all numbers of "
+        "summary.json except times, memory and the number of skipped particle-steps.",
         ["ranks", "fields that differ in a bit", "tables that differ", "numbers of the summary that differ"],
         [],
     )

@@ -43,11 +43,11 @@ def pressed(barreno, settings, area):
 def run(barreno, full):
     result = Result(
         "Rigid plate on a bar",
-        "The force on a rigid body in history.csv is what the wave and the stress in the bar say.",
+        "The force on a rigid body in history.csv agrees with the wave and the stress in the bar.",
         "rho c v A until the wave returns; at rest -E ln(1 - travel / length) A, and stress times area.",
         ["mode", "cell [m]", "driven, F / (rho c v A)", "from the start on", "pressed, F / (E strain A)", "F / (stress A)"],
         [],
-        notes="The pressed bar is too stiff by up to a cell over its length: the cell that the plate enters is held whole.",
+        notes="The compressed bar is too stiff by up to one cell over its length: the cell that the plate enters is fully constrained.",
     )
     for mode, area in AREA.items():
         for h in [1e-3, 0.5e-3] + ([0.25e-3] if full else []):

@@ -131,10 +131,9 @@ def demand(stop_strain, runs, meshes, result):
 def run(barreno, full):
     result = Result(
         "Coasting implosion of a thick shell",
-        "GIMP, axisymmetric, von Mises: plastic work, inertia and curved free surfaces together.",
+        "GIMP, axisymmetric, von Mises: plastic work, inertia and curved free surfaces combined.",
         "Carroll and Holt's shell with inertia, law H (`verification/oracles/shell_motion.py`), incompressible; "
-        "and a one-dimensional shell of the same K/G (dense). Lengths over the travel of the inner wall, pressures over Y, "
-        "half-way.",
+        "and a one-dimensional shell of the same K/G (dense). Lengths relative to the travel of the inner wall, pressures relative to Y, half-way.",
         ["stop strain", "K/G", "cells in the wall", "travel, error against exact", "against dense", "rms path error against dense",
          "order", "time of least kinetic energy, error", "spread of r^3 - R^3", "rms pressure error", "99 % of pressure errors"],
         [],
@@ -144,9 +143,9 @@ def run(barreno, full):
     if full:
         demand(-0.15, refine(barreno, -0.15, meshes[:3], result), meshes[:3], result)
     result.notes = (
-        "The inner radius is that of `radii.csv`: from the mass average of r^3 and the volume. What remains of the "
-        "extrapolated travel at fine meshes is the extrapolation: the shell rings at a period that depends on K/G. Pressures of "
-        "single particles are noisy, the more so the stiffer the matrix, as volumetric locking would have it; the noise falls "
-        "with the cells and hardly shows in the motion."
+        "The inner radius is that of `radii.csv`: from the mass average of r^3 and the volume. The remaining error of the extrapolated "
+        "travel at fine meshes is that of the extrapolation: the shell rings at a period that depends on K/G. Pressures of single "
+        "particles are noisy, the more so the stiffer the matrix, which suggests volumetric locking; the noise decreases with the cells "
+        "and hardly affects the motion."
     )
     return result

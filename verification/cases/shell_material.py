@@ -125,9 +125,9 @@ def porosity_order(result):
 def run(barreno, full):
     result = Result(
         "Arenisca against the spherical shell, material point",
-        "A porous rock with the shell's own parameters, nothing fitted: what the continuum model makes of the shell.",
-        "Carroll and Holt's shell (`verification/oracles/shell_statics.py`), load to a volume strain of -0.12; Y = 300 MPa, "
-        "G = 15 GPa, porosity 0.2, fluid 2.2 GPa. Errors over the shell's largest pressure.",
+        "A porous rock with the parameters of the shell, nothing fitted: how well the continuum model represents the shell.",
+        "Carroll and Holt's shell (`verification/oracles/shell_statics.py`), loaded to a volume strain of -0.12; Y = 300 MPa, "
+        "G = 15 GPa, porosity 0.2, fluid 2.2 GPa. Errors relative to the shell's largest pressure.",
         ["form", "p0", "largest error", "at strain", "L2 error", "error at -0.12", "code against oracle"],
         [],
     )  # fmt: skip

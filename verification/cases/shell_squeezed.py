@@ -131,10 +131,10 @@ FULL = ((0.0, 10.0, 8, 1.0), (0.0, 10.0, 8, 2.0), (0.0, 10.0, 16, 2.0), (2.2e9, 
 def run(barreno, full):
     result = Result(
         "Thick shell squeezed and released",
-        "Follower pressure on a curved surface, plastic flow, reverse yield, a fluid in the hollow: axisymmetric.",
-        "A one-dimensional shell of the same K/G (`verification/oracles/compressible_shell.py`), released from the strain that the "
-        "run has reached. Pressures at the strain of the run, rms over Pmax; stresses of all particles, rms over Y; at the wall "
-        "(a sixteenth of it): mean of sigma_r - sigma_t at the peak and of sigma_t at the end, against the exact ones, over Y.",
+        "Follower pressure on a curved surface, plastic flow, reverse yielding, a fluid in the cavity: axisymmetric.",
+        "A one-dimensional shell of the same K/G (`verification/oracles/compressible_shell.py`), released from the strain that the run has "
+        "reached. Pressures at the strain of the run, rms relative to Pmax; stresses of all particles, rms relative to Y; at the wall (a "
+        "sixteenth of it): mean of sigma_r - sigma_t at the peak and of sigma_t at the end, compared with the exact ones, relative to Y.",
         ["fluid modulus", "K/G", "cells in the wall", "loading takes [us]", "strain reached", "P, loading", "P, release", "p_f",
          "stresses at the peak", "stresses at the end", "s at the wall, peak", "residual hoop stress at the wall",
          "strain left, error", "kinetic / internal energy", "energy ledger remainder"],
@@ -148,9 +148,9 @@ def run(barreno, full):
         if cells == max(r[2] for r in runs if r[:2] == (fluid, ratio)):
             demand(f"{'with water' if fluid else 'drained'}, K/G = {ratio:.3g}, {cells} cells", fluid, cells, m, result)
     result.notes = (
-        "What the pressure misses in loading is inertia: where all of the shell flows, the pressure hardly rises with the "
-        "strain, and a ramp of T to a strain e takes M 6 e / T^2, M = 0.8 kg/m (`shell_motion.py`'s equation of motion). It "
-        "falls with the square of T."
+        "The pressure error in loading is due to inertia: once the whole shell yields, the pressure hardly rises with the strain, and a "
+        "ramp of duration T to a strain e needs M 6 e / T^2, M = 0.8 kg/m (the equation of motion in `shell_motion.py`). It decreases with "
+        "the square of T."
     )
     return result
 

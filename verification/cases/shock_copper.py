@@ -68,7 +68,8 @@ def plateau(run):
 def run(barreno, full):
     result = Result(
         "Shock in copper",
-        "Pressure, density, internal energy behind a strong shock and its speed: the artificial viscosity heats as the jump demands.",
+        "Pressure, density and internal energy behind a strong shock, and its speed: the artificial viscosity heats the metal as the jump "
+        "conditions require.",
         f"Rankine-Hugoniot: P = {PRESSURE:.6g} Pa, rho = {SHOCKED:.6g} kg/m3, e = {ENERGY:.6g} J/kg, U_s = {SHOCK_SPEED:.6g} m/s; "
         f"with the equation of state T = {TEMPERATURE:.4g} K.",
         ["cell [mm]", "pressure error", "density error", "energy error", "temperature error", "shock speed error",
@@ -97,10 +98,10 @@ def run(barreno, full):
             result.demand(f"{what} of the plateau, losses returned, {h} mm", abs(error), FIRST_ORDER[what] * h)
         result.demand(f"energy between particles and grid, losses returned, {h} mm", abs(between_particles_and_grid(kept)), 1e-9)
     result.notes = (
-        "The plateau's heat has two errors of opposite sign. One falls with the cells and makes it too large. The other does "
-        "not, since a front is as many cells and steps wide on any grid: what stress_integration and transfer take falls with "
-        "the step, not with the cells. At 1 mm the two cancel. With Return Losses, which gives each particle what the grid took "
-        "from it, the first is left, and falls. Most of the temperature's rise is the isentrope's, so that an "
-        "error of the energy is about twice as large in the temperature."
+        "The heat of the plateau has two errors of opposite sign. One makes it too large and decreases with the cells. The other does not "
+        "decrease, since a front is the same number of cells and steps wide on any grid: the losses in stress_integration and transfer "
+        "decrease with the step, not with the cells. At 1 mm the two cancel. With Return Losses, which returns to each particle what the "
+        "grid took from it, only the first remains, and decreases. Most of the temperature rise is isentropic, so that a relative error of "
+        "the energy is about twice as large in the temperature."
     )
     return result

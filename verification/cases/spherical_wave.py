@@ -47,10 +47,10 @@ def measure(barreno, settings, by_volume=False):
 def run(barreno, full):
     result = Result(
         "Wave from a spherical cavity",
-        "A pressure on a curved surface that cuts the cells, in motion: arrival, decay with the radius, ringing of the wall.",
+        "A pressure on a moving curved surface that cuts the cells: arrival, decay with radius, ringing of the wall.",
         "Blake (`verification/oracles/cavity_waves.py`). rms errors over the particles behind the front and six instants, velocity "
-        f"and stress further than {FRONT} m from the front; over p a / (rho c^2), p / (rho c) and p. Wall: mean displacement of "
-        "the particles within a cell of it, at the end.",
+        f"and stress at more than {FRONT} m from the front; relative to p a / (rho c^2), p / (rho c) and p. Wall: mean final "
+        "displacement of the particles within a cell of it.",
         ["shape function", "cells per radius", "displacement error", "order", "velocity error", "order", "stress error", "order",
          "displacement of the wall", "energy ledger remainder"],
         [],
@@ -68,7 +68,7 @@ def run(barreno, full):
         result.demand(f"{shape}: stress error at 16 cells", errors[1][2], 5e-2)
         result.demand(f"{shape}: order of the displacement", order([e[0] for e in errors])[-1], 0.8, at_least=True)
     result.notes = (
-        "A jump is resolved by a fixed number of cells, and a load that is there from the start is half a step early (see the wave "
-        "from a cylindrical cavity): first order."
+        "A jump spans a fixed number of cells, and a load present from the start acts half a step early (see the wave from a cylindrical "
+        "cavity): first order."
     )
     return result

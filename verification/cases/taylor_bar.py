@@ -38,10 +38,10 @@ def run(barreno, full):
         result.demand(f"length outside of the published ones [mm], {at}", beyond[0], 0.0)
         result.demand(f"foot radius outside of the published ones [mm], {at}", beyond[1], 0.0)
     result.notes = (
-        "The length comes into the published range from above: cells of 0.2 mm with two particles per cell and direction "
-        "reach it. What keeps coarser cells above it is the artificial viscosity, which takes heat where the foot flows; "
-        "without it they reach it too. With one particle per cell a part of the length are corners beyond the wall. Nodes "
-        "beyond the wall are mirrored: held instead, they make a foot that is too small with two particles per cell, which "
-        "looks like volumetric locking and is mass held beyond the wall."
+        "The length approaches the published range from above: cells of 0.2 mm with two particles per cell and direction reach it. Coarser "
+        "cells stay above it because of the artificial viscosity, which dissipates energy where the foot flows; without it they reach the "
+        "range too. With one particle per cell, part of the length is due to particle corners beyond the wall. Nodes beyond the wall are "
+        "mirrored: if they are fixed instead, the foot is too small with two particles per cell, which looks like volumetric locking but "
+        "is mass held beyond the wall."
     )
     return result

@@ -42,7 +42,7 @@ def run(barreno, full):
     result = Result(
         "Taylor bar, in three dimensions",
         "Large plastic strain in 3D; a round surface that cuts the cells.",
-        "the axisymmetric Taylor bar at the same resolution. Foot: where the edge of the lowest layer of particles has come to.",
+        "the axisymmetric Taylor bar at the same resolution. Foot: final position of the edge of the lowest layer of particles.",
         ["mode", "shape function", "cell [mm]", "particles per cell and direction", "particles", "length [mm]", "foot radius [mm]", "plastic work [J]",
          "length / axisymmetric", "foot / axisymmetric", "plastic work / axisymmetric", "ledger remainder"],
         [],
@@ -59,9 +59,9 @@ def run(barreno, full):
             what = f"{name} in 3D over the axisymmetric one, less 1: {shape}, {h} mm, {per_cell} particle{'s' if per_cell > 1 else ''} per cell"
             result.demand(what, abs(ratio - 1.0), 0.02)
     result.notes = (
-        "The foot's middle stretches to four times its length, its rim to 2.3. Rings cannot come apart around the axis, but cubes of one "
-        "particle per cell can once they are further from each other than a cell: the boxes of GIMP do not stretch, and domains of CPDI "
-        "are cut at Largest Domain = 1, which half a diagonal of 0.87 cells nearly fills from the start. The rim tears and slides "
-        "away, with GIMP more than with CPDI. Two particles per cell hold it. With Largest Domain = 3 CPDI holds it with one (0.8 mm cells)."
+        "The foot's middle stretches to four times its length, its rim to 2.3. Rings cannot separate around the axis, but cubes of one "
+        "particle per cell can once they are more than a cell apart: the boxes of GIMP do not stretch, and domains of CPDI are clipped at "
+        "Largest Domain = 1, which the initial half diagonal of 0.87 cells almost reaches. The rim tears and slides away, more with GIMP "
+        "than with CPDI. Two particles per cell prevent this. With Largest Domain = 3 CPDI stays intact with one (0.8 mm cells)."
     )
     return result

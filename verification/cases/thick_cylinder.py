@@ -58,9 +58,9 @@ def run(barreno, full):
     result = Result(
         "Thick cylinder under internal pressure",
         "Follower pressure, hoop stress and plastic flow in axisymmetry; damping brings the wall to rest.",
-        "Lame; a von Mises wall on a radial mesh, which agrees with Lame and with Hill's closed form where it holds "
-        "(`verification/oracles/thick_cylinder.py`). rms over all particles: displacement over that of the inner wall, "
-        "radial and hoop stress over the pressure.",
+        "Lame; a von Mises wall on a radial mesh, which agrees with Lame and with Hill's closed form where they apply "
+        "(`verification/oracles/thick_cylinder.py`). rms over all particles: displacement relative to that of the inner wall, radial and "
+        "hoop stress relative to the pressure.",
         ["wall", "shape function", "cells in the wall", "displacement error", "order", "stress error", "order",
          "kinetic / elastic energy", "energy ledger remainder"],
         [],
@@ -76,9 +76,10 @@ def run(barreno, full):
         result.demand(f"elastic-plastic, {shape}, 16 cells: displacement error", errors[1], 5e-3)
         result.demand(f"elastic-plastic, {shape}: order of the stress", order(stresses)[-1], 0.9, at_least=True)
     result.notes = (
-        "Stresses are those at the particles, which do not lie where the gradients of linear functions are second order. The "
-        "front of the plastic zone (a kink) leaves the displacement's order as it is at these meshes. Quadratic B-splines have the smallest stress errors (a sixth to an "
-        "eighth of the others' at 16 cells). Cubic ones lose their order here: one point per particle does not integrate their gradient, "
-        "and a node at the loaded wall keeps a part of a face's force that does not fall with the cells."
+        "Stresses are evaluated at the particles, which do not lie where the gradients of linear functions are second order. The front of "
+        "the plastic zone (a kink) does not reduce the order of the displacement on these meshes. Quadratic B-splines have the smallest "
+        "stress errors (a sixth to an eighth of the others' at 16 cells). Cubic ones lose their order here: one-point quadrature per "
+        "particle does not integrate their gradient exactly, and a node at the loaded wall is left with part of a face's force that does "
+        "not decrease with the cells."
     )
     return result

@@ -60,7 +60,7 @@ def lone_rows(barreno, full, table):
         upper = [2.4] * 3
         velocity = [0.0 if mode == "axisymmetric" else 7.0, 9.0, 3.0]
         done = attempt(barreno, block(mode, 1, lower, upper, velocity, 0.1, cells=8))
-        table.finishes(title, f"{mode}, one per cell", done, "particles that are not there", lambda r: abs(len(r.particles()["x"]) - 1), 0)
+        table.finishes(title, f"{mode}, one per cell", done, "missing particles", lambda r: abs(len(r.particles()["x"]) - 1), 0)
 
         def off(run, velocity=velocity):
             first, last = run.particles(0), run.particles()

@@ -49,7 +49,7 @@ def flow_rows(barreno, full, table):
         table.holds_or_stops(title, f"k = {permeability:g} m2", done, "largest pore pressure over the undrained one", lambda r: np.abs(pressures(r)).max() / scale, 1e-3,
                              *words)  # fmt: skip
         if done.finished:
-            table.within(title, f"k = {permeability:g} m2", "fluid that is missing", missing(done.run), 1e-8)
+            table.within(title, f"k = {permeability:g} m2", "missing fluid", missing(done.run), 1e-8)
     plain = run_column(barreno, column(1.38580246914e-12))
     for number in (1e-12, 1e12):
         done = run_column(barreno, column(1.38580246914e-12, **{"Pore Flow/Diffusion Number": repr(number)}))
@@ -70,13 +70,13 @@ def fluid_rows(barreno, full, table):
         if done.code == 1:
             table.stops(title, setup, done, 1, "Fluid Bulk Modulus")
             continue
-        table.holds_or_stops(title, setup, done, "fluid that is missing", missing, 1e-8, "pore")
+        table.holds_or_stops(title, setup, done, "missing fluid", missing, 1e-8, "pore")
         if done.finished:
             finite = np.isfinite(pressures(done.run)).all()
             table.within(title, setup, "pressures that are finite", float(finite), 1.0, at_least=True)
     for viscosity in ("1e-30 Pa s", "1e30 Pa s"):
         done = run_column(barreno, column(1e-12, end=2e-3, **{"Pore Flow/Viscosity": viscosity}))
-        table.holds_or_stops(title, f"viscosity {viscosity}", done, "fluid that is missing", missing, 1e-8, "pore")
+        table.holds_or_stops(title, f"viscosity {viscosity}", done, "missing fluid", missing, 1e-8, "pore")
     for name, value in (("Viscosity", "0 Pa s"), ("Diffusion Number", "0"), ("Rocks/Rock/Permeability", "{-1e-12 m2}")):
         done = run_column(barreno, {**column(1e-12), f"Pore Flow/{name}": value})
         table.stops(title, f"{name} = {value}", done, 1, name.split("/")[-1])

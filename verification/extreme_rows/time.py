@@ -37,7 +37,7 @@ def run(barreno, full, table):
     tiny = attempt(barreno, free_block(1e-2, Step={"Initial Step": 1e-30}))
     table.finishes(title, "Initial Step 1e-30 s, which grows by 1.1", tiny, "|last time - End Time| [s]", lambda r: abs(last_time(r) - 1e-2), 0)
     largest = attempt(barreno, free_block(1.0, Step={"Largest Step": 1e-30}))
-    table.stops(title, "Largest Step 1e-30 s to an end at 1 s", largest, 3, "Time stands still", "Largest Step", "fastest particle")
+    table.stops(title, "Largest Step 1e-30 s to an end at 1 s", largest, 3, "Time has stalled", "Largest Step", "fastest particle")
     for end in (0.1, 1.0 / 3.0):
         done = attempt(barreno, free_block(end, Output={"Field Interval": 0.03, "History Interval": 0.007}))
         table.finishes(title, f"End Time {end:.6g} s, no multiple of the intervals", done, "|last time - End Time| [s]",

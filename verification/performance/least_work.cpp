@@ -13,15 +13,15 @@ namespace {
 constexpr double double_size = 8.0;
 
 template <class M, class S>
-double mean_nodes(const Scene& scene, const State& state) {
+double mean_nodes(const State& state) {
   const Particles& particles = state.particles.front();
-  const PatchFrame<M::dimensions> frame(scene, state.grid);
+  const PatchFrame<M::dimensions> frame(state.grid);
   double sum = 0.0;
   for (int tile = 0; tile < state.grid.active; ++tile) {
     const auto first = frame.first(tile);
     for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k)
       S::template support<M>(
-          frame.template place<S>(first, shape_fields(particles), particles.order(k))
+          frame.template geometry<S>(first, shape_fields(particles), particles.order(k))
       )
           .for_each_node(frame.patch, [&](int, double s, const double*, double) {
             sum += s > 0.0 ? 1.0 : 0.0;
@@ -52,8 +52,8 @@ LeastWork least_work(const Scene& scene, const State& state) {
   const int d = dimensions(scene.grid.mode);
   const int hoop = scene.grid.mode == Mode::axisymmetric ? 1 : 0;
   LeastWork work;
-  work.nodes = visit_kernels(scene, [&](auto mode, auto shape) {
-    return mean_nodes<decltype(mode), decltype(shape)>(scene, state);
+  work.nodes = visit_kernels(state.grid, [&](auto mode, auto shape) {
+    return mean_nodes<decltype(mode), decltype(shape)>(state);
   });
   const int given = 1 + d + d * d + hoop;
   const int taken = 2 * d + d * d + hoop;

@@ -27,22 +27,22 @@ BAR = 0.01  # of the step
 
 # Feature: its own files, and what lines of other files of the step say where they ask for it.
 FEATURES = {
-    "dormant tiles": (["step/find_dormant_tiles", "state/dormancy"], r"skips\(|left_out|keeps\(|leaves\(|run_part|limit_step\(good \| stays"),
-    "contact": (["step/solve_contact", "step/seek_normals", "step/fit_normals", "step/share_nodes", "step/contact_law", "step/node_copies"],
-                r"contact|shared_tile|meet_fields"),
-    "rigid bodies": (["step/move_rigid"], r"rigid"),
-    "pressure loads": (["step/project_loads", "step/surface_pressures", "step/release_torn_faces"], r"project_loads|tally_loads|surface_pressures|torn_faces"),
-    "non-reflecting faces": ([], r"impedance|yielded|absorbed"),
-    "body force": (["step/project_body_force", "scene/body_force"], r"body_force"),
-    "jet": (["step/launch_jet"], r"launch_jet"),
+    "dormant tiles": (["step/dormant/", "state/dormancy"], r"skips\(|dormant\(|keeps_sums\(|chunk_part|limit_step\(good \| stays"),
+    "contact": (["step/contact/", "step/grid/node_copies"],
+                r"contact|shared_tile|detect_contact"),
+    "rigid bodies": (["step/boundary/move_rigid"], r"rigid"),
+    "pressure loads": (["step/loads/project_loads", "step/loads/surface_pressures", "step/loads/release_torn_faces"], r"project_loads|tally_loads|surface_pressures|grow_cavities|torn_faces"),
+    "non-reflecting faces": ([], r"impedance|resisted|absorbed"),
+    "body force": (["step/loads/project_body_force", "scene/body_force"], r"body_force"),
+    "jet": (["step/jet/"], r"launch_jet"),
     "pore flow": (["pore_flow/"], r"drain_pore_fluid"),
-    "APIC": (["step/project_affine", "step/gather_affine", "step/start_affine", "step/affine"], r"affine"),
-    "XPIC": (["step/filter_velocity"], r"filter"),
+    "APIC": (["step/transfer/project_affine", "step/transfer/gather_affine", "step/transfer/start_affine"], r"affine"),
+    "XPIC": (["step/transfer/filter_velocity"], r"filter"),
     "PIC share": ([], r"pic_fraction|grid_share"),
     "damping": ([], r"damping|drag"),
-    "domains that deform": (["step/tally_domains", "shape/cpdi", "shape/domain"], r"tally_domains|domains"),
+    "domains that deform": (["step/particles/tally_domains", "shape/cpdi", "shape/domain"], r"tally_domains|domains"),
     "bad particles held": ([], r"may_hold|held"),
-    "ranks": (["step/balance_load", "grid/halo", "grid/migrate", "grid/partition"], r"exchange_halo|balance_load|over_ranks"),
+    "ranks": (["step/ranks/", "grid/halo", "grid/migrate", "grid/partition"], r"exchange_halo|balance_load|over_ranks"),
 }  # fmt: skip
 
 
@@ -113,7 +113,7 @@ def stored_part():
 
 
 def table_of(rows):
-    lines = ["| off | scene | of the instructions of a step |", "|---|---|---|"]
+    lines = ["| disabled feature | scene | share of the instructions of a step |", "|---|---|---|"]
     return lines + [f"| {feature} | {order} | {100 * share:.3f} % |" for feature, order, share in rows]
 
 

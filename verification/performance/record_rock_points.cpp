@@ -14,6 +14,7 @@
 #include <Tpetra_Core.hpp>
 
 #include <array>
+#include <barreno/models.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -58,7 +59,7 @@ std::uint64_t random_key(std::uint64_t id, std::uint64_t step) {
 
 bool is_rock(const Scene& scene, const Particles& particles) {
   const auto& spec = scene.materials[static_cast<std::size_t>(particles.material)];
-  return std::holds_alternative<Arenisca>(spec.material.model);
+  return std::holds_alternative<Arenisca>(spec.material().model);
 }
 
 PointRow row_of(const Particles& p, int i) {
@@ -94,8 +95,9 @@ void offer(
   for (int i = 0; i < rock.count; ++i) {
     const ParticleId id = rock.id(static_cast<std::size_t>(i));
     const auto found = before.find(id);
-    const bool held = (rock.body(static_cast<std::size_t>(i)) & held_bit) != 0;
-    if (found == before.end() || held || rock.key(static_cast<std::size_t>(i)) < 0) continue;
+    const bool held = (rock.body(static_cast<std::size_t>(i)) & debris_bit) != 0;
+    if (found == before.end() || held || !is_placed(rock.key(static_cast<std::size_t>(i))))
+      continue;
     const bool flows =
         rock.history(i, 1) > found->second[5] || rock.history(i, 0) != found->second[4];
     Sample& sample = flows ? flowing : elastic;

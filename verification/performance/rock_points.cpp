@@ -14,7 +14,7 @@ using test::RockPoint;
 
 /// Least time of several runs [ns].
 template <class Run>
-double least_time(int runs, const Run& run) {
+double min_time(int runs, const Run& run) {
   double least = HUGE_VAL;
   for (int i = 0; i < runs; ++i) {
     const auto start = std::chrono::steady_clock::now();
@@ -33,7 +33,7 @@ RockCost cost_of_single_points(
   RockCost cost;
   double checksum = 0.0;
   const auto per_point = 1.0 / static_cast<double>(points.size());
-  cost.nanoseconds = per_point * least_time(runs, [&] {
+  cost.nanoseconds = per_point * min_time(runs, [&] {
                        cost.substeps = 0.0;
                        for (const RockPoint& p : points) {
                          Sym3 stress = p.stress;
@@ -61,7 +61,7 @@ double cost_in_lanes(const Arenisca& model, const std::vector<RockPoint>& points
   // As in the stress update: groups that flow wait for others.
   std::array<Arenisca::Points<Lanes>, Arenisca::groups_together> waiting;
   std::array<LaneMask, Arenisca::groups_together> rest;
-  const double total = least_time(runs, [&] {
+  const double total = min_time(runs, [&] {
     std::size_t count = 0;
     const auto finish = [&] {
       model.finish_points(waiting.data(), rest.data(), static_cast<int>(count));

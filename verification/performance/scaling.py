@@ -156,15 +156,15 @@ def stored_part():
 def page(result):
     one, two = (result["triad"].get(n) or result["triad"][str(n)] for n in (1, 2))  # JSON has words for keys
     lines = [f"Triad: {one:.1f} GB/s by one process, {two:.1f} GB/s by two at once, a ratio of {two / one:.2f}.", "",
-             "| strong scaling | particles | steps | one rank | two ranks | speed-up | in all rounds | asked for | two runs at once |", "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
+             "| strong scaling | particles | steps | one rank | two ranks | speed-up | range over rounds | required | two runs at once |", "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for s in result["strong"]:
         lines.append(f"| {s['name']} | {s['particles']:,.0f} | {s['steps']} | {s['one']:.2f} s | {s['two']:.2f} s | {s['speedup']:.2f} "
                      f"| {s['bounds'][0]:.2f} to {s['bounds'][1]:.2f} | {s['least']:.2f} | {s['allowed']:.2f} |")
-    lines += ["", "Seconds of two ranks beyond half of one rank's, by verb: "
+    lines += ["", "Seconds of two ranks in excess of half of one rank's, by verb: "
               + "; ".join(f"{s['name']}: " + ", ".join(f"{name} {seconds:.2f}" for name, seconds in s["lost"]) for s in result["strong"]) + ".",
               "", f"Weak scaling ({result['weak']['name']}): {1e3 * result['weak']['one']:.2f} ms and {1e3 * result['weak']['two']:.2f} ms per step, "
               f"an efficiency of {result['weak']['one'] / result['weak']['two']:.2f}.",
-              "", "| on two ranks, per step and rank | messages | KB sent | reductions | bytes of them | other collective calls | in MPI, output included, least of the ranks |",
+              "", "| on two ranks, per step and rank | messages | KB sent | reductions | bytes reduced | other collective calls | share of time in MPI, output included, minimum over ranks |",
               "|---|---|---|---|---|---|---|"]  # fmt: skip
     for m in result["messages"]:
         lines.append(f"| {m['name']} | {m['messages']:.2f} | {1e-3 * m['bytes']:.1f} | {m['reductions']:.2f} | {m['reduced_bytes']:.0f} "
@@ -188,7 +188,7 @@ def main():
 
         write_pages()
     failed = [s["name"] for s in result["strong"] if s["speedup"] < s["least"]]
-    sys.exit(f"below what is asked for: {', '.join(failed)}" if failed and not arguments.quick else 0)
+    sys.exit(f"below the requirement: {', '.join(failed)}" if failed and not arguments.quick else 0)
 
 
 if __name__ == "__main__":

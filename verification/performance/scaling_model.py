@@ -14,7 +14,7 @@ COUNTED = ROOT / "verification" / "results" / "scaling.json"
 
 NODE_BYTES = 8 * 8  # sum_components doubles
 REACH = 1  # nodes beyond a tile's cells, of GIMP
-NANOSECONDS = {2: 120.0, 3: 150.0}  # of a particle-step, all ranks of a node at work
+NANOSECONDS = {2: 120.0, 3: 150.0}  # of a particle-step, all ranks of a node busy
 LATENCY = 2e-6  # s, of a message and of a stage of a reduction
 BANDWIDTH = 1e9  # bytes/s and rank, when all ranks of a node send
 DISK = 0.9e9  # bytes/s that one core gathers, checks and writes (checkpoint_cost.py)
@@ -71,7 +71,7 @@ def row(d, particles, ranks, efficiency):
 
 
 def predictions():
-    lines = ["| | ranks | particles of a rank | in all | MB of halo per step and rank | messages | computing, ms | halo, ms | reductions, ms | efficiency "
+    lines = ["| | ranks | particles per rank | total | MB of halo per step and rank | messages | computing, ms | halo, ms | reductions, ms | efficiency "
              "| GB of tile arrays, every rank | GB of the widest field, rank 0 | s to write a checkpoint |",
              "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for d in (2, 3):
@@ -100,16 +100,16 @@ def comparison():
     for m in json.loads(COUNTED.read_text())["messages"]:
         d, tiles = across(m["name"])
         lines.append(f"| {m['name']} | {1e-3 * tiles * patch_bytes(d):.1f} | {1e-3 * m['bytes']:.1f} | 1 | {m['messages']:.2f} "
-                     f"| 2 and 2 of a row of history.csv | {m['reductions']:.2f} |")  # fmt: skip
+                     f"| 2, and 2 for a row of history.csv | {m['reductions']:.2f} |")  # fmt: skip
     return lines
 
 
 def assumed():
     """What the model takes for given."""
     return ["| | | from |", "|---|---|---|",
-            f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node at work | assumed, more than one rank alone takes |",
-            f"| alpha, beta | {1e6 * LATENCY:.0f} us; {1e-9 * BANDWIDTH:.0f} GB/s for each rank when all of a node send | assumed, of a common cluster |",
-            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from rank 0 | what one core gathers, checks and writes (below) |", ""]  # fmt: skip
+            f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node busy | assumed, more than a single rank needs |",
+            f"| alpha, beta | {1e6 * LATENCY:.0f} us; {1e-9 * BANDWIDTH:.0f} GB/s for each rank when all ranks of a node send | assumed, typical of a cluster |",
+            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from rank 0 | rate at which one core gathers, checks and writes (below) |", ""]  # fmt: skip
 
 
 def stored_part():

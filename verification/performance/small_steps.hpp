@@ -40,9 +40,9 @@ inline arenisca::Attempt take_second_order_step(
   arenisca::NoCounter none;
   arenisca::Attempt a;
   // The second pass is taken where the error is somewhat below what is allowed.
-  constexpr int most_tries = 6;
+  constexpr int max_tries = 6;
   constexpr double least = 0.02, wanted = 0.5;
-  for (int i = 0; i < most_tries; ++i) {
+  for (int i = 0; i < max_tries; ++i) {
     a = arenisca::attempt_substep(rock, state, volume, shape, none);
     const double share = a.error / a.allowed;
     if (a.error == 0.0 || (share > least && share <= 1.0)) break;

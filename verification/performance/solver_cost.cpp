@@ -60,7 +60,8 @@ Reference find_reference(const Arenisca& model, const std::vector<RockPoint>& po
 struct Row {
   std::string solver;
   double knob = 0.0;
-  double mean_error = 0.0, most_errors = 0.0, largest_error = 0.0;  ///< most: 99 of 100 are below
+  double mean_error = 0.0, largest_error = 0.0;
+  double error_of_99_percent = 0.0;  ///< 99 of 100 errors are below
   double evaluations = 0.0, substeps = 0.0;
   int failed = 0;  ///< updates that ran out of substeps; they have no error
   double single = 0.0, lanes = 0.0;
@@ -69,7 +70,7 @@ struct Row {
 void set_errors(std::vector<double> errors, Row& row) {
   for (const double e : errors) row.mean_error += e / static_cast<double>(errors.size());
   std::sort(errors.begin(), errors.end());
-  row.most_errors = errors[errors.size() * 99 / 100];
+  row.error_of_99_percent = errors[errors.size() * 99 / 100];
   row.largest_error = errors.back();
 }
 
@@ -150,7 +151,7 @@ void print_row(std::FILE* out, const char* format, const Row& r) {
       r.solver.c_str(),
       r.knob,
       r.mean_error,
-      r.most_errors,
+      r.error_of_99_percent,
       r.largest_error,
       r.evaluations,
       r.substeps,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What README.md says of accuracy and cost."""
+"""The figures of accuracy and cost in README.md."""
 import json
 
 from case_list import RESULTS, stored
@@ -31,16 +31,16 @@ def figures():
     elastic = next(note for note in notes if note.startswith("elastic")).split(": ")[1]
     skipped = job["skipped_particle_steps"] / (job["skipped_particle_steps"] + job["particle_steps"])
     return [
-        "| what | figure |", "|---|---|",
-        f"| perforation.xml to 120 us on one core, Arenisca yielding included | {job['seconds']:.0f} s of the processor, {1e-6 * job['bytes']:.0f} MB in all; "
-        f"{100 * skipped:.0f} % of the particle-steps are skipped, in tiles at rest |",
-        f"| two ranks against one, {strong['name']} ([docs/performance.md](docs/performance.md)) | {strong['speedup']:.1f} times as fast |",
-        f"| its balances ([docs/verification/perforation.md](docs/verification/perforation.md)) | mass {exponent(whole['mass'])}, axial momentum "
+        "| quantity | figure |", "|---|---|",
+        f"| perforation.xml to 120 us on one core, including the yielding of Arenisca | {job['seconds']:.0f} s of processor time, {1e-6 * job['bytes']:.0f} MB in total; "
+        f"{100 * skipped:.0f} % of the particle-steps are skipped, in dormant tiles |",
+        f"| two ranks compared with one, {strong['name']} ([docs/performance.md](docs/performance.md)) | {strong['speedup']:.1f} times as fast |",
+        f"| balances of perforation.xml ([docs/verification/perforation.md](docs/verification/perforation.md)) | mass {exponent(whole['mass'])}, axial momentum "
         f"{exponent(whole['axial momentum'])}, energy ledger remainder {exponent(whole['energy ledger'])} |",
         f"| its depth at 50, 90 and 120 us | {whole['depth at 50 us [mm]']:.0f}, {whole['depth at 90 us [mm]']:.0f} and {whole['final depth [mm]']:.0f} mm |",
-        f"| the depth at 50 us with cells of 2, 1 and 0.5 mm (differences) | {depths[0]:.0f}, {depths[1]:.0f} and {depths[2]:.0f} mm "
+        f"| its depth at 50 us with cells of 2, 1 and 0.5 mm (differences) | {depths[0]:.0f}, {depths[1]:.0f} and {depths[2]:.0f} mm "
         f"({depths[1] - depths[0]:.0f} and {depths[2] - depths[1]:.0f} mm) |",
-        f"| a point of yielding rock; elastic ([docs/materials/arenisca_cost.md](docs/materials/arenisca_cost.md)) | {1e-3 * point['ns_lanes']:.2g} us; {elastic} |",
+        f"| stress update of one rock point: yielding; elastic ([docs/materials/arenisca_cost.md](docs/materials/arenisca_cost.md)) | {1e-3 * point['ns_lanes']:.2g} us; {elastic} |",
     ]  # fmt: skip
 
 

@@ -43,7 +43,7 @@ def reading(file):
     except OSError as error:
         raise Fault(f"{file.name} cannot be read: {on_one_line(error.strerror or error)}") from error
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError, ValueError) as error:
-        raise Fault(f"{file.name} is cut off or was changed: {on_one_line(error)[:200]}") from error
+        raise Fault(f"{file.name} is truncated or was changed: {on_one_line(error)[:200]}") from error
 
 
 @contextlib.contextmanager
@@ -132,7 +132,7 @@ def read_csv(file):
         lines = file.read_bytes().decode("utf-8").replace("\r\n", "\n").split("\n")
     rows = [(number, line.strip().split(",")) for number, line in enumerate(lines[:-1], 1) if line.strip() and not line.startswith("#")]
     if len(rows) < 2:
-        raise Fault(f"{file.name} holds no row of numbers")
+        raise Fault(f"{file.name} contains no row of numbers")
     header = rows[0][1]
     values = []
     for number, cells in rows[1:]:
@@ -141,7 +141,7 @@ def read_csv(file):
         try:
             values.append([float(cell) for cell in cells])
         except ValueError as error:
-            raise Fault(f"line {number} of {file.name} holds what is no number: {on_one_line(error)[:100]}") from error
+            raise Fault(f"line {number} of {file.name} contains something that is not a number: {on_one_line(error)[:100]}") from error
     table = np.array(values, float)
     return Table(file, {name: table[:, i] for i, name in enumerate(header)})
 
@@ -280,7 +280,7 @@ def index_text(run, summary, history, depth):
     rows += [("particles", f"{history['particles']:.0f}")]
     if depth:
         rows += [
-            ("depth", f"{depth['depth'] / MILLI:.2f} mm" if depth["depth"] > 0.0 else "none: the jet has met no target"),
+            ("depth", f"{depth['depth'] / MILLI:.2f} mm" if depth["depth"] > 0.0 else "none: the jet has hit no target"),
             ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm"),
             ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
             ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),
@@ -290,13 +290,13 @@ def index_text(run, summary, history, depth):
         integration, transfer = (100.0 * energy[name] for name in ("stress_integration_share", "transfer_share"))
         rows.append(
             (
-                "energy that the method itself added (+) or lost (-)",
-                f"{integration + transfer:+.2g} % of what was put in (stress integration {integration:+.2g} %, "
+                "numerical energy error of the method, added (+) or lost (-)",
+                f"{integration + transfer:+.2g} % of the energy put in (stress integration {integration:+.2g} %, "
                 f"transfer between particles and grid {transfer:+.2g} %)",
             )
         )
     errors = (history[f"{name}_error"] for name in ("energy", "mass", "momentum"))
-    rows.append(("balances, these included, close to", "energy {:+.2e}, mass {:+.1e}, axial momentum {:+.1e}".format(*errors)))
+    rows.append(("balances, including these errors, close to", "energy {:+.2e}, mass {:+.1e}, axial momentum {:+.1e}".format(*errors)))
     removed = sum(value for name, value in history.items() if name.startswith("removed_"))
     removed -= history["removed_kinetic"]
     rows += [("particles removed", f"{removed:.0f}"), ("held", f"{history['held']:.0f}")]
@@ -322,7 +322,7 @@ def read_summary(file):
     with reading(file):
         summary = json.loads(file.read_text(encoding="utf-8"))
         if not isinstance(summary, dict):
-            raise ValueError("it is no JSON object")
+            raise ValueError("it is not a JSON object")
         return summary
 
 
@@ -330,7 +330,7 @@ def make_report(run):
     """Writes the page and its pictures. @return the page  @raises Fault"""
     summary = read_summary(run / "summary.json")
     if not (run / "history.csv").exists():
-        raise Fault("it holds no history.csv; give the folder of a run")
+        raise Fault("it contains no history.csv; give the folder of a run")
     try:
         files_of(run / "particles.e")
     except OSError as error:

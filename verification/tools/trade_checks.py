@@ -26,15 +26,15 @@ def demands(points, tiny, said):
             continue
         for name in FIDELITIES:
             one, two = at[problem, name, coarse], at[problem, name, fine]
-            demand(f"{problem}, {name}: error with halved cells over that before", two["error"] / one["error"], 0.95)
-            demand(f"{problem}, {name}: error over the least of any choice at its particle-steps", two["error"] / front(points, problem, two["work"]), NEAR)
+            demand(f"{problem}, {name}: error ratio after halving the cells", two["error"] / one["error"], 0.95)
+            demand(f"{problem}, {name}: error relative to the smallest of any choice at its particle-steps", two["error"] / front(points, problem, two["work"]), NEAR)
         costs = [at[problem, name, fine]["work"] for name in FIDELITIES]
         demand(f"{problem}: particle-steps of fast over balanced", costs[0] / costs[1], 1.0)
         demand(f"{problem}: particle-steps of balanced over reference", costs[1] / costs[2], 1.0)
     for (name, problem, level), error in said.items():
         if (problem, name, level) in at and not tiny:
             off = abs(error / at[problem, name, level]["error"] - 1.0)
-            demand(f"{problem}, {name}: the error that check names, over that measured, less 1", off, 0.1)
+            demand(f"{problem}, {name}: error quoted by check over that measured, minus 1", off, 0.1)
     smooth = [at["box", name, 16]["error"] for name in FIDELITIES]
     demand("box, 16 cells: error of balanced over fast", smooth[1] / smooth[0], 1.0)
     demand("box, 16 cells: error of reference over balanced", smooth[2] / smooth[1], 1.0)

@@ -12,13 +12,13 @@ KNOBS = ("shape function", "fidelity", "particles per cell", "Courant Fraction",
 FIDELITIES = ("fast", "balanced", "reference")
 WORDS = ("Shape Function", "Transfer", "Order", "Courant Fraction", "Tolerance", "Jet")
 
-HEAD = """# The trade between error and cost
+HEAD = """# Error against cost
 
 Measured by `verification/trade.py build/release/src/barreno --document`; do not edit by hand.
 
-One knob at a time from the defaults (GIMP, FLIP, stress last, Courant Fraction 0.8, 2 particles per cell and direction, Tolerance
-0.01). Cost is user time of one core: particle-steps times the ns of the largest run of a choice, the least of three where that is
-shorter than 1.5 s, start-up taken off. Particle-steps are exact. How far to trust the seconds: """
+One option at a time is varied from the defaults (GIMP, FLIP, stress last, Courant Fraction 0.8, 2 particles per cell and direction, Tolerance
+0.01). Cost is user time of one core: particle-steps times the ns per particle-step of the largest run of a choice, the minimum of three where that is
+shorter than 1.5 s, without start-up. Particle-steps are exact. As for the accuracy of the seconds: """
 
 
 def trust(data):
@@ -26,18 +26,18 @@ def trust(data):
     at = {(p["knob"], p["name"], p["problem"], p["level"]): p for p in data["points"] if "cpu" in p}
     waits = statistics.median(p["wall"] / p["seconds"] for p in data["points"] if p.get("seconds", 0.0) > 1.0)
     same = [at["fidelity", "balanced", *key[2:]]["cpu"] / p["cpu"] for key, p in at.items() if key[1] == "default" and ("fidelity", "balanced", *key[2:]) in at]
-    return (f"wall seconds are {waits:.2f} times\nthose of the processor in the median, and the rows *default* and *balanced*, which are the same runs, differ by "
+    return (f"wall seconds are {waits:.2f} times\nprocessor seconds in the median, and the rows *default* and *balanced*, which are identical runs, differ by "
             f"factors of {min(same):.2f} to {max(same):.2f}.\n")  # fmt: skip
 
 
 def fidelity_section(data):
     at = {(p["problem"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
-    lines = ["## What a fidelity buys", "", "`--fidelity NAME` sets what the deck does not say itself:", "",
+    lines = ["## Fidelities", "", "`--fidelity NAME` sets what the deck leaves open:", "",
              "| fidelity | " + " | ".join(WORDS[:-1]) + " | particles per cell | in the jet |", "|---|" + "---|" * 7]  # fmt: skip
     for name in FIDELITIES:
         said, per_cell = data["chosen"][name]
         lines.append(f"| {name} | " + " | ".join(said[word] for word in WORDS[:-1]) + f" | {per_cell} | {said['Jet']} |")
-    lines += ["", "Error (and cost over that of balanced) at equal cells:", "",
+    lines += ["", "Error (and cost relative to balanced) at equal cells:", "",
               "| fidelity | " + " | ".join(f"{p.title}: {p.error}, {unit_text(p, p.levels[-1])}" for p in PROBLEMS) + " |",
               "|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
     for name in FIDELITIES:
@@ -58,8 +58,8 @@ def depth_lines(depth):
              "| shape function | depths [mm] | order | limit [mm] |", "|---|---|---|---|"]  # fmt: skip
     for name, one in depth["limits"].items():
         lines.append(f"| {name} | " + ", ".join(f"{d:.2f}" for d in one["depths"]) + f" | {one['order']:.2f} | {one['limit']:.1f} |")
-    lines += ["", f"Errors below are against the middle of the limits, {depth['limit']:.1f} mm, which is uncertain by "
-              f"{depth['uncertainty']:.1f} mm or {100 * depth['uncertainty'] / depth['limit']:.1f} %; the last column is the difference to the finest "
+    lines += ["", f"Errors below are relative to the mean of the limits, {depth['limit']:.1f} mm, which is uncertain by "
+              f"{depth['uncertainty']:.1f} mm or {100 * depth['uncertainty'] / depth['limit']:.1f} %; the last column is the difference from the finest "
               f"run, {depth['finest']:.2f} mm (GIMP, 0.5 mm).", ""]  # fmt: skip
     return lines
 
@@ -68,7 +68,7 @@ def table(problem, data):
     lines = [f"## {problem.title}", "", f"![error against cost](pictures/trade_{problem.name}.png)", ""]
     if problem.name == "depth":
         lines += depth_lines(data["depth"])
-    lines += [f"| knob | choice | {problem.unit} | {problem.error} | {problem.second} | particle-steps | ns | CPU s | wall s |",
+    lines += [f"| option | choice | {problem.unit} | {problem.error} | {problem.second} | particle-steps | ns | CPU s | wall s |",
               "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for p in data["points"]:
         if p["problem"] != problem.name:
@@ -83,8 +83,8 @@ def table(problem, data):
 
 def reading(data):
     """What the numbers say, worked out from them: cost and error of each choice over those of the default at the same level."""
-    lines = ["## What each knob does", "", "Error and cost of a choice over those of the default at the same, finest common level:", "",
-             "| knob | choice | " + " | ".join(p.title.split(" (")[0] for p in PROBLEMS) + " |", "|---|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
+    lines = ["## Effect of each option", "", "Error and cost of a choice relative to the default at the same, finest common level:", "",
+             "| option | choice | " + " | ".join(p.title.split(" (")[0] for p in PROBLEMS) + " |", "|---|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
     at = {(p["problem"], p["knob"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
     names = list(dict.fromkeys((p["knob"], p["name"]) for p in data["points"] if p["knob"] != "default"))
     names.sort(key=lambda name: KNOBS.index(name[0]))
@@ -98,7 +98,7 @@ def reading(data):
 
 
 def check_lines(data):
-    return "\n".join(["## What must hold", "", *(f"- {line}" for line in verdict_lines(data["checks"]))]) + "\n"
+    return "\n".join(["## Requirements", "", *(f"- {line}" for line in verdict_lines(data["checks"]))]) + "\n"
 
 
 def page_of(data):

@@ -8,15 +8,15 @@ from pages_elsewhere import rows_elsewhere
 LONGEST = 24  # demands that a page lists; of more the open ones and those nearest to their limits
 HEAD = """# Verification
 
-What the code is asked for, and what it measures. Each claim has a page with all its figures; the figure here is one of them. *Open*: known not
-to hold, with the reason and the worst that is let pass in `verification/open_demands.toml`; an open demand that gets worse fails, and so does one that
+What is required of the code, and what is measured. Each claim has a page with all its figures; the figure here is one of them. *Open*: known not
+to hold, with the reason and the largest value allowed in `verification/open_demands.toml`; an open requirement that gets worse fails, and so does one that
 begins to hold.
 
 | to do | command |
 |---|---|
-| one case, its cheap form (every test run does so: `ctest -L verification`) | `verification/verify.py build/release/src/barreno bar_wave` |
-| all of a case, and these pages | `verification/verify.py build/release/src/barreno --full --document bar_wave` |
-| these pages from what is stored | `verification/pages.py --write` |
+| one case, its cheap form (part of every test run: `ctest -L verification`) | `verification/verify.py build/release/src/barreno bar_wave` |
+| the full form of a case, and these pages | `verification/verify.py build/release/src/barreno --full --document bar_wave` |
+| these pages from the stored results | `verification/pages.py --write` |
 
 """
 
@@ -69,18 +69,18 @@ def overview():
         lines.append(f"| [{entry['claim']}](verification/{name}.md) | {entry['exact']} | {error} | {demand} | {verdict_of(judged)} | {picture} |")
     lines += ["| **Elsewhere** | | | | | |", *rows_elsewhere(RESULTS)]
     total = sum(totals.values())
-    words = f"{total} demands of {len(cases())} cases: {totals[HOLDS]} hold, {totals[OPEN]} are open, {totals[FAILS]} fail.\n\n"
-    return HEAD + words + "| claim | exact answer | error | demand | verdict | picture |\n|---|---|---|---|---|---|\n" + "\n".join(lines) + "\n\n" + open_section()
+    words = f"{total} requirements of {len(cases())} cases: {totals[HOLDS]} hold, {totals[OPEN]} are open, {totals[FAILS]} fail.\n\n"
+    return HEAD + words + "| claim | exact answer | error | requirement | verdict | picture |\n|---|---|---|---|---|---|\n" + "\n".join(lines) + "\n\n" + open_section()
 
 
 def open_section():
-    lines = ["## What is open", "", "| case | demands | reason |", "|---|---|---|"]
+    lines = ["## Open requirements", "", "| case | requirements | reason |", "|---|---|---|"]
     for name in cases():
         reasons = {}
         for known in open_demands(name, True).values():
             reasons[known.reason] = reasons.get(known.reason, 0) + 1
         lines += [f"| [{name}](verification/{name}.md) | {count} | {reason} |" for reason, count in reasons.items()]
-    return "\n".join(lines) + "\n\nRows of the extremes that are open: [extremes.md](extremes.md); of the trade: [trade.md](trade.md).\n"
+    return "\n".join(lines) + "\n\nOpen rows of the extremes: [extremes.md](extremes.md); of the trade-offs: [trade.md](trade.md).\n"
 
 
 def nearness(check):
@@ -94,13 +94,13 @@ def demand_lines(judged, known):
     if len(judged) > LONGEST:
         held = sorted((one for one in judged if one[1] == HOLDS), key=lambda one: -nearness(one[0]))[:12]
         listed = [one for one in judged if one[1] != HOLDS or one in held]
-        words = f"The other {len(judged) - len(listed)} of {len(judged)} demands hold by more; all are in `verification/results`."
+        words = f"The other {len(judged) - len(listed)} of {len(judged)} requirements hold by a larger margin; all are in `verification/results`."
     rows = []
     for check, verdict, reason in listed:
         if verdict == OPEN:
             verdict = f"open, at worst {known[check['what']].worst:.3g}: {reason}"
         rows.append([check["what"], f"{check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}", verdict if verdict != FAILS else f"FAILS: {reason}"])
-    return [*table(["demand", "found", "asked for", "verdict"], rows), *(["", words] if words else [])]
+    return [*table(["requirement", "measured", "limit", "verdict"], rows), *(["", words] if words else [])]
 
 
 def case_page(name, entry, data):

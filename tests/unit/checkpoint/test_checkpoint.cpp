@@ -36,7 +36,7 @@ Scene impact() {
 /// What a checkpoint keeps of all ranks together, in whole numbers where it is a sum.
 std::vector<double> sums_of(const State& state) {
   const Comm& comm = *state.grid.comm;
-  std::vector<WholeSum> terms = terms_of(state.ledger);
+  std::vector<ReproducibleSum> terms = terms_of(state.ledger);
   sum_over_ranks(comm, terms);
   std::vector<double> steps{state.particle_steps, state.skipped_steps};
   sum_over_ranks(comm, steps);
@@ -44,7 +44,7 @@ std::vector<double> sums_of(const State& state) {
   std::array<double, 1> stable{state.stable_step};
   min_over_ranks(comm, stable);
   std::vector<double> numbers{steps[0], steps[1], stable[0]};
-  for (WholeSum& term : terms) {
+  for (ReproducibleSum& term : terms) {
     term.carry();
     for (const long long part : term.part) numbers.push_back(static_cast<double>(part));
   }
@@ -138,7 +138,7 @@ TEST_F(CheckpointTest, KeepsTheOneBefore) {
   EXPECT_EQ(bytes_of(read(found)), before);
   if (is_root(comm)) {
     ASSERT_EQ(found.notes.size(), 1U);
-    EXPECT_NE(found.notes[0].find("passed over"), std::string::npos);
+    EXPECT_NE(found.notes[0].find("skipped"), std::string::npos);
   }
 }
 

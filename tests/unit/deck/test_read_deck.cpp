@@ -92,8 +92,8 @@ TEST_F(ReadDeck, TheSceneIsInSi) {
   EXPECT_EQ(scene.grid.upper[1], 0.04);
   EXPECT_EQ(scene.end_time, 40e-6);
   EXPECT_EQ(std::get<Box>(scene.bodies[0].shape).upper[1], 0.0127);
-  EXPECT_EQ(scene.materials[0].material.density, 1000.0);
-  const auto& rubber = std::get<LinearElastic>(scene.materials[0].material.model);
+  EXPECT_EQ(scene.materials[0].density(), 1000.0);
+  const auto& rubber = std::get<LinearElastic>(scene.materials[0].material().model);
   EXPECT_EQ(rubber.parameters().bulk_modulus, 6e6);
   EXPECT_EQ(rubber.parameters().shear_modulus, 2e6);
   ASSERT_EQ(scene.jet.slugs.size(), 2U);

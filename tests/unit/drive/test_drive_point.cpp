@@ -117,8 +117,8 @@ TEST(DriveElastic, HalfATurnBetweenRowsIsRefused) {
   } catch (const DeckError& error) {
     EXPECT_STREQ(
         error.what(),
-        "path: line 3 is half a turn or more from line 2 (no constant velocity gradient leads "
-        "there the short way); add rows between them."
+        "path: line 3 is half a turn or more from line 2 (there is no unique constant velocity "
+        "gradient between them); add rows between them."
     );
   }
 }

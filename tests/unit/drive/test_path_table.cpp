@@ -39,7 +39,8 @@ TEST(PathTable, ACommentMayNameTheUnitsOfTime) {
 TEST(PathTable, OneSentenceForEachFault) {
   EXPECT_EQ(
       problem_of("t,F11\n" + start),
-      "path.csv: line 1 = \"t,F11\" is not the header of a path (columns go by it); write "
+      "path.csv: line 1 = \"t,F11\" is not the header of a path (the header identifies the "
+      "columns); write "
       "\"time,F11,F12,F13,F21,F22,F23,F31,F32,F33\"."
   );
   EXPECT_EQ(
@@ -49,7 +50,8 @@ TEST(PathTable, OneSentenceForEachFault) {
   );
   EXPECT_EQ(
       problem_of(header + start + "1,1,0,x,0,1,0,0,0,1\n"),
-      "path.csv: line 3, F13 = \"x\" is not a number (a number without unit belongs here); write "
+      "path.csv: line 3, F13 = \"x\" is not a number (a number without unit is expected here); "
+      "write "
       "for example \"0.5\"."
   );
   EXPECT_EQ(
@@ -59,17 +61,17 @@ TEST(PathTable, OneSentenceForEachFault) {
   );
   EXPECT_EQ(
       problem_of(header + start + "1,-2,0,0,0,1,0,0,0,1\n"),
-      "path.csv: line 3 has det F = -2 (a body keeps a volume above 0); correct F11 to F33 of that "
+      "path.csv: line 3 has det F = -2 (volumes are positive); correct F11 to F33 of that "
       "row."
   );
   EXPECT_EQ(
       problem_of(header + "0,0,0,0,0,1,0,0,0,1\n" + start),
-      "path.csv: line 2 has det F = 0 (a body keeps a volume above 0); correct F11 to F33 of that "
+      "path.csv: line 2 has det F = 0 (volumes are positive); correct F11 to F33 of that "
       "row."
   );
   EXPECT_EQ(
       problem_of(header + start + "1,1,0,0\n"),
-      "path.csv: line 3 has 4 values (10 belong there); write a row as "
+      "path.csv: line 3 has 4 values (10 are expected); write a row as "
       "time,F11,F12,F13,F21,F22,F23,F31,F32,F33."
   );
 }

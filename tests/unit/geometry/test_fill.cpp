@@ -128,9 +128,9 @@ TEST(Fill, SharedPointsAreFoundAndTouchingIsNone) {
   const Polygon wedge{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}};
   const Polygon other{{{0.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
   const Lattice lattice = lattice_around({{}, {1.0, 1.0, 0.0}}, {}, 0.05, 2);
-  EXPECT_FALSE(share_points(wedge, other, 2, lattice));
-  EXPECT_TRUE(share_points(wedge, Ball{{0.3, 0.4}, 0.15}, 2, lattice));
-  EXPECT_FALSE(share_points(wedge, Ball{{0.3, 0.6}, 0.15}, 2, lattice));
+  EXPECT_FALSE(have_common_points(wedge, other, 2, lattice));
+  EXPECT_TRUE(have_common_points(wedge, Ball{{0.3, 0.4}, 0.15}, 2, lattice));
+  EXPECT_FALSE(have_common_points(wedge, Ball{{0.3, 0.6}, 0.15}, 2, lattice));
 }
 
 /// A disk whose centre is a corner of the lattice is its own mirror image, and so are its

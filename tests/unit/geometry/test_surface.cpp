@@ -234,7 +234,7 @@ TEST(Surface, WhatIsNoStlIsRefused) {
         binary.substr(0, 300),
         std::string(500, '\0'),
         std::string("solid a\nendsolid a\n")})
-    EXPECT_NE(refusal(bad).find("is no whole STL file"), std::string::npos) << bad.size();
+    EXPECT_NE(refusal(bad).find("is not a complete STL file"), std::string::npos) << bad.size();
 }
 
 TEST(Surface, BytesAtRandomAreRefusedOrRead) {

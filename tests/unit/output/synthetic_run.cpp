@@ -4,6 +4,7 @@
 #include "base/gather.hpp"
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -115,7 +116,9 @@ Scene make_scene(Mode mode) {
       {linear_material("tungsten", 17600.0)}};
   // add_particle gives set m this density.
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
-    scene.materials[m].material.density = 1000.0 * static_cast<double>(m + 1);
+    scene.materials[m].scale_density(
+        1000.0 * static_cast<double>(m + 1) / scene.materials[m].density()
+    );
   BodySpec casing, rock;
   casing.name = "casing";
   casing.material = 0;
@@ -135,8 +138,8 @@ Scene make_scene(Mode mode) {
   return scene;
 }
 
-std::vector<SlotRange> make_slots(const Scene& scene) {
-  std::vector<SlotRange> slots;
+std::vector<IdRange> make_slots(const Scene& scene) {
+  std::vector<IdRange> slots;
   ParticleId next = 1;
   for (const BodySpec& body : scene.bodies) {
     slots.push_back({body.material, next, lattice(scene, body).count()});
@@ -154,7 +157,7 @@ State make_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>
   state.grid.comm = comm;
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
     state.particles.push_back(make_particles(scene, static_cast<int>(m)));
-  const std::vector<SlotRange> slots = make_slots(scene);
+  const std::vector<IdRange> slots = make_slots(scene);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Lattice l = lattice(scene, scene.bodies[b]);
     const Vector& corner = std::get<Box>(scene.bodies[b].shape).lower;
@@ -170,14 +173,14 @@ State make_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>
 }
 
 void move_to(const Scene& scene, State& state, double time) {
-  while (state.next_slug < scene.jet.slugs.size() && scene.jet.slugs[state.next_slug].time <= time
-  ) {
+  while (state.jet.next_slug < scene.jet.slugs.size() &&
+         scene.jet.slugs[state.jet.next_slug].time <= time) {
     const double before = state.ledger.mass;
-    launch_slug(scene, state, state.next_slug++);
+    launch_slug(scene, state, state.jet.next_slug++);
     state.ledger.launched_mass += state.ledger.mass - before;
   }
   const double depth = launch_plane + tip_speed * time;
-  const std::vector<SlotRange> slots = make_slots(scene);
+  const std::vector<IdRange> slots = make_slots(scene);
   for (Particles& p : state.particles) {
     for (int row = 0; row < p.count; ++row) {
       const auto body = static_cast<std::size_t>(p.body(row));
@@ -207,16 +210,17 @@ void move_to(const Scene& scene, State& state, double time) {
 
 void remove_particle(State& state, ParticleId id) {
   for (Particles& p : state.particles) {
-    std::vector<char> keep(static_cast<std::size_t>(p.count), 1);
+    int marked = 0;
     for (int row = 0; row < p.count; ++row) {
+      p.spare(row) = p.id(row) == id ? 1 : 0;
       if (p.id(row) != id) continue;
-      keep[static_cast<std::size_t>(row)] = 0;
+      ++marked;
       auto& tally = state.ledger.removed[static_cast<std::size_t>(RemovalCause::not_finite)];
       tally.count += 1.0;
       tally.mass += p.mass(row);
       state.ledger.mass -= p.mass(row);
     }
-    keep_rows(p, keep);
+    remove_marked_rows(p, marked);
   }
 }
 

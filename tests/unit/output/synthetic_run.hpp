@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "state/slots.hpp"
+#include "state/id_ranges.hpp"
 #include "state/state.hpp"
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace barreno::synthetic {
 Scene make_scene(Mode mode = Mode::axisymmetric);
 
 /// Ids in the order casing, rock, jet, counted from 1.
-std::vector<SlotRange> make_slots(const Scene& scene);
+std::vector<IdRange> make_slots(const Scene& scene);
 
 /// The particles at t = 0, dealt out to the ranks by id in blocks of a few.
 State make_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);

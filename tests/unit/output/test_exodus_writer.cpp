@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <barreno/models.hpp>
 #include <numeric>
 
 namespace barreno {
@@ -130,9 +131,11 @@ TEST_F(ExodusWriterTest, FailsOnEveryRankAndLeavesNothing) {
 
 TEST_F(ExodusWriterTest, AcceptsLongTextsAndIds) {
   scene.title = std::string(300, 't');
-  scene.materials[0].material.name = std::string(90, 'm');
+  Material renamed = scene.materials[0].material();
+  renamed.name = std::string(90, 'm');
+  scene.materials[0] = renamed;
   const long long far = 3'000'000'000LL;
-  std::vector<SlotRange> slots = synthetic::make_slots(scene);
+  std::vector<IdRange> slots = synthetic::make_slots(scene);
   slots.push_back({0, far, 1});
   const std::string version(80, 'v');
   ExodusWriter writer(scene, slots, state, file, version, {std::string(500, 'x')});

@@ -58,7 +58,7 @@ protected:
   }
   Values read_set(const std::filesystem::path& path, int files) const {
     Values values;
-    const FileShares shares = share_out(synthetic::make_slots(scene), blocks, files);
+    const FileShares shares = divide_among_files(synthetic::make_slots(scene), blocks, files);
     for (int file = 0; file < files; ++file) read_into(name_in_set(path, shares, file), values);
     return values;
   }
@@ -132,7 +132,7 @@ TEST_F(FileSetTest, GoesOnFromItsFirstSteps) {
 }
 
 TEST_F(FileSetTest, SaysWhatOneRankCannotWrite) {
-  const std::vector<SlotRange> many{{1, 1, 5'000'000'000LL}};
+  const std::vector<IdRange> many{{1, 1, 5'000'000'000LL}};
   try {
     const ExodusWriter none(scene, many, start, set, "1.2.3", {});
     FAIL() << "no error";

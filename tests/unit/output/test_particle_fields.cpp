@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 
 namespace barreno {
@@ -48,7 +49,7 @@ TEST(SpaceStress, OfAUniaxialStressPointsAlongTheTurnedAxis) {
 TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
   const Scene scene = synthetic::make_scene();
   State state = synthetic::make_state(scene, Teuchos::DefaultComm<int>::getComm());
-  const Material& rock = scene.materials[1].material;
+  const Material& rock = scene.materials[1].material();
   const std::vector<std::string> names = particle_field_names(rock, 2);
   EXPECT_EQ(names.back(), "equivalent_plastic_strain");
   Particles& set = state.particles[1];

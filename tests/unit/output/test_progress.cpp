@@ -78,8 +78,10 @@ TEST(Progress, TheEndNamesTheEnergyThatTheMethodTook) {
   std::string text;
   for (const std::string& line : result_numbers(scene, totals, {}, {}, {})) text += line + "\n";
   EXPECT_NE(
-      text.find("-8 % of what was put in (stress integration -3 %, transfer between particles and "
-                "grid -5 %)"),
+      text.find(
+          "-8 % of the energy put in (stress integration -3 %, transfer between particles and "
+          "grid -5 %)"
+      ),
       std::string::npos
   ) << text;
   EXPECT_NE(text.find("close to: energy +0.00e+00"), std::string::npos) << text;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace barreno {
@@ -40,6 +41,28 @@ TEST(Summary, ComparesTheLaunchedJetWithItsTable) {
         "\"finished\": false",
         "\"mode\": \"axisymmetric\"",
         "\"wall_seconds\": 2"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+}
+
+TEST(Summary, CountsAreWholeAndWhatIsNoNumberIsNull) {
+  Scene scene = synthetic::make_scene();
+  scene.title = "caf\xE9 \x01";  // Latin-1, and a character that JSON escapes
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const State state = synthetic::make_state(scene, comm);
+  RunTotals totals = sum_totals(state);
+  totals.ledger.kinetic = 0.1;
+  totals.ledger.elastic = std::numeric_limits<double>::infinity();
+  RunSummary summary;
+  summary.warnings = {{"first", 2}, {"second", 1}};
+  const std::string text =
+      summary_text(scene, state, {"out", "deck.xml", "", "1.0", {}}, totals, {}, summary, {});
+  for (const char* word :
+       {"\"title\": \"caf\xC3\xA9 \\u0001\",\n",
+        "\"particles\": 800,\n",
+        "\"kinetic\": 0.1,\n      \"elastic\": null,\n",
+        "\"met_target\": false,\n    \"depth\": null,\n",
+        "\"phases\": {},\n",
+        "\"warnings\": {\n    \"first\": 2,\n    \"second\": 1\n  }\n}\n"})
     EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
 }
 

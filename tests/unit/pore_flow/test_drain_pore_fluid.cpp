@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <barreno/models.hpp>
 #include <cmath>
 #include <limits>
 
@@ -137,7 +138,7 @@ TEST(DrainPoreFluid, CountsTheFluidOfRemovedParticles) {
   std::array<double, 1> gone{0.0};
   for (int p = 0; p < rock.count; ++p) {
     if (vector_of(rock.position, p)[1] > 1.0) continue;
-    rock.body(p) |= held_bit;
+    rock.body(p) |= debris_bit;
     gone[0] += porosity * rock.mass(p) / 2300.0 * rock.history(p, 1);
   }
   sum_over_ranks(*state.grid.comm, gone);

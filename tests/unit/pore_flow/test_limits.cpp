@@ -68,7 +68,7 @@ TEST(PoreFlowLimits, WithoutPermeabilityARunIsTheUndrainedOneBitForBit) {
       State undrained = start(scene);
       advance_to(scene, 2e-6, undrained);
       EXPECT_GT(undrained.clock.step, 10);
-      EXPECT_TRUE(numbers_of(drained) == numbers_of(undrained)) << mode_name(mode);
+      EXPECT_TRUE(numbers_of(drained) == numbers_of(undrained)) << word_of(mode);
     }
 }
 
@@ -105,13 +105,13 @@ TEST(PoreFlowLimits, AnyRankCountGivesTheSameAnswer) {
       EXPECT_GT(alone.pore_flow.solves, 1);
       EXPECT_LT(alone.pore_flow.inflow, 0.0);
       EXPECT_LT(difference(all_rows(alone), all_rows(together)), 1e-9)
-          << mode_name(mode) << rock.density;
+          << word_of(mode) << rock.density;
       EXPECT_NEAR(alone.pore_flow.inflow / together.pore_flow.inflow, 1.0, 1e-10);
       Scene undrained = scene;
       undrained.pore_flow.drainage = Drainage::off;
       State other = start_alone(undrained);
       advance_to(undrained, 2e-6, other);
-      EXPECT_GT(difference(all_rows(alone), all_rows(other)), 1e-4) << mode_name(mode);
+      EXPECT_GT(difference(all_rows(alone), all_rows(other)), 1e-4) << word_of(mode);
     }
 }
 

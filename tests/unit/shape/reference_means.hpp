@@ -37,9 +37,9 @@ struct WeightedSums {
 };
 
 template <class M>
-Means means_at_point(const ParticlePlace& place) {
-  const double r = position(place, 0, place.x[0]);
-  const double y = position(place, 1, place.x[1]);
+Means means_at_point(const ParticleGeometry& particle) {
+  const double r = position(particle, 0, particle.x[0]);
+  const double y = position(particle, 1, particle.x[1]);
   return {r * y, {y, r, 0.0}, M::hoop ? y : 0.0};
 }
 
@@ -50,12 +50,12 @@ struct Interval {
 };
 template <class M, class S>
 Interval box_along(const ShapeCase& c, int d) {
-  const ParticlePlace& place = c.place;
-  double half = place.half[d];
-  if (S::follows_deformation) half = std::min({half * c.stretch[d], place.largest, 1.0});
-  double lower = position(place, d, place.x[d] - half);
+  const ParticleGeometry& particle = c.particle;
+  double half = particle.half[d];
+  if (S::follows_deformation) half = std::min({half * c.stretch[d], particle.largest, 1.0});
+  double lower = position(particle, d, particle.x[d] - half);
   if (M::hoop && d == 0) lower = std::max(lower, 0.0);
-  return {lower, position(place, d, place.x[d] + half)};
+  return {lower, position(particle, d, particle.x[d] + half)};
 }
 
 template <class M, class S>
@@ -76,14 +76,14 @@ Means means_over_box(const ShapeCase& c) {
 template <class M, class S>
 Means means_over_domain(const ShapeCase& c) {
   constexpr int D = M::dimensions;
-  const Domain<D> domain = S::template domain<M>(c.place);
+  const Domain<D> domain = S::template domain<M>(c.particle);
   const Domain<D> slope = dual(domain);
   const int points = D == 3 ? 27 : 9;
   WeightedSums<M> sums;
   for (int k = 0; k < points; ++k) {
     const GaussPoint xi[3] = {gauss[k % 3], gauss[k / 3 % 3], gauss[D == 3 ? k / 9 : 1]};
     double weight = 1.0;
-    double r = c.place.x[0];
+    double r = c.particle.x[0];
     for (int i = 0; i < D; ++i) {
       weight *= xi[i].weight;
       r += xi[i].at * domain.e[i][0];
@@ -91,7 +91,7 @@ Means means_over_domain(const ShapeCase& c) {
     double value = 0.0;
     double along[3] = {};  // d value / d xi_i
     for (int corner = 0; corner < 1 << D; ++corner) {
-      double x[3] = {c.place.x[0], c.place.x[1], c.place.x[2]};
+      double x[3] = {c.particle.x[0], c.particle.x[1], c.particle.x[2]};
       double m = 1.0;
       double dm[3] = {1.0, 1.0, 1.0};
       for (int i = 0; i < D; ++i) {
@@ -100,21 +100,21 @@ Means means_over_domain(const ShapeCase& c) {
         m *= 0.5 * (1.0 + sign * xi[i].at);
         for (int j = 0; j < D; ++j) dm[j] *= i == j ? 0.5 * sign : 0.5 * (1.0 + sign * xi[i].at);
       }
-      const double field = position(c.place, 0, x[0]) * position(c.place, 1, x[1]);
+      const double field = position(c.particle, 0, x[0]) * position(c.particle, 1, x[1]);
       value += m * field;
       for (int i = 0; i < D; ++i) along[i] += dm[i] * field;
     }
     double gradient[2] = {};
     for (int i = 0; i < D; ++i)
       for (int d = 0; d < 2; ++d) gradient[d] += along[i] * slope.e[i][d] / cell;
-    sums.add(weight, position(c.place, 0, r), value, gradient);
+    sums.add(weight, position(c.particle, 0, r), value, gradient);
   }
   return sums.means();
 }
 
 template <class M, class S>
 Means reference_means(const ShapeCase& c) {
-  if constexpr (S::form == ParticleForm::point) return means_at_point<M>(c.place);
+  if constexpr (S::form == ParticleForm::point) return means_at_point<M>(c.particle);
   if constexpr (S::form == ParticleForm::box) return means_over_box<M, S>(c);
   if constexpr (S::form == ParticleForm::parallelogram) return means_over_domain<M, S>(c);
 }

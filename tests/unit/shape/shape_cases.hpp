@@ -14,9 +14,9 @@ inline constexpr double cell = 0.37;
 inline constexpr int reach =
     2;  ///< of the patch in these tests; the least that no shape function exceeds
 
-/// A particle somewhere, with what the tests need to know of it beyond its place.
+/// A particle somewhere, with what the tests need to know of it beyond its particle.
 struct ShapeCase {
-  ParticlePlace place;
+  ParticleGeometry particle;
   double stretch[3] = {1.0, 1.0, 1.0};  ///< diagonal of U of its F
   bool straight = true;                 ///< F is diagonal
 };
@@ -26,9 +26,9 @@ inline void deform(ShapeCase& c, double angle, double a, double b, double shear)
   const double u[2][2] = {{a, shear}, {shear, b}};
   const double cosine = std::cos(angle), sine = std::sin(angle);
   for (int i = 0; i < 2; ++i) {
-    c.place.f[0][i] = cosine * u[0][i] - sine * u[1][i];
-    c.place.f[1][i] = sine * u[0][i] + cosine * u[1][i];
-    c.stretch[i] = c.place.stretch[i] = u[i][i];
+    c.particle.f[0][i] = cosine * u[0][i] - sine * u[1][i];
+    c.particle.f[1][i] = sine * u[0][i] + cosine * u[1][i];
+    c.stretch[i] = c.particle.stretch[i] = u[i][i];
   }
   c.straight = angle == 0.0 && shear == 0.0;
 }
@@ -40,34 +40,34 @@ ShapeCase particle_at(const double (&x)[3], int per_cell, double first) {
   ShapeCase c;
   const Patch patch = make_patch(M::dimensions, reach);
   for (int d = 0; d < M::dimensions; ++d) {
-    c.place.x[d] = reach + x[d];
-    c.place.half[d] = 0.5 / per_cell;
-    c.place.low[d] = reach;
-    c.place.high[d] = reach + patch.tile_cells;
+    c.particle.x[d] = reach + x[d];
+    c.particle.half[d] = 0.5 / per_cell;
+    c.particle.low[d] = reach;
+    c.particle.high[d] = reach + patch.tile_cells;
   }
-  c.place.axis = first - reach;
-  c.place.per_cell = 1.0 / cell;
-  c.place.row = patch.nodes;
-  c.place.last = patch.nodes - 1;
-  c.place.largest = 1.0;
+  c.particle.axis = first - reach;
+  c.particle.per_cell = 1.0 / cell;
+  c.particle.row = patch.nodes;
+  c.particle.last = patch.nodes - 1;
+  c.particle.largest = 1.0;
   return c;
 }
 
-/// The place of a case in a patch of another reach.
+/// The particle of a case in a patch of another reach.
 template <class M>
-ParticlePlace place_in_patch(const ShapeCase& c, int other_reach) {
-  ParticlePlace place = c.place;
+ParticleGeometry place_in_patch(const ShapeCase& c, int other_reach) {
+  ParticleGeometry particle = c.particle;
   const Patch patch = make_patch(M::dimensions, other_reach);
   const double shift = other_reach - reach;
   for (int d = 0; d < M::dimensions; ++d) {
-    place.x[d] += shift;
-    place.low[d] += shift;
-    place.high[d] += shift;
+    particle.x[d] += shift;
+    particle.low[d] += shift;
+    particle.high[d] += shift;
   }
-  place.axis -= shift;
-  place.row = patch.nodes;
-  place.last = patch.nodes - 1;
-  return place;
+  particle.axis -= shift;
+  particle.row = patch.nodes;
+  particle.last = patch.nodes - 1;
+  return particle;
 }
 
 /// Particles of 1 to 4 per cell everywhere in the cells, at both ends of the grid and at the axis;
@@ -109,23 +109,23 @@ struct Means {
   double value = 0.0, gradient[3] = {}, hoop = 0.0;
 };
 
-/// Position of a place, in lengths; the first coordinate is r in axisymmetry.
-inline double position(const ParticlePlace& place, int d, double x) {
-  return (d == 0 ? place.axis + x : x) * cell;
+/// Position of a particle, in lengths; the first coordinate is r in axisymmetry.
+inline double position(const ParticleGeometry& particle, int d, double x) {
+  return (d == 0 ? particle.axis + x : x) * cell;
 }
 
 /// What the nodes say to a particle of a field that they hold.
 template <class M, class S>
-Means find_means(const ParticlePlace& place, const NodeField& field) {
+Means find_means(const ParticleGeometry& particle, const NodeField& field) {
   constexpr int D = M::dimensions;
   const Patch patch = make_patch(D, reach);
   Means out;
-  S::template support<M>(place).for_each_node(
+  S::template support<M>(particle).for_each_node(
       patch,
       [&](int slot, double s, const double(&g)[extent<D>], double t) {
         double x[3] = {};
         for (int d = 0; d < D; ++d, slot /= patch.nodes)
-          x[d] = position(place, d, slot % patch.nodes);
+          x[d] = position(particle, d, slot % patch.nodes);
         const double v = field(x);
         out.value += s * v;
         for (int d = 0; d < D; ++d) out.gradient[d] += g[d] * v;

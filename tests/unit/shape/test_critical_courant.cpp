@@ -43,15 +43,15 @@ double critical_courant(int per_cell, double offset, int count) {
   };
   std::vector<double> mass(static_cast<std::size_t>(n), 0.0), stiffness(at(n, 0), 0.0);
   for (int p = 0; p < count; ++p) {
-    ParticlePlace place;
-    place.x[0] = margin + offset + (p + 0.5) / per_cell;
-    place.x[1] = margin + 0.37;
-    place.half[0] = place.half[1] = 0.5 / per_cell;
-    place.high[0] = place.high[1] = place.last = n - 1;
-    place.row = n;
+    ParticleGeometry particle;
+    particle.x[0] = margin + offset + (p + 0.5) / per_cell;
+    particle.x[1] = margin + 0.37;
+    particle.half[0] = particle.half[1] = 0.5 / per_cell;
+    particle.high[0] = particle.high[1] = particle.last = n - 1;
+    particle.row = n;
     // Summed along y, where the weights of a row are one function of x.
     std::vector<double> s(mass.size(), 0.0), g(mass.size(), 0.0);
-    S::template support<PlaneStrain>(place).for_each_node(
+    S::template support<PlaneStrain>(particle).for_each_node(
         patch,
         [&](int slot, double value, const double(&gradient)[2], double) {
           s[static_cast<std::size_t>(slot % n)] += value;
@@ -106,7 +106,7 @@ TEST(CriticalCourant, OfAParticleAloneIsThatOfItsWeights) {
     using S = decltype(shape);
     for (const int per_cell : {1, 2, 3, 4, 8}) {
       const double found = measure<S>(per_cell, 1) / std::sqrt(2.0);
-      EXPECT_NEAR(S::lone_courant(0.5 / per_cell) / found, 1.0, 0.01)
+      EXPECT_NEAR(S::isolated_courant(0.5 / per_cell) / found, 1.0, 0.01)
           << "a particle alone, " << per_cell << " per cell, of '" << S::word << "' has " << found;
     }
   });

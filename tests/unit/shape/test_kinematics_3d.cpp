@@ -137,11 +137,11 @@ TEST(PolarRotation3d, FindsRandomRotationsFromAnywhereAndFromNearby) {
     const SpaceTensor f = multiply(matrix(r), multiply(axes, multiply(stretch, transpose(axes))));
     ASSERT_LT(difference(matrix(polar_rotation(f)), matrix(r)), 1e-12);
     // From a tenth of a radian away: exact, or it says that it is not.
-    const SpaceRotation near = turned(r, {0.06, -0.05, 0.06});
+    const SpaceRotation near = corrected(r, {0.06, -0.05, 0.06});
     double left = 0.0;
     const SpaceRotation found = near_polar_rotation(f, near, left);
     ASSERT_LT(difference(matrix(polar_rotation(f, near)), matrix(r)), 1e-12);
-    if (left <= last_turn) {
+    if (left <= rotation_tolerance) {
       ASSERT_LT(difference(matrix(found), matrix(r)), 1e-12);
     }
   }
@@ -158,10 +158,10 @@ TEST(PolarRotation3d, TwoStepsAreEnoughForMostParticles) {
         short_exponential(random_tensor(engine, 0.1)),
         multiply(matrix(r), exponential(random_tensor(engine, 0.5)))
     );
-    const SpaceRotation near = turned(polar_rotation(f), {0.008, -0.008, 0.008});
+    const SpaceRotation near = corrected(polar_rotation(f), {0.008, -0.008, 0.008});
     double left = 0.0;
     near_polar_rotation(f, near, left);
-    exact += left <= last_turn ? 1 : 0;
+    exact += left <= rotation_tolerance ? 1 : 0;
   }
   EXPECT_GT(exact, 0.99 * count);
 }
@@ -177,8 +177,9 @@ TEST(PolarRotation3d, OneStepFromTheSpinIsEnoughForStiffSolids) {
         plus(random_tensor(engine, 1e-4), plus(spin, scaled(-1.0, transpose(spin))));
     const SpaceTensor f = multiply(exponential(a), f_n);
     double left = 0.0;
-    const SpaceRotation found = nearer_polar_rotation(f, spun(polar_rotation(f_n), a), left);
-    ASSERT_LE(left, last_turn);
+    const SpaceRotation found =
+        nearer_polar_rotation(f, rotated_by_spin(polar_rotation(f_n), a), left);
+    ASSERT_LE(left, rotation_tolerance);
     ASSERT_LT(difference(matrix(found), matrix(polar_rotation(f))), 1e-14);
   }
 }

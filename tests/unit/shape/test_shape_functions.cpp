@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every shape function owes in every mode, at 1 to 4 particles per cell, everywhere in a cell,
 // at the ends of the grid and at the axis.
-#include "shape/place.hpp"
+#include "shape/patch_frame.hpp"
 #include "unit/shape/face_balance.hpp"
 #include "unit/shape/reference_means.hpp"
 #include "unit/shape/shape_cases.hpp"
@@ -46,11 +46,11 @@ void expect_nodes_within_reach(const Scene& scene, bool faces) {
       inside = inside && slot >= 0 && slot % wide.nodes < own.nodes;
   };
   for_each_case<Pair<M, S>>([&](const ShapeCase& c) {
-    ParticlePlace place = testing::place_in_patch<M>(c, reach);
-    place.row = wide.nodes;
-    S::template support<M>(place).for_each_node(wide, look);
+    ParticleGeometry particle = testing::place_in_patch<M>(c, reach);
+    particle.row = wide.nodes;
+    S::template support<M>(particle).for_each_node(wide, look);
     for (int face = 0; faces && face < 2 * M::dimensions; ++face)
-      S::template face_support<M>(place, face).for_each_node(wide, look);
+      S::template face_support<M>(particle, face).for_each_node(wide, look);
   });
   EXPECT_TRUE(inside) << "'" << S::word << "' touches nodes further than " << reach
                       << " from the cells of its tile, which is its reach() in a scene "
@@ -72,7 +72,7 @@ TYPED_TEST(ShapeFunctionContract, SumsToOneAndGradientsToZero) {
   using M = typename TypeParam::Mode;
   for_each_case<TypeParam>([](const ShapeCase& c) {
     const Means one =
-        find_means<M, typename TypeParam::Shape>(c.place, [](const auto&) { return 1.0; });
+        find_means<M, typename TypeParam::Shape>(c.particle, [](const auto&) { return 1.0; });
     EXPECT_NEAR(one.value, 1.0, 1e-13);
     for (const double g : one.gradient) EXPECT_NEAR(g * cell, 0.0, 1e-12);
   });
@@ -85,7 +85,7 @@ TYPED_TEST(ShapeFunctionContract, UniformStrainIsExact) {
   constexpr double a = 0.7;
   for_each_case<TypeParam>([](const ShapeCase& c) {
     for (int k = 0; k < M::dimensions; ++k) {
-      const Means linear = find_means<M, typename TypeParam::Shape>(c.place, [k](const auto& x) {
+      const Means linear = find_means<M, typename TypeParam::Shape>(c.particle, [k](const auto& x) {
         return a * x[k];
       });
       for (int d = 0; d < M::dimensions; ++d)
@@ -93,7 +93,7 @@ TYPED_TEST(ShapeFunctionContract, UniformStrainIsExact) {
       if (M::hoop) {
         EXPECT_NEAR(linear.hoop, k == 0 ? a : linear.hoop, 1e-12);
       } else {
-        EXPECT_NEAR(linear.value, a * position(c.place, k, c.place.x[k]), 1e-12);
+        EXPECT_NEAR(linear.value, a * position(c.particle, k, c.particle.x[k]), 1e-12);
       }
     }
   });
@@ -107,10 +107,10 @@ TYPED_TEST(ShapeFunctionContract, MeansOfABilinearField) {
   using S = typename TypeParam::Shape;
   const auto product = [](const auto& x) { return x[0] * x[1]; };
   for_each_case<TypeParam>([&](const ShapeCase& c) {
-    const Means found = find_means<M, S>(c.place, product);
+    const Means found = find_means<M, S>(c.particle, product);
     const Means expected = testing::reference_means<M, S>(c);
-    const double r = position(c.place, 0, c.place.x[0]) + cell;
-    const double z = position(c.place, 1, c.place.x[1]) + cell;
+    const double r = position(c.particle, 0, c.particle.x[0]) + cell;
+    const double z = position(c.particle, 1, c.particle.x[1]) + cell;
     EXPECT_NEAR(found.value, expected.value, 1e-12 * r * z);
     EXPECT_NEAR(found.gradient[0], expected.gradient[0], 1e-10 * z);
     EXPECT_NEAR(found.gradient[1], expected.gradient[1], 1e-10 * r);
@@ -123,14 +123,12 @@ TYPED_TEST(ShapeFunctionContract, WeightsAreNotNegative) {
   using M = typename TypeParam::Mode;
   const Patch patch = make_patch(M::dimensions, testing::reach);
   for_each_case<TypeParam>([&](const ShapeCase& c) {
-    TypeParam::Shape::template support<M>(c.place).for_each_node(
-        patch,
-        [&](int slot, double s, const auto&, double) {
+    TypeParam::Shape::template support<M>(c.particle)
+        .for_each_node(patch, [&](int slot, double s, const auto&, double) {
           EXPECT_GE(slot, 0);
           EXPECT_LT(slot, patch.size);
           EXPECT_GE(s, -1e-15);
-        }
-    );
+        });
   });
 }
 
@@ -143,7 +141,7 @@ TYPED_TEST(ShapeFunctionContract, SumsAgreeWithTheWeights) {
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = std::sin(1.0 + 7.3 * double(i));
   const double given = 1.3, at_gradient[3] = {-0.4, 0.9, 0.3}, at_hoop = M::hoop ? 0.6 : 0.0;
   for_each_case<TypeParam>([&](const ShapeCase& c) {
-    const auto support = TypeParam::Shape::template support<M>(c.place);
+    const auto support = TypeParam::Shape::template support<M>(c.particle);
     const auto found = support.template interpolate<M::hoop>(nodes.data(), patch);
     std::vector<double> gave(nodes.size(), 0.0), expected(nodes.size(), 0.0);
     double gradient[extent<D>] = {};
@@ -161,7 +159,7 @@ TYPED_TEST(ShapeFunctionContract, SumsAgreeWithTheWeights) {
     EXPECT_NEAR(found.value, means.value, 1e-14);
     for (int d = 0; d < D; ++d) EXPECT_NEAR(found.d[d] * cell, means.gradient[d] * cell, 1e-12);
     EXPECT_NEAR(M::hoop ? found.hoop * cell : 0.0, means.hoop * cell, 1e-11);
-    const double scale = 1.0 + (M::hoop ? 1.0 / (c.place.axis + c.place.x[0]) : 0.0);
+    const double scale = 1.0 + (M::hoop ? 1.0 / (c.particle.axis + c.particle.x[0]) : 0.0);
     for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(gave[i], expected[i], 1e-12 * scale);
   });
 }
@@ -184,7 +182,7 @@ TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
       EXPECT_NEAR(error, 0.0, 1e-12);
       ++balanced;
     } else {
-      const double size = 2.0 * c.place.half[0];
+      const double size = 2.0 * c.particle.half[0];
       EXPECT_LT(error, S::unbalanced(size))
           << "of a face's force is left by a particle of " << size << " cells, more than '"
           << S::word << "' says (unbalanced)";
@@ -209,15 +207,15 @@ TYPED_TEST(ShapeFunctionContract, CountsClippedDomains) {
   if constexpr (S::follows_deformation) {
     const double middle[3] = {3.3, 2.9, 1.6};
     ShapeCase c = testing::particle_at<M>(middle, 2, 5.0);
-    EXPECT_FALSE(S::template clipped<M>(c.place));
+    EXPECT_FALSE(S::template clipped<M>(c.particle));
     testing::deform(c, 0.0, 2.0, 1.0, 0.0);
-    EXPECT_FALSE(S::template clipped<M>(c.place));
+    EXPECT_FALSE(S::template clipped<M>(c.particle));
     testing::deform(c, 0.3, 4.1, 1.0, 0.0);
-    EXPECT_TRUE(S::template clipped<M>(c.place));
-    c.place.f[0][0] = std::nan("");
-    EXPECT_TRUE(S::template clipped<M>(c.place));
+    EXPECT_TRUE(S::template clipped<M>(c.particle));
+    c.particle.f[0][0] = std::nan("");
+    EXPECT_TRUE(S::template clipped<M>(c.particle));
   } else {
-    for_each_case<TypeParam>([](const ShapeCase& c) { EXPECT_EQ(c.place.f[0][0], 1.0); });
+    for_each_case<TypeParam>([](const ShapeCase& c) { EXPECT_EQ(c.particle.f[0][0], 1.0); });
   }
 }
 
@@ -231,9 +229,9 @@ void expect_stretches() {
     const FieldView rotation("rotation", 1, 4);
     rotation(0, 0) = std::cos(0.5 * angle);
     rotation(0, 3) = std::sin(0.5 * angle);
-    c.place.stretch[0] = c.place.stretch[1] = c.place.stretch[2] = 0.0;
-    PatchFrame<D>::find_stretches(rotation, 0, c.place);
-    for (unsigned d = 0; d < D; ++d) EXPECT_NEAR(c.place.stretch[d], c.stretch[d], 1e-14);
+    c.particle.stretch[0] = c.particle.stretch[1] = c.particle.stretch[2] = 0.0;
+    PatchFrame<D>::find_stretches(rotation, 0, c.particle);
+    for (unsigned d = 0; d < D; ++d) EXPECT_NEAR(c.particle.stretch[d], c.stretch[d], 1e-14);
   }
 }
 /// A box that just reaches into a cell gives its far node a force of the reach and a mass of the

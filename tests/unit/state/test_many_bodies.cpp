@@ -34,7 +34,7 @@ TEST(ManyBodies, EveryParticleKnowsItsOwn) {
   std::vector<int> found(static_cast<std::size_t>(grains.count), 0);
   for (int p = 0; p < grains.count; ++p) {
     const int body = grains.body(p);
-    ASSERT_EQ(body & held_bit, 0);
+    ASSERT_EQ(body & debris_bit, 0);
     ASSERT_LT(body, grains.count);
     EXPECT_EQ(grains.velocity(p, 0), body);
     ++found[static_cast<std::size_t>(body)];

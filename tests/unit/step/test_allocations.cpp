@@ -43,7 +43,7 @@ long later_allocations(const Scene& scene) {
 }
 
 /// A block that shakes and drifts through its cells, with a little of it in every tile around.
-Scene shaking_block(Mode mode, const Material& material) {
+Scene shaking_block(Mode mode, const MaterialSpec& material) {
   constexpr double h = 1e-3;
   const double x = mode == Mode::axisymmetric ? 0.0 : 2.0 * h;
   Scene scene = box_scene(mode, h, {0.0, 0.0, 0.0}, {16.0 * h, 16.0 * h, 8.0 * h}, material);

@@ -166,7 +166,7 @@ TEST_P(LoadOrders, SqueezedBallsKeepTheirLedger) {
       EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-6);
     }
     EXPECT_GT(ledger.boundary_work, 0.0);
-    EXPECT_GT(std::abs(state.cavities[1] / start_alone(scene).cavities[1] - 1.0), 1e-6);
+    EXPECT_GT(std::abs(state.cavities[1].volume / state.cavities[1].initial_volume - 1.0), 1e-6);
   });
 }
 
@@ -179,7 +179,8 @@ TEST_P(LoadOrders, AnyRankCountGivesTheSameBits) {
       advance_to(scene, 1.0, together, 8);
       advance_to(scene, 1.0, alone, 8);
       EXPECT_EQ(all_rows(alone), all_rows(together));
-      EXPECT_EQ(alone.cavities, together.cavities);
+      for (std::size_t l = 0; l < alone.cavities.size(); ++l)
+        EXPECT_EQ(alone.cavities[l].volume, together.cavities[l].volume);
     }
   });
 }

@@ -60,7 +60,7 @@ double missing(const Scene& scene, Ledger& ledger) {
 TEST(ReturnedLosses, KeepAllEnergyInMetals) {
   for (const Mode mode : testing::all_modes)
     for (const char* shape : {"GIMP", "CPDI", "quadratic B-spline"}) {
-      SCOPED_TRACE(std::string(mode_name(mode)) + ", " + shape);
+      SCOPED_TRACE(std::string(word_of(mode)) + ", " + shape);
       Scene scene = colliding_blocks(mode, shape);
       Ledger lost, returned;
       EXPECT_GT(std::abs(missing(scene, lost)), 1e-3);

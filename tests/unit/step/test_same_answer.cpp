@@ -4,7 +4,7 @@
 #include "grid/partition.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/balance.hpp"
-#include "step/place_particles.hpp"
+#include "step/ranks/place_particles.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ using testing::start_alone;
 /// Copper rod into a copper block: shock, plastic flow, contact, particles that change tiles and
 /// ranks.
 Scene impact(double length = 1.0, double time = 1.0, double mass = 1.0) {
-  Material material = testing::copper();
+  Material material = testing::copper().material();
   JohnsonCook::Parameters p = std::get<JohnsonCook>(material.model).parameters();
   const double stress = mass / (length * time * time);
   const double speed = length / time;
@@ -62,7 +62,7 @@ const std::string cards = BARRENO_SOURCE_DIR "/materials/cards/";
 /// The same with a block of sandstone, whose points share vector lanes while they flow.
 Scene impact_on_rock() {
   Scene scene = impact();
-  scene.materials.push_back({read_card(cards + "berea_sandstone.xml"), BadParticlePolicy::hold});
+  scene.materials.emplace_back(read_card(cards + "berea_sandstone.xml"), BadParticlePolicy::hold);
   scene.bodies[1].material = 1;
   return scene;
 }
@@ -98,7 +98,7 @@ Scene scattered_rock() {
       1e-3,
       {0.0, 0.0, 0.0},
       {0.024, 0.040, 0.0},
-      {"sandstone", dry.density, GeneralArenisca(p, dry.density)}
+      MaterialSpec(Material{"sandstone", dry.density, GeneralArenisca(p, dry.density)})
   );
   add_box(scene, "ball", {0.0, 0.004, 0.0}, {0.0041, 0.0159, 0.0}, 2).velocity = {0, 500.0, 0};
   add_box(scene, "block", {0.0, 0.0163, 0.0}, {0.0172, 0.0307, 0.0}, 2);
@@ -246,7 +246,14 @@ void expect_same_when_moved(const Scene& scene) {
   advance_to(scene, end_time, moved, 20);
   std::vector<TileCost> costs(moved.grid.owner.size(), {1.0, 0.0});
   for (std::size_t t = 0; t < costs.size(); t += 3) costs[t].particles = 4.0;
-  give_tiles(scene, bisect_tiles(moved.grid.tiles, costs, moved.grid.comm->getSize()), moved);
+  give_tiles(
+      bisect_tiles(moved.grid.tiles, costs, moved.grid.comm->getSize()),
+      moved.clock.step,
+      moved.grid,
+      moved.particles,
+      moved.ledger,
+      moved.effort
+  );
   advance_to(scene, end_time, moved);
   expect_same(balanced, moved);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The step that damping leaves, and that of a particle that is alone.
+// The step that a particle allows, what damping leaves of it, and what the run takes of that.
 #include "step/stable_step.hpp"
 #include "support/scenes.hpp"
 
@@ -18,6 +18,44 @@ double growth(double damping, double omega, double dt) {
   const double half_sum = 0.5 * (1.0 + product - omega * omega * dt * dt);
   const std::complex<double> root = std::sqrt(std::complex<double>(half_sum * half_sum - product));
   return std::max(std::abs(half_sum + root), std::abs(half_sum - root));
+}
+
+/// dt = C h / (c + |v|) without viscosity, C of the shape function and d dimensions.
+TEST(StableStepOfRows, IsThatOfTheFastestWaveOverACell) {
+  Scene scene = testing::box_scene(
+      Mode::plane_strain, 0.5, {0.0, 0.0}, {8.0, 8.0}, testing::elastic(1e6, 0.3, 1000.0)
+  );
+  testing::add_box(scene, "crumb", {1.0, 1.0}, {1.5, 1.5}, 1);
+  scene.step.linear_viscosity = 0.0;
+  scene.step.courant_fraction = 0.5;
+  State state = testing::start_alone(scene);
+  Particles& particles = state.particles[0];
+  ASSERT_EQ(particles.count, 1);
+  particles.velocity(0, 0) = 30.0;
+  particles.velocity(0, 1) = -40.0;
+  const double longitudinal = 1e6 * 0.7 / (1.3 * 0.4);  // E (1 - nu) / ((1 + nu) (1 - 2 nu))
+  const double wave = std::sqrt(longitudinal / 1000.0);
+  const double courant = 0.5 * particles.critical_courant / std::sqrt(2.0);
+  EXPECT_NEAR(
+      stable_step_of_rows(scene.step, state.grid, particles, 0),
+      courant * 0.5 / (wave + 50.0),
+      1e-15
+  );
+  EXPECT_TRUE(std::isinf(stable_step_of_rows(scene.step, state.grid, particles, 1)));
+}
+
+TEST(NextStep, GrowsSlowlyAndEndsAtTheNextEvent) {
+  StepSpec spec;
+  spec.growth_limit = 1.5;
+  EXPECT_EQ(next_step(spec, {0.0, 0.0, 0}, 100.0, 2.0), 2.0);
+  EXPECT_EQ(next_step(spec, {4.0, 1.0, 3}, 100.0, 2.0), 1.5);   // 1.5 times the last
+  EXPECT_EQ(next_step(spec, {97.0, 2.0, 9}, 100.0, 2.0), 1.5);  // two even ones to the event
+  EXPECT_EQ(next_step(spec, {99.0, 2.0, 9}, 100.0, 2.0), 1.0);  // the event
+  spec.largest_step = 0.25;
+  EXPECT_EQ(next_step(spec, {4.0, 1.0, 3}, 100.0, 2.0), 0.25);
+  spec.initial_step = 0.125;
+  EXPECT_EQ(next_step(spec, {0.0, 0.0, 0}, 100.0, 2.0), 0.125);
+  EXPECT_EQ(next_step(spec, {4.0, 1.0, 3}, 100.0, 2.0), 0.25);  // of the first step only
 }
 
 TEST(StableStep, OfADampedOscillatorIsWhereItsEigenvalueReachesMinusOne) {

@@ -4,7 +4,7 @@
 #include "base/rows.hpp"
 #include "shape/kinematics.hpp"
 #include "state/balance.hpp"
-#include "step/update_deformation.hpp"
+#include "step/particles/update_deformation.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -141,12 +141,13 @@ struct OneParticle {
     NewParticle made;
     made.x = made.half = {0.5, 0.5, 0.5};
     made.volume = 1.0;
-    add_particle(scene, particles, made, 0, start_point(scene, 0, nullptr), {});
+    const MaterialSpec& material = scene.materials.front();
+    add_particles(material, {made}, 0, start_point(material, nullptr), particles);
   }
   /// Advances F by I + a and gives the strain increment.
   Sym3 take(const SpaceTensor& a, Gradient gradient = Gradient::at_start) {
     store_tensor<ThreeDimensional>(a, particles.increment.values, 0);
-    update_deformation(scene, Rows{0, 1}, gradient, particles);
+    update_deformation(scene.grid.mode, Rows{0, 1}, gradient, particles);
     const Field& e = particles.increment;
     return {e(0, 0), e(0, 1), e(0, 2), e(0, 3), e(0, 4), e(0, 5)};
   }

@@ -33,7 +33,7 @@ std::vector<StepCase> all_steps(const std::string& shape) {
     for (StepCase one : all_transfers()) {
       one.step.order = order;
       one.step.shape = shape;
-      one.name += std::string(", ") + order_name(order) + ", " + shape;
+      one.name += std::string(", ") + word_of(order) + ", " + shape;
       out.push_back(one);
     }
   return out;

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_pages.hpp"
+
+#include "base/error.hpp"
+#include "deck/fidelity.hpp"
+
+#include <algorithm>
+#include <barreno/input/nearest_name.hpp>
+#include <barreno/input/scan_xml.hpp>
+#include <charconv>
+
+namespace barreno {
+namespace {
+
+/// @param what  "number of ranks", for the sentence
+int count_of(const std::string& option, const std::string& text, const std::string& what) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc{} || end != text.data() + text.size() || count < 1) {
+    throw DeckError(
+        option + " " + input::shown(text) + " is not a " + what +
+        " (1 or more); write for example " + option + " 2."
+    );
+  }
+  return count;
+}
+
+void take_ranks(Options& options, const std::string& value) {
+  options.ranks = count_of("--ranks", value, "number of ranks");
+}
+
+void take_override(Options& options, const std::string& value) {
+  options.overrides.push_back(value);
+}
+
+/// As the deck would say it, so that it can be read back from the effective deck.
+void take_fidelity(Options& options, const std::string& value) {
+  const std::vector<std::string> known = fidelity_words();
+  if (std::find(known.begin(), known.end(), value) == known.end()) {
+    throw DeckError(
+        "--fidelity " + input::shown(value) + " names no set of choices; " +
+        input::suggest_name(value, known)
+    );
+  }
+  options.overrides.push_back("Fidelity=" + value);
+}
+
+const OptionPage set_option = {
+    "--set",
+    "\"LIST/NAME=VALUE\"",
+    "\"Time/End Time=50 us\"",
+    "change a value of the deck, as often as needed;\n"
+    "\"LIST/NAME=\" takes a value or a list away",
+    take_override};
+
+const OptionPage fidelity_option = {
+    "--fidelity",
+    "WORD",
+    "balanced",
+    "fast, balanced or reference: choose between error\n"
+    "and cost where the deck does not (docs/trade.md)",
+    take_fidelity};
+
+CommandPage run_page() {
+  return {
+      Command::run,
+      "run",
+      "Compute a deck. The results go into a new folder, runs/NAME-1, -2, ... of a deck NAME.xml,\n"
+      "unless --out names one (docs/output.md).",
+      "DECK",
+      "deck file (docs/deck.md)",
+      true,
+      {{"--out",
+        "FOLDER",
+        "results",
+        "the run's folder; one that holds results is refused",
+        [](Options& options, const std::string& value) { options.out = value; }},
+       {"--overwrite",
+        nullptr,
+        nullptr,
+        "replace the results in that folder",
+        [](Options& options, const std::string&) { options.overwrite = true; }},
+       {"--ranks",
+        "N",
+        "2",
+        "processes that ./barreno starts, one for each core\n"
+        "without it; under mpirun -n N those that it started",
+        take_ranks},
+       set_option,
+       fidelity_option},
+      "barreno run input_xml/perforation.xml --out results\n"
+      "barreno run input_xml/perforation.xml --set \"Grid/Cell Size=0.5 mm\" --ranks 4"};
+}
+
+CommandPage resume_page() {
+  return {
+      Command::resume,
+      "resume",
+      "Go on from the last checkpoint of a run, bit for bit (docs/checkpoints.md).",
+      "FOLDER",
+      "the run's folder",
+      true,
+      {{"--until",
+        "TIME",
+        "\"200 us\"",
+        "another end of the run",
+        [](Options& options, const std::string& value) {
+          options.overrides.push_back("Time/End Time=" + value);
+        }},
+       {"--ranks", "N", "2", "processes, as for run; any number will do", take_ranks}},
+      "barreno resume runs/perforation-1 --until \"200 us\""};
+}
+
+CommandPage check_page() {
+  return {
+      Command::check,
+      "check",
+      "Validate a deck, and say what its run will do, take and cost (docs/cost.md). Nothing is\n"
+      "written.",
+      "DECK",
+      "deck file (docs/deck.md)",
+      true,
+      {set_option,
+       fidelity_option,
+       {"--ranks", "N", "2", "processes that the costs are given for", take_ranks}},
+      "barreno check input_xml/perforation.xml --ranks 4"};
+}
+
+CommandPage drive_page() {
+  return {
+      Command::drive,
+      "drive",
+      "Take one material point along a path of the deformation gradient (docs/drive.md).",
+      nullptr,
+      nullptr,
+      false,
+      {{"--material",
+        "CARD",
+        "berea_sandstone.xml",
+        "material card, by path or by name",
+        [](Options& options, const std::string& value) { options.drive.material = value; },
+        true},
+       {"--path",
+        "FILE",
+        "input_xml/paths/uniaxial_berea.csv",
+        "the path, CSV",
+        [](Options& options, const std::string& value) { options.drive.path = value; },
+        true},
+       {"--out",
+        "FILE",
+        "answer.csv",
+        "stress and state along the path, CSV",
+        [](Options& options, const std::string& value) { options.drive.out = value; },
+        true},
+       {"--steps-per-row",
+        "N",
+        "10",
+        "equal steps between two rows of the path; 1 without it",
+        [](Options& options, const std::string& value) {
+          options.drive.steps_per_row = count_of("--steps-per-row", value, "number of steps");
+        }},
+       {"--set",
+        "NAME=VALUE",
+        "\"PEAKI1=20 MPa\"",
+        "change or add a value of the card, as often as needed",
+        [](Options& options, const std::string& value) {
+          options.drive.overrides.push_back(value);
+        }}},
+      "barreno drive --material berea_sandstone.xml --path input_xml/paths/uniaxial_berea.csv "
+      "--out answer.csv"};
+}
+
+CommandPage describe_page() {
+  return {
+      Command::describe,
+      "describe",
+      "The deck reference: every section, parameter, unit, bound and default.",
+      "SECTION",
+      "a section of the deck or a material model; an overview without",
+      false,
+      {{"--markdown",
+        nullptr,
+        nullptr,
+        "everything, as in docs/deck.md",
+        [](Options& options, const std::string&) { options.markdown = true; }}},
+      "barreno describe Grid\n"
+      "barreno describe Arenisca"};
+}
+
+}  // namespace
+
+const std::vector<CommandPage>& command_pages() {
+  static const std::vector<CommandPage> pages = {
+      run_page(), resume_page(), check_page(), drive_page(), describe_page()};
+  return pages;
+}
+
+}  // namespace barreno

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "deck/section_of.hpp"
+#include "deck/words.hpp"
+#include "geometry/shape.hpp"
+
+#include <string>
+
+namespace barreno {
+
+class Deck;
+
+/// In axisymmetry x = r, y = axial and z = hoop; vectors carry three components, two-dimensional
+/// modes use the first two.
+enum class Mode { axisymmetric, plane_strain, three_dimensional };
+inline Words<Mode> words_of(Mode /*of*/) {
+  return {
+      {"axisymmetric", Mode::axisymmetric},
+      {"plane strain", Mode::plane_strain},
+      {"3D", Mode::three_dimensional}};
+}
+
+/// Coordinates of a mode.
+inline int dimensions(Mode mode) {
+  return mode == Mode::three_dimensional ? 3 : 2;
+}
+
+struct GridSpec {
+  Mode mode = Mode::axisymmetric;
+  Vector lower{}, upper{};  ///< corners of the box that particles may occupy [length]
+  double cell_size = 0.0;   ///< [length]
+};
+template <>
+const SectionTable<GridSpec>& table_of<GridSpec>();
+
+Mode mode_of(const Deck& deck);
+
+/// A vector with one component per dimension of the deck's mode. @throws DeckError for others
+Vector vector_at(const Deck& deck, const std::string& path);
+
+}  // namespace barreno

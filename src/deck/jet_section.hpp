@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "deck/section_of.hpp"
+
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+struct JetSlug {
+  double time = 0.0;                  ///< its centre crosses the launch plane [time]
+  double velocity = 0.0;              ///< [length/time]
+  double radius = 0.0, length = 0.0;  ///< half-width instead of radius in plane strain [length]
+  double density = 0.0;               ///< [mass/length^3]
+};
+
+struct JetSpec {
+  bool present = false;
+  int material = 0;  ///< index into Scene::materials
+  std::string table_file;
+  std::vector<JetSlug> slugs;    ///< launch times do not decrease
+  double launch_position = 0.0;  ///< coordinate of the launch plane along y [length]
+  double direction = 1.0;        ///< +1 or -1 along y
+  int particles_per_cell = 4;    ///< per direction
+};
+template <>
+const SectionTable<JetSpec>& table_of<JetSpec>();
+
+}  // namespace barreno

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "grid/grid.hpp"
+
+#include <vector>
+
+namespace barreno {
+
+/// A plane of symmetry that a deck asks for: a face of the grid.
+struct SymmetryPlane {
+  int axis = 0;  ///< that it lies across
+  int node = 0;  ///< of the box, along that axis
+  bool lower = true;
+
+  KOKKOS_INLINE_FUNCTION bool is_behind(int index) const {
+    return lower ? index < node : index > node;
+  }
+};
+
+/// Planes of symmetry of the grid, as kernels read them; the axis of revolution is one where
+/// clouds of particles are looked at, since a cloud at it is half of one.
+struct SymmetryPlanes {
+  int count = 0;
+  /// Those across y last: they leave masses where the others would look for impedances.
+  SymmetryPlane list[6];
+  bool mirrors_axially = false;  ///< one lies across y
+  bool at_lower[3] = {}, at_upper[3] = {};
+  int last[3] = {};  ///< index of the upper face
+
+  SymmetryPlanes(const std::vector<ConditionSpec>& conditions, const Grid& grid) {
+    at_lower[0] = grid.mode == Mode::axisymmetric && grid.lower[0] == 0.0;
+    for (int d = 0; d < 3; ++d) last[d] = grid.cells[d];
+    for (const bool across_y : {false, true})
+      for (const ConditionSpec& condition : conditions) {
+        const auto face = static_cast<int>(condition.face);
+        const int axis = face / 2;
+        if (condition.kind != ConditionKind::symmetry || (axis == 1) != across_y) continue;
+        const bool lower = face % 2 == 0;
+        list[count++] = {axis, lower ? 0 : grid.cells[axis], lower};
+        (lower ? at_lower : at_upper)[axis] = true;
+        mirrors_axially = mirrors_axially || across_y;
+      }
+  }
+
+  /// Whether a node of the box lies on or behind one across an axis.
+  KOKKOS_INLINE_FUNCTION bool holds(int axis, int node) const {
+    return (at_lower[axis] && node <= 0) || (at_upper[axis] && node >= last[axis]);
+  }
+
+  /// Whether the patch of a tile reaches behind a plane.
+  KOKKOS_INLINE_FUNCTION static bool reaches(
+      const SymmetryPlane& plane, const Patch& patch, const TilePosition& position
+  ) {
+    const int first = position[plane.axis] * patch.tile_cells - patch.reach;
+    return plane.is_behind(plane.lower ? first : first + patch.nodes - 1);
+  }
+  /// visit(slot behind the plane, slot of its image) of a tile's patch.
+  template <class Visitor>
+  KOKKOS_INLINE_FUNCTION static void for_each_image(
+      const SymmetryPlane& plane, const Patch& patch, const TilePosition& position, Visitor&& visit
+  ) {
+    if (!reaches(plane, patch, position)) return;
+    const int first = position[plane.axis] * patch.tile_cells - patch.reach;
+    int stride = 1;
+    for (int axis = 0; axis < plane.axis; ++axis) stride *= patch.nodes;
+    for (int slot = 0; slot < patch.size; ++slot) {
+      const int i = slot / stride % patch.nodes;
+      const int image = 2 * (plane.node - first) - i;
+      if (plane.is_behind(first + i) && image >= 0 && image < patch.nodes)
+        visit(slot, slot + (image - i) * stride);
+    }
+  }
+};
+
+}  // namespace barreno

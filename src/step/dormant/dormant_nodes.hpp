@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "grid/grid.hpp"
+#include "state/dormancy.hpp"
+#include "state/nodes.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace barreno {
+
+/// Which tiles solve_velocity need not solve: candidates with the sums of the step before in them
+/// and around them, and so slow then that they are motionless now. Whether one is skipped changes
+/// no bit of the answer: what nodes of a motionless tile have of energy is dropped (docs/method.md
+/// 9).
+struct DormantNodes {
+  Dormancy dormancy;
+  ArrayView<unsigned char> sums_kept;
+  ArrayView<TileFrame> frame;
+  ArrayView<int> neighbours;
+  Patch patch;
+  int active;
+
+  DormantNodes(const Grid& grid, const Dormancy& what, const Nodes& nodes)
+      : dormancy(what),
+        sums_kept(nodes.sums_kept),
+        frame(grid.tile_frame),
+        neighbours(grid.neighbours),
+        patch(grid.patch),
+        active(grid.active) {}
+
+  KOKKOS_INLINE_FUNCTION bool is_candidate(int tile) const {
+    return dormancy.on && dormancy.candidate(tile) != 0;
+  }
+
+  /// Of velocities of motionless nodes [length/time].
+  KOKKOS_INLINE_FUNCTION double limit(int tile) const {
+    return dormancy.motion * frame(tile).cell_size / frame(tile).dt;
+  }
+
+  /// Of its neighbours. Sums of other ranks may have changed.
+  KOKKOS_INLINE_FUNCTION bool all_around_keep_sums(int tile) const {
+    for (int k = 0; k < patch.neighbours; ++k) {
+      const int other = neighbours(tile * patch.neighbours + k);
+      if (other >= active || (other >= 0 && sums_kept(other) == 0)) return false;
+    }
+    return true;
+  }
+
+  /// v^n is that of the step that found the bounds, and v' - v grows with dt as f / m at most: an
+  /// impedance lets it grow less, and a shorter step only lets it shrink. Bounds come of sums and
+  /// quotients: a few round-offs more than they are.
+  KOKKOS_INLINE_FUNCTION bool stays_motionless(int tile) const {
+    if (!is_candidate(tile) || sums_kept(tile) == 0) return false;
+    const double most = dormancy.speed(tile) + frame(tile).dt * dormancy.acceleration(tile);
+    return most * (1.0 + 1e-12) <= limit(tile) && all_around_keep_sums(tile);
+  }
+
+  /// Notes the bounds of a tile that was solved, and whether it is motionless.
+  /// @param motion      v' and v' - v of its nodes
+  /// @param prescribed  a condition acts on one of them: its impulse counts, and may change
+  /// @return that it is motionless and all that it has of energy may be dropped
+  KOKKOS_INLINE_FUNCTION bool enter(int tile, const double* motion, bool prescribed) const {
+    if (!is_candidate(tile)) return false;
+    const int dimensions = patch.dimensions;
+    const int width = motion_components(dimensions);
+    double speed = 0.0;
+    double change = 0.0;
+    bool numbers = true;
+    for (int node = 0; node < patch.size; ++node)
+      for (int d = 0; d < dimensions; ++d) {
+        const double v = std::abs(motion[node * width + d]);
+        const double dv = std::abs(motion[node * width + dimensions + d]);
+        numbers = numbers && v <= std::numeric_limits<double>::max() &&
+                  dv <= std::numeric_limits<double>::max();
+        speed = v > speed ? v : speed;
+        change = dv > change ? dv : change;
+      }
+    const bool motionless = numbers && speed <= limit(tile) && change <= limit(tile);
+    dormancy.motionless(tile) = motionless ? 1 : 0;
+    const bool bounded = numbers && !prescribed;
+    dormancy.speed(tile) = bounded ? speed + change : std::numeric_limits<double>::infinity();
+    dormancy.acceleration(tile) = bounded ? change / frame(tile).dt : 0.0;
+    return motionless && !prescribed;
+  }
+};
+
+}  // namespace barreno

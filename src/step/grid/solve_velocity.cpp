@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/grid/solve_velocity.hpp"
+
+#include "base/launch.hpp"
+#include "base/region.hpp"
+#include "shape/kinematics.hpp"
+#include "step/dormant/dormant_nodes.hpp"
+
+#include <vector>
+
+namespace barreno {
+namespace {
+
+constexpr int tally_components = 13;
+/// Of each the two parts of add_split.
+constexpr int tally_values = 2 * tally_components;
+
+/// Which of them are impulses; the others are energies.
+KOKKOS_INLINE_FUNCTION constexpr bool is_impulse(int i) {
+  return i == 4 || i == 5 || i == 7 || i == 9 || i == 12;
+}
+
+template <unsigned D>
+struct SolveVelocity {
+  static constexpr int dimensions = D;
+  VelocityRule rule;
+  Patch patch;
+  ArrayView<TileFrame> tile_frame;
+  ArrayView<int> neighbours;
+  ArrayView<unsigned char> counts;
+  ArrayView<double> sums, motion, tally;
+  ArrayView<unsigned char> shared_tile;  ///< tiles in which contact acts; empty without contact
+  ArrayView<double> impulse;
+  DormantNodes dormant;
+
+  /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
+  /// lexicographic order of the tiles.
+  KOKKOS_INLINE_FUNCTION void add_parts(int tile, int y, int z, double* total) const {
+    for (int i = 0; i < patch.nodes * sum_components; ++i) total[i] = 0.0;
+    const int side = 2 * patch.near + 1;
+    for (int oz = -patch.near_along(2); oz <= patch.near_along(2); ++oz) {
+      const int from_z = z - oz * patch.tile_cells;
+      if (from_z < 0 || from_z >= patch.nodes) continue;
+      for (int oy = -patch.near; oy <= patch.near; ++oy) {
+        const int from_y = y - oy * patch.tile_cells;
+        if (from_y < 0 || from_y >= patch.nodes) continue;
+        const int k = ((oz + patch.near_along(2)) * side + oy + patch.near) * side;
+        add_row_parts(tile, k, (from_z * patch.nodes + from_y) * patch.nodes, total);
+      }
+    }
+  }
+  /// The same of the neighbours along x from the k-th on, whose row of nodes begins at a slot.
+  KOKKOS_INLINE_FUNCTION void add_row_parts(int tile, int k, int slot, double* total) const {
+    for (int ox = -patch.near; ox <= patch.near; ++ox, ++k) {
+      const int other = neighbours(tile * patch.neighbours + k);
+      if (other < 0) continue;
+      const int begin = patch.overlap_begin(ox);
+      const double* const from =
+          &sums(first_sum(patch, other)) + (slot + begin - ox * patch.tile_cells) * sum_components;
+      double* const to = total + begin * sum_components;
+      for (int i = 0; i < (patch.overlap_end(ox) - begin) * sum_components; ++i) to[i] += from[i];
+    }
+  }
+
+  /// A node's velocity before and after the step.
+  struct Velocity {
+    double before[D], after[D];
+  };
+
+  /// @return whether one acts
+  KOKKOS_INLINE_FUNCTION bool apply_conditions(
+      const PrescribedVelocities& velocities,
+      const int (&node)[3],
+      double dt,
+      double mass,
+      const double* force,
+      Velocity& v,
+      double* part
+  ) const {
+    const double raw = v.before[1];
+    bool set[D] = {};
+    bool acts = false;
+    for (int i = 0; i < rule.conditions.count; ++i) {
+      const NodeCondition& c = rule.conditions.list[i];
+      if (!c.holds(node)) continue;
+      acts = true;
+      for (int d = 0; d < dimensions; ++d) {
+        if (!c.sets[d]) continue;
+        v.before[d] = velocities.before[i][d];
+        v.after[d] = velocities.after[i][d];
+        set[d] = true;
+      }
+    }
+    for (int d = 0; d < dimensions; ++d) {
+      if (!set[d]) continue;
+      const double reaction = mass * (v.after[d] - v.before[d]) - force[d] * dt;
+      part[3] += 0.5 * reaction * (v.before[d] + v.after[d]);
+      if (d == 1) part[4] += reaction;
+    }
+    if (set[1]) part[5] += mass * (v.before[1] - raw);
+    return acts;
+  }
+
+  /// Kinetic energies before and after, the work of the forces, and of the drag and of the
+  /// impedances among them.
+  KOKKOS_INLINE_FUNCTION void tally_node(
+      double dt,
+      double mass,
+      const double* force,
+      const double* drag,
+      const double* resisted,
+      const Velocity& v,
+      double* part
+  ) const {
+    double before = 0.0;
+    double after = 0.0;
+    double power = 0.0;
+    double lost = 0.0;
+    double absorbed = 0.0;
+    for (int d = 0; d < dimensions; ++d) {
+      before += v.before[d] * v.before[d];
+      after += v.after[d] * v.after[d];
+      power += force[d] * (v.before[d] + v.after[d]);
+      lost += drag[d] * (v.before[d] + v.after[d]);
+      absorbed -= resisted[d] * (v.before[d] + v.after[d]);
+    }
+    part[0] = 0.5 * mass * before;
+    part[1] = 0.5 * mass * after;
+    part[2] = 0.5 * dt * power;
+    part[6] = 0.5 * dt * lost;
+    part[7] = -dt * drag[1];
+    part[8] = 0.5 * dt * absorbed;
+    part[9] = -dt * resisted[1];
+  }
+
+  /// Contact's change of v^n, and its impulse as one more force. It comes after the impedances: it
+  /// was found for the velocities that these leave (solve_contact), so that surfaces that close end
+  /// with one velocity; were it resisted too, they would not, and momentum would go amiss.
+  KOKKOS_INLINE_FUNCTION void add_contact(
+      double dt, const double* contact, double inverse_mass, double (&force)[D], Velocity& v
+  ) const {
+    for (int d = 0; d < dimensions; ++d) {
+      v.before[d] += contact[d];
+      v.after[d] += contact[d] + contact[dimensions + d] * inverse_mass;
+      force[d] += contact[dimensions + d] / dt;
+    }
+  }
+  KOKKOS_INLINE_FUNCTION void tally_contact(const double* contact, const Velocity& v, double* part)
+      const {
+    for (int d = 0; d < dimensions; ++d) {
+      const double mean = 0.5 * (v.before[d] + v.after[d]);
+      part[10] += contact[dimensions + d] * mean;
+      part[11] += contact[2 * dimensions + d] * mean;
+    }
+  }
+
+  /// @return whether a condition acts on one of its nodes
+  KOKKOS_INLINE_FUNCTION bool solve_row(
+      int tile,
+      int y,
+      int z,
+      const PrescribedVelocities& velocities,
+      const NodeScales& scales,
+      double (&part)[tally_components][2]
+  ) const {
+    alignas(64) double total[max_patch_nodes * sum_components];
+    add_parts(tile, y, z, total);
+    const int row = (z * patch.nodes + y) * patch.nodes;
+    double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(dimensions);
+    constexpr int impulses = impulse_components(dimensions);
+    const double* const contact =
+        shared_tile.extent(0) > 0 && shared_tile(tile) != 0
+            ? &impulse(first_value(patch, tile, impulses)) + row * impulses
+            : nullptr;
+    const TilePosition at = tile_frame(tile).position;
+    const double dt = tile_frame(tile).dt;
+    const double share = rule.grid_share(dt);
+    int index[3];  // of the node in the box
+    for (int d = 0; d < 3; ++d) index[d] = at[d] * patch.tile_cells - patch.reach;
+    index[1] += y;
+    index[2] += z;
+    bool prescribed = false;
+    for (int x = 0; x < patch.nodes; ++x, ++index[0]) {
+      const double* const node = total + x * sum_components;
+      double* const out = moved + x * motion_components(dimensions);
+      const double mass = node[0];
+      const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
+      // An impedance Z resists the change of velocity too: f - Z (v' - v).
+      const double resisted_share =
+          mass > 0.0 ? 1.0 - mass / (mass + dt * node[impedance_component]) : 1.0;
+      double drag[D], force[D], resisted[D], net_force[D];
+      Velocity v;
+      for (int d = 0; d < dimensions; ++d) {
+        drag[d] = rule.damping * node[1 + d];
+        force[d] = node[first_force(dimensions) + d] - drag[d];
+        resisted[d] = resisted_share * force[d];
+        force[d] -= resisted[d];
+        net_force[d] = force[d];
+        v.before[d] = node[1 + d] * inverse;
+        v.after[d] = v.before[d] + dt * force[d] * inverse;
+      }
+      if (contact != nullptr) add_contact(dt, contact + x * impulses, inverse, net_force, v);
+      double own[tally_components] = {};
+      prescribed |= apply_conditions(velocities, index, dt, mass, net_force, v, own);
+      for (int d = 0; d < dimensions; ++d) {
+        out[d] = v.after[d];
+        out[dimensions + d] = v.after[d] - v.before[d];
+      }
+      for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
+      if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
+      tally_node(dt, mass, force, drag, resisted, v, own);
+      if (contact != nullptr) tally_contact(contact + x * impulses, v, own);
+      own[12] = share * own[5];
+      for (int i = 0; i < tally_components; ++i)
+        add_split(own[i], is_impulse(i) ? scales.impulse : scales.energy, part[i]);
+    }
+    return prescribed;
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
+    double part[tally_components][2] = {};
+    bool counts_nothing = dormant.stays_motionless(tile);
+    if (!counts_nothing) {
+      const NodeScales scales = rule.scales(tile_frame(tile).cell_size, tile_frame(tile).dt);
+      const PrescribedVelocities velocities = rule.conditions.over_step(tile_frame(tile).dt);
+      bool prescribed = false;
+      for (int z = 0; z < patch.nodes_along(2); ++z)
+        for (int y = 0; y < patch.nodes; ++y)
+          prescribed |= solve_row(tile, y, z, velocities, scales, part);
+      counts_nothing = dormant.enter(tile, &motion(first_motion(patch, tile)), prescribed);
+    }
+    for (int i = 0; i < tally_values; ++i)
+      tally(static_cast<std::size_t>(tile * tally_values + i)) =
+          counts_nothing ? 0.0 : part[i / 2][i % 2];
+  }
+};
+
+/// What the tiles have found.
+GridTally add_tiles(int tiles, const ArrayView<double>& tally) {
+  ReproducibleSum sum[tally_components];
+  for (int t = 0; t < tiles; ++t)
+    for (int i = 0; i < tally_values; ++i)
+      sum[i / 2] += tally(static_cast<std::size_t>(t * tally_values + i));
+  return {
+      sum[0],
+      sum[1],
+      sum[2],
+      sum[3],
+      sum[4],
+      sum[5],
+      sum[12],
+      sum[6],
+      sum[7],
+      sum[8],
+      sum[9],
+      sum[10],
+      sum[11]};
+}
+
+}  // namespace
+
+GridTally solve_velocity(
+    const Grid& grid, const VelocityRule& rule, const SpecialTiles& special, Nodes& nodes
+) {
+  const Region region("solve_velocity");
+  const auto values = static_cast<std::size_t>(grid.active) * tally_values;
+  if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
+  visit_mode(grid.mode, [&](auto mode) {
+    launch(
+        "solve_velocity",
+        range(grid.active),
+        SolveVelocity<decltype(mode)::dimensions>{
+            rule,
+            grid.patch,
+            grid.tile_frame,
+            grid.neighbours,
+            grid.counts,
+            nodes.sums,
+            nodes.motion,
+            nodes.tally,
+            special.shared,
+            nodes.impulse,
+            DormantNodes(grid, special.dormancy, nodes)}
+    );
+  });
+  return add_tiles(grid.active, nodes.tally);
+}
+
+}  // namespace barreno

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "state/state.hpp"
+
+namespace barreno {
+
+/// Forces of the pressures on surfaces of balls. docs/method.md (2.4)
+///
+///   f_I -= V_p (p e_p grad S_Ip + p F^-T grad e_p S_Ip),   p e_p T_Ip V_p in the radial direction
+///   too
+///
+/// @pre  set_load_pressures, release_torn_faces
+void project_surface_pressures(
+    const Grid& grid,
+    const LoadTable& loads,
+    const std::vector<Particles>& sets,
+    const std::vector<Nodes>& nodes
+);
+
+/// Work of the same forces over the step on the mean nodal velocity, and their axial impulse, into
+/// the ledger.
+/// @return the work [energy], this rank's part
+ReproducibleSum tally_surface_pressures(
+    const Grid& grid,
+    const LoadTable& loads,
+    const std::vector<Particles>& sets,
+    const std::vector<Nodes>& nodes,
+    OwnLedger& ledger
+);
+
+/// Cavities grow by the work that a unit pressure would have done on the velocity with which
+/// particles move (with the mean one the fluid would gain energy at every step). Collective if
+/// there is a pore fluid: the sum is exact, so that it is the same on any number of ranks.
+void grow_cavities(
+    const Grid& grid,
+    const LoadTable& loads,
+    const std::vector<Particles>& sets,
+    const std::vector<Nodes>& nodes,
+    std::vector<Cavity>& cavities
+);
+
+}  // namespace barreno

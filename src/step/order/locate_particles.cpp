@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/order/locate_particles.hpp"
+
+#include "base/region.hpp"
+#include "base/row_sum.hpp"
+#include "step/order/remove_lost.hpp"
+
+namespace barreno {
+namespace {
+
+/// What a look at every particle's cell has found.
+struct Found {
+  int outside = 0, moved = 0, new_tile = 0, left = 0;
+};
+KOKKOS_INLINE_FUNCTION void add(const Found& from, Found& to) {
+  to.outside |= from.outside;
+  to.moved |= from.moved;
+  to.new_tile |= from.new_tile;
+  to.left |= from.left;
+}
+
+/// Keys of rows from their cells, without branches for the compiler to vectorise; rows outside the
+/// grid or lost otherwise keep theirs. Of other ranks' tiles those are active that are ghosts here;
+/// of others, further away, nothing is known.
+template <unsigned D>
+struct FindKeys {
+  static constexpr int dimensions = D;
+  double lower[D], upper[D];
+  int tiles[D];
+  const double* position[D];
+  double cells_per_length;
+  int bits, in_tile, cells, active, me;
+  const int* owner;
+  const int* directory;
+  CellKey* keys;
+  const Fault* faults;
+
+  FindKeys(const Grid& grid, const Particles& particles)
+      : cells_per_length(1.0 / grid.cell_size),
+        bits(grid.patch.tile_bits),
+        in_tile(grid.patch.tile_cells - 1),
+        cells(grid.patch.cells),
+        active(grid.active),
+        me(grid.comm->getRank()),
+        owner(grid.owner_of_tile.data()),
+        directory(grid.directory.data()),
+        keys(particles.key.data()),
+        faults(particles.fault.data()) {
+    for (int d = 0; d < dimensions; ++d) {
+      lower[d] = grid.lower[d];
+      upper[d] = grid.upper[d];
+      tiles[d] = grid.tiles[d];
+      position[d] = &particles.position(0, d);
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION Found operator()(int p) const {
+    const CellKey old_key = keys[p];
+    int lost = static_cast<int>(faults[p] != Fault::none);
+    for (int d = 0; d < dimensions; ++d)
+      lost |= static_cast<int>(!(position[d][p] >= lower[d])) |
+              static_cast<int>(!(position[d][p] < upper[d]));
+    int box = 0;
+    int inside = 0;
+    for (int d = dimensions - 1; d >= 0; --d) {
+      const int cell =
+          static_cast<int>(lost ? 0.0 : (position[d][p] - lower[d]) * cells_per_length);
+      box = box * tiles[d] + (cell >> bits);
+      inside = (inside << bits) + (cell & in_tile);
+    }
+    const int tile = directory[box];
+    const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
+    const int mine = static_cast<int>(owner[box] == me);
+    const int unknown = static_cast<int>(tile < 0);
+    const CellKey key = here ? CellKey{tile * cells + inside} : CellKey::unplaced;
+    keys[p] = lost ? old_key : key;
+    return {
+        lost,
+        static_cast<int>(key != old_key),
+        (1 - lost) & (1 - here) & (mine | unknown),
+        (1 - lost) & (1 - here) & (1 - mine)};
+  }
+};
+
+template <unsigned D>
+Found find_keys(const FindKeys<D>& key_of, int first_row, int count) {
+  Found found;
+  launch_reduction(
+      "find_keys",
+      range((count - first_row + rows_per_chunk - 1) / rows_per_chunk),
+      KOKKOS_LAMBDA(const int chunk, Found& part) {
+        const FindKeys<D> find = key_of;  // its numbers do not change with what it writes
+        const int begin = first_row + chunk * rows_per_chunk;
+        const int end = begin + rows_per_chunk < count ? begin + rows_per_chunk : count;
+        Found some;
+        BARRENO_IVDEP
+        for (int p = begin; p < end; ++p) add(find(p), some);
+        add(some, part);
+      },
+      TallyReducer<Found>(found)
+  );
+  return found;
+}
+
+Found find_keys(const Grid& grid, const Particles& particles, int first_row) {
+  if (first_row >= particles.count) return {};
+  return grid.patch.dimensions == 3
+             ? find_keys(FindKeys<3>(grid, particles), first_row, particles.count)
+             : find_keys(FindKeys<2>(grid, particles), first_row, particles.count);
+}
+
+/// Keys of a set's rows; false if one is outside the grid or lost otherwise.
+bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
+  const Found found = find_keys(grid, particles, 0);
+  placement.new_tile = placement.new_tile || found.new_tile != 0;
+  placement.someone_left = placement.someone_left || found.left != 0;
+  if (found.moved != 0) particles.sorted = false;
+  return found.outside == 0;
+}
+
+}  // namespace
+
+Placement locate_particles(
+    const Grid& grid, std::vector<Particles>& sets, OwnLedger& ledger, Effort& effort
+) {
+  const Region region("locate_particles");
+  const Stopwatch watch;
+  Placement placement;
+  for (Particles& particles : sets) {
+    if (find_keys(grid, particles, placement)) continue;
+    remove_lost(grid, particles, ledger);
+    find_keys(grid, particles, placement);
+  }
+  effort.tile_seconds += watch.seconds();
+  return placement;
+}
+
+void locate_newcomers(const Grid& grid, const Particles& particles, int first_row) {
+  find_keys(grid, particles, first_row);
+}
+
+}  // namespace barreno

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/particles/tally_domains.hpp"
+
+#include "base/region.hpp"
+#include "shape/support_batch.hpp"
+#include "shape/visit_kernels.hpp"
+#include "state/bad_particle.hpp"
+#include "state/row_frames.hpp"
+#include "state/shape_fields.hpp"
+#include "state/step_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+/// What the shape function says of the domains of some rows.
+struct Domains {
+  alignas(64) double clipped[rows_per_batch], inverted[rows_per_batch], narrowest[rows_per_batch];
+};
+
+template <class M, class S>
+struct TallyDomains {
+  PatchFrame<M::dimensions> frame;
+  Particles particles;
+  BadParticlePolicy policy;
+  StepRule rule;
+  RowFrames frames;
+
+  void operator()(Rows rows, DomainTally& tally) const {
+    Domains domains;
+    find(rows, domains);
+    for (int k = 0; k < rows.end - rows.begin; ++k) {
+      const int p = rows.begin + k;
+      particles.clipped(p) = domains.clipped[k];
+      tally.clipped += domains.clipped[k];
+      limit_step(p, S::critical_courant(domains.narrowest[k]), tally);
+      if (domains.inverted[k] > 0.0) treat_inverted(p, tally);
+    }
+  }
+
+  /// body(k, geometry) of the k-th row, without branches for the compiler to vectorise; of the last
+  /// row again where there are fewer. What is asked depends on the radius at most, not on the tile.
+  template <class Body>
+  void for_each_geometry(Rows rows, const Body& body) const {
+    const ShapeFields fields = shape_fields(particles);
+    BARRENO_IVDEP
+    for (int k = 0; k < rows_per_batch; ++k) {
+      const int p = rows.begin + k < rows.end ? rows.begin + k : rows.end - 1;
+      body(k, frame.template geometry<S>(frame.at_corner(frames.cell_size(p)), fields, p));
+    }
+  }
+
+  /// One loop for each: together they are too much for the compiler.
+  void find(Rows rows, Domains& out) const {
+    for_each_geometry(rows, [&](int k, const ParticleGeometry& particle) {
+      out.clipped[k] = S::template clipped<M>(particle) ? 1.0 : 0.0;
+    });
+    for_each_geometry(rows, [&](int k, const ParticleGeometry& particle) {
+      out.inverted[k] = S::template inverted<M>(particle) ? 1.0 : 0.0;
+    });
+    for_each_geometry(rows, [&](int k, const ParticleGeometry& particle) {
+      out.narrowest[k] = S::template narrowest<M>(particle);
+    });
+  }
+
+  void treat_inverted(int p, DomainTally& tally) const {
+    if (particles.fault(p) != Fault::none || (particles.body(p) & debris_bit) != 0) return;
+    tally.inverted += 1.0;
+    const ParticleId id = particles.id(p);
+    if (tally.first_bad < 0 || id < tally.first_bad) tally.first_bad = id;
+    treat_bad_particle(particles, p, policy, Fault::inverted);
+  }
+
+  void limit_step(int p, double critical_courant, DomainTally& tally) const {
+    if (!(critical_courant < particles.critical_courant)) return;
+    const double density = particles.mass(p) / particles.volume(p);
+    const Vector v = vector_of(particles.velocity, p);
+    const double h = frames.cell_size(p);
+    const double step = rule.stable_step(
+        h,
+        density,
+        particles.longitudinal_modulus(p),
+        rule.compression(h, density, particles.viscous_pressure(p)),
+        std::hypot(v[0], v[1], v[2])
+    );
+    tally.stable_step =
+        std::min(tally.stable_step, step * critical_courant / particles.critical_courant);
+  }
+};
+
+}  // namespace
+
+DomainTally tally_domains(
+    const StepSpec& step, BadParticlePolicy policy, const Grid& grid, Particles& particles
+) {
+  DomainTally tally;
+  if (particles.clipped.components == 0) return tally;
+  const Region region("tally_domains");
+  visit_kernels(grid, [&](auto mode, auto shape) {
+    using M = decltype(mode);
+    using S = decltype(shape);
+    if constexpr (S::follows_deformation) {
+      const TallyDomains<M, S> kernel{
+          PatchFrame<M::dimensions>(grid),
+          particles,
+          policy,
+          StepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
+          RowFrames(grid, particles)};
+      for (int begin = 0; begin < particles.count; begin += rows_per_batch)
+        kernel(Rows{begin, std::min(begin + rows_per_batch, particles.count)}, tally);
+    }
+  });
+  return tally;
+}
+
+}  // namespace barreno

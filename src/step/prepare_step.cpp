@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/prepare_step.hpp"
+
+#include "step/jet/launch_jet.hpp"
+#include "step/loads/load_pressures.hpp"
+#include "step/ranks/balance_load.hpp"
+#include "step/ranks/place_particles.hpp"
+#include "step/stable_step.hpp"
+#include "step/transfer/start_affine.hpp"
+
+#include <algorithm>
+
+namespace barreno {
+namespace {
+
+/// The jet's slugs whose time has come, and the step that they allow.
+void launch_slugs(const Scene& scene, State& state) {
+  if (!scene.jet.present) return;
+  const auto material = static_cast<std::size_t>(scene.jet.material);
+  Particles& particles = state.particles[material];
+  const int first_row = launch_jet(
+      scene.jet,
+      scene.materials[material],
+      state.grid,
+      state.clock.time,
+      state.jet,
+      particles,
+      state.ledger
+  );
+  state.stable_step = std::min(
+      state.stable_step, stable_step_of_rows(scene.step, state.grid, particles, first_row)
+  );
+}
+
+}  // namespace
+
+StepStart prepare_step(const Scene& scene, double next_time, State& state) {
+  const Clock& clock = state.clock;
+  Grid& grid = state.grid;
+  std::vector<Particles>& sets = state.particles;
+  OwnLedger& ledger = state.ledger;
+  Effort& effort = state.effort;
+  balance_load(clock, grid, sets, ledger, effort, state.sharing);      // tiles to ranks by cost
+  launch_slugs(scene, state);                                          // whose time has come
+  Placement placement = locate_particles(grid, sets, ledger, effort);  // cells; lost are tallied
+  const double stable = agree_on_stable_step(*grid.comm, state.stable_step, placement);
+  const double with_fluids = stable_step_with_fluids(state.cavities, grid.cell_size, stable);
+  const double dt = next_step(scene.step, clock, next_time, with_fluids);
+  place_particles(placement, clock.step, grid, sets, ledger, effort);  // ranks, tiles, order
+  if (clock.step == 0) start_affine(grid, sets);                       // APIC
+  return {dt, placement.interrupt};
+}
+
+}  // namespace barreno

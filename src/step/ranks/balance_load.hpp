@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "grid/partition.hpp"
+#include "state/clock.hpp"
+#include "state/effort.hpp"
+#include "state/ledger.hpp"
+#include "state/particles.hpp"
+
+#include <vector>
+
+namespace barreno {
+
+/// Every so many steps, compare what the ranks' nodes and particles have cost and, once ranks have
+/// waited twice as long as a change takes, share the tiles anew by measured cost if that gains a
+/// noticeable part of a step.
+/// Collective. Answers do not depend on who owns what (docs/method.md 3).
+///
+/// @param[in,out] effort   of this rank since the ranks last compared; starts anew
+/// @param[in,out] sharing  what ranks have waited for each other, and what a change takes
+void balance_load(
+    const Clock& clock,
+    Grid& grid,
+    std::vector<Particles>& sets,
+    OwnLedger& ledger,
+    Effort& effort,
+    LoadBalance& sharing
+);
+
+/// Seconds that each tile of the box has cost, over all ranks. Collective.
+std::vector<TileCost> tile_costs(
+    const Grid& grid, const std::vector<Particles>& sets, const Effort& effort
+);
+
+}  // namespace barreno

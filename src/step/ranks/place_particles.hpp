@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "step/order/locate_particles.hpp"
+
+#include <vector>
+
+namespace barreno {
+
+/// Steps between two physical sorts of the rows: long enough to cost nothing, short enough to keep
+/// locality.
+inline constexpr long steps_per_permutation = 50;
+
+/// Bring every particle to the rank that owns its tile, activate the tiles that hold particles, and
+/// sort the rows by (tile, cell, id). Collective if anything moved between ranks or a tile is new.
+///
+/// @param placement  agreed between the ranks
+/// @param step       number of the step
+void place_particles(
+    const Placement& placement,
+    long step,
+    Grid& grid,
+    std::vector<Particles>& sets,
+    OwnLedger& ledger,
+    Effort& effort
+);
+
+/// Give the tiles of the box to other ranks, `owner` by tile; every particle goes home. Collective.
+void give_tiles(
+    const std::vector<int>& owner,
+    long step,
+    Grid& grid,
+    std::vector<Particles>& sets,
+    OwnLedger& ledger,
+    Effort& effort
+);
+
+}  // namespace barreno

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/solve_motion.hpp"
+
+#include "base/gather.hpp"
+#include "grid/tiles.hpp"
+#include "step/boundary/node_conditions.hpp"
+#include "step/dormant/find_dormant_tiles.hpp"
+#include "step/grid/solve_velocity.hpp"
+#include "step/transfer/interpolate_motion.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace barreno {
+namespace {
+
+/// A step is taken again at most this often; then the particle policy acts.
+constexpr int max_retries = 3;
+
+void add(const GridTally& part, GridTally& sum) {
+  sum.kinetic_before += part.kinetic_before;
+  sum.kinetic_after += part.kinetic_after;
+  sum.force_work += part.force_work;
+  sum.condition_work += part.condition_work;
+  sum.condition_impulse += part.condition_impulse;
+  sum.filter_impulse += part.filter_impulse;
+  sum.taken_impulse += part.taken_impulse;
+  sum.damped += part.damped;
+  sum.damping_impulse += part.damping_impulse;
+  sum.absorbed += part.absorbed;
+  sum.absorbed_impulse += part.absorbed_impulse;
+  sum.contact_work += part.contact_work;
+  sum.tangential_work += part.tangential_work;
+}
+
+/// Velocities of all fields that forces move, and what they do to each other.
+GridTally solve_fields(
+    const Scene& scene, const Clock& clock, double damping, State& state, RigidTally& rigid
+) {
+  const VelocityRule rule{
+      node_conditions(state.conditions, clock),
+      damping,
+      GridShare(scene.step),
+      NodeScaleRule(scene.materials, scene.grid)};
+  rigid = solve_contact(
+      state.grid,
+      state.fields,
+      state.rigid_motions,
+      {clock.time, damping, rule.grid_share, rule.scales},
+      state.contact,
+      state.nodes
+  );
+  const SymmetryPlanes symmetry(scene.conditions, state.grid);
+  GridTally tally;
+  const Stopwatch watch;
+  for (std::size_t f = 0; f < state.nodes.size(); ++f) {
+    if (state.fields.rigid_body[f] >= 0) continue;
+    Nodes& nodes = state.nodes[f];
+    GridTally part =
+        solve_velocity(state.grid, rule, {state.contact.shared_tile, state.dormancy}, nodes);
+    apply_symmetry_to_velocities(symmetry, state.grid, rule.grid_share, nodes, part);
+    add(part, tally);
+  }
+  state.effort.tile_seconds += watch.seconds();
+  return tally;
+}
+
+}  // namespace
+
+void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally) {
+  for (int retry = 0;; ++retry) {
+    tally.grid = solve_fields(scene, state.clock, scene.step.damping, state, tally.rigid);
+    find_dormant_tiles(scene.step, state.clock, state.grid, state.particles, state.dormancy);
+    std::array<double, 1> strain{0.0};
+    const Stopwatch watch;
+    for (Particles& particles : state.particles) {
+      if (particles.rigid) continue;
+      const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+      strain[0] =
+          std::max(strain[0], interpolate_motion(state.grid, state.dormancy, nodes, particles));
+    }
+    state.effort.node_seconds += watch.seconds();
+    max_over_ranks(*state.grid.comm, strain);
+    if (!(strain[0] > scene.step.largest_strain) || retry == max_retries) return;
+    dt *= std::max(0.25, 0.8 * scene.step.largest_strain / strain[0]);
+    set_tile_steps(state.grid, dt);
+    state.ledger.retried_steps += 1.0;
+  }
+}
+
+void solve_strain(const Scene& scene, const Clock& clock, State& state) {
+  RigidTally rigid;
+  solve_fields(scene, clock, 0.0, state, rigid);
+  const Stopwatch watch;
+  for (const Particles& particles : state.particles) {
+    if (particles.rigid) continue;
+    const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+    Particles asking = particles;  // views of the same rows, but for the motion of the step
+    asking.grid_motion = particles.second_pass_motion;
+    interpolate_motion(state.grid, state.dormancy, nodes, asking);
+  }
+  state.effort.node_seconds += watch.seconds();
+}
+
+}  // namespace barreno

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/choices.hpp"
+#include "check/cost_growth.hpp"
+#include "check/feature_table.hpp"
+#include "check/format.hpp"
+#include "check/jet_note.hpp"
+#include "check/locking_note.hpp"
+#include "check/plan.hpp"
+#include "check/predict_cost.hpp"
+#include "check/probe_cost.hpp"
+#include "support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace barreno {
+namespace {
+
+constexpr double young = 8e10, poisson = 0.25, density = 2500.0, cell = 0.1;
+
+/// A block of 10 x 10 cells with 4 particles in each, in a grid twice as wide.
+Scene block(double poissons_ratio = poisson) {
+  const MaterialSpec material = testing::elastic(young, poissons_ratio, density);
+  Scene scene = testing::box_scene(Mode::plane_strain, cell, {0, 0, 0}, {2, 1, 0}, material);
+  testing::add_box(scene, "block", {0, 0, 0}, {1, 1, 0}, 2);
+  scene.end_time = 1e-3;
+  return scene;
+}
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST(Format, WritesAsPrintfAndCutsLongLines) {
+  EXPECT_EQ(format("%5.2f|%-4s|", 3.14159, "ab"), " 3.14|ab  |");
+  EXPECT_EQ(format("%s", std::string(900, 'x').c_str()).size(), 255U);
+}
+
+TEST(Choices, SayWhatIsOffAndWhy) {
+  Scene scene = block();
+  EXPECT_FALSE(pore_flow_choice(scene).on);
+  EXPECT_TRUE(says(pore_flow_choice(scene).why, "no Pore Flow list"));
+  EXPECT_FALSE(quasi_static_choice(scene).on);
+  EXPECT_TRUE(dormancy_choice(scene).on);
+  scene.step.skip_dormant = false;
+  EXPECT_TRUE(says(dormancy_choice(scene).why, "Skip Dormant Tiles is false"));
+  scene.quasi_static = {100.0, 1e-3, 1e-1};
+  EXPECT_TRUE(quasi_static_choice(scene).on);
+  EXPECT_TRUE(says(quasi_static_choice(scene).why, "inertia x 100"));
+}
+
+TEST(LockingNote, WarnsOfWhatHardlyChangesItsVolume) {
+  Scene scene = block(0.4999);
+  EXPECT_TRUE(says(locking_note(scene, 0), "volumetric locking, with GIMP"));
+  scene.step.shape = "quadratic B-spline";
+  EXPECT_EQ(locking_note(scene, 0), "");
+  scene.step.shape = "GIMP";
+  scene.bodies[0].particles_per_cell = 1;
+  EXPECT_EQ(locking_note(scene, 0), "");
+  EXPECT_EQ(locking_note(block(), 0), "");
+}
+
+TEST(JetNote, WarnsOfAJetThatMissesOrComesTooLate) {
+  Scene scene = block();
+  EXPECT_EQ(jet_note(scene), "");
+  scene.materials.push_back(testing::copper());
+  scene.jet.present = true;
+  scene.jet.material = 1;
+  scene.jet.launch_position = -0.5;
+  scene.jet.slugs = {{0.0, 1000.0, 0.2, 0.1, 8930.0}};
+  EXPECT_EQ(jet_note(scene), "");  // its leading face takes 0.45 ms
+  scene.end_time = 0.4e-3;
+  EXPECT_TRUE(says(jet_note(scene), "reaches the target at 0.00045 s")) << jet_note(scene);
+  scene.jet.direction = -1.0;
+  EXPECT_TRUE(says(jet_note(scene), "hits no body"));
+}
+
+/// 400 particles that take 4 us in a step.
+Probe probe_of_block() {
+  Probe probe;
+  probe.seconds = 4e-6;
+  probe.particles = 400.0;
+  return probe;
+}
+
+TEST(PredictCost, CountsParticleStepsByTheStep) {
+  Scene scene = block();
+  scene.step.largest_step = 1e-6;  // below the stable one
+  const Prediction one = predict_cost(scene, probe_of_block(), 1);
+  EXPECT_DOUBLE_EQ(one.steps, 1000.0);
+  EXPECT_DOUBLE_EQ(one.particle_steps, 400.0 * 1000.0);
+  EXPECT_DOUBLE_EQ(one.nanoseconds, 10.0);
+  EXPECT_GT(one.seconds, 4e-3);
+  EXPECT_DOUBLE_EQ(predict_cost(scene, probe_of_block(), 4).seconds, 0.25 * one.seconds);
+}
+
+TEST(PredictCost, FindsAStepInWhichAWaveCrossesLessThanACell) {
+  const Scene scene = block();
+  const double bulk = young / (3.0 * (1.0 - 2.0 * poisson));
+  const double shear = young / (2.0 * (1.0 + poisson));
+  const double crossing = cell / std::sqrt((bulk + 4.0 / 3.0 * shear) / density);
+  const double step = stable_step_of_scene(scene, false);
+  EXPECT_GT(step, 0.2 * crossing);
+  EXPECT_LT(step, crossing);
+  EXPECT_LT(stable_step_of_scene(scene, true), step);
+}
+
+TEST(PredictCost, KnowsWhatGrowsOverARun) {
+  Scene scene = block();
+  EXPECT_EQ(growth_of(scene, "move_particles"), 1.0);
+  EXPECT_EQ(growth_of(scene, "project_particles"), 1.0);
+  const UpdateCost& rock = update_costs[0];
+  EXPECT_EQ(growth_of(scene, rock.verb), rock.running / rock.elastic);
+  scene.step.shape = "CPDI";
+  EXPECT_EQ(growth_of(scene, "project_particles"), growth_of_domains);
+  scene.grid.mode = Mode::three_dimensional;
+  EXPECT_EQ(growth_of(scene, "update_deformation"), growth_of_rotations);
+}
+
+TEST(ProbeCost, TakesFirstStepsAndSharesThemAmongVerbs) {
+  const Probe probe = probe_cost(block());
+  EXPECT_EQ(probe.particles, 400.0);
+  EXPECT_GT(probe.seconds, 0.0);
+  EXPECT_GT(probe.dt, 0.0);
+  EXPECT_NEAR(share_of(probe, ""), 1.0, 1e-12);
+  EXPECT_GT(share_of(probe, "update_stress"), 0.0);
+  EXPECT_LT(share_of(probe, "update_stress"), 1.0);
+  EXPECT_EQ(share_of(probe, "no such verb"), 0.0);
+}
+
+TEST(FeatureTable, HasWhatIsOnAndOff) {
+  const std::string table = feature_table(block(), {});
+  EXPECT_TRUE(says(table, dormancy_choice(block()).why)) << table;
+  EXPECT_TRUE(says(table, "no Pore Flow list")) << table;
+}
+
+TEST(Plan, SaysHowManyParticlesAndWhatIsNoted) {
+  Scene scene = block();
+  scene.title = "a block of glass";
+  const std::string plan = plan_text(scene, probe_of_block(), 1, {"mind the step."});
+  for (const char* words : {"a block of glass", "400", "mind the step."})
+    EXPECT_TRUE(says(plan, words)) << plan;
+}
+
+}  // namespace
+}  // namespace barreno

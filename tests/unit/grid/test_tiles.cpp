@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid/grid.hpp"
+#include "grid/halo.hpp"
+#include "grid/migrate.hpp"
+#include "grid/patch.hpp"
+#include "grid/tiles.hpp"
+
+#include <Teuchos_DefaultComm.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+/// 20 x 12 cells of size 0.5, which take 3 x 2 tiles.
+Scene scene_of_six_tiles() {
+  Scene scene;
+  scene.grid = {Mode::plane_strain, {1.0, -2.0, 0.0}, {11.0, 4.0, 0.0}, 0.5};
+  scene.conditions.push_back({"floor", Face::y_lower, ConditionKind::symmetry, {}});
+  scene.conditions.push_back({"roof", Face::y_upper, ConditionKind::fixed, {}});
+  return scene;
+}
+
+Grid alone(int reach) {
+  return make_grid(scene_of_six_tiles(), reach, Teuchos::rcp(new Teuchos::SerialComm<int>));
+}
+
+TEST(Patch, HasTheNodesOfItsTileAndThoseInReach) {
+  const Patch flat = make_patch(2, 1), solid = make_patch(3, 2);
+  EXPECT_EQ(flat.tile_cells, 8);
+  EXPECT_EQ(flat.nodes, 11);  // 9 of the tile, one more on either side
+  EXPECT_EQ(flat.size, 121);
+  EXPECT_EQ(flat.neighbours, 9);
+  EXPECT_EQ(flat.nodes_along(2), 1);
+  EXPECT_EQ(solid.tile_cells, 4);
+  EXPECT_EQ(solid.nodes, 9);
+  EXPECT_EQ(solid.near, 2);  // two tiles on, the last node of one is the first of the other
+  EXPECT_EQ(solid.neighbours, 125);
+  EXPECT_THROW(make_patch(2, 28), std::logic_error);
+}
+
+TEST(Patch, OverlapsWithANeighbourFromBothSidesAlike) {
+  const Patch patch = make_patch(2, 1);
+  EXPECT_EQ(patch.overlap_begin(1), 8);
+  EXPECT_EQ(patch.overlap_end(1), 11);
+  EXPECT_EQ(patch.overlap_begin(-1), 0);
+  EXPECT_EQ(patch.overlap_end(-1), 3);
+  int at[2];
+  position_of_slot(patch, 4 * 11 + 7, at);
+  EXPECT_EQ(at[0], 7);
+  EXPECT_EQ(at[1], 4);
+  std::vector<int> along_x;
+  for_each_neighbour(patch, [&](int k, int x, int, int) {
+    EXPECT_EQ(k, static_cast<int>(along_x.size()));
+    along_x.push_back(x);
+  });
+  EXPECT_EQ(along_x, (std::vector<int>{-1, 0, 1, -1, 0, 1, -1, 0, 1}));
+}
+
+TEST(Grid, KnowsWhatItsSceneAsksFor) {
+  const Grid grid = alone(1);
+  EXPECT_EQ(grid.cells[0], 20);
+  EXPECT_EQ(grid.tiles[0], 3);
+  EXPECT_EQ(grid.tiles[1], 2);
+  EXPECT_EQ(grid.active, 0);
+  EXPECT_TRUE(grid.mirrored[static_cast<int>(Face::y_lower)]);
+  EXPECT_FALSE(grid.mirrored[static_cast<int>(Face::y_upper)]);
+  EXPECT_EQ(grid.tile_id(2, 1, 0), 5);
+  EXPECT_EQ(grid.position_of_tile(5)[0], 2);
+  EXPECT_EQ(grid.position_of_tile(5)[1], 1);
+  EXPECT_FALSE(grid.has_tile(3, 0, 0));
+}
+
+TEST(Grid, FindsTheCellOfAPoint) {
+  Grid grid = alone(1);
+  EXPECT_TRUE(grid.holds({1.0, -2.0, 0.0}));
+  EXPECT_FALSE(grid.holds({11.0, 0.0, 0.0}));
+  const Cell cell = cell_of(grid, {1.0 + 9.2 * 0.5, -2.0 + 3.7 * 0.5, 0.0});
+  EXPECT_EQ(cell.tile, 1);
+  EXPECT_EQ(cell.inside, 3 * 8 + 1);
+  grid.owner = {0, 7, 0, 0, 0, 0};
+  EXPECT_EQ(owner_of(grid, {5.6, -0.1, 0.0}), 7);
+}
+
+TEST(Tiles, CountEveryNodeOnce) {
+  Grid grid = alone(1);
+  activate_tiles(grid, {0, 1, 3});
+  EXPECT_EQ(grid.active, 3);
+  EXPECT_EQ(grid.ghosts, 0);
+  EXPECT_EQ(grid.directory(3), 2);
+  EXPECT_EQ(grid.directory(2), -1);
+  EXPECT_EQ(grid.neighbours(0 * 9 + 5), 1);  // along +x
+  EXPECT_EQ(grid.neighbours(0 * 9 + 7), 2);  // along +y
+  EXPECT_EQ(grid.neighbours(1 * 9 + 5), -1);
+  int counted = 0;
+  for (int i = 0; i < 3 * 121; ++i) counted += grid.counts(i);
+  // Tiles 0 and 1 reach 19 x 11 nodes, tile 3 above the first 11 x 8 more.
+  EXPECT_EQ(counted, 19 * 11 + 11 * 8);
+  activate_tiles(grid, {3});
+  EXPECT_EQ(grid.directory(0), -1);
+  EXPECT_EQ(grid.activations, 2);
+}
+
+TEST(Tiles, TakeCellSizeAndStepIntoTheirFrames) {
+  Grid grid = alone(1);
+  activate_tiles(grid, {1, 4});
+  set_tile_steps(grid, 2.5e-7);
+  for (int t = 0; t < 2; ++t) {
+    const TileFrame& frame = grid.tile_frame(t);
+    EXPECT_EQ(frame.cell_size, 0.5);
+    EXPECT_EQ(frame.dt, 2.5e-7);
+    EXPECT_EQ(frame.position[0], 1);
+    EXPECT_EQ(frame.position[1], t);
+  }
+}
+
+TEST(Halo, BringsTheSumsOfNeighboursFromTheirOwners) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  Grid grid = make_grid(scene_of_six_tiles(), 1, comm);
+  const int ranks = comm->getSize(), rank = comm->getRank();
+  std::vector<int> owned;
+  for (int tile = 0; tile < 6; ++tile) {
+    grid.owner[static_cast<std::size_t>(tile)] = tile % ranks;
+    if (tile % ranks == rank) owned.push_back(tile);
+  }
+  activate_tiles(grid, owned);
+  EXPECT_EQ(grid.active, static_cast<int>(owned.size()));
+  EXPECT_EQ(grid.ghosts, ranks == 1 ? 0 : 3);  // of two ranks: all tiles touch here
+  constexpr int width = 2;
+  const auto tile_of = [&](int t) {
+    const TilePosition& at = grid.tile_frame(t).position;
+    return grid.tile_id(at[0], at[1], at[2]);
+  };
+  const ArrayView<double> sums(
+      "sums", static_cast<std::size_t>((grid.active + grid.ghosts) * width)
+  );
+  for (int t = 0; t < grid.active; ++t)
+    for (int c = 0; c < width; ++c) sums(t * width + c) = 10.0 * tile_of(t) + c;
+  exchange_halo(grid, sums, width);
+  for (int t = 0; t < grid.active + grid.ghosts; ++t)
+    for (int c = 0; c < width; ++c) EXPECT_EQ(sums(t * width + c), 10.0 * tile_of(t) + c);
+}
+
+TEST(Migrate, SendsRowsToTheRanksNamed) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const int ranks = comm->getSize(), rank = comm->getRank();
+  std::vector<std::vector<double>> outgoing(static_cast<std::size_t>(ranks));
+  for (int to = 0; to < ranks; ++to)
+    for (int i = 0; i <= rank; ++i)
+      outgoing[static_cast<std::size_t>(to)].push_back(100.0 * rank + 10.0 * to + i);
+  const std::vector<double> received = exchange_rows(*comm, outgoing);
+  std::vector<double> wanted;
+  for (int from = 0; from < ranks; ++from)
+    for (int i = 0; i <= from; ++i) wanted.push_back(100.0 * from + 10.0 * rank + i);
+  EXPECT_EQ(received, wanted);
+}
+
+}  // namespace
+}  // namespace barreno

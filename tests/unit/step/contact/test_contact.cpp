@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact between velocity fields: its law, its normals, its balances, and the same bits on any
+// ranks.
+#include "base/gather.hpp"
+#include "state/balance.hpp"
+#include "step/contact/contact_law.hpp"
+#include "step/contact/directions.hpp"
+#include "step/contact/separating_normal.hpp"
+#include "support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+using testing::add_box;
+using testing::add_symmetry;
+using testing::advance_to;
+using testing::all_modes;
+using testing::all_rows;
+using testing::box_scene;
+using testing::start;
+using testing::start_alone;
+
+constexpr double up[2] = {0.0, 1.0};
+
+TEST(ContactLaw, SurfacesThatPartOrAreApartAreFree) {
+  const double parting[2] = {3.0, 1.0}, closing[2] = {3.0, -1.0}, none[2] = {0.0, 0.0};
+  for (const auto kind : {ContactKind::stick, ContactKind::friction, ContactKind::frictionless}) {
+    EXPECT_EQ(contact_impulse<2>(kind, 0.5, 2.0, parting, up, 0.0).total[1], 0.0);
+    EXPECT_EQ(contact_impulse<2>(kind, 0.5, 2.0, closing, up, 1.5).total[0], 0.0);
+    EXPECT_EQ(contact_impulse<2>(kind, 0.5, 2.0, closing, none, 0.0).total[1], 0.0);
+  }
+  EXPECT_EQ(contact_impulse<2>(ContactKind::bonded, 0.0, 2.0, parting, none, 9.0).total[0], 6.0);
+}
+
+TEST(ContactLaw, FrictionIsTheSmallerOfStickAndItsCoefficientTimesThePush) {
+  const double w[2] = {3.0, -1.0};
+  const auto slides = contact_impulse<2>(ContactKind::friction, 0.5, 2.0, w, up, 0.0);
+  EXPECT_DOUBLE_EQ(slides.total[0], 1.0);
+  EXPECT_DOUBLE_EQ(slides.total[1], -2.0);
+  EXPECT_DOUBLE_EQ(slides.tangential[0], 1.0);
+  EXPECT_EQ(slides.tangential[1], 0.0);
+  const auto sticks = contact_impulse<2>(ContactKind::friction, 5.0, 2.0, w, up, 0.0);
+  const auto stuck = contact_impulse<2>(ContactKind::stick, 0.0, 2.0, w, up, 0.0);
+  EXPECT_DOUBLE_EQ(sticks.total[0], 6.0);
+  EXPECT_DOUBLE_EQ(stuck.total[0], 6.0);
+  const auto smooth = contact_impulse<2>(ContactKind::frictionless, 0.0, 2.0, w, up, 0.25);
+  EXPECT_EQ(smooth.total[0], 0.0);
+  EXPECT_DOUBLE_EQ(smooth.total[1], -1.5);
+}
+
+/// Moments of a box of uniform weight, centre and half edges along rotated axes.
+template <unsigned D>
+struct BoxMoments {
+  double values[1 + D + D * (D + 1) / 2] = {};
+  BoxMoments(const double (&centre)[D], const double (&axes)[D][D], const double (&half)[D]) {
+    values[0] = 2.0;
+    double* second = values + 1 + D;
+    for (unsigned i = 0; i < D; ++i) {
+      values[1 + i] = 2.0 * centre[i];
+      for (unsigned j = i; j < D; ++j) {
+        double sum = centre[i] * centre[j];
+        for (unsigned k = 0; k < D; ++k) sum += axes[k][i] * axes[k][j] * half[k] * half[k] / 3.0;
+        *second++ = 2.0 * sum;
+      }
+    }
+  }
+};
+
+TEST(ContactNormals, BoxesSideBySideAreSeparatedByTheirCommonFace) {
+  const double axes[2][2] = {{0.8, 0.6}, {-0.6, 0.8}}, half[2] = {0.5, 1.4};
+  // The second is moved along the face too: the means alone would give another normal.
+  const double a[2] = {0.1, 0.2}, b[2] = {0.1 + 0.8 * 1.0, 0.2 + 0.6 * 1.0};
+  const bool none[2] = {false, false};
+  double n[2];
+  separating_normal<2>(
+      BoxMoments<2>(a, axes, half).values, BoxMoments<2>(b, axes, half).values, none, n
+  );
+  EXPECT_NEAR(n[0], 0.8, 1e-14);
+  EXPECT_NEAR(n[1], 0.6, 1e-14);
+}
+
+TEST(ContactNormals, AtAMirrorTheNormalIsInThePlaneOrAcrossIt) {
+  const double axes[2][2] = {{1.0, 0.0}, {0.0, 1.0}}, half[2] = {0.5, 0.5};
+  const bool mirror[2] = {true, false};
+  const double a[2] = {0.5, 0.0}, above[2] = {0.7, 1.0}, beside[2] = {1.5, 0.1};
+  double n[2];
+  separating_normal<2>(
+      BoxMoments<2>(a, axes, half).values, BoxMoments<2>(above, axes, half).values, mirror, n
+  );
+  EXPECT_EQ(n[0], 0.0);
+  EXPECT_EQ(n[1], 1.0);
+  separating_normal<2>(
+      BoxMoments<2>(a, axes, half).values, BoxMoments<2>(beside, axes, half).values, mirror, n
+  );
+  EXPECT_EQ(n[0], 1.0);
+  EXPECT_EQ(n[1], 0.0);
+}
+
+template <unsigned D>
+void expect_cone(const double (&n)[D]) {
+  const Directions<D> directions(0.5, true);
+  for (int k = 0; k < Directions<D>::count; ++k) {
+    double out[D];
+    directions.find(n, k, out);
+    double squared = 0.0;
+    double along = 0.0;
+    for (unsigned d = 0; d < D; ++d) {
+      squared += out[d] * out[d];
+      along += out[d] * n[d];
+    }
+    EXPECT_NEAR(squared, 1.0, 1e-14);
+    EXPECT_GT(along, k <= Directions<D>::turned ? std::cos(0.5) - 1e-14 : 0.5 - 1e-14);
+  }
+}
+
+TEST(ContactNormals, DirectionsAboutANormalAreUnitVectorsNearIt) {
+  expect_cone<2>({0.6, -0.8});
+  expect_cone<3>({0.48, -0.64, 0.6});
+  expect_cone<3>({1.0, 0.0, 0.0});
+  expect_cone<3>({0.0, 0.0, -1.0});
+}
+
+/// A block that hits another aslant, with friction; a third of yet another material joins the
+/// second. In three dimensions they slide past each other along z too, in larger cells.
+Scene oblique(Mode mode) {
+  const double h = mode == Mode::three_dimensional ? 2e-3 : 1e-3;
+  Scene scene = box_scene(
+      mode, h, {0.0, 0.0, 0.0}, {0.024, 0.040, 0.008}, testing::elastic(70e9, 0.3, 2700.0)
+  );
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials.push_back(testing::elastic(20e9, 0.2, 2700.0));
+  scene.materials.back().bad_particles = BadParticlePolicy::stop;
+  const int upper = mode == Mode::three_dimensional ? 2 : 3;  // particles per cell
+  add_box(scene, "low", {0.004, 0.006, 0.0021}, {0.0123, 0.0179, 0.0047}, 2).velocity = {
+      30.0, 120.0, 25.0};
+  add_box(scene, "high", {0.003, 0.020, 0.0026}, {0.0101, 0.0307, 0.0051}, upper).velocity = {
+      -20.0, -80.0, 0.0};
+  add_box(scene, "beside", {0.0101, 0.020, 0.0026}, {0.0150, 0.0307, 0.0051}, 2).velocity = {
+      -20.0, -80.0, 0.0};
+  scene.bodies[1].material = 1;
+  scene.bodies[2].material = 2;
+  scene.contacts.push_back({"faces", {0, 1}, ContactKind::friction, 0.3});
+  scene.contacts.push_back({"others", {2, 0}, ContactKind::frictionless, 0.0});
+  add_symmetry(scene, Face::x_lower);
+  return scene;
+}
+
+TEST(ContactFields, MaterialsWithEqualContactsShareAField) {
+  Scene scene = oblique(Mode::plane_strain);
+  VelocityFields fields = velocity_fields(scene);
+  EXPECT_EQ(fields.count, 3);
+  ASSERT_EQ(fields.pairs.size(), 3U);
+  EXPECT_EQ(fields.pairs[2].kind, ContactKind::bonded);
+  scene.contacts[0] = {"faces", {1, 0}, ContactKind::frictionless, 0.0};
+  fields = velocity_fields(scene);
+  EXPECT_EQ(fields.count, 2);
+  EXPECT_EQ(fields.of_material[1], fields.of_material[2]);
+  scene.contacts.clear();
+  EXPECT_EQ(velocity_fields(scene).count, 1);
+}
+
+class Contact : public ::testing::TestWithParam<Mode> {};
+
+TEST_P(Contact, KeepsMassAndAxialMomentumAndItsEnergyLedgerCloses) {
+  const Scene scene = oblique(GetParam());
+  State state = start(scene);
+  advance_to(scene, 2.0e-5, state);
+  const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
+  EXPECT_NEAR(mass_balance(ledger).error(), 0.0, 1e-14);
+  EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-13);
+  EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-4);
+  EXPECT_GT(ledger.elastic, 0.01 * ledger.initial_kinetic);
+  EXPECT_GT(ledger.friction, 1e-5 * ledger.initial_kinetic);
+}
+
+TEST_P(Contact, AnyRankCountGivesTheSameBits) {
+  const Scene scene = oblique(GetParam());
+  State together = start(scene), alone = start_alone(scene);
+  advance_to(scene, 1.2e-5, together);
+  advance_to(scene, 1.2e-5, alone);
+  EXPECT_NE(alone.ledger.friction, 0.0);
+  EXPECT_EQ(all_rows(alone), all_rows(together));
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Contact, ::testing::ValuesIn(all_modes));
+
+/// Two blocks that meet along z: what friction takes from one it gives to the other, in the plane
+/// of the faces, and no more than its coefficient times the push.
+TEST(ContactInSpace, PushAndFrictionAreAsAlongTheOtherAxes) {
+  Scene scene = box_scene(
+      Mode::three_dimensional,
+      1e-3,
+      {0.0, 0.0, 0.0},
+      {0.012, 0.012, 0.016},
+      testing::elastic(70e9, 0.3, 2700.0)
+  );
+  scene.materials.push_back(scene.materials[0]);
+  constexpr double friction = 0.25, closing = 40.0;
+  add_box(scene, "low", {0.003, 0.003, 0.003}, {0.008, 0.008, 0.007}, 2);
+  BodySpec& high = add_box(scene, "high", {0.003, 0.003, 0.007}, {0.008, 0.008, 0.011}, 2);
+  high.material = 1;
+  high.velocity = {0.0, 90.0, -closing};
+  scene.contacts.push_back({"faces", {0, 1}, ContactKind::friction, friction});
+  State state = start(scene);
+  advance_to(scene, 4e-6, state);
+  double moved[2][3] = {};  // momentum of the materials [kg m/s]
+  for (std::size_t m = 0; m < 2; ++m) {
+    std::vector<double> sums(3, 0.0);
+    const Particles& set = state.particles[m];
+    for (int p = 0; p < set.count; ++p)
+      for (int d = 0; d < 3; ++d)
+        sums[static_cast<std::size_t>(d)] += set.mass(p) * set.velocity(p, d);
+    sum_over_ranks(*state.grid.comm, sums);
+    std::copy(sums.begin(), sums.end(), moved[m]);
+  }
+  const double mass = 2700.0 * 0.005 * 0.005 * 0.004;
+  const double size = mass * closing;
+  EXPECT_NEAR((moved[0][0] + moved[1][0]) / size, 0.0, 1e-12);
+  EXPECT_NEAR((moved[0][1] + moved[1][1] - mass * 90.0) / size, 0.0, 1e-12);
+  EXPECT_NEAR((moved[0][2] + moved[1][2] + size) / size, 0.0, 1e-12);
+  EXPECT_LT(moved[0][2], -0.3 * size) << "they did meet";
+  // All of the contact slides: 90 m/s is more than friction can stop.
+  EXPECT_NEAR(moved[0][1] / -moved[0][2], friction, 0.02 * friction);
+  EXPECT_NEAR(moved[0][0] / moved[0][2], 0.0, 1e-3);
+}
+
+/// A rigid punch of prescribed motion, with contact or without one.
+Scene punch(bool contact) {
+  Scene scene = box_scene(
+      Mode::axisymmetric,
+      1e-3,
+      {0.0, 0.0, 0.0},
+      {0.016, 0.040, 0.0},
+      testing::elastic(70e9, 0.3, 2700.0)
+  );
+  scene.materials.push_back(scene.materials[0]);
+  add_box(scene, "block", {0.0, 0.006, 0.0}, {0.0103, 0.0179, 0.0}, 2);
+  BodySpec& body = add_box(scene, "punch", {0.0, 0.0181, 0.0}, {0.0052, 0.0301, 0.0}, 2);
+  body.material = 1;
+  body.motion.prescribed = true;
+  body.motion.velocity = {0.0, -40.0, 0.0};
+  body.motion.factor = {{0.0, 1e-5}, {1.0, 0.5}};
+  if (contact) scene.contacts.push_back({"face", {1, 0}, ContactKind::friction, 0.2});
+  add_symmetry(scene, Face::x_lower);
+  add_symmetry(scene, Face::y_lower);
+  return scene;
+}
+
+TEST(RigidBody, MovesAsPrescribedAndItsImpulseAndWorkAreInTheBalances) {
+  for (const bool contact : {false, true}) {
+    SCOPED_TRACE(contact);
+    const Scene scene = punch(contact);
+    State state = start(scene), alone = start_alone(scene);
+    advance_to(scene, 1.5e-5, state);
+    advance_to(scene, 1.5e-5, alone);
+    EXPECT_EQ(all_rows(alone), all_rows(state));
+    const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
+    EXPECT_NEAR(mass_balance(ledger).error(), 0.0, 1e-14);
+    EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-13);
+    EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-7);
+    // Bonded to the punch the block swings to and fro; otherwise it can only be pushed.
+    if (contact) {
+      EXPECT_LT(ledger.rigid_impulse, 0.0);
+      EXPECT_GT(ledger.friction, 0.0);
+    }
+    EXPECT_GT(ledger.boundary_work, 0.0);
+    // 40 m/s falling to 20 m/s within 10 us, then 20 m/s; steps end inside the bend.
+    const auto& rigid = alone.particles[1];
+    for (int p = 0; p < rigid.count; ++p) {
+      EXPECT_EQ(rigid.velocity(p, 1), -20.0);
+      EXPECT_EQ(rigid.stress(p, 1), 0.0);
+    }
+    const Scene still = punch(contact);
+    const State before = start_alone(still);
+    double first = HUGE_VAL, now = HUGE_VAL;
+    for (int p = 0; p < rigid.count; ++p) {
+      first = std::min(first, before.particles[1].position(p, 1));
+      now = std::min(now, rigid.position(p, 1));
+    }
+    EXPECT_NEAR(now - first, -(30.0 * 1e-5 + 20.0 * 0.5e-5), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace barreno

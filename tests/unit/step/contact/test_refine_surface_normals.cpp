@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The gap between two blocks, along the normal that makes it widest.
+#include "step/contact/particle_ellipse.hpp"
+#include "unit/step/contact/two_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+/// Half edges of a quarter, twice as long along x, in cells of a half: half axes of 1 and 1/2.
+TEST(ParticleEllipse, ReachesAlongADirectionAsFarAsItsDeformedBoxLets) {
+  const State state = testing::in_tiles(
+      testing::two_blocks(Mode::plane_strain, 1.0, 0.0, ContactKind::frictionless), 1.0
+  );
+  const Particles& particles = state.particles[0];
+  particles.deformation_gradient(0, 0) = 2.0;
+  ParticleGeometry place;
+  place.x[0] = 3.0;
+  place.x[1] = 5.0;
+  place.per_cell = 2.0;
+  const ParticleEllipse<2> ellipse(place, particles, 0);
+  EXPECT_EQ(ellipse.x[0], 3.0);
+  EXPECT_EQ(ellipse.x[1], 5.0);
+  const double across[2] = {1.0, 0.0}, up[2] = {0.0, -1.0}, aslant[2] = {0.6, 0.8};
+  EXPECT_DOUBLE_EQ(ellipse.reach(across), 1.0);
+  EXPECT_DOUBLE_EQ(ellipse.reach(up), 0.5);
+  EXPECT_DOUBLE_EQ(ellipse.reach(aslant), std::sqrt(0.36 + 0.16));
+}
+
+/// Normal and gap of two blocks at the node (4, 4) between them.
+std::vector<double> refined(const Scene& scene) {
+  State state = testing::in_tiles(scene, 1.0);
+  testing::meet(scene, state);
+  const SymmetryPlanes mirrors(scene.conditions, state.grid);
+  refine_surface_normals(state.grid, state.fields, state.particles, mirrors, state.contact);
+  const double* const n = testing::normal_at(state, 0, {4, 4});
+  return {n[0], n[1], n[2]};
+}
+
+TEST(RefineSurfaceNormals, GapIsThatOfTheParticlesInCells) {
+  for (const double h : {1.0, 0.25})
+    for (const double gap : {0.0, 0.125, 0.375}) {
+      const std::vector<double> found =
+          refined(testing::two_blocks(Mode::plane_strain, h, gap, ContactKind::frictionless));
+      EXPECT_NEAR(found[0], 1.0, 1e-12);
+      EXPECT_NEAR(found[1], 0.0, 1e-12);
+      EXPECT_NEAR(found[2], gap, 1e-12);
+    }
+}
+
+/// At the corner of the second block, half of whose cloud is missing, the fit leans; along the face
+/// of the first the gap is widest.
+TEST(RefineSurfaceNormals, AtACornerTheyTurnToTheWidestGap) {
+  Scene scene = testing::two_blocks(Mode::plane_strain, 1.0, 0.25, ContactKind::frictionless);
+  scene.bodies[1].shape = Box{{4.25, 4.0, 0.0}, {6.25, 6.0, 0.0}};
+  State fitted = testing::in_tiles(scene, 1.0);
+  testing::meet(scene, fitted);
+  const double leaning = testing::normal_at(fitted, 0, {4, 4})[1];
+  EXPECT_GT(leaning, 0.1);
+  const std::vector<double> found = refined(scene);
+  EXPECT_NEAR(found[0], 1.0, 1e-12);
+  EXPECT_NEAR(found[1], 0.0, 1e-12);
+  EXPECT_NEAR(found[2], 0.25, 1e-12);
+}
+
+}  // namespace
+}  // namespace barreno

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/error.hpp"
+#include "command_line.hpp"
+#include "command_pages.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Options parse(const Words& words) {
+  std::vector<const char*> argv{"barreno"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  return parse_command_line(static_cast<int>(argv.size()), argv.data());
+}
+
+std::string refusal(const Words& words) {
+  try {
+    parse(words);
+  } catch (const DeckError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(CommandLine, ReadsARunWithItsOptionsInAnyOrder) {
+  const Options options = parse(
+      {"run",
+       "--set",
+       "Time/End Time=5 us",
+       "deck.xml",
+       "--fidelity=fast",
+       "--ranks",
+       "3",
+       "--set",
+       "Grid/Cell Size=",
+       "--overwrite",
+       "--out",
+       "a folder"}
+  );
+  EXPECT_EQ(options.command, Command::run);
+  EXPECT_EQ(options.deck_file, "deck.xml");
+  EXPECT_EQ(options.out, "a folder");
+  EXPECT_EQ(options.ranks, 3);
+  EXPECT_TRUE(options.overwrite);
+  // In the order in which they were typed: later ones win.
+  EXPECT_EQ(options.overrides, (Words{"Time/End Time=5 us", "Fidelity=fast", "Grid/Cell Size="}));
+}
+
+TEST(CommandLine, ReadsTheOtherCommands) {
+  const Options resume = parse({"resume", "runs/a-1", "--until", "200 us"});
+  EXPECT_EQ(resume.command, Command::resume);
+  EXPECT_EQ(resume.deck_file, "runs/a-1");
+  EXPECT_EQ(resume.overrides, Words{"Time/End Time=200 us"});
+  EXPECT_EQ(parse({"check", "run"}).deck_file, "run");  // a deck may have a command's name
+  const Options drive = parse(
+      {"drive",
+       "--material",
+       "a",
+       "--path",
+       "b",
+       "--out",
+       "c",
+       "--steps-per-row",
+       "7",
+       "--set",
+       "K=1"}
+  );
+  EXPECT_EQ(drive.drive.material + drive.drive.path + drive.drive.out, "abc");
+  EXPECT_EQ(drive.drive.steps_per_row, 7);
+  EXPECT_EQ(drive.drive.overrides, Words{"K=1"});
+  const Options describe = parse({"describe", "Grid", "--markdown"});
+  EXPECT_EQ(describe.section, "Grid");
+  EXPECT_TRUE(describe.markdown);
+  EXPECT_EQ(parse({"describe"}).section, "");
+}
+
+TEST(CommandLine, GivesHelpAndVersion) {
+  EXPECT_EQ(parse({}).command, Command::help);
+  for (const char* word : {"-h", "--help", "help"}) {
+    EXPECT_EQ(parse({word}).command, Command::help);
+    EXPECT_EQ(parse({word}).help_of, Command::help);
+  }
+  for (const char* word : {"--version", "version"})
+    EXPECT_EQ(parse({word}).command, Command::version);
+  for (const CommandPage& page : command_pages())
+    for (const char* word : {"-h", "--help"}) {
+      const Options options = parse({page.name, word});
+      EXPECT_EQ(options.command, Command::help) << page.name;
+      EXPECT_EQ(options.help_of, page.command) << page.name;
+    }
+}
+
+TEST(CommandLine, HelpNamesEveryCommandAndOption) {
+  const std::string all = help_text();
+  for (const CommandPage& page : command_pages()) {
+    const std::string one = help_text(page.command);
+    EXPECT_NE(one.find(std::string("barreno ") + page.name + " "), std::string::npos) << one;
+    EXPECT_NE(all.find(std::string("\n") + page.name + "\n"), std::string::npos) << all;
+    for (const OptionPage& option : page.options)
+      for (const std::string& text : {one, all})
+        EXPECT_NE(text.find(option.name), std::string::npos) << option.name << " in\n" << text;
+    EXPECT_NE(one.find("Exit codes: 0 finished"), std::string::npos) << one;
+  }
+}
+
+TEST(CommandLine, RefusesWhatItDoesNotKnowWithTheNearestName) {
+  const std::pair<Words, const char*> refusals[] = {
+      {{"rnu", "deck.xml"}, "\"rnu\" is not a command; did you mean 'run'?"},
+      {{"rnu", "--help"}, "\"rnu\" is not a command"},
+      {{"report", "x"}, "report is a command of the source tree"},
+      {{"run", "deck.xml", "--overwrit"},
+       "--overwrit is not an option of this command; did you mean '--overwrite'?"},
+      {{"check", "deck.xml", "--until", "1 s"}, "--until is not an option of this command"},
+      {{"run", "deck.xml", "--outt=x"}, "did you mean '--out'?"},
+      {{"run", "deck.xml", "--fidelity", "fats"}, "did you mean 'fast'?"}};
+  for (const auto& [words, sentence] : refusals)
+    EXPECT_NE(refusal(words).find(sentence), std::string::npos) << refusal(words);
+}
+
+TEST(CommandLine, RefusesWhatIsMissingOrTooMuch) {
+  const std::pair<Words, const char*> refusals[] = {
+      {{"run"}, "no deck is named"},
+      {{"check", ""}, "no deck is named"},
+      {{"resume"}, "no run is named"},
+      {{"run", "a.xml", "b.xml"}, "\"b.xml\" comes after \"a.xml\""},
+      {{"run", "a.xml", "--out"}, "--out has no value after it"},
+      {{"run", "a.xml", "--out", ""}, "--out has no value after it"},
+      {{"run", "a.xml", "--out", "--overwrite"}, "--out has no value after it"},
+      {{"run", "a.xml", "--ranks", "0"}, "--ranks 0 is not a number of ranks"},
+      {{"run", "a.xml", "--ranks", "2x"}, "is not a number of ranks"},
+      {{"drive", "good.csv"}, "\"good.csv\" stands alone"},
+      {{"drive", "--material", "a", "--path", "b"}, "--out is missing"},
+      {{"run", "a.xml", "--overwrite=yes"}, "--overwrite has a value (it takes none)"}};
+  for (const auto& [words, sentence] : refusals)
+    EXPECT_NE(refusal(words).find(sentence), std::string::npos) << refusal(words);
+}
+
+}  // namespace
+}  // namespace barreno
