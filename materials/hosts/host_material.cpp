@@ -72,7 +72,7 @@ const barreno_material* material_of(const char* name) {
   if (name == nullptr) name = std::getenv("BARRENO_CARD");
   if (name == nullptr) {
     stop(
-        "the host gives no material name, which would choose the card; name the card in the "
+        "the host passes no material name, which would select the card; name the card in the "
         "environment variable BARRENO_CARD."
     );
   }
@@ -95,7 +95,7 @@ void check_deck(const barreno_material* m, int state_count, int props_count, con
   if (props_count == 0 || version) return;
   stop(
       std::string(barreno_material_file(m)) + ": the deck gives " + std::to_string(props_count) +
-      " material constants, but the numbers of a material stand in its card; write *USER MATERIAL "
+      " material constants, but the parameters of a material are in its card; write *USER MATERIAL "
       "with CONSTANTS=0, or one constant with the interface version " +
       std::to_string(BARRENO_ABI_VERSION) + "."
   );

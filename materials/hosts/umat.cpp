@@ -19,8 +19,8 @@ void check_components(int ndi, int nshr, int ntens) {
   if (known) return;
   barreno::hosts::stop(
       "an element has " + std::to_string(ndi) + " direct and " + std::to_string(nshr) +
-      " shear components, but this material serves solid, plane strain and axisymmetric elements "
-      "only (3 direct, 3 or 1 shear)."
+      " shear components, but this material supports only solid, plane strain and axisymmetric "
+      "elements (3 direct, 3 or 1 shear)."
   );
 }
 

@@ -165,8 +165,8 @@ void VUMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
   if (*ndir != 3 || (*nshr != 3 && *nshr != 1)) {
     barreno::hosts::stop(
         "an element has " + std::to_string(*ndir) + " direct and " + std::to_string(*nshr) +
-        " shear components, but this material serves solid, plane strain and axisymmetric "
-        "elements only (3 direct, 3 or 1 shear)."
+        " shear components, but this material supports only solid, plane strain and axisymmetric "
+        "elements (3 direct, 3 or 1 shear)."
     );
   }
   Block block(*nblock, *nshr, *nstatev);

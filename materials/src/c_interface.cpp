@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C interface: one template over models.hpp, and nothing that throws across the boundary.
+#include "barreno/find_card.hpp"
 #include "barreno/input/units.hpp"
 #include "barreno/registry.hpp"
 #include "barreno_material.h"
-#include "card_file.hpp"
 #include "step_point.hpp"
 
 #include <cstdio>
@@ -77,8 +77,8 @@ const char* reason(Status status) {
     case Status::bad_input:
       break;
   }
-  return "has a step or a state that cannot be (not finite, too large, or a volume ratio, "
-         "`initialized` or initial stress out of range); look at what the host gave";
+  return "has an impossible step or state (not finite, too large, or a volume ratio, "
+         "`initialized` or initial stress out of range); check what the host passed";
 }
 
 /// The same where the start of the point tells more.
@@ -90,9 +90,9 @@ std::string reason(const Model& model, Status status, const double* stress, cons
   std::snprintf(
       text,
       sizeof text,
-      "starts without stress, but the card's fluid_pressure_initial = %.6g Pa stands in its pores "
-      "(the rock would be torn); give the initial stress of rock and fluid together, -%.6g Pa in "
-      "each direction where the rock carries nothing, or set fluid_pressure_initial to 0",
+      "starts unstressed, but the card's fluid_pressure_initial = %.6g Pa fills its pores (the "
+      "rock would be torn apart); give the initial stress of rock and fluid together, -%.6g Pa in "
+      "each direction if the rock carries no stress, or set fluid_pressure_initial to 0",
       virgin_pressure(model, 0),
       virgin_pressure(model, 0)
   );
@@ -172,11 +172,7 @@ const char* barreno_last_error(void) {
 
 barreno_material* barreno_material_open(const char* card) {
   return guarded<barreno_material*>(nullptr, [&]() -> barreno_material* {
-    if (card == nullptr || *card == '\0') {
-      set_error("no card is named; give the path or the name of a card.");
-      return nullptr;
-    }
-    const std::string file = card_file(card);
+    const std::string file = named_card(card != nullptr ? card : "");
     Material material = read_card(file);
     const auto describe = [](const auto& model) {
       using Model = std::decay_t<decltype(model)>;

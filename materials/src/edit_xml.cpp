@@ -50,8 +50,8 @@ XMLObject without(
       if (list.getChild(i).hasAttribute("name"))
         known.push_back(list.getChild(i).getAttribute("name"));
     throw InputError(
-        "--set " + shown(assignment) + " takes away what is not there (" + shown(names[level]) +
-        "); " + suggest_name(names[level], known)
+        "--set " + shown(assignment) + " removes something that is not there (" +
+        shown(names[level]) + "); " + suggest_name(names[level], known)
     );
   }
   XMLObject copy(list.getTag());
@@ -105,7 +105,7 @@ XMLObject override_value(
   if (!sound) {
     throw InputError(
         "--set " + shown(assignment) +
-        " assigns nothing (a path, '=' and a value belong here); write for example --set " +
+        " assigns nothing (a path, '=' and a value are expected here); write for example --set " +
         example + "."
     );
   }

@@ -60,7 +60,7 @@ std::string suggest_name(const std::string& name, const std::vector<std::string>
   for (const std::string& candidate : known) {
     list += (list.empty() ? "'" : ", '") + candidate + "'";
   }
-  return "known here: " + list + ".";
+  return "choose one of " + list + ".";
 }
 
 }  // namespace barreno::input

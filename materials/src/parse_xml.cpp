@@ -95,7 +95,7 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
     refuse(
         source,
         "",
-        "declares a document type or an entity (they are not read); remove the declaration"
+        "declares a document type or an entity (these are not read); remove the declaration"
     );
   }
   if (nesting_of(text) > deepest_nesting) {
@@ -127,7 +127,7 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
         source,
         "",
         "has the root element '" + root.getTag() +
-            "' (a Teuchos ParameterList belongs there); write <ParameterList name=\"...\">"
+            "' (a Teuchos ParameterList is expected); write <ParameterList name=\"...\">"
     );
   }
   return root;

@@ -46,7 +46,7 @@ double number_of(
 int integer_of(const std::string& text, const Entry& entry) {
   const double value = number_of(text, entry, dimension::none, {});
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
-    throw InputError("is not a whole number of moderate size; write for example 4");
+    throw InputError("is not a whole number, or is too large; write for example 4");
   }
   return static_cast<int>(value);
 }
@@ -54,7 +54,7 @@ int integer_of(const std::string& text, const Entry& entry) {
 std::string word_of(const std::string& text, const Entry& entry) {
   std::string word(trim(text));
   if (std::find(entry.words.begin(), entry.words.end(), word) == entry.words.end()) {
-    throw InputError("is not a word that is known here; " + suggest_name(word, entry.words));
+    throw InputError("is not a valid choice; " + suggest_name(word, entry.words));
   }
   return word;
 }
@@ -72,7 +72,8 @@ std::vector<std::string> parts_of(std::string_view text, const std::string& exam
   text = trim(text);
   if (text.size() < 2 || text.front() != '{' || text.back() != '}') {
     throw InputError(
-        "is not an array (values in braces belong here); write for example \"" + example + "\""
+        "is not an array (values in braces are expected here); write for example \"" + example +
+        "\""
     );
   }
   return split(text.substr(1, text.size() - 2), ',');
@@ -116,7 +117,7 @@ Teuchos::TwoDArray<double> table_of(
   const auto sizes = split(text.substr(0, colon), 'x');
   if (colon == std::string::npos || sizes.size() != 2) {
     throw InputError(
-        "is not a table (rows, columns and values belong here); write \"" + shape + "\""
+        "is not a table (rows, columns and values are expected here); write \"" + shape + "\""
     );
   }
   const auto parts = parts_of(text.substr(colon + 1), shape);
@@ -124,7 +125,7 @@ Teuchos::TwoDArray<double> table_of(
   if (sizes[1] != std::to_string(columns) || sizes[0] != std::to_string(rows) ||
       parts.size() != rows * columns) {
     throw InputError(
-        "holds " + std::to_string(parts.size()) + " values, which is not what its size says (" +
+        "holds " + std::to_string(parts.size()) + " values, which does not match its size (" +
         std::to_string(columns) + " columns are needed); write \"" + shape + "\""
     );
   }

@@ -192,7 +192,7 @@ const ModelDescription& find_model(const std::string& name) {
     if (model.name == name) return model;
     known.push_back(model.name);
   }
-  throw InputError("is not a model that is known here; " + input::suggest_name(name, known));
+  throw InputError("is not a known model; " + input::suggest_name(name, known));
 }
 
 input::Section card_section(const ModelDescription& model) {
@@ -205,7 +205,7 @@ input::Section card_section(const ModelDescription& model) {
       input::integer("Schema Version", any(), "version of this table")
           .by_default(std::to_string(card_schema_version)),
       input::text("Units", "consistent system of the plain numbers, as in a deck").by_default("SI"),
-      input::text("Source", "where the numbers come from").if_given(),
+      input::text("Source", "source of the numbers").if_given(),
       input::word("Model", names, "constitutive model"),
       input::number("Density", dimension::density, above(0.0), "reference density")};
   section.entries.insert(section.entries.end(), model.parameters.begin(), model.parameters.end());

@@ -61,8 +61,8 @@ std::string name_of(const XMLObject& xml, const std::string& path, const std::st
     refuse(
         source,
         path.empty() ? "the deck" : path,
-        "holds a <" + xml.getTag() +
-            "> without a name (it cannot be told from others); add name=\"...\""
+        "contains a <" + xml.getTag() +
+            "> without a name (it cannot be told apart from others); add name=\"...\""
     );
   }
   return name;
@@ -77,7 +77,7 @@ void check_children(const XMLObject& xml, const std::string& path, const std::st
       refuse(
           source,
           here,
-          "holds the loose text " + shown(std::string(loose)) +
+          "contains the stray text " + shown(std::string(loose)) +
               " (only parameters and lists are read); remove it or make it a comment"
       );
     }
@@ -90,7 +90,8 @@ void check_children(const XMLObject& xml, const std::string& path, const std::st
       refuse(
           source,
           here,
-          "holds a <" + child.getTag() + "> (only Parameter and ParameterList are read); remove it"
+          "contains a <" + child.getTag() +
+              "> (only Parameter and ParameterList are read); remove it"
       );
     }
     const std::string name = name_of(child, path, source);
@@ -98,7 +99,7 @@ void check_children(const XMLObject& xml, const std::string& path, const std::st
       refuse(
           source,
           join(path, name),
-          "is given twice (which one counts would be a guess); remove one of them"
+          "is given twice (it is unclear which one is meant); remove one of them"
       );
     }
   }
@@ -140,11 +141,7 @@ void scan_parameter(
   if (entry == section.entries.end()) {
     std::vector<std::string> known;
     for (const Entry& e : section.entries) known.push_back(e.name);
-    refuse(
-        source.name,
-        join(path, name),
-        "is not a parameter that is known here; " + suggest_name(name, known)
-    );
+    refuse(source.name, join(path, name), "is not a known parameter; " + suggest_name(name, known));
   }
   check_type(xml, *entry, join(path, name), source.name);
   const std::string text = text_of(xml, join(path, name), source.name);
@@ -192,11 +189,7 @@ void scan_named_lists(
     if (!is_fixed && section.named.empty()) {
       std::vector<std::string> known;
       for (const Section& s : section.sections) known.push_back(s.name);
-      refuse(
-          source.name,
-          join(path, name),
-          "is not a section that is known here; " + suggest_name(name, known)
-      );
+      refuse(source.name, join(path, name), "is not a known section; " + suggest_name(name, known));
     }
     if (name.find('/') != std::string::npos) {
       refuse(

@@ -244,9 +244,8 @@ UnitSystem read_unit_system(const std::string& name) {
   }
   if (!(found == Dimension{1, 1, 1, 0})) {
     throw InputError(
-        "names no consistent system of units (one unit of length, one of time and one of mass "
-        "belong here); "
-        "write \"SI\", \"mm-us-g\", \"cm-us-g\" or \"mm-ms-kg\""
+        "names no consistent system of units (one unit of length, one of time and one of mass are "
+        "expected); write \"SI\", \"mm-us-g\", \"cm-us-g\" or \"mm-ms-kg\""
     );
   }
   return units;
@@ -270,22 +269,22 @@ double read_quantity(std::string_view text, const Dimension& dimension, const Un
     throw InputError("is beyond the range of a double (about 1e-308 to 1e308); " + write);
   }
   if (!looks_like_number || error != std::errc{}) {
-    throw InputError("is not a number (" + words_of(dimension) + " belongs here); " + write);
+    throw InputError("is not a number (" + words_of(dimension) + " is expected here); " + write);
   }
   const std::string_view suffix =
       trim(digits.substr(static_cast<std::size_t>(end - digits.data())));
   if (!suffix.empty() && suffix.front() == ',') {
-    throw InputError("is not a number (a comma is no decimal point here); " + write);
+    throw InputError("is not a number (the decimal separator is a point, not a comma); " + write);
   }
   const bool known = suffix.empty() || is_unit(suffix);
   if (!known && dimension == dimension::none) {
-    throw InputError("is not a number (" + words_of(dimension) + " belongs here); " + write);
+    throw InputError("is not a number (" + words_of(dimension) + " is expected here); " + write);
   }
   const Unit unit = suffix.empty() ? units.unit_of(dimension) : read_unit(suffix);
   if (!(unit.dimension == dimension)) {
     throw InputError(
         "has the unit of " + words_of(unit.dimension) + " ('" + cut_end(suffix, 60) + "'), but " +
-        words_of(dimension) + " belongs here; " + write
+        words_of(dimension) + " is expected here; " + write
     );
   }
   const double si = to_si(value, unit);

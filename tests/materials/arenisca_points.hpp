@@ -169,7 +169,7 @@ inline RockLanes gather(const std::vector<RockPoint>& points, const std::size_t*
     out.increment.volume_ratio_begin[i] = p.increment.volume_ratio_begin;
     out.increment.volume_ratio_end[i] = p.increment.volume_ratio_end;
   }
-  out.increment.dt = points[of[0]].increment.dt;
+  out.increment.dt = Lanes{} + points[of[0]].increment.dt;
   return out;
 }
 

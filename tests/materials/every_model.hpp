@@ -36,21 +36,12 @@ struct DrainableOf<std::variant<First, Rest...>, Taken...>
           DrainableOf<std::variant<Rest...>, Taken...>> {};
 using DrainableModels = DrainableOf<AnyModel>::type;
 
-template <class Model, class = void>
-struct FormName {
-  static constexpr const char* value = "";
-};
-template <class Model>
-struct FormName<Model, std::void_t<typename Model::SpecialForm>> {
-  static constexpr const char* value = "General";
-};
-
 struct ModelName {
   template <class Model>
   // The name that GoogleTest asks for.
   // NOLINTNEXTLINE(readability-identifier-naming)
   static std::string GetName(int) {
-    return std::string(FormName<Model>::value) + Model::name;
+    return FullName<Model>::of();
   }
 };
 

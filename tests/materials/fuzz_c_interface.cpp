@@ -224,8 +224,8 @@ int fuzz_card(const std::string& card, long calls, std::uint64_t seed) {
   Engine engine(seed);
   Tally tally;
   int problems = 0;
-  constexpr int most_problems = 20;
-  for (long call = 0; call < calls && problems < most_problems; ++call) {
+  constexpr int max_problems = 20;
+  for (long call = 0; call < calls && problems < max_problems; ++call) {
     const std::string wrong = one_call(engine, m, tally);
     if (wrong.empty()) continue;
     std::printf("%s, call %ld: %s\n", card.c_str(), call, wrong.c_str());

@@ -25,6 +25,10 @@ inline const std::string everything_general = water_in_quartz + R"(
 
 /// Writes the card of Berea sandstone with more parameters.
 /// @return its path
+/// The form of the pore fluid that goes with the general form itself.
+inline const std::string about_the_elastic_centre = R"(
+  <Parameter name="Backstress strain" type="string" value="elastic centre"/>)";
+
 inline std::string berea_card_with(const std::string& parameters, const std::string& name) {
   std::ifstream berea(BARRENO_SOURCE_DIR "/materials/cards/berea_sandstone.xml");
   std::ostringstream text;

@@ -111,15 +111,15 @@ using Tallies = std::map<std::string, Tally>;
 /// Compares a model's tangents with differences of another solver's steps: paths of 12 steps from
 /// 1e-4 to 2e-3.
 /// @param region_of  (point at the end, plastic volume strain at the start) to the name of a region
-template <class Model, class RegionOf>
+template <class Model, class Oracle, class RegionOf>
 Tallies compare_tangents(
-    const Model& model, const Model& oracle, double time_step, int paths, const RegionOf& region_of
+    const Model& model, const Oracle& oracle, double time_step, int paths, const RegionOf& region_of
 ) {
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> exponent(-4.0, -2.7);
   Tallies regions;
   for (int path = 0; path < paths; ++path) {
-    Point<Model> point(oracle);
+    Point<Oracle> point(oracle);
     point.stress = oracle.initial_state(0.0).stress;
     const Sym3 way = direction(path % 6, engine);
     for (int i = 0; i < 12; ++i) {

@@ -98,7 +98,7 @@ struct Point {
     ASSERT_FALSE(outcome.failed());
     plastic_work += outcome.plastic_work;
     elastic_work += outcome.elastic_work;
-    least_plastic_work = std::min(least_plastic_work, outcome.plastic_work);
+    min_plastic_work = std::min(min_plastic_work, outcome.plastic_work);
     strain = strain + increment;
   }
   /// Straight line in logarithmic strain.
@@ -121,7 +121,7 @@ struct Point {
   Arenisca model;
   Sym3 stress, strain;
   Arenisca::History history = model.initial_history();
-  double plastic_work = 0.0, elastic_work = 0.0, least_plastic_work = 0.0;
+  double plastic_work = 0.0, elastic_work = 0.0, min_plastic_work = 0.0;
 };
 
 // Benchmark 02: vertex and half-associated flow, exact at every way point. beta acts squared:
@@ -235,7 +235,7 @@ void expect_uniaxial_compaction(
     EXPECT_NEAR(point.stress.yy, rows[i].lateral, tolerance * 644.0) << i;
     EXPECT_NEAR(point.history.plastic_volume_strain, rows[i].evp, tolerance * 0.033) << i;
   }
-  EXPECT_GE(point.least_plastic_work, 0.0);
+  EXPECT_GE(point.min_plastic_work, 0.0);
 }
 
 // Benchmark 04: curved cap, 1000 steps, at a tolerance that keeps every step second order; the

@@ -28,7 +28,8 @@ struct Result {
 
 Result by_one(const Arenisca& model, const RockPoint& point) {
   Result r{point.stress, point.history, false, 0.0, 0.0, 0.0};
-  const Outcome o = model.update(point.increment, r.stress, r.history);
+  arenisca::NoCounter none;
+  const Outcome o = model.update_counted(point.increment, r.stress, r.history, none);
   return {r.stress, r.history, !o.failed(), o.elastic_work, o.plastic_work, o.longitudinal_modulus};
 }
 Result lane_result(const Arenisca::Points<Lanes>& p, int i) {
@@ -114,6 +115,14 @@ bool has_several_ways(const Arenisca& model, const RockPoint& point, const Resul
          norm(result.stress - point.stress) > 3.0 * bulk * norm(point.increment.strain);
 }
 
+/// A trace of dilation from the jump of the moduli, so short that its second pass undoes it or not.
+bool begins_to_dilate(const RockPoint& point, const Result& a, const Result& b) {
+  constexpr double at_jump = arenisca::Elasticity::at_jump;
+  const bool dilates = a.history.plastic_volume_strain > at_jump;
+  const bool other = b.history.plastic_volume_strain > at_jump;
+  return std::fabs(point.history.plastic_volume_strain) <= at_jump && dilates != other;
+}
+
 struct Tally {
   std::size_t points = 0, plastic = 0, edges = 0;
   Difference worst, worst_edge;
@@ -137,6 +146,7 @@ Tally compare(const Arenisca& model, const std::vector<RockPoint>& points) {
     tally.plastic += one.plastic_work > 0.0 ? 1U : 0U;
     const Difference d = difference(model, points[i], lanes[i], one);
     const bool edge = d.largest() > 1e-9 && (has_several_ways(model, points[i], one) ||
+                                             begins_to_dilate(points[i], one, lanes[i]) ||
                                              own_noise(model, points[i], one) > 0.1 * d.largest());
     tally.edges += edge ? 1U : 0U;
     keep_larger(d, edge ? tally.worst_edge : tally.worst);
@@ -168,8 +178,9 @@ void expect_agreement(const Arenisca& model, const std::vector<RockPoint>& point
   EXPECT_LE(tally.worst.plastic_strain, 1e-10);
   // Of stress times strain, which is small beside the stress that round-off is measured by.
   EXPECT_LE(tally.worst.work, 1e-8);
-  // At the edges both are answers within the model's own tolerance.
-  EXPECT_LT(tally.edges, points.size() / 300);
+  // At the edges both are answers within the model's own tolerance: mostly pores that are all but
+  // closed and open again, where the two solvers take other ones of three roots.
+  EXPECT_LT(tally.edges, points.size() / 150);
   EXPECT_LE(tally.worst_edge.stress, model.rock().tolerance);
 }
 
@@ -211,16 +222,26 @@ TEST(AreniscaLanes, TakeLongSteps) {
   }
 }
 
-// The published return goes point by point.
-TEST(AreniscaLanes, LeaveBisectionToSinglePoints) {
-  Parameters p = berea();
-  p.return_solver = 1;
-  const Arenisca model(p, 1.0);
+/// A host with a single point (finite elements, drive) runs the same code.
+TEST(AreniscaLanes, GiveTheBitsOfSinglePoints) {
+  const Arenisca model(berea(), 1.0);
   RockSampler sampler(model, 5);
-  const auto points = draw_points(200, [&] { return sampler.flowing(); });
+  auto points = draw_points(400, [&] { return sampler.flowing(); });
+  for (const RockPoint& quiet : draw_points(100, [&] { return sampler.elastic(); }))
+    points.push_back(quiet);
   const std::vector<Result> lanes = by_lanes(model, points);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    EXPECT_LE(difference(model, points[i], lanes[i], by_one(model, points[i])).stress, 1e-14);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Sym3 stress = points[i].stress;
+    Arenisca::History history = points[i].history;
+    const Outcome one = model.update(points[i].increment, stress, history);
+    ASSERT_EQ(!one.failed(), lanes[i].sound) << i;
+    EXPECT_EQ(std::memcmp(&stress, &lanes[i].stress, sizeof stress), 0) << i;
+    EXPECT_EQ(std::memcmp(&history, &lanes[i].history, sizeof history), 0) << i;
+    if (one.failed()) continue;
+    EXPECT_EQ(one.plastic_work, lanes[i].plastic_work) << i;
+    EXPECT_EQ(one.elastic_work, lanes[i].elastic_work) << i;
+    EXPECT_EQ(one.longitudinal_modulus, lanes[i].modulus) << i;
+  }
 }
 
 TEST(AreniscaLanes, RefuseWhatIsNotFinite) {

@@ -112,6 +112,13 @@ TYPED_TEST(Contract, ZeroIncrementChangesNothing) {
   }
 }
 
+/// Round-off per update, over the stress. Wet rock finds its pressure to 1e-13 of the volume
+/// (arenisca::fill_pores()), which is more.
+template <class Model>
+constexpr double round_off = 1e-12;
+template <>
+constexpr double round_off<GeneralWetArenisca> = 1e-11;
+
 TYPED_TEST(Contract, RotatedIncrementGivesRotatedStress) {
   const auto model = sample_model<TypeParam>();
   Random random(1);
@@ -129,7 +136,8 @@ TYPED_TEST(Contract, RotatedIncrementGivesRotatedStress) {
       turned.volume_ratio = straight.volume_ratio;
       peak = std::max(peak, largest_component(straight.stress));
     }
-    EXPECT_LE(largest_component(turned.stress - rotated(straight.stress)), 1e-12 * 20 * peak);
+    const double difference = largest_component(turned.stress - rotated(straight.stress));
+    EXPECT_LE(difference, round_off<TypeParam> * 20 * peak);
   }
 }
 

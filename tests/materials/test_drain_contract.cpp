@@ -136,6 +136,23 @@ TYPED_TEST(Drain, MassIsConserved) {
 }
 
 /// Elastic rock that gets its fluid back is as before.
+/// How nearly a point comes back to where it was when its fluid does, and the energy of a cycle to
+/// zero, over the cycle's area. Wet Arenisca follows the drained rock's moduli, which depend on the
+/// pressure, in steps of second order, and measures fluid per current volume: its drained law has a
+/// potential, the mixture has one but for the strain.
+template <class Model>
+constexpr double round_trip = 1e-12;
+template <>
+constexpr double round_trip<WetArenisca> = 1e-5;
+template <>
+constexpr double round_trip<GeneralWetArenisca> = 1e-5;
+template <class Model>
+constexpr double open_part = 1e-4;
+template <>
+constexpr double open_part<WetArenisca> = 0.01;
+template <>
+constexpr double open_part<GeneralWetArenisca> = 0.01;
+
 TYPED_TEST(Drain, ElasticPointsForgetWhatCameBack) {
   const auto model = sample_model<TypeParam>();
   for (const auto& begin : elastic_points(model)) {
@@ -147,8 +164,8 @@ TYPED_TEST(Drain, ElasticPointsForgetWhatCameBack) {
     EXPECT_LT(low.pressure, at.pressure);
     const double back = (at.fluid_mass - low.fluid_mass) / low.mass_per_volume;
     ASSERT_FALSE(model.drain(back, point.stress, point.history).failed());
-    EXPECT_LE(norm(point.stress - begin.stress), 1e-12 * norm(begin.stress));
-    EXPECT_NEAR(point.of(model).pressure / at.pressure, 1.0, 1e-12);
+    EXPECT_LE(norm(point.stress - begin.stress), round_trip<TypeParam> * norm(begin.stress));
+    EXPECT_NEAR(point.of(model).pressure / at.pressure, 1.0, round_trip<TypeParam>);
   }
 }
 
@@ -175,7 +192,7 @@ TYPED_TEST(Drain, EnergyOfACycleCloses) {
     add(model.update(strain, point.stress, point.history));
     add(model.drain(mass / point.of(model).mass_per_volume, point.stress, point.history));
     const double area = std::fabs(first.biot * 0.02 * first.pressure * trace(strain.strain));
-    EXPECT_LE(std::fabs(sum), (first.fluid_mass >= 1.0 ? 1e-4 : 0.05) * area);
+    EXPECT_LE(std::fabs(sum), (first.fluid_mass >= 1.0 ? open_part<TypeParam> : 0.05) * area);
     EXPECT_LE(norm(point.stress - begin.stress), 1e-6 * norm(begin.stress));
   }
 }

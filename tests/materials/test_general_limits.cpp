@@ -50,7 +50,7 @@ TEST(GeneralLimits, NothingAskedForIsTheDrainedForm) {
   for (const char* name : {"fluid_B0", "T1_rate_dependence", "Weibull modulus"}) {
     EXPECT_TRUE(std::holds_alternative<Arenisca>(from_list(name, 0.0).model)) << name;
   }
-  EXPECT_TRUE(std::holds_alternative<GeneralArenisca>(from_list("fluid_B0", 2.2e9).model));
+  EXPECT_TRUE(std::holds_alternative<WetArenisca>(from_list("fluid_B0", 2.2e9).model));
   EXPECT_TRUE(std::holds_alternative<GeneralArenisca>(from_list("T1_rate_dependence", 1e-6).model));
 }
 

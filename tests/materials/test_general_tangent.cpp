@@ -52,11 +52,11 @@ void walk(const std::string& more, int paths) {
 }
 
 TEST(GeneralTangent, WetRockOverTheWholeYieldSurface) {
-  walk(water_in_quartz, 288);
+  walk(water_in_quartz + about_the_elastic_centre, 288);
 }
 
 TEST(GeneralTangent, AllThatTheGeneralFormKnows) {
-  walk(everything_general, 144);
+  walk(everything_general + about_the_elastic_centre, 144);
 }
 
 }  // namespace

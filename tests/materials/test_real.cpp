@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <barreno/history_values.hpp>
 #include <barreno/real.hpp>
 #include <cmath>
 #include <cstring>
@@ -132,7 +133,7 @@ struct LanePoints {
 
 template <class T>
 void put(T& lanes, int lane, const double* values, std::size_t count) {
-  auto* const out = reinterpret_cast<Lanes*>(&lanes);
+  Lanes* const out = reals_of<Lanes>(lanes);
   for (std::size_t c = 0; c < count; ++c) out[c][lane] = values[c];
 }
 
@@ -140,7 +141,7 @@ LanePoints gather(
     const std::vector<CopperPoint>& points, const std::array<std::size_t, lane_count>& of
 ) {
   LanePoints out{};
-  out.increment.dt = points[of[0]].increment.dt;
+  out.increment.dt = Lanes{} + points[of[0]].increment.dt;
   for (int i = 0; i < lane_count; ++i) {
     const CopperPoint& p = points[of[static_cast<std::size_t>(i)]];
     put(out.increment.strain, i, &p.increment.strain.xx, 6);

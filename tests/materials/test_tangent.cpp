@@ -18,7 +18,9 @@ namespace barreno::test {
 namespace {
 
 /// Where on the yield surface a step has ended that began at a plastic volume strain.
-std::string region_of(const Arenisca& model, const Point<Arenisca>& p, double evp_begin) {
+std::string region_of(
+    const ScalarArenisca& model, const Point<ScalarArenisca>& p, double evp_begin
+) {
   const double evp_end = p.history.plastic_volume_strain;
   if (evp_begin * evp_end < 0.0) return through_jump;
   if (p.last.plastic_work == 0.0) return "elastic";
@@ -32,7 +34,7 @@ TEST(Tangent, AreniscaOverTheWholeYieldSurface) {
   parameters.tolerance = 1e-3;
   const Arenisca model(parameters, Sample<Arenisca>::density);
   parameters.return_solver = 1;  // the published nested bisection
-  const Arenisca oracle(parameters, Sample<Arenisca>::density);
+  const ScalarArenisca oracle(parameters, Sample<Arenisca>::density);
   demand_tangents(compare_tangents(
       model,
       oracle,
@@ -90,7 +92,7 @@ TEST(Tangent, DoesNotSeeTheChoiceOfSubsteps) {
   EXPECT_GT(steep, 5) << "no stress jumps: substeps need not be frozen any more";
 }
 
-using ModelsWithSubsteps = ::testing::Types<Arenisca, GeneralArenisca>;
+using ModelsWithSubsteps = ::testing::Types<GeneralArenisca, GeneralWetArenisca>;
 template <class Model>
 class ModelWithSubsteps : public ::testing::Test {};
 TYPED_TEST_SUITE(ModelWithSubsteps, ModelsWithSubsteps, ModelName);

@@ -52,9 +52,6 @@ inline Bounds above(double a) {
 inline Bounds at_least(double a) {
   return {a, std::numeric_limits<double>::infinity(), false, true};
 }
-inline Bounds at_most(double b) {
-  return {-std::numeric_limits<double>::infinity(), b, true, false};
-}
 inline Bounds between(double a, double b) {
   return {a, b, false, false};
 }
@@ -110,11 +107,5 @@ struct HistoryField {
   Dimension dimension;
   const char* meaning;
 };
-
-/// A History struct holds doubles only, so hosts may keep it as an array of this many values.
-template <class Model>
-constexpr int history_size() {
-  return Model::history_count;
-}
 
 }  // namespace barreno

@@ -3,12 +3,15 @@
 
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/general_arenisca.hpp"
+#include "barreno/models/general_wet_arenisca.hpp"
 #include "barreno/models/johnson_cook.hpp"
 #include "barreno/models/linear_elastic.hpp"
 #include "barreno/models/neo_hookean.hpp"
 #include "barreno/models/poroelastic.hpp"
+#include "barreno/models/wet_arenisca.hpp"
 
 #include <string>
+#include <type_traits>
 #include <variant>
 
 namespace barreno {
@@ -18,8 +21,25 @@ namespace barreno {
 ///
 /// A model with a SpecialForm is not asked for by name: it serves those parameter sets of that
 /// other model for which its needed() says so.
-using AnyModel =
-    std::variant<LinearElastic, Poroelastic, NeoHookean, JohnsonCook, Arenisca, GeneralArenisca>;
+using AnyModel = std::variant<
+    LinearElastic,
+    Poroelastic,
+    NeoHookean,
+    JohnsonCook,
+    Arenisca,
+    WetArenisca,
+    GeneralArenisca,
+    GeneralWetArenisca>;
+
+/// Name of a model, and that of its form where several models serve one name: "Arenisca wet".
+template <class Model, class = void>
+struct FullName {
+  static std::string of() { return Model::name; }
+};
+template <class Model>
+struct FullName<Model, std::void_t<typename Model::SpecialForm>> {
+  static std::string of() { return std::string(Model::name) + " " + Model::form; }
+};
 
 /// A model with its parameters, as a deck or a host asked for it.
 struct Material {

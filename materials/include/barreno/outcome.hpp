@@ -36,7 +36,7 @@ template <class Tensor>
 struct IncrementOf {
   using Real = typename Tensor::Real;
   Tensor strain;                           ///< d_eps, tension positive [-]
-  double dt = 0.0;                         ///< [time]; 0 is allowed (rate terms off)
+  Real dt{};                               ///< [time]; 0 is allowed (rate terms off)
   Real volume_ratio_begin = Real{} + 1.0;  ///< V_n / V_ref [-]
   Real volume_ratio_end = Real{} + 1.0;    ///< V_n+1 / V_ref [-]
   Real viscous_pressure{};  ///< mean artificial viscosity of the step, heats the material [stress]

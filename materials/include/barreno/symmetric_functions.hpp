@@ -56,11 +56,11 @@ BARRENO_FUNCTION Sym3 inverse(const Sym3& s) {
 /// Not finite, or any value, for a tensor without one.
 /// Source: E. Denman, A. Beavers, Appl. Math. Comput. 2 (1976) 63-94.
 BARRENO_FUNCTION Sym3 square_root(const Sym3& a) {
-  constexpr int most_iterations = 40;
+  constexpr int max_iterations = 40;
   constexpr double nearly = 1e-8;  // the next iteration is exact to round-off
   Sym3 y = a;
   Sym3 z = isotropic(1.0);
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const Sym3 next = 0.5 * (y + inverse(z));
     z = 0.5 * (z + inverse(y));
     const double change = norm(next - y);

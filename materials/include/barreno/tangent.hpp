@@ -33,6 +33,18 @@ inline double shear_modulus(
   return model.moduli(stress, h).shear;
 }
 
+inline double shear_modulus(
+    const WetArenisca& model, const Sym3& stress, const WetArenisca::History& h
+) {
+  return model.drained_moduli(stress, h).shear;
+}
+
+inline double shear_modulus(
+    const GeneralWetArenisca& model, const Sym3& stress, const GeneralWetArenisca::History& h
+) {
+  return model.drained_moduli(stress, h).shear;
+}
+
 /// Isotropic stiffness of an unloading point in this state.
 template <class Model>
 Tangent elastic_tangent(
@@ -48,7 +60,16 @@ Tangent elastic_tangent(
   return tangent;
 }
 
-/// A model's update and the same again for a strain close by, smooth in that strain.
+/// Models whose updates of one point by several strains go in lanes, in common substeps.
+template <class Model>
+constexpr bool goes_in_lanes = BARRENO_HAS_LANES && (std::is_same_v<Model, Arenisca> ||
+                                                     std::is_same_v<Model, WetArenisca>);
+/// Models that choose substeps by their error one point at a time.
+template <class Model>
+constexpr bool chooses_substeps =
+    std::is_same_v<Model, GeneralArenisca> || std::is_same_v<Model, GeneralWetArenisca>;
+
+/// A model's update, and ends of the same step for strains close by that are smooth in them.
 template <class Model>
 struct PlainUpdate {
   const Model& model;
@@ -72,9 +93,6 @@ struct FrozenUpdate {
     return model.update_counted(i, stress, h, replay);
   }
 };
-template <class Model>
-constexpr bool chooses_substeps =
-    std::is_same_v<Model, Arenisca> || std::is_same_v<Model, GeneralArenisca>;
 template <class Model>
 using SmoothUpdate =
     std::conditional_t<chooses_substeps<Model>, FrozenUpdate<Model>, PlainUpdate<Model>>;
@@ -119,6 +137,60 @@ inline Sym3 slope(const Sym3& left, const Sym3& middle, const Sym3& right, doubl
   return 0.5 * (one + other);
 }
 
+/// Stresses at the end of a step: of the step itself, and of strains to both sides of it in each of
+/// the six components.
+struct Neighbours {
+  Sym3 middle;
+  Sym3 side[6][2];
+};
+
+template <class Model>
+bool visit_neighbours(
+    const SmoothUpdate<Model>& update,
+    const Increment& increment,
+    const Sym3& stress,
+    const typename Model::History& begin,
+    double h,
+    Neighbours& n
+) {
+  for (int j = 0; j < 6; ++j) {
+    for (int k = 0; k < 2; ++k) {
+      n.side[j][k] = stress;
+      typename Model::History end = begin;
+      const Increment near = shifted(increment, j, k == 0 ? -h : h);
+      if (update.again(near, n.side[j][k], end).failed()) return false;
+    }
+  }
+  return true;
+}
+
+#if BARRENO_HAS_LANES
+/// The same in lanes: the step itself in the first, one side in the six that follow.
+template <class Model>
+bool visit_neighbours_in_lanes(
+    const Model& model,
+    const Increment& increment,
+    const Sym3& stress,
+    const typename Model::History& begin,
+    double h,
+    Neighbours& n
+) {
+  static_assert(lane_count >= 7, "the step itself and six strains next to it");
+  for (int k = 0; k < 2; ++k) {
+    Increment near[lane_count];
+    Sym3 ends[lane_count];
+    for (int i = 0; i < lane_count; ++i) {
+      const bool shifts = i >= 1 && i <= 6;
+      near[i] = shifts ? shifted(increment, i - 1, k == 0 ? -h : h) : increment;
+    }
+    if (!arenisca::update_alike(model, near, stress, begin, ends)) return false;
+    n.middle = ends[0];
+    for (int j = 0; j < 6; ++j) n.side[j][k] = ends[j + 1];
+  }
+  return true;
+}
+#endif
+
 }  // namespace tangent
 
 /// update() and the tangent of what it did: d sigma(end) / d strain increment by central
@@ -150,16 +222,18 @@ Outcome update_with_tangent(
   constexpr double margin =
       4.0;  // nonlinear elasticity and nonassociated flow go a little beyond 1
   const double steep = margin * std::fmax(at_begin, result.c[0][0]);
+  tangent::Neighbours near{stress, {}};
+  bool found = false;
+  if constexpr (goes_in_lanes<Model>)
+    found = tangent::visit_neighbours_in_lanes(model, increment, stress_begin, begin, h, near);
+  else
+    found = tangent::visit_neighbours<Model>(update, increment, stress_begin, begin, h, near);
+  if (!found) return outcome;
   Tangent differences;
   for (int j = 0; j < 6; ++j) {
-    Sym3 side[2] = {stress_begin, stress_begin};
-    for (int k = 0; k < 2; ++k) {
-      typename Model::History end = begin;
-      const Increment near = tangent::shifted(increment, j, k == 0 ? -h : h);
-      if (update.again(near, side[k], end).failed()) return outcome;
-    }
     // A shear component counts twice in gamma.
-    Sym3 column = tangent::slope(side[0], stress, side[1], j < 3 ? h : 2.0 * h, steep);
+    const double width = j < 3 ? h : 2.0 * h;
+    Sym3 column = tangent::slope(near.side[j][0], near.middle, near.side[j][1], width, steep);
     for (int i = 0; i < 6; ++i) differences.c[i][j] = tangent::components(column)[i];
   }
   result = differences;

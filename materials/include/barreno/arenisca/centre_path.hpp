@@ -51,10 +51,10 @@ BARRENO_FUNCTION CentrePath integrate_path(
     return phi < 0.0 ? CentrePath{1.0 / (3.0 * drained), 0.0} : slope_of_path(fluid, drained, phi);
   };
   CentrePath sum{0.0, 0.0};
-  constexpr int most_panels = 60;
+  constexpr int max_panels = 60;
   double far = to;
   for (int panel = 1; far < from; ++panel) {
-    const bool last = constant || far >= -negligible * elasticity.B2 || panel == most_panels;
+    const bool last = constant || far >= -negligible * elasticity.B2 || panel == max_panels;
     const double near = last ? from : smaller(from, 0.5 * far);
     const double middle = 0.5 * (far + near), half = 0.5 * (far - near);
     for (int i = 0; i < points; ++i) {
@@ -102,10 +102,10 @@ BARRENO_FUNCTION double end_of_path(
     double guess,
     double e
 ) {
-  constexpr int most_iterations = 100;
+  constexpr int max_iterations = 100;
   constexpr double round_off = 4e-16;
   double x = guess, below = -HUGE_VAL, above = HUGE_VAL;
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const double miss = centre_path(fluid, elasticity, at, x, e).strain - strain;
     if (miss == 0.0) return x;
     (miss > 0.0 ? above : below) = x;

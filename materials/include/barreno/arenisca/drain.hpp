@@ -140,7 +140,7 @@ BARRENO_FUNCTION double work_per_mass(const PointRock& point, const GeneralState
   return p / mass_per_volume(point, at.pressure, n.e);
 }
 
-/// The flow from one mass to another in so many equal parts.
+/// The flow from one mass to another in `parts` equal parts.
 template <class Counter>
 BARRENO_FUNCTION DrainEnd drain_in_parts(
     const GeneralRock& rock,
@@ -179,7 +179,7 @@ BARRENO_FUNCTION DrainEnd drain_rock(
     double mass_end,
     Counter& count
 ) {
-  constexpr int most_parts = 64, parts_of_crossing = 8;
+  constexpr int max_parts = 64, parts_of_crossing = 8;
   DrainEnd end = drain_in_parts(rock, coherence, begin, mass, mass_end, 1, count);
   const auto agree = [&](const GeneralState& a, const DrainEnd& b) {
     const double allowed = rock.tolerance * larger(rock.stress_floor, size_of(b.state));
@@ -187,7 +187,7 @@ BARRENO_FUNCTION DrainEnd drain_rock(
   };
   if (agree(begin, end)) return end;
   const int fewest = end.crossed ? parts_of_crossing : 2;
-  for (int parts = fewest; (end.plastic || end.crossed) && parts <= most_parts; parts *= 2) {
+  for (int parts = fewest; (end.plastic || end.crossed) && parts <= max_parts; parts *= 2) {
     const DrainEnd finer = drain_in_parts(rock, coherence, begin, mass, mass_end, parts, count);
     const bool agreed = end.status == Status::ok && agree(end.state, finer);
     const int before = end.substeps;

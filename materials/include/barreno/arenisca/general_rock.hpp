@@ -155,8 +155,8 @@ struct PublishedReturn {
     const double start = at(0.0).devp;
     if (start == 0.0) return at(0.0).end;
     double far = start;
-    constexpr int most_expansions = 60;
-    for (int i = 0; i < most_expansions; ++i) {
+    constexpr int max_expansions = 60;
+    for (int i = 0; i < max_expansions; ++i) {
       const double miss = (*this)(far);
       if (miss == 0.0) return at(far).end;
       if (miss * start > 0.0) {

@@ -52,7 +52,7 @@ BARRENO_FUNCTION double settled(double verdict, SubstepReplay& replay) {
 template <class Counter>
 BARRENO_FUNCTION GeneralStep
 integrate_general(const PointRock& point, GeneralState& state, const Sym3& strain, Counter& count) {
-  constexpr int most_attempts = SubstepRecord::most;
+  constexpr int max_attempts = SubstepRecord::most;
   constexpr double smallest = 1.0 / 4096.0, smallest_strain = 1e-6, round_off = 1e-14;
   GeneralStep step;
   step.outcome.substeps = 0;
@@ -61,7 +61,7 @@ integrate_general(const PointRock& point, GeneralState& state, const Sym3& strai
   const double smallest_fraction =
       size * smallest > smallest_strain ? smallest_strain / size : smallest;
   double left = 1.0, fraction = 1.0;
-  for (int i = 0; i < most_attempts; ++i) {
+  for (int i = 0; i < max_attempts; ++i) {
     const bool last = fraction >= left;
     if (last) fraction = left;
     GeneralEnd end;

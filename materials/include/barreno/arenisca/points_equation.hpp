@@ -141,12 +141,12 @@ BARRENO_FUNCTION MaskOf<R> solve_return(
     ReturnEquation<R>& e
 ) {
   constexpr double nothing = 1e-15, small_step = 1e-12;
-  constexpr int most_iterations = 40;
+  constexpr int max_iterations = 40;
   const R size = (real::abs(trial.x) + trial.q + rock.stress_floor) / trial.triple_bulk;
   R last_step = bracket.high - bracket.low;
   R last_newton{};
   R final_step{};
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const MaskOf<R> below = e.f > 0.0;
     bracket.low = real::select(below, e.gain, bracket.low);
     bracket.high = real::select(below, bracket.high, e.gain);

@@ -18,11 +18,14 @@ struct FlowStartOf {
 };
 
 /// Where elastic paths from inside leave the surface, see crossing().
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION R crossing_of(
-    const Rock& rock, const MaskOf<R>& asked, const SubstepOf<R>& step, const PredictionOf<R>& p
+    const Law& rock,
+    const MaskOf<R>& asked,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
+    int halvings
 ) {
-  constexpr int halvings = 6;
   const R dx = p.x - step.n.x;
   const ShearOf<R> ds = p.s - step.n.s;
   R inside{};
@@ -37,12 +40,12 @@ BARRENO_FUNCTION R crossing_of(
 }
 
 /// find_flow_start().
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION FlowStartOf<R> flow_start_of(
-    const Rock& rock,
+    const Law& rock,
     const MaskOf<R>& flows,
-    const SubstepOf<R>& step,
-    const PredictionOf<R>& p,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
     const R& metric
 ) {
   constexpr double shrink = 1.0 - 1e-6, near_vertex = 1e-6;
@@ -55,7 +58,8 @@ BARRENO_FUNCTION FlowStartOf<R> flow_start_of(
   const MaskOf<R> inside =
       flows & (n.x < surface.vertex) & (q_squared < limit * limit * m.cap_squared);
   if (real::any(inside)) {
-    const R t = crossing_of(rock, inside, step, p);
+    constexpr int halvings = 6;
+    const R t = crossing_of(rock, inside, step, p, halvings);
     f.x = real::select(inside, n.x + t * (p.x - n.x), n.x);
     f.s = select_points<R>(inside, n.s + t * (p.s - n.s), n.s);
     q_squared = real::select(inside, squared(f.s), q_squared);
@@ -89,9 +93,9 @@ struct TurnOf {
   R distance, normal_x, normal_q;
   R error{};
 };
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION TurnOf<R> turn_of(
-    const PredictionOf<R>& p, const ReturnedOf<R>& r, const FlowStartOf<R>& f, const R& metric
+    const PredictionOf<R, Law>& p, const ReturnedOf<R>& r, const FlowStartOf<R>& f, const R& metric
 ) {
   const R back_x = p.x - r.x, q_apart = p.q - r.q;
   const R distance = real::sqrt(R(back_x * back_x + metric * q_apart * q_apart));
@@ -114,17 +118,17 @@ BARRENO_FUNCTION ShearOf<R> lengthened(const ShearOf<R>& s, const R& size, const
   return R(real::select(sheared, wanted / real::select(sheared, size, 1.0), 0.0)) * s;
 }
 
-/// finish() of plastic_flow.hpp.
+/// End of a substep from its return: state, moduli, work.
 /// @param end shear stress that the return leaves
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION void finish_flow(
-    const Rock& rock,
-    const SubstepOf<R>& step,
-    const PredictionOf<R>& p,
+    const Law& rock,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
     const ShearOf<R>& end,
     const ReturnedOf<R>& r,
     const FlowStartOf<R>& f,
-    AttemptOf<R>& a
+    AttemptOf<R, Law>& a
 ) {
   const StateOf<R>& n = step.n;
   a.end = {r.x, end, r.evp, n.shear_strain};
@@ -136,37 +140,52 @@ BARRENO_FUNCTION void finish_flow(
   const R start_work = f.x * third + 2.0 * f.scale * dot(f.s, dep);
   const R mean_work = 0.5 * (start_work + end_work);
   a.plastic_work = real::select(mean_work >= 0.0, mean_work, end_work);
-  a.elastic_work =
-      0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de - dep);
+  if constexpr (!Law::wet) {
+    a.elastic_work =
+        0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de - dep);
+  }
   // At the jump of the moduli itself those of the side it came from, see Elasticity::seen_from().
   constexpr double at_jump = Elasticity::at_jump;
-  const MaskOf<R> from_dilated = (n.evp > at_jump) & (real::abs(r.evp) <= at_jump);
+  const MaskOf<R> from_dilated = (p.evp > at_jump) & (real::abs(r.evp) <= at_jump);
   a.moduli =
       moduli_of_state(rock.elasticity, r.x, R(real::select(from_dilated, 2.0 * at_jump, r.evp)));
+  if constexpr (Law::wet) {
+    const R rise = p.rise - p.fall * devp;
+    const FilledOf<R> filled = fill_pores(
+        rock.constituents,
+        step.pores,
+        loaded_grains(rock.constituents, step.pores, R(r.x - n.x)),
+        step.dv,
+        rise
+    );
+    a.pores = filled.end;
+    a.elastic_work = work_of_stress(step, a) - a.plastic_work;
+  }
 }
 
-/// refine() of plastic_flow.hpp.
+/// Second pass of a substep: mean moduli of both ends, and the trial point moved by half the turn
+/// of the flow direction, so that the closest-point return corrects along the mean direction.
+/// Second-order accurate, and still on the hardened surface: evp starts where the moved trial point
+/// keeps x = x_tr - 3K (evp - evp_n).
 /// @param asked where the second pass is worth it
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION void refine_points(
-    const Rock& rock,
+    const Law& rock,
     MaskOf<R> asked,
-    const SubstepOf<R>& step,
-    const PredictionOf<R>& first,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& first,
     const TurnOf<R>& c,
     const FlowStartOf<R>& f,
-    AttemptOf<R>& a
+    AttemptOf<R, Law>& a
 ) {
   const StateOf<R>& n = step.n;
-  PredictionOf<R> p = first;
-  predict_with(
-      step,
-      ModuliOf<R>{
-          0.5 * (first.start.bulk + a.moduli.bulk), 0.5 * (first.start.shear + a.moduli.shear)},
-      p
-  );
-  const R triple_bulk = 3.0 * p.used.bulk;
-  const R metric = (9.0 * rock.beta * rock.beta) * p.used.bulk / p.used.shear;
+  PredictionOf<R, Law> p = first;
+  const ModuliOf<R> mean = {
+      0.5 * (first.start.bulk + a.moduli.bulk), 0.5 * (first.start.shear + a.moduli.shear)};
+  follow_pressure(rock, step, mean.bulk, a, p);
+  predict_with(rock, step, mean, p);
+  const R triple_bulk = stiffness_of_return(rock, p);
+  const R metric = metric_of(rock, p);
   const R moved_x = p.x + 0.5 * c.distance * (c.normal_x - f.normal_x);
   const R half = 0.5 * c.distance / real::sqrt(metric);
   const R ahead = real::select(p.q > 0.0, half * c.normal_q / p.q, 0.0);
@@ -187,7 +206,7 @@ BARRENO_FUNCTION void refine_points(
   r.x = real::select(outside, r.x, moved_x);
   r.q = real::select(outside, r.q, q);
   r.evp = real::select(outside, r.evp, evp);
-  AttemptOf<R> b = a;
+  AttemptOf<R, Law> b = a;
   finish_flow(rock, step, p, lengthened(moved, q, r.q), r, f, b);
   constexpr double round_off = 1e-9;
   const R flow = b.end.shear_strain - n.shear_strain;
@@ -202,25 +221,26 @@ BARRENO_FUNCTION void refine_points(
   a.plastic_work = real::select(better, b.plastic_work, a.plastic_work);
   a.moduli.bulk = real::select(better, b.moduli.bulk, a.moduli.bulk);
   a.moduli.shear = real::select(better, b.moduli.shear, a.moduli.shear);
+  if constexpr (Law::wet) a.pores = select_points<R>(better, b.pores, a.pores);
 }
 
-/// flow_plastically().
+/// Plastic substep: closest-point return, its error, and the second pass where that is worth it.
 /// @param flows    where the trial state is outside
 /// @param at_trial the meridian at the trial state
-template <class R>
-BARRENO_FUNCTION AttemptOf<R> flow_points(
-    const Rock& rock,
+template <class R, class Law>
+BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
+    const Law& rock,
     const MaskOf<R>& flows,
-    const SubstepOf<R>& step,
-    const PredictionOf<R>& p,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
     const MeridianOf<R>& at_trial
 ) {
   const StateOf<R>& n = step.n;
-  const R metric = (9.0 * rock.beta * rock.beta) * p.used.bulk / p.used.shear;
+  const R metric = metric_of(rock, p);
   const R no_guess = R{} + HUGE_VAL;
   const ReturnedOf<R> r = return_points(
       rock,
-      TrialOf<R>{p.x, p.q, metric, 3.0 * p.used.bulk, n.evp, step.cap},
+      TrialOf<R>{p.x, p.q, metric, stiffness_of_return(rock, p), n.evp, step.cap},
       flows,
       at_trial,
       no_guess
@@ -232,7 +252,7 @@ BARRENO_FUNCTION AttemptOf<R> flow_points(
     f.normal_x = real::select(isochoric, 0.0, f.normal_x);
     f.normal_q = real::select(isochoric, 1.0, f.normal_q);
   }
-  AttemptOf<R> a;
+  AttemptOf<R, Law> a;
   finish_flow(rock, step, p, lengthened(p.s, p.q, r.q), r, f, a);
   a.elastic = none_of<R>();
   a.refused = flows & r.refused;
@@ -243,6 +263,7 @@ BARRENO_FUNCTION AttemptOf<R> flow_points(
   const MaskOf<R> at_vertex = r.x >= rock.surface.vertex;
   const R way = f.scale * size_of_stress(R(f.x - r.x), R(f.q * f.q));
   a.error = of_moduli + real::select(at_vertex & (way < turn.error), way, turn.error);
+  if constexpr (Law::wet) a.error = a.error + pressure_error(rock, step, p, a);
   constexpr double largest_retraction = 0.1, negligible = 0.01;
   const MaskOf<R> retracts =
       (!at_vertex) & (r.evp > n.evp) & step.cap.present & r.cap.present & (r.x < r.cap.kappa);

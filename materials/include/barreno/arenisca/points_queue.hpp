@@ -8,36 +8,37 @@
 
 namespace barreno::arenisca {
 
-/// As in integrate(): bounds the cost of any input.
-constexpr int most_attempts_together = 2000;
+/// Bounds the cost of any input; 100 % strain needs some hundred.
+constexpr int max_attempts_together = 2000;
 
 /// Points that need more attempts than their group, packed into lanes so that few lanes are idle.
 /// Which lanes they share changes nothing for a point.
-template <std::size_t most_groups>
+template <class Law, std::size_t max_groups>
 struct LaneQueue {
+  using Step = StepOf<Lanes, Law>;
   struct Place {
     int group, lane;
   };
-  StepOf<Lanes> blocks[most_groups];
-  Place places[most_groups * lane_count];  ///< where each came from
+  Step blocks[max_groups];
+  Place places[max_groups * lane_count];  ///< where each came from
   int count = 0;
 
-  static void copy_lane(const StepOf<Lanes>& from, int lane_from, StepOf<Lanes>& to, int lane_to) {
-    static_assert(sizeof(StepOf<Lanes>) % sizeof(Lanes) == 0, "lanes only");
-    constexpr std::size_t words = sizeof(StepOf<Lanes>) / sizeof(Lanes);
+  static void copy_lane(const Step& from, int lane_from, Step& to, int lane_to) {
+    static_assert(sizeof(Step) % sizeof(Lanes) == 0, "lanes only");
+    constexpr std::size_t words = sizeof(Step) / sizeof(Lanes);
     const char* source = reinterpret_cast<const char*>(&from) + lane_from * 8;
     char* target = reinterpret_cast<char*>(&to) + lane_to * 8;
     for (std::size_t w = 0; w < words; ++w)
       std::memcpy(target + w * sizeof(Lanes), source + w * sizeof(Lanes), 8);
   }
-  void put(const StepOf<Lanes>& from, int lane, Place place) {
+  void put(const Step& from, int lane, Place place) {
     copy_lane(from, lane, blocks[count / lane_count], count % lane_count);
     places[count++] = place;
   }
   int block_count() const { return (count + lane_count - 1) / lane_count; }
 
   /// One attempt of each; those that are done go home.
-  void advance(const Rock& rock, StepOf<Lanes>* home) {
+  void advance(const Law& rock, Step* home) {
     const int blocks_now = block_count(), count_now = count;
     for (int i = count; i < blocks_now * lane_count; ++i) {
       // Idle lanes repeat a point that is there, so that they meet nothing unusual.
@@ -47,7 +48,7 @@ struct LaneQueue {
     for (int b = 0; b < blocks_now; ++b) advance_step(rock, blocks[b]);
     count = 0;
     for (int i = 0; i < count_now; ++i) {
-      const StepOf<Lanes>& block = blocks[i / lane_count];
+      const Step& block = blocks[i / lane_count];
       const Place place = places[i];
       if (block.active[i % lane_count] != 0)
         put(block, i % lane_count, place);
@@ -59,9 +60,9 @@ struct LaneQueue {
 
 /// Carries the steps of groups to their end: the first attempt of a group that is mostly active
 /// where it is, the rest packed.
-template <std::size_t most_groups>
-inline void finish_steps(const Rock& rock, StepOf<Lanes> (&steps)[most_groups], int count) {
-  LaneQueue<most_groups> queue;
+template <class Law, std::size_t max_groups>
+inline void finish_steps(const Law& rock, StepOf<Lanes, Law> (&steps)[max_groups], int count) {
+  LaneQueue<Law, max_groups> queue;
   for (int g = 0; g < count; ++g) {
     int active = 0;
     for (int i = 0; i < lane_count; ++i) active += steps[g].active[i] != 0 ? 1 : 0;
@@ -70,7 +71,7 @@ inline void finish_steps(const Rock& rock, StepOf<Lanes> (&steps)[most_groups], 
     for (int i = 0; i < lane_count; ++i)
       if (steps[g].active[i] != 0) queue.put(steps[g], i, {g, i});
   }
-  for (int i = 1; i < most_attempts_together && queue.count > 0; ++i) queue.advance(rock, steps);
+  for (int i = 1; i < max_attempts_together && queue.count > 0; ++i) queue.advance(rock, steps);
   for (int i = 0; i < queue.count; ++i)
     steps[queue.places[i].group].refused[queue.places[i].lane] = -1;
 }

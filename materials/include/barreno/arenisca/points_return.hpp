@@ -5,8 +5,7 @@
 
 namespace barreno::arenisca {
 
-/// Where trial states come back to. `refused` where the answer is left to return_fast(): rare
-/// branches.
+/// Where trial states come back to. `refused` where no root was found.
 template <class R>
 struct ReturnedOf {
   R x, q, evp;
@@ -22,7 +21,8 @@ BARRENO_FUNCTION ReturnedOf<R> returned_at(
   return {e.x, smaller_of(q, trial.q), trial.evp + e.gain, e.cap, refused};
 }
 
-/// return_with_closed_pores(), where `closed`.
+/// Pores close altogether, where `closed`: no cap is left, and the shear stress comes back to the
+/// limit surface at the pressure that closing leaves.
 template <class R>
 BARRENO_FUNCTION void close_pores(
     const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& closed, ReturnedOf<R>& r
@@ -37,6 +37,44 @@ BARRENO_FUNCTION void close_pores(
   r.evp = real::select(closed, evp, r.evp);
   r.cap.present = r.cap.present & !closed;
   r.refused = r.refused & !closed;
+}
+
+/// Brackets the first root of the way on which closed pores open: from the first step a quarter
+/// farther each until it has tripled, then twice as far. Where pores are all but closed the cap
+/// retracts so fast that it overtakes the dilated point again: the condition then has three roots,
+/// the first two close together just beyond the first step. At x = X there is always enough.
+/// @param opens where it is asked for; there e is at the least dilation, with too little of it
+/// @param first gain of evp to try first
+/// @param[in,out] e the equation at the lower end of the bracket
+template <class R>
+BARRENO_FUNCTION void find_dilation(
+    const Rock& rock,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& capped,
+    const MaskOf<R>& opens,
+    const R& first,
+    GainBracket<R>& bracket,
+    ReturnEquation<R>& e
+) {
+  constexpr double near = 3.0, short_way = 1.25, long_way = 2.0;
+  constexpr int max_steps = 200;
+  const MaskOf<R> compact = none_of<R>();
+  const R farthest = (trial.x - e.cap.X) / trial.triple_bulk;
+  bracket.low = real::select(opens, e.gain, bracket.low);
+  bracket.high = real::select(opens, farthest, bracket.high);
+  R step = first;
+  MaskOf<R> open = opens & (step > 0.0) & (step < farthest);
+  for (int i = 0; i < max_steps && real::any(open); ++i) {
+    const ReturnEquation<R> there = return_equation(rock, trial, capped, compact, step);
+    const MaskOf<R> ahead = open & (step > bracket.low);
+    const MaskOf<R> enough = ahead & (there.f < 0.0);
+    const MaskOf<R> too_little = ahead & !enough;
+    bracket.high = real::select(enough, step, bracket.high);
+    bracket.low = real::select(too_little, step, bracket.low);
+    advance_points<R>(too_little, there, e);
+    step = step * real::select(step < near * first, short_way, long_way);
+    open = open & (!enough) & (step < farthest);
+  }
 }
 
 /// Where a return to the limit surface or the vertex finds that the cap has retracted into the way:
@@ -63,19 +101,21 @@ BARRENO_FUNCTION void return_to_retracted_cap(
   ReturnEquation<R> e = return_equation(rock, trial, caught, compact, start);
   const MaskOf<R> opening = caught & !trial.cap.present;
   const MaskOf<R> closed = opening & (e.f <= 0.0);
-  const MaskOf<R> open = caught & !opening;
-  const GainBracket<R> bracket{R{}, (trial.x - trial.cap.X) / trial.triple_bulk};
+  const MaskOf<R> open = caught & !closed;
+  GainBracket<R> bracket{R{}, (trial.x - trial.cap.X) / trial.triple_bulk};
+  const MaskOf<R> opens = opening & !closed;
+  if (real::any(opens)) find_dilation(rock, trial, caught, opens, R(r.evp - trial.evp), bracket, e);
   const MaskOf<R> failed = solve_return(rock, trial, caught, compact, open, bracket, e);
   const ReturnedOf<R> onto = returned_at(trial, e, failed);
   r.x = real::select(open, onto.x, r.x);
   r.q = real::select(open, onto.q, r.q);
   r.evp = real::select(open, onto.evp, r.evp);
   r.cap = select_points<R>(open, onto.cap, r.cap);
-  r.refused = r.refused | failed | opening;
+  r.refused = r.refused | failed;
   close_pores(rock, trial, closed, r);
 }
 
-/// return_fast() where it takes its common branches: compaction, retracting cap, limit surface,
+/// Consistency and closest point in one equation: compaction, retracting cap, limit surface,
 /// vertex, closed pores.
 /// @param outside  where a return is asked for
 /// @param at_trial the meridian at the trial state

@@ -22,16 +22,16 @@ BARRENO_FUNCTION MaskOf<R> sound_points(
 }
 
 /// Elastic prediction of whole steps.
-template <class R>
-struct WholeStepOf {
+template <class R, class Law>
+struct WholeStepOf : WithPores<R, Law::wet> {
   MaskOf<R> inside;
   R x;
   Sym3Of<R> s;
   ModuliOf<R> used;
 };
 /// Start of a step in invariants.
-template <class R>
-struct StartOf {
+template <class R, class Law>
+struct StartOf : WithPores<R, Law::wet> {
   R x;
   Sym3Of<R> s;
   R evp;
@@ -42,46 +42,62 @@ struct StartOf {
   ModuliOf<R> moduli{};
 };
 
-template <class R>
-BARRENO_FUNCTION WholeStepOf<R> predict_whole_step(
-    const Rock& rock, const StartOf<R>& n, const CapOf<R>& cap, const MaskOf<R>& asked
+template <class R, class Law>
+BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
+    const Law& rock, const StartOf<R, Law>& n, const CapOf<R>& cap, const MaskOf<R>& asked
 ) {
-  WholeStepOf<R> p;
-  p.used = used_moduli(rock, n.x, R(3.0 * n.dv), cap, n.term, n.coupling, n.moduli);
-  p.x = n.x + 3.0 * p.used.bulk * n.dv;
+  WholeStepOf<R, Law> p;
+  R strain = n.dv;
+  if constexpr (Law::wet) strain = skeleton_guess(rock.constituents, n.pores, n.moduli.bulk, n.dv);
+  p.used = used_moduli(rock, n.x, R(3.0 * strain), cap, n.term, n.coupling, n.moduli);
+  if constexpr (Law::wet) {
+    const Constituents& c = rock.constituents;
+    const R guess = (strain - n.dv) * c.matrix;
+    const GrainsOf<R> grains = elastic_grains(c, n.pores, p.used.bulk, n.dv);
+    const FilledOf<R> f = fill_pores(c, n.pores, grains, n.dv, guess);
+    p.pores = f.end;
+    strain = n.dv + f.rise * c.per_matrix;
+  }
+  p.x = n.x + 3.0 * p.used.bulk * strain;
   p.s = n.s + R(2.0 * p.used.shear) * n.de;
   p.inside = contains(rock.surface, asked, p.x, R(0.5 * contract(p.s, p.s)), cap);
   return p;
 }
 
-/// Whole steps that are elastic with moduli that hardly change: step_elastically(), and the first
-/// substep of integrate() where the virgin cap does not decide.
+/// Whole steps that are elastic with moduli that hardly change.
 /// @param[out] outcome of those
 /// @return where it is so
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION MaskOf<R> step_elastically(
-    const Rock& rock,
-    const StartOf<R>& n,
+    const Law& rock,
+    const StartOf<R, Law>& n,
     const MaskOf<R>& asked,
-    WholeStepOf<R>& p,
+    WholeStepOf<R, Law>& p,
     PointsOutcome<R>& outcome
 ) {
   // Inside the virgin rock's surface is inside that of compacted rock: no logarithm is needed.
   p = predict_whole_step(rock, n, same_cap<R>(rock.first_cap), MaskOf<R>(asked & (n.evp <= 0.0)));
   const MaskOf<R> open = asked & !p.inside;
   if (real::any(open)) {
-    const WholeStepOf<R> own = predict_whole_step(rock, n, cap_of(rock, n.evp), open);
+    const WholeStepOf<R, Law> own = predict_whole_step(rock, n, cap_of(rock, n.evp), open);
     p.x = real::select(open, own.x, p.x);
     p.s = select_points<R>(open, own.s, p.s);
     p.used = {
         real::select(open, own.used.bulk, p.used.bulk),
         real::select(open, own.used.shear, p.used.shear)};
     p.inside = p.inside | own.inside;
+    if constexpr (Law::wet) p.pores = select_points<R>(open, own.pores, p.pores);
   }
   const ModuliOf<R> end = moduli_after_points(rock, p.inside, n.x, n.evp, p.x, n.term, n.coupling);
   outcome.elastic_work = 0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
   outcome.plastic_work = R{};
-  outcome.longitudinal_modulus = end.bulk + (4.0 / 3.0) * end.shear;
+  R bulk = end.bulk;
+  if constexpr (Law::wet) {
+    outcome.elastic_work =
+        outcome.elastic_work - 0.5 * (n.pores.pressure + p.pores.pressure) * n.dv;
+    bulk = undrained_bulk(rock.constituents, p.pores, end.bulk);
+  }
+  outcome.longitudinal_modulus = bulk + (4.0 / 3.0) * end.shear;
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
   return p.inside & (2.0 * mismatch_of(n.moduli, p.used, end) <= rock.tolerance);
 }
@@ -113,24 +129,25 @@ BARRENO_FUNCTION PlaneOf<R> plane_of(const Sym3Of<R>& s, const Sym3Of<R>& de) {
 }
 
 /// First state of the steps asked for, in their planes.
-template <class R>
-BARRENO_FUNCTION StepOf<R> begin_step(
-    const Rock& rock,
-    const StartOf<R>& n,
+template <class R, class Law>
+BARRENO_FUNCTION StepOf<R, Law> begin_step(
+    const Law& rock,
+    const StartOf<R, Law>& n,
     const PlaneOf<R>& plane,
     const R& shear_strain,
     const MaskOf<R>& asked
 ) {
-  constexpr double least_fraction = 1.0 / 1024.0, smallest_strain = 1e-5;
-  StepOf<R> step;
+  constexpr double min_fraction = 1.0 / 1024.0, smallest_strain = 1e-5;
+  StepOf<R, Law> step;
   step.state = {n.x, ShearOf<R>{plane.s_size, R{}}, n.evp, shear_strain};
   step.cap = cap_of(rock, n.evp);
   step.dv = n.dv;
   step.de = {plane.along * plane.s_size, plane.across_size};
   const R size = size_of_stress(n.dv, squared(step.de));
-  const MaskOf<R> large = size * least_fraction > smallest_strain;
-  step.smallest = real::select(large, smallest_strain / size, least_fraction);
+  const MaskOf<R> large = size * min_fraction > smallest_strain;
+  step.smallest = real::select(large, smallest_strain / size, min_fraction);
   step.active = asked;
+  if constexpr (Law::wet) step.pores = n.pores;
   return step;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/points.hpp"
+#include "barreno/arenisca/points_pores.hpp"
 
 namespace barreno::arenisca {
 
@@ -16,28 +16,38 @@ struct StateOf {
 };
 
 /// Substep, with what both passes read of its start.
-template <class R>
-struct SubstepOf {
+template <class R, class Law>
+struct SubstepOf : WithPores<R, Law::wet> {
   StateOf<R> n;
   CapOf<R> cap;
   R dv;
   ShearOf<R> de;
 };
 
-/// Prediction, its invariants and the surface straight below it.
+/// How the pressure of the fluid follows a prediction: rise - fall d(evp).
+template <class R, bool wet>
+struct PressurePath {};
 template <class R>
-struct PredictionOf {
+struct PressurePath<R, true> {
+  R rise{}, fall{};
+  PoresOf<R> elastic;  ///< pores at the prediction
+};
+
+/// Prediction and its invariants.
+template <class R, class Law>
+struct PredictionOf : PressurePath<R, Law::wet> {
   R x;
   ShearOf<R> s;
   R J2, q;
   ModuliOf<R> start, used;
   PressureTermOf<R> term;
   R coupling;
+  R evp;  ///< plastic strain that the moduli were taken at
 };
 
-/// Attempt; `refused` where the point is left to the update of single points.
-template <class R>
-struct AttemptOf {
+/// Attempt; `refused` where it asks for a shorter substep.
+template <class R, class Law>
+struct AttemptOf : WithPores<R, Law::wet> {
   StateOf<R> end;
   R error, allowed;
   MaskOf<R> elastic, refused;
@@ -45,15 +55,101 @@ struct AttemptOf {
   ModuliOf<R> moduli;
 };
 
-template <class R>
+/// Volume strain of the skeleton in an elastic substep.
+template <class R, class Law>
+BARRENO_FUNCTION R
+skeleton_strain(const Law& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p) {
+  if constexpr (Law::wet)
+    return step.dv + p.rise * rock.constituents.per_matrix;
+  else
+    return step.dv;
+}
+
+/// Stress from moduli of the skeleton, and where the fluid is, from how its pressure rises.
+template <class R, class Law>
 BARRENO_FUNCTION void predict_with(
-    const SubstepOf<R>& step, const ModuliOf<R>& used, PredictionOf<R>& p
+    const Law& rock, const SubstepOf<R, Law>& step, const ModuliOf<R>& used, PredictionOf<R, Law>& p
 ) {
   p.used = used;
-  p.x = step.n.x + 3.0 * used.bulk * step.dv;
+  p.x = step.n.x + 3.0 * used.bulk * skeleton_strain(rock, step, p);
   p.s = step.n.s + R(2.0 * used.shear) * step.de;
   p.J2 = squared(p.s);
   p.q = real::sqrt(p.J2);
+}
+
+/// Path of the fluid's pressure in an elastic substep with this bulk modulus of the skeleton.
+template <class R, class Law>
+BARRENO_FUNCTION void predict_pressure(
+    const Law& rock, const SubstepOf<R, Law>& step, const R& bulk, PredictionOf<R, Law>& p
+) {
+  if constexpr (Law::wet) {
+    const Constituents& c = rock.constituents;
+    const PoresOf<R>& n = step.pores;
+    const R biot = 1.0 - bulk * c.per_matrix;
+    const R guess = -biot * step.dv / storage_of(c, n, bulk);
+    const FilledOf<R> f = fill_pores(c, n, elastic_grains(c, n, bulk, step.dv), step.dv, guess);
+    p.rise = f.rise;
+    p.elastic = f.end;
+    p.fall = fall_of(c, f.end, bulk);
+  }
+}
+
+/// 3K of the skeleton, as seen by a return: what plastic strain takes off the fluid's pressure
+/// strains it too.
+template <class R, class Law>
+BARRENO_FUNCTION R stiffness_of_return(const Law& rock, const PredictionOf<R, Law>& p) {
+  if constexpr (Law::wet)
+    return 3.0 * p.used.bulk * (1.0 + p.fall * rock.constituents.per_matrix);
+  else
+    return 3.0 * p.used.bulk;
+}
+
+/// Error of the stress from where the fluid's pressure left its path: the skeleton was strained by
+/// another one.
+template <class R, class Law>
+BARRENO_FUNCTION R pressure_error(
+    const Law& rock,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
+    const AttemptOf<R, Law>& a
+) {
+  const R rise = p.rise - p.fall * (a.end.evp - step.n.evp);
+  const R missed = a.pores.pressure - step.pores.pressure - rise;
+  constexpr double per_root_3 = 0.57735026918962576;
+  return (3.0 * per_root_3 * rock.constituents.per_matrix) * p.used.bulk * real::abs(missed);
+}
+
+/// The path of the fluid's pressure for a second pass: through the end of the first.
+template <class R, class Law>
+BARRENO_FUNCTION void follow_pressure(
+    const Law& rock,
+    const SubstepOf<R, Law>& step,
+    const R& bulk,
+    const AttemptOf<R, Law>& a,
+    PredictionOf<R, Law>& p
+) {
+  if constexpr (Law::wet) {
+    p.fall = fall_of(rock.constituents, a.pores, bulk);
+    p.rise = a.pores.pressure - step.pores.pressure + p.fall * (a.end.evp - step.n.evp);
+  }
+}
+
+/// 9 beta^2 K/G, K as the return sees it.
+template <class R, class Law>
+BARRENO_FUNCTION R metric_of(const Law& rock, const PredictionOf<R, Law>& p) {
+  const R metric = (9.0 * rock.beta * rock.beta) * p.used.bulk / p.used.shear;
+  if constexpr (Law::wet)
+    return metric * (1.0 + p.fall * rock.constituents.per_matrix);
+  else
+    return metric;
+}
+
+/// Work of the total stress over a substep, per current volume [stress].
+template <class R, class Law>
+BARRENO_FUNCTION R work_of_stress(const SubstepOf<R, Law>& step, const AttemptOf<R, Law>& a) {
+  const R pressures = step.pores.pressure + a.pores.pressure;
+  const R mean_I1 = 0.5 * (step.n.x + a.end.x) - 1.5 * pressures;
+  return mean_I1 * (step.dv * (1.0 / 3.0)) + dot(step.n.s + a.end.s, step.de);
 }
 
 /// Relative difference of the moduli used from the mean of both ends, see moduli_mismatch().
@@ -63,6 +159,27 @@ mismatch_of(const ModuliOf<R>& start, const ModuliOf<R>& used, const ModuliOf<R>
   const R bulk = real::abs(R(0.5 * (start.bulk + end.bulk) / used.bulk - 1.0));
   const R shear = real::abs(R(0.5 * (start.shear + end.shear) / used.shear - 1.0));
   return larger_of(bulk, shear);
+}
+
+/// The attempt of other points into those of `choice`.
+template <class R, class Law>
+BARRENO_FUNCTION void select_attempt(
+    const MaskOf<R>& choice, const AttemptOf<R, Law>& other, AttemptOf<R, Law>& a
+) {
+  a.end = {
+      real::select(choice, other.end.x, a.end.x),
+      select_points<R>(choice, other.end.s, a.end.s),
+      real::select(choice, other.end.evp, a.end.evp),
+      real::select(choice, other.end.shear_strain, a.end.shear_strain)};
+  a.error = real::select(choice, other.error, a.error);
+  a.allowed = real::select(choice, other.allowed, a.allowed);
+  a.refused = (choice & other.refused) | ((!choice) & a.refused);
+  a.elastic_work = real::select(choice, other.elastic_work, a.elastic_work);
+  a.plastic_work = real::select(choice, other.plastic_work, a.plastic_work);
+  a.moduli = {
+      real::select(choice, other.moduli.bulk, a.moduli.bulk),
+      real::select(choice, other.moduli.shear, a.moduli.shear)};
+  if constexpr (Law::wet) a.pores = select_points<R>(choice, other.pores, a.pores);
 }
 
 template <class R>

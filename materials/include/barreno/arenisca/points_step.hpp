@@ -7,21 +7,6 @@ namespace barreno::arenisca {
 
 // A whole step of one or several points: substep.hpp in lanes, each point with its own substeps.
 
-/// predict(), at the state's own plastic strain.
-template <class R>
-BARRENO_FUNCTION PredictionOf<R> predict_points(const Rock& rock, const SubstepOf<R>& step) {
-  const StateOf<R>& n = step.n;
-  const Elasticity& e = rock.elasticity;
-  PredictionOf<R> p;
-  p.term = pressure_term_of(e, n.x, n.evp);
-  p.coupling = coupling_of(e, n.x, n.evp);
-  p.start = moduli_of(e, p.term.value, p.coupling);
-  predict_with(
-      step, used_moduli(rock, n.x, R(3.0 * step.dv), step.cap, p.term, p.coupling, p.start), p
-  );
-  return p;
-}
-
 /// Moduli at the middle of a substep, I1 held within what the surface admits.
 template <class R>
 BARRENO_FUNCTION ModuliOf<R> used_moduli(
@@ -39,7 +24,30 @@ BARRENO_FUNCTION ModuliOf<R> used_moduli(
   return moduli_of(rock.elasticity, R(real::smaller(real::larger(middle, 0.0), 1.0)), coupling);
 }
 
-/// moduli_after(): at the end of elastic substeps.
+/// Elastic prediction with the moduli of this plastic strain.
+template <class R, class Law>
+BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
+    const Law& rock, const SubstepOf<R, Law>& step, const R& evp
+) {
+  const StateOf<R>& n = step.n;
+  const Elasticity& e = rock.elasticity;
+  PredictionOf<R, Law> p;
+  p.evp = evp;
+  p.term = pressure_term_of(e, n.x, evp);
+  p.coupling = coupling_of(e, n.x, evp);
+  p.start = moduli_of(e, p.term.value, p.coupling);
+  R strain = step.dv;
+  if constexpr (Law::wet)
+    strain = skeleton_guess(rock.constituents, step.pores, p.start.bulk, step.dv);
+  const ModuliOf<R> used =
+      used_moduli(rock, n.x, R(3.0 * strain), step.cap, p.term, p.coupling, p.start);
+  predict_pressure(rock, step, used.bulk, p);
+  predict_with(rock, step, used, p);
+  return p;
+}
+
+/// At the end of elastic substeps: a parabola in I1 for short ones in compression (its relative
+/// error in exp(B2/I1) is below (B2/I1 dI1/I1)^3, here 1e-6), else the exponential.
 /// @param asked where they are asked for
 template <class R>
 BARRENO_FUNCTION ModuliOf<R> moduli_after_points(
@@ -66,28 +74,21 @@ BARRENO_FUNCTION ModuliOf<R> moduli_after_points(
   return moduli_of(e, value, coupled);
 }
 
-/// attempt_substep().
-/// @param asked where it is asked for
-template <class R>
-BARRENO_FUNCTION AttemptOf<R> attempt_points(
-    const Rock& rock, const MaskOf<R>& asked, const SubstepOf<R>& step
+/// End of elastic substeps, where `inside`.
+template <class R, class Law>
+BARRENO_FUNCTION void accept_elastic(
+    const Law& rock,
+    const MaskOf<R>& inside,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
+    const ModuliOf<R>& moduli,
+    AttemptOf<R, Law>& a
 ) {
   const StateOf<R>& n = step.n;
-  const PredictionOf<R> p = predict_points(rock, step);
-  const MeridianOf<R> m = meridian_at(rock.surface, p.x, step.cap);
-  const MaskOf<R> inside = contained(rock.surface, p.x, p.J2, step.cap, m);
-  AttemptOf<R> a = flow_points(rock, MaskOf<R>(asked & !inside), step, p, m);
-  // Flow that dilates from the jump of the moduli: begin_to_dilate().
-  constexpr double at_jump = Elasticity::at_jump;
-  a.refused = a.refused | ((!inside) & (real::abs(n.evp) <= at_jump) & (a.end.evp > at_jump));
-  a.elastic = inside;
-  if (!real::any(asked & inside)) return a;
-  const ModuliOf<R> moduli =
-      moduli_after_points(rock, MaskOf<R>(asked & inside), n.x, n.evp, p.x, p.term, p.coupling);
   a.end = {
       real::select(inside, p.x, a.end.x),
       select_points<R>(inside, p.s, a.end.s),
-      real::select(inside, n.evp, a.end.evp),
+      real::select(inside, p.evp, a.end.evp),
       real::select(inside, n.shear_strain, a.end.shear_strain)};
   a.moduli = {
       real::select(inside, moduli.bulk, a.moduli.bulk),
@@ -95,10 +96,74 @@ BARRENO_FUNCTION AttemptOf<R> attempt_points(
   const R change = size_of_stress(R(p.x - n.x), squared(p.s - n.s));
   a.error = real::select(inside, mismatch_of(p.start, p.used, moduli) * change, a.error);
   a.allowed = real::select(inside, allowed_error_of(rock, n, p.x, p.J2), a.allowed);
-  a.elastic_work = real::select(
-      inside, 0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de), a.elastic_work
-  );
+  R work{};
+  if constexpr (Law::wet) {
+    a.pores = select_points<R>(inside, p.elastic, a.pores);
+    work = work_of_stress(step, a);
+  } else {
+    work = 0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de);
+  }
+  a.elastic_work = real::select(inside, work, a.elastic_work);
   a.plastic_work = real::select(inside, 0.0, a.plastic_work);
+}
+
+/// Flow that dilates from the jump of the moduli: those of dilated rock hold from where it begins
+/// to flow.
+/// @param[in,out] a replaced where `asked`
+template <class R, class Law>
+BARRENO_FUNCTION void begin_to_dilate(
+    const Law& rock,
+    const MaskOf<R>& asked,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
+    AttemptOf<R, Law>& a
+) {
+  constexpr int halvings = 30;
+  constexpr double other_side = 2.0 * Elasticity::at_jump;
+  const StateOf<R>& n = step.n;
+  const R t = crossing_of(rock, asked, step, p, halvings);
+  const ModuliOf<R> soft = predict_points(rock, step, R(R{} + other_side)).used;
+  const ModuliOf<R> used = {
+      t * p.used.bulk + (1.0 - t) * soft.bulk, t * p.used.shear + (1.0 - t) * soft.shear};
+  PredictionOf<R, Law> mixed = p;
+  mixed.evp = R{} + other_side;
+  // Such a start that the mean of both ends is what was used.
+  mixed.start = {2.0 * used.bulk - soft.bulk, 2.0 * used.shear - soft.shear};
+  predict_pressure(rock, step, used.bulk, mixed);
+  predict_with(rock, step, used, mixed);
+  const MeridianOf<R> m = meridian_at(rock.surface, mixed.x, step.cap);
+  // A trace of dilation, and the softer rock may no longer reach the surface.
+  const MaskOf<R> inside = asked & contained(rock.surface, mixed.x, mixed.J2, step.cap, m);
+  AttemptOf<R, Law> b = flow_points(rock, MaskOf<R>(asked & !inside), step, mixed, m);
+  if (real::any(inside)) accept_elastic(rock, inside, step, mixed, soft, b);
+  // The elastic part has its own error, that of its moduli on the way to the surface.
+  const ModuliOf<R> at_flow = moduli_of_state(rock.elasticity, R(n.x + t * (p.x - n.x)), n.evp);
+  b.error =
+      real::select(inside, 0.0, b.error) +
+      t * mismatch_of(p.start, p.used, at_flow) * size_of_stress(R(p.x - n.x), squared(p.s - n.s));
+  select_attempt(asked, b, a);
+}
+
+/// One substep: elastic, or plastic flow.
+/// @param asked where it is asked for
+template <class R, class Law>
+BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
+    const Law& rock, const MaskOf<R>& asked, const SubstepOf<R, Law>& step
+) {
+  const StateOf<R>& n = step.n;
+  const PredictionOf<R, Law> p = predict_points(rock, step, n.evp);
+  const MeridianOf<R> m = meridian_at(rock.surface, p.x, step.cap);
+  const MaskOf<R> inside = contained(rock.surface, p.x, p.J2, step.cap, m);
+  const MaskOf<R> flows = asked & !inside;
+  AttemptOf<R, Law> a = flow_points(rock, flows, step, p, m);
+  constexpr double at_jump = Elasticity::at_jump;
+  const MaskOf<R> jumps = flows & (real::abs(n.evp) <= at_jump) & (a.end.evp > at_jump);
+  if (real::any(jumps)) begin_to_dilate(rock, jumps, step, p, a);
+  a.elastic = inside;
+  if (!real::any(asked & inside)) return a;
+  const ModuliOf<R> moduli =
+      moduli_after_points(rock, MaskOf<R>(asked & inside), n.x, n.evp, p.x, p.term, p.coupling);
+  accept_elastic(rock, inside, step, p, moduli, a);
   return a;
 }
 
@@ -107,9 +172,10 @@ inline Lanes whole_part(const Lanes& x) {
   return __builtin_convertvector(__builtin_convertvector(x, LaneMask), Lanes);
 }
 
-/// step_factor().
-template <class R>
-BARRENO_FUNCTION R step_factor_of(const AttemptOf<R>& a) {
+/// Factor for the next substep, in sixteenths: then round-off does not reach the choice of
+/// substeps, and two machines take the same ones.
+template <class R, class Law>
+BARRENO_FUNCTION R step_factor_of(const AttemptOf<R, Law>& a) {
   constexpr double safety = 0.9, smallest = 0.125, largest = 4.0, grain = 16.0;
   constexpr double most = 1e6;  // beyond any bound below
   const MaskOf<R> exact = !(a.error > 0.0);
@@ -120,9 +186,19 @@ BARRENO_FUNCTION R step_factor_of(const AttemptOf<R>& a) {
   return real::select(exact, largest, real::smaller(real::larger(factor, smallest), largest));
 }
 
-/// A step of points in progress.
+/// What a step of wet points adds up, and asks for.
+template <class R, bool wet>
+struct FluidOfStep {};
 template <class R>
-struct StepOf {
+struct FluidOfStep<R, true> {
+  PoresOf<R> pores;
+  R inflow{};  ///< volume of fluid that comes in over the whole step, at the pressure in the pores
+  R fluid_work{};  ///< p dv of that [stress]
+};
+
+/// A step of points in progress.
+template <class R, class Law>
+struct StepOf : FluidOfStep<R, Law::wet> {
   StateOf<R> state;
   CapOf<R> cap;
   R dv;
@@ -130,46 +206,125 @@ struct StepOf {
   R smallest;  ///< fraction below which a substep is taken as it is
   R done{}, fraction = R{} + 1.0;
   R elastic_work{}, plastic_work{}, modulus{};
+  R substeps{};                      ///< taken so far
   MaskOf<R> active;                  ///< still under way
-  MaskOf<R> refused = none_of<R>();  ///< left to the update of single points
+  MaskOf<R> refused = none_of<R>();  ///< no substep is short enough
 };
 
-/// One attempt of every active point, and what follows from it; as in integrate().
-template <class R>
-BARRENO_FUNCTION void advance_step(const Rock& rock, StepOf<R>& step) {
-  const MaskOf<R> last = step.done + step.fraction >= 1.0;
-  const R fraction = real::select(last, 1.0 - step.done, step.fraction);
-  const AttemptOf<R> a = attempt_points(
-      rock, step.active, SubstepOf<R>{step.state, step.cap, fraction * step.dv, fraction * step.de}
-  );
-  const MaskOf<R> refused = step.active & (a.refused | !real::is_finite(a.error));
-  step.refused = step.refused | refused;
-  step.active = step.active & !refused;
+/// The substep of this fraction of the step.
+template <class R, class Law>
+BARRENO_FUNCTION SubstepOf<R, Law> substep_of(const StepOf<R, Law>& step, const R& fraction) {
+  SubstepOf<R, Law> part;
+  part.n = step.state;
+  part.cap = step.cap;
+  part.dv = fraction * step.dv;
+  part.de = fraction * step.de;
+  if constexpr (Law::wet) {
+    part.pores = step.pores;
+    part.pores.fluid = real::larger(R(step.pores.fluid + fraction * step.inflow), 0.0);
+  }
+  return part;
+}
 
-  constexpr double at_jump = Elasticity::at_jump;
-  const Elasticity& e = rock.elasticity;
-  const R begin = step.state.evp, end = a.end.evp;
-  const MaskOf<R> divisible = fraction > step.smallest;
-  MaskOf<R> crosses =
-      ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
-  crosses = crosses & divisible;
-  if (e.B1 == 0.0 && e.B3 == 0.0 && !e.variable_ratio()) crosses = none_of<R>();
-  const MaskOf<R> fails = (a.error > a.allowed) & divisible;
-  const MaskOf<R> takes = step.active & (!crosses) & !fails;
+/// The state at the end of the substeps that were taken.
+template <class R, class Law>
+BARRENO_FUNCTION void take_substeps(
+    const Law& rock,
+    const MaskOf<R>& takes,
+    const R& fraction,
+    const AttemptOf<R, Law>& a,
+    StepOf<R, Law>& step
+) {
+  step.substeps = step.substeps + real::select(takes, 1.0, 0.0);
   step.state.x = real::select(takes, a.end.x, step.state.x);
   step.state.s = select_points<R>(takes, a.end.s, step.state.s);
-  step.state.evp = real::select(takes, end, begin);
+  step.state.evp = real::select(takes, a.end.evp, step.state.evp);
   step.state.shear_strain = real::select(takes, a.end.shear_strain, step.state.shear_strain);
   step.elastic_work = step.elastic_work + real::select(takes, a.elastic_work, 0.0);
   step.plastic_work = step.plastic_work + real::select(takes, a.plastic_work, 0.0);
-  step.modulus = real::select(takes, a.moduli.bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
+  R bulk = a.moduli.bulk;
+  if constexpr (Law::wet) bulk = undrained_bulk(rock.constituents, a.pores, bulk);
+  step.modulus = real::select(takes, bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
+  if constexpr (Law::wet) {
+    if (real::any(step.inflow != 0.0)) {
+      const R begin = step.pores.pressure, end = a.pores.pressure;
+      // What comes later is compressed by then.
+      const R ratio = real::exp(R(rock.constituents.per_fluid * (begin - end)));
+      const R volume = real::select(takes, fraction * step.inflow, 0.0);
+      step.fluid_work = step.fluid_work + 0.5 * (begin + end * ratio) * volume;
+      step.inflow = real::select(takes, step.inflow * ratio, step.inflow);
+    }
+    step.pores = select_points<R>(takes, a.pores, step.pores);
+  }
+}
+
+/// Whether the jump of the moduli lies between two plastic volume strains.
+template <class R>
+BARRENO_FUNCTION MaskOf<R> crosses_jump(const Elasticity& e, const R& begin, const R& end) {
+  constexpr double at_jump = Elasticity::at_jump;
+  if (e.B1 == 0.0 && e.B3 == 0.0 && !e.variable_ratio()) return none_of<R>();
+  return ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
+}
+
+/// What becomes of attempts: taken, or tried again.
+template <class R>
+struct VerdictOf {
+  MaskOf<R> takes;
+  MaskOf<R> gives_up;  ///< no root or not finite, however short the substep
+  R factor;            ///< of the next substep
+};
+/// Every point chooses its own substeps.
+struct OwnSubsteps {
+  template <class R>
+  BARRENO_FUNCTION void operator()(VerdictOf<R>& /*verdict*/) const {}
+};
+/// All lanes take the substeps of the first, whatever their own errors: the choice jumps with the
+/// strain, and with it the stress by some tolerance; between points that choose alike it does not.
+struct SubstepsOfTheFirst {
+  template <class R>
+  BARRENO_FUNCTION void operator()(VerdictOf<R>& v) const {
+    v.takes = MaskOf<R>{} + v.takes[0];
+    v.gives_up = MaskOf<R>{} + v.gives_up[0];
+    v.factor = R{} + v.factor[0];
+  }
+};
+
+template <class R, class Law>
+BARRENO_FUNCTION VerdictOf<R> verdict_on(
+    const Law& rock, const StepOf<R, Law>& step, const R& fraction, const AttemptOf<R, Law>& a
+) {
+  constexpr double much_shorter = 0.125;
+  const R begin = step.state.evp, end = a.end.evp;
+  const MaskOf<R> divisible = fraction > step.smallest;
+  const MaskOf<R> lost = a.refused | !real::is_finite(a.error);
+  const MaskOf<R> crosses = divisible & (!lost) & crosses_jump(rock.elasticity, begin, end);
+  const MaskOf<R> fails = lost | ((a.error > a.allowed) & divisible);
+  const R to_jump = begin / real::select(crosses, begin - end, 1.0);
+  const R factor = real::select(lost, much_shorter, step_factor_of(a));
+  return {
+      MaskOf<R>(!(crosses | fails)),
+      MaskOf<R>(lost & !divisible),
+      real::select(crosses, to_jump, factor)};
+}
+
+/// One attempt of every active point, and what follows from it.
+template <class R, class Law, class Choice = OwnSubsteps>
+BARRENO_FUNCTION void advance_step(const Law& rock, StepOf<R, Law>& step, Choice choose = {}) {
+  const MaskOf<R> last = step.done + step.fraction >= 1.0;
+  const R fraction = real::select(last, 1.0 - step.done, step.fraction);
+  const AttemptOf<R, Law> a = attempt_points(rock, step.active, substep_of(step, fraction));
+  VerdictOf<R> verdict = verdict_on(rock, step, fraction, a);
+  choose(verdict);
+  step.refused = step.refused | (step.active & verdict.gives_up);
+  step.active = step.active & !verdict.gives_up;
+  const MaskOf<R> takes = step.active & verdict.takes;
+  take_substeps(rock, takes, fraction, a, step);
   step.active = step.active & !(takes & last);
   if (!real::any(step.active)) return;
   if (real::any(step.active & takes))
     step.cap = select_points<R>(takes, cap_of(rock, step.state.evp), step.cap);
   step.done = step.done + real::select(takes, fraction, 0.0);
-  const R to_jump = begin / real::select(crosses, begin - end, 1.0);
-  step.fraction = fraction * real::select(crosses, to_jump, step_factor_of(a));
+  step.fraction = fraction * verdict.factor;
 }
 
 }  // namespace barreno::arenisca

@@ -55,7 +55,7 @@ struct PoreFluid {
   /// p_c(e) [stress]. The logarithm of the sum falls with p_c and is convex: Newton converges from
   /// any start.
   BARRENO_FUNCTION double centre_pressure(double e, double mu) const {
-    constexpr int most_iterations = 60;
+    constexpr int max_iterations = 60;
     // The next step would be below step^2/(2 Kf): beyond round-off.
     constexpr double last_but_one = 1e-9;
     const double solid = 1.0 - porosity, fluid = mu * porosity;
@@ -63,7 +63,7 @@ struct PoreFluid {
     double q = -e / (solid / matrix + fluid / bulk);
     // exp(-q/Kf) must not overflow; from this side Newton is monotone.
     q = larger(q, -30.0 * bulk);
-    for (int i = 0; i < most_iterations; ++i) {
+    for (int i = 0; i < max_iterations; ++i) {
       const double a = solid * std::exp(-q / matrix), b = fluid * std::exp(-q / bulk);
       const double step = (std::log(a + b) - e) * (a + b) / (a / matrix + b / bulk);
       q += step;

@@ -91,8 +91,8 @@ BARRENO_FUNCTION double return_to_limit(
   // >= 1.
   double lower = trial.x - trial.metric * trial.q * surface.steepest, upper = x;
   MeridianPoint m = start;
-  constexpr int most_iterations = 60;
-  for (int i = 0; i < most_iterations; ++i) {
+  constexpr int max_iterations = 60;
+  for (int i = 0; i < max_iterations; ++i) {
     const double curvature = surface.linear() ? 0.0 : surface.a2 * (m.slope + surface.a4);
     const double residual = (x - trial.x) - trial.metric * (trial.q - m.limit) * m.slope;
     const double slope = 1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);

@@ -13,6 +13,8 @@ namespace barreno::arenisca {
 
 /// Everything about the material that a point update reads.
 struct Rock {
+  static constexpr bool wet = false;  ///< no pore fluid
+
   Elasticity elasticity;
   YieldSurface surface;
   CrushCurve crush;
@@ -27,6 +29,22 @@ struct Rock {
   BARRENO_FUNCTION Cap cap_at(double evp) const {
     return crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
   }
+};
+
+/// Bulk moduli of what fills a volume of saturated rock [stress].
+struct Constituents {
+  double matrix = 0.0;  ///< Km, of the grains
+  double fluid = 0.0;   ///< Kf
+  double per_matrix = 0.0, per_fluid = 0.0;
+};
+
+/// Rock with fluid in its pores: the dry rock for the effective stress, and what fills the rest.
+struct WetRock : Rock {
+  static constexpr bool wet = true;
+
+  Constituents constituents;
+  double initial_pressure = 0.0;  ///< of the fluid in virgin rock [stress]
+  double porosity = 0.0;          ///< of virgin rock
 };
 
 /// State of a point between substeps.

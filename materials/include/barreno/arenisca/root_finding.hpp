@@ -29,10 +29,10 @@ BARRENO_FUNCTION double find_root(
     Function& f, BracketEnd a, BracketEnd b, double tolerance, double small
 ) {
   constexpr double round_off = 2.3e-16;
-  constexpr int most_iterations = 120;  // bisection alone needs 60 to exhaust a double
+  constexpr int max_iterations = 120;  // bisection alone needs 60 to exhaust a double
   BracketEnd c = a;
   double t = a.f / (a.f - b.f);  // start by the secant
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const double x = a.x + t * (b.x - a.x);
     const BracketEnd next{x, f(x)};
     if ((next.f > 0.0) == (a.f > 0.0)) {
@@ -61,8 +61,8 @@ BARRENO_FUNCTION double find_root(
 /// Root by bisection to the last bit of the argument; f < 0 at `below`, f > 0 at `above`.
 template <class Function>
 BARRENO_FUNCTION double bisect(Function& f, double below, double above, double tolerance) {
-  constexpr int most_iterations = 200;
-  for (int i = 0; i < most_iterations; ++i) {
+  constexpr int max_iterations = 200;
+  for (int i = 0; i < max_iterations; ++i) {
     const double middle = 0.5 * (below + above);
     if (middle == below || middle == above || std::fabs(above - below) <= tolerance) break;
     (f(middle) < 0.0 ? below : above) = middle;

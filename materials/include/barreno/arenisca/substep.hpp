@@ -151,7 +151,7 @@ BARRENO_FUNCTION double smallest_fraction(const Sym3& strain) {
 template <class Counter>
 BARRENO_FUNCTION Outcome
 integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& count) {
-  constexpr int most_attempts =
+  constexpr int max_attempts =
       2000;  // bounds the cost of any input; 100 % strain needs some hundred
   Outcome outcome;
   const double volume = trace(strain);
@@ -159,7 +159,7 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
   if (step_elastically(rock, state, volume, shape, outcome, count)) return outcome;
   outcome.substeps = 0;
   double done = 0.0, fraction = 1.0;
-  for (int i = 0; i < most_attempts; ++i) {
+  for (int i = 0; i < max_attempts; ++i) {
     const bool last = done + fraction >= 1.0;
     if (last) fraction = 1.0 - done;
     const Attempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, count);

@@ -82,12 +82,10 @@ struct Arenisca {
   /// @param[in]     increment strain and volume ratios of the step
   /// @param[in,out] stress    unrotated Cauchy stress [stress]; as it was when the outcome has
   /// failed
-  BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& h) const {
-    arenisca::NoCounter none;
-    return update_counted(increment, stress, h, none);
-  }
+  BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& h) const;
 
-  /// update() that also counts yield-function evaluations.
+  /// The same by scalar code, with the return solver that is asked for; counts yield-function
+  /// evaluations.
   template <class Counter>
   BARRENO_FUNCTION Outcome
   update_counted(const Increment& increment, Sym3& stress, History& h, Counter& count) const {
@@ -111,8 +109,8 @@ struct Arenisca {
     return outcome;
   }
 
-  /// update() of points in lanes, in two parts (outcome.hpp, arenisca_update.hpp); agrees with it
-  /// to 1e-9 of the larger of strength and trial stress.
+  /// update() of points in lanes, in two parts (outcome.hpp, arenisca_update.hpp), to the same
+  /// bits.
   template <class R>
   using Points = PointsOf<Sym3Of<R>, HistoryOf<R>>;
   static constexpr int groups_together = 32;

@@ -21,11 +21,23 @@ struct AreniscaParameters {
   int return_solver, backstress_strain, undrained_moduli, J3_type, weibull_volume, weibull_scatter;
 
   /// Indices of words.
-  static constexpr int plastic_backstress = 1, arenisca3_moduli = 1;
+  static constexpr int elastic_centre = 0, plastic_backstress = 1, poroplastic = 2;
+  static constexpr int arenisca3_moduli = 1;
   static constexpr int ring_volume = 1, scale_only = 1;
 };
 
 namespace arenisca {
+
+/// Fluid in the pores, in the poroplastic form.
+inline bool is_poroplastic(const AreniscaParameters& p) {
+  return p.fluid_B0 > 0.0 && p.p3_crush_curve > 0.0 &&
+         p.backstress_strain == AreniscaParameters::poroplastic;
+}
+/// Neither third invariant nor rate dependence nor variability, with the fast return.
+inline bool is_plain(const AreniscaParameters& p) {
+  return p.T1_rate_dependence == 0.0 && p.J3_type == 0 && p.weibull_modulus == 0.0 &&
+         p.return_solver == 0;
+}
 
 using Entries = std::vector<ParameterEntry<AreniscaParameters>>;
 
@@ -126,7 +138,7 @@ inline Entries fluid_entries() {
           d::stress,
           at_least(0.0),
           0.0,
-          "pressure of the fluid at the start"
+          "initial pressure of the fluid"
       ),
       optional(
           &P::matrix_bulk_modulus,
@@ -178,7 +190,7 @@ inline Entries variability_entries() {
           d::none,
           at_least(0.0),
           0.0,
-          "m: PEAKI1 varies from particle to particle, the less the larger m; 0: it does not"
+          "m: PEAKI1 varies from particle to particle, less with larger m; 0: no variation"
       ),
       optional(
           &P::weibull_reference_volume,
@@ -194,7 +206,7 @@ inline Entries variability_entries() {
           d::none,
           at_least(0.0),
           0.0,
-          "whole number; another one is another specimen of the same rock"
+          "whole number; each gives another specimen of the same rock"
       )};
 }
 
@@ -219,15 +231,20 @@ inline ParameterTable<AreniscaParameters> arenisca_parameter_table() {
        "fast: one superlinear scalar solve; bisection: the published nested method, the oracle"},
       {&AreniscaParameters::backstress_strain,
        "Backstress strain",
-       {"elastic centre", "plastic"},
-       0,
-       "strain that the fluid's backstress follows; plastic: the published form, for its "
-       "calibrations"},
+       {"elastic centre", "plastic", "poroplastic"},
+       AreniscaParameters::poroplastic,
+       "how the fluid bears on the rock; poroplastic: strength, flow and crush curve are those of "
+       "dry "
+       "rock under the stress less the pore pressure; the others are for comparison, and ten times "
+       "as dear: plastic: the published form, for its calibrations; elastic centre: the same about "
+       "the strain of zero effective stress"},
       {&AreniscaParameters::undrained_moduli,
        "Undrained moduli",
        {"biot", "arenisca3"},
        0,
-       "arenisca3: those of the published code (2 to 5 % stiff, no B1), for its calibrations"},
+       "of the plastic form; arenisca3: those of the published code (2 to 5 % too stiff, no B1), "
+       "for its "
+       "calibrations"},
       {&AreniscaParameters::J3_type,
        "J3_type",
        {"none", "Gudehus", "Willam-Warnke", "Mohr-Coulomb"},

@@ -121,8 +121,8 @@ inline std::string check_angle(const AreniscaParameters& p) {
 }
 
 inline std::string check_variability(const AreniscaParameters& p) {
-  constexpr double most_seeds = 9007199254740992.0;  // 2^53: whole numbers that a double holds
-  if (!(p.weibull_seed < most_seeds && p.weibull_seed == std::floor(p.weibull_seed))) {
+  constexpr double max_seeds = 9007199254740992.0;  // 2^53: whole numbers that a double holds
+  if (!(p.weibull_seed < max_seeds && p.weibull_seed == std::floor(p.weibull_seed))) {
     return named("Weibull seed", p.weibull_seed) +
            " is not a whole number below 2^53 (it numbers specimens); take 0, 1, 2 and so on.";
   }

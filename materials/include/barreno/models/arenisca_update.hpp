@@ -3,6 +3,7 @@
 
 // The point update of Arenisca for several points at once (real.hpp). Read first: arenisca.hpp,
 // which includes this, and arenisca/substep.hpp, which is the same for one point.
+#include "barreno/history_values.hpp"
 #include "barreno/models/arenisca.hpp"
 #include "barreno/real.hpp"
 
@@ -19,50 +20,31 @@ inline One lane_of(const Several& from, int lane) {
   static_assert(sizeof(Several) == lane_count * sizeof(One), "the same structure over reals");
   One to;
   for (std::size_t c = 0; c < sizeof(One) / sizeof(double); ++c)
-    reinterpret_cast<double*>(&to)[c] = reinterpret_cast<const Lanes*>(&from)[c][lane];
+    reals_of<double>(to)[c] = reals_of<Lanes>(from)[c][lane];
   return to;
 }
 template <class One, class Several>
 inline void set_lane(const One& from, int lane, Several& to) {
   static_assert(sizeof(Several) == lane_count * sizeof(One), "the same structure over reals");
   for (std::size_t c = 0; c < sizeof(One) / sizeof(double); ++c)
-    reinterpret_cast<Lanes*>(&to)[c][lane] = reinterpret_cast<const double*>(&from)[c];
-}
-
-/// update() for the points asked for, one after the other.
-inline void update_one_by_one(
-    const Arenisca& model, const LaneMask& asked, Arenisca::Points<Lanes>& p
-) {
-  for (int i = 0; i < lane_count; ++i) {
-    if (asked[i] == 0) continue;
-    Increment increment;
-    increment.strain = lane_of<Sym3>(p.increment.strain, i);
-    increment.dt = p.increment.dt;
-    increment.volume_ratio_begin = p.increment.volume_ratio_begin[i];
-    increment.volume_ratio_end = p.increment.volume_ratio_end[i];
-    increment.viscous_pressure = p.increment.viscous_pressure[i];
-    auto stress = lane_of<Sym3>(p.stress, i);
-    auto history = lane_of<Arenisca::History>(p.history, i);
-    const Outcome one = model.update(increment, stress, history);
-    set_lane(stress, i, p.stress);
-    set_lane(history, i, p.history);
-    p.outcome.sound[i] = one.failed() ? 0 : -1;
-    p.outcome.elastic_work[i] = one.elastic_work;
-    p.outcome.plastic_work[i] = one.plastic_work;
-    p.outcome.longitudinal_modulus[i] = one.longitudinal_modulus;
-  }
+    reals_of<Lanes>(to)[c][lane] = reals_of<double>(from)[c];
 }
 
 namespace arenisca {
 
-template <class R>
-BARRENO_FUNCTION StartOf<R> start_of(const Rock& rock, const Arenisca::Points<R>& p) {
-  StartOf<R> n{
-      trace(p.stress),
-      deviator(p.stress),
-      p.history.plastic_volume_strain,
-      trace(p.increment.strain),
-      deviator(p.increment.strain)};
+/// @param Points PointsOf<Sym3Of<R>, History>; wet where the history holds pores
+template <class R, class Law, class Points>
+BARRENO_FUNCTION StartOf<R, Law> start_of(const Law& rock, const Points& p) {
+  StartOf<R, Law> n;
+  n.x = trace(p.stress);
+  n.s = deviator(p.stress);
+  n.evp = p.history.plastic_volume_strain;
+  n.dv = trace(p.increment.strain);
+  n.de = deviator(p.increment.strain);
+  if constexpr (Law::wet) {
+    n.pores = pores_of<R>(p.history);
+    n.x = n.x + 3.0 * n.pores.pressure;
+  }
   n.term = pressure_term_of(rock.elasticity, n.x, n.evp);
   n.coupling = coupling_of(rock.elasticity, n.x, n.evp);
   n.moduli = moduli_of(rock.elasticity, n.term.value, n.coupling);
@@ -71,18 +53,20 @@ BARRENO_FUNCTION StartOf<R> start_of(const Rock& rock, const Arenisca::Points<R>
 
 /// End of steps that flow, from the stress and strain increment that they began with.
 /// @return where the step is left to update()
-template <class R>
-BARRENO_FUNCTION MaskOf<R> end_step(
-    const MaskOf<R>& flows, const StepOf<R>& step, Arenisca::Points<R>& p
-) {
+template <class R, class Law, class Points>
+BARRENO_FUNCTION MaskOf<R> end_step(const MaskOf<R>& flows, const StepOf<R, Law>& step, Points& p) {
   const PlaneOf<R> plane = plane_of(deviator(p.stress), deviator(p.increment.strain));
-  const Sym3Of<R> end = plane.tensor(step.state.s) + isotropic(R(step.state.x * (1.0 / 3.0)));
+  R mean_stress = step.state.x * (1.0 / 3.0);
+  if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
+  const Sym3Of<R> end = plane.tensor(step.state.s) + isotropic(mean_stress);
   const MaskOf<R> good = flows & !step.refused;
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   p.stress = select_points<R>(good, end, p.stress);
-  p.history = {
-      real::select(good, step.state.evp, p.history.plastic_volume_strain),
-      real::select(good, step.state.shear_strain, p.history.equivalent_plastic_strain)};
+  auto& h = p.history;
+  h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
+  h.equivalent_plastic_strain =
+      real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
+  if constexpr (Law::wet) set_pores<R>(good, step.pores, h);
   PointsOutcome<R>& out = p.outcome;
   out.elastic_work = real::select(good, mean_ratio * step.elastic_work, out.elastic_work);
   out.plastic_work = real::select(good, mean_ratio * step.plastic_work, out.plastic_work);
@@ -90,42 +74,154 @@ BARRENO_FUNCTION MaskOf<R> end_step(
   return flows & step.refused;
 }
 
+/// A step that flows, from the point as it is before it.
+template <class R, class Law, class Points>
+BARRENO_FUNCTION StepOf<R, Law> begin_rock(
+    const Law& rock, const MaskOf<R>& flows, const Points& p
+) {
+  const StartOf<R, Law> n = start_of<R>(rock, p);
+  return begin_step(rock, n, plane_of(n.s, n.de), p.history.equivalent_plastic_strain, flows);
+}
+
+inline LaneMask first_lane() {
+  LaneMask mask{};
+  mask[0] = -1;
+  return mask;
+}
+/// The same point in all lanes.
+template <class Points, class History>
+inline void repeat_point(
+    const Increment& increment, const Sym3& stress, const History& h, Points& p
+) {
+  for (int i = 0; i < lane_count; ++i) {
+    set_lane(increment.strain, i, p.increment.strain);
+    set_lane(stress, i, p.stress);
+    set_lane(h, i, p.history);
+  }
+  p.increment.dt = Lanes{} + increment.dt;
+  p.increment.volume_ratio_begin = Lanes{} + increment.volume_ratio_begin;
+  p.increment.volume_ratio_end = Lanes{} + increment.volume_ratio_end;
+  p.increment.viscous_pressure = Lanes{} + increment.viscous_pressure;
+  p.outcome = PointsOutcome<Lanes>{};
+}
+
+/// First part of an update (outcome.hpp): steps that are elastic.
+/// @return where more is to do
+template <class R, class Law, class Points>
+BARRENO_FUNCTION MaskOf<R> start_rock(const Law& rock, const MaskOf<R>& sound, Points& p) {
+  const StartOf<R, Law> n = start_of<R>(rock, p);
+  p.outcome.sound = sound;
+  WholeStepOf<R, Law> whole;
+  const MaskOf<R> elastic = step_elastically(rock, n, sound, whole, p.outcome);
+  const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
+  p.outcome.elastic_work = mean_ratio * p.outcome.elastic_work;
+  R mean_stress = whole.x * (1.0 / 3.0);
+  if constexpr (Law::wet) {
+    mean_stress = mean_stress - whole.pores.pressure;
+    set_pores<R>(elastic, whole.pores, p.history);
+  }
+  const Sym3Of<R> end = whole.s + isotropic(mean_stress);
+  p.stress = select_points<R>(elastic, end, p.stress);
+  return sound & !elastic;
+}
+
+/// Second part of an update: steps that flow.
+template <class R, class Law, class Points, std::size_t room>
+BARRENO_FUNCTION void finish_rock(
+    const Law& rock,
+    StepOf<R, Law> (&steps)[room],
+    Points* groups,
+    const MaskOf<R>* flows,
+    int count
+) {
+  for (int g = 0; g < count; ++g) steps[g] = begin_rock<R>(rock, flows[g], groups[g]);
+  finish_steps(rock, steps, count);
+  for (int g = 0; g < count; ++g) {
+    const MaskOf<R> refused = end_step<R>(flows[g], steps[g], groups[g]);
+    groups[g].outcome.sound = groups[g].outcome.sound & !refused;
+  }
+}
+
+/// One point: the update of lanes with it in the first of them, so that a host with a single point
+/// gets the bits of one with many.
+template <class Law, class Model>
+inline Outcome update_point(
+    const Model& model,
+    const Law& rock,
+    const Increment& increment,
+    Sym3& stress,
+    typename Model::History& h
+) {
+  typename Model::template Points<Lanes> p;
+  repeat_point(increment, stress, h, p);
+  Outcome outcome;
+  const LaneMask flows = model.start_points(p) & first_lane();
+  if (p.outcome.sound[0] == 0) {
+    outcome.status = Status::bad_input;
+    outcome.substeps = 0;
+    return outcome;
+  }
+  if (real::any(flows)) {
+    StepOf<Lanes, Law> step[1] = {begin_rock<Lanes>(rock, flows, p)};
+    finish_steps(rock, step, 1);
+    outcome.substeps = static_cast<int>(step[0].substeps[0]);
+    if (real::any(end_step<Lanes>(flows, step[0], p))) {
+      outcome.status = Status::substep_limit;
+      return outcome;
+    }
+  }
+  stress = lane_of<Sym3>(p.stress, 0);
+  h = lane_of<typename Model::History>(p.history, 0);
+  outcome.elastic_work = p.outcome.elastic_work[0];
+  outcome.plastic_work = p.outcome.plastic_work[0];
+  outcome.longitudinal_modulus = p.outcome.longitudinal_modulus[0];
+  return outcome;
+}
+
+/// Updates of one point by increments next to each other, in the substeps that the first one
+/// chooses, so that the ends are smooth in the increment (tangent.hpp).
+/// @return false where one failed
+template <class Model>
+inline bool update_alike(
+    const Model& model,
+    const Increment (&increments)[lane_count],
+    const Sym3& stress,
+    const typename Model::History& h,
+    Sym3 (&ends)[lane_count]
+) {
+  typename Model::template Points<Lanes> p;
+  repeat_point(increments[0], stress, h, p);
+  for (int i = 0; i < lane_count; ++i) set_lane(increments[i].strain, i, p.increment.strain);
+  const LaneMask all = !LaneMask{};
+  auto step = begin_rock<Lanes>(model.rock(), all, p);
+  for (int i = 0; i < max_attempts_together && real::any(step.active); ++i)
+    advance_step(model.rock(), step, SubstepsOfTheFirst{});
+  if (real::any(step.active) || real::any(end_step<Lanes>(all, step, p))) return false;
+  for (int i = 0; i < lane_count; ++i) ends[i] = lane_of<Sym3>(p.stress, i);
+  return true;
+}
+
 }  // namespace arenisca
 
 template <class R>
 BARRENO_FUNCTION MaskOf<R> Arenisca::start_points(Points<R>& p) const {
   using namespace arenisca;
-  const StartOf<R> n = start_of<R>(rock_, p);
-  const MaskOf<R> sound =
-      sound_points(p.increment, p.stress, n.evp, p.history.equivalent_plastic_strain);
-  p.outcome.sound = sound;
-  WholeStepOf<R> whole;
-  const MaskOf<R> elastic = step_elastically(rock_, n, sound, whole, p.outcome);
-  const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
-  p.outcome.elastic_work = mean_ratio * p.outcome.elastic_work;
-  const Sym3Of<R> end = whole.s + isotropic(R(whole.x * (1.0 / 3.0)));
-  p.stress = select_points<R>(elastic, end, p.stress);
-  return sound & !elastic;
+  const MaskOf<R> sound = sound_points(
+      p.increment, p.stress, p.history.plastic_volume_strain, p.history.equivalent_plastic_strain
+  );
+  return start_rock<R>(rock_, sound, p);
 }
 
 template <class R>
 BARRENO_FUNCTION void Arenisca::finish_points(Points<R>* groups, const MaskOf<R>* flows, int count)
     const {
-  using namespace arenisca;
   constexpr std::size_t room = groups_together;
-  StepOf<R> steps[room];
-  for (int g = 0; g < count; ++g) {
-    const StartOf<R> n = start_of<R>(rock_, groups[g]);
-    const R shear_strain = groups[g].history.equivalent_plastic_strain;
-    steps[g] = begin_step(rock_, n, plane_of(n.s, n.de), shear_strain, flows[g]);
-    // The published return is left to update().
-    if (rock_.bisection) steps[g].refused = flows[g];
-  }
-  if (!rock_.bisection) finish_steps(rock_, steps, count);
-  for (int g = 0; g < count; ++g) {
-    const MaskOf<R> refused = end_step<R>(flows[g], steps[g], groups[g]);
-    if (real::any(refused)) update_one_by_one(*this, refused, groups[g]);
-  }
+  arenisca::StepOf<R, arenisca::Rock> steps[room];
+  arenisca::finish_rock(rock_, steps, groups, flows, count);
+}
+
+inline Outcome Arenisca::update(const Increment& increment, Sym3& stress, History& h) const {
+  return arenisca::update_point(*this, rock_, increment, stress, h);
 }
 
 }  // namespace barreno

@@ -23,6 +23,7 @@ struct GeneralArenisca {
   using SpecialForm = Arenisca;
   using Parameters = Arenisca::Parameters;
   static constexpr const char* name = "Arenisca";
+  static constexpr const char* form = "general";  ///< tells it from others of that name
   static constexpr const char* summary = Arenisca::summary;
 
   struct History {
@@ -31,12 +32,14 @@ struct GeneralArenisca {
     double pore_pressure = 0.0, porosity = 0.0;
     double overstress_xx = 0.0, overstress_yy = 0.0, overstress_zz = 0.0;
     double overstress_xy = 0.0, overstress_yz = 0.0, overstress_zx = 0.0;
+    double gas = 0.0;
   };
-  static constexpr int history_count = 12;
+  static constexpr int history_count = 13;
 
   static bool needed(const Parameters& p) {
+    if (arenisca::is_poroplastic(p)) return false;
     return p.fluid_B0 > 0.0 || p.T1_rate_dependence > 0.0 || p.J3_type != arenisca::Lode::none ||
-           p.weibull_modulus > 0.0;
+           p.weibull_modulus > 0.0 || p.return_solver != 0;
   }
   static ParameterTable<Parameters> parameter_table() { return Arenisca::parameter_table(); }
   static std::vector<HistoryField> history_table();
@@ -210,7 +213,8 @@ inline std::vector<HistoryField> GeneralArenisca::history_table() {
       {"overstress_zz", d::stress, "dynamic less quasi-static stress"},
       {"overstress_xy", d::stress, "dynamic less quasi-static stress"},
       {"overstress_yz", d::stress, "dynamic less quasi-static stress"},
-      {"overstress_zx", d::stress, "dynamic less quasi-static stress"}};
+      {"overstress_zx", d::stress, "dynamic less quasi-static stress"},
+      {"gas", d::none, "volume in the pores that the fluid does not fill, over volume"}};
 }
 
 inline arenisca::GeneralRock GeneralArenisca::make_rock(const Parameters& p) {

@@ -93,7 +93,7 @@ struct JohnsonCook {
              dim::rate,
              above(0.0),
              1.0,
-             "plastic strain rate up to which A and B hold"
+             "plastic strain rate up to which A and B apply"
          ),
          optional(
              &P::room_temperature,
@@ -108,7 +108,7 @@ struct JohnsonCook {
              "Melt Temperature",
              dim::temperature,
              above(0.0),
-             "no strength from here"
+             "no strength at or above it"
          )}};
   }
   static std::vector<ParameterEntry<Parameters>> heat_and_pressure_entries() {
@@ -201,7 +201,8 @@ struct JohnsonCook {
            << " (the metal would yield at strains above 1/3); check the units of both.";
     } else if (p.spall_stress > bulk_modulus) {
       text << "Spall Stress = " << p.spall_stress << " exceeds the bulk modulus " << bulk_modulus
-           << " = Density * Sound Speed^2 (no metal holds that tension); check its units, or use 0 "
+           << " = Density * Sound Speed^2 (no metal sustains that tension); check its units, or "
+              "use 0 "
               "for no"
            << " limit.";
     } else if (has_damage(p) && p.d1 + p.d2 <= 0.0) {
@@ -284,7 +285,7 @@ private:
   /// What the volume change and the deviator of one step leave to the energy and the breaking.
   template <class R>
   struct Step {
-    double dt;
+    R dt;
     R change, mean_ratio;  ///< change of V / V_ref and its mean
     MaskOf<R> broken;      ///< at the start
     R elastic_work{}, plastic_work{};

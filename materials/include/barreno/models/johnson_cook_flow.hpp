@@ -44,9 +44,10 @@ struct JohnsonCookFlow {
   }
   /// ln max(rate / rate0, 1) of a plastic increment [-]; dt = 0 switches rate terms off.
   template <class R>
-  BARRENO_FUNCTION R log_rate(const R& plastic_increment, double dt) const {
-    if (!(dt > 0.0)) return R{};
-    return real::log(real::larger(R(plastic_increment / (dt * reference_rate)), 1.0));
+  BARRENO_FUNCTION R log_rate(const R& plastic_increment, const R& dt) const {
+    const MaskOf<R> rated = dt > 0.0;
+    const R ratio = plastic_increment / (real::select(rated, dt, 1.0) * reference_rate);
+    return real::log(real::larger(R(real::select(rated, ratio, 1.0)), 1.0));
   }
   /// Y [stress].
   BARRENO_FUNCTION double stress(double plastic_strain, double rate, double temperature) const {
@@ -66,7 +67,7 @@ struct JohnsonCookFlow {
 
   template <class R>
   BARRENO_FUNCTION ReturnOf<R> return_to_flow_stress(
-      const R& trial, const R& start, double dt, const R& temperature, const R& plastic_strain
+      const R& trial, const R& start, const R& dt, const R& temperature, const R& plastic_strain
   ) const;
 
 private:
@@ -81,7 +82,7 @@ private:
   /// @param near an evaluation at another x, made use of where it is close
   template <class R>
   BARRENO_FUNCTION Evaluation<R> evaluate(
-      const R& x, const R& plastic_strain, double dt, const R& theta, const Evaluation<R>& near
+      const R& x, const R& plastic_strain, const R& dt, const R& theta, const Evaluation<R>& near
   ) const {
     Evaluation<R> y;
     const R end = plastic_strain + x;
@@ -156,7 +157,7 @@ private:
 /// @param plastic_strain at the start of the step [-]
 template <class R>
 BARRENO_FUNCTION JohnsonCookFlow::ReturnOf<R> JohnsonCookFlow::return_to_flow_stress(
-    const R& trial, const R& start, double dt, const R& temperature, const R& plastic_strain
+    const R& trial, const R& start, const R& dt, const R& temperature, const R& plastic_strain
 ) const {
   const R theta = softening(temperature);
   const R power_start = real::pow(plastic_strain, n);
@@ -180,8 +181,8 @@ BARRENO_FUNCTION JohnsonCookFlow::ReturnOf<R> JohnsonCookFlow::return_to_flow_st
   Evaluation<R> y{};
   y.power = power_start;
   y.inverse_end = 1.0 / plastic_strain;
-  constexpr int most_iterations = 80;
-  for (int i = 0; i < most_iterations && !real::all(done); ++i) {
+  constexpr int max_iterations = 80;
+  for (int i = 0; i < max_iterations && !real::all(done); ++i) {
     y = evaluate(x, plastic_strain, dt, theta, y);
     // What a point that is done had; its lane goes on with the others.
     power = real::select(done, power, y.power);

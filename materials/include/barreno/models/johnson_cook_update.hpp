@@ -18,7 +18,7 @@ BARRENO_FUNCTION MaskOf<R> JohnsonCook::admissible(
                 i.viscous_pressure + i.dt + change + h.plastic_strain + h.temperature +
                 h.internal_energy + h.damage;
   const R compression = 1.0 - i.volume_ratio_end;
-  return real::is_finite(sum) & (R{} + i.dt >= 0.0) & (i.volume_ratio_begin > 0.0) &
+  return real::is_finite(sum) & (i.dt >= 0.0) & (i.volume_ratio_begin > 0.0) &
          (i.volume_ratio_end > 0.0) & (compression < eos_.compression_limit()) &
          (1.0 + 0.5 * eos_.gamma * change > 0.0);
 }

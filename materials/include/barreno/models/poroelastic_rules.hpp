@@ -35,7 +35,7 @@ inline ParameterTable<PoroelasticParameters> poroelastic_table() {
            d::stress,
            at_least(0.0),
            0.0,
-           "bulk modulus of the grains, Ks: alpha = 1 - K/Ks; 0: by the Biot coefficient"
+           "bulk modulus of the grains, Ks: alpha = 1 - K/Ks; 0: set by the Biot coefficient"
        ),
        optional(
            &P::biot_coefficient,
@@ -51,7 +51,7 @@ inline ParameterTable<PoroelasticParameters> poroelastic_table() {
            d::stress,
            any(),
            0.0,
-           "pressure of the fluid at the start, whatever the confinement"
+           "initial pressure of the fluid, regardless of the confinement"
        )},
       {}};
 }
@@ -88,7 +88,7 @@ inline std::string check_poroelastic(const PoroelasticParameters& p) {
   if (alpha < p.porosity && p.grain_bulk_modulus > 0.0) {
     return say(
         "Grain Bulk Modulus = %.6g gives a Biot coefficient 1 - K/Ks = %.6g below the porosity "
-        "(the rock would be stiffer than its grains leave it); raise it, or lower Bulk Modulus or "
+        "(the rock would be stiffer than its grains allow); raise it, or lower Bulk Modulus or "
         "Porosity.",
         p.grain_bulk_modulus,
         alpha

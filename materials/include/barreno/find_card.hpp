@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/models.hpp"
+
+#include <string>
+
+namespace barreno {
+
+/// File of a card that a user or a host names; with or without ".xml".
+///
+/// Searched: the name as a path from `directory`; then the directories of the environment variable
+/// BARRENO_MATERIALS (':' between them); then the cards that Barreno comes with (beside the library
+/// or program, in the source tree, in the installation). In the last two the case of letters does
+/// not count, because hosts turn names to upper case; the same case goes first.
+///
+/// Throws FileError with the part of a sentence after the name, the nearest name included.
+/// @param beside  what that directory is to the user
+std::string find_card(
+    const std::string& card,
+    const std::string& directory = "",
+    const std::string& beside = "in the working directory"
+);
+
+/// The same for a host: from the working directory, and FileError carries the whole sentence.
+std::string named_card(const std::string& card);
+
+/// The material of a card by path or by name, material_open("berea_sandstone"): what
+/// barreno_material_open() is in C and --material in `barreno drive`.
+///
+/// Throws FileError if there is no such card or it cannot be read, InputError for what it says.
+Material material_open(const std::string& card);
+
+}  // namespace barreno

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The point update of wet Arenisca and how fluid flows into and out of it. Read first:
+// wet_arenisca.hpp, which includes this.
+#include "barreno/models/arenisca_update.hpp"
+#include "barreno/models/wet_arenisca.hpp"
+
+namespace barreno {
+
+BARRENO_FUNCTION double WetArenisca::mass_per_volume(const Sym3& stress, const History& h) const {
+  const double fluid = h.porosity - h.gas;
+  if (fluid > 0.0 && h.fluid_mass_ratio > 0.0) return h.fluid_mass_ratio / fluid;
+  // Emptied pores: the volume since the beginning from that of the grains.
+  const arenisca::Constituents& c = rock_.constituents;
+  const double solid = 1.0 - h.porosity;
+  const double effective = -trace(stress) / 3.0 - h.pore_pressure;
+  const double grain_pressure = h.pore_pressure + effective / solid - rock_.initial_pressure;
+  const double volume = (1.0 - rock_.porosity) / solid * std::exp(-grain_pressure * c.per_matrix);
+  return volume / rock_.porosity *
+         std::exp((h.pore_pressure - rock_.initial_pressure) * c.per_fluid);
+}
+
+BARRENO_FUNCTION PorePoint WetArenisca::pore_point(const Sym3& stress, const History& h) const {
+  constexpr double gas = 5e-5;  // bulk modulus over the fluid's: of air and water
+  const arenisca::Constituents& c = rock_.constituents;
+  const double bulk = drained_moduli(stress, h).bulk;
+  PorePoint p;
+  p.pressure = h.pore_pressure;
+  p.biot = 1.0 - bulk * c.per_matrix;
+  p.storage = arenisca::storage_of(c, pores(h), bulk);
+  p.porosity = h.porosity;
+  p.fluid_mass = h.fluid_mass_ratio;
+  p.mass_per_volume = mass_per_volume(stress, h);
+  if (h.pore_pressure == 0.0) {
+    p.gap = h.gas;
+    p.gap_pressure = gas * c.fluid;
+    p.storage += p.gap / p.gap_pressure;
+  }
+  const bool dry_and_closed = h.fluid_mass_ratio == 0.0 && !(h.porosity > 0.0);
+  if (dry_and_closed) p.storage = 0.0;  // they take no fluid
+  return p;
+}
+
+template <class R>
+BARRENO_FUNCTION MaskOf<R> WetArenisca::start_points(Points<R>& p) const {
+  const HistoryOf<R>& h = p.history;
+  const MaskOf<R> sound = arenisca::sound_points(
+                              p.increment,
+                              p.stress,
+                              R(h.plastic_volume_strain + h.fluid_mass_ratio + h.pore_pressure),
+                              h.equivalent_plastic_strain
+                          ) &
+                          (h.fluid_mass_ratio >= 0.0) & (h.pore_pressure >= 0.0) &
+                          (h.porosity >= 0.0) & (h.porosity < 1.0) & (h.gas >= 0.0) &
+                          (h.gas <= h.porosity);
+  return arenisca::start_rock<R>(rock_, sound, p);
+}
+
+template <class R>
+BARRENO_FUNCTION void WetArenisca::finish_points(
+    Points<R>* groups, const MaskOf<R>* flows, int count
+) const {
+  constexpr std::size_t room = groups_together;
+  arenisca::StepOf<R, arenisca::WetRock> steps[room];
+  arenisca::finish_rock(rock_, steps, groups, flows, count);
+}
+
+inline Outcome WetArenisca::update(const Increment& increment, Sym3& stress, History& h) const {
+  return arenisca::update_point(*this, rock_, increment, stress, h);
+}
+
+inline Outcome WetArenisca::drain(double fluid_volume, Sym3& stress, History& h) const {
+  using namespace arenisca;
+  Outcome outcome;
+  outcome.longitudinal_modulus = longitudinal_modulus(stress, h, 1.0);
+  if (fluid_volume == 0.0) return outcome;
+  Outcome refused;
+  refused.substeps = 0;
+  refused.status = Status::bad_input;
+  if (!sound_history(h) || !is_finite(stress)) return refused;
+  const PorePoint before = pore_point(stress, h);
+  const double mass = fluid_mass_after(before, fluid_volume);
+  if (!(before.storage > 0.0) || !(mass >= 0.0) || !std::isfinite(mass)) return refused;
+
+  Points<Lanes> p;
+  repeat_point(Increment{}, stress, h, p);
+  StepOf<Lanes, WetRock> step[1] = {begin_rock<Lanes>(rock_, first_lane(), p)};
+  // What empties the pores takes all of it, whatever round-off says.
+  const double inflow = mass == 0.0 ? h.gas - h.porosity : fluid_volume;
+  step[0].inflow = Lanes{} + inflow;
+  finish_steps(rock_, step, 1);
+  if (real::any(end_step<Lanes>(first_lane(), step[0], p))) {
+    refused.status = Status::not_converged;
+    return refused;
+  }
+  stress = lane_of<Sym3>(p.stress, 0);
+  h = lane_of<History>(p.history, 0);
+  h.fluid_mass_ratio = mass;
+  if (mass == 0.0) h.gas = h.porosity;
+  outcome.substeps = static_cast<int>(step[0].substeps[0]);
+  outcome.plastic_work = step[0].plastic_work[0];
+  outcome.elastic_work = step[0].elastic_work[0] + step[0].fluid_work[0];
+  outcome.longitudinal_modulus = step[0].modulus[0];
+  return outcome;
+}
+
+}  // namespace barreno
