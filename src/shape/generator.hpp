@@ -48,7 +48,7 @@ KOKKOS_INLINE_FUNCTION Tensor series_of_log(const Tensor& z) {
 /// For small entries, without branches, for the compiler to vectorise. The hoop, or the plane's
 /// normal, only stretches.
 /// @param sign  1 for a gradient at the start, -1 at the end
-KOKKOS_INLINE_FUNCTION PlaneTensor short_generator(const PlaneTensor& x, double sign) {
+KOKKOS_FORCEINLINE_FUNCTION PlaneTensor short_generator(const PlaneTensor& x, double sign) {
   const double mx = 2.0 + sign * x.xx, my = 2.0 + sign * x.yy;
   const double inverse = 1.0 / (mx * my - x.xy * x.yx);
   const PlaneTensor m{
@@ -65,7 +65,7 @@ KOKKOS_INLINE_FUNCTION PlaneTensor short_generator(const PlaneTensor& x, double 
       x.zz};
 }
 
-KOKKOS_INLINE_FUNCTION SpaceTensor short_generator(const SpaceTensor& x, double sign) {
+KOKKOS_FORCEINLINE_FUNCTION SpaceTensor short_generator(const SpaceTensor& x, double sign) {
   const SpaceTensor m = plus(2.0, scaled(sign, x));
   const SpaceTensor inverse = scaled(1.0 / determinant(m), transpose(cofactors(m)));
   const SpaceTensor a = series_of_log(multiply(x, inverse));
