@@ -17,6 +17,10 @@ TESTS = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
 from runs import DECKS, run_deck  # noqa: E402
 
+# Where the solver's round-off, 1e-12, decides whether yielding rock takes a substep more, the stress moves by a share of the card's
+# Tolerance: 4e-5 of the largest stress with the default of 0.01, seen on one machine of two.
+SETTINGS = {"perforation_drainage.xml": {"Materials/Sandstone/Tolerance": "1e-6"}}
+
 
 def early(deck):
     """The first hundredth of a deck's time."""
@@ -43,7 +47,8 @@ def same_to(tolerance, one, two):
 
 
 def check_deck(barreno, deck, folder):
-    runs = [run_deck(barreno, deck, early(deck), ranks=ranks, folder=folder / f"{deck}-{ranks}") for ranks in (1, 2)]
+    settings = {**early(deck), **SETTINGS.get(deck, {})}
+    runs = [run_deck(barreno, deck, settings, ranks=ranks, folder=folder / f"{deck}-{ranks}") for ranks in (1, 2)]
     for run in runs:
         assert run.summary["finished"], run.summary["reason"]
         assert run.summary["steps"] >= 2, f"only {run.summary['steps']} steps"
