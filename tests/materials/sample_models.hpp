@@ -139,6 +139,17 @@ struct Sample<Arenisca> {
   }
 };
 
+/// The same rock, of which every piece has a strength of its own.
+template <>
+struct Sample<ScatteredArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    Arenisca::Parameters p = Sample<Arenisca>::parameters();
+    p.weibull_modulus = 6.0;
+    p.weibull_reference_volume = 1e-6;
+    return p;
+  }
+};
+
 /// The same rock full of water.
 template <>
 struct Sample<WetArenisca> : Sample<Arenisca> {

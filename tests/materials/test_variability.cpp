@@ -21,10 +21,10 @@ Arenisca::Parameters varied(double modulus) {
 }
 
 /// PEAKI1 over its mean of pieces whose cube has this volume.
-std::vector<double> factors(const GeneralArenisca& model, double volume, int count) {
+std::vector<double> factors(const ScatteredArenisca& model, double volume, int count) {
   std::vector<double> all;
   for (int id = 1; id <= count; ++id) {
-    GeneralArenisca::History h = model.initial_history();
+    ScatteredArenisca::History h = model.initial_history();
     model.vary(h, {static_cast<std::uint64_t>(id), 1.0, std::pow(volume, 2.0 / 3.0)});
     all.push_back(h.coherence);
   }
@@ -37,7 +37,7 @@ TEST(Variability, StrengthsHaveTheDistributionOfWeibull) {
   for (const double m : {2.0, 6.0, 20.0}) {
     auto p = varied(m);
     p.YSLOPE = 0.0;  // no bound
-    const GeneralArenisca model(p, 2300.0);
+    const ScatteredArenisca model(p, 2300.0);
     std::vector<double> sample = factors(model, reference, count);
     const double gamma = std::tgamma(1.0 + 1.0 / m);
     const double spread = std::sqrt(std::tgamma(1.0 + 2.0 / m) / (gamma * gamma) - 1.0);
@@ -62,18 +62,18 @@ TEST(Variability, SmallPiecesAreStronger) {
   const double m = 6.0;
   auto p = varied(m);
   p.YSLOPE = 0.0;
-  const GeneralArenisca model(p, 2300.0);
+  const ScatteredArenisca model(p, 2300.0);
   const auto at_reference = factors(model, reference, 100), at_small = factors(model, 1e-9, 100);
   for (std::size_t i = 0; i < at_small.size(); ++i) {
     EXPECT_NEAR(at_small[i] / at_reference[i], std::pow(1e-3, -1.0 / m), 1e-12);
   }
   p.weibull_scatter = Arenisca::scale_only;
-  for (const double f : factors(GeneralArenisca(p, 2300.0), 1e-9, 10)) {
+  for (const double f : factors(ScatteredArenisca(p, 2300.0), 1e-9, 10)) {
     EXPECT_NEAR(f, std::pow(1e-3, -1.0 / m), 1e-12);
   }
   // A ring's own volume instead of the cube over its face.
   p.weibull_volume = Arenisca::ring_volume;
-  const GeneralArenisca ring(p, 2300.0);
+  const ScatteredArenisca ring(p, 2300.0);
   auto h = ring.initial_history();
   ring.vary(h, {1, 64.0 * reference, 1.0});
   EXPECT_NEAR(h.coherence, 0.5, 1e-12);
@@ -83,10 +83,10 @@ TEST(Variability, SmallPiecesAreStronger) {
 TEST(Variability, NeighboursAreIndependent) {
   constexpr int count = 40000;
   auto p = varied(6.0);
-  const GeneralArenisca model(p, 2300.0);
+  const ScatteredArenisca model(p, 2300.0);
   p.weibull_seed = 8;
-  const GeneralArenisca other(p, 2300.0);
-  const auto u = [&](const GeneralArenisca& of, int id) {
+  const ScatteredArenisca other(p, 2300.0);
+  const auto u = [&](const ScatteredArenisca& of, int id) {
     return of.weibull().uniform(static_cast<std::uint64_t>(id)) - 0.5;
   };
   double neighbours = 0.0, seeds = 0.0;
@@ -101,7 +101,7 @@ TEST(Variability, NeighboursAreIndependent) {
 /// The strongest of tiny pieces would open the surface backwards.
 TEST(Variability, StrengthIsBounded) {
   const auto p = varied(2.0);
-  const GeneralArenisca model(p, 2300.0);
+  const ScatteredArenisca model(p, 2300.0);
   double strongest = 0.0;
   for (const double f : factors(model, 1e-15, 100)) strongest = std::max(strongest, f);
   EXPECT_LT(p.YSLOPE * p.PEAKI1 * strongest, p.STREN);
@@ -111,8 +111,8 @@ TEST(Variability, StrengthIsBounded) {
 /// Tension breaks the piece at its own strength.
 TEST(Variability, TheVertexIsThatOfThePiece) {
   auto p = varied(6.0);
-  const GeneralArenisca model(p, 2300.0);
-  Point<GeneralArenisca> point(model);
+  const ScatteredArenisca model(p, 2300.0);
+  Point<ScatteredArenisca> point(model);
   model.vary(point.history, {3, 1.0, 1e-4});
   const double factor = point.history.coherence;
   EXPECT_GT(std::fabs(factor - 1.0), 1e-3);

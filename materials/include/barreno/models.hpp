@@ -8,6 +8,7 @@
 #include "barreno/models/linear_elastic.hpp"
 #include "barreno/models/neo_hookean.hpp"
 #include "barreno/models/poroelastic.hpp"
+#include "barreno/models/scattered_arenisca.hpp"
 #include "barreno/models/wet_arenisca.hpp"
 
 #include <string>
@@ -27,6 +28,7 @@ using AnyModel = std::variant<
     NeoHookean,
     JohnsonCook,
     Arenisca,
+    ScatteredArenisca,
     WetArenisca,
     GeneralArenisca,
     GeneralWetArenisca>;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace barreno {
 
@@ -15,34 +16,28 @@ struct Tangent {
   double c[6][6]{};
 };
 
-/// G of a point in this state [stress]. A model with another G than a parameter of that name adds
-/// its own.
+/// Models whose moduli change with the state.
+template <class Model, class = void>
+inline constexpr bool has_moduli_of_state = false;
 template <class Model>
-double shear_modulus(
-    const Model& model, const Sym3& /*stress*/, const typename Model::History& /*h*/
-) {
-  return model.parameters().shear_modulus;
-}
-inline double shear_modulus(const Arenisca& model, const Sym3& stress, const Arenisca::History& h) {
-  return model.rock().elasticity.moduli_at(trace(stress), h.plastic_volume_strain).shear;
-}
+inline constexpr bool has_moduli_of_state<
+    Model,
+    std::void_t<decltype(std::declval<const Model&>().drained_moduli(
+        Sym3{}, std::declval<const typename Model::History&>()
+    ))>> = true;
 
+/// G of a point in this state [stress].
+template <class Model>
+double shear_modulus(const Model& model, const Sym3& stress, const typename Model::History& h) {
+  if constexpr (has_moduli_of_state<Model>)
+    return model.drained_moduli(stress, h).shear;
+  else
+    return model.parameters().shear_modulus;
+}
 inline double shear_modulus(
     const GeneralArenisca& model, const Sym3& stress, const GeneralArenisca::History& h
 ) {
   return model.moduli(stress, h).shear;
-}
-
-inline double shear_modulus(
-    const WetArenisca& model, const Sym3& stress, const WetArenisca::History& h
-) {
-  return model.drained_moduli(stress, h).shear;
-}
-
-inline double shear_modulus(
-    const GeneralWetArenisca& model, const Sym3& stress, const GeneralWetArenisca::History& h
-) {
-  return model.drained_moduli(stress, h).shear;
 }
 
 /// Isotropic stiffness of an unloading point in this state.
@@ -61,9 +56,12 @@ Tangent elastic_tangent(
 }
 
 /// Models whose updates of one point by several strains go in lanes, in common substeps.
+template <class Model, class = void>
+constexpr bool goes_in_lanes = false;
+#if BARRENO_HAS_LANES
 template <class Model>
-constexpr bool goes_in_lanes = BARRENO_HAS_LANES && (std::is_same_v<Model, Arenisca> ||
-                                                     std::is_same_v<Model, WetArenisca>);
+constexpr bool goes_in_lanes<Model, std::enable_if_t<(Model::groups_together > 0)>> = true;
+#endif
 /// Models that choose substeps by their error one point at a time.
 template <class Model>
 constexpr bool chooses_substeps =

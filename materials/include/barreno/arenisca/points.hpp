@@ -70,8 +70,8 @@ struct CapOf {
   R slope{};  ///< dX/d(evp) [stress]
 };
 
-template <class R>
-BARRENO_FUNCTION CapOf<R> cap_of(const Rock& rock, const R& evp) {
+template <class R, class Law>
+BARRENO_FUNCTION CapOf<R> cap_of(const Law& rock, const R& evp) {
   const CrushCurve& crush = rock.crush;
   CapOf<R> cap{none_of<R>()};
   if (crush.p3 == 0.0) return cap;
@@ -98,6 +98,11 @@ template <class R>
 BARRENO_FUNCTION CapOf<R> same_cap(const Cap& cap) {
   return {cap.present ? R{} <= 0.0 : none_of<R>(), R{} + cap.X, R{} + cap.kappa, R{}};
 }
+/// Points that have their own already.
+template <class R>
+BARRENO_FUNCTION CapOf<R> same_cap(const CapOf<R>& cap) {
+  return cap;
+}
 
 /// Point of the meridian at I1 = x, see MeridianPoint.
 template <class R>
@@ -109,9 +114,9 @@ struct MeridianOf {
   R cap_squared, slope;
 };
 
-template <class R>
+template <class R, class Surface>
 BARRENO_FUNCTION MeridianOf<R> meridian_at(
-    const YieldSurface& surface, const R& x, const CapOf<R>& cap
+    const Surface& surface, const R& x, const CapOf<R>& cap
 ) {
   MeridianOf<R> m;
   m.curved = surface.linear() ? R{} : R(surface.a3 * real::exp(R(surface.a2 * x)));
@@ -126,26 +131,18 @@ BARRENO_FUNCTION MeridianOf<R> meridian_at(
 }
 
 /// YieldSurface::contains() from the meridian at x.
-template <class R>
+template <class R, class Surface>
 BARRENO_FUNCTION MaskOf<R> contained(
-    const YieldSurface& surface,
-    const R& x,
-    const R& J2,
-    const CapOf<R>& cap,
-    const MeridianOf<R>& m
+    const Surface& surface, const R& x, const R& J2, const CapOf<R>& cap, const MeridianOf<R>& m
 ) {
   return (x <= surface.vertex) & !(cap.present & (x < cap.X)) & (m.limit >= 0.0) &
          (J2 <= m.limit * m.limit * m.cap_squared);
 }
 
 /// YieldSurface::contains() with its bound that spares the exponential where it decides.
-template <class R>
+template <class R, class Surface>
 BARRENO_FUNCTION MaskOf<R> contains(
-    const YieldSurface& surface,
-    const MaskOf<R>& asked,
-    const R& x,
-    const R& J2,
-    const CapOf<R>& cap
+    const Surface& surface, const MaskOf<R>& asked, const R& x, const R& J2, const CapOf<R>& cap
 ) {
   const MaskOf<R> in_range = asked & (x <= surface.vertex) & !(cap.present & (x < cap.X));
   const MaskOf<R> on_cap = cap.present & (x < cap.kappa);

@@ -30,9 +30,9 @@ struct ReturnEquation {
 /// the return to the limit surface. Both are positive below the solution, and have the same sign on
 /// the compacting side: there the form is taken that is the smoother one.
 /// @param compact where the compacting side is meant
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION void close_equation(
-    const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& compact, ReturnEquation<R>& e
+    const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& compact, ReturnEquation<R>& e
 ) {
   constexpr double near_tip = 0.3;
   const MeridianOf<R>& m = e.m;
@@ -76,9 +76,9 @@ BARRENO_FUNCTION void close_equation(
 }
 
 /// @param capped  where the cap plays a part
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION ReturnEquation<R> return_equation(
-    const Rock& rock,
+    const Law& rock,
     const TrialOf<R>& trial,
     const MaskOf<R>& capped,
     const MaskOf<R>& compact,
@@ -130,9 +130,9 @@ struct GainBracket {
 /// @param open where a root is asked for
 /// @param[in,out] e the equation at the first guess; at the root gain, x, q and cap
 /// @return where it has not converged
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION MaskOf<R> solve_return(
-    const Rock& rock,
+    const Law& rock,
     const TrialOf<R>& trial,
     const MaskOf<R>& capped,
     const MaskOf<R>& compact,

@@ -20,7 +20,7 @@ struct FlowStartOf {
 /// Where elastic paths from inside leave the surface, see crossing().
 template <class R, class Law>
 BARRENO_FUNCTION R crossing_of(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const MaskOf<R>& asked,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,
@@ -42,7 +42,7 @@ BARRENO_FUNCTION R crossing_of(
 /// find_flow_start().
 template <class R, class Law>
 BARRENO_FUNCTION FlowStartOf<R> flow_start_of(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const MaskOf<R>& flows,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,
@@ -50,7 +50,7 @@ BARRENO_FUNCTION FlowStartOf<R> flow_start_of(
 ) {
   constexpr double shrink = 1.0 - 1e-6, near_vertex = 1e-6;
   const StateOf<R>& n = step.n;
-  const YieldSurface& surface = rock.surface;
+  const auto& surface = rock.surface;
   FlowStartOf<R> f{n.x, n.s};
   R q_squared = squared(n.s);
   MeridianOf<R> m = meridian_at(surface, n.x, step.cap);
@@ -122,7 +122,7 @@ BARRENO_FUNCTION ShearOf<R> lengthened(const ShearOf<R>& s, const R& size, const
 /// @param end shear stress that the return leaves
 template <class R, class Law>
 BARRENO_FUNCTION void finish_flow(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,
     const ShearOf<R>& end,
@@ -170,7 +170,7 @@ BARRENO_FUNCTION void finish_flow(
 /// @param asked where the second pass is worth it
 template <class R, class Law>
 BARRENO_FUNCTION void refine_points(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     MaskOf<R> asked,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& first,
@@ -229,7 +229,7 @@ BARRENO_FUNCTION void refine_points(
 /// @param at_trial the meridian at the trial state
 template <class R, class Law>
 BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const MaskOf<R>& flows,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,

@@ -23,14 +23,14 @@ BARRENO_FUNCTION ReturnedOf<R> returned_at(
 
 /// Pores close altogether, where `closed`: no cap is left, and the shear stress comes back to the
 /// limit surface at the pressure that closing leaves.
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION void close_pores(
-    const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& closed, ReturnedOf<R>& r
+    const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& closed, ReturnedOf<R>& r
 ) {
   if (!real::any(closed)) return;
   const R evp = real::select(trial.cap.present, -rock.crush.p3, trial.evp);
   const R x =
-      real::smaller(R(trial.x - trial.triple_bulk * (evp - trial.evp)), rock.surface.vertex);
+      smaller_of(R(trial.x - trial.triple_bulk * (evp - trial.evp)), R(R{} + rock.surface.vertex));
   const R limit = real::larger(meridian_at(rock.surface, x, CapOf<R>{}).limit, 0.0);
   r.x = real::select(closed, x, r.x);
   r.q = real::select(closed, smaller_of(trial.q, limit), r.q);
@@ -46,9 +46,9 @@ BARRENO_FUNCTION void close_pores(
 /// @param opens where it is asked for; there e is at the least dilation, with too little of it
 /// @param first gain of evp to try first
 /// @param[in,out] e the equation at the lower end of the bracket
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION void find_dilation(
-    const Rock& rock,
+    const Law& rock,
     const TrialOf<R>& trial,
     const MaskOf<R>& capped,
     const MaskOf<R>& opens,
@@ -80,9 +80,9 @@ BARRENO_FUNCTION void find_dilation(
 /// Where a return to the limit surface or the vertex finds that the cap has retracted into the way:
 /// return to that cap.
 /// @param limited where the return went to the limit surface or the vertex
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION void return_to_retracted_cap(
-    const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& limited, ReturnedOf<R>& r
+    const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& limited, ReturnedOf<R>& r
 ) {
   // The crush curve is concave: its tangent tells most that clear the cap.
   const double last_open = rock.crush.last_open();
@@ -120,15 +120,15 @@ BARRENO_FUNCTION void return_to_retracted_cap(
 /// @param outside  where a return is asked for
 /// @param at_trial the meridian at the trial state
 /// @param guess    gain of evp near the solution, as of a return nearby; infinity: none
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION ReturnedOf<R> return_points(
-    const Rock& rock,
+    const Law& rock,
     const TrialOf<R>& trial,
     const MaskOf<R>& outside,
     const MeridianOf<R>& at_trial,
     const R& guess
 ) {
-  const YieldSurface& surface = rock.surface;
+  const auto& surface = rock.surface;
   const R per_bulk = 1.0 / trial.triple_bulk;
   const MaskOf<R> capped = trial.cap.present & (trial.x < trial.cap.kappa);
   const MaskOf<R> beyond_tip = capped & (trial.x <= trial.cap.X);
@@ -169,7 +169,7 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
   const MaskOf<R> open = wanted & !closed;
   const MaskOf<R> failed = solve_return(rock, trial, capped, compact, open, bracket, e);
   ReturnedOf<R> r = returned_at(trial, e, failed);
-  r.x = real::select(to_vertex, surface.vertex, r.x);
+  r.x = real::select(to_vertex, R(R{} + surface.vertex), r.x);
   r.q = real::select(to_vertex, 0.0, r.q);
   r.evp = real::select(to_vertex, trial.evp + least, r.evp);
   if (rock.crush.p3 == 0.0) return r;

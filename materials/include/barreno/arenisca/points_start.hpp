@@ -44,7 +44,10 @@ struct StartOf : WithPores<R, Law::wet> {
 
 template <class R, class Law>
 BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
-    const Law& rock, const StartOf<R, Law>& n, const CapOf<R>& cap, const MaskOf<R>& asked
+    const RockOf<R, Law>& rock,
+    const StartOf<R, Law>& n,
+    const CapOf<R>& cap,
+    const MaskOf<R>& asked
 ) {
   WholeStepOf<R, Law> p;
   R strain = n.dv;
@@ -69,7 +72,7 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
 /// @return where it is so
 template <class R, class Law>
 BARRENO_FUNCTION MaskOf<R> step_elastically(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const StartOf<R, Law>& n,
     const MaskOf<R>& asked,
     WholeStepOf<R, Law>& p,
@@ -131,7 +134,7 @@ BARRENO_FUNCTION PlaneOf<R> plane_of(const Sym3Of<R>& s, const Sym3Of<R>& de) {
 /// First state of the steps asked for, in their planes.
 template <class R, class Law>
 BARRENO_FUNCTION StepOf<R, Law> begin_step(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const StartOf<R, Law>& n,
     const PlaneOf<R>& plane,
     const R& shear_strain,

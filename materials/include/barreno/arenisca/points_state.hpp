@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/points_pieces.hpp"
 #include "barreno/arenisca/points_pores.hpp"
 
 namespace barreno::arenisca {
@@ -57,8 +58,9 @@ struct AttemptOf : WithPores<R, Law::wet> {
 
 /// Volume strain of the skeleton in an elastic substep.
 template <class R, class Law>
-BARRENO_FUNCTION R
-skeleton_strain(const Law& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p) {
+BARRENO_FUNCTION R skeleton_strain(
+    const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p
+) {
   if constexpr (Law::wet)
     return step.dv + p.rise * rock.constituents.per_matrix;
   else
@@ -68,7 +70,10 @@ skeleton_strain(const Law& rock, const SubstepOf<R, Law>& step, const Prediction
 /// Stress from moduli of the skeleton, and where the fluid is, from how its pressure rises.
 template <class R, class Law>
 BARRENO_FUNCTION void predict_with(
-    const Law& rock, const SubstepOf<R, Law>& step, const ModuliOf<R>& used, PredictionOf<R, Law>& p
+    const RockOf<R, Law>& rock,
+    const SubstepOf<R, Law>& step,
+    const ModuliOf<R>& used,
+    PredictionOf<R, Law>& p
 ) {
   p.used = used;
   p.x = step.n.x + 3.0 * used.bulk * skeleton_strain(rock, step, p);
@@ -80,7 +85,10 @@ BARRENO_FUNCTION void predict_with(
 /// Path of the fluid's pressure in an elastic substep with this bulk modulus of the skeleton.
 template <class R, class Law>
 BARRENO_FUNCTION void predict_pressure(
-    const Law& rock, const SubstepOf<R, Law>& step, const R& bulk, PredictionOf<R, Law>& p
+    const RockOf<R, Law>& rock,
+    const SubstepOf<R, Law>& step,
+    const R& bulk,
+    PredictionOf<R, Law>& p
 ) {
   if constexpr (Law::wet) {
     const Constituents& c = rock.constituents;
@@ -97,7 +105,7 @@ BARRENO_FUNCTION void predict_pressure(
 /// 3K of the skeleton, as seen by a return: what plastic strain takes off the fluid's pressure
 /// strains it too.
 template <class R, class Law>
-BARRENO_FUNCTION R stiffness_of_return(const Law& rock, const PredictionOf<R, Law>& p) {
+BARRENO_FUNCTION R stiffness_of_return(const RockOf<R, Law>& rock, const PredictionOf<R, Law>& p) {
   if constexpr (Law::wet)
     return 3.0 * p.used.bulk * (1.0 + p.fall * rock.constituents.per_matrix);
   else
@@ -108,7 +116,7 @@ BARRENO_FUNCTION R stiffness_of_return(const Law& rock, const PredictionOf<R, La
 /// another one.
 template <class R, class Law>
 BARRENO_FUNCTION R pressure_error(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,
     const AttemptOf<R, Law>& a
@@ -122,7 +130,7 @@ BARRENO_FUNCTION R pressure_error(
 /// The path of the fluid's pressure for a second pass: through the end of the first.
 template <class R, class Law>
 BARRENO_FUNCTION void follow_pressure(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const SubstepOf<R, Law>& step,
     const R& bulk,
     const AttemptOf<R, Law>& a,
@@ -136,7 +144,7 @@ BARRENO_FUNCTION void follow_pressure(
 
 /// 9 beta^2 K/G, K as the return sees it.
 template <class R, class Law>
-BARRENO_FUNCTION R metric_of(const Law& rock, const PredictionOf<R, Law>& p) {
+BARRENO_FUNCTION R metric_of(const RockOf<R, Law>& rock, const PredictionOf<R, Law>& p) {
   const R metric = (9.0 * rock.beta * rock.beta) * p.used.bulk / p.used.shear;
   if constexpr (Law::wet)
     return metric * (1.0 + p.fall * rock.constituents.per_matrix);

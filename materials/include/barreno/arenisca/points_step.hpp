@@ -8,9 +8,9 @@ namespace barreno::arenisca {
 // A whole step of one or several points: substep.hpp in lanes, each point with its own substeps.
 
 /// Moduli at the middle of a substep, I1 held within what the surface admits.
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION ModuliOf<R> used_moduli(
-    const Rock& rock,
+    const Law& rock,
     const R& x_n,
     const R& triple_dv,
     const CapOf<R>& cap,
@@ -18,7 +18,7 @@ BARRENO_FUNCTION ModuliOf<R> used_moduli(
     const R& coupling,
     const ModuliOf<R>& start
 ) {
-  R x = real::smaller(R(x_n + start.bulk * triple_dv), rock.surface.vertex);
+  R x = smaller_of(R(x_n + start.bulk * triple_dv), R(R{} + rock.surface.vertex));
   x = real::select(cap.present & (x < cap.X), cap.X, x);
   const R middle = term.value + 0.5 * term.slope * (x - x_n);
   return moduli_of(rock.elasticity, R(real::smaller(real::larger(middle, 0.0), 1.0)), coupling);
@@ -27,7 +27,7 @@ BARRENO_FUNCTION ModuliOf<R> used_moduli(
 /// Elastic prediction with the moduli of this plastic strain.
 template <class R, class Law>
 BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
-    const Law& rock, const SubstepOf<R, Law>& step, const R& evp
+    const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const R& evp
 ) {
   const StateOf<R>& n = step.n;
   const Elasticity& e = rock.elasticity;
@@ -77,7 +77,7 @@ BARRENO_FUNCTION ModuliOf<R> moduli_after_points(
 /// End of elastic substeps, where `inside`.
 template <class R, class Law>
 BARRENO_FUNCTION void accept_elastic(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const MaskOf<R>& inside,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,
@@ -112,7 +112,7 @@ BARRENO_FUNCTION void accept_elastic(
 /// @param[in,out] a replaced where `asked`
 template <class R, class Law>
 BARRENO_FUNCTION void begin_to_dilate(
-    const Law& rock,
+    const RockOf<R, Law>& rock,
     const MaskOf<R>& asked,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,
@@ -148,7 +148,7 @@ BARRENO_FUNCTION void begin_to_dilate(
 /// @param asked where it is asked for
 template <class R, class Law>
 BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
-    const Law& rock, const MaskOf<R>& asked, const SubstepOf<R, Law>& step
+    const RockOf<R, Law>& rock, const MaskOf<R>& asked, const SubstepOf<R, Law>& step
 ) {
   const StateOf<R>& n = step.n;
   const PredictionOf<R, Law> p = predict_points(rock, step, n.evp);
@@ -198,7 +198,7 @@ struct FluidOfStep<R, true> {
 
 /// A step of points in progress.
 template <class R, class Law>
-struct StepOf : FluidOfStep<R, Law::wet> {
+struct StepOf : FluidOfStep<R, Law::wet>, WithCoherence<R, Law::scattered> {
   StateOf<R> state;
   CapOf<R> cap;
   R dv;
@@ -309,16 +309,17 @@ BARRENO_FUNCTION VerdictOf<R> verdict_on(
 
 /// One attempt of every active point, and what follows from it.
 template <class R, class Law, class Choice = OwnSubsteps>
-BARRENO_FUNCTION void advance_step(const Law& rock, StepOf<R, Law>& step, Choice choose = {}) {
+BARRENO_FUNCTION void advance_step(const Law& law, StepOf<R, Law>& step, Choice choose = {}) {
   const MaskOf<R> last = step.done + step.fraction >= 1.0;
   const R fraction = real::select(last, 1.0 - step.done, step.fraction);
+  const auto& rock = rock_of<R>(law, step);
   const AttemptOf<R, Law> a = attempt_points(rock, step.active, substep_of(step, fraction));
-  VerdictOf<R> verdict = verdict_on(rock, step, fraction, a);
+  VerdictOf<R> verdict = verdict_on(law, step, fraction, a);
   choose(verdict);
   step.refused = step.refused | (step.active & verdict.gives_up);
   step.active = step.active & !verdict.gives_up;
   const MaskOf<R> takes = step.active & verdict.takes;
-  take_substeps(rock, takes, fraction, a, step);
+  take_substeps(law, takes, fraction, a, step);
   step.active = step.active & !(takes & last);
   if (!real::any(step.active)) return;
   if (real::any(step.active & takes))

@@ -13,7 +13,8 @@ namespace barreno::arenisca {
 
 /// Everything about the material that a point update reads.
 struct Rock {
-  static constexpr bool wet = false;  ///< no pore fluid
+  static constexpr bool wet = false;        ///< no pore fluid
+  static constexpr bool scattered = false;  ///< every piece has the same strength
 
   Elasticity elasticity;
   YieldSurface surface;

@@ -126,7 +126,11 @@ struct Arenisca {
   /// K + 4G/3 of a point in this state [stress].
   BARRENO_FUNCTION double
   longitudinal_modulus(const Sym3& stress, const History& h, double /*volume_ratio*/) const {
-    return plane_wave_modulus(rock_.elasticity.moduli_at(trace(stress), h.plastic_volume_strain));
+    return plane_wave_modulus(drained_moduli(stress, h));
+  }
+  /// Tangent moduli of a point in this state.
+  BARRENO_FUNCTION arenisca::Moduli drained_moduli(const Sym3& stress, const History& h) const {
+    return rock_.elasticity.moduli_at(trace(stress), h.plastic_volume_strain);
   }
   const Parameters& parameters() const { return p_; }
   const arenisca::Rock& rock() const { return rock_; }

@@ -39,6 +39,12 @@ inline bool is_plain(const AreniscaParameters& p) {
          p.return_solver == 0;
 }
 
+/// Dry rock of which nothing but the strength varies, with the fast return.
+inline bool is_scattered(const AreniscaParameters& p) {
+  return p.weibull_modulus > 0.0 && p.fluid_B0 == 0.0 && p.T1_rate_dependence == 0.0 &&
+         p.J3_type == 0 && p.return_solver == 0;
+}
+
 using Entries = std::vector<ParameterEntry<AreniscaParameters>>;
 
 inline Entries strength_entries() {

@@ -77,10 +77,14 @@ BARRENO_FUNCTION MaskOf<R> end_step(const MaskOf<R>& flows, const StepOf<R, Law>
 /// A step that flows, from the point as it is before it.
 template <class R, class Law, class Points>
 BARRENO_FUNCTION StepOf<R, Law> begin_rock(
-    const Law& rock, const MaskOf<R>& flows, const Points& p
+    const Law& law, const MaskOf<R>& flows, const Points& p
 ) {
-  const StartOf<R, Law> n = start_of<R>(rock, p);
-  return begin_step(rock, n, plane_of(n.s, n.de), p.history.equivalent_plastic_strain, flows);
+  const StartOf<R, Law> n = start_of<R>(law, p);
+  const auto& rock = rock_of<R>(law, p.history);
+  const R& flowed = p.history.equivalent_plastic_strain;
+  StepOf<R, Law> step = begin_step(rock, n, plane_of(n.s, n.de), flowed, flows);
+  if constexpr (Law::scattered) step.coherence = p.history.coherence;
+  return step;
 }
 
 inline LaneMask first_lane() {
@@ -108,8 +112,9 @@ inline void repeat_point(
 /// First part of an update (outcome.hpp): steps that are elastic.
 /// @return where more is to do
 template <class R, class Law, class Points>
-BARRENO_FUNCTION MaskOf<R> start_rock(const Law& rock, const MaskOf<R>& sound, Points& p) {
-  const StartOf<R, Law> n = start_of<R>(rock, p);
+BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Points& p) {
+  const StartOf<R, Law> n = start_of<R>(law, p);
+  const auto& rock = rock_of<R>(law, p.history);
   p.outcome.sound = sound;
   WholeStepOf<R, Law> whole;
   const MaskOf<R> elastic = step_elastically(rock, n, sound, whole, p.outcome);

@@ -6,6 +6,7 @@
 #include "barreno/arenisca/rate.hpp"
 #include "barreno/arenisca/weibull.hpp"
 #include "barreno/models/arenisca.hpp"
+#include "barreno/models/scattered_arenisca.hpp"
 #include "barreno/pore_point.hpp"
 
 #include <cmath>
@@ -14,9 +15,9 @@
 
 namespace barreno {
 
-/// Arenisca with pore fluid, rate dependence, variability or third invariant: what the drained,
-/// quasi-static form (models/arenisca.hpp) leaves out because most scenes do without it. A card
-/// asks for neither by name: the registry takes this form where needed() says so.
+/// Arenisca with rate dependence, third invariant or pore fluid in a published form: what the
+/// drained, quasi-static form (models/arenisca.hpp) leaves out because most scenes do without it. A
+/// card asks for neither by name: the registry takes this form where needed() says so.
 ///
 /// The stress that hosts see is the dynamic one; the overstress is history.
 struct GeneralArenisca {
@@ -37,7 +38,7 @@ struct GeneralArenisca {
   static constexpr int history_count = 13;
 
   static bool needed(const Parameters& p) {
-    if (arenisca::is_poroplastic(p)) return false;
+    if (arenisca::is_poroplastic(p) || arenisca::is_scattered(p)) return false;
     return p.fluid_B0 > 0.0 || p.T1_rate_dependence > 0.0 || p.J3_type != arenisca::Lode::none ||
            p.weibull_modulus > 0.0 || p.return_solver != 0;
   }
@@ -48,7 +49,7 @@ struct GeneralArenisca {
   }
 
   GeneralArenisca(const Parameters& p, double /*density*/)
-      : p_(p), rock_(make_rock(p)), weibull_(make_weibull(p)) {}
+      : p_(p), rock_(make_rock(p)), weibull_(arenisca::make_weibull(p)) {}
 
   /// Gives a piece of rock the strength of its own; a host that makes pieces calls this once, one
   /// that does not has the mean everywhere.
@@ -110,7 +111,6 @@ private:
     return rock_.fluid.present() && !rock_.published.present() && !rock_.plastic_backstress;
   }
   static arenisca::GeneralRock make_rock(const Parameters& p);
-  static arenisca::Weibull make_weibull(const Parameters& p);
 
   BARRENO_FUNCTION static Sym3 overstress(const History& h) {
     return {
@@ -244,20 +244,6 @@ inline arenisca::GeneralRock GeneralArenisca::make_rock(const Parameters& p) {
         arenisca::make_published_fluid(p.fluid_B0, matrix, p.fluid_pressure_initial, porosity);
   }
   return rock;
-}
-
-inline arenisca::Weibull GeneralArenisca::make_weibull(const Parameters& p) {
-  constexpr double margin = 0.99;  // of STREN > YSLOPE PEAKI1
-  arenisca::Weibull w;
-  w.modulus = p.weibull_modulus;
-  w.reference_volume = p.weibull_reference_volume;
-  w.seed = static_cast<std::uint64_t>(p.weibull_seed);
-  w.ring = p.weibull_volume == Arenisca::ring_volume;
-  w.scale_only = p.weibull_scatter == Arenisca::scale_only;
-  if (p.STREN > 0.0 && p.YSLOPE * p.PEAKI1 > 0.0) {
-    w.bound = std::fmax(1.0, margin * p.STREN / (p.YSLOPE * p.PEAKI1));
-  }
-  return w;
 }
 
 inline GeneralArenisca::History GeneralArenisca::initial_history() const {
