@@ -7,6 +7,7 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -27,6 +28,41 @@ def run(*command, **more):
 def numbers(line):
     model, *values = line.split()
     return model, [float(v) for v in values]
+
+
+PYTHON_PROGRAM = """
+import numpy
+from barreno_material import Material
+with Material("berea_sandstone") as rock:
+    stress, state = rock.virgin(2)
+    answer = rock.update(numpy.array([[-1e-2, 2e-3, 2e-3, 0, 0, 0], [2e-3, 2e-3, -1e-2, 0, 0, 0]]), stress, state)
+    assert not answer.status.any() and answer.stress[0, 0] < -5e7, answer
+    assert numpy.isclose(answer.stress[0, 0], answer.stress[1, 2], rtol=1e-12), answer
+    assert answer.state[0, rock.state_index("equivalent_plastic_strain")] > 0.0, answer
+    assert numpy.isclose(answer.tangent[0, 0, 0], answer.tangent[1, 2, 2], rtol=1e-6), answer
+    print(rock.file)
+try:
+    Material("berea_sandston")
+except ValueError as refusal:
+    assert "did you mean 'berea_sandstone'?" in str(refusal), refusal
+else:
+    raise AssertionError("a card that is none was opened")
+"""
+
+
+def check_pkg_config(prefix, folder, expected):
+    """A host without CMake: the compiler's options from pkg-config."""
+    program, tool = folder / "plain_c", shutil.which("pkg-config")
+    if tool is None:
+        print("pkg-config is not here: its file was not tried")
+        return
+    where = {**os.environ, "PKG_CONFIG_PATH": str(next(prefix.glob("lib*/**/pkgconfig")))}
+    options = run(tool, "--cflags", "--libs", "barreno", env=where).split()
+    libraries = run(tool, "--variable=libdir", "barreno", env=where).strip()
+    run("cc", HERE / "consumer.c", "-o", program, *options, "-lm", f"-Wl,-rpath,{libraries}")
+    assert numbers(run(program)) == expected
+    needed = run("ldd", program)
+    assert "libBARRENO.so.1 " in needed, needed
 
 
 def main():
@@ -57,6 +93,12 @@ def main():
             assert numbers(run(outside / program, card)) == numbers(run(outside / program)), f"{program}: path and name differ"
             refused = subprocess.run([outside / program, "berea_sandston"], capture_output=True, text=True, timeout=60)
             assert refused.returncode == 1 and refused.stderr == NO_CARD, refused.stderr
+
+        check_pkg_config(prefix, scratch, in_c)
+        python = {k: v for k, v in os.environ.items() if k not in ("BARRENO_LIBRARY", "BARRENO_MATERIALS")}
+        python["PYTHONPATH"] = str(prefix / "share/barreno/python")
+        found = run(sys.executable, "-c", PYTHON_PROGRAM, env=python).strip()
+        assert pathlib.Path(found).resolve() == card.resolve(), found
 
         # The library that hosts load finds the cards that it was installed and moved with.
         library = next(prefix.glob("lib*/**/libBARRENO.so"))

@@ -3,8 +3,6 @@
 
 import numpy
 
-import calculix
-
 PAIRS = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]  # the order of barreno_material.h
 
 
@@ -25,16 +23,6 @@ def stiffness(tangent):
                 for p, q in {(k, l), (l, k)}:
                     full[:, x, y, p, q] = tangent[:, a, b]
     return full
-
-
-def module():
-    try:
-        import getfem
-    except ImportError:
-        calculix.skip("no GetFEM for Python (Debian package python3-getfem).")
-    getfem.util("trace level", 0)
-    getfem.util("warning level", 0)
-    return getfem
 
 
 class Box:

@@ -1,10 +1,35 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plug of plug.py in GetFEM."""
+"""A quarter of a sandstone plug between glued platens in GetFEM: confined at the sides, then pressed.
+
+    getfem_plug.py [CARD [INCREMENTS]]     platen force after each increment
+
+Needs getfem_box.py beside it, and barreno_material.py in PYTHONPATH.
+"""
+
+import itertools
+import sys
 
 import numpy
 
 import getfem_box
-import plug
+
+CELLS = (4, 4, 4)
+LENGTHS = (12.7e-3, 11.0e-3, 25.4e-3)  # m, between three planes of symmetry
+CONFINEMENT = 20e6  # Pa, on the sides
+
+# (increments, displacement of the platen at the end [m], pressure on the sides at the end [Pa]): ramps one after
+# the other, small strains, loads on the undeformed faces.
+STEPS = ((5, -3e-5, CONFINEMENT), (24, -3e-4, CONFINEMENT))
+
+
+def increments():
+    """(platen, pressure) at the end of each increment."""
+    platen = pressure = 0.0
+    for count, platen_end, pressure_end in STEPS:
+        for i in range(1, count + 1):
+            t = i / count
+            yield platen + t * (platen_end - platen), pressure + t * (pressure_end - pressure)
+        platen, pressure = platen_end, pressure_end
 
 
 def force_of_unit_pressure(box):
@@ -17,9 +42,10 @@ def force_of_unit_pressure(box):
     return force[box.own()]
 
 
-def solve(material, getfem):
-    """Force on the platen [N] and stress and state at the points after each increment, and Newton's iterations."""
-    box = getfem_box.Box(getfem, plug.CELLS, plug.LENGTHS)
+def solve(material, getfem, count=None):
+    """Force on the platen [N] and stress and state at the points after each increment, and Newton's iterations.
+    @param count  of increments, all without it"""
+    box = getfem_box.Box(getfem, CELLS, LENGTHS)
     platen_moves = box.on_face(2, True, 2)
     held = box.on_face(2, True, 0) | box.on_face(2, True, 1)
     for axis in range(3):
@@ -29,7 +55,7 @@ def solve(material, getfem):
     stress, state = material.virgin(box.points)
     forces, stresses, states, iterations = [], [], [], []
     old_platen = 0.0
-    for platen, pressure in plug.increments():
+    for platen, pressure in itertools.islice(increments(), count):
         du = (platen - old_platen) * platen_moves
         _, stress, state, residual, iteration = getfem_box.equilibrium(
             box, material, du, free, stress, state, pressure * sides
@@ -40,3 +66,20 @@ def solve(material, getfem):
         stresses.append(stress)
         states.append(state)
     return numpy.array(forces), stresses, states, iterations
+
+
+def main():
+    import getfem
+    from barreno_material import Material
+
+    getfem.util("trace level", 0)
+    getfem.util("warning level", 0)
+    material = Material(sys.argv[1] if len(sys.argv) > 1 else "berea_sandstone")
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else None
+    forces, _, _, iterations = solve(material, getfem, count)
+    for number, (force, iteration) in enumerate(zip(forces, iterations), 1):
+        print(f"increment {number}: {force:.6e} N, {iteration} iterations")
+
+
+if __name__ == "__main__":
+    main()

@@ -124,7 +124,7 @@ def compare(path, printed, own):
 
 def main():
     library, ccx = sys.argv[1], calculix.program(sys.argv[2])
-    material = barreno_library.Material(barreno_library.load(library), barreno_library.CARDS / f"{CARD.lower()}.xml")
+    material = barreno_library.Material(barreno_library.CARDS / f"{CARD.lower()}.xml", library)
     for path, (conditions, loads) in PATHS.items():
         with tempfile.TemporaryDirectory() as folder:
             code, said, printed = calculix.run(

@@ -80,7 +80,7 @@ def check_cutback(ccx, library):
         code, said, printed = calculix.run(ccx, library, folder, deck(good(), squeeze, first=1.0), name="cutback")
     calculix.assert_job(code, said, CARD)
     assert "requested by a material user routine" in said, said[-2000:]
-    material = barreno_library.Material(barreno_library.load(library), "berea_sandstone")
+    material = barreno_library.Material("berea_sandstone", library)
     stress, state = material.virgin(1)
     times = sorted(printed["stresses"])
     assert len(times) > 1, "the step must have been cut"

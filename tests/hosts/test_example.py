@@ -35,7 +35,7 @@ def check_page(library):
     cards = sorted(barreno_library.CARDS.glob("*.xml"))
     assert cards
     for card in cards:
-        material = barreno_library.Material(library, card)
+        material = barreno_library.Material(card, library)
         model = library.barreno_material_model(material.handle).decode()
         row = f"| {model} | {material.state_count} | " + ", ".join(material.state_names) + " |"
         assert row in page, f"docs/finite_elements.md lacks the row\n{row}"

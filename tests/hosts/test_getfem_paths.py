@@ -1,17 +1,23 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """One brick of Berea sandstone in GetFEM against `barreno drive` along the same strains: the paths of
-test_ccx_paths.py.
+test_ccx_paths.py. And the plug's two files by themselves, as docs/finite_elements.md has users copy them.
 
     test_getfem_paths.py LIBRARY BARRENO
 """
 
+import os
+import pathlib
+import shutil
+import subprocess
 import sys
+import tempfile
 
 import numpy
 
 import barreno_library
 import getfem_box
+import getfem_module
 import test_ccx_paths as paths
 
 
@@ -45,10 +51,26 @@ def drive(material, getfem, path):
     return numpy.array(strains), numpy.array(rows)
 
 
+def check_copied_files(library):
+    """The first increments of the plug in a folder with nothing else: elastic, so the force follows the displacement."""
+    here = pathlib.Path(__file__).resolve().parent
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("getfem_box.py", "getfem_plug.py"):
+            shutil.copy(here / name, folder)
+        environment = {**os.environ, "PYTHONPATH": str(barreno_library.MATERIALS / "python"), "BARRENO_LIBRARY": library}
+        command = [sys.executable, pathlib.Path(folder) / "getfem_plug.py", "berea_sandstone", "2"]
+        result = subprocess.run(command, env=environment, cwd=folder, capture_output=True, text=True)
+        assert result.returncode == 0, result.stderr
+        lines = [line for line in result.stdout.splitlines() if line.startswith("increment")]
+        forces = [float(line.split()[2]) for line in lines]
+        assert len(forces) == 2 and 1.5 < forces[1] / forces[0] < 2.5, result.stdout
+
+
 def main():
-    getfem = getfem_box.module()
+    getfem = getfem_module.module()
     card = barreno_library.CARDS / f"{paths.CARD.lower()}.xml"
-    material = barreno_library.Material(barreno_library.load(sys.argv[1]), card)
+    material = barreno_library.Material(card, sys.argv[1])
+    check_copied_files(sys.argv[1])
     for path in paths.PATHS:
         strains, own = drive(material, getfem, path)
         print(f"{path}: stress_zz ends at {own[-1, 2]:.7e} Pa in GetFEM")

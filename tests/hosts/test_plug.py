@@ -13,7 +13,7 @@ import numpy
 import barreno_library
 import calculix
 import calculix_plug
-import getfem_box
+import getfem_module
 import getfem_plug
 import plug
 
@@ -27,9 +27,9 @@ def spread(stress):
 
 
 def main():
-    library, ccx, gf = sys.argv[1], calculix.program(sys.argv[2]), getfem_box.module()
+    library, ccx, gf = sys.argv[1], calculix.program(sys.argv[2]), getfem_module.module()
     with tempfile.TemporaryDirectory() as folder:
-        material = barreno_library.Material(barreno_library.load(library), plug.write_card(folder))
+        material = barreno_library.Material(plug.write_card(folder), library)
     force, stresses, states = calculix_plug.solve(ccx, library, material.state_count)
     other_force, other_stresses, other_states, iterations = getfem_plug.solve(material, gf)
 

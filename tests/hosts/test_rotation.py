@@ -147,7 +147,7 @@ def main():
             Host(library, "RATE_BEREA", 15).step(strain_of(0), 2 * numpy.eye(3))
             return
         for card, tensor_name in (("RATE_BEREA", "overstress_xx"), ("RUBBER", "green_strain_xx")):
-            names = barreno_library.Material(library, card).state_names
+            names = barreno_library.Material(card, library).state_names
             check_turning(library, card, len(names), names.index(tensor_name))
         check_refusal([path, folder], ["DROT is not a rotation", "overstress_xx and the like", "unit matrix"])
 

@@ -22,7 +22,7 @@ def check_interface(library):
     random = numpy.random.default_rng(1)
     count, rounds = 4000, 5
     for card in ("berea_sandstone", "copper"):
-        material = barreno_library.Material(library, barreno_library.CARDS / f"{card}.xml")
+        material = barreno_library.Material(barreno_library.CARDS / f"{card}.xml", library)
         strain = random.normal(0.0, 3e-3, (count, 6))
 
         def advance(part):
@@ -55,7 +55,7 @@ def main():
     library = barreno_library.load(sys.argv[1])
     check_interface(library)
     ccx = calculix.program(sys.argv[2])
-    check_calculix(ccx, sys.argv[1], barreno_library.Material(library, "berea_sandstone").state_count)
+    check_calculix(ccx, sys.argv[1], barreno_library.Material("berea_sandstone", library).state_count)
 
 
 if __name__ == "__main__":

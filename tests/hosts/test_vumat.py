@@ -98,7 +98,7 @@ def check_null_pointers(path):
     """What an unfinished host may leave out: all that is not needed."""
     os.environ["BARRENO_CARD"] = "berea_sandstone"  # such a host gives no name either
     library = barreno_library.load(path)
-    material = barreno_library.Material(library, "berea_sandstone")
+    material = barreno_library.Material("berea_sandstone", library)
     integer = lambda v: ctypes.byref(ctypes.c_int(v))
     real = lambda v: ctypes.byref(ctypes.c_double(v))
     strain = numpy.asfortranarray(increments(2, 1)[:, ORDER])
@@ -121,7 +121,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         program = build(folder, path)
         for card in ("berea_sandstone", "copper"):
-            material = barreno_library.Material(library, card)
+            material = barreno_library.Material(card, library)
             for points in (1, 7, 512):
                 check_block(program, material, card, points)
     check_null_pointers(path)

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Barreno's materials in Python: barreno_material.h by ctypes, with NumPy arrays.
+
+    import numpy
+    from barreno_material import Material
+
+    rock = Material("berea_sandstone")
+    stress, state = rock.virgin(1)
+    strain = numpy.array([[-1e-3, 0, 0, 0, 0, 0]])
+    answer = rock.update(strain, stress, state)
+    print(answer.stress, answer.state[:, rock.state_index("plastic_volume_strain")])
+
+Components are 11 22 33 12 13 23, strains those of the tensor, units SI, tension positive (docs/finite_elements.md).
+"""
+
+import collections
+import ctypes
+import os
+import pathlib
+
+import numpy
+
+ABI_VERSION = 1
+STRESS, ELASTIC, CONSISTENT = 0, 1, 2  # what an update is asked for: stress alone, or with one of two tangents
+
+Answer = collections.namedtuple("Answer", "stress state tangent status")
+
+_doubles = ctypes.POINTER(ctypes.c_double)
+_integers = ctypes.POINTER(ctypes.c_int)
+
+
+class _Batch(ctypes.Structure):
+    _fields_ = [
+        ("count", ctypes.c_int),
+        ("want", ctypes.c_int),
+        ("time_increment", ctypes.c_double),
+        ("strain_increment", _doubles),
+        ("stress_old", _doubles),
+        ("stress_new", _doubles),
+        ("state_old", _doubles),
+        ("state_new", _doubles),
+        ("tangent", _doubles),
+        ("work", _doubles),
+        ("status", _integers),
+    ]
+
+
+_SIGNATURES = {
+    "abi_version": (ctypes.c_int, []),
+    "version": (ctypes.c_char_p, []),
+    "last_error": (ctypes.c_char_p, []),
+    "material_open": (ctypes.c_void_p, [ctypes.c_char_p]),
+    "material_close": (None, [ctypes.c_void_p]),
+    "material_model": (ctypes.c_char_p, [ctypes.c_void_p]),
+    "material_file": (ctypes.c_char_p, [ctypes.c_void_p]),
+    "material_density": (ctypes.c_double, [ctypes.c_void_p]),
+    "material_state_count": (ctypes.c_int, [ctypes.c_void_p]),
+    "material_state_name": (ctypes.c_char_p, [ctypes.c_void_p, ctypes.c_int]),
+    "material_state_initial": (ctypes.c_double, [ctypes.c_void_p, ctypes.c_int]),
+    "material_update": (ctypes.c_int, [ctypes.c_void_p, ctypes.POINTER(_Batch)]),
+}
+
+
+def find_library():
+    """libBARRENO.so of the environment variable BARRENO_LIBRARY, or of the installation that this file belongs to."""
+    named = os.environ.get("BARRENO_LIBRARY")
+    if named:
+        return pathlib.Path(named)
+    for folder in pathlib.Path(__file__).resolve().parents:
+        for found in sorted(folder.glob("lib*/libBARRENO.so")) + sorted(folder.glob("lib*/*/libBARRENO.so")):
+            return found
+    raise FileNotFoundError(
+        "libBARRENO.so was not found above this file; set BARRENO_LIBRARY to its path, or pass the library to Material()."
+    )
+
+
+def load(path=None):
+    """The library with the types of its functions; without a path the one of find_library()."""
+    path = path or find_library()
+    library = ctypes.CDLL(str(path))
+    for name, (result, arguments) in _SIGNATURES.items():
+        function = getattr(library, "barreno_" + name)
+        function.restype, function.argtypes = result, arguments
+    version = library.barreno_abi_version()
+    if version != ABI_VERSION:
+        raise ImportError(f"{path} has interface version {version}, this module is for version {ABI_VERSION}; install both together.")
+    return library
+
+
+class Material:
+    """A card, by name or path, and the update of arrays of points.
+
+    Strain increments and stresses are (n, 6), states (n, state_count), tangents (n, 6, 6). All zeros are virgin rock.
+    A card that cannot be used is a ValueError with the library's sentence.
+    """
+
+    def __init__(self, card, library=None):
+        self.library = library if isinstance(library, ctypes.CDLL) else load(library)
+        self.handle = self.library.barreno_material_open(str(card).encode())
+        if not self.handle:
+            raise ValueError(self.library.barreno_last_error().decode())
+        self.model = self.library.barreno_material_model(self.handle).decode()
+        self.file = self.library.barreno_material_file(self.handle).decode()
+        self.density = self.library.barreno_material_density(self.handle)
+        self.state_count = self.library.barreno_material_state_count(self.handle)
+        self.state_names = [self.library.barreno_material_state_name(self.handle, i).decode() for i in range(self.state_count)]
+
+    def close(self):
+        if self.handle:
+            self.library.barreno_material_close(self.handle)
+        self.handle = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def state_index(self, name):
+        """Column of a state variable."""
+        return self.state_names.index(name)
+
+    def virgin(self, count):
+        """Stress and state of points that a host has not touched."""
+        return numpy.zeros((count, 6)), numpy.zeros((count, self.state_count))
+
+    def update(self, strain, stress, state, dt=1.0, want=CONSISTENT):
+        """One increment of each point: new stress, new state, tangent (zeros if it is not wanted), and a status that is
+        not 0 where the update failed and stress and state are the old ones."""
+        strain, stress, state = (numpy.ascontiguousarray(a, dtype=float) for a in (strain, stress, state))
+        count = len(strain)
+        for name, array, width in (("strain", strain, 6), ("stress", stress, 6), ("state", state, self.state_count)):
+            if array.shape != (count, width):
+                raise ValueError(f"{name} has the shape {array.shape}; ({count}, {width}) is needed.")
+        answer = Answer(
+            numpy.empty((count, 6)),
+            numpy.empty((count, self.state_count)),
+            numpy.zeros((count, 6, 6)),
+            numpy.empty(count, dtype=numpy.intc),
+        )
+
+        def pointer(array):
+            return array.ctypes.data_as(_doubles)
+
+        batch = _Batch(
+            count, want, dt, pointer(strain), pointer(stress), pointer(answer.stress), pointer(state), pointer(answer.state),
+            pointer(answer.tangent) if want != STRESS else None, None, answer.status.ctypes.data_as(_integers),
+        )  # fmt: skip
+        if self.library.barreno_material_update(self.handle, ctypes.byref(batch)) < 0:
+            raise ValueError(self.library.barreno_last_error().decode())
+        return answer

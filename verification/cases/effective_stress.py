@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Triaxial tests of Berea sandstone, dry and saturated: strength follows the pressure less the pore pressure (Terzaghi)."""
+import pathlib
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+import numpy as np
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(REPOSITORY / "verification" / "oracles"), str(REPOSITORY / "materials" / "python")]
+from arenisca_laws import Laws  # noqa: E402
+from barreno_material import CONSISTENT, Material, load  # noqa: E402
+from case import Result  # noqa: E402
+
+BEREA = REPOSITORY / "materials" / "cards" / "berea_sandstone.xml"
+LAW = ("PEAKI1", "FSLOPE", "STREN", "YSLOPE", "CR", "B0", "B1", "B2", "G0", "G1", "G2", "p0_crush_curve", "p1_crush_curve",
+       "p3_crush_curve")  # fmt: skip
+WATER = {"fluid_B0": 2.2e9, "Matrix bulk modulus": 36e9}
+FORMS = ("poroplastic", "elastic centre")
+# (confinement, initial pore pressure) [MPa]; None: dry
+TESTS = ((10.0, None), (40.0, None), (100.0, None), (40.0, 0.0), (100.0, 0.0), (100.0, 60.0), (100.0, 90.0), (200.0, 100.0), (200.0, 190.0))
+ALIKE = (((100.0, 0.0), (200.0, 100.0)), ((100.0, 90.0), (200.0, 190.0)))  # of equal effective pressure
+HELD = 1e-9  # of the confinement: how well it is kept
+STEPS, SHORTENING = 60, 0.03
+YIELDS = 1e-6  # smallest plastic strain of an increment that counts as flow
+FINE = "1e-6"  # Tolerance
+
+
+def write_card(folder, name, parameters):
+    """Berea's card with more parameters."""
+    tree = xml.parse(BEREA)
+    for key, value in parameters.items():
+        kind = "string" if isinstance(value, str) and not value[0].isdigit() else "double"
+        tree.getroot().append(xml.Element("Parameter", name=key, type=kind, value=str(value)))
+    file = pathlib.Path(folder) / f"{name}.xml"
+    tree.write(file)
+    return file
+
+
+def berea_laws():
+    values = {e.get("name"): e.get("value") for e in xml.parse(BEREA).getroot().iter("Parameter")}
+    return Laws({name: float(values[name]) for name in LAW})
+
+
+class Plug:
+    """One point under axial strain and constant pressure at the side."""
+
+    def __init__(self, material, pore_pressure):
+        self.material = material
+        self.stress, self.state = material.virgin(1)
+        self.stress[:, :3] = -(pore_pressure or 0.0)
+
+    def get(self, name):
+        names = self.material.state_names
+        return float(self.state[0, names.index(name)]) if name in names else 0.0
+
+    def confine(self, pressure):
+        """All stresses to -pressure, in steps."""
+        start = -self.stress[0, 0]
+        for part in np.linspace(0.0, 1.0, 11)[1:]:
+            self._reach(np.zeros(3), [0, 1, 2], -(start + part * (pressure - start)))
+
+    def shorten(self, strain, pressure):
+        """Axial strain, constant stress at the side."""
+        self._reach(np.array([strain, 0.0, 0.0]), [1, 2], -pressure)
+
+    def _reach(self, strain, free, target):
+        """Newton's method for the free strains."""
+        strain = np.concatenate([strain, np.zeros(3)])[None, :]
+        for _ in range(60):
+            answer = self.material.update(strain, self.stress, self.state, want=CONSISTENT)
+            assert not answer.status.any(), "the point failed"
+            miss = answer.stress[0, free] - target
+            if np.abs(miss).max() <= HELD * max(abs(target), 1e6):
+                self.stress, self.state = answer.stress, answer.state
+                return
+            strain[0, free] -= np.linalg.solve(answer.tangent[0][np.ix_(free, free)], miss)
+        raise AssertionError("the confinement was not reached")
+
+
+def envelope(laws, mean_stress, plastic_volume):
+    """sqrt(J2) of dry rock at this I1: limit surface and cap of that crush."""
+    return laws.surface(plastic_volume).strength(mean_stress)
+
+
+def triaxial(material, laws, confinement, pore_pressure):
+    """Peak of the stress difference, with the pressures there, and how far flow was from the dry envelope."""
+    plug = Plug(material, pore_pressure)
+    plug.confine(confinement)
+    peak, furthest = (0.0, 0.0, 0.0), 0.0
+    for _ in range(STEPS):
+        before = plug.get("equivalent_plastic_strain")
+        plug.shorten(-SHORTENING / STEPS, confinement)
+        axial, side = plug.stress[0, :2]
+        pore, shear = plug.get("pore_pressure"), abs(axial - side) / np.sqrt(3.0)
+        pressure = -(axial + 2.0 * side) / 3.0
+        if plug.get("equivalent_plastic_strain") - before > YIELDS:
+            dry = envelope(laws, -3.0 * (pressure - pore), plug.get("plastic_volume_strain"))
+            furthest = max(furthest, abs(shear / dry - 1.0))
+        peak = max(peak, (side - axial, pressure, pore))
+    return peak, furthest
+
+
+def run(barreno, full):
+    result = Result(
+        "Effective stress",
+        "Saturated rock is as strong as dry rock under the pressure less the pore pressure, whatever either of them is.",
+        "the dry limit surface and cap, from the oracle's own formulas, at P - p (Terzaghi). Undrained triaxial compression of the Berea card "
+        "with water and quartz, 3 % axial strain, pore pressure before the confinement is put on.",
+        ["rock", "confinement [MPa]", "initial pore pressure [MPa]", "peak stress difference [MPa]", "P there [MPa]", "p there [MPa]",
+         "dry envelope at P - p, as stress difference [MPa]", "flow off the dry envelope, maximum"],
+        [],
+    )  # fmt: skip
+    laws, library = berea_laws(), load(barreno.resolve().parents[1] / "materials" / "libBARRENO.so")
+    tests = TESTS if full else TESTS[1::3]
+    with tempfile.TemporaryDirectory() as folder:
+        for confinement, pore in tests:
+            for form in FORMS if pore is not None else ("dry",):
+                settings = {"Tolerance": FINE}
+                if pore is not None:
+                    settings |= {**WATER, "Backstress strain": form, "fluid_pressure_initial": repr(1e6 * pore)}
+                with Material(write_card(folder, "rock", settings), library) as material:
+                    (peak, pressure, fluid), off = triaxial(material, laws, 1e6 * confinement, None if pore is None else 1e6 * pore)
+                dry = np.sqrt(3.0) * envelope(laws, -3.0 * (pressure - fluid), 0.0)
+                result.rows.append([form, confinement, float("nan") if pore is None else pore, peak / 1e6, pressure / 1e6, fluid / 1e6,
+                                    dry / 1e6, off])  # fmt: skip
+                if form != "elastic centre":
+                    name = "dry" if pore is None else f"initial pore pressure {pore:g} MPa"
+                    result.demand(f"{name}, confinement {confinement:g} MPa: flow off the dry envelope", off, 1e-6)
+    peaks = {(row[1], row[2]): row[3] for row in result.rows if row[0] == "poroplastic"}
+    for one, two in ALIKE:
+        if one in peaks and two in peaks:
+            what = "peaks of {:g} less {:g} MPa and {:g} less {:g} MPa, relative".format(*two, *one)
+            result.demand(what, abs(peaks[one] / peaks[two] - 1.0), 1e-6)
+    result.notes = (
+        "Water in the pores carries a part of every pressure, so that the grains are pressed together by P - p only, and it is this "
+        "pressure that friction and crushing know. The rows of `elastic centre` are those of the form that was the default before: its "
+        "yield surface saw the pore pressure that plastic strain had made, and neither the one that was there at the start nor the one of elastic "
+        "compression. Rock that was confined with 100 MPa and had 90 MPa in its pores was as strong as dry rock under 100 MPa."
+    )
+    return result
