@@ -35,17 +35,6 @@ PathRow row_of(const TableRows& table, std::size_t index) {
   return row;
 }
 
-void check_time(const PathRow& before, const PathRow& row, const std::string& source) {
-  if (row.time > before.time) return;
-  input::refuse_value(
-      source,
-      line_of(row) + ", time",
-      exact_text(row.time),
-      "is not after " + exact_text(before.time) + " of " + line_of(before) +
-          " (times must increase); sort the rows or correct the time"
-  );
-}
-
 void check_volume(const PathRow& row, const std::string& source) {
   const double volume = determinant(row.deformation_gradient);
   if (volume > 0.0) return;
@@ -59,19 +48,33 @@ void check_volume(const PathRow& row, const std::string& source) {
 
 }  // namespace
 
+void check_row_count(std::size_t count, const std::string& source) {
+  if (count >= 2) return;
+  input::refuse(
+      source,
+      "too few rows: " + std::to_string(count),
+      "below the header (a path leads from one instant to another); give at least two"
+  );
+}
+
+void check_times(double before, int line_before, double time, int line, const std::string& source) {
+  if (time > before) return;
+  input::refuse_value(
+      source,
+      "line " + std::to_string(line) + ", time",
+      exact_text(time),
+      "is not after " + exact_text(before) + " of line " + std::to_string(line_before) +
+          " (times must increase); sort the rows or correct the time"
+  );
+}
+
 std::vector<PathRow> read_path(const std::string& text, const std::string& source) {
   const TableRows table = read_table(text, columns(), "a path", source);
-  if (table.lines.size() < 2) {
-    input::refuse(
-        source,
-        "too few rows: " + std::to_string(table.lines.size()),
-        "below the header (a path leads from one instant to another); give at least two"
-    );
-  }
+  check_row_count(table.lines.size(), source);
   std::vector<PathRow> path;
   for (std::size_t i = 0; i < table.lines.size(); ++i) {
     const PathRow row = row_of(table, i);
-    if (!path.empty()) check_time(path.back(), row, source);
+    if (!path.empty()) check_times(path.back().time, path.back().line, row.time, row.line, source);
     check_volume(row, source);
     path.push_back(row);
   }

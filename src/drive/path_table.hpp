@@ -20,4 +20,8 @@ struct PathRow {
 /// increase, det F <= 0.
 std::vector<PathRow> read_path(const std::string& text, const std::string& source);
 
+/// What every path must fulfil: at least two rows, and times that increase.
+void check_row_count(std::size_t count, const std::string& source);
+void check_times(double before, int line_before, double time, int line, const std::string& source);
+
 }  // namespace barreno

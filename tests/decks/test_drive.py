@@ -9,6 +9,7 @@ import csv
 import math
 import os
 import pathlib
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -48,6 +49,9 @@ PATH_FILES = {
     "inverted.csv": [HEADER, START, "1e-6,1,0,0,0,-0.5,0,0,0,1"],
     "first_inverted.csv": [HEADER, "0,0,0,0,0,1,0,0,0,1", SQUEEZE],
     "half_turn.csv": [HEADER, START, "1e-6,-1,0,0,0,-1,0,0,0,1"],
+    "misspelt.csv": ["time,stress_xx,stres_yy", "0,0,0", "1,-1e6,0"],
+    "too_strong.csv": ["time,stress_xx,stress_yy,stress_zz", "0,0,0,0", "1,-40 MPa,-40 MPa,-40 MPa", "2,-400 MPa,-40 MPa,-40 MPa"],
+    "drained.csv": ["time,strain_xx,pore_pressure", "0,0,0", "1,-1e-3,0"],
     "too_far.csv": [HEADER, START, SQUEEZE, "2e-6,1e-6,0,0,0,1,0,0,0,1"],
 }
 BAD = {  # name: (arguments, exit code, sentence)
@@ -92,6 +96,17 @@ BAD = {  # name: (arguments, exit code, sentence)
     "the model fails": (
         ["--material", "berea_sandstone.xml", "--path", "too_far.csv"] + OUT, 3,
         "too_far.csv: line 4 cannot be reached: at time 2e-06 s the Arenisca of 'berea_sandstone' fails (the strain of one step is too large for it); check F of that row, or take smaller steps with --steps-per-row."),
+    "a column that is none": (
+        CARD + ["--path", "misspelt.csv"] + OUT, 1,
+        "misspelt.csv: line 1 = \"stres_yy\" is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, pore_pressure and "
+        "time are); did you mean 'stress_yy'?"),
+    "beyond the strength": (
+        ["--material", "berea_sandstone", "--path", "too_strong.csv", "--steps-per-row", "40"] + OUT, 3,
+        "too_strong.csv: line 4 cannot be reached: 'berea_sandstone' does not bear stress_xx = -2.38e+08 Pa at time 1.55 s (the last that "
+        "was reached is -2.366e+08 Pa); prescribe strain_xx to go past the strength."),
+    "drained without fluid": (
+        CARD + ["--path", "drained.csv"] + OUT, 1,
+        "drained.csv: pore_pressure: the Linear Elastic of 'glass' holds no fluid that could flow; give it a fluid or take the column out."),
     "missing card": (
         ["--material", "berea_sandstome.xml"] + PATH + OUT, 2,
         '--material "berea_sandstome.xml" names no card (there is none of that name in the working directory, in '
@@ -226,6 +241,28 @@ def check_cards(barreno, folder):
             yield f"{card.name}: no stress at 10 % of shortening: {rows[20]}"
 
 
+def check_shipped_paths(barreno, folder):
+    """Every path of input_xml/paths by the command that stands in it; the triaxial tests, dry and drained, have one strength."""
+    strengths = []
+    for path in sorted(EXAMPLE.parent.glob("*.csv")):
+        lines = [line[1:].strip() for line in path.read_text().splitlines() if line.startswith("#")]
+        first = next(i for i, line in enumerate(lines) if line.startswith("Run: barreno drive"))
+        words = shlex.split(" ".join(lines[first:]))[3:]
+        words[words.index("--path") + 1] = str(path)
+        result = drive(barreno, folder, words)
+        if result.returncode != 0:
+            yield f"{path.name}: {result.stderr}"
+            continue
+        header, rows = table(folder / "answer.csv")
+        if not all(len(row) == len(header) and all(map(math.isfinite, row)) for row in rows):
+            yield f"{path.name}: a row is not whole"
+        if "strain_xx" in header and "hydrostatic" not in path.name:
+            axial, side = (rows[-1][header.index(f"stress_{c}")] for c in ("xx", "yy"))
+            strengths.append(side - axial)
+    if len(strengths) != 2 or abs(strengths[0] / strengths[1] - 1.0) > 1e-3:
+        yield f"strengths of the triaxial tests: {strengths}"
+
+
 def check_place_of_cards(barreno, folder):
     """A full path; a folder of BARRENO_MATERIALS, which goes before the shipped cards; a shipped card by its bare name."""
     for name in ("berea_sandstone", "BEREA_Sandstone.xml"):
@@ -268,7 +305,7 @@ def check_ranks(barreno, folder):
 
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
-    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_place_of_cards,
+    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_shipped_paths, check_place_of_cards,
               check_ranks]  # fmt: skip
     failed = 0
     for check in checks:

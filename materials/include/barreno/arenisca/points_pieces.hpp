@@ -62,7 +62,7 @@ struct PiecesOf : Whole {
   CapOf<R> first_cap;
 
   BARRENO_FUNCTION PiecesOf(const ScatteredRock<Whole>& rock, const R& coherence)
-      : Whole(rock),
+      : Whole(static_cast<const Whole&>(rock)),
         surface(make_surfaces(
             R(rock.PEAKI1 * coherence), rock.FSLOPE, rock.STREN, rock.YSLOPE, rock.surface.CR
         )),

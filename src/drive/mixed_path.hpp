@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <barreno/tensor.hpp>
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// One instant of a path in strain and stress.
+struct MixedRow {
+  double time = 0.0;             ///< [s]
+  std::array<double, 6> target;  ///< logarithmic strain [-] or stress [Pa] of xx yy zz xy yz zx
+  double pore_pressure = 0.0;    ///< [Pa], of drained paths
+  int line = 0;                  ///< in the file, for sentences
+};
+
+/// A path on which every component of strain or of stress is prescribed, without rotation.
+struct MixedPath {
+  std::array<bool, 6> by_stress{};  ///< which components are stresses
+  bool drained = false;             ///< the pore pressure is prescribed: fluid flows in or out
+  std::vector<MixedRow> rows;
+};
+
+inline constexpr std::array<const char*, 6> component_names = {"xx", "yy", "zz", "xy", "yz", "zx"};
+
+/// Whether the header asks for strain, stress or pore pressure rather than F11 to F33.
+bool is_mixed_path(const std::string& text);
+
+/// A path's text: header of `time` and any of strain_xx ... strain_zx, stress_xx ... stress_zx and
+/// pore_pressure, each component once; one without a column keeps a strain of zero.
+///
+/// Throws DeckError with line and column: header, text in a number, too few rows, times that do not
+/// increase, strains at the first row.
+MixedPath read_mixed_path(const std::string& text, const std::string& source);
+
+}  // namespace barreno
