@@ -20,7 +20,14 @@ from runs import DECKS, run_deck  # noqa: E402
 STORED = HERE / "results" / "predictions.json"
 TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
          "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave")  # fmt: skip
-FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact")
+WATER = {"Materials/Sandstone/fluid_B0": "2.2 GPa"}
+SCATTER = {"Materials/Sandstone/Weibull modulus": "8", "Materials/Sandstone/Weibull reference volume": "1e-6 m3"}
+VARIANTS = {  # decks with settings of their own
+    "perforation_quick, wet": ("perforation_quick", WATER),
+    "perforation_quick, scattered": ("perforation_quick", SCATTER),
+    "perforation_plane_gimp, wet": ("perforation_plane_gimp", WATER),
+}
+FLOWING = ("perforation_quick, wet", "perforation_quick, scattered", "perforation_quick", "shell_coasting", "taylor_bar", "cone_impact")
 COLUMNS = ("deck", "steps, predicted / actual", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / actual")
 
 HEAD = """# Cost of a run, predicted and measured
@@ -64,21 +71,27 @@ def stored_page():
     lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
     for deck, data in json.loads(STORED.read_text()).items():
         cells = {name: f"{v['predicted']:.3g} / {v['came']:.3g} = {v['predicted'] / v['came']:.2f}" for name, v in data.items() if name != "wall"}
-        lines.append(f"| {deck}.xml | {cells['steps']} | {cells['particle_steps']} | {cells['ns']} | {cells['seconds']} | {data['wall']:.3g} | {cells['megabytes']} |")
+        lines.append(f"| {deck}{'' if deck in VARIANTS else '.xml'} | {cells['steps']} | {cells['particle_steps']} | {cells['ns']} | {cells['seconds']} | {data['wall']:.3g} | {cells['megabytes']} |")
     return HEAD + "\n" + "\n".join(lines) + "\n"
 
 
-def growth(barreno, deck, whole):
+def deck_of(name):
+    """Deck and settings of a row."""
+    return VARIANTS.get(name, (name, {}))
+
+
+def growth(barreno, row, whole):
     """Lines of src/check/cost_growth.hpp from one deck: ns of each stress update in the first hundredth of the run and over all of it."""
+    deck, settings = deck_of(row)
     value, unit = end_time(deck)
-    short = {"Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s"}
+    short = {**settings, "Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s"}
     first = {}
     for _ in range(3):
         for name, phase in run_deck(barreno, f"{deck}.xml", short).summary["phases"].items():
             first[name] = min(first.get(name, 1e9), phase["ns_per_particle_step"])
     slower = whole["project_particles"]["ns_per_particle_step"] / first["project_particles"]
     return [
-        f'    {{"{name}", {first[name]:.1f}, {phase["ns_per_particle_step"] / slower:.1f}}},  // {deck}'
+        f'    {{"{name}", {first[name]:.1f}, {phase["ns_per_particle_step"] / slower:.1f}}},  // {row}'
         for name, phase in whole.items()
         if name.startswith("update_stress") and first.get(name, 0.0) > 10.0
     ]
@@ -91,12 +104,13 @@ def main():
     options = parser.parse_args()
     barreno = options.barreno.resolve()
     updates, found = [], {}
-    for deck in TABLE:
-        summary = run_deck(barreno, f"{deck}.xml").summary
-        found[deck] = compared(summary)
-        print(deck, found[deck], flush=True)
-        if deck in FLOWING:
-            updates += growth(barreno, deck, summary["phases"])
+    for row in (*TABLE, *VARIANTS):
+        deck, settings = deck_of(row)
+        summary = run_deck(barreno, f"{deck}.xml", settings).summary
+        found[row] = compared(summary)
+        print(row, found[row], flush=True)
+        if row in FLOWING:
+            updates += growth(barreno, row, summary["phases"])
     print("\n".join(updates))
     if options.document:
         from pages import write_pages  # it asks this file for its page

@@ -13,6 +13,8 @@ struct UpdateCost {
 /// ratio is used: what a nanosecond of that machine is here, the probe of each run measures.
 constexpr UpdateCost update_costs[] = {
     {"update_stress Arenisca", 31.0, 77.0},
+    {"update_stress Arenisca wet", 39.0, 130.0},
+    {"update_stress Arenisca scattered", 34.0, 81.0},
     {"update_stress Johnson-Cook", 28.0, 52.0},
 };
 
