@@ -14,6 +14,7 @@ import numpy as np
 from scipy.integrate import quad, solve_ivp
 
 from arenisca_checks_mechanics import mechanics
+from arenisca_checks_pores import pores
 from arenisca_model import Arenisca, UNIT, invariants, weibull_coherence
 from arenisca_paths import BENCHMARKS, SET_08, benchmark, hydrostatic, strain_path, stretch_path, uniaxial
 
@@ -236,7 +237,7 @@ def run():
     """All checks; 0 if every figure holds."""
     failed, count, begin = 0, 0, time.time()
     for group in (simple_benchmarks, j2_and_rate_benchmarks, cap_benchmarks, hydrostatic_benchmarks, shell, laws,
-                  *mechanics):  # fmt: skip
+                  *mechanics, pores):  # fmt: skip
         clock = time.time()
         print(f"-- {group.__doc__.strip().splitlines()[0]}")
         for what, value, limit in group():
