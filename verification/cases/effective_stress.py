@@ -20,6 +20,9 @@ WATER = {"fluid_B0": 2.2e9, "Matrix bulk modulus": 36e9}
 FORMS = ("poroplastic", "elastic centre")
 # (confinement, initial pore pressure) [MPa]; None: dry
 TESTS = ((10.0, None), (40.0, None), (100.0, None), (40.0, 0.0), (100.0, 0.0), (100.0, 60.0), (100.0, 90.0), (200.0, 100.0), (200.0, 190.0))
+# The same with a tap: fluid comes and goes at constant pressure, so that it is one without stiffness.
+TAP = {"fluid_B0": 10.0, "Matrix bulk modulus": 36e9}
+DRAINED = ((100.0, 60.0), (100.0, 90.0), (50.0, 40.0), (90.0, 50.0))
 ALIKE = (((100.0, 0.0), (200.0, 100.0)), ((100.0, 90.0), (200.0, 190.0)))  # of equal effective pressure
 HELD = 1e-9  # of the confinement: how well it is kept
 STEPS, SHORTENING = 60, 0.03
@@ -85,10 +88,10 @@ def envelope(laws, mean_stress, plastic_volume):
 
 
 def triaxial(material, laws, confinement, pore_pressure):
-    """Peak of the stress difference, with the pressures there, and how far flow was from the dry envelope."""
+    """Peak of the stress difference, with the pressures there; how far flow was from the dry envelope; first flow and that envelope there."""
     plug = Plug(material, pore_pressure)
     plug.confine(confinement)
-    peak, furthest = (0.0, 0.0, 0.0), 0.0
+    peak, furthest, first = (0.0, 0.0, 0.0), 0.0, None
     for _ in range(STEPS):
         before = plug.get("equivalent_plastic_strain")
         plug.shorten(-SHORTENING / STEPS, confinement)
@@ -98,8 +101,35 @@ def triaxial(material, laws, confinement, pore_pressure):
         if plug.get("equivalent_plastic_strain") - before > YIELDS:
             dry = envelope(laws, -3.0 * (pressure - pore), plug.get("plastic_volume_strain"))
             furthest = max(furthest, abs(shear / dry - 1.0))
+            first = first or (side - axial, np.sqrt(3.0) * dry)
         peak = max(peak, (side - axial, pressure, pore))
-    return peak, furthest
+    return peak, furthest, first
+
+
+def measure(result, laws, library, settings, row):
+    """A test with these parameters more: its row, and the peak of the stress difference [Pa]."""
+    kind, form, confinement, pore = row
+    with tempfile.TemporaryDirectory() as folder:
+        with Material(write_card(folder, "rock", settings), library) as material:
+            (peak, pressure, fluid), off, first = triaxial(material, laws, 1e6 * confinement, None if pore is None else 1e6 * pore)
+    known = float("nan") if pore is None else pore
+    result.rows.append([kind, form, confinement, known, first[0] / 1e6, first[1] / 1e6, peak / 1e6, pressure / 1e6, fluid / 1e6, off])
+    return peak, off
+
+
+def drained(result, laws, library, full):
+    """Tests at constant pore pressure, each against the test of the dry rock at the difference of the pressures."""
+    for confinement, pore in DRAINED if full else DRAINED[1:2]:
+        fine = {"Tolerance": FINE}
+        known = [row for row in result.rows if row[:3] == ["dry", "dry", confinement - pore]]
+        alone = 1e6 * known[0][6] if known else measure(result, laws, library, fine, ("dry", "dry", confinement - pore, None))[0]
+        wet = {**fine, **TAP, "fluid_pressure_initial": repr(1e6 * pore)}
+        for form in FORMS:
+            peak, off = measure(result, laws, library, {**wet, "Backstress strain": form}, ("drained", form, confinement, pore))
+            if form == "poroplastic":
+                name = f"drained, confinement {confinement:g} MPa, pore pressure {pore:g} MPa"
+                result.demand(f"{name}: flow off the dry envelope", off, 1e-6)
+                result.demand(f"{name}: peak of dry rock at {confinement - pore:g} MPa, relative", abs(peak / alone - 1.0), 1e-6)
 
 
 def run(barreno, full):
@@ -107,36 +137,39 @@ def run(barreno, full):
         "Effective stress",
         "Saturated rock is as strong as dry rock under the pressure less the pore pressure, whatever either of them is.",
         "the dry limit surface and cap, from the oracle's own formulas, at P - p (Terzaghi). Undrained triaxial compression of the Berea card "
-        "with water and quartz, 3 % axial strain, pore pressure before the confinement is put on.",
-        ["rock", "confinement [MPa]", "initial pore pressure [MPa]", "peak stress difference [MPa]", "P there [MPa]", "p there [MPa]",
-         "dry envelope at P - p, as stress difference [MPa]", "flow off the dry envelope, maximum"],
+        "with water and quartz, 3 % axial strain, pore pressure before the confinement is put on; drained, with a fluid of 10 Pa instead of "
+        "water, whose pressure stays what it is: the dry test under the difference of the pressures.",
+        ["test", "form", "confinement [MPa]", "initial pore pressure [MPa]", "stress difference at first flow [MPa]",
+         "dry envelope at P - p there [MPa]", "peak stress difference [MPa]", "P there [MPa]", "p there [MPa]", "flow off the dry envelope, maximum"],
         [],
     )  # fmt: skip
     laws, library = berea_laws(), load(barreno.resolve().parents[1] / "materials" / "libBARRENO.so")
     tests = TESTS if full else TESTS[1::3]
-    with tempfile.TemporaryDirectory() as folder:
-        for confinement, pore in tests:
-            for form in FORMS if pore is not None else ("dry",):
-                settings = {"Tolerance": FINE}
-                if pore is not None:
-                    settings |= {**WATER, "Backstress strain": form, "fluid_pressure_initial": repr(1e6 * pore)}
-                with Material(write_card(folder, "rock", settings), library) as material:
-                    (peak, pressure, fluid), off = triaxial(material, laws, 1e6 * confinement, None if pore is None else 1e6 * pore)
-                dry = np.sqrt(3.0) * envelope(laws, -3.0 * (pressure - fluid), 0.0)
-                result.rows.append([form, confinement, float("nan") if pore is None else pore, peak / 1e6, pressure / 1e6, fluid / 1e6,
-                                    dry / 1e6, off])  # fmt: skip
-                if form != "elastic centre":
-                    name = "dry" if pore is None else f"initial pore pressure {pore:g} MPa"
-                    result.demand(f"{name}, confinement {confinement:g} MPa: flow off the dry envelope", off, 1e-6)
-    peaks = {(row[1], row[2]): row[3] for row in result.rows if row[0] == "poroplastic"}
+    for confinement, pore in tests:
+        for form in FORMS if pore is not None else ("dry",):
+            settings = {"Tolerance": FINE}
+            if pore is not None:
+                settings |= {**WATER, "Backstress strain": form, "fluid_pressure_initial": repr(1e6 * pore)}
+            kind = "dry" if pore is None else "undrained"
+            off = measure(result, laws, library, settings, (kind, form, confinement, pore))[1]
+            if form != "elastic centre":
+                name = "dry" if pore is None else f"initial pore pressure {pore:g} MPa"
+                result.demand(f"{name}, confinement {confinement:g} MPa: flow off the dry envelope", off, 1e-6)
+    peaks = {(row[2], row[3]): row[6] for row in result.rows if row[1] == "poroplastic"}
     for one, two in ALIKE:
         if one in peaks and two in peaks:
             what = "peaks of {:g} less {:g} MPa and {:g} less {:g} MPa, relative".format(*two, *one)
             result.demand(what, abs(peaks[one] / peaks[two] - 1.0), 1e-6)
+    drained(result, laws, library, full)
     result.notes = (
         "Water in the pores carries a part of every pressure, so that the grains are pressed together by P - p only, and it is this "
-        "pressure that friction and crushing know. The rows of `elastic centre` are those of the form that was the default before: its "
-        "yield surface saw the pore pressure that plastic strain had made, and neither the one that was there at the start nor the one of elastic "
-        "compression. Rock that was confined with 100 MPa and had 90 MPa in its pores was as strong as dry rock under 100 MPa."
+        "pressure that friction and crushing know. The rows of `elastic centre` are those of the form that was the default before. Its "
+        "yield surface saw the initial pore pressure and the one that plastic strain makes, but not the one of elastic compression: where the tap "
+        "is open there is no such pressure, and both forms agree with dry rock at P - p. Where it is closed, rock of the old form flows later "
+        "than its own pore pressure allows: compare its first flow with the dry envelope at P - p next to it. When such rock dilates, the "
+        "pressure that its surface saw is soon gone, whatever the pressure of the fluid: at 100 MPa of confinement its strength was "
+        "that of dry rock at 100 MPa with any pore pressure up to 90 MPa.\n\n"
+        "Undrained rock that is sheared dilates, by the associated flow rule as much as friction asks for; its pore pressure falls and its "
+        "strength rises with strain. The peak is that at 3 % strain; what a test compares with the envelope is every point of flow."
     )
     return result
