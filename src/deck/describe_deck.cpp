@@ -103,7 +103,7 @@ void write_model(const ModelDescription& model, std::ostream& out) {
   if (!model.history.empty()) out << "  history of every particle:\n";
   for (const HistoryField& field : model.history) write_history(field, out);
   if (model.more_history.empty()) return;
-  out << "  and further history where the parameters select the general form:\n";
+  out << "  and further history where the parameters ask for it:\n";
   for (const HistoryField& field : model.more_history) write_history(field, out);
 }
 
@@ -216,7 +216,7 @@ std::string describe_markdown() {
     if (model.history.empty()) continue;
     write_history_rows("history", model.history, out);
     if (model.more_history.empty()) continue;
-    write_history_rows("further history of the general form", model.more_history, out);
+    write_history_rows("further history, where the parameters ask for it", model.more_history, out);
   }
   std::string text = out.str();
   text.pop_back();  // one newline at the end, not two

@@ -23,12 +23,17 @@ inline const std::string everything_general = water_in_quartz + R"(
   <Parameter name="Weibull modulus" type="double" value="8"/>
   <Parameter name="Weibull reference volume" type="double" value="1e-4"/>)";
 
-/// Writes the card of Berea sandstone with more parameters.
-/// @return its path
 /// The form of the pore fluid that goes with the general form itself.
 inline const std::string about_the_elastic_centre = R"(
   <Parameter name="Backstress strain" type="string" value="elastic centre"/>)";
+inline const std::string overstress = R"(
+  <Parameter name="T1_rate_dependence" type="double" value="1e-5"/>
+  <Parameter name="T2_rate_dependence" type="double" value="0.3"/>)";
+inline const std::string by_bisection = R"(
+  <Parameter name="Return solver" type="string" value="bisection"/>)";
 
+/// Writes the card of Berea sandstone with more parameters.
+/// @return its path
 inline std::string berea_card_with(const std::string& parameters, const std::string& name) {
   std::ifstream berea(BARRENO_SOURCE_DIR "/materials/cards/berea_sandstone.xml");
   std::ostringstream text;

@@ -161,6 +161,38 @@ struct Sample<WetArenisca> : Sample<Arenisca> {
   }
 };
 
+/// The same rock with overstress, of scattering strength.
+template <>
+struct Sample<RatedArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() { return rated(Sample<ScatteredArenisca>::parameters()); }
+  static Arenisca::Parameters rated(Arenisca::Parameters p) {
+    p.T1_rate_dependence = 1e-5;  // T2 = 0: else its unit depends on T2
+    return p;
+  }
+};
+template <>
+struct Sample<RatedWetArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    return Sample<RatedArenisca>::rated(Sample<WetArenisca>::parameters());
+  }
+};
+/// The same rock, weaker in triaxial extension than in compression.
+template <>
+struct Sample<AngledArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() { return angled(Sample<Arenisca>::parameters()); }
+  static Arenisca::Parameters angled(Arenisca::Parameters p) {
+    p.J3_type = arenisca::Lode::willam_warnke;
+    p.J3_psi = 0.7;
+    return p;
+  }
+};
+template <>
+struct Sample<AngledWetArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    return Sample<AngledArenisca>::angled(Sample<WetArenisca>::parameters());
+  }
+};
+
 /// The same rock full of water, weaker in triaxial extension than in compression, with the
 /// published backstress at the elastic centre.
 template <>
@@ -253,15 +285,6 @@ inline double largest_component(const Sym3& s) {
        std::fabs(s.zx)}
   );
 }
-
-/// Arenisca by its scalar code, which can take the published return: an oracle.
-struct ScalarArenisca : Arenisca {
-  using Arenisca::Arenisca;
-  Outcome update(const Increment& increment, Sym3& stress, History& h) const {
-    arenisca::NoCounter none;
-    return update_counted(increment, stress, h, none);
-  }
-};
 
 /// The sample of Arenisca, without and with water in its pores.
 inline Arenisca::Parameters dry_rock() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "materials/arenisca_points.hpp"
+#include "materials/scalar_arenisca.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,12 +46,12 @@ public:
   }
 
 private:
-  static Arenisca with_solver(Arenisca::Parameters p, int solver) {
+  static ScalarArenisca with_solver(Arenisca::Parameters p, int solver) {
     p.return_solver = solver;
     return {p, 1.0};
   }
 
-  Arenisca fast_, slow_;
+  ScalarArenisca fast_, slow_;
   std::unique_ptr<arenisca::SubstepRecord> record_ = std::make_unique<arenisca::SubstepRecord>();
 };
 

@@ -6,6 +6,7 @@
 /// or rate integrations that converged to 3e-7.
 
 #include "barreno/models/arenisca.hpp"
+#include "materials/scalar_arenisca.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@ namespace barreno {
 namespace {
 
 using Parameters = Arenisca::Parameters;
+using test::ScalarArenisca;
 
 Parameters defaults() {
   Parameters p{};
@@ -510,9 +512,9 @@ TEST(AreniscaFuzz, solvers_agree) {
   const auto sets = sets_of_all_kinds();
   for (std::size_t k = 0; k < sets.size(); ++k) {
     Parameters p = sets[k];
-    const Arenisca fast(p, 1.0);
+    const ScalarArenisca fast(p, 1.0);
     p.return_solver = 1;
-    const Arenisca slow(p, 1.0);
+    const ScalarArenisca slow(p, 1.0);
     Sampler sampler{fast, std::mt19937_64(100 + k), -6.0, -3.0};
     arenisca::EvaluationCounter fast_count, slow_count;
     double worst = 0.0;

@@ -225,7 +225,9 @@ void compare_form(const std::string& more) {
 
 TEST(CInterface, DoesWhatEveryFormOfAreniscaDoes) {
   compare_form<WetArenisca>(water_in_quartz);
-  compare_form<GeneralWetArenisca>(everything_general);
+  compare_form<RatedWetArenisca>(water_in_quartz + overstress);
+  compare_form<AngledWetArenisca>(everything_general);
+  compare_form<GeneralWetArenisca>(everything_general + by_bisection);
   compare_form<GeneralArenisca>(water_in_quartz + about_the_elastic_centre);
   compare_form<GeneralArenisca>(everything_general + about_the_elastic_centre);
 }

@@ -145,11 +145,19 @@ constexpr double round_trip = 1e-12;
 template <>
 constexpr double round_trip<WetArenisca> = 1e-5;
 template <>
+constexpr double round_trip<RatedWetArenisca> = 1e-5;
+template <>
+constexpr double round_trip<AngledWetArenisca> = 1e-5;
+template <>
 constexpr double round_trip<GeneralWetArenisca> = 1e-5;
 template <class Model>
 constexpr double open_part = 1e-4;
 template <>
 constexpr double open_part<WetArenisca> = 0.01;
+template <>
+constexpr double open_part<RatedWetArenisca> = 0.01;
+template <>
+constexpr double open_part<AngledWetArenisca> = 0.01;
 template <>
 constexpr double open_part<GeneralWetArenisca> = 0.01;
 

@@ -51,7 +51,7 @@ TEST(GeneralLimits, NothingAskedForIsTheDrainedForm) {
     EXPECT_TRUE(std::holds_alternative<Arenisca>(from_list(name, 0.0).model)) << name;
   }
   EXPECT_TRUE(std::holds_alternative<WetArenisca>(from_list("fluid_B0", 2.2e9).model));
-  EXPECT_TRUE(std::holds_alternative<GeneralArenisca>(from_list("T1_rate_dependence", 1e-6).model));
+  EXPECT_TRUE(std::holds_alternative<RatedArenisca>(from_list("T1_rate_dependence", 1e-6).model));
 }
 
 /// Grains without pores hold no fluid.

@@ -4,6 +4,7 @@
 
 #include "every_model.hpp"
 #include "sample_models.hpp"
+#include "scalar_arenisca.hpp"
 #include "tangent_differences.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "materials/arenisca_points.hpp"
+#include "materials/scalar_arenisca.hpp"
 
 #include <cmath>
 #include <vector>
@@ -34,11 +35,11 @@ arenisca::PointState take_equal_steps(
 }
 
 /// One substep with its second pass, whatever its error: second-order accurate.
-inline arenisca::Attempt take_second_order_step(
+inline arenisca::ScalarAttempt take_second_order_step(
     arenisca::Rock& rock, const arenisca::PointState& state, double volume, const Sym3& shape
 ) {
   arenisca::NoCounter none;
-  arenisca::Attempt a;
+  arenisca::ScalarAttempt a;
   // The second pass is taken where the error is somewhat below what is allowed.
   constexpr int max_tries = 6;
   constexpr double least = 0.02, wanted = 0.5;

@@ -74,7 +74,7 @@ void set_errors(std::vector<double> errors, Row& row) {
   row.largest_error = errors.back();
 }
 
-Arenisca with_tolerance(double tolerance, int solver) {
+test::ScalarArenisca with_tolerance(double tolerance, int solver) {
   auto p = test::berea();
   p.tolerance = tolerance;
   p.return_solver = solver;
@@ -84,7 +84,7 @@ Arenisca with_tolerance(double tolerance, int solver) {
 /// Error-controlled substeps, with either return.
 Row error_controlled(
     const std::string& name,
-    const Arenisca& model,
+    const test::ScalarArenisca& model,
     double tolerance,
     const std::vector<RockPoint>& points,
     const Reference& reference

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/models/arenisca.hpp"
+#include "barreno/models/featured_arenisca.hpp"
 #include "barreno/models/general_arenisca.hpp"
 #include "barreno/models/general_wet_arenisca.hpp"
 #include "barreno/models/johnson_cook.hpp"
@@ -30,6 +31,10 @@ using AnyModel = std::variant<
     Arenisca,
     ScatteredArenisca,
     WetArenisca,
+    RatedArenisca,
+    RatedWetArenisca,
+    AngledArenisca,
+    AngledWetArenisca,
     GeneralArenisca,
     GeneralWetArenisca>;
 

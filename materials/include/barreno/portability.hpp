@@ -9,3 +9,13 @@
 #else
 #define BARRENO_FUNCTION inline
 #endif
+
+/// BARRENO_ALIKE marks those that several callers must get the same bits of: compiled once, so that
+/// a compiler does not contract products and sums in another way for each caller.
+#if defined(__CUDACC__) || defined(__HIP__)
+#define BARRENO_ALIKE BARRENO_FUNCTION
+#elif defined(__GNUC__)
+#define BARRENO_ALIKE inline __attribute__((noinline))
+#else
+#define BARRENO_ALIKE inline
+#endif

@@ -3,7 +3,6 @@
 
 #include "barreno/arenisca/general_rock.hpp"
 #include "barreno/arenisca/rock.hpp"
-#include "barreno/arenisca/substep.hpp"
 #include "barreno/outcome.hpp"
 #include "barreno/tensor.hpp"
 
@@ -199,6 +198,23 @@ BARRENO_FUNCTION void extrapolate(
   b.state.s = back.state.s;
   b.state.e = back.state.e;
   end = b;
+}
+
+/// What is known of the error of an attempt at a substep.
+struct Attempt {
+  double error = 0.0;    ///< estimated local error [stress]
+  double allowed = 0.0;  ///< what it may be [stress]
+  int order = 2;         ///< power of the step size in `error`
+};
+
+/// Factor for the next substep, in sixteenths: then round-off does not reach the choice of
+/// substeps, and both solvers, or two machines, take the same ones.
+BARRENO_FUNCTION double step_factor(const Attempt& a) {
+  constexpr double safety = 0.9, smallest = 0.125, largest = 4.0, grain = 16.0;
+  if (a.error <= 0.0) return largest;
+  const double ratio = a.allowed / a.error;
+  const double factor = safety * (a.order == 3 ? std::cbrt(ratio) : std::sqrt(ratio));
+  return smaller(larger(std::floor(grain * factor) / grain, smallest), largest);
 }
 
 /// Substep whose error is known: an elastic one by its moduli, a plastic one by two halves against

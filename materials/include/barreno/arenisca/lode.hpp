@@ -3,6 +3,7 @@
 
 #include "barreno/arenisca/root_finding.hpp"
 #include "barreno/portability.hpp"
+#include "barreno/real.hpp"
 #include "barreno/tensor.hpp"
 
 #include <cmath>
@@ -20,52 +21,71 @@ struct Lode {
 
   static constexpr double third_turn = 1.0471975511965976;  ///< pi/3
 
-  struct Value {
-    double gamma, slope;  ///< Gamma and dGamma/dtheta
-  };
-
   BARRENO_FUNCTION bool active() const {
     return kind == mohr_coulomb || (kind != none && psi != 1.0);
   }
-
-  BARRENO_FUNCTION Value at(double theta) const {
-    if (!active()) return {1.0, 0.0};
-    if (kind == gudehus) return gudehus_at(theta);
-    if (kind == willam_warnke) return willam_warnke_at(theta);
-    return mohr_coulomb_at(theta);
+  /// Gamma(theta) where it is least.
+  BARRENO_FUNCTION double weakest() const {
+    if (!active()) return 1.0;
+    // A hexagon's sides are nearest to the axis at their feet.
+    if (kind == mohr_coulomb) return 1.0 / std::hypot(1.0 / psi, (2.0 - 1.0 / psi) / std::sqrt(3.0));
+    return smaller(psi, 1.0);
   }
-
-private:
-  BARRENO_FUNCTION Value gudehus_at(double theta) const {
-    const double c = std::cos(3.0 * theta), s = std::sin(3.0 * theta);
-    const double u = 0.5 * ((1.0 - c) + (1.0 + c) / psi);
-    const double slope = 1.5 * s * (1.0 - 1.0 / psi);
-    return {1.0 / u, -slope / (u * u)};
-  }
-  /// An ellipse in the octahedral plane.
-  BARRENO_FUNCTION Value willam_warnke_at(double theta) const {
-    const double c = std::cos(theta), s = std::sin(theta);
-    const double k = 1.0 - psi * psi, n = 2.0 * psi - 1.0;
-    const double square = 4.0 * k * c * c + 5.0 * psi * psi - 4.0 * psi;
-    const double root = std::sqrt(larger(square, 1e-300));
-    const double root_slope = -4.0 * k * c * s / root;
-    if (psi > 1.0) {
-      // The same value rationalised: the form below is 0/0 within the range.
-      const double bottom = 2.0 * k * c - n * root;
-      const double value = (k - n * n) / bottom;
-      return {value, -value * (-2.0 * k * s - n * root_slope) / bottom};
-    }
-    const double top = 2.0 * k * c + n * root, bottom = 4.0 * k * c * c + n * n;
-    const double value = top / bottom;
-    return {value, (-2.0 * k * s + n * root_slope + value * 8.0 * k * c * s) / bottom};
-  }
-  /// A straight line in the octahedral plane.
-  BARRENO_FUNCTION Value mohr_coulomb_at(double theta) const {
-    const double a = 1.0 / psi, b = (2.0 - 1.0 / psi) / std::sqrt(3.0);
-    const double u = a * std::cos(theta) + b * std::sin(theta);
-    return {1.0 / u, (a * std::sin(theta) - b * std::cos(theta)) / (u * u)};
-  }
+  struct Value {
+    double gamma, slope;  ///< Gamma and dGamma/dtheta
+  };
+  BARRENO_FUNCTION Value at(double theta) const;
 };
+
+/// Gamma and its slope for one point or several, from the angle's cosine and sine.
+template <class R>
+struct LodeValueOf {
+  R gamma, slope;
+};
+
+template <class R>
+BARRENO_FUNCTION LodeValueOf<R> gudehus_at(double psi, const R& cosine, const R& sine) {
+  const R c = cosine * (4.0 * cosine * cosine - 3.0), s = sine * (3.0 - 4.0 * sine * sine);
+  const R u = 0.5 * ((1.0 - c) + (1.0 + c) * (1.0 / psi));
+  const R slope = 1.5 * s * (1.0 - 1.0 / psi);
+  return {1.0 / u, -slope / (u * u)};
+}
+/// An ellipse in the octahedral plane.
+template <class R>
+BARRENO_FUNCTION LodeValueOf<R> willam_warnke_at(double psi, const R& c, const R& s) {
+  const double k = 1.0 - psi * psi, n = 2.0 * psi - 1.0;
+  const R square = 4.0 * k * c * c + psi * (5.0 * psi - 4.0);
+  const R root = real::sqrt(real::larger(square, 1e-300));
+  const R root_slope = -4.0 * k * c * s / root;
+  if (psi > 1.0) {
+    // The same value rationalised: the form below is 0/0 within the range.
+    const R bottom = 2.0 * k * c - n * root;
+    const R value = (k - n * n) / bottom;
+    return {value, -value * (-2.0 * k * s - n * root_slope) / bottom};
+  }
+  const R top = 2.0 * k * c + n * root, bottom = 4.0 * k * c * c + n * n;
+  const R value = top / bottom;
+  return {value, (-2.0 * k * s + n * root_slope + value * 8.0 * k * c * s) / bottom};
+}
+/// A straight line in the octahedral plane.
+template <class R>
+BARRENO_FUNCTION LodeValueOf<R> mohr_coulomb_at(double psi, const R& c, const R& s) {
+  const double a = 1.0 / psi, b = (2.0 - 1.0 / psi) / std::sqrt(3.0);
+  const R u = a * c + b * s;
+  return {1.0 / u, (a * s - b * c) / (u * u)};
+}
+template <class R>
+BARRENO_FUNCTION LodeValueOf<R> lode_value(const Lode& lode, const R& cosine, const R& sine) {
+  if (!lode.active()) return {R{} + 1.0, R{}};
+  if (lode.kind == Lode::gudehus) return gudehus_at(lode.psi, cosine, sine);
+  if (lode.kind == Lode::willam_warnke) return willam_warnke_at(lode.psi, cosine, sine);
+  return mohr_coulomb_at(lode.psi, cosine, sine);
+}
+
+BARRENO_FUNCTION Lode::Value Lode::at(double theta) const {
+  const LodeValueOf<double> v = lode_value(*this, std::cos(theta), std::sin(theta));
+  return {v.gamma, v.slope};
+}
 
 /// theta in [0, pi/3] from cos 3 theta = (3 sqrt(3)/2) J3/J2^1.5.
 BARRENO_FUNCTION double lode_angle(const Sym3& s) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/points_shear.hpp"
 #include "barreno/arenisca/rock.hpp"
 #include "barreno/real.hpp"
 
@@ -10,39 +11,6 @@ namespace barreno::arenisca {
 // crush_curve.hpp and yield_surface.hpp give for one point, with the derivatives that Newton's
 // method asks for.
 
-/// A deviator in the plane that the stress deviator and the strain increment of a step span, in an
-/// orthogonal basis of it, scaled so that sqrt(J2) is the length: a step never leaves that plane.
-template <class R>
-struct ShearOf {
-  R a{}, b{};
-};
-template <class R>
-BARRENO_FUNCTION ShearOf<R> operator+(const ShearOf<R>& s, const ShearOf<R>& t) {
-  return {s.a + t.a, s.b + t.b};
-}
-template <class R>
-BARRENO_FUNCTION ShearOf<R> operator-(const ShearOf<R>& s, const ShearOf<R>& t) {
-  return {s.a - t.a, s.b - t.b};
-}
-template <class C, class R>
-BARRENO_FUNCTION ShearOf<R> operator*(const C& c, const ShearOf<R>& s) {
-  return {c * s.a, c * s.b};
-}
-/// s : t / 2, so that squared(s) = J2.
-template <class R>
-BARRENO_FUNCTION R dot(const ShearOf<R>& s, const ShearOf<R>& t) {
-  return s.a * t.a + s.b * t.b;
-}
-template <class R>
-BARRENO_FUNCTION R squared(const ShearOf<R>& s) {
-  return s.a * s.a + s.b * s.b;
-}
-template <class R>
-BARRENO_FUNCTION ShearOf<R> select_points(
-    const MaskOf<R>& choice, const ShearOf<R>& yes, const ShearOf<R>& no
-) {
-  return {real::select(choice, yes.a, no.a), real::select(choice, yes.b, no.b)};
-}
 /// Size of a stress: sqrt(sigma : sigma).
 template <class R>
 BARRENO_FUNCTION R size_of_stress(const R& x, const R& J2) {

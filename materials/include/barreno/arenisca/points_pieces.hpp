@@ -14,7 +14,8 @@ template <class R>
 struct SurfaceOf {
   R a1{}, a2{}, a3{}, a4{};
   R peak{}, vertex{};  ///< [stress]
-  double CR = 0.0, steepest = 0.0;
+  R steepest{};
+  double CR = 0.0;
   bool straight = true;
 
   BARRENO_FUNCTION bool linear() const { return straight; }
@@ -28,7 +29,7 @@ BARRENO_FUNCTION SurfaceOf<R> make_surfaces(
   SurfaceOf<R> s;
   s.peak = s.vertex = peak;
   s.CR = CR;
-  s.steepest = FSLOPE;
+  s.steepest = R{} + FSLOPE;
   s.straight = STREN == 0.0 || FSLOPE == 0.0;
   if (STREN == 0.0) {
     s.a1 = peak * FSLOPE;

@@ -63,7 +63,10 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
   }
   p.x = n.x + 3.0 * p.used.bulk * strain;
   p.s = n.s + R(2.0 * p.used.shear) * n.de;
-  p.inside = contains(rock.surface, asked, p.x, R(0.5 * contract(p.s, p.s)), cap);
+  R J2 = 0.5 * contract(p.s, p.s);
+  // Inside at the weakest angle is inside: most points need no angle.
+  if constexpr (Law::angled) J2 = J2 * (1.0 / (rock.weakest * rock.weakest));
+  p.inside = contains(rock.surface, asked, p.x, J2, cap);
   return p;
 }
 
@@ -131,21 +134,29 @@ BARRENO_FUNCTION PlaneOf<R> plane_of(const Sym3Of<R>& s, const Sym3Of<R>& de) {
   return plane;
 }
 
-/// First state of the steps asked for, in their planes.
+/// First state of the steps asked for, in their planes if the law lets them.
 template <class R, class Law>
 BARRENO_FUNCTION StepOf<R, Law> begin_step(
     const RockOf<R, Law>& rock,
     const StartOf<R, Law>& n,
-    const PlaneOf<R>& plane,
     const R& shear_strain,
     const MaskOf<R>& asked
 ) {
   constexpr double min_fraction = 1.0 / 1024.0, smallest_strain = 1e-5;
   StepOf<R, Law> step;
-  step.state = {n.x, ShearOf<R>{plane.s_size, R{}}, n.evp, shear_strain};
+  step.state.x = n.x;
+  step.state.evp = n.evp;
+  step.state.shear_strain = shear_strain;
   step.cap = cap_of(rock, n.evp);
   step.dv = n.dv;
-  step.de = {plane.along * plane.s_size, plane.across_size};
+  if constexpr (Law::angled) {
+    step.state.s = {n.s};
+    step.de = {n.de};
+  } else {
+    const PlaneOf<R> plane = plane_of(n.s, n.de);
+    step.state.s = {plane.s_size, R{}};
+    step.de = {plane.along * plane.s_size, plane.across_size};
+  }
   const R size = size_of_stress(n.dv, squared(step.de));
   const MaskOf<R> large = size * min_fraction > smallest_strain;
   step.smallest = real::select(large, smallest_strain / size, min_fraction);

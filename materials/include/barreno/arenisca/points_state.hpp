@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/points_angle.hpp"
 #include "barreno/arenisca/points_pieces.hpp"
 #include "barreno/arenisca/points_pores.hpp"
 
 namespace barreno::arenisca {
 
-// What substep.hpp and rock.hpp pass on between the parts of a substep, for one or several points.
+// What the parts of a substep pass on to each other, for one or several points.
 
-/// PointState in the plane of the step.
-template <class R>
+/// State of points between substeps: I1, shear stress (in the plane of the step if the law lets it),
+/// volumetric and equivalent plastic strain.
+template <class R, class Law>
 struct StateOf {
   R x;
-  ShearOf<R> s;
+  ShearIn<R, Law> s;
   R evp, shear_strain;
 };
 
-/// Substep, with what both passes read of its start.
+/// What a substep starts from and the strain increment that it is asked, in volume and deviator.
 template <class R, class Law>
 struct SubstepOf : WithPores<R, Law::wet> {
-  StateOf<R> n;
+  StateOf<R, Law> n;
   CapOf<R> cap;
   R dv;
-  ShearOf<R> de;
+  ShearIn<R, Law> de;
 };
 
 /// How the pressure of the fluid follows a prediction: rise - fall d(evp).
@@ -34,11 +36,11 @@ struct PressurePath<R, true> {
   PoresOf<R> elastic;  ///< pores at the prediction
 };
 
-/// Prediction and its invariants.
+/// Elastic prediction of a substep, and the moduli at its start and as used.
 template <class R, class Law>
-struct PredictionOf : PressurePath<R, Law::wet> {
+struct PredictionOf : PressurePath<R, Law::wet>, WithAngle<R, Law::angled> {
   R x;
-  ShearOf<R> s;
+  ShearIn<R, Law> s;
   R J2, q;
   ModuliOf<R> start, used;
   PressureTermOf<R> term;
@@ -46,10 +48,20 @@ struct PredictionOf : PressurePath<R, Law::wet> {
   R evp;  ///< plastic strain that the moduli were taken at
 };
 
-/// Attempt; `refused` where it asks for a shorter substep.
+/// What an attempt tells besides of rock with overstress: the moduli that an elastic substep would
+/// have had.
+template <class R, bool rated>
+struct WithUsedModuli {};
+template <class R>
+struct WithUsedModuli<R, true> {
+  ModuliOf<R> used;
+};
+
+/// Result of one attempt at a substep: its end, the estimated local error and what that may be [stress],
+/// works per current volume, tangent moduli; `refused` where it asks for a shorter substep.
 template <class R, class Law>
-struct AttemptOf : WithPores<R, Law::wet> {
-  StateOf<R> end;
+struct AttemptOf : WithPores<R, Law::wet>, WithUsedModuli<R, Law::rated> {
+  StateOf<R, Law> end;
   R error, allowed;
   MaskOf<R> elastic, refused;
   R elastic_work, plastic_work;
@@ -80,6 +92,16 @@ BARRENO_FUNCTION void predict_with(
   p.s = step.n.s + R(2.0 * used.shear) * step.de;
   p.J2 = squared(p.s);
   p.q = real::sqrt(p.J2);
+  if constexpr (Law::angled) p.angle = angle_of(rock.lode, p.s);
+}
+
+/// J2 of a prediction as the meridian of triaxial compression sees it.
+template <class R, class Law>
+BARRENO_FUNCTION R seen_J2(const PredictionOf<R, Law>& p) {
+  if constexpr (Law::angled)
+    return p.J2 / (p.angle.gamma * p.angle.gamma);
+  else
+    return p.J2;
 }
 
 /// Path of the fluid's pressure in an elastic substep with this bulk modulus of the skeleton.
@@ -160,7 +182,7 @@ BARRENO_FUNCTION R work_of_stress(const SubstepOf<R, Law>& step, const AttemptOf
   return mean_I1 * (step.dv * (1.0 / 3.0)) + dot(step.n.s + a.end.s, step.de);
 }
 
-/// Relative difference of the moduli used from the mean of both ends, see moduli_mismatch().
+/// How far the moduli used are from the mean of those at both ends, relative.
 template <class R>
 BARRENO_FUNCTION R
 mismatch_of(const ModuliOf<R>& start, const ModuliOf<R>& used, const ModuliOf<R>& end) {
@@ -188,11 +210,16 @@ BARRENO_FUNCTION void select_attempt(
       real::select(choice, other.moduli.bulk, a.moduli.bulk),
       real::select(choice, other.moduli.shear, a.moduli.shear)};
   if constexpr (Law::wet) a.pores = select_points<R>(choice, other.pores, a.pores);
+  if constexpr (Law::rated) {
+    a.used = {
+        real::select(choice, other.used.bulk, a.used.bulk),
+        real::select(choice, other.used.shear, a.used.shear)};
+  }
 }
 
-template <class R>
+template <class R, class Law>
 BARRENO_FUNCTION R
-allowed_error_of(const Rock& rock, const StateOf<R>& n, const R& x_end, const R& J2_end) {
+allowed_error_of(const Rock& rock, const StateOf<R, Law>& n, const R& x_end, const R& J2_end) {
   const R start = size_of_stress(n.x, squared(n.s)), end = size_of_stress(x_end, J2_end);
   return rock.tolerance * real::larger(larger_of(start, end), rock.stress_floor);
 }

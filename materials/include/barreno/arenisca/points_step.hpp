@@ -2,10 +2,11 @@
 #pragma once
 
 #include "barreno/arenisca/points_flow.hpp"
+#include "barreno/arenisca/points_rate.hpp"
 
 namespace barreno::arenisca {
 
-// A whole step of one or several points: substep.hpp in lanes, each point with its own substeps.
+// A whole step of one or several points, in substeps that each chooses by its own local error.
 
 /// Moduli at the middle of a substep, I1 held within what the surface admits.
 template <class R, class Law>
@@ -29,7 +30,7 @@ template <class R, class Law>
 BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
     const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const R& evp
 ) {
-  const StateOf<R>& n = step.n;
+  const StateOf<R, Law>& n = step.n;
   const Elasticity& e = rock.elasticity;
   PredictionOf<R, Law> p;
   p.evp = evp;
@@ -84,7 +85,7 @@ BARRENO_FUNCTION void accept_elastic(
     const ModuliOf<R>& moduli,
     AttemptOf<R, Law>& a
 ) {
-  const StateOf<R>& n = step.n;
+  const StateOf<R, Law>& n = step.n;
   a.end = {
       real::select(inside, p.x, a.end.x),
       select_points<R>(inside, p.s, a.end.s),
@@ -95,6 +96,11 @@ BARRENO_FUNCTION void accept_elastic(
       real::select(inside, moduli.shear, a.moduli.shear)};
   const R change = size_of_stress(R(p.x - n.x), squared(p.s - n.s));
   a.error = real::select(inside, mismatch_of(p.start, p.used, moduli) * change, a.error);
+  if constexpr (Law::rated) {
+    a.used = {
+        real::select(inside, p.used.bulk, a.used.bulk),
+        real::select(inside, p.used.shear, a.used.shear)};
+  }
   a.allowed = real::select(inside, allowed_error_of(rock, n, p.x, p.J2), a.allowed);
   R work{};
   if constexpr (Law::wet) {
@@ -107,20 +113,52 @@ BARRENO_FUNCTION void accept_elastic(
   a.plastic_work = real::select(inside, 0.0, a.plastic_work);
 }
 
+/// What becomes of attempts: taken, or tried again.
+template <class R>
+struct VerdictOf {
+  MaskOf<R> takes;
+  MaskOf<R> gives_up;  ///< no root or not finite, however short the substep
+  R factor;            ///< of the next substep
+};
+/// Every point chooses its own substeps, and whether a second pass is worth it.
+struct OwnSubsteps {
+  template <class Mask>
+  BARRENO_FUNCTION Mask alike(const Mask& mask) const {
+    return mask;
+  }
+  template <class R>
+  BARRENO_FUNCTION void operator()(VerdictOf<R>& /*verdict*/) const {}
+};
+/// All lanes take the substeps of the first, whatever their own errors: the choice jumps with the
+/// strain, and with it the stress by some tolerance; between points that choose alike it does not.
+struct SubstepsOfTheFirst {
+  template <class Mask>
+  BARRENO_FUNCTION Mask alike(const Mask& mask) const {
+    return Mask{} + mask[0];
+  }
+  template <class R>
+  BARRENO_FUNCTION void operator()(VerdictOf<R>& v) const {
+    v.takes = MaskOf<R>{} + v.takes[0];
+    v.gives_up = MaskOf<R>{} + v.gives_up[0];
+    v.factor = R{} + v.factor[0];
+  }
+};
+
 /// Flow that dilates from the jump of the moduli: those of dilated rock hold from where it begins
 /// to flow.
 /// @param[in,out] a replaced where `asked`
-template <class R, class Law>
+template <class R, class Law, class Choice>
 BARRENO_FUNCTION void begin_to_dilate(
     const RockOf<R, Law>& rock,
     const MaskOf<R>& asked,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& p,
+    const Choice& choose,
     AttemptOf<R, Law>& a
 ) {
   constexpr int halvings = 30;
   constexpr double other_side = 2.0 * Elasticity::at_jump;
-  const StateOf<R>& n = step.n;
+  const StateOf<R, Law>& n = step.n;
   const R t = crossing_of(rock, asked, step, p, halvings);
   const ModuliOf<R> soft = predict_points(rock, step, R(R{} + other_side)).used;
   const ModuliOf<R> used = {
@@ -133,8 +171,8 @@ BARRENO_FUNCTION void begin_to_dilate(
   predict_with(rock, step, used, mixed);
   const MeridianOf<R> m = meridian_at(rock.surface, mixed.x, step.cap);
   // A trace of dilation, and the softer rock may no longer reach the surface.
-  const MaskOf<R> inside = asked & contained(rock.surface, mixed.x, mixed.J2, step.cap, m);
-  AttemptOf<R, Law> b = flow_points(rock, MaskOf<R>(asked & !inside), step, mixed, m);
+  const MaskOf<R> inside = asked & contained(rock.surface, mixed.x, seen_J2(mixed), step.cap, m);
+  AttemptOf<R, Law> b = flow_points(rock, MaskOf<R>(asked & !inside), step, mixed, m, choose);
   if (real::any(inside)) accept_elastic(rock, inside, step, mixed, soft, b);
   // The elastic part has its own error, that of its moduli on the way to the surface.
   const ModuliOf<R> at_flow = moduli_of_state(rock.elasticity, R(n.x + t * (p.x - n.x)), n.evp);
@@ -146,19 +184,22 @@ BARRENO_FUNCTION void begin_to_dilate(
 
 /// One substep: elastic, or plastic flow.
 /// @param asked where it is asked for
-template <class R, class Law>
+template <class R, class Law, class Choice>
 BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
-    const RockOf<R, Law>& rock, const MaskOf<R>& asked, const SubstepOf<R, Law>& step
+    const RockOf<R, Law>& rock,
+    const MaskOf<R>& asked,
+    const SubstepOf<R, Law>& step,
+    const Choice& choose
 ) {
-  const StateOf<R>& n = step.n;
+  const StateOf<R, Law>& n = step.n;
   const PredictionOf<R, Law> p = predict_points(rock, step, n.evp);
   const MeridianOf<R> m = meridian_at(rock.surface, p.x, step.cap);
-  const MaskOf<R> inside = contained(rock.surface, p.x, p.J2, step.cap, m);
+  const MaskOf<R> inside = contained(rock.surface, p.x, seen_J2(p), step.cap, m);
   const MaskOf<R> flows = asked & !inside;
-  AttemptOf<R, Law> a = flow_points(rock, flows, step, p, m);
+  AttemptOf<R, Law> a = flow_points(rock, flows, step, p, m, choose);
   constexpr double at_jump = Elasticity::at_jump;
   const MaskOf<R> jumps = flows & (real::abs(n.evp) <= at_jump) & (a.end.evp > at_jump);
-  if (real::any(jumps)) begin_to_dilate(rock, jumps, step, p, a);
+  if (real::any(jumps)) begin_to_dilate(rock, jumps, step, p, choose, a);
   a.elastic = inside;
   if (!real::any(asked & inside)) return a;
   const ModuliOf<R> moduli =
@@ -198,11 +239,13 @@ struct FluidOfStep<R, true> {
 
 /// A step of points in progress.
 template <class R, class Law>
-struct StepOf : FluidOfStep<R, Law::wet>, WithCoherence<R, Law::scattered> {
-  StateOf<R> state;
+struct StepOf : FluidOfStep<R, Law::wet>,
+                WithCoherence<R, Law::scattered>,
+                Missed<R, Law, Law::rated> {
+  StateOf<R, Law> state;
   CapOf<R> cap;
   R dv;
-  ShearOf<R> de;
+  ShearIn<R, Law> de;
   R smallest;  ///< fraction below which a substep is taken as it is
   R done{}, fraction = R{} + 1.0;
   R elastic_work{}, plastic_work{}, modulus{};
@@ -210,6 +253,30 @@ struct StepOf : FluidOfStep<R, Law::wet>, WithCoherence<R, Law::scattered> {
   MaskOf<R> active;                  ///< still under way
   MaskOf<R> refused = none_of<R>();  ///< no substep is short enough
 };
+
+/// Adds what a substep that flows leaves of an elastic one, by its mean moduli; nothing where it is
+/// elastic.
+template <class R, class Law>
+BARRENO_FUNCTION void add_missed(
+    const Law& rock,
+    const MaskOf<R>& takes,
+    const R& fraction,
+    const AttemptOf<R, Law>& a,
+    StepOf<R, Law>& step
+) {
+  R strain = fraction * step.dv;
+  if constexpr (Law::wet)
+    strain = strain + (a.pores.pressure - step.pores.pressure) * rock.constituents.per_matrix;
+  const R &bulk = a.used.bulk, &shear = a.used.shear;
+  step.mean_moduli.bulk = step.mean_moduli.bulk + real::select(takes, fraction * bulk, 0.0);
+  step.mean_moduli.shear = step.mean_moduli.shear + real::select(takes, fraction * shear, 0.0);
+  const MaskOf<R> flows = takes & !a.elastic;
+  const R missed_x = 3.0 * bulk * strain - (a.end.x - step.state.x);
+  const ShearIn<R, Law> missed_s =
+      R(2.0 * fraction * shear) * step.de - (a.end.s - step.state.s);
+  step.missed_x = step.missed_x + real::select(flows, missed_x, 0.0);
+  step.missed_s = select_points<R>(flows, step.missed_s + missed_s, step.missed_s);
+}
 
 /// The substep of this fraction of the step.
 template <class R, class Law>
@@ -235,6 +302,7 @@ BARRENO_FUNCTION void take_substeps(
     const AttemptOf<R, Law>& a,
     StepOf<R, Law>& step
 ) {
+  if constexpr (Law::rated) add_missed(rock, takes, fraction, a, step);
   step.substeps = step.substeps + real::select(takes, 1.0, 0.0);
   step.state.x = real::select(takes, a.end.x, step.state.x);
   step.state.s = select_points<R>(takes, a.end.s, step.state.s);
@@ -266,29 +334,6 @@ BARRENO_FUNCTION MaskOf<R> crosses_jump(const Elasticity& e, const R& begin, con
   return ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
 }
 
-/// What becomes of attempts: taken, or tried again.
-template <class R>
-struct VerdictOf {
-  MaskOf<R> takes;
-  MaskOf<R> gives_up;  ///< no root or not finite, however short the substep
-  R factor;            ///< of the next substep
-};
-/// Every point chooses its own substeps.
-struct OwnSubsteps {
-  template <class R>
-  BARRENO_FUNCTION void operator()(VerdictOf<R>& /*verdict*/) const {}
-};
-/// All lanes take the substeps of the first, whatever their own errors: the choice jumps with the
-/// strain, and with it the stress by some tolerance; between points that choose alike it does not.
-struct SubstepsOfTheFirst {
-  template <class R>
-  BARRENO_FUNCTION void operator()(VerdictOf<R>& v) const {
-    v.takes = MaskOf<R>{} + v.takes[0];
-    v.gives_up = MaskOf<R>{} + v.gives_up[0];
-    v.factor = R{} + v.factor[0];
-  }
-};
-
 template <class R, class Law>
 BARRENO_FUNCTION VerdictOf<R> verdict_on(
     const Law& rock, const StepOf<R, Law>& step, const R& fraction, const AttemptOf<R, Law>& a
@@ -313,7 +358,8 @@ BARRENO_FUNCTION void advance_step(const Law& law, StepOf<R, Law>& step, Choice 
   const MaskOf<R> last = step.done + step.fraction >= 1.0;
   const R fraction = real::select(last, 1.0 - step.done, step.fraction);
   const auto& rock = rock_of<R>(law, step);
-  const AttemptOf<R, Law> a = attempt_points(rock, step.active, substep_of(step, fraction));
+  const AttemptOf<R, Law> a =
+      attempt_points(rock, step.active, substep_of(step, fraction), choose);
   VerdictOf<R> verdict = verdict_on(law, step, fraction, a);
   choose(verdict);
   step.refused = step.refused | (step.active & verdict.gives_up);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/substep.hpp"
+#include "barreno/arenisca/rock.hpp"
 #include "barreno/describe.hpp"
 #include "barreno/models/arenisca_parameters.hpp"
 #include "barreno/models/arenisca_rules.hpp"
@@ -34,7 +34,7 @@ BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
 ///
 /// Source: Homel, Guilkey, Brannon, "Continuum effective-stress approach for high-rate plastic
 /// deformation of fluid-saturated geomaterials with application to shaped-charge jet penetration",
-/// Acta Mech. 227 (2016). Parameter names are the published ones. Read next: arenisca/substep.hpp.
+/// Acta Mech. 227 (2016). Parameter names are the published ones. Read next: arenisca/points_step.hpp.
 struct Arenisca {
   static constexpr const char* name = "Arenisca";
   static constexpr const char* summary =
@@ -42,6 +42,7 @@ struct Arenisca {
       "fluid.";
 
   using Parameters = AreniscaParameters;
+  using Law = arenisca::Rock;
   static constexpr int plastic_backstress = Parameters::plastic_backstress;
   static constexpr int arenisca3_moduli = Parameters::arenisca3_moduli;
   static constexpr int ring_volume = Parameters::ring_volume, scale_only = Parameters::scale_only;
@@ -84,31 +85,6 @@ struct Arenisca {
   /// failed
   BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& h) const;
 
-  /// The same by scalar code, with the return solver that is asked for; counts yield-function
-  /// evaluations.
-  template <class Counter>
-  BARRENO_FUNCTION Outcome
-  update_counted(const Increment& increment, Sym3& stress, History& h, Counter& count) const {
-    if (!arenisca::sound_increment(increment, stress) || !sound_history(h)) {
-      Outcome refused;
-      refused.status = Status::bad_input;
-      refused.substeps = 0;
-      return refused;
-    }
-    arenisca::PointState state{
-        trace(stress), deviator(stress), h.plastic_volume_strain, h.equivalent_plastic_strain};
-    Outcome outcome = arenisca::integrate(rock_, state, increment.strain, count);
-    if (outcome.failed()) return failed(outcome.status, outcome.substeps);
-    const Sym3 end = state.s + isotropic(state.x / 3.0);
-    if (!is_finite(end)) return failed(Status::not_converged, outcome.substeps);
-    stress = end;
-    h = {state.evp, state.shear_strain};
-    const double mean_ratio = 0.5 * (increment.volume_ratio_begin + increment.volume_ratio_end);
-    outcome.elastic_work *= mean_ratio;
-    outcome.plastic_work *= mean_ratio;
-    return outcome;
-  }
-
   /// update() of points in lanes, in two parts (outcome.hpp, arenisca_update.hpp), to the same
   /// bits.
   template <class R>
@@ -140,15 +116,6 @@ private:
 
   BARRENO_FUNCTION static double plane_wave_modulus(const arenisca::Moduli& m) {
     return m.bulk + 4.0 / 3.0 * m.shear;
-  }
-  BARRENO_FUNCTION static Outcome failed(Status status, int substeps) {
-    Outcome outcome;
-    outcome.status = status;
-    outcome.substeps = substeps;
-    return outcome;
-  }
-  BARRENO_FUNCTION static bool sound_history(const History& h) {
-    return std::isfinite(h.plastic_volume_strain) && std::isfinite(h.equivalent_plastic_strain);
   }
   /// Elastic energy under hydrostatic pressure: integral of p dp / K(p), Simpson's rule.
   double stored_energy(double pressure) const {

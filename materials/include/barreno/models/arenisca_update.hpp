@@ -2,7 +2,7 @@
 #pragma once
 
 // The point update of Arenisca for several points at once (real.hpp). Read first: arenisca.hpp,
-// which includes this, and arenisca/substep.hpp, which is the same for one point.
+// which includes this.
 #include "barreno/history_values.hpp"
 #include "barreno/models/arenisca.hpp"
 #include "barreno/real.hpp"
@@ -10,6 +10,7 @@
 #if BARRENO_HAS_LANES
 
 #include "barreno/arenisca/points_queue.hpp"
+#include "barreno/arenisca/points_rate.hpp"
 #include "barreno/arenisca/points_start.hpp"
 
 namespace barreno {
@@ -32,12 +33,22 @@ inline void set_lane(const One& from, int lane, Several& to) {
 
 namespace arenisca {
 
+/// The stress without overstress.
+template <class R, class Law, class Points>
+BARRENO_FUNCTION Sym3Of<R> quasi_static(const Points& p) {
+  if constexpr (Law::rated)
+    return p.stress - overstress_of<R>(p.history);
+  else
+    return p.stress;
+}
+
 /// @param Points PointsOf<Sym3Of<R>, History>; wet where the history holds pores
 template <class R, class Law, class Points>
 BARRENO_FUNCTION StartOf<R, Law> start_of(const Law& rock, const Points& p) {
   StartOf<R, Law> n;
-  n.x = trace(p.stress);
-  n.s = deviator(p.stress);
+  const Sym3Of<R> stress = quasi_static<R, Law>(p);
+  n.x = trace(stress);
+  n.s = deviator(stress);
   n.evp = p.history.plastic_volume_strain;
   n.dv = trace(p.increment.strain);
   n.de = deviator(p.increment.strain);
@@ -51,38 +62,128 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const Law& rock, const Points& p) {
   return n;
 }
 
+/// A shear stress of a step as a tensor.
+template <class R, class Law, class Points>
+BARRENO_FUNCTION Sym3Of<R> tensor_of(const ShearIn<R, Law>& s, const Points& p) {
+  if constexpr (Law::angled) {
+    return s.tensor;
+  } else {
+    const Sym3Of<R> begin = quasi_static<R, Law>(p);
+    return plane_of(deviator(begin), deviator(p.increment.strain)).tensor(s);
+  }
+}
+
+/// The fluid under the dynamic stress: overstress loads the grains too, and the volumes tell the
+/// pressure. What little the difference strains the skeleton (over Km) is left out.
+/// @param moves   where it is asked for
+/// @param gained  change of I1 of the overstress [stress]
+/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress
+/// @return by how much the pressure is higher [stress]
+template <class R, class Law>
+BARRENO_FUNCTION R press_pores(
+    const Law& rock,
+    const MaskOf<R>& moves,
+    const PoresOf<R>& begin,
+    const R& volume_strain,
+    const R& gained,
+    PoresOf<R>& pores
+) {
+  if (!real::any(moves)) return R{};
+  const Constituents& c = rock.constituents;
+  const R rise = pores.pressure - begin.pressure;
+  // The grains of the quasi-static step, by their volume, and what is added to their load.
+  GrainsOf<R> grains;
+  grains.slope = R{} - c.per_matrix;
+  grains.begin = real::log(R(pores.solid / begin.solid)) + volume_strain - grains.slope * rise +
+                 gained * ((1.0 / 3.0) * c.per_matrix) / begin.solid;
+  const FilledOf<R> f = fill_pores(c, begin, grains, volume_strain, rise);
+  pores = select_points<R>(moves, f.end, pores);
+  return real::select(moves, f.end.pressure - begin.pressure - rise, 0.0);
+}
+
+/// The overstress at the end of a step, and the works of the dynamic stress.
+/// @param missed  change of the effective stress had the step been elastic, less what it was
+/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress
+/// @param[in,out] end    quasi-static stress; the dynamic one
+template <class R, class Law, class Points>
+BARRENO_FUNCTION void add_overstress(
+    const Law& rock,
+    const MaskOf<R>& choice,
+    const Sym3Of<R>& missed,
+    const ModuliOf<R>& moduli,
+    PoresOf<R>& pores,
+    Points& p,
+    Sym3Of<R>& end,
+    R& elastic_work,
+    R& plastic_work
+) {
+  if (rock.T1 == 0.0) return;
+  const Sym3Of<R> over = overstress_of<R>(p.history);
+  const Sym3Of<R> new_over = relaxed(rock.T1, rock.T2, p.increment, missed, over);
+  const MaskOf<R> over_any = contract(over, over) + contract(new_over, new_over) > 0.0;
+  PoresOf<R> begin{};
+  Sym3Of<R> strain = p.increment.strain;
+  if constexpr (Law::wet) {
+    begin = pores_of<R>(p.history);
+    const MaskOf<R> moves = over_any & (p.increment.dt > 0.0);
+    const R gained = trace(new_over - over);
+    end = end - isotropic(press_pores(rock, moves, begin, trace(strain), gained, pores));
+    const R rise = pores.pressure - begin.pressure;
+    strain = strain + isotropic(R(rise * ((1.0 / 3.0) * rock.constituents.per_matrix)));
+  }
+  const Sym3Of<R> before = p.stress + isotropic(begin.pressure);
+  end = end + new_over;
+  const Sym3Of<R> after = end + isotropic(pores.pressure);
+  const R work = 0.5 * contract(p.stress + end, p.increment.strain);
+  const R dissipated = dissipated_work(strain, before, after, moduli);
+  plastic_work = real::select(over_any, dissipated, plastic_work);
+  elastic_work = real::select(over_any, work - dissipated, elastic_work);
+  set_overstress<R>(choice, new_over, p.history);
+}
+
 /// End of steps that flow, from the stress and strain increment that they began with.
 /// @return where the step is left to update()
 template <class R, class Law, class Points>
-BARRENO_FUNCTION MaskOf<R> end_step(const MaskOf<R>& flows, const StepOf<R, Law>& step, Points& p) {
-  const PlaneOf<R> plane = plane_of(deviator(p.stress), deviator(p.increment.strain));
+BARRENO_ALIKE MaskOf<R> end_step(
+    const Law& rock, const MaskOf<R>& flows, const StepOf<R, Law>& step, Points& p
+) {
   R mean_stress = step.state.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
-  const Sym3Of<R> end = plane.tensor(step.state.s) + isotropic(mean_stress);
+  Sym3Of<R> end = tensor_of<R, Law>(step.state.s, p) + isotropic(mean_stress);
   const MaskOf<R> good = flows & !step.refused;
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
-  p.stress = select_points<R>(good, end, p.stress);
+  R elastic_work = step.elastic_work, plastic_work = step.plastic_work;
   auto& h = p.history;
+  PoresOf<R> pores{};
+  if constexpr (Law::wet) pores = step.pores;
+  if constexpr (Law::rated) {
+    const Sym3Of<R> missed =
+        tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
+    add_overstress<R>(
+        rock, good, missed, step.mean_moduli, pores, p, end, elastic_work, plastic_work
+    );
+  }
+  p.stress = select_points<R>(good, end, p.stress);
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
       real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
-  if constexpr (Law::wet) set_pores<R>(good, step.pores, h);
+  if constexpr (Law::wet) set_pores<R>(good, pores, h);
   PointsOutcome<R>& out = p.outcome;
-  out.elastic_work = real::select(good, mean_ratio * step.elastic_work, out.elastic_work);
-  out.plastic_work = real::select(good, mean_ratio * step.plastic_work, out.plastic_work);
+  out.elastic_work = real::select(good, mean_ratio * elastic_work, out.elastic_work);
+  out.plastic_work = real::select(good, mean_ratio * plastic_work, out.plastic_work);
   out.longitudinal_modulus = real::select(good, step.modulus, out.longitudinal_modulus);
   return flows & step.refused;
 }
 
 /// A step that flows, from the point as it is before it.
 template <class R, class Law, class Points>
-BARRENO_FUNCTION StepOf<R, Law> begin_rock(
+BARRENO_ALIKE StepOf<R, Law> begin_rock(
     const Law& law, const MaskOf<R>& flows, const Points& p
 ) {
   const StartOf<R, Law> n = start_of<R>(law, p);
   const auto& rock = rock_of<R>(law, p.history);
   const R& flowed = p.history.equivalent_plastic_strain;
-  StepOf<R, Law> step = begin_step(rock, n, plane_of(n.s, n.de), flowed, flows);
+  StepOf<R, Law> step = begin_step(rock, n, flowed, flows);
   if constexpr (Law::scattered) step.coherence = p.history.coherence;
   return step;
 }
@@ -119,13 +220,20 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   WholeStepOf<R, Law> whole;
   const MaskOf<R> elastic = step_elastically(rock, n, sound, whole, p.outcome);
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
-  p.outcome.elastic_work = mean_ratio * p.outcome.elastic_work;
   R mean_stress = whole.x * (1.0 / 3.0);
-  if constexpr (Law::wet) {
-    mean_stress = mean_stress - whole.pores.pressure;
-    set_pores<R>(elastic, whole.pores, p.history);
+  if constexpr (Law::wet) mean_stress = mean_stress - whole.pores.pressure;
+  Sym3Of<R> end = whole.s + isotropic(mean_stress);
+  PoresOf<R> pores{};
+  if constexpr (Law::wet) pores = whole.pores;
+  if constexpr (Law::rated) {
+    PointsOutcome<R>& out = p.outcome;
+    add_overstress<R>(
+        law, elastic, Sym3Of<R>{}, whole.used, pores, p, end, out.elastic_work, out.plastic_work
+    );
+    out.plastic_work = mean_ratio * out.plastic_work;
   }
-  const Sym3Of<R> end = whole.s + isotropic(mean_stress);
+  p.outcome.elastic_work = mean_ratio * p.outcome.elastic_work;
+  if constexpr (Law::wet) set_pores<R>(elastic, pores, p.history);
   p.stress = select_points<R>(elastic, end, p.stress);
   return sound & !elastic;
 }
@@ -142,7 +250,7 @@ BARRENO_FUNCTION void finish_rock(
   for (int g = 0; g < count; ++g) steps[g] = begin_rock<R>(rock, flows[g], groups[g]);
   finish_steps(rock, steps, count);
   for (int g = 0; g < count; ++g) {
-    const MaskOf<R> refused = end_step<R>(flows[g], steps[g], groups[g]);
+    const MaskOf<R> refused = end_step<R>(rock, flows[g], steps[g], groups[g]);
     groups[g].outcome.sound = groups[g].outcome.sound & !refused;
   }
 }
@@ -170,7 +278,7 @@ inline Outcome update_point(
     StepOf<Lanes, Law> step[1] = {begin_rock<Lanes>(rock, flows, p)};
     finish_steps(rock, step, 1);
     outcome.substeps = static_cast<int>(step[0].substeps[0]);
-    if (real::any(end_step<Lanes>(flows, step[0], p))) {
+    if (real::any(end_step<Lanes>(rock, flows, step[0], p))) {
       outcome.status = Status::substep_limit;
       return outcome;
     }
@@ -201,7 +309,7 @@ inline bool update_alike(
   auto step = begin_rock<Lanes>(model.rock(), all, p);
   for (int i = 0; i < max_attempts_together && real::any(step.active); ++i)
     advance_step(model.rock(), step, SubstepsOfTheFirst{});
-  if (real::any(step.active) || real::any(end_step<Lanes>(all, step, p))) return false;
+  if (real::any(step.active) || real::any(end_step<Lanes>(model.rock(), all, step, p))) return false;
   for (int i = 0; i < lane_count; ++i) ends[i] = lane_of<Sym3>(p.stress, i);
   return true;
 }

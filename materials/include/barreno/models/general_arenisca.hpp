@@ -38,7 +38,7 @@ struct GeneralArenisca {
   static constexpr int history_count = 13;
 
   static bool needed(const Parameters& p) {
-    if (arenisca::is_poroplastic(p) || arenisca::is_scattered(p)) return false;
+    if (arenisca::goes_in_lanes(p, false) || arenisca::is_poroplastic(p)) return false;
     return p.fluid_B0 > 0.0 || p.T1_rate_dependence > 0.0 || p.J3_type != arenisca::Lode::none ||
            p.weibull_modulus > 0.0 || p.return_solver != 0;
   }

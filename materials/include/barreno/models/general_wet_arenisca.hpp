@@ -25,7 +25,7 @@ struct GeneralWetArenisca {
   static constexpr int history_count = GeneralArenisca::history_count;
 
   static bool needed(const Parameters& p) {
-    return arenisca::is_poroplastic(p) && !arenisca::is_plain(p);
+    return arenisca::is_poroplastic(p) && p.return_solver != 0;
   }
   static ParameterTable<Parameters> parameter_table() { return arenisca_parameter_table(); }
   static std::vector<HistoryField> history_table() { return GeneralArenisca::history_table(); }

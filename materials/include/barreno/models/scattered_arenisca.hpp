@@ -27,6 +27,15 @@ inline Weibull make_weibull(const AreniscaParameters& p) {
   return w;
 }
 
+/// What the surface of a piece is made of.
+template <class Whole>
+void set_strength(const AreniscaParameters& p, ScatteredRock<Whole>& rock) {
+  rock.PEAKI1 = p.PEAKI1;
+  rock.FSLOPE = p.FSLOPE;
+  rock.STREN = p.STREN;
+  rock.YSLOPE = p.YSLOPE;
+}
+
 }  // namespace arenisca
 
 /// Dry Arenisca whose strength at the vertex scatters from piece to piece (arenisca/weibull.hpp):
@@ -117,10 +126,7 @@ private:
     const Parameters& p = mean.parameters();
     Rock rock;
     static_cast<arenisca::Rock&>(rock) = mean.rock();
-    rock.PEAKI1 = p.PEAKI1;
-    rock.FSLOPE = p.FSLOPE;
-    rock.STREN = p.STREN;
-    rock.YSLOPE = p.YSLOPE;
+    arenisca::set_strength(p, rock);
     return rock;
   }
 

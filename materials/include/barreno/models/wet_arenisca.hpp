@@ -17,6 +17,7 @@ namespace barreno {
 struct WetArenisca {
   using SpecialForm = Arenisca;
   using Parameters = Arenisca::Parameters;
+  using Law = arenisca::WetRock;
   static constexpr const char* name = "Arenisca";
   static constexpr const char* form = "wet";  ///< tells it from others of that name
   static constexpr const char* summary = Arenisca::summary;

@@ -42,6 +42,60 @@ BARRENO_FUNCTION PorePoint WetArenisca::pore_point(const Sym3& stress, const His
   return p;
 }
 
+namespace arenisca {
+
+/// Lets fluid in or out at fixed strain (pore_point.hpp): the model's own update with more or less
+/// fluid in it.
+template <class Law, class Model>
+inline Outcome drain_point(
+    const Model& model,
+    const Law& rock,
+    double fluid_volume,
+    Sym3& stress,
+    typename Model::History& h
+) {
+  Outcome outcome;
+  outcome.longitudinal_modulus = model.longitudinal_modulus(stress, h, 1.0);
+  if (fluid_volume == 0.0) return outcome;
+  Outcome refused;
+  refused.substeps = 0;
+  refused.status = Status::bad_input;
+  if (!Model::sound_history(h) || !is_finite(stress)) return refused;
+  const PorePoint before = model.pore_point(stress, h);
+  const double mass = fluid_mass_after(before, fluid_volume);
+  if (!(before.storage > 0.0) || !(mass >= 0.0) || !std::isfinite(mass)) return refused;
+
+  typename Model::template Points<Lanes> p;
+  repeat_point(Increment{}, stress, h, p);
+  StepOf<Lanes, Law> step[1] = {begin_rock<Lanes>(rock, first_lane(), p)};
+  // What empties the pores takes all of it, whatever round-off says.
+  const double inflow = mass == 0.0 ? h.gas - h.porosity : fluid_volume;
+  step[0].inflow = Lanes{} + inflow;
+  finish_steps(rock, step, 1);
+  if (real::any(end_step<Lanes>(rock, first_lane(), step[0], p))) {
+    refused.status = Status::not_converged;
+    return refused;
+  }
+  stress = lane_of<Sym3>(p.stress, 0);
+  h = lane_of<typename Model::History>(p.history, 0);
+  h.fluid_mass_ratio = mass;
+  if (mass == 0.0) h.gas = h.porosity;
+  outcome.substeps = static_cast<int>(step[0].substeps[0]);
+  outcome.plastic_work = step[0].plastic_work[0];
+  outcome.elastic_work = step[0].elastic_work[0] + step[0].fluid_work[0];
+  outcome.longitudinal_modulus = step[0].modulus[0];
+  return outcome;
+}
+
+/// Whether the fluid of points can be.
+template <class R, class History>
+BARRENO_FUNCTION MaskOf<R> sound_pores(const History& h) {
+  return (h.fluid_mass_ratio >= 0.0) & (h.pore_pressure >= 0.0) & (h.porosity >= 0.0) &
+         (h.porosity < 1.0) & (h.gas >= 0.0) & (h.gas <= h.porosity);
+}
+
+}  // namespace arenisca
+
 template <class R>
 BARRENO_FUNCTION MaskOf<R> WetArenisca::start_points(Points<R>& p) const {
   const HistoryOf<R>& h = p.history;
@@ -51,9 +105,7 @@ BARRENO_FUNCTION MaskOf<R> WetArenisca::start_points(Points<R>& p) const {
                               R(h.plastic_volume_strain + h.fluid_mass_ratio + h.pore_pressure),
                               h.equivalent_plastic_strain
                           ) &
-                          (h.fluid_mass_ratio >= 0.0) & (h.pore_pressure >= 0.0) &
-                          (h.porosity >= 0.0) & (h.porosity < 1.0) & (h.gas >= 0.0) &
-                          (h.gas <= h.porosity);
+                          arenisca::sound_pores<R>(h);
   return arenisca::start_rock<R>(rock_, sound, p);
 }
 
@@ -71,38 +123,7 @@ inline Outcome WetArenisca::update(const Increment& increment, Sym3& stress, His
 }
 
 inline Outcome WetArenisca::drain(double fluid_volume, Sym3& stress, History& h) const {
-  using namespace arenisca;
-  Outcome outcome;
-  outcome.longitudinal_modulus = longitudinal_modulus(stress, h, 1.0);
-  if (fluid_volume == 0.0) return outcome;
-  Outcome refused;
-  refused.substeps = 0;
-  refused.status = Status::bad_input;
-  if (!sound_history(h) || !is_finite(stress)) return refused;
-  const PorePoint before = pore_point(stress, h);
-  const double mass = fluid_mass_after(before, fluid_volume);
-  if (!(before.storage > 0.0) || !(mass >= 0.0) || !std::isfinite(mass)) return refused;
-
-  Points<Lanes> p;
-  repeat_point(Increment{}, stress, h, p);
-  StepOf<Lanes, WetRock> step[1] = {begin_rock<Lanes>(rock_, first_lane(), p)};
-  // What empties the pores takes all of it, whatever round-off says.
-  const double inflow = mass == 0.0 ? h.gas - h.porosity : fluid_volume;
-  step[0].inflow = Lanes{} + inflow;
-  finish_steps(rock_, step, 1);
-  if (real::any(end_step<Lanes>(first_lane(), step[0], p))) {
-    refused.status = Status::not_converged;
-    return refused;
-  }
-  stress = lane_of<Sym3>(p.stress, 0);
-  h = lane_of<History>(p.history, 0);
-  h.fluid_mass_ratio = mass;
-  if (mass == 0.0) h.gas = h.porosity;
-  outcome.substeps = static_cast<int>(step[0].substeps[0]);
-  outcome.plastic_work = step[0].plastic_work[0];
-  outcome.elastic_work = step[0].elastic_work[0] + step[0].fluid_work[0];
-  outcome.longitudinal_modulus = step[0].modulus[0];
-  return outcome;
+  return arenisca::drain_point(*this, rock_, fluid_volume, stress, h);
 }
 
 }  // namespace barreno

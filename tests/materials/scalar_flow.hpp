@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/bisection.hpp"
-#include "barreno/arenisca/return_map.hpp"
-#include "barreno/arenisca/rock.hpp"
+#include "scalar_state.hpp"
 
+#include <barreno/arenisca/bisection.hpp>
+#include <barreno/arenisca/return_map.hpp>
 #include <cmath>
 
 namespace barreno::arenisca {
@@ -128,7 +128,7 @@ BARRENO_FUNCTION void finish(
     const Prediction& returned_from,
     const Returned& r,
     const FlowStart& f,
-    Attempt& a
+    ScalarAttempt& a
 ) {
   const PointState& n = step.n;
   const double kept = returned_from.q() > 0.0 ? r.q / returned_from.q() : 0.0;
@@ -158,7 +158,7 @@ BARRENO_FUNCTION void refine(
     const Prediction& first,
     const Correction& c,
     const FlowStart& f,
-    Attempt& a,
+    ScalarAttempt& a,
     Counter& count
 ) {
   const PointState& n = step.n;
@@ -181,7 +181,7 @@ BARRENO_FUNCTION void refine(
   if (!rock.surface.contains(moved.x, moved.J2, cap, count)) {
     r = return_with(rock, Trial{moved.x, moved.q(), metric, triple_bulk, evp, cap}, count);
   }
-  Attempt b = a;
+  ScalarAttempt b = a;
   finish(rock, step, p, moved, r, f, b);
   // Where the flow is too short to have a mean direction, the first pass dissipates and is kept.
   // Rock without strength dissipates nothing: round-off must not decide.
@@ -210,7 +210,7 @@ BARRENO_FUNCTION bool flows_isochorically(
 
 /// Plastic substep: closest-point return, its error, and the second pass where that is worth it.
 template <class Counter>
-BARRENO_FUNCTION Attempt
+BARRENO_FUNCTION ScalarAttempt
 flow_plastically(const Rock& rock, const Substep& step, const Prediction& p, Counter& count) {
   const PointState& n = step.n;
   const Cap& cap = step.cap;
@@ -222,7 +222,7 @@ flow_plastically(const Rock& rock, const Substep& step, const Prediction& p, Cou
     f.normal_x = 0.0;
     f.normal_q = 1.0;
   }
-  Attempt a;
+  ScalarAttempt a;
   finish(rock, step, p, p, r, f, a);
   a.error = moduli_mismatch(p, a.moduli) *
             stress_size(r.x - n.x, std::sqrt(second_invariant(a.end.s - n.s)));

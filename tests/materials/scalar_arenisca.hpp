@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/elasticity.hpp"
-#include "barreno/arenisca/plastic_flow.hpp"
-#include "barreno/arenisca/rock.hpp"
-#include "barreno/outcome.hpp"
-#include "barreno/tensor.hpp"
+#include "scalar_flow.hpp"
 
+#include <barreno/arenisca/frozen_substeps.hpp>
+#include <barreno/models/arenisca.hpp>
 #include <cmath>
 
 namespace barreno::arenisca {
@@ -67,10 +65,10 @@ BARRENO_FUNCTION bool step_elastically(
   return true;
 }
 
-BARRENO_FUNCTION Attempt
+BARRENO_FUNCTION ScalarAttempt
 accept_elastic(const Rock& rock, const Substep& step, const Prediction& p) {
   const PointState& n = step.n;
-  Attempt a;
+  ScalarAttempt a;
   a.end = {p.x, p.s, n.evp, n.shear_strain};
   a.moduli = moduli_after(rock, n, p);
   a.error =
@@ -84,7 +82,7 @@ accept_elastic(const Rock& rock, const Substep& step, const Prediction& p) {
 /// Flow that dilates from the jump of the moduli: those of dilated rock hold from where it begins
 /// to flow.
 template <class Counter>
-BARRENO_FUNCTION Attempt
+BARRENO_FUNCTION ScalarAttempt
 begin_to_dilate(const Rock& rock, const Substep& step, const Prediction& p, Counter& count) {
   const PointState& n = step.n;
   const Cap& cap = step.cap;
@@ -98,7 +96,7 @@ begin_to_dilate(const Rock& rock, const Substep& step, const Prediction& p, Coun
   const Moduli start = {2.0 * used.bulk - soft.bulk, 2.0 * used.shear - soft.shear};
   Prediction mixed = predict_with(n, start, used, step.dv, step.de);
   mixed.evp = other_side;
-  Attempt a;
+  ScalarAttempt a;
   if (rock.surface.contains(mixed.x, mixed.J2, cap, count)) {
     // A trace of dilation, and the softer rock no longer reaches the surface.
     a.end = {mixed.x, mixed.s, other_side, n.shear_strain};
@@ -117,25 +115,15 @@ begin_to_dilate(const Rock& rock, const Substep& step, const Prediction& p, Coun
 }
 
 template <class Counter>
-BARRENO_FUNCTION Attempt
+BARRENO_FUNCTION ScalarAttempt
 attempt_substep(const Rock& rock, const PointState& n, double dv, const Sym3& de, Counter& count) {
   const Cap cap = rock.cap_at(n.evp);
   const Substep step{n, cap, dv, de};
   const Prediction p = predict(rock, step, n.evp);
   if (rock.surface.contains(p.x, p.J2, cap, count)) return accept_elastic(rock, step, p);
-  const Attempt a = flow_plastically(rock, step, p, count);
+  const ScalarAttempt a = flow_plastically(rock, step, p, count);
   if (std::fabs(n.evp) > Elasticity::at_jump || !Elasticity::dilated(a.end.evp)) return a;
   return begin_to_dilate(rock, step, p, count);
-}
-
-/// Factor for the next substep, in sixteenths: then round-off does not reach the choice of
-/// substeps, and both solvers, or two machines, take the same ones.
-BARRENO_FUNCTION double step_factor(const Attempt& a) {
-  constexpr double safety = 0.9, smallest = 0.125, largest = 4.0, grain = 16.0;
-  if (a.error <= 0.0) return largest;
-  const double ratio = a.allowed / a.error;
-  const double factor = safety * (a.order == 3 ? std::cbrt(ratio) : std::sqrt(ratio));
-  return smaller(larger(std::floor(grain * factor) / grain, smallest), largest);
 }
 
 /// Fraction of a step below which a substep is taken as it is: where the law itself jumps (K at I1
@@ -162,7 +150,7 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
   for (int i = 0; i < max_attempts; ++i) {
     const bool last = done + fraction >= 1.0;
     if (last) fraction = 1.0 - done;
-    const Attempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, count);
+    const ScalarAttempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, count);
     if (!std::isfinite(a.error)) break;
     const double way = rock.elasticity.way_to_jump(state.evp, a.end.evp);
     if (way < 1.0 && fraction > smallest_fraction(strain)) {
@@ -187,6 +175,69 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
   return outcome;
 }
 
+/// Integrates a step in the substeps of the record, whatever their error.
+/// @param[in,out] state  stress and history; meaningful only when the outcome is ok
+BARRENO_FUNCTION Outcome
+integrate(const Rock& rock, PointState& state, const Sym3& strain, SubstepReplay& replay) {
+  const SubstepRecord& record = replay.record;
+  const double volume = trace(strain);
+  const Sym3 shape = deviator(strain);
+  Outcome outcome;
+  outcome.substeps = record.count > 0 ? record.count : 1;
+  for (int i = 0; i < outcome.substeps; ++i) {
+    const double fraction = record.count > 0 ? record.fractions[i] : 1.0;
+    const ScalarAttempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, replay);
+    if (!std::isfinite(a.error)) {
+      outcome.status = Status::not_converged;
+      return outcome;
+    }
+    state = a.end;
+    outcome.elastic_work += a.elastic_work;
+    outcome.plastic_work += a.plastic_work;
+    outcome.longitudinal_modulus = a.moduli.bulk + 4.0 / 3.0 * a.moduli.shear;
+  }
+  return outcome;
+}
+
 }  // namespace barreno::arenisca
 
-#include "barreno/arenisca/frozen_substeps.hpp"
+namespace barreno::test {
+
+/// Arenisca by this law.
+struct ScalarArenisca : Arenisca {
+  using Arenisca::Arenisca;
+
+  Outcome update(const Increment& increment, Sym3& stress, History& h) const {
+    arenisca::NoCounter none;
+    return update_counted(increment, stress, h, none);
+  }
+  /// Counts yield-function evaluations, or records or replays substeps.
+  template <class Counter>
+  Outcome update_counted(
+      const Increment& increment, Sym3& stress, History& h, Counter& count
+  ) const {
+    Outcome refused;
+    refused.status = Status::bad_input;
+    refused.substeps = 0;
+    const bool sound =
+        std::isfinite(h.plastic_volume_strain) && std::isfinite(h.equivalent_plastic_strain);
+    if (!arenisca::sound_increment(increment, stress) || !sound) return refused;
+    arenisca::PointState state{
+        trace(stress), deviator(stress), h.plastic_volume_strain, h.equivalent_plastic_strain};
+    Outcome outcome = arenisca::integrate(rock(), state, increment.strain, count);
+    const Sym3 end = state.s + isotropic(state.x / 3.0);
+    if (outcome.failed() || !is_finite(end)) {
+      refused.status = outcome.failed() ? outcome.status : Status::not_converged;
+      refused.substeps = outcome.substeps;
+      return refused;
+    }
+    stress = end;
+    h = {state.evp, state.shear_strain};
+    const double mean_ratio = 0.5 * (increment.volume_ratio_begin + increment.volume_ratio_end);
+    outcome.elastic_work *= mean_ratio;
+    outcome.plastic_work *= mean_ratio;
+    return outcome;
+  }
+};
+
+}  // namespace barreno::test

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/arenisca/points_return.hpp"
+#include "barreno/arenisca/points_state.hpp"
+
+namespace barreno::arenisca {
+
+// Return of the shear stress: straight back, or where the strength depends on the Lode angle, to
+// the closest point of the octahedral plane.
+
+/// What a return reads of a rock, with the surface of one half-plane.
+template <class R>
+struct HalfPlane {
+  const CrushCurve& crush;
+  const CrushRates& rates;
+  double stress_floor;
+  SurfaceOf<R> surface;
+};
+
+/// Return within the half-plane after a turn of the trial state's angle.
+/// @param at_trial the meridian of triaxial compression at the trial state
+template <class R, class Rock>
+BARRENO_FUNCTION ReturnedOf<R> return_after_turn(
+    const Rock& rock,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& outside,
+    const MeridianOf<R>& at_trial,
+    const R& guess,
+    const TurnedAngle<R>& to
+) {
+  const HalfPlane<R> there = {
+      rock.crush,
+      rock.rates,
+      rock.stress_floor,
+      scaled_surface(rock.surface, to.strength.gamma)};
+  TrialOf<R> part = trial;
+  part.q = trial.q * to.cosine;
+  const MeridianOf<R> m = scaled_meridian(at_trial, to.strength.gamma);
+  const MaskOf<R> inside = contained(there.surface, part.x, R(part.q * part.q), part.cap, m);
+  ReturnedOf<R> r = return_points(there, part, MaskOf<R>(outside & !inside), m, guess);
+  r.x = real::select(inside, part.x, r.x);
+  r.q = real::select(inside, part.q, r.q);
+  r.evp = real::select(inside, part.evp, r.evp);
+  r.refused = r.refused & !inside;
+  return r;
+}
+
+template <class R>
+BARRENO_FUNCTION void select_returned(
+    const MaskOf<R>& choice, const ReturnedOf<R>& other, ReturnedOf<R>& r
+) {
+  r.x = real::select(choice, other.x, r.x);
+  r.q = real::select(choice, other.q, r.q);
+  r.evp = real::select(choice, other.evp, r.evp);
+  r.cap = select_points<R>(choice, other.cap, r.cap);
+  r.refused = (choice & other.refused) | ((!choice) & r.refused);
+}
+
+/// A turn and what it leaves of the condition of the closest point,
+///
+///   Gamma'/Gamma (q - q_tr cos d) + q_tr sin d = 0,
+///
+/// with q the return within the half-plane after the turn d; see ReturnOverAngles.
+template <class R>
+struct TriedTurn {
+  R half_tangent{};
+  TurnedAngle<R> angle;
+  ReturnedOf<R> returned;
+  R miss{};
+};
+template <class R>
+BARRENO_FUNCTION void measure_miss(const TrialOf<R>& trial, TriedTurn<R>& t) {
+  const R bend = t.angle.strength.slope / t.angle.strength.gamma;
+  t.miss = bend * (t.returned.q - trial.q * t.angle.cosine) + trial.q * t.angle.sine;
+}
+
+/// Secant method in a bracket from the trial state's own angle to the axis to whose side the
+/// closest point lies; the axis itself where the surface has an edge there.
+/// @param open where a turn is asked for
+/// @param[in,out] at no turn; the one that is found
+template <class R, class Rock>
+BARRENO_FUNCTION void find_turn(
+    const Rock& rock,
+    const AngleOf<R>& angle,
+    const TrialOf<R>& trial,
+    const MeridianOf<R>& at_trial,
+    MaskOf<R> open,
+    TriedTurn<R>& at
+) {
+  constexpr int max_iterations = 50;
+  constexpr double close_enough = 1e-11, root_3_4 = 0.86602540378443865;
+  const MaskOf<R> down = at.miss > 0.0;
+  const R up_sine = root_3_4 * angle.cosine - 0.5 * angle.sine;
+  const R up_cosine = 0.5 * angle.cosine + root_3_4 * angle.sine;
+  const R axis = real::select(
+      down, -angle.sine / (1.0 + angle.cosine), up_sine / (1.0 + up_cosine)
+  );
+  R near{}, far = axis;  // the condition has the first sign at `near`
+  const R slope = 2.0 * (trial.q + angle.bend * angle.bend * at.returned.q);
+  R next = -at.miss / slope;
+  next = real::select(real::abs(next) < real::abs(axis), next, axis);
+  for (int i = 0; i < max_iterations && real::any(open); ++i) {
+    TriedTurn<R> tried;
+    tried.half_tangent = next;
+    tried.angle = turned_by(rock.lode, angle, next);
+    const R guess = at.returned.evp - trial.evp;
+    tried.returned = return_after_turn(rock, trial, open, at_trial, guess, tried.angle);
+    measure_miss(trial, tried);
+    const MaskOf<R> same = (down & (tried.miss > 0.0)) | ((!down) & (tried.miss < 0.0));
+    near = real::select(same, next, near);
+    far = real::select(same, far, next);
+    const R rise = tried.miss - at.miss;
+    const R step =
+        -tried.miss * (next - at.half_tangent) / real::select(rise != 0.0, rise, HUGE_VAL);
+    select_returned(open, tried.returned, at.returned);
+    at.half_tangent = real::select(open, next, at.half_tangent);
+    at.angle.cosine = real::select(open, tried.angle.cosine, at.angle.cosine);
+    at.angle.sine = real::select(open, tried.angle.sine, at.angle.sine);
+    at.miss = real::select(open, tried.miss, at.miss);
+    const MaskOf<R> done = (real::abs(step) <= close_enough) | (same & (next == axis)) |
+                           (real::abs(far - near) <= close_enough);
+    open = open & !done;
+    const R secant = next + step;
+    const R low = smaller_of(near, far), high = larger_of(near, far);
+    const MaskOf<R> sound = (secant > low) & (secant < high);
+    // An axis that was not tried yet may be the answer itself.
+    const MaskOf<R> beyond = (far == axis) & !(real::abs(secant) < real::abs(axis));
+    next = real::select(sound, secant, real::select(beyond, axis, 0.5 * (near + far)));
+  }
+}
+
+/// Return of a trial shear stress.
+/// @param p       the prediction; where the strength depends on the angle, with that of `s`
+/// @param s       trial shear stress, trial.q long
+/// @param[out] end  where it comes back to
+template <class R, class Law>
+BARRENO_FUNCTION ReturnedOf<R> return_shear(
+    const RockOf<R, Law>& rock,
+    const PredictionOf<R, Law>& p,
+    const ShearIn<R, Law>& s,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& outside,
+    const MeridianOf<R>& at_trial,
+    const R& guess,
+    ShearIn<R, Law>& end
+) {
+  if constexpr (Law::angled) {
+    constexpr double nothing = 1e-13;
+    const AngleOf<R>& angle = p.angle;
+    TriedTurn<R> at;
+    at.angle = {R{} + 1.0, R{}, {angle.gamma, angle.gamma * angle.bend}};
+    at.returned = return_after_turn(rock, trial, outside, at_trial, guess, at.angle);
+    measure_miss(trial, at);
+    const MaskOf<R> open = outside & angle.turnable & (at.returned.q > 0.0) &
+                           (real::abs(at.miss) > nothing * trial.q) & !at.returned.refused;
+    if (real::any(open)) find_turn(rock, angle, trial, at_trial, open, at);
+    const R q = at.returned.q;
+    end = R(q * at.angle.cosine) * angle.along + R(q * at.angle.sine) * angle.across;
+    return at.returned;
+  } else {
+    const ReturnedOf<R> r = return_points(rock, trial, outside, at_trial, guess);
+    end = lengthened(s, trial.q, r.q);
+    return r;
+  }
+}
+
+}  // namespace barreno::arenisca
