@@ -96,14 +96,15 @@ bool stands_in(const std::vector<HistoryField>& list, const std::string& name) {
   });
 }
 
-/// A general form's history stands in the description of the model that users ask for.
+/// The history of a card's other forms stands in the description of the model that users ask for.
 template <class Model>
 void add_general_history(std::vector<ModelDescription>& all) {
   if constexpr (IsGeneralForm<Model>::value) {
     for (ModelDescription& special : all) {
       if (special.name != Model::SpecialForm::name) continue;
       for (const HistoryField& field : Model::history_table())
-        if (!stands_in(special.history, field.name)) special.more_history.push_back(field);
+        if (!stands_in(special.history, field.name) && !stands_in(special.more_history, field.name))
+          special.more_history.push_back(field);
     }
   }
 }

@@ -144,7 +144,8 @@ def main():
         os.environ["BARRENO_MATERIALS"] = folder
         library = barreno_library.load(path)
         if len(sys.argv) > 2:
-            Host(library, "RATE_BEREA", 15).step(strain_of(0), 2 * numpy.eye(3))
+            states = len(barreno_library.Material("RATE_BEREA", library).state_names)
+            Host(library, "RATE_BEREA", states).step(strain_of(0), 2 * numpy.eye(3))
             return
         for card, tensor_name in (("RATE_BEREA", "overstress_xx"), ("RUBBER", "green_strain_xx")):
             names = barreno_library.Material(card, library).state_names

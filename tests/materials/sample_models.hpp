@@ -164,7 +164,9 @@ struct Sample<WetArenisca> : Sample<Arenisca> {
 /// The same rock with overstress, of scattering strength.
 template <>
 struct Sample<RatedArenisca> : Sample<Arenisca> {
-  static Arenisca::Parameters parameters() { return rated(Sample<ScatteredArenisca>::parameters()); }
+  static Arenisca::Parameters parameters() {
+    return rated(Sample<ScatteredArenisca>::parameters());
+  }
   static Arenisca::Parameters rated(Arenisca::Parameters p) {
     p.T1_rate_dependence = 1e-5;  // T2 = 0: else its unit depends on T2
     return p;

@@ -150,7 +150,8 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
   for (int i = 0; i < max_attempts; ++i) {
     const bool last = done + fraction >= 1.0;
     if (last) fraction = 1.0 - done;
-    const ScalarAttempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, count);
+    const ScalarAttempt a =
+        attempt_substep(rock, state, fraction * volume, fraction * shape, count);
     if (!std::isfinite(a.error)) break;
     const double way = rock.elasticity.way_to_jump(state.evp, a.end.evp);
     if (way < 1.0 && fraction > smallest_fraction(strain)) {
@@ -186,7 +187,8 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, SubstepReplay
   outcome.substeps = record.count > 0 ? record.count : 1;
   for (int i = 0; i < outcome.substeps; ++i) {
     const double fraction = record.count > 0 ? record.fractions[i] : 1.0;
-    const ScalarAttempt a = attempt_substep(rock, state, fraction * volume, fraction * shape, replay);
+    const ScalarAttempt a =
+        attempt_substep(rock, state, fraction * volume, fraction * shape, replay);
     if (!std::isfinite(a.error)) {
       outcome.status = Status::not_converged;
       return outcome;
@@ -213,9 +215,8 @@ struct ScalarArenisca : Arenisca {
   }
   /// Counts yield-function evaluations, or records or replays substeps.
   template <class Counter>
-  Outcome update_counted(
-      const Increment& increment, Sym3& stress, History& h, Counter& count
-  ) const {
+  Outcome update_counted(const Increment& increment, Sym3& stress, History& h, Counter& count)
+      const {
     Outcome refused;
     refused.status = Status::bad_input;
     refused.substeps = 0;

@@ -84,8 +84,8 @@ std::vector<Point<Model>> various_states(const Model& model) {
 }
 
 /// Let a point come to rest. A metal relaxes when straining stops, at once where rate terms are off
-/// (dt = 0); the heat of it lowers the strength for the next relaxation, some 1e-4 of the one before.
-/// The overstress of rock goes with time.
+/// (dt = 0); the heat of it lowers the strength for the next relaxation, some 1e-4 of the one
+/// before. The overstress of rock goes with time.
 template <class Model>
 void rest(Point<Model>& point) {
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(point.apply({}, 0.0).failed());
@@ -171,9 +171,9 @@ TYPED_TEST(Contract, ElasticBelowYield) {
   EXPECT_LE(std::fabs(elastic_work), 2.0 * a * elastic_turnover);
 }
 
-/// What a step may give back, over stress times strain. Overstress fades with time, and points against
-/// a stress that has been reversed in the meantime: 0.02 of these paths. In wet rock, whose grains the
-/// overstress loads too, pores that close meanwhile add to it: 0.062.
+/// What a step may give back, over stress times strain. Overstress fades with time, and points
+/// against a stress that has been reversed in the meantime: 0.02 of these paths. In wet rock, whose
+/// grains the overstress loads too, pores that close meanwhile add to it: 0.062.
 template <class Model>
 constexpr double given_back = 1e-12;
 template <>

@@ -28,7 +28,8 @@ struct Lode {
   BARRENO_FUNCTION double weakest() const {
     if (!active()) return 1.0;
     // A hexagon's sides are nearest to the axis at their feet.
-    if (kind == mohr_coulomb) return 1.0 / std::hypot(1.0 / psi, (2.0 - 1.0 / psi) / std::sqrt(3.0));
+    if (kind == mohr_coulomb)
+      return 1.0 / std::hypot(1.0 / psi, (2.0 - 1.0 / psi) / std::sqrt(3.0));
     return smaller(psi, 1.0);
   }
   struct Value {

@@ -21,9 +21,7 @@ struct AngleOf {
 /// cos theta and sin theta from those of 3 theta, which is in [0, pi]: Newton's method for the cube
 /// root of a complex number of modulus 1, from within 0.01 of it.
 template <class R>
-BARRENO_FUNCTION void divide_angle_by_3(
-    const R& cosine_3, const R& sine_3, R& cosine, R& sine
-) {
+BARRENO_FUNCTION void divide_angle_by_3(const R& cosine_3, const R& sine_3, R& cosine, R& sine) {
   constexpr int iterations = 3;
   const R half = real::sqrt(real::larger(R(0.5 + 0.5 * cosine_3), 0.0));  // cos(3 theta/2)
   cosine = 0.5 + half * (5.0 / 9.0 - half * (1.0 / 18.0));
@@ -77,7 +75,8 @@ BARRENO_FUNCTION AngleOf<R> angle_of(const Lode& lode, const DeviatorOf<R>& s) {
   const MaskOf<R> sheared = q > 0.0;
   AngleOf<R> a;
   a.along = R(real::select(sheared, 1.0 / q, 0.0)) * s;
-  // The deviator of the square is 1/sqrt(3) long and points to -2 theta: towards triaxial extension.
+  // The deviator of the square is 1/sqrt(3) long and points to -2 theta: towards triaxial
+  // extension.
   DeviatorOf<R> side{deviator(square_of(a.along.tensor))};
   side = side - R(dot(side, a.along)) * a.along;
   const R length = real::sqrt(squared(side));

@@ -27,8 +27,8 @@ struct FlowStartOf : WithNormal<R, Law::angled> {
   R q{}, scale{}, normal_x{}, normal_q{};
 };
 
-/// The same where the strength depends on the angle, which makes an evaluation dear: by the Illinois
-/// form of the false position.
+/// The same where the strength depends on the angle, which makes an evaluation dear: by the
+/// Illinois form of the false position.
 /// @param asked where the path begins inside and ends outside
 template <class R, class Law>
 BARRENO_FUNCTION R crossing_over_angles(
@@ -90,10 +90,10 @@ BARRENO_FUNCTION R crossing_of(
   return inside;
 }
 
-/// Where points begin to flow, and the normal of the surface there. Slightly inside counts as on the
-/// surface: the last step left the point there. As near the vertex as `near_vertex`, in terms of the
-/// trial shear, the shear direction is noise: flow leaves the vertex along the steepest generator of
-/// the cone, in its own direction.
+/// Where points begin to flow, and the normal of the surface there. Slightly inside counts as on
+/// the surface: the last step left the point there. As near the vertex as `near_vertex`, in terms
+/// of the trial shear, the shear direction is noise: flow leaves the vertex along the steepest
+/// generator of the cone, in its own direction.
 template <class R, class Law>
 BARRENO_FUNCTION FlowStartOf<R, Law> flow_start_of(
     const RockOf<R, Law>& rock,
@@ -180,7 +180,8 @@ BARRENO_FUNCTION void lean_into_edge(
   const R straight = dot(apart, along);
   const MaskOf<R> leans = (f.edge > 0.0) & (straight > 0.0);
   if (!real::any(leans)) return;
-  const DeviatorOf<R> aside = R(1.0 / real::select(leans, straight, 1.0)) * (apart - straight * along);
+  const DeviatorOf<R> aside =
+      R(1.0 / real::select(leans, straight, 1.0)) * (apart - straight * along);
   const R slope = real::sqrt(squared(aside));
   const R part = real::select(slope > f.edge, f.edge / real::select(leans, slope, 1.0), 1.0);
   const R lean = smaller_of(slope, f.edge);
@@ -290,7 +291,10 @@ BARRENO_FUNCTION void finish_flow(
 /// @param half of the correction's distance, in units of shear stress
 template <class R, class Law>
 BARRENO_FUNCTION ShearIn<R, Law> moved_shear(
-    const PredictionOf<R, Law>& p, const TurnOf<R, Law>& c, const FlowStartOf<R, Law>& f, const R& half
+    const PredictionOf<R, Law>& p,
+    const TurnOf<R, Law>& c,
+    const FlowStartOf<R, Law>& f,
+    const R& half
 ) {
   if constexpr (Law::angled) {
     return p.s + half * (c.normal_s - f.normal_s);
@@ -384,7 +388,8 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
     f.normal_x = real::select(isochoric, 0.0, f.normal_x);
     f.normal_q = real::select(isochoric, 1.0, f.normal_q);
     if constexpr (Law::angled) {
-      const DeviatorOf<R> across = lengthened(f.normal_s, R(real::sqrt(squared(f.normal_s))), R(R{} + 1.0));
+      const DeviatorOf<R> across =
+          lengthened(f.normal_s, R(real::sqrt(squared(f.normal_s))), R(R{} + 1.0));
       f.normal_s = select_points<R>(isochoric, across, f.normal_s);
     }
   }

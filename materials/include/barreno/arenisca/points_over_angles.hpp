@@ -30,10 +30,7 @@ BARRENO_FUNCTION ReturnedOf<R> return_after_turn(
     const TurnedAngle<R>& to
 ) {
   const HalfPlane<R> there = {
-      rock.crush,
-      rock.rates,
-      rock.stress_floor,
-      scaled_surface(rock.surface, to.strength.gamma)};
+      rock.crush, rock.rates, rock.stress_floor, scaled_surface(rock.surface, to.strength.gamma)};
   TrialOf<R> part = trial;
   part.q = trial.q * to.cosine;
   const MeridianOf<R> m = scaled_meridian(at_trial, to.strength.gamma);
@@ -93,9 +90,8 @@ BARRENO_FUNCTION void find_turn(
   const MaskOf<R> down = at.miss > 0.0;
   const R up_sine = root_3_4 * angle.cosine - 0.5 * angle.sine;
   const R up_cosine = 0.5 * angle.cosine + root_3_4 * angle.sine;
-  const R axis = real::select(
-      down, -angle.sine / (1.0 + angle.cosine), up_sine / (1.0 + up_cosine)
-  );
+  const R axis =
+      real::select(down, -angle.sine / (1.0 + angle.cosine), up_sine / (1.0 + up_cosine));
   R near{}, far = axis;  // the condition has the first sign at `near`
   const R slope = 2.0 * (trial.q + angle.bend * angle.bend * at.returned.q);
   R next = -at.miss / slope;

@@ -61,8 +61,7 @@ BARRENO_FUNCTION Sym3Of<R> relaxed(
   const MaskOf<R> strained = size > 0.0;
   const R dt = real::select(timed, increment.dt, 1.0);
   R per_tau = R{} + 1.0 / T1;
-  if (T2 > 0.0)
-    per_tau = real::select(strained, real::pow(R(size / dt), T2) * (1.0 / T1), 0.0);
+  if (T2 > 0.0) per_tau = real::select(strained, real::pow(R(size / dt), T2) * (1.0 / T1), 0.0);
   const R ratio = real::select(timed, increment.dt * per_tau, 0.0);
   const R left = real::exp(R(-ratio));
   const MaskOf<R> slow = ratio < small;
@@ -72,16 +71,13 @@ BARRENO_FUNCTION Sym3Of<R> relaxed(
   return select_points<R>(moves, mean * missed + left * over, over);
 }
 
-/// Work that a step under the dynamic stress dissipates, by plastic flow and by overstress: what its
-/// change does not store by the moduli [stress].
+/// Work that a step under the dynamic stress dissipates, by plastic flow and by overstress: what
+/// its change does not store by the moduli [stress].
 /// @param strain  of the skeleton
 /// @param before, after  effective stress
 template <class R>
 BARRENO_FUNCTION R dissipated_work(
-    const Sym3Of<R>& strain,
-    const Sym3Of<R>& before,
-    const Sym3Of<R>& after,
-    const ModuliOf<R>& m
+    const Sym3Of<R>& strain, const Sym3Of<R>& before, const Sym3Of<R>& after, const ModuliOf<R>& m
 ) {
   const Sym3Of<R> mean = 0.5 * (before + after), change = after - before;
   const R stored = contract(deviator(mean), deviator(change)) / (2.0 * m.shear) +

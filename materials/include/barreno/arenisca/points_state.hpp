@@ -9,8 +9,8 @@ namespace barreno::arenisca {
 
 // What the parts of a substep pass on to each other, for one or several points.
 
-/// State of points between substeps: I1, shear stress (in the plane of the step if the law lets it),
-/// volumetric and equivalent plastic strain.
+/// State of points between substeps: I1, shear stress (in the plane of the step if the law lets
+/// it), volumetric and equivalent plastic strain.
 template <class R, class Law>
 struct StateOf {
   R x;
@@ -57,8 +57,9 @@ struct WithUsedModuli<R, true> {
   ModuliOf<R> used;
 };
 
-/// Result of one attempt at a substep: its end, the estimated local error and what that may be [stress],
-/// works per current volume, tangent moduli; `refused` where it asks for a shorter substep.
+/// Result of one attempt at a substep: its end, the estimated local error and what that may be
+/// [stress], works per current volume, tangent moduli; `refused` where it asks for a shorter
+/// substep.
 template <class R, class Law>
 struct AttemptOf : WithPores<R, Law::wet>, WithUsedModuli<R, Law::rated> {
   StateOf<R, Law> end;

@@ -272,8 +272,7 @@ BARRENO_FUNCTION void add_missed(
   step.mean_moduli.shear = step.mean_moduli.shear + real::select(takes, fraction * shear, 0.0);
   const MaskOf<R> flows = takes & !a.elastic;
   const R missed_x = 3.0 * bulk * strain - (a.end.x - step.state.x);
-  const ShearIn<R, Law> missed_s =
-      R(2.0 * fraction * shear) * step.de - (a.end.s - step.state.s);
+  const ShearIn<R, Law> missed_s = R(2.0 * fraction * shear) * step.de - (a.end.s - step.state.s);
   step.missed_x = step.missed_x + real::select(flows, missed_x, 0.0);
   step.missed_s = select_points<R>(flows, step.missed_s + missed_s, step.missed_s);
 }
@@ -358,8 +357,7 @@ BARRENO_FUNCTION void advance_step(const Law& law, StepOf<R, Law>& step, Choice 
   const MaskOf<R> last = step.done + step.fraction >= 1.0;
   const R fraction = real::select(last, 1.0 - step.done, step.fraction);
   const auto& rock = rock_of<R>(law, step);
-  const AttemptOf<R, Law> a =
-      attempt_points(rock, step.active, substep_of(step, fraction), choose);
+  const AttemptOf<R, Law> a = attempt_points(rock, step.active, substep_of(step, fraction), choose);
   VerdictOf<R> verdict = verdict_on(law, step, fraction, a);
   choose(verdict);
   step.refused = step.refused | (step.active & verdict.gives_up);

@@ -34,7 +34,8 @@ BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
 ///
 /// Source: Homel, Guilkey, Brannon, "Continuum effective-stress approach for high-rate plastic
 /// deformation of fluid-saturated geomaterials with application to shaped-charge jet penetration",
-/// Acta Mech. 227 (2016). Parameter names are the published ones. Read next: arenisca/points_step.hpp.
+/// Acta Mech. 227 (2016). Parameter names are the published ones. Read next:
+/// arenisca/points_step.hpp.
 struct Arenisca {
   static constexpr const char* name = "Arenisca";
   static constexpr const char* summary =

@@ -177,9 +177,7 @@ BARRENO_ALIKE MaskOf<R> end_step(
 
 /// A step that flows, from the point as it is before it.
 template <class R, class Law, class Points>
-BARRENO_ALIKE StepOf<R, Law> begin_rock(
-    const Law& law, const MaskOf<R>& flows, const Points& p
-) {
+BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, const Points& p) {
   const StartOf<R, Law> n = start_of<R>(law, p);
   const auto& rock = rock_of<R>(law, p.history);
   const R& flowed = p.history.equivalent_plastic_strain;
@@ -309,7 +307,8 @@ inline bool update_alike(
   auto step = begin_rock<Lanes>(model.rock(), all, p);
   for (int i = 0; i < max_attempts_together && real::any(step.active); ++i)
     advance_step(model.rock(), step, SubstepsOfTheFirst{});
-  if (real::any(step.active) || real::any(end_step<Lanes>(model.rock(), all, step, p))) return false;
+  if (real::any(step.active) || real::any(end_step<Lanes>(model.rock(), all, step, p)))
+    return false;
   for (int i = 0; i < lane_count; ++i) ends[i] = lane_of<Sym3>(p.stress, i);
   return true;
 }

@@ -13,8 +13,8 @@ namespace barreno {
 
 /// Dry or wet Arenisca with rate dependence (arenisca/points_rate.hpp), strength that scatters
 /// (arenisca/weibull.hpp) and, in the angled form, third invariant (arenisca/lode.hpp): the same
-/// law, with features that the plain form leaves out when it is compiled. Those that a card does not
-/// ask for are off.
+/// law, with features that the plain form leaves out when it is compiled. Those that a card does
+/// not ask for are off.
 ///
 /// @param Plain     the form without them
 /// @param Law_      rock of arenisca/points_angle.hpp
@@ -37,7 +37,13 @@ struct FeaturedForm {
     std::vector<HistoryField> table = Plain::history_table();
     table.push_back({"coherence", dimension::none, "strength at the vertex over the card's PEAKI1"}
     );
-    for (const char* component : {"overstress_xx", "overstress_yy", "overstress_zz", "overstress_xy", "overstress_yz", "overstress_zx"})
+    for (const char* component :
+         {"overstress_xx",
+          "overstress_yy",
+          "overstress_zz",
+          "overstress_xy",
+          "overstress_yz",
+          "overstress_zx"})
       table.push_back({component, dimension::stress, "dynamic less quasi-static stress"});
     return table;
   }
@@ -124,8 +130,7 @@ protected:
       reals_of<double>(h)[i] = reals_of<double>(part)[i];
     return h;
   }
-  static InitialStateOf<Sym3, History> full(
-      const InitialStateOf<Sym3, typename Plain::History>& s
+  static InitialStateOf<Sym3, History> full(const InitialStateOf<Sym3, typename Plain::History>& s
   ) {
     return {s.stress, full(s.history), s.volume_ratio, s.stored_energy, s.possible};
   }
