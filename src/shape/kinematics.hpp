@@ -159,13 +159,21 @@ inline constexpr double short_series = 0.1;
 /// Whether components [first, last) of dt L of all rows are within that.
 inline bool all_short(const FieldView& increment, Rows rows, int first, int last) {
   int large = 0;
-  for (int begin = rows.begin; begin < rows.end; begin += rows_per_chunk) {
-    if (rows.skips(begin)) continue;
-    const int end = std::min(begin + rows_per_chunk, rows.end);
-    for (int c = first; c < last; ++c)
-      for (int p = begin; p < end; ++p)
-        large |= static_cast<int>(!(std::abs(increment(p, c)) <= short_series));
-  }
+  launch_reduction(
+      "all_short",
+      range((rows.end - rows.begin + rows_per_chunk - 1) / rows_per_chunk),
+      KOKKOS_LAMBDA(const int chunk, int& some) {
+        const int begin = rows.begin + chunk * rows_per_chunk;
+        const int end = begin + rows_per_chunk < rows.end ? begin + rows_per_chunk : rows.end;
+        if (rows.skips(begin)) return;
+        int here = 0;
+        for (int c = first; c < last; ++c)
+          for (int p = begin; p < end; ++p)
+            here |= static_cast<int>(!(std::abs(increment(p, c)) <= short_series));
+        some += here;
+      },
+      large
+  );
   return large == 0;
 }
 

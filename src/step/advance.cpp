@@ -31,6 +31,14 @@ void detect_contact(const SymmetryPlanes& symmetry, State& state) {
   refine_surface_normals(grid, fields, sets, symmetry, state.contact);  // and the gaps
 }
 
+/// The powers of XPIC; none for other transfers.
+FilterRule filter_rule(const Scene& scene, const State& state) {
+  return {
+      scene.step.transfer == Transfer::xpic ? scene.step.xpic_order : 0,
+      VelocityRule(scene, homogeneous(state.conditions), 0.0),
+      SymmetryPlanes(scene.conditions, state.grid)};
+}
+
 /// From forces to the velocity of the step, which every order of the step has in the middle.
 void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTally& tally) {
   const SymmetryPlanes symmetry(scene.conditions, state.grid);
@@ -45,7 +53,15 @@ void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTa
   solve_motion(scene, dt, state, tally);                   // v', conditions; v, dt L (2.5-2.6)
   tally.applied_work = tally_applied_loads(scene, state);  // before F and x move on
   state.ledger.remembered = gather_affine(state.grid, state.nodes, state.particles);  // APIC
-  tally.filter = filter_velocity(scene, state);  // XPIC   (2.10)
+  tally.filter = filter_velocity(                                                     // XPIC (2.10)
+      filter_rule(scene, state),
+      state.grid,
+      state.fields,
+      state.dormancy,
+      state.nodes,
+      state.particles,
+      state.effort
+  );
 }
 
 /// Strain from the velocities that particles now have, of a step from `clock` on. (2.11)

@@ -37,11 +37,7 @@ void add(const GridTally& part, GridTally& sum) {
 GridTally solve_fields(
     const Scene& scene, const Clock& clock, double damping, State& state, RigidTally& rigid
 ) {
-  const VelocityRule rule{
-      node_conditions(state.conditions, clock),
-      damping,
-      GridShare(scene.step),
-      NodeScaleRule(scene.materials, scene.grid)};
+  const VelocityRule rule(scene, node_conditions(state.conditions, clock), damping);
   rigid = solve_contact(
       state.grid,
       state.fields,

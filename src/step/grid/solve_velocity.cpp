@@ -3,6 +3,7 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
+#include "base/row_sum.hpp"
 #include "shape/kinematics.hpp"
 #include "step/dormant/dormant_nodes.hpp"
 
@@ -154,6 +155,45 @@ struct SolveVelocity {
     }
   }
 
+  /// A node's velocities and the forces that gave them.
+  struct SolvedNode {
+    Velocity v;
+    double force[D], drag[D], resisted[D];
+    bool prescribed;  ///< a condition acts on it
+  };
+
+  /// @param node     its whole sums
+  /// @param contact  its impulses; null where there are none
+  /// @param own      gets what conditions do to it
+  KOKKOS_INLINE_FUNCTION SolvedNode solve_node(
+      const PrescribedVelocities& velocities,
+      const int (&index)[3],
+      double dt,
+      const double* node,
+      const double* contact,
+      double* own
+  ) const {
+    const double mass = node[0];
+    const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
+    // An impedance Z resists the change of velocity too: f - Z (v' - v).
+    const double resisted_share =
+        mass > 0.0 ? 1.0 - mass / (mass + dt * node[impedance_component]) : 1.0;
+    SolvedNode out;
+    double net_force[D];
+    for (int d = 0; d < dimensions; ++d) {
+      out.drag[d] = rule.damping * node[1 + d];
+      out.force[d] = node[first_force(dimensions) + d] - out.drag[d];
+      out.resisted[d] = resisted_share * out.force[d];
+      out.force[d] -= out.resisted[d];
+      net_force[d] = out.force[d];
+      out.v.before[d] = node[1 + d] * inverse;
+      out.v.after[d] = out.v.before[d] + dt * out.force[d] * inverse;
+    }
+    if (contact != nullptr) add_contact(dt, contact, inverse, net_force, out.v);
+    out.prescribed = apply_conditions(velocities, index, dt, mass, net_force, out.v, own);
+    return out;
+  }
+
   /// @return whether a condition acts on one of its nodes
   KOKKOS_INLINE_FUNCTION bool solve_row(
       int tile,
@@ -183,33 +223,19 @@ struct SolveVelocity {
     for (int x = 0; x < patch.nodes; ++x, ++index[0]) {
       const double* const node = total + x * sum_components;
       double* const out = moved + x * motion_components(dimensions);
-      const double mass = node[0];
-      const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
-      // An impedance Z resists the change of velocity too: f - Z (v' - v).
-      const double resisted_share =
-          mass > 0.0 ? 1.0 - mass / (mass + dt * node[impedance_component]) : 1.0;
-      double drag[D], force[D], resisted[D], net_force[D];
-      Velocity v;
-      for (int d = 0; d < dimensions; ++d) {
-        drag[d] = rule.damping * node[1 + d];
-        force[d] = node[first_force(dimensions) + d] - drag[d];
-        resisted[d] = resisted_share * force[d];
-        force[d] -= resisted[d];
-        net_force[d] = force[d];
-        v.before[d] = node[1 + d] * inverse;
-        v.after[d] = v.before[d] + dt * force[d] * inverse;
-      }
-      if (contact != nullptr) add_contact(dt, contact + x * impulses, inverse, net_force, v);
+      const double* const of_contact = contact != nullptr ? contact + x * impulses : nullptr;
       double own[tally_components] = {};
-      prescribed |= apply_conditions(velocities, index, dt, mass, net_force, v, own);
+      const SolvedNode solved = solve_node(velocities, index, dt, node, of_contact, own);
+      const Velocity& v = solved.v;
+      prescribed |= solved.prescribed;
       for (int d = 0; d < dimensions; ++d) {
         out[d] = v.after[d];
         out[dimensions + d] = v.after[d] - v.before[d];
       }
       for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
-      if (counts(tile * patch.size + row + x) == 0 || mass <= 0.0) continue;
-      tally_node(dt, mass, force, drag, resisted, v, own);
-      if (contact != nullptr) tally_contact(contact + x * impulses, v, own);
+      if (counts(tile * patch.size + row + x) == 0 || node[0] <= 0.0) continue;
+      tally_node(dt, node[0], solved.force, solved.drag, solved.resisted, v, own);
+      if (of_contact != nullptr) tally_contact(of_contact, v, own);
       own[12] = share * own[5];
       for (int i = 0; i < tally_components; ++i)
         add_split(own[i], is_impulse(i) ? scales.impulse : scales.energy, part[i]);
@@ -235,12 +261,28 @@ struct SolveVelocity {
   }
 };
 
+struct NodeTally {
+  ReproducibleSum sum[tally_components];
+};
+KOKKOS_INLINE_FUNCTION void add(const NodeTally& part, NodeTally& total) {
+  for (int i = 0; i < tally_components; ++i) total.sum[i] += part.sum[i];
+}
+
 /// What the tiles have found.
 GridTally add_tiles(int tiles, const ArrayView<double>& tally) {
-  ReproducibleSum sum[tally_components];
-  for (int t = 0; t < tiles; ++t)
-    for (int i = 0; i < tally_values; ++i)
-      sum[i / 2] += tally(static_cast<std::size_t>(t * tally_values + i));
+  NodeTally all;
+  launch_reduction(
+      "add_tiles",
+      range(tiles),
+      KOKKOS_LAMBDA(const int tile, NodeTally& part) {
+        for (int i = 0; i < tally_values; ++i)
+          part.sum[i / 2] += tally(static_cast<std::size_t>(tile * tally_values + i));
+        if (tile % max_summed_rows == 0)
+          for (ReproducibleSum& sum : part.sum) sum.carry();
+      },
+      TallyReducer<NodeTally>(all)
+  );
+  const auto& sum = all.sum;
   return {
       sum[0],
       sum[1],

@@ -15,6 +15,13 @@ struct VelocityRule {
   double damping;             ///< of the step, or 0 where the sums hold no forces [1/time]
   GridShare grid_share;
   NodeScaleRule scales;
+
+  /// @param of_step  conditions of the step (node_conditions, homogeneous)
+  VelocityRule(const Scene& scene, const NodeConditions& of_step, double of_damping)
+      : conditions(of_step),
+        damping(of_damping),
+        grid_share(scene.step),
+        scales(scene.materials, scene.grid) {}
 };
 
 /// Tiles whose nodes are not solved by their sums alone.

@@ -2,6 +2,7 @@
 #include "step/particles/tally_domains.hpp"
 
 #include "base/region.hpp"
+#include "base/row_sum.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/bad_particle.hpp"
@@ -9,7 +10,6 @@
 #include "state/shape_fields.hpp"
 #include "state/step_rule.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace barreno {
@@ -28,7 +28,9 @@ struct TallyDomains {
   StepRule rule;
   RowFrames frames;
 
-  void operator()(Rows rows, DomainTally& tally) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int batch, DomainTally& tally) const {
+    const int begin = batch * rows_per_batch, left = particles.count - begin;
+    const Rows rows{begin, begin + (left < rows_per_batch ? left : rows_per_batch)};
     Domains domains;
     find(rows, domains);
     for (int k = 0; k < rows.end - rows.begin; ++k) {
@@ -43,7 +45,7 @@ struct TallyDomains {
   /// body(k, geometry) of the k-th row, without branches for the compiler to vectorise; of the last
   /// row again where there are fewer. What is asked depends on the radius at most, not on the tile.
   template <class Body>
-  void for_each_geometry(Rows rows, const Body& body) const {
+  KOKKOS_INLINE_FUNCTION void for_each_geometry(Rows rows, const Body& body) const {
     const ShapeFields fields = shape_fields(particles);
     BARRENO_IVDEP
     for (int k = 0; k < rows_per_batch; ++k) {
@@ -53,7 +55,7 @@ struct TallyDomains {
   }
 
   /// One loop for each: together they are too much for the compiler.
-  void find(Rows rows, Domains& out) const {
+  KOKKOS_INLINE_FUNCTION void find(Rows rows, Domains& out) const {
     for_each_geometry(rows, [&](int k, const ParticleGeometry& particle) {
       out.clipped[k] = S::template clipped<M>(particle) ? 1.0 : 0.0;
     });
@@ -65,7 +67,7 @@ struct TallyDomains {
     });
   }
 
-  void treat_inverted(int p, DomainTally& tally) const {
+  KOKKOS_INLINE_FUNCTION void treat_inverted(int p, DomainTally& tally) const {
     if (particles.fault(p) != Fault::none || (particles.body(p) & debris_bit) != 0) return;
     tally.inverted += 1.0;
     const ParticleId id = particles.id(p);
@@ -73,7 +75,7 @@ struct TallyDomains {
     treat_bad_particle(particles, p, policy, Fault::inverted);
   }
 
-  void limit_step(int p, double critical_courant, DomainTally& tally) const {
+  KOKKOS_INLINE_FUNCTION void limit_step(int p, double critical_courant, DomainTally& tally) const {
     if (!(critical_courant < particles.critical_courant)) return;
     const double density = particles.mass(p) / particles.volume(p);
     const Vector v = vector_of(particles.velocity, p);
@@ -85,8 +87,8 @@ struct TallyDomains {
         rule.compression(h, density, particles.viscous_pressure(p)),
         std::hypot(v[0], v[1], v[2])
     );
-    tally.stable_step =
-        std::min(tally.stable_step, step * critical_courant / particles.critical_courant);
+    const double of_domain = step * critical_courant / particles.critical_courant;
+    tally.stable_step = of_domain < tally.stable_step ? of_domain : tally.stable_step;
   }
 };
 
@@ -108,8 +110,12 @@ DomainTally tally_domains(
           policy,
           StepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
           RowFrames(grid, particles)};
-      for (int begin = 0; begin < particles.count; begin += rows_per_batch)
-        kernel(Rows{begin, std::min(begin + rows_per_batch, particles.count)}, tally);
+      launch_reduction(
+          "tally_domains",
+          range((particles.count + rows_per_batch - 1) / rows_per_batch),
+          kernel,
+          TallyReducer<DomainTally>(tally)
+      );
     }
   });
   return tally;

@@ -17,6 +17,14 @@ struct DomainTally {
       std::numeric_limits<double>::infinity();  ///< of those narrower than at the start [time]
 };
 
+KOKKOS_INLINE_FUNCTION void add(const DomainTally& part, DomainTally& sum) {
+  sum.clipped += part.clipped;
+  sum.inverted += part.inverted;
+  if (part.first_bad >= 0 && (sum.first_bad < 0 || part.first_bad < sum.first_bad))
+    sum.first_bad = part.first_bad;
+  sum.stable_step = part.stable_step < sum.stable_step ? part.stable_step : sum.stable_step;
+}
+
 /// Mark the particles whose domains are clipped (Particles::clipped) and give inverted ones to the
 /// material's particle policy. A deformation gradient cannot be integrated through det F = 0, but
 /// round-off of a needle may bring it there.

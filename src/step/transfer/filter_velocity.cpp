@@ -4,7 +4,6 @@
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
 #include "step/boundary/apply_symmetry.hpp"
-#include "step/grid/solve_velocity.hpp"
 #include "step/transfer/interpolate_motion.hpp"
 #include "step/transfer/project_particles.hpp"
 #include "step/transfer/project_sets.hpp"
@@ -51,42 +50,48 @@ Particles with_residual(const Particles& particles) {
   return asking;
 }
 
-/// S S+ r of all sets; returns the axial impulse of the conditions on S+ r.
-ReproducibleSum smooth_residuals(const Scene& scene, State& state) {
-  const Stopwatch watch;
-  for (Nodes& nodes : state.nodes) clear_nodes(state.grid, nodes);
-  for (const Particles& particles : state.particles)
-    if (!particles.rigid)
-      project_particles(
-          state.grid,
-          with_residual(particles),
-          state.nodes[static_cast<std::size_t>(particles.field)]
-      );
-  drop_forces(state.grid, state.nodes);
-  const SymmetryPlanes symmetry(scene.conditions, state.grid);
-  sum_halos(symmetry, state.grid, state.nodes);
-  const VelocityRule rule{
-      homogeneous(state.conditions),
-      0.0,
-      GridShare(scene.step),
-      NodeScaleRule(scene.materials, scene.grid)};
-  ReproducibleSum impulse;
-  for (std::size_t f = 0; f < state.nodes.size(); ++f) {
-    if (state.fields.rigid_body[f] >= 0) continue;
-    Nodes& nodes = state.nodes[f];
-    GridTally part = solve_velocity(state.grid, rule, {}, nodes);
-    apply_symmetry_to_velocities(symmetry, state.grid, rule.grid_share, nodes, part);
-    impulse += part.filter_impulse;
+/// One application of S S+ to the residuals of all sets.
+struct SmoothResiduals {
+  const FilterRule& filter;
+  const Grid& grid;
+  const VelocityFields& fields;
+  const Dormancy& dormancy;
+  const std::vector<Particles>& sets;
+  std::vector<Nodes>& nodes;
+
+  Nodes& nodes_of(const Particles& particles) const {
+    return nodes[static_cast<std::size_t>(particles.field)];
   }
-  for (const Particles& particles : state.particles) {
-    if (particles.rigid) continue;
-    Particles asking = with_residual(particles);
-    const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
-    interpolate_motion(state.grid, state.dormancy, nodes, asking);
+
+  void project() const {
+    for (Nodes& field : nodes) clear_nodes(grid, field);
+    for (const Particles& particles : sets)
+      if (!particles.rigid) project_particles(grid, with_residual(particles), nodes_of(particles));
+    drop_forces(grid, nodes);
+    sum_halos(filter.symmetry, grid, nodes);
   }
-  state.effort.node_seconds += watch.seconds();
-  return impulse;
-}
+
+  /// @return the axial impulse of the conditions on S+ r
+  ReproducibleSum solve() const {
+    const VelocityRule& rule = filter.rule;
+    ReproducibleSum impulse;
+    for (std::size_t f = 0; f < nodes.size(); ++f) {
+      if (fields.rigid_body[f] >= 0) continue;
+      GridTally part = solve_velocity(grid, rule, {}, nodes[f]);
+      apply_symmetry_to_velocities(filter.symmetry, grid, rule.grid_share, nodes[f], part);
+      impulse += part.filter_impulse;
+    }
+    return impulse;
+  }
+
+  void interpolate() const {
+    for (const Particles& particles : sets) {
+      if (particles.rigid) continue;
+      Particles asking = with_residual(particles);
+      interpolate_motion(grid, dormancy, nodes_of(particles), asking);
+    }
+  }
+};
 
 /// v_p <- v_p - r_m; returns the change of the set's kinetic energy.
 ReproducibleSum take_residual(Particles& particles) {
@@ -116,18 +121,31 @@ ReproducibleSum take_residual(Particles& particles) {
 
 }  // namespace
 
-FilterTally filter_velocity(const Scene& scene, State& state) {
-  if (scene.step.transfer != Transfer::xpic) return {};
+FilterTally filter_velocity(
+    const FilterRule& filter,
+    const Grid& grid,
+    const VelocityFields& fields,
+    const Dormancy& dormancy,
+    std::vector<Nodes>& nodes,
+    std::vector<Particles>& sets,
+    Effort& effort
+) {
+  if (filter.powers == 0) return {};
   const Region region("filter_velocity");
   FilterTally tally;
-  for (const Particles& particles : state.particles)
+  for (const Particles& particles : sets)
     if (!particles.rigid) find_residual(particles);
-  for (int k = 2; k <= scene.step.xpic_order; ++k) {
-    tally.condition_impulse = smooth_residuals(scene, state);
-    for (const Particles& particles : state.particles)
+  const SmoothResiduals smooth{filter, grid, fields, dormancy, sets, nodes};
+  for (int k = 2; k <= filter.powers; ++k) {
+    const Stopwatch watch;
+    smooth.project();
+    tally.condition_impulse = smooth.solve();
+    smooth.interpolate();
+    effort.node_seconds += watch.seconds();
+    for (const Particles& particles : sets)
       if (!particles.rigid) reduce_residual(particles);
   }
-  for (Particles& particles : state.particles)
+  for (Particles& particles : sets)
     if (!particles.rigid) tally.kinetic += take_residual(particles);
   return tally;
 }

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
+#include "scene/velocity_fields.hpp"
+#include "state/effort.hpp"
+#include "step/boundary/symmetry_planes.hpp"
+#include "step/grid/solve_velocity.hpp"
 
 namespace barreno {
+
+/// What XPIC reads beside particles and nodes.
+struct FilterRule {
+  int powers = 0;     ///< m; 0: another transfer
+  VelocityRule rule;  ///< homogeneous conditions, no damping
+  SymmetryPlanes symmetry;
+};
 
 /// What XPIC takes from the particles, this rank's part.
 struct FilterTally {
@@ -23,6 +33,14 @@ struct FilterTally {
 /// @pre  particles.grid_motion (interpolate_motion); what nodes hold is not needed any more
 /// @post nodes hold the last correction
 /// Source: C. Hammerquist, J. Nairn, Comput. Methods Appl. Mech. Eng. 318 (2017) 724-738.
-FilterTally filter_velocity(const Scene& scene, State& state);
+FilterTally filter_velocity(
+    const FilterRule& filter,
+    const Grid& grid,
+    const VelocityFields& fields,
+    const Dormancy& dormancy,
+    std::vector<Nodes>& nodes,
+    std::vector<Particles>& sets,
+    Effort& effort
+);
 
 }  // namespace barreno

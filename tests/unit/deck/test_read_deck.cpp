@@ -253,7 +253,7 @@ TEST_F(ReadDeck, TheDecksOwnWordsComeBeforeAFidelity) {
   EXPECT_EQ(deck.number("Materials/Rock/Tolerance"), 1e-3);
   EXPECT_TRUE(notes_say(
       deck,
-      "The deck's own words come before fidelity reference: Step/Courant Fraction = 0.30 "
+      "The deck's own values take precedence over fidelity reference: Step/Courant Fraction = 0.30 "
       "(reference: 0.8), Bodies/Front/Particles Per Cell = 4 (reference: 2)."
   ));
   EXPECT_TRUE(notes_say(deck, "Output/History Interval = 2e-08 s, "));

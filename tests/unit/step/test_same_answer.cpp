@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <numeric>
+#include <sstream>
 
 namespace barreno {
 namespace {
@@ -86,19 +88,26 @@ Scene with_shape(Scene scene, const std::string& word) {
   return scene;
 }
 
+/// A card of the project with a fluid in the pores and strength that scatters.
+Material wet_scattered_rock(const std::string& card) {
+  std::ifstream file(cards + card);
+  std::ostringstream text;
+  text << file.rdbuf();
+  Teuchos::ParameterList list = scan_card(text.str(), card);
+  list.set("fluid_B0", 2.2e9);
+  list.set("Weibull modulus", 4.0);
+  list.set("Weibull reference volume", 1e-6);
+  return make_material("sandstone", list);
+}
+
 /// Wet sandstone whose strength scatters, thrown at itself.
 Scene scattered_rock() {
-  const Material dry = read_card(cards + "arenisca_demonstration.xml");
-  Arenisca::Parameters p = std::get<Arenisca>(dry.model).parameters();
-  p.fluid_B0 = 2.2e9;
-  p.weibull_modulus = 4.0;
-  p.weibull_reference_volume = 1e-6;
   Scene scene = box_scene(
       Mode::axisymmetric,
       1e-3,
       {0.0, 0.0, 0.0},
       {0.024, 0.040, 0.0},
-      MaterialSpec(Material{"sandstone", dry.density, GeneralArenisca(p, dry.density)})
+      MaterialSpec(wet_scattered_rock("arenisca_demonstration.xml"))
   );
   add_box(scene, "ball", {0.0, 0.004, 0.0}, {0.0041, 0.0159, 0.0}, 2).velocity = {0, 500.0, 0};
   add_box(scene, "block", {0.0, 0.0163, 0.0}, {0.0172, 0.0307, 0.0}, 2);
