@@ -232,12 +232,26 @@ TEST(SameAnswer, AnyRankCountGivesTheSameBitsInRock) {
 }
 
 /// The specimen too: strengths come from the ids of particles.
+int history_index(const Material& material, const std::string& name) {
+  return std::visit(
+      [&](const auto& model) {
+        const auto table = std::decay_t<decltype(model)>::history_table();
+        const auto found = std::find_if(table.begin(), table.end(), [&](const HistoryField& field) {
+          return field.name == name;
+        });
+        EXPECT_NE(found, table.end()) << name;
+        return static_cast<int>(found - table.begin());
+      },
+      material.model
+  );
+}
+
 TEST(SameAnswer, ScatteredRockIsTheSameForAnyRankCount) {
   const Scene scene = scattered_rock();
   State together = start(scene), alone = start_alone(scene);
   double weakest = HUGE_VAL, strongest = 0.0;
   const Particles& rock = alone.particles.front();
-  constexpr int coherence = 3;  // its place in the history
+  const int coherence = history_index(scene.materials.front().material(), "coherence");
   for (int p = 0; p < rock.count; ++p) {
     weakest = std::min(weakest, rock.history(p, coherence));
     strongest = std::max(strongest, rock.history(p, coherence));
