@@ -344,8 +344,7 @@ BARRENO_FUNCTION void refine_points(
   R seen = J2;
   if constexpr (Law::angled) seen = J2 / (p.angle.gamma * p.angle.gamma);
   const MaskOf<R> outside = asked & !contained(rock.surface, moved_x, seen, cap, m);
-  ShearIn<R, Law> end;
-  ReturnedOf<R> r = return_shear(rock, p, moved, trial, outside, m, R(a.end.evp - evp), end);
+  auto [r, end] = return_shear(rock, p, moved, trial, outside, m, R(a.end.evp - evp));
   r.x = real::select(outside, r.x, moved_x);
   r.q = real::select(outside, r.q, q);
   r.evp = real::select(outside, r.evp, evp);
@@ -378,8 +377,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
   const R metric = metric_of(rock, p);
   const R no_guess = R{} + HUGE_VAL;
   const TrialOf<R> trial{p.x, p.q, metric, stiffness_of_return(rock, p), n.evp, step.cap};
-  ShearIn<R, Law> end;
-  const ReturnedOf<R> r = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess, end);
+  const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess);
   FlowStartOf<R, Law> f = flow_start_of(rock, flows, step, p, metric);
   if (rock.crush.p3 > 0.0) {
     // Rock without open pores that keeps them closed flows along its shear stress, not along the

@@ -126,20 +126,25 @@ BARRENO_FUNCTION void find_turn(
   }
 }
 
+/// Where a trial shear stress comes back to.
+template <class R, class Law>
+struct ReturnedShear {
+  ReturnedOf<R> point;
+  ShearIn<R, Law> shear;
+};
+
 /// Return of a trial shear stress.
 /// @param p       the prediction; where the strength depends on the angle, with that of `s`
 /// @param s       trial shear stress, trial.q long
-/// @param[out] end  where it comes back to
 template <class R, class Law>
-BARRENO_FUNCTION ReturnedOf<R> return_shear(
+BARRENO_FUNCTION ReturnedShear<R, Law> return_shear(
     const RockOf<R, Law>& rock,
     const PredictionOf<R, Law>& p,
     const ShearIn<R, Law>& s,
     const TrialOf<R>& trial,
     const MaskOf<R>& outside,
     const MeridianOf<R>& at_trial,
-    const R& guess,
-    ShearIn<R, Law>& end
+    const R& guess
 ) {
   if constexpr (Law::angled) {
     constexpr double nothing = 1e-13;
@@ -152,12 +157,11 @@ BARRENO_FUNCTION ReturnedOf<R> return_shear(
                            (real::abs(at.miss) > nothing * trial.q) & !at.returned.refused;
     if (real::any(open)) find_turn(rock, angle, trial, at_trial, open, at);
     const R q = at.returned.q;
-    end = R(q * at.angle.cosine) * angle.along + R(q * at.angle.sine) * angle.across;
-    return at.returned;
+    return {
+        at.returned, R(q * at.angle.cosine) * angle.along + R(q * at.angle.sine) * angle.across};
   } else {
     const ReturnedOf<R> r = return_points(rock, trial, outside, at_trial, guess);
-    end = lengthened(s, trial.q, r.q);
-    return r;
+    return {r, lengthened(s, trial.q, r.q)};
   }
 }
 

@@ -101,10 +101,17 @@ BARRENO_FUNCTION R press_pores(
   return real::select(moves, f.end.pressure - begin.pressure - rise, 0.0);
 }
 
+/// Stress at the end of a step, and its works per current volume.
+template <class R>
+struct StepEnd {
+  Sym3Of<R> stress;
+  R elastic_work, plastic_work;
+};
+
 /// The overstress at the end of a step, and the works of the dynamic stress.
 /// @param missed  change of the effective stress had the step been elastic, less what it was
 /// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress
-/// @param[in,out] end    quasi-static stress; the dynamic one
+/// @param[in,out] end    of the quasi-static stress; of the dynamic one
 template <class R, class Law, class Points>
 BARRENO_FUNCTION void add_overstress(
     const Law& rock,
@@ -113,9 +120,7 @@ BARRENO_FUNCTION void add_overstress(
     const ModuliOf<R>& moduli,
     PoresOf<R>& pores,
     Points& p,
-    Sym3Of<R>& end,
-    R& elastic_work,
-    R& plastic_work
+    StepEnd<R>& end
 ) {
   if (rock.T1 == 0.0) return;
   const Sym3Of<R> over = overstress_of<R>(p.history);
@@ -127,17 +132,18 @@ BARRENO_FUNCTION void add_overstress(
     begin = pores_of<R>(p.history);
     const MaskOf<R> moves = over_any & (p.increment.dt > 0.0);
     const R gained = trace(new_over - over);
-    end = end - isotropic(press_pores(rock, moves, begin, trace(strain), gained, pores));
+    end.stress =
+        end.stress - isotropic(press_pores(rock, moves, begin, trace(strain), gained, pores));
     const R rise = pores.pressure - begin.pressure;
     strain = strain + isotropic(R(rise * ((1.0 / 3.0) * rock.constituents.per_matrix)));
   }
   const Sym3Of<R> before = p.stress + isotropic(begin.pressure);
-  end = end + new_over;
-  const Sym3Of<R> after = end + isotropic(pores.pressure);
-  const R work = 0.5 * contract(p.stress + end, p.increment.strain);
+  end.stress = end.stress + new_over;
+  const Sym3Of<R> after = end.stress + isotropic(pores.pressure);
+  const R work = 0.5 * contract(p.stress + end.stress, p.increment.strain);
   const R dissipated = dissipated_work(strain, before, after, moduli);
-  plastic_work = real::select(over_any, dissipated, plastic_work);
-  elastic_work = real::select(over_any, work - dissipated, elastic_work);
+  end.plastic_work = real::select(over_any, dissipated, end.plastic_work);
+  end.elastic_work = real::select(over_any, work - dissipated, end.elastic_work);
   set_overstress<R>(choice, new_over, p.history);
 }
 
@@ -149,28 +155,28 @@ BARRENO_ALIKE MaskOf<R> end_step(
 ) {
   R mean_stress = step.state.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
-  Sym3Of<R> end = tensor_of<R, Law>(step.state.s, p) + isotropic(mean_stress);
+  StepEnd<R> end{
+      tensor_of<R, Law>(step.state.s, p) + isotropic(mean_stress),
+      step.elastic_work,
+      step.plastic_work};
   const MaskOf<R> good = flows & !step.refused;
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
-  R elastic_work = step.elastic_work, plastic_work = step.plastic_work;
   auto& h = p.history;
   PoresOf<R> pores{};
   if constexpr (Law::wet) pores = step.pores;
   if constexpr (Law::rated) {
     const Sym3Of<R> missed =
         tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
-    add_overstress<R>(
-        rock, good, missed, step.mean_moduli, pores, p, end, elastic_work, plastic_work
-    );
+    add_overstress<R>(rock, good, missed, step.mean_moduli, pores, p, end);
   }
-  p.stress = select_points<R>(good, end, p.stress);
+  p.stress = select_points<R>(good, end.stress, p.stress);
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
       real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
   if constexpr (Law::wet) set_pores<R>(good, pores, h);
   PointsOutcome<R>& out = p.outcome;
-  out.elastic_work = real::select(good, mean_ratio * elastic_work, out.elastic_work);
-  out.plastic_work = real::select(good, mean_ratio * plastic_work, out.plastic_work);
+  out.elastic_work = real::select(good, mean_ratio * end.elastic_work, out.elastic_work);
+  out.plastic_work = real::select(good, mean_ratio * end.plastic_work, out.plastic_work);
   out.longitudinal_modulus = real::select(good, step.modulus, out.longitudinal_modulus);
   return flows & step.refused;
 }
@@ -220,19 +226,18 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   R mean_stress = whole.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - whole.pores.pressure;
-  Sym3Of<R> end = whole.s + isotropic(mean_stress);
+  PointsOutcome<R>& out = p.outcome;
+  StepEnd<R> end{whole.s + isotropic(mean_stress), out.elastic_work, out.plastic_work};
   PoresOf<R> pores{};
   if constexpr (Law::wet) pores = whole.pores;
   if constexpr (Law::rated) {
-    PointsOutcome<R>& out = p.outcome;
-    add_overstress<R>(
-        law, elastic, Sym3Of<R>{}, whole.used, pores, p, end, out.elastic_work, out.plastic_work
-    );
-    out.plastic_work = mean_ratio * out.plastic_work;
+    add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, pores, p, end);
+    out.elastic_work = end.elastic_work;
+    out.plastic_work = mean_ratio * end.plastic_work;
   }
-  p.outcome.elastic_work = mean_ratio * p.outcome.elastic_work;
+  out.elastic_work = mean_ratio * out.elastic_work;
   if constexpr (Law::wet) set_pores<R>(elastic, pores, p.history);
-  p.stress = select_points<R>(elastic, end, p.stress);
+  p.stress = select_points<R>(elastic, end.stress, p.stress);
   return sound & !elastic;
 }
 
