@@ -3,7 +3,7 @@
 
 #include "base/gather.hpp"
 #include "grid/tiles.hpp"
-#include "step/boundary/node_conditions.hpp"
+#include "step/boundary/conditions_of_step.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/grid/solve_velocity.hpp"
 #include "step/transfer/interpolate_motion.hpp"
@@ -38,7 +38,7 @@ GridTally solve_fields(
     const Scene& scene, const Clock& clock, double damping, State& state, RigidTally& rigid
 ) {
   const VelocityRule rule{
-      node_conditions(state.conditions, clock),
+      conditions_of_step(state.conditions, clock),
       damping,
       GridShare(scene.step),
       NodeScaleRule(scene.materials, scene.grid)};

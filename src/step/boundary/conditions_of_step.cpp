@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/boundary/node_conditions.hpp"
+#include "step/boundary/conditions_of_step.hpp"
 
 namespace barreno {
 
-NodeConditions node_conditions(const NodeConditions& of_scene, const Clock& clock) {
+NodeConditions conditions_of_step(const NodeConditions& of_scene, const Clock& clock) {
   NodeConditions out = of_scene;
   out.time = clock.time;
   out.last_dt = clock.dt;

@@ -6,7 +6,7 @@
 namespace barreno {
 
 /// The scene's conditions in the step from a clock on.
-NodeConditions node_conditions(const NodeConditions& of_scene, const Clock& clock);
+NodeConditions conditions_of_step(const NodeConditions& of_scene, const Clock& clock);
 
 /// The same nodes and components, set to zero: what a correction of velocities must keep.
 NodeConditions homogeneous(const NodeConditions& conditions);
