@@ -6,7 +6,7 @@
 #include "command_line.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
 #include "drive/drive.hpp"
 #include "output/folder_lock.hpp"
 #include "output/output.hpp"

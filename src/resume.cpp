@@ -7,7 +7,7 @@
 #include "checkpoint/check_values.hpp"
 #include "checkpoint/read_checkpoint.hpp"
 #include "deck/echo_deck.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
 #include "output/folder_lock.hpp"
 #include "output/output.hpp"
 #include "output/text_file.hpp"

@@ -9,7 +9,7 @@
 #include "check/predict_cost.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
-#include "deck/time_section.hpp"
+#include "deck/sections/time_section.hpp"
 #include "geometry/piece.hpp"
 #include "output/progress.hpp"
 #include "scene/build_scene.hpp"

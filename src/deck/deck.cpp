@@ -2,8 +2,8 @@
 #include "deck/deck.hpp"
 
 #include "deck/echo_deck.hpp"
-#include "deck/material_section.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/material_section.hpp"
 
 #include <Teuchos_TwoDArray.hpp>
 

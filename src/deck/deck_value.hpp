@@ -3,7 +3,7 @@
 
 #include "deck/deck.hpp"
 #include "deck/face.hpp"
-#include "deck/grid_section.hpp"
+#include "deck/sections/grid_section.hpp"
 #include "deck/words.hpp"
 #include "geometry/shape.hpp"
 

@@ -2,8 +2,8 @@
 #include "drive/drive.hpp"
 
 #include "base/error.hpp"
-#include "deck/load_material.hpp"
-#include "deck/read_on_root.hpp"
+#include "deck/files/load_material.hpp"
+#include "deck/files/read_on_root.hpp"
 #include "drive/drive_mixed.hpp"
 #include "drive/drive_point.hpp"
 #include "drive/mixed_path.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/build_scene.hpp"
 
-#include "deck/head_section.hpp"
 #include "deck/section_table.hpp"
-#include "deck/time_section.hpp"
+#include "deck/sections/head_section.hpp"
+#include "deck/sections/time_section.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "deck/body_force_section.hpp"
-#include "deck/body_section.hpp"
-#include "deck/contact_section.hpp"
-#include "deck/grid_section.hpp"
-#include "deck/jet_section.hpp"
-#include "deck/load_sections.hpp"
-#include "deck/material_section.hpp"
-#include "deck/output_section.hpp"
-#include "deck/pore_flow_section.hpp"
-#include "deck/step_section.hpp"
+#include "deck/sections/body_force_section.hpp"
+#include "deck/sections/body_section.hpp"
+#include "deck/sections/contact_section.hpp"
+#include "deck/sections/grid_section.hpp"
+#include "deck/sections/jet_section.hpp"
+#include "deck/sections/load_sections.hpp"
+#include "deck/sections/material_section.hpp"
+#include "deck/sections/output_section.hpp"
+#include "deck/sections/pore_flow_section.hpp"
+#include "deck/sections/step_section.hpp"
 #include "scene/quasi_static_spec.hpp"
 
 #include <memory>

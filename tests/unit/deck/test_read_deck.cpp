@@ -5,7 +5,7 @@
 #include "deck/deck_schema.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
 #include "scene/build_scene.hpp"
 
 #include <Teuchos_DefaultSerialComm.hpp>

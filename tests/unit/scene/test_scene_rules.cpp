@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/pore_flow_section.hpp"
+#include "deck/sections/pore_flow_section.hpp"
 #include "deck/table.hpp"
 #include "scene/dormant.hpp"
 #include "scene/heat.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/load_material.hpp"
+#include "deck/files/load_material.hpp"
 
 #include "base/error.hpp"
-#include "deck/read_on_root.hpp"
+#include "deck/files/read_on_root.hpp"
 
 #include <barreno/find_card.hpp>
 #include <barreno/input/scan_xml.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/body_section.hpp"
+#include "deck/sections/body_section.hpp"
 
 #include "deck/material_named.hpp"
 #include "deck/section_table.hpp"
-#include "deck/shape_section.hpp"
+#include "deck/sections/shape_section.hpp"
 
 namespace barreno {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/step_section.hpp"
+#include "deck/sections/step_section.hpp"
 
 #include "deck/section_table.hpp"
 #include "deck/shape_words.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/grid_section.hpp"
+#include "deck/sections/grid_section.hpp"
 
 #include "deck/section_table.hpp"
 

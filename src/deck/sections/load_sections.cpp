@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/load_sections.hpp"
+#include "deck/sections/load_sections.hpp"
 
 #include "deck/section_table.hpp"
 

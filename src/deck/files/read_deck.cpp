@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
-#include "deck/body_section.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/fidelity.hpp"
-#include "deck/head_section.hpp"
-#include "deck/jet_section.hpp"
-#include "deck/jet_table.hpp"
-#include "deck/load_material.hpp"
-#include "deck/material_section.hpp"
-#include "deck/read_on_root.hpp"
-#include "deck/read_solver_lists.hpp"
-#include "deck/read_surface.hpp"
+#include "deck/files/jet_table.hpp"
+#include "deck/files/load_material.hpp"
+#include "deck/files/read_on_root.hpp"
+#include "deck/files/read_solver_lists.hpp"
+#include "deck/files/read_surface.hpp"
 #include "deck/section_table.hpp"
-#include "deck/shape_section.hpp"
+#include "deck/sections/body_section.hpp"
+#include "deck/sections/head_section.hpp"
+#include "deck/sections/jet_section.hpp"
+#include "deck/sections/material_section.hpp"
+#include "deck/sections/shape_section.hpp"
 
 #include <algorithm>
 #include <barreno/find_card.hpp>

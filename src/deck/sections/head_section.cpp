@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/head_section.hpp"
+#include "deck/sections/head_section.hpp"
 
 #include "deck/deck_schema.hpp"
 #include "deck/fidelity.hpp"

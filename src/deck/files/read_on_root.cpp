@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/read_on_root.hpp"
+#include "deck/files/read_on_root.hpp"
 
 #include "base/error.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/read_solver_lists.hpp"
+#include "deck/files/read_solver_lists.hpp"
 
-#include "deck/pore_flow_section.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/pore_flow_section.hpp"
 
 #include <Teuchos_XMLParameterListReader.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/jet_section.hpp"
+#include "deck/sections/jet_section.hpp"
 
 #include "deck/material_named.hpp"
 #include "deck/section_table.hpp"

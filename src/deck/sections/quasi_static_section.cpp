@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/quasi_static_section.hpp"
+#include "deck/sections/quasi_static_section.hpp"
 
 #include "deck/section_table.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/output_section.hpp"
+#include "deck/sections/output_section.hpp"
 
 #include "deck/section_table.hpp"
-#include "deck/time_section.hpp"
+#include "deck/sections/time_section.hpp"
 
 namespace barreno {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/material_section.hpp"
+#include "deck/sections/material_section.hpp"
 
 #include "deck/section_table.hpp"
 

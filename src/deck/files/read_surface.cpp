@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/read_surface.hpp"
+#include "deck/files/read_surface.hpp"
 
 #include "base/error.hpp"
 

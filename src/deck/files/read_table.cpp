@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/read_table.hpp"
+#include "deck/files/read_table.hpp"
 
 #include "base/error.hpp"
 

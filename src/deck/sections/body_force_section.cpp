@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/body_force_section.hpp"
+#include "deck/sections/body_force_section.hpp"
 
 #include "deck/section_table.hpp"
 
