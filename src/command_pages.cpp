@@ -3,6 +3,9 @@
 
 #include "base/error.hpp"
 #include "deck/fidelity.hpp"
+#include "deck/section_table.hpp"
+#include "deck/sections/head_section.hpp"
+#include "deck/sections/time_section.hpp"
 
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
@@ -42,7 +45,7 @@ void take_fidelity(Options& options, const std::string& value) {
         input::suggest_name(value, known)
     );
   }
-  options.overrides.push_back("Fidelity=" + value);
+  options.overrides.push_back(fidelity_override(value));
 }
 
 const OptionPage set_option = {
@@ -105,7 +108,7 @@ CommandPage resume_page() {
         "\"200 us\"",
         "another end of the run",
         [](Options& options, const std::string& value) {
-          options.overrides.push_back("Time/End Time=" + value);
+          options.overrides.push_back(path_of(&TimeSpec::end_time) + "=" + value);
         }},
        {"--ranks", "N", "2", "processes, as for run; any number will do", take_ranks}},
       "barreno resume runs/perforation-1 --until \"200 us\""};

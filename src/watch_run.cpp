@@ -111,8 +111,8 @@ std::string watch_run(const Scene& scene, const State& state, double last_dt, Ru
   const Energies energies = sum_energies(state);
   watch.max_energy_input = std::max(watch.max_energy_input, energies.put_in);
   // Neither compensates for the other, and values that are not finite are wrong too.
-  const double held = energies.kinetic + std::abs(energies.elastic);
-  if (held <= max_gain * watch.max_energy_input) return {};
+  const double energy = energies.kinetic + std::abs(energies.elastic);
+  if (energy <= max_gain * watch.max_energy_input) return {};
   return gain_sentence(scene, state, energies, watch.max_energy_input);
 }
 

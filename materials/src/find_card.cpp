@@ -4,6 +4,7 @@
 #include "barreno/input/error.hpp"
 #include "barreno/input/nearest_name.hpp"
 #include "barreno/input/scan_xml.hpp"
+#include "barreno/models.hpp"
 #include "barreno/registry.hpp"
 #include "text.hpp"
 

@@ -18,7 +18,6 @@
 #include "state/particles.hpp"
 
 #include <algorithm>
-#include <barreno/models.hpp>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -33,20 +32,16 @@ std::string box_text(const GridSpec& grid) {
   return text;
 }
 
-const char* model_name(const Material& material) {
-  return std::visit([](const auto& model) { return model.name; }, material.model);
-}
-
 std::string material_lines(const Scene& scene) {
   std::string text;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m].material();
+    const MaterialSpec& material = scene.materials[m];
     const std::size_t bytes = bytes_per_particle(make_particles(scene, static_cast<int>(m)));
     text += format(
         "  %-22s %s, %.6g kg/m3, %zu bytes per particle\n",
-        material.name.c_str(),
-        model_name(material),
-        material.density,
+        material.name().c_str(),
+        material.model_name().c_str(),
+        material.density(),
         bytes
     );
   }

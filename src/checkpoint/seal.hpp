@@ -10,7 +10,7 @@ namespace barreno {
 /// disk (fsync). @throws FileError
 void seal_checkpoint(const std::filesystem::path& path);
 
-/// A file whose length and digest were compared with its seal, held open: who reads it later can
+/// A file whose length and digest were compared with its seal, kept open: who reads it later can
 /// see to it that it is this file and none that has taken its name since.
 class SealedFile {
 public:

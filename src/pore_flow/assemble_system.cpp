@@ -24,7 +24,7 @@ void add_row(double dt, std::size_t i, PoreNetwork& network) {
   }
   double diagonal = cells.emptied[i] ? 0.0 : cells.cells[i].storage / dt, inflow = 0.0;
   if (cells.filled[i]) inflow -= cells.cells[i].gap / dt;
-  if (cells.emptied[i]) inflow += cells.cells[i].held / dt;
+  if (cells.emptied[i]) inflow += cells.cells[i].content / dt;
   for (std::size_t face = 0; face < network.links[i].size(); ++face) {
     const PoreLink& link = network.links[i][face];
     diagonal += link.conductance;

@@ -13,6 +13,7 @@
 #include "deck/sections/step_section.hpp"
 #include "scene/quasi_static_spec.hpp"
 
+#include <barreno/describe.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,7 +36,10 @@ public:
 
   const Material& material() const { return *material_; }
   const std::string& name() const;
-  double density() const { return density_; }  ///< at reference [mass/length^3]
+  std::string model_name() const;
+  std::vector<HistoryField> history_table() const;  ///< of the model's internal variables
+  bool is_porous() const;                           ///< it has a fluid that can drain
+  double density() const { return density_; }       ///< at reference [mass/length^3]
   void scale_density(double factor);
 
   BadParticlePolicy bad_particles;

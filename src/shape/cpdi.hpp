@@ -101,7 +101,7 @@ struct Cpdi {
     return 1.0 / std::sqrt(steepest);
   }
 
-  /// A corner of a domain as a point of the grid. It is held inside the patch and, in
+  /// A corner of a domain as a point of the grid. It is kept inside the patch and, in
   /// axisymmetry, off the other side of the axis, where round-off may carry it.
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION static void put_corner(

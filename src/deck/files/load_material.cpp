@@ -2,10 +2,12 @@
 #include "deck/files/load_material.hpp"
 
 #include "base/error.hpp"
+#include "deck/files/assumptions_of.hpp"
 #include "deck/files/read_on_root.hpp"
 
 #include <barreno/find_card.hpp>
 #include <barreno/input/scan_xml.hpp>
+#include <barreno/registry.hpp>
 #include <filesystem>
 
 namespace barreno {
@@ -25,15 +27,6 @@ std::string load_text(const std::string& card, const Comm& comm) {
 }
 
 }  // namespace
-
-std::vector<std::string> assumptions_of(const Teuchos::XMLObject& card, const std::string& name) {
-  std::vector<std::string> notes;
-  for (const char* expected : {"Units", "Schema Version"}) {
-    if (!input::find_text(card, expected))
-      notes.push_back(name + " does not state its " + expected + "; the default is used.");
-  }
-  return notes;
-}
 
 LoadedMaterial load_material(
     const std::string& card, const std::vector<std::string>& overrides, const Comm& comm

@@ -3,9 +3,7 @@
 
 #include "base/gather.hpp"
 
-#include <Teuchos_XMLObject.hpp>
-
-#include <barreno/registry.hpp>
+#include <barreno/models.hpp>
 #include <string>
 #include <vector>
 
@@ -16,10 +14,6 @@ struct LoadedMaterial {
   Material material;
   std::vector<std::string> notes;
 };
-
-/// What a card leaves to defaults that it should state, one sentence each.
-/// @param name  of the card, for sentences
-std::vector<std::string> assumptions_of(const Teuchos::XMLObject& card, const std::string& name);
 
 /// The material of a card, which is searched like that of a deck in the working directory; every
 /// "PARAMETER=value" replaces or adds one value of it, in the card's units unless it names its own.

@@ -15,9 +15,9 @@ SectionTable<ContactSpec> contact_table() {
       "pairs of materials whose surfaces can slide or separate, one freely named list each; all "
       "other materials stick together where they meet",
       Presence::defaulted,
-      {read_by<ContactSpec>("pair_at", text("Material", "name of a list in Materials")),
+      {read_by<ContactSpec>("pair_at", text(material_word, "name of a list in Materials")),
        read_by<ContactSpec>(
-           "pair_at", text("Other Material", "name of another, which may be of the same Card")
+           "pair_at", text(other_material_word, "name of another, which may be of the same Card")
        ),
        needed(
            &ContactSpec::kind,

@@ -19,6 +19,10 @@ inline Words<ContactKind> words_of(ContactKind /*of*/) {
       {"stick", ContactKind::stick}};
 }
 
+/// Entries that name the two materials; pair_at reads them.
+inline constexpr const char* material_word = "Material";
+inline constexpr const char* other_material_word = "Other Material";
+
 struct ContactSpec {
   std::string name;
   std::array<int, 2> materials{};  ///< indices into Scene::materials, different

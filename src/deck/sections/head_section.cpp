@@ -5,6 +5,8 @@
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
 
+#include <barreno/input/units.hpp>
+
 namespace barreno {
 namespace {
 
@@ -23,7 +25,7 @@ SectionTable<HeadSection> head_table() {
        defaulted(&HeadSection::title, "Title", "one line for screens and files"),
        defaulted(
            &HeadSection::units,
-           "Units",
+           units_word,
            "of plain numbers: SI, or units of length, time and mass (\"mm-us-g\")"
        ),
        if_given(
@@ -45,6 +47,10 @@ template <>
 const SectionTable<HeadSection>& table_of<HeadSection>() {
   static const SectionTable<HeadSection> table = head_table();
   return table;
+}
+
+std::string fidelity_override(const std::string& fidelity) {
+  return path_of(&HeadSection::fidelity) + "=" + fidelity;
 }
 
 }  // namespace barreno

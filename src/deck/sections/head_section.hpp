@@ -18,4 +18,7 @@ struct HeadSection {
 template <>
 const SectionTable<HeadSection>& table_of<HeadSection>();
 
+/// What --set takes to choose a fidelity: "Fidelity=fast".
+std::string fidelity_override(const std::string& fidelity);
+
 }  // namespace barreno

@@ -3,6 +3,8 @@
 
 #include "deck/section_table.hpp"
 
+#include <barreno/input/scan_xml.hpp>
+
 namespace barreno {
 namespace {
 
@@ -82,7 +84,8 @@ SectionTable<PoreFlowSpec> flow_table() {
       {defaulted(
            &PoreFlowSpec::drainage,
            "Drainage",
-           "automatic: off where pressure cannot diffuse as far as a twentieth of a cell"
+           "automatic: off where pressure diffuses less than " +
+               exact_text(shortest_drained_length) + " cells in the run"
        ),
        needed(&PoreFlowSpec::viscosity, "Viscosity", dim::viscosity, above(0.0), "of the fluid"),
        defaulted(
@@ -113,12 +116,14 @@ std::vector<Section> library_sections() {
       library_section(
           "Belos",
           "parameters of the linear solver, and Solver, its name (default CG); Convergence "
-          "Tolerance applies to the true residual (default 1e-10)"
+          "Tolerance applies to the true residual (default " +
+              exact_text(default_solver_tolerance) + ")"
       ),
       library_section(
           "Ifpack2",
           "parameters of a preconditioner, and Type, its name; default symmetric Gauss-Seidel, for "
-          "up to 2000 cells or short intervals"
+          "fewer than " +
+              std::to_string(fewest_cells_for_multigrid) + " cells or short intervals"
       ),
       library_section(
           "MueLu",

@@ -52,6 +52,11 @@ inline Words<Drainage> words_of(Drainage /*of*/) {
 /// Where pressure diffuses less far than this in a run, automatic drainage is off [cells].
 inline constexpr double shortest_drained_length = 0.05;
 
+/// What the linear solver does where its lists say nothing: residual over right-hand side to which
+/// it solves, and the number of cells below which it takes a smoother instead of multigrid.
+inline constexpr double default_solver_tolerance = 1e-10;
+inline constexpr int fewest_cells_for_multigrid = 2000;
+
 /// Drained pore fluid: Darcy flow between the cells of porous materials. docs/method.md 7
 struct PoreFlowSpec {
   Drainage drainage = Drainage::automatic;

@@ -4,6 +4,8 @@
 #include "deck/section_table.hpp"
 #include "deck/shape_words.hpp"
 
+#include <cmath>
+
 namespace barreno {
 namespace {
 
@@ -154,7 +156,8 @@ Entries<StepSpec> remaining_entries() {
           between(0.0, 1e-6),
           "how far a node may move in a step, in cells, without waking a dormant tile; 0: the "
           "answer is the same to the last bit; 1e-16, round-off, keeps nearly all rock ahead of "
-          "the wave dormant. Default 0 where all bodies start without stress, else 2^-53"
+          "the wave dormant. Default 0 where all bodies start without stress, else 2^" +
+              std::to_string(std::ilogb(stressed_rest_motion))
       )};
 }
 

@@ -32,6 +32,10 @@ inline Words<Order> words_of(Order /*of*/) {
       {"stress first", Order::stress_first}};
 }
 
+/// Rest Motion where bodies start under stress: half of the distance from 1 to the next number, for
+/// F = 1 does not change by a smaller strain [cells].
+inline constexpr double stressed_rest_motion = 0x1p-53;
+
 struct StepSpec {
   std::string shape = "GIMP";   ///< the word of one of the list in shape/visit_kernels.hpp
   double largest_domain = 1.0;  ///< l_crit: corners further from x_p are pulled in [cells]

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <barreno/input/scan_xml.hpp>
+#include <barreno/models.hpp>
 #include <barreno/registry.hpp>
 #include <cmath>
 #include <filesystem>

@@ -71,7 +71,7 @@ std::vector<Teuchos::XMLObject> sub_lists(
     const Teuchos::XMLObject& list, const std::string& path, const std::string& source
 );
 
-/// The system that the list's "Units" names; SI without it.
+/// The system that the list's Units names; SI without it.
 UnitSystem units_of(const Teuchos::XMLObject& root, const std::string& source);
 
 /// Sets or adds a parameter of this list, in the tree itself.

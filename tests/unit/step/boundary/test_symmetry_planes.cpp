@@ -21,7 +21,7 @@ TEST(SymmetryPlanes, AreFacesOfTheGridThoseAcrossYLast) {
   EXPECT_FALSE(planes.list[0].is_behind(8));
   EXPECT_EQ(planes.list[1].axis, 1);
   EXPECT_TRUE(planes.list[1].is_behind(-1));
-  EXPECT_TRUE(planes.mirrors_axially);
+  EXPECT_TRUE(planes.any_axial);
   EXPECT_TRUE(planes.holds(0, 8));
   EXPECT_FALSE(planes.holds(0, 0));
 }

@@ -11,8 +11,8 @@ namespace {
 std::vector<double> refined(const Scene& scene) {
   State state = testing::in_tiles(scene, 1.0);
   testing::meet(scene, state);
-  const SymmetryPlanes mirrors(scene.conditions, state.grid);
-  refine_surface_normals(state.grid, state.fields, state.particles, mirrors, state.contact);
+  const SymmetryPlanes planes(scene.conditions, state.grid);
+  refine_surface_normals(state.grid, state.fields, state.particles, planes, state.contact);
   const double* const n = testing::normal_at(state, 0, {4, 4});
   return {n[0], n[1], n[2]};
 }
