@@ -55,7 +55,7 @@ void refuse_resume(
     );
 }
 
-/// What is no folder is refused for the checkpoint that it does not hold.
+/// A path that is not a folder is reported as one without a checkpoint.
 std::unique_ptr<FolderLock> lock_if_there(const Comm& comm, const std::filesystem::path& folder) {
   std::array<double, 1> there{0.0};
   if (is_root(comm)) there[0] = std::filesystem::is_directory(folder) ? 1.0 : 0.0;

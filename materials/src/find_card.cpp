@@ -62,7 +62,7 @@ std::vector<fs::path> directories() {
   return result;
 }
 
-/// Cards of a directory, sorted: a listing has no order of its own.
+/// Cards of a directory, sorted: the order of a listing is arbitrary.
 std::vector<fs::path> cards_in(const fs::path& directory) {
   std::vector<fs::path> cards;
   std::error_code ignored;  // a directory that cannot be listed holds no card

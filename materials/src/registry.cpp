@@ -249,7 +249,7 @@ ParameterList scan_card(const Teuchos::XMLObject& xml, const std::string& source
 }
 
 Material read_card(const std::string& file) {
-  // A pipe without a writer would be waited for without end, and a device has no end.
+  // Reading a pipe without a writer, or a device, would never end.
   std::error_code ignored;
   const bool plain = std::filesystem::is_regular_file(file, ignored);
   if (plain && std::filesystem::file_size(file, ignored) > input::largest_text)

@@ -86,7 +86,7 @@ std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
 
 void refuse_short_domains(const Deck& deck, const Scene& scene) {
   const double corner = largest_corner(scene);
-  // Round-off of the deck's numbers is no reason to refuse it.
+  // A deck is not refused for the round-off of its numbers.
   if (!follows_deformation(scene) || scene.step.largest_domain >= corner * (1.0 - 1e-9)) return;
   deck.refuse_value(
       path_of(&StepSpec::largest_domain),

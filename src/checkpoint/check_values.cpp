@@ -266,7 +266,7 @@ void check_checkpoint(const Scene& scene, const State& state, const Checkpoint& 
     if (fault.empty()) return;
     throw FileError(
         "cannot resume from '" + checkpoint.file.string() + "' (" + fault +
-        "); remove this file to go on from the checkpoint before it, or start again with barreno "
+        "); remove this file to continue from the previous checkpoint, or start again with barreno "
         "run."
     );
   });

@@ -59,7 +59,7 @@ std::string fault_of(const fs::path& path, Checkpoint& found) {
 
 Checkpoint find_on_root(const fs::path& folder) {
   Checkpoint found;
-  // One that was not sealed is what every kill may leave: no news.
+  // Any kill may leave one that was not sealed, so that is not reported.
   const fs::path aside = folder / checkpoint_temporary_name;
   if (fs::exists(aside) && SealedFile(aside).fault().empty() && fault_of(aside, found).empty())
     return found;

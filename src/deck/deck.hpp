@@ -30,7 +30,7 @@ public:
 
   const std::string& name() const { return name_; }
   const Teuchos::ParameterList& values() const { return values_; }
-  /// What the user should know although it is no error, a sentence each.
+  /// What the user should know besides errors, a sentence each.
   std::vector<std::string> notes;
   /// File of the jet table that Jet/Slugs came from; empty without one.
   std::string jet_table;

@@ -108,7 +108,7 @@ bool try_lock(const fs::path& path, int& file, std::string& holder) {
   if (has_no_locks(error)) {
     std::cerr << "barreno: note: the disk of '" << path.parent_path().string()
               << "' has no file locks (" << std::strerror(error)
-              << "): see to it that no other run uses this folder." << std::endl;
+              << "): make sure that no other run uses this folder." << std::endl;
     return true;
   }
   if (is_held(error)) holder = holder_of(file);

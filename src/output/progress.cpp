@@ -140,7 +140,7 @@ void Progress::warn(const std::string& kind, const std::string& sentence, long c
 void Progress::list_warnings() {
   for (const auto& [kind, count] : warnings_)
     if (count > 1)
-      say_on(std::cerr, "warning: " + kind + ": " + std::to_string(count) + " times in all");
+      say_on(std::cerr, "warning: " + kind + ": " + std::to_string(count) + " times in total");
 }
 
 namespace {

@@ -37,7 +37,7 @@ const ConditionSpec* condition_on(const Scene& scene, Face face) {
   return nullptr;
 }
 
-/// The axis is no boundary: matter cannot cross it, and must be free to move along it.
+/// The axis is not a boundary: matter cannot cross it, and must be free to move along it.
 void check_axis(const Deck& deck, const Scene& scene) {
   if (scene.grid.mode != Mode::axisymmetric || scene.grid.lower[0] > 0.0) return;
   const ConditionSpec* condition = condition_on(scene, Face::x_lower);

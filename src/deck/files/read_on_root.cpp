@@ -60,7 +60,7 @@ std::string read_file(const std::string& file, std::size_t largest, const std::s
     throw FileError(name + " does not exist" + purpose + "check the path.");
   if (std::filesystem::is_directory(status))
     throw FileError(name + " is a directory" + purpose + "give the path of a file.");
-  // A pipe without a writer would be waited for without end, and a device has no end.
+  // Reading a pipe without a writer, or a device, would never end.
   if (!std::filesystem::is_regular_file(status))
     throw FileError(name + " is a pipe or a device" + purpose + "give the path of a plain file.");
   std::ifstream stream(file, std::ios::binary);

@@ -14,7 +14,8 @@ inline constexpr std::size_t largest_surface = 256U << 20U;
 /// The closed surface of an STL file, binary or text, every coordinate times `unit` plus `shift`
 /// [length]. Equal corners become one point; facets with two equal corners are left out.
 /// @param source  how sentences name the file
-/// @throws DeckError if the text is no STL or its surface does not enclose a solid, with what to do
+/// @throws DeckError if the text is not STL or its surface does not enclose a solid, with what to
+/// do
 std::shared_ptr<const Surface> read_surface(
     const std::string& text, double unit, const Vector& shift, const std::string& source
 );

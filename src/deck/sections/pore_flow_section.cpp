@@ -14,7 +14,7 @@ namespace dim = dimension;
 SectionTable<PermeabilitySpec> rock_table() {
   return {
       "Pore Flow/Rocks",
-      "named as in Materials",
+      "permeable materials, one list each, with the name that it has in Materials",
       Presence::required,
       {read_by(
            "read_permeability",
@@ -31,7 +31,7 @@ SectionTable<PermeabilitySpec> rock_table() {
            "Kozeny-Carman",
            "permeability times (phi/phi0)^3 ((1-phi0)/(1-phi))^2"
        )},
-      "permeability of one of the Materials, whose model must have a fluid that can drain"};
+      "permeability of one material, whose model must have a fluid that can drain"};
 }
 
 SectionTable<PoreConditionSpec> flow_condition_table() {

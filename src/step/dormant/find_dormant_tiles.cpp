@@ -32,8 +32,8 @@ void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
   Kokkos::deep_copy(dormancy.summed_rows, 0);
 }
 
-/// Where a symmetry plane across y is within reach of a tile, its sums are no longer those that its
-/// particles gave (apply_symmetry_to_sums).
+/// Where a symmetry plane across y is within reach of a tile, its sums are no longer those of its
+/// particles (apply_symmetry_to_sums).
 struct AxialPlanes {
   ArrayView<TileFrame> frame;
   Patch patch;
@@ -52,8 +52,8 @@ struct AxialPlanes {
   }
 };
 
-/// The rows of a set in a tile count, and a tile in which one of them moves is no candidate: it has
-/// a velocity, or a viscous pressure, which would go at once.
+/// Counts the rows of a set in each tile. A tile is not a candidate if a row moves: if it has a
+/// velocity, or a viscous pressure, which would vanish in the step.
 void look_at_rows(int tiles, const Particles& particles, const Dormancy& dormancy) {
   const ArrayView<int> tile_begin = particles.tile_begin, order = particles.order;
   const FieldView velocity = particles.velocity.values;
