@@ -2,8 +2,8 @@
 #include "drive/drive.hpp"
 
 #include "base/error.hpp"
-#include "deck/load_material.hpp"
-#include "deck/read_on_root.hpp"
+#include "deck/files/load_material.hpp"
+#include "deck/files/read_on_root.hpp"
 #include "drive/drive_mixed.hpp"
 #include "drive/drive_point.hpp"
 #include "drive/mixed_path.hpp"
@@ -98,7 +98,7 @@ Driven drive_along(
 
 /// An answer must not replace what was asked.
 void check_out(const DriveRequest& request) {
-  std::error_code ignored;  // a file that is not there is no input
+  std::error_code ignored;  // a file that does not exist cannot be an input
   for (const std::string& input : {request.path, request.material}) {
     if (!std::filesystem::equivalent(request.out, input, ignored)) continue;
     throw DeckError(

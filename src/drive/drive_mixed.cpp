@@ -275,10 +275,10 @@ std::string rounded(double value) {
     );
   }
   throw NumericalError(
-      where + "'" + material.name + "' does not bear stress_" + component_names[worst] + " = " +
+      where + "'" + material.name + "' cannot sustain stress_" + component_names[worst] + " = " +
       rounded(goal.target[worst]) + " Pa at time " + rounded(time) +
-      " s (the last that was reached is " + rounded(six_of(reached)[worst]) +
-      " Pa); prescribe strain_" + component_names[worst] + " to go past the strength."
+      " s (highest value reached: " + rounded(six_of(reached)[worst]) + " Pa); prescribe strain_" +
+      component_names[worst] + " to go beyond the strength."
   );
 }
 

@@ -22,7 +22,8 @@ struct DrivenRow {
 /// (V_ref, polar rotation). Between two rows the velocity gradient is
 /// constant,
 ///   L dt = log(F1 F0^-1) / steps,   F <- exp(L dt) F,
-/// and each step is that of a particle of the MPM (step/update_deformation.cpp): the model gets
+/// and each step is that of a particle of the MPM (step/particles/update_deformation.cpp): the
+/// model gets
 ///   d_eps = Rm^T sym(L dt) Rm,   ln(V / V_ref) <- ln(V / V_ref) + tr(L dt)
 /// with Rm half-way between the polar rotations R of F before and after the step, and the stress of
 /// the row is R sigma R^T. Where R does not change, d_eps is the exact logarithmic increment;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive/mixed_path.hpp"
 
-#include "deck/read_table.hpp"
+#include "deck/files/read_table.hpp"
 #include "drive/path_table.hpp"
 
 #include <algorithm>

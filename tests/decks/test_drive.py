@@ -102,8 +102,8 @@ BAD = {  # name: (arguments, exit code, sentence)
         "time are); did you mean 'stress_yy'?"),
     "beyond the strength": (
         ["--material", "berea_sandstone", "--path", "too_strong.csv", "--steps-per-row", "40"] + OUT, 3,
-        "too_strong.csv: line 4 cannot be reached: 'berea_sandstone' does not bear stress_xx = -2.38e+08 Pa at time 1.55 s (the last that "
-        "was reached is -2.366e+08 Pa); prescribe strain_xx to go past the strength."),
+        "too_strong.csv: line 4 cannot be reached: 'berea_sandstone' cannot sustain stress_xx = -2.38e+08 Pa at time 1.55 s (highest value "
+        "reached: -2.366e+08 Pa); prescribe strain_xx to go beyond the strength."),
     "drained without fluid": (
         CARD + ["--path", "drained.csv"] + OUT, 1,
         "drained.csv: pore_pressure: the Linear Elastic of 'glass' holds no fluid that could flow; give it a fluid or take the column out."),
@@ -136,7 +136,7 @@ BAD = {  # name: (arguments, exit code, sentence)
         GOOD + ["--steps-per-row", "0"], 1,
         "--steps-per-row 0 is not a number of steps (1 or more); write for example --steps-per-row 2."),
     "option without value": (
-        CARD + PATH + ["--out"], 1, "--out has no value after it (it needs one); write for example --out answer.csv."),
+        CARD + PATH + ["--out"], 1, "--out needs a value; write for example --out answer.csv."),
     "no card": (
         PATH + OUT, 1,
         f"--material is missing (drive needs a card, a path and a file for the answer); {EXAMPLE_LINE}"),
@@ -146,20 +146,20 @@ BAD = {  # name: (arguments, exit code, sentence)
         CARD + PATH, 1, f"--out is missing (drive needs a card, a path and a file for the answer); {EXAMPLE_LINE}"),
     "a file without option": (
         ["good.csv"] + GOOD, 1,
-        '"good.csv" stands alone (drive takes every file by its option); write --material, --path or --out before it.'),
+        '"good.csv" is not preceded by an option (drive takes every file with its option); write --material, --path or --out before it.'),
     "out is an input": (
         CARD + PATH + ["--out", "good.csv"], 1,
         '--out "good.csv" is an input of this command (it would be overwritten); give another file.'),
     "out below a file": (
         CARD + PATH + ["--out", "good.csv/answer.csv"], 2,
-        "cannot write 'good.csv/answer.csv' (Not a directory). Free the disk or give another place with --out."),
+        "cannot write 'good.csv/answer.csv' (Not a directory). Free disk space or choose another folder with --out."),
     "out in no folder": (
         CARD + PATH + ["--out", "nowhere/answer.csv"], 2,
-        "cannot write 'nowhere/answer.csv' (No such file or directory). Free the disk or give another place with "
+        "cannot write 'nowhere/answer.csv' (No such file or directory). Free disk space or choose another folder with "
         "--out."),
     "out is a directory": (
         CARD + PATH + ["--out", "folder"], 2,
-        "cannot write 'folder' (Is a directory). Free the disk or give another place with --out."),
+        "cannot write 'folder' (Is a directory). Free disk space or choose another folder with --out."),
 }  # fmt: skip
 
 

@@ -2,11 +2,11 @@
 #include "readers.hpp"
 
 #include "base/error.hpp"
-#include "deck/jet_table.hpp"
-#include "deck/load_material.hpp"
-#include "deck/read_deck.hpp"
-#include "deck/read_on_root.hpp"
-#include "deck/read_surface.hpp"
+#include "deck/files/jet_table.hpp"
+#include "deck/files/load_material.hpp"
+#include "deck/files/read_deck.hpp"
+#include "deck/files/read_on_root.hpp"
+#include "deck/files/read_surface.hpp"
 #include "drive/path_table.hpp"
 #include "scene/build_scene.hpp"
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <barreno/history_values.hpp>
+#include <barreno/models.hpp>
 #include <barreno/registry.hpp>
 #include <barreno/tangent.hpp>
 #include <barreno_material.h>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "barreno/input/schema.hpp"
-#include "barreno/models.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_XMLObject.hpp>
@@ -11,6 +10,10 @@
 #include <vector>
 
 namespace barreno {
+
+/// A model with its parameters. Whoever makes one or looks into it includes barreno/models.hpp,
+/// which this header leaves out: names, tables and cards do not depend on the models' code.
+struct Material;
 
 /// The registry is generated from the list in models.hpp and from the models' own tables: what a
 /// deck may say, what the manual prints and what hosts ask for have one source.
@@ -30,6 +33,7 @@ const std::vector<ModelDescription>& describe_models();
 const ModelDescription& find_model(const std::string& name);
 
 inline constexpr int card_schema_version = 1;
+inline constexpr const char* card_version_word = "Schema Version";  ///< its entry in a card
 
 /// The table of a card of this model: schema version, units, source, model, density and its
 /// parameters.

@@ -32,7 +32,7 @@ struct GeneralTrial {
   Trial part;  ///< with the full sqrt(J2)
   Sym3 s;      ///< stress deviator [stress]
   double theta;
-  bool round;    ///< the Lode angle has no part in it
+  bool round;    ///< independent of the Lode angle
   bool outside;  ///< of the surface at the start
 };
 

@@ -90,7 +90,7 @@ struct FilledOf {
 /// Pressure and volumes at the end of a volume strain.
 ///
 /// The volume that grains and fluid want falls with p and is convex: Newton's method converges from
-/// any start, held at p = 0, where gas comes in.
+/// any start, kept at p = 0, where gas comes in.
 /// @param guess of the rise of the pressure [stress]
 template <class R>
 BARRENO_FUNCTION FilledOf<R> fill_pores(

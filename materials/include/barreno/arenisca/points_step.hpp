@@ -8,7 +8,7 @@ namespace barreno::arenisca {
 
 // A whole step of one or several points, in substeps that each chooses by its own local error.
 
-/// Moduli at the middle of a substep, I1 held within what the surface admits.
+/// Moduli at the middle of a substep, I1 kept within what the surface admits.
 template <class R, class Law>
 BARRENO_FUNCTION ModuliOf<R> used_moduli(
     const Law& rock,

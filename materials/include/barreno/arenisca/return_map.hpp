@@ -38,8 +38,9 @@ struct Returned {
 ///
 ///   fc^2 = (metric q_tr A / D)^2,   D = (x - x_tr) + metric Ff A,
 ///
-/// which is smooth through the tip (hydrostatic crushing is no special case), while the first form
-/// is smooth where A changes sign. q = q_tr metric Ff A / D is what is left of the trial shear.
+/// which is smooth through the tip (so hydrostatic crushing needs no special case), while the first
+/// form is smooth where A changes sign. q = q_tr metric Ff A / D is what is left of the trial
+/// shear.
 template <class Crush, class Counter>
 struct CompactingSide {
   const YieldSurface& surface;

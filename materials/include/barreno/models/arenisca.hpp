@@ -18,7 +18,7 @@ using Increment = IncrementOf<Sym3>;
 
 namespace arenisca {
 
-/// False for NaN, infinite or absurd input: a strain increment beyond exp(10) has no meaning.
+/// False for NaN, infinite or absurd input: a strain increment beyond exp(10) is meaningless.
 BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
   constexpr double largest_increment = 10.0;
   const double strain_squared = contract(i.strain, i.strain);

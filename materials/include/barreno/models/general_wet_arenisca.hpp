@@ -83,7 +83,7 @@ private:
     p.fluid_B0 = p.fluid_pressure_initial = p.matrix_bulk_modulus = 0.0;
     return p;
   }
-  /// What wet Arenisca knows of a point; the overstress is no part of its elastic law.
+  /// What wet Arenisca knows of a point; the overstress is not part of its elastic law.
   BARRENO_FUNCTION static WetArenisca::History fluid_of(const History& h) {
     return {
         h.plastic_volume_strain,
