@@ -90,8 +90,10 @@ enum class Frame {
 /// Green's strain and the second Piola-Kirchhoff stress, which are those of small strains only
 /// where NLGEOM is off; @ABAQUSNL_ passes ln U and R^T sigma R (and a DROT that nothing needs),
 /// which it makes of Green's strain, so only where NLGEOM is on. KSTEP has four entries there, of
-/// which the third is 1 with NLGEOM (umat_abaqus.f, umat_abaqusnl.f of CalculiX 2.20).
-Frame frame_of(const char* name, const int* kstep) {
+/// which the third is 1 with NLGEOM, except in the linear prediction of a step, where the strains
+/// do not change (umat_abaqus.f, umat_abaqusnl.f, calctotstrain.f, nonlingeo.c of CalculiX 2.20).
+Frame frame_of(const char* name, const int* kstep, const double* dstran) {
+  constexpr double no_change = 1e-12;
   const auto begins = [&](const char* word) {
     return name != nullptr && std::strncmp(name, word, std::strlen(word)) == 0;
   };
@@ -104,7 +106,9 @@ Frame frame_of(const char* name, const int* kstep) {
     );
   }
   if (!begins("@ABAQUSNL_")) return Frame::space;
-  if (kstep[2] != 1) {
+  double change = 0.0;
+  for (int i = 0; i < tensor_size; ++i) change = std::fmax(change, std::fabs(dstran[i]));
+  if (kstep[2] != 1 && change > no_change) {
     barreno::hosts::stop(
         "the material's name begins with @ABAQUSNL_, but the step has no NLGEOM, without which "
         "CalculiX passes wrong strains to it; write *STEP,NLGEOM, or @ABAQUS_ for small strains."
@@ -181,7 +185,8 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     old_stress[i] = stress[i];
   }
   const std::vector<int>& tensors = known_tensors_of(material);
-  const bool turns = frame_of(cmname, kstep) == Frame::space && drot != nullptr && !tensors.empty();
+  const bool turns =
+      frame_of(cmname, kstep, dstran) == Frame::space && drot != nullptr && !tensors.empty();
   std::vector<double> unturned;
   if (turns) {
     check_rotation(material, drot);

@@ -80,6 +80,21 @@ void add_octahedral(
   }
 }
 
+/// The state of largest sqrt(J2); the last one of a path that has none beyond round-off.
+std::size_t most_sheared(const std::vector<Sym3>& stresses) {
+  constexpr double round_off = 1e-6;
+  std::size_t most = stresses.size() - 1;
+  double largest = 0.0, size = 0.0;
+  for (const Sym3& s : stresses) size = std::max(size, norm(s));
+  for (std::size_t i = 0; i < stresses.size(); ++i) {
+    const double shear = shear_of(stresses[i]);
+    if (shear <= largest || shear <= round_off * size) continue;
+    largest = shear;
+    most = i;
+  }
+  return most;
+}
+
 }  // namespace
 
 double shear_of(const Sym3& stress) {
@@ -95,14 +110,7 @@ std::string yield_table(const Material& material, const std::vector<DrivenState>
   if (!initial) return {};
   std::vector<Sym3> bounded;
   for (std::size_t i = 0; i < states.size(); ++i) bounded.push_back(view(i)->bounded);
-  const auto largest = static_cast<std::size_t>(
-      std::max_element(
-          bounded.begin(),
-          bounded.end(),
-          [](const Sym3& a, const Sym3& b) { return shear_of(a) < shear_of(b); }
-      ) -
-      bounded.begin()
-  );
+  const std::size_t largest = most_sheared(bounded);
   const std::size_t last = states.size() - 1;
   const auto current = view(last), sheared = view(largest);
   const Range shown = range_of(bounded, *initial);

@@ -69,8 +69,17 @@ def material(card, states):
     return calculix.material(card, states, function=FUNCTION)
 
 
+def scales_of(names, states):
+    """Largest value of each column; components of a tensor have that of the tensor."""
+    scales = numpy.maximum(abs(states).max(axis=0), 1e-6)
+    tensor_columns = [i for i, name in enumerate(names) if name.startswith("overstress_")]
+    if tensor_columns:
+        scales[tensor_columns] = scales[tensor_columns].max()
+    return scales
+
+
 def drive(barreno, folder, card, path):
-    """Stress tensors and rows of the state behind the two that hosts keep, at each row of the path."""
+    """Stress tensors, rows of the state behind the two that hosts keep and its scales, at each row of the path behind the first."""
     folder = pathlib.Path(folder)
     (folder / "path.csv").write_text("\n".join(path) + "\n")
     command = [barreno, "drive", "--material", card, "--path", "path.csv", "--out", "out.csv"]
@@ -79,7 +88,8 @@ def drive(barreno, folder, card, path):
     rows = list(csv.reader(line for line in (folder / "out.csv").read_text().splitlines() if line[0] != "#"))
     first = rows[0].index("stress_xx")
     values = numpy.array([[float(cell) for cell in row[first:]] for row in rows[2:]])
-    return numpy.array([tensor(xx, yy, zz, xy, zx, yz) for xx, yy, zz, xy, yz, zx in values[:, :6]]), values[:, 6:]
+    stresses = numpy.array([tensor(xx, yy, zz, xy, zx, yz) for xx, yy, zz, xy, yz, zx in values[:, :6]])
+    return stresses, values[:, 6:], scales_of(rows[0][first + 6 :], values[:, 6:])
 
 
 def gradients(turned):
@@ -102,12 +112,11 @@ def check_turned(library, ccx, barreno, name, text):
         deck = box.deck() + material(name, states) + amplitudes + step(",DIRECT", conditions)
         code, said, printed = calculix.run(ccx, library, folder, deck, name="turned")
         calculix.assert_job(code, said, name)
-        straight, states_of_stretch = drive(barreno, folder, card, gradients(turned=False))
-        along, _ = drive(barreno, folder, card, gradients(turned=True))
+        straight, states_of_stretch, scales = drive(barreno, folder, card, gradients(turned=False))
+        along, _, _ = drive(barreno, folder, card, gradients(turned=True))
     times = sorted(printed["stresses"])
     assert len(times) == INCREMENTS, times
     size, worst, state_off, apart = abs(straight).max(), 0.0, 0.0, 0.0
-    scales = numpy.maximum(abs(states_of_stretch).max(axis=0), 1e-6)
     assert size > 1e7 and abs(states_of_stretch[-1, 1]) > 1e-2, "the path must be felt, and leave elasticity"
     for i, time in enumerate(times):
         turned = rotation((i + 1) / INCREMENTS)
@@ -138,7 +147,7 @@ def check_free_sides(library, ccx, barreno):
         for i in range(INCREMENTS + 1):
             part = i / INCREMENTS
             path.append(f"{part * DURATION!r},{math.log1p(-part * SHORTENING)!r},0,0")
-        stress, _ = drive(barreno, folder, "berea_sandstone", path)
+        stress, _, _ = drive(barreno, folder, "berea_sandstone", path)
     size, worst = abs(stress).max(), 0.0
     assert size > 1e7 and len(printed["stresses"]) == INCREMENTS
     for i, time in enumerate(sorted(printed["stresses"])):

@@ -14,6 +14,7 @@ import sys
 
 NO_MODULE, NO_PICTURE = 3, 2
 MEGA, PERCENT = 1e6, 0.01
+ROUND_OFF = 1e-6  # of the largest value
 COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "zx")
 PATH_COLOUR, TOTAL_COLOUR, INITIAL_COLOUR, CURRENT_COLOUR = "C0", "C9", "0.55", "black"
 
@@ -38,7 +39,7 @@ class Path:
             tensor: np.array([table[f"{tensor}_{c}"] for c in COMPONENTS]).T for tensor in ("strain", "stress", "bounded")
         }
         self.pore_pressure = table.get("pore_pressure")
-        self.sheared = bool(np.any(np.abs(self.tensors["bounded"][:, 3:]) > 1e-6 * np.abs(self.tensors["bounded"]).max(initial=0)))
+        self.sheared = bool(np.any(np.abs(self.tensors["bounded"][:, 3:]) > ROUND_OFF * np.abs(self.tensors["bounded"]).max(initial=0)))
 
 
 def columns_of(lines):
@@ -90,11 +91,11 @@ def pairs(strain, stress):
     both = strain / (np.abs(strain).max(initial=0.0) or 1.0), stress / (np.abs(stress).max(initial=0.0) or 1.0)
     found = []
     for i in range(6):
-        if i >= 3 and max(np.abs(part[:, i]).max() for part in both) <= 1e-6:
+        if i >= 3 and max(np.abs(part[:, i]).max() for part in both) <= ROUND_OFF:
             continue
         for group in found:
             first = group[0]
-            if (first < 3) == (i < 3) and all(np.abs(part[:, first] - part[:, i]).max() <= 1e-6 for part in both):
+            if (first < 3) == (i < 3) and all(np.abs(part[:, first] - part[:, i]).max() <= ROUND_OFF for part in both):
                 group.append(i)
                 break
         else:
@@ -113,11 +114,18 @@ def draw_components(axes, path):
     axes.legend(fontsize=8)
 
 
+def show_no_round_off(axes, shear, path):
+    """A hydrostatic path has shear stresses of round-off, which would fill the picture."""
+    if shear.max(initial=0.0) <= ROUND_OFF * np.abs(path.tensors["stress"]).max(initial=0.0) / MEGA:
+        axes.set_ylim(-0.05, 1.0)
+
+
 def draw_difference(axes, path):
     strain, difference = path.tensors["strain"], np.sqrt(3.0) * root_J2(path.tensors["stress"]) / MEGA
     for n, (i, label) in enumerate(pairs(strain, path.tensors["stress"])):
         axes.plot((-1.0 if i < 3 else 1.0) * strain[:, i] / PERCENT, difference, color=f"C{n}", label=label)
     axes.plot(-trace(strain) / PERCENT, difference, "k--", lw=1, label="volume")
+    show_no_round_off(axes, difference, path)
     axes.set_xlabel("logarithmic strain [%]")
     axes.set_ylabel(r"stress difference $\sqrt{3 J_2}$ [MPa]")
     axes.set_title("stress difference against each strain")
@@ -198,7 +206,7 @@ def draw_octahedral(axes, path, curves):
     axes.set_title("octahedral path")
     at = [curve["I1"][0] for (_, section), curve in curves.items() if section == "octahedral"]
     if at:
-        axes.set_title(f"octahedral path; surface at $-I_1/3$ = {-at[0] / 3.0 / MEGA:.4g} MPa")
+        axes.set_title(f"octahedral path\nsurface at $-I_1/3$ = {-at[0] / 3.0 / MEGA:.4g} MPa", fontsize=10)
 
 
 def legend_lines(words, path, curves):
@@ -216,7 +224,7 @@ def legend_lines(words, path, curves):
 
 def draw(words, path, curves):
     figure = plt.figure(figsize=(13, 8.6), layout="constrained")
-    grid = figure.add_gridspec(2, 6, height_ratios=(1.0, 1.25))
+    grid = figure.add_gridspec(3, 6, height_ratios=(1.0, 1.25, 0.12))
     top = [figure.add_subplot(grid[0, 2 * i : 2 * i + 2]) for i in range(3)]
     meridian, plane = figure.add_subplot(grid[1, :4]), figure.add_subplot(grid[1, 4:])
     draw_components(top[0], path)
@@ -227,7 +235,9 @@ def draw(words, path, curves):
     for axes in (*top, meridian):
         axes.grid(alpha=0.3)
     lines = legend_lines(words, path, curves)
-    figure.legend(*zip(*lines), loc="outside lower center", ncols=2, fontsize=9, frameon=False)
+    words_row = figure.add_subplot(grid[2, :])
+    words_row.axis("off")
+    words_row.legend(*zip(*lines), loc="center", ncols=2, fontsize=9, frameon=False)
     figure.suptitle(f"{words['title']} (compression positive)")
     return figure
 
