@@ -161,8 +161,20 @@ CommandPage drive_page() {
         "10",
         "equal steps between two rows of the path; default 1",
         [](Options& options, const std::string& value) {
-          options.drive.steps_per_row = count_of("--steps-per-row", value, "number of steps");
+          options.drive.steps.per_row = count_of("--steps-per-row", value, "number of steps");
         }},
+       {"--every-step",
+        nullptr,
+        nullptr,
+        "a row of the answer for every step, not for rows of the path alone",
+        [](Options& options, const std::string&) { options.drive.steps.every = true; }},
+       {"--plot",
+        "FILE",
+        "answer.png",
+        "picture of every step with the yield surface (PNG, PDF or SVG),\n"
+        "and the surface as a table, FILE_surface.csv; needs Python 3\n"
+        "with Matplotlib",
+        [](Options& options, const std::string& value) { options.drive.picture = value; }},
        {"--set",
         "NAME=VALUE",
         "\"PEAKI1=20 MPa\"",
@@ -171,7 +183,9 @@ CommandPage drive_page() {
           options.drive.overrides.push_back(value);
         }}},
       "barreno drive --material berea_sandstone.xml --path input_xml/paths/uniaxial_berea.csv "
-      "--out answer.csv"};
+      "--out answer.csv\n"
+      "barreno drive --material berea_sandstone --path input_xml/paths/triaxial_berea.csv "
+      "--out answer.csv --steps-per-row 40 --every-step --plot answer.png"};
 }
 
 CommandPage describe_page() {

@@ -116,6 +116,17 @@ def check_report(machine, folder):
     assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
 
 
+def check_plot(machine):
+    """A picture needs Matplotlib, the rest of drive does not."""
+    machine.built()
+    (machine.notes / "installed").unlink()
+    for words, plots in ((["--plot", "a.png"], True), (["--plot=a.png"], True), ([], False)):
+        result, calls = machine.run("drive", "--out", "a.csv", *words)
+        assert result.returncode == 0 and result.stdout.startswith("program drive --out a.csv"), result.stderr
+        installs = [call for call in calls if " install " in call]
+        assert any(call.endswith(" python3 python3-numpy python3-matplotlib") for call in installs) == plots, f"{words}: {calls}"
+
+
 def check_words(machine):
     """What cannot be is said before anything is installed or built."""
     refused(*machine.run("run", "deck.xml", "--ranks", "100000000"), 1, "--ranks 100000000 is more than this machine can start")
@@ -148,7 +159,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

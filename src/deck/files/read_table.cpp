@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 
 #include <barreno/input/scan_xml.hpp>
+#include <limits>
 #include <sstream>
 
 namespace barreno {
@@ -70,6 +71,10 @@ void read_row(
     );
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].may_be_empty && without_blanks(cells[i]).empty()) {
+      values.push_back(std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
     try {
       values.push_back(input::read_quantity(cells[i], columns[i].dimension, units));
     } catch (const InputError& error) {

@@ -10,6 +10,7 @@ namespace barreno {
 struct TableColumn {
   const char* name = "";
   Dimension dimension;
+  bool may_be_empty = false;  ///< an empty cell is read as NaN, which no text gives
 };
 
 /// Numbers of a table, row after row, and the line of the file that each row stood in.

@@ -71,6 +71,8 @@ struct GeneralWetArenisca {
     return wet_.drained_moduli(stress, fluid_of(h));
   }
   const Parameters& parameters() const { return wet_.parameters(); }
+  /// The dry rock between grains, for the effective stress.
+  const GeneralArenisca& skeleton() const { return skeleton_; }
 
 private:
   /// A step with fluid that comes in.
