@@ -58,7 +58,7 @@ bool serves(const typename Special::Parameters& p) {
   return false;
 }
 
-/// The model, or the general form that this parameter set needs.
+/// The model, or the form of it that this parameter set needs.
 template <class Special, class... Models>
 AnyModel form_for(
     const typename Special::Parameters& p, double density, const std::variant<Models...>* /*list*/

@@ -2,9 +2,8 @@
 #include "drive/yield_view.hpp"
 
 #include <algorithm>
-#include <barreno/arenisca/points.hpp>
 #include <barreno/arenisca/points_pieces.hpp>
-#include <barreno/arenisca/points_rate.hpp>
+#include <barreno/arenisca/rate.hpp>
 #include <barreno/history_values.hpp>
 #include <cmath>
 #include <limits>
@@ -23,13 +22,10 @@ typename Model::History history_from(const std::vector<double>& values) {
   return history;
 }
 
-/// Arenisca's surface, of one kind of structure or the other (yield_surface.hpp,
-/// points_pieces.hpp).
-template <class Surface>
 YieldView view_of(
     const Sym3& bounded,
-    const Surface& surface,
-    const arenisca::CapOf<double>& cap,
+    const arenisca::YieldSurface& surface,
+    const arenisca::Cap& cap,
     const arenisca::Lode& lode
 ) {
   YieldView view{bounded, cap.present ? cap.X : -infinite, surface.vertex, {}, {}};
@@ -62,10 +58,7 @@ YieldView view_of_general(
   const double e = h.plastic_volume_strain;
   const Sym3 quasi_static = stress - arenisca::overstress_of<double>(h);
   return view_of(
-      quasi_static - isotropic(point.zeta(e) / 3.0),
-      point.surface,
-      arenisca::same_cap<double>(point.cap_at(e)),
-      rock.lode
+      quasi_static - isotropic(point.zeta(e) / 3.0), point.surface, point.cap_at(e), rock.lode
   );
 }
 
@@ -98,10 +91,6 @@ std::optional<YieldView> view_for(
     return view_of_metal(model, now.stress, h, h_before, now.time - before.time);
   } else if constexpr (std::is_same_v<Model, GeneralArenisca>) {
     return view_of_general(model.rock(), now.stress, h);
-  } else if constexpr (std::is_same_v<Model, GeneralWetArenisca>) {
-    GeneralArenisca::History dry = h;
-    dry.fluid_mass_ratio = 1.0;  // the rock between the grains holds none
-    return view_of_general(model.skeleton().rock(), now.stress + isotropic(h.pore_pressure), dry);
   } else if constexpr (std::is_same_v<P, AreniscaParameters>) {
     return view_of_law(model.rock(), now.stress, h);
   } else {

@@ -24,7 +24,7 @@ struct ModelDescription {
   std::string summary;
   std::vector<input::Entry> parameters;    ///< in the order of the model's table
   std::vector<HistoryField> history;       ///< in the order of the History struct
-  std::vector<HistoryField> more_history;  ///< what its general form has besides, in no order
+  std::vector<HistoryField> more_history;  ///< what its other forms have besides, in no order
 };
 
 const std::vector<ModelDescription>& describe_models();
