@@ -238,7 +238,8 @@ std::vector<std::string> Fidelity::notes() const {
   std::vector<std::string> notes{"Fidelity " + name_ + ": " + with_commas(chosen_) + "."};
   if (!kept_.empty())
     notes.push_back(
-        "The deck's own values take precedence over fidelity " + name_ + ": " + with_commas(kept_) + "."
+        "The deck's own values take precedence over fidelity " + name_ + ": " + with_commas(kept_) +
+        "."
     );
   return notes;
 }

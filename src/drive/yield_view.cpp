@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <barreno/arenisca/points_pieces.hpp>
-#include <barreno/arenisca/rate.hpp>
+#include <barreno/arenisca/points_rate.hpp>
 #include <barreno/history_values.hpp>
 #include <cmath>
 #include <limits>
