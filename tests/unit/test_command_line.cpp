@@ -68,11 +68,17 @@ TEST(CommandLine, ReadsTheOtherCommands) {
        "c",
        "--steps-per-row",
        "7",
+       "--every-step",
+       "--plot",
+       "d.png",
        "--set",
        "K=1"}
   );
   EXPECT_EQ(drive.drive.material + drive.drive.path + drive.drive.out, "abc");
-  EXPECT_EQ(drive.drive.steps_per_row, 7);
+  EXPECT_EQ(drive.drive.steps.per_row, 7);
+  EXPECT_TRUE(drive.drive.steps.every);
+  EXPECT_EQ(drive.drive.picture, "d.png");
+  EXPECT_FALSE(parse({"drive", "--material", "a", "--path", "b", "--out", "c"}).drive.steps.every);
   EXPECT_EQ(drive.drive.overrides, Words{"K=1"});
   const Options describe = parse({"describe", "Grid", "--markdown"});
   EXPECT_EQ(describe.section, "Grid");

@@ -39,7 +39,10 @@ class Path:
             tensor: np.array([table[f"{tensor}_{c}"] for c in COMPONENTS]).T for tensor in ("strain", "stress", "bounded")
         }
         self.pore_pressure = table.get("pore_pressure")
-        self.sheared = bool(np.any(np.abs(self.tensors["bounded"][:, 3:]) > ROUND_OFF * np.abs(self.tensors["bounded"]).max(initial=0)))
+        stress, bounded = self.tensors["stress"], self.tensors["bounded"]
+        size = ROUND_OFF * np.abs(stress).max(initial=0.0)
+        self.sheared = bool(np.any(np.abs(bounded[:, 3:]) > size))
+        self.two_stresses = bool(np.any(np.abs(bounded - stress) > size))  # the surface bounds another one than the total
 
 
 def columns_of(lines):
@@ -138,6 +141,8 @@ def draw_volume(axes, path):
     if path.pore_pressure is not None:
         axes.plot(volume, (-trace(path.tensors["stress"]) / 3.0 - path.pore_pressure) / MEGA, color="C2", label="mean effective stress")
         axes.plot(volume, path.pore_pressure / MEGA, color="C3", ls="--", label="pore pressure")
+    if np.abs(volume).max(initial=0.0) <= ROUND_OFF * np.abs(path.tensors["strain"]).max(initial=0.0) / PERCENT:
+        axes.set_xlim(-1.0, 1.0)  # shear keeps the volume up to round-off
     axes.set_xlabel("volume strain [%]")
     axes.set_ylabel("stress [MPa]")
     axes.set_title("mean stress against volume strain")
@@ -158,7 +163,7 @@ def draw_meridian(axes, words, path, curves):
             continue
         curve = curves[state, section]
         axes.plot(-curve["I1"] / 3.0 / MEGA, curve["sqrt_J2"] / MEGA, color=colour, ls=line, lw=2 if state == "initial" else 1.2)
-    if np.any(bounded != stress):
+    if path.two_stresses:
         axes.plot(pressure(stress), root_J2(stress) / MEGA, color=TOTAL_COLOUR, ls="--", lw=1)
     x, y = pressure(bounded), root_J2(bounded) / MEGA
     axes.plot(x, y, color=PATH_COLOUR, lw=1.8)
@@ -211,7 +216,7 @@ def draw_octahedral(axes, path, curves):
 
 def legend_lines(words, path, curves):
     lines = [(Line2D([], [], color=PATH_COLOUR, lw=1.8, marker="o"), f"path of the {words['bounded']}")]
-    if np.any(path.tensors["bounded"] != path.tensors["stress"]):
+    if path.two_stresses:
         lines.append((Line2D([], [], color=TOTAL_COLOUR, ls="--", lw=1), "path of the stress"))
     for state, width, where in (("initial", 2, "first row"), ("current", 1.2, r"last row; octahedral at the largest $\sqrt{J_2}$")):
         colour = {"initial": INITIAL_COLOUR, "current": CURRENT_COLOUR}[state]
