@@ -108,13 +108,15 @@ def tables(summary, out):
 
 
 def card_text(name, result, summary, tests):
-    head = [f"Fitted by barreno fit {summary['version']} (docs/fit.md), start {summary['start']}. Ranges are linearised 95 % ones; the data, with the first digits of their SHA-256:"]
+    head = [f"Fitted by barreno fit {summary['version']} (docs/fit.md), start {pathlib.Path(summary['start']).name}. Behind parameters stand their 95 % ranges; the data, with the first digits of their SHA-256:"]
     for test in tests:
         rows = [row for row in summary["misfits"] if row["file"] == test.file]
         misfits = ", ".join(f"{row['channel']} {100 * row['rms_relative']:.2f} % rms" for row in rows)
         source = f" Source: {test.source}" if test.source else ""
         head.append(f"{pathlib.Path(test.file).name} ({test.kind}), {test.digest}; misfit {misfits}.{source}")
-    about = {name: "held by --fix or by the porosity of the data" for name in summary["fixed"]}
+    about = {name: "held: given by the user or by the porosity of the data" for name in summary["fixed"]}
+    if result.card.get("G1", 0.0) != 0.0 and "G0" not in summary["fixed"]:
+        about["G0"] = "G0 = 1.5 B0 (1 - 2 G1)/(1 + G1), so that the modulus does not jump at zero pressure"
     for entry in summary["parameters"]:
         about[entry["name"]] = entry["open"] or f"{entry['name']}: {range_text(entry)}"
     return cards.written(name, result.card, head, about)

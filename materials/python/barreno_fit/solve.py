@@ -22,6 +22,9 @@ LEAST_MODEL = 1e-6  # of a datum: a model's value below is taken as this
 SETTLED = 1.1  # of the sum of squares: a parameter that goes back to its start may not cost more
 LEAST_SCALE = 0.05  # of the uncertainty: below it a fit is exact, and its scatter no measure of what data determine
 LARGEST_RHO = 0.98
+NONLINEAR = 0.4  # of the growth of the sum of squares: a linearised range that is further off is not kept
+EXTENSIONS, REFITS = 5, 8
+ROUGH = 1e-4  # change of the sum of squares at which a stage ends that the next one continues
 
 
 @dataclass
@@ -103,16 +106,24 @@ class Search:
                 columns.append((sides[0][1] - middle) / sides[0][0] if sides else numpy.zeros(self.count))
         return numpy.stack(columns, axis=1)
 
-    def solve(self, starts):
+    def refusal(self, start):
+        """The library's words on a start."""
+        try:
+            self.problem.answers(self.laboratory, self.at(self.seen_start(start)))
+        except Rejected as refused:
+            return str(refused).rstrip(".")
+        return "the tests cannot be made"
+
+    def solve(self, starts, exact=1e-6):
         """The best of least squares from the best of the starts: (values, sum of squares, z)."""
         ranked = sorted(((float((r**2).sum()), i, z) for i, z in enumerate(map(self.seen_start, starts)) for r in [self.residuals(z)]))
         ranked = [entry for entry in ranked if entry[0] < self.count * REJECTED**2][:BEST_STARTS]
         if not ranked:
-            raise Fault("the library refuses every card that the fit could start from; give one with --start that these tests can be made of.", NUMERICAL)
+            raise Fault(f"the library refuses every card that the fit could start from ({self.refusal(starts[0])}); change --start or --fix.", NUMERICAL)
         best = None
         for _, _, z in ranked:
             found = optimize.least_squares(
-                self.residuals, z, lambda x: self.jacobian(x), bounds=(self.low, self.high), x_scale="jac", ftol=1e-8, xtol=1e-7, max_nfev=50
+                self.residuals, z, lambda x: self.jacobian(x), bounds=(self.low, self.high), x_scale="jac", ftol=exact, xtol=1e-7, max_nfev=50
             )
             if best is None or found.cost < best.cost:
                 best = found
@@ -126,8 +137,6 @@ class Result:
     values: dict
     ranges: dict
     left_open: dict
-    squares: float
-    count: int
     rho: float
     card: dict
 
@@ -145,11 +154,24 @@ def correlation(tests, parts):
     return min(max(products / squares, 0.0), LARGEST_RHO) if squares > 0.0 else 0.0
 
 
-def half_widths(search, z):
-    """95 % half widths in what the optimiser sees, and what of them belongs to uncorrelated residuals.
+@dataclass
+class Spread:
+    """At the solution z: 95 % half widths in what the optimiser sees (half), the same as if residuals scattered (decided), how the other
+    parameters go along with each (along[:, i]), the sum of squares and how much it may grow within a range (growth)."""
 
-    t s sqrt(diag (J^T J)^-1), s^2 = sum r^2/(m - n), times sqrt((1 + rho)/(1 - rho)); t of Student with m (1 - rho)/(1 + rho) - n degrees
-    of freedom, 1 at least.
+    half: numpy.ndarray
+    decided: numpy.ndarray
+    along: numpy.ndarray
+    squares: float
+    growth: float
+    rho: float
+
+
+def spread_of(search, z):
+    """Linearised ranges.
+
+    half = t s sqrt(c diag (J^T J)^-1), s^2 = sum r^2/(m - n), c = (1 + rho)/(1 - rho); t of Student with m/c - n degrees of freedom (1 at
+    least), rho the correlation of neighbouring residuals.
     """
     r = search.residuals(z)
     J = search.jacobian(z, r)
@@ -157,12 +179,46 @@ def half_widths(search, z):
     squares = float((r**2).sum())
     parts = residuals_of(search.tests, search.problem.answers(search.laboratory, search.at(z)))
     rho = correlation(search.tests, parts)
-    spread = numpy.sqrt(numpy.diag(numpy.linalg.inv(J.T @ J + 1e-6 * numpy.eye(n))))
+    covariance = numpy.linalg.inv(J.T @ J + 1e-6 * numpy.eye(n))
+    deviation = numpy.sqrt(numpy.diag(covariance))
     s = numpy.sqrt(squares / max(m - n, 1))
     longer = (1.0 + rho) / (1.0 - rho)
     t = stats.t.ppf(0.975, max(m / longer - n, 1.0))
-    decided = stats.t.ppf(0.975, max(m - n, 1)) * max(s, LEAST_SCALE) * spread
-    return t * s * numpy.sqrt(longer) * spread, decided, squares, rho
+    decided = stats.t.ppf(0.975, max(m - n, 1)) * max(s, LEAST_SCALE) * deviation
+    return Spread(t * s * numpy.sqrt(longer) * deviation, decided, covariance / deviation**2, squares, t**2 * s**2 * longer, rho)
+
+
+def grown(search, z, i, end, guess):
+    """How much the sum of squares grows when parameter i is held at an end and the others are fitted again."""
+    rest = [name for name in search.names if name != search.names[i]]
+    held = Search(search.problem, search.tests, rest, {**search.values, search.names[i]: unseen(search.names[i], end)})
+    start = numpy.delete(numpy.clip(guess, search.low + 1e-9, search.high - 1e-9), i)
+    found = optimize.least_squares(
+        held.residuals, start, lambda x: held.jacobian(x), bounds=(held.low, held.high), x_scale="jac", ftol=1e-4, max_nfev=REFITS
+    )
+    return 2.0 * found.cost
+
+
+def end_of(search, z, spread, i, sign):
+    """One end of a range. The linearised one stands if there the sum of squares has grown as it should; else others are tried, with all other
+    parameters fitted again, until it has (profile likelihood)."""
+    half = spread.half[i]
+    if len(z) < 2 or half == 0.0 or spread.growth <= LEAST_SCALE**2:
+        return z[i] + sign * half
+    for _ in range(EXTENSIONS):
+        guess = z + sign * half * spread.along[:, i]
+        end = numpy.clip(guess[i], search.low[i], search.high[i])
+        inside = (guess > search.low).all() and (guess < search.high).all()
+        growth = float((search.residuals(guess) ** 2).sum()) - spread.squares if inside else numpy.inf
+        if abs(growth / spread.growth - (half / spread.half[i]) ** 2) > NONLINEAR or half > spread.half[i]:
+            growth = grown(search, z, i, end, guess) - spread.squares
+        part = numpy.sqrt(max(growth, 0.0) / spread.growth)
+        if part >= 1.0 - NONLINEAR / 2:
+            return z[i] + sign * half / max(part, 1.0)
+        if end != guess[i]:
+            return end
+        half *= min(2.0, 1.1 / max(part, 0.1))
+    return z[i] + sign * half
 
 
 def at_bound(search, i, z):
@@ -176,12 +232,11 @@ def shown(name, value):
     return f"{value / scale:.4g}{unit}"
 
 
-def range_of(search, i, z, half):
-    name = search.names[i]
-    ends = [numpy.clip(z[i] + sign * half, -600.0, 600.0) for sign in (-1.0, 1.0)]
-    if not PARAMETERS[name].log:
-        ends = [numpy.clip(end, search.low[i], search.high[i]) for end in ends]
-    return tuple(sorted(unseen(name, end) for end in ends))
+def range_of(search, z, spread, i):
+    ends = []
+    for sign in (-1.0, 1.0):
+        ends.append(numpy.clip(end_of(search, z, spread, i, sign), search.low[i], search.high[i]))
+    return tuple(sorted(unseen(search.names[i], end) for end in ends))
 
 
 def leave_open(problem, tests, names, values):
@@ -190,8 +245,9 @@ def leave_open(problem, tests, names, values):
     search = Search(problem, tests, names, values)
     values, squares, z = search.solve([values])
     while search.names:
-        half, decided, squares, rho = half_widths(search, z)
-        excess = [decided[i] / PARAMETERS[name].wide for i, name in enumerate(search.names)]
+        spread = spread_of(search, z)
+        squares = spread.squares
+        excess = [spread.decided[i] / PARAMETERS[name].wide for i, name in enumerate(search.names)]
         stuck = [i for i in range(len(z)) if at_bound(search, i, z)]
         worst = int(numpy.argmax(excess))
         if stuck:
@@ -243,12 +299,13 @@ def fit(problem, tests):
         problem.say(f"{stage}: {', '.join(mine)}")
         offers = [{name: value for name, value in start.items() if name in mine} for start in [{}, *starts(chosen, problem.card(values))]]
         search = Search(problem, chosen, mine, values)
-        values = search.solve(unique(offers))[0]
-    problem.say("all together")
+        values = search.solve(unique(offers), ROUGH)[0]
+    problem.say("all of them together")
     search, values, z, left_open = leave_open(problem, tests, names, values)
-    half, _, squares, rho = half_widths(search, z) if search.names else ([], [], 0.0, 0.0)
-    ranges = {name: range_of(search, i, z, half[i]) for i, name in enumerate(search.names)}
-    return Result({name: values[name] for name in names}, ranges, left_open, squares, count, rho, problem.card(values))
+    problem.say("their ranges")
+    spread = spread_of(search, z) if search.names else None
+    ranges = {name: range_of(search, z, spread, i) for i, name in enumerate(search.names)}
+    return Result({name: values[name] for name in names}, ranges, left_open, spread.rho if spread else 0.0, problem.card(values))
 
 
 def unique(offers):
