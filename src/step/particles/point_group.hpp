@@ -13,7 +13,7 @@
 namespace barreno {
 
 /// A model's history of one or several points, and the R that it is updated with: Lanes where the
-/// model takes them, as update_points() or in parts, and LanePair where it says `is_long_chain`.
+/// model takes them, as update_points() or in parts.
 template <class Model, class R>
 struct HistoryFor {
   using type = typename Model::template HistoryOf<R>;
@@ -27,18 +27,9 @@ struct RealFor {
   using type = double;
 };
 #if BARRENO_HAS_LANES
-template <class Model, class = void>
-inline constexpr bool takes_pairs = false;
-template <class Model>
-inline constexpr bool takes_pairs<Model, std::enable_if_t<Model::is_long_chain>> = true;
 template <class Model>
 struct RealFor<Model, std::void_t<typename Model::template HistoryOf<Lanes>>> {
-#ifdef __AVX512F__
-  // Where Lanes take two registers or more there is work for the pipelines without.
-  using type = std::conditional_t<takes_pairs<Model>, LanePair, Lanes>;
-#else
   using type = Lanes;
-#endif
 };
 #endif
 
@@ -96,15 +87,17 @@ inline constexpr bool
     updates_in_parts<Model, R, std::enable_if_t<(Model::groups_together > 0) && (width<R> > 1)>> =
         true;
 
-template <class Model, class R>
-PointsOutcome<R> update_points(
+#if BARRENO_HAS_LANES
+template <class Model>
+PointsOutcome<Lanes> update_points(
     const Model& model,
-    const IncrementOf<Sym3Of<R>>& increment,
-    Sym3Of<R>& stress,
-    typename Model::template HistoryOf<R>& history
+    const IncrementOf<Sym3Of<Lanes>>& increment,
+    Sym3Of<Lanes>& stress,
+    typename Model::template HistoryOf<Lanes>& history
 ) {
   return model.update_points(increment, stress, history);
 }
+#endif
 template <class Model>
 KOKKOS_INLINE_FUNCTION PointsOutcome<double> update_points(
     const Model& model,
