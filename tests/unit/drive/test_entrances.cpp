@@ -255,7 +255,7 @@ TEST(Entrances, GiveTheSamePath) {
     const Mat3 f{{{1.0 - u, 0, 0}, {0, 1.0 + 0.3 * u, 0}, {0, 0, 1.0 - 0.2 * u}}};
     path.push_back({interval * i, f, i + 1});
   }
-  const auto rows = drive_point(rock, path, 1, "path");
+  const auto rows = drive_point(rock, path, {}, "path");
   const auto start = form.initial_state(0.0);
   Seen run = seen<Form>(start.stress, start.history);
   for (std::size_t i = 1; i < path.size(); ++i) {
