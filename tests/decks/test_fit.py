@@ -50,9 +50,9 @@ def test_of(name, kind, columns, channel, confinement=0.0):
 
 
 def specimens():
-    tests = [test_of("hydrostatic", "hydrostatic", {"volume_strain": unloaded(0.035, 0.028, 0.09, 18)}, "pressure")]
+    tests = [test_of("hydrostatic", "hydrostatic", {"volume_strain": unloaded(0.035, 0.028, 0.09, 16)}, "pressure")]
     for side, last in ((0, 0.012), (30, 0.02), (120, 0.05)):
-        tests.append(test_of(f"triaxial_{side}", "triaxial", {"axial_strain": numpy.linspace(0, last, 18)}, "differential_stress", side))
+        tests.append(test_of(f"triaxial_{side}", "triaxial", {"axial_strain": numpy.linspace(0, last, 16)}, "differential_stress", side))
     return tests
 
 

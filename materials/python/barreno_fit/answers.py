@@ -8,7 +8,7 @@ from barreno_fit.kinds import KINDS
 from barreno_fit.specimens import Specimens, compress, press
 
 LARGEST_STEP = 2e-3  # of strain
-PRESS_STEPS = 24
+PRESS_STEPS, CONFINE_STEPS = 24, 8
 STRENGTH_STEPS = 50  # short ones first: weak rock fails early, confined rock hardens for long
 TENSILE_STRAIN, TENSILE_STEPS = 3e-3, 40
 SEARCH = 48  # specimens of each round of a search for yield
@@ -46,7 +46,7 @@ def curve_answers(rock, program):
     """For each curve its channels at its rows."""
     specimens = Specimens(rock, len(program.curves))
     if program.confinement.any():
-        press(specimens, program.confinement, PRESS_STEPS)
+        press(specimens, program.confinement, CONFINE_STEPS)
     confined = specimens.axial.copy(), specimens.radial.copy()
     radial = numpy.zeros(len(program.curves))
     steps = {name: [] for name in ("pressure", "axial_stress", "differential_stress", "radial_stress", "volume_strain", "radial_strain")}

@@ -3,6 +3,7 @@
 
 import argparse
 import contextlib
+import math
 import os
 import pathlib
 import sys
@@ -11,7 +12,7 @@ from barreno_material import load
 
 from barreno_fit import card, data, report, solve
 from barreno_fit.answers import Laboratory
-from barreno_fit.faults import ARGUMENTS, FILE, NUMERICAL, Fault, Rejected
+from barreno_fit.faults import FILE, NUMERICAL, Fault, Rejected
 from barreno_fit.kinds import KINDS, STRENGTH
 from barreno_fit.parameters import fixed_values, given_bounds
 from barreno_fit.specimens import opened
@@ -39,13 +40,11 @@ def read_tests(files):
     if len(set(map(os.path.realpath, files))) < len(files):
         raise Fault("a file is given twice as data; name each test once.")
     tests = [data.read_test(file) for file in files]
-    return tests
+    return sorted(tests, key=lambda test: (list(KINDS).index(test.kind), test.confinement))
 
 
 def fix_porosity(tests, fixed):
     """p3 = -ln(1 - porosity), where the files say it."""
-    import math
-
     said = {test.porosity: test.file for test in tests if test.porosity}
     if "p3_crush_curve" in fixed or not said:
         return
@@ -84,13 +83,12 @@ def load_library():
         raise Fault(f"libBARRENO.so cannot be used: {' '.join(str(error).split())}", FILE) from None
 
 
-def final_answers(problem, tests, text, result):
+def final_answers(problem, tests, result):
     """Of the card as it stands in the file, with the tolerance that every other command takes."""
-    final = {**result.card}
     try:
-        with opened(card.in_a_test(final), problem.library) as rock:
+        with opened(card.in_a_test(result.card), problem.library) as rock:
             answers = Laboratory(tests).answers(rock)
-        with opened(final, problem.library):
+        with opened(result.card, problem.library):
             pass
     except Rejected as refused:
         raise Fault(f"the card that fits best is refused: {refused}", NUMERICAL) from None
@@ -128,7 +126,7 @@ def run(words):
     problem = solve.Problem(library, start, fixed, bounds, say=lambda text: print(f"fitting {text}", file=sys.stderr))
     result = solve.fit(problem, tests)
     result.card = report.rounded(result)
-    answers = final_answers(problem, tests, None, result)
+    answers = final_answers(problem, tests, result)
     summary = report.summary(problem, result, tests, answers, start_name, library.barreno_version().decode())
     name = options.name or out.stem.replace("_", " ").title()
     place(out.with_suffix(".png"), lambda aside: report.draw(aside, tests, answers))
@@ -146,6 +144,3 @@ def main(words=None):
         return fault.code
     except KeyboardInterrupt:
         return 130
-
-
-__all__ = ["ARGUMENTS", "main"]

@@ -15,7 +15,7 @@ from barreno_fit.parameters import PARAMETERS, bounds_of, free_of, seen, tie, un
 from barreno_fit.specimens import opened
 
 HYDROSTATIC = ("hydrostatic", "bulk modulus", "crush pressure", "open pores")
-BEST_STARTS = 3
+BEST_STARTS = 2
 STEP = 4e-3  # of a difference, in what the optimiser sees
 REJECTED = 1e3  # residual where the library refuses
 LEAST_MODEL = 1e-6  # of a datum: a model's value below is taken as this
@@ -23,8 +23,8 @@ SETTLED = 1.1  # of the sum of squares: a parameter that goes back to its start 
 LEAST_SCALE = 0.05  # of the uncertainty: below it a fit is exact, and its scatter no measure of what data determine
 LARGEST_RHO = 0.98
 NONLINEAR = 0.4  # of the growth of the sum of squares: a linearised range that is further off is not kept
-EXTENSIONS, REFITS = 5, 8
-ROUGH = 1e-4  # change of the sum of squares at which a stage ends that the next one continues
+EXTENSIONS, REFITS, TRIES = 5, 8, 30
+ROUGH, EXACT = 1e-4, 1e-5  # relative change of the sum of squares at which a stage ends that the next one continues, and the last one
 
 
 @dataclass
@@ -64,7 +64,8 @@ def residuals_of(tests, answers):
 class Search:
     """Least squares over some parameters and tests; the other parameters stand in `values`."""
 
-    def __init__(self, problem, tests, names, values):
+    def __init__(self, problem, tests, names, values, rough=False):
+        self.rough = rough  # differences to one side, and an early end: what comes is not the last word
         self.problem, self.tests, self.names, self.values = problem, tests, list(names), dict(values)
         self.laboratory = Laboratory(tests)
         self.count = sum(test.rows * len(test.channels) for test in tests)
@@ -87,12 +88,14 @@ class Search:
             return numpy.full(self.count, REJECTED)
 
     def jacobian(self, z, middle=None):
-        """Central differences; on one side where a bound or the library is in the way."""
+        """Central differences; to one side where that will do, or a bound or the library is in the way."""
         middle = self.residuals(z) if middle is None else middle
         columns = []
         for i in range(len(z)):
             sides = []
             for sign in (1.0, -1.0):
+                if self.rough and sides:
+                    break
                 there = z.copy()
                 there[i] += sign * STEP
                 if not self.low[i] <= there[i] <= self.high[i]:
@@ -114,7 +117,7 @@ class Search:
             return str(refused).rstrip(".")
         return "the tests cannot be made"
 
-    def solve(self, starts, exact=1e-6):
+    def solve(self, starts):
         """The best of least squares from the best of the starts: (values, sum of squares, z)."""
         ranked = sorted(((float((r**2).sum()), i, z) for i, z in enumerate(map(self.seen_start, starts)) for r in [self.residuals(z)]))
         ranked = [entry for entry in ranked if entry[0] < self.count * REJECTED**2][:BEST_STARTS]
@@ -123,7 +126,7 @@ class Search:
         best = None
         for _, _, z in ranked:
             found = optimize.least_squares(
-                self.residuals, z, lambda x: self.jacobian(x), bounds=(self.low, self.high), x_scale="jac", ftol=exact, xtol=1e-7, max_nfev=50
+                self.residuals, z, lambda x: self.jacobian(x), bounds=(self.low, self.high), x_scale="jac", ftol=ROUGH if self.rough else EXACT, xtol=1e-7, max_nfev=TRIES
             )
             if best is None or found.cost < best.cost:
                 best = found
@@ -191,10 +194,10 @@ def spread_of(search, z):
 def grown(search, z, i, end, guess):
     """How much the sum of squares grows when parameter i is held at an end and the others are fitted again."""
     rest = [name for name in search.names if name != search.names[i]]
-    held = Search(search.problem, search.tests, rest, {**search.values, search.names[i]: unseen(search.names[i], end)})
+    held = Search(search.problem, search.tests, rest, {**search.values, search.names[i]: unseen(search.names[i], end)}, rough=True)
     start = numpy.delete(numpy.clip(guess, search.low + 1e-9, search.high - 1e-9), i)
     found = optimize.least_squares(
-        held.residuals, start, lambda x: held.jacobian(x), bounds=(held.low, held.high), x_scale="jac", ftol=1e-4, max_nfev=REFITS
+        held.residuals, start, lambda x: held.jacobian(x), bounds=(held.low, held.high), x_scale="jac", ftol=ROUGH, max_nfev=REFITS
     )
     return 2.0 * found.cost
 
@@ -298,8 +301,8 @@ def fit(problem, tests):
             continue
         problem.say(f"{stage}: {', '.join(mine)}")
         offers = [{name: value for name, value in start.items() if name in mine} for start in [{}, *starts(chosen, problem.card(values))]]
-        search = Search(problem, chosen, mine, values)
-        values = search.solve(unique(offers), ROUGH)[0]
+        search = Search(problem, chosen, mine, values, rough=True)
+        values = search.solve(unique(offers))[0]
     problem.say("all of them together")
     search, values, z, left_open = leave_open(problem, tests, names, values)
     problem.say("their ranges")
