@@ -34,9 +34,7 @@ struct TwoNodes {
   const double* motion_of(int tile) const {
     return &nodes.motion(first_motion(state.grid.patch, tile)) + slot * motion_components(2);
   }
-  VelocityRule rule(double damping = 0.0) const {
-    return {{}, damping, GridShare(scene.step), NodeScaleRule(scene.materials, scene.grid)};
-  }
+  VelocityRule rule(double damping = 0.0) const { return {scene, {}, damping}; }
 };
 
 /// v' = v + dt f / m with the step of the tile.

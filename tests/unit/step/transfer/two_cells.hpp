@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "step/transfer/project_particles.hpp"
 #include "support/two_tiles.hpp"
 
 namespace barreno::testing {
