@@ -16,7 +16,7 @@ struct Returned {
 
 /// Meridian point at evp on the way back from the trial state.
 struct OnTheWay {
-  double back;  ///< x - x_tr [stress]
+  double x, back;  ///< back = x - x_tr [stress]
   MeridianOf<double> m;
 };
 template <class Crush, class Counter>
@@ -24,7 +24,7 @@ BARRENO_FUNCTION OnTheWay on_the_way(
     const YieldSurface& surface, const Crush& crush, const Trial& trial, double evp, Counter& count
 ) {
   const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
-  return {x - trial.x, surface.at(x, cap_with(surface, crush.strength(evp)), count)};
+  return {x, x - trial.x, surface.at(x, cap_with(surface, crush.strength(evp)), count)};
 }
 
 /// What the second form of the condition of the closest point (flow_rule.hpp) leaves, for roots
@@ -111,7 +111,7 @@ BARRENO_FUNCTION Returned point_on_cap(
   const bool at_tip = w.m.cap_squared < near_tip && w.m.slope > 0.0;
   const double q =
       at_tip ? w.m.limit * tip_ratio(trial, w.m, w.back).value : shear_strength<double>(w.m, {}).q;
-  return {trial.x + w.back, smaller(q, trial.q), evp};
+  return {w.x, smaller(q, trial.q), evp};
 }
 
 /// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it

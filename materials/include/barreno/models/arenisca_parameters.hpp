@@ -248,7 +248,8 @@ inline ParameterTable<AreniscaParameters> arenisca_parameter_table() {
        "Return solver",
        {"fast", "bisection"},
        0,
-       "fast: one superlinear scalar solve; bisection: the published nested method, the oracle (not "
+       "fast: one superlinear scalar solve; bisection: the published nested method, the oracle "
+       "(not "
        "with poroplastic fluid)"},
       {&AreniscaParameters::backstress_strain,
        "Backstress strain",
