@@ -55,14 +55,31 @@ def shipped_values():
     return {entry.get("name"): entry.get("value") for entry in xml.parse(SHIPPED).getroot().iter("Parameter")}
 
 
+def shipped_answers(files):
+    """{(file, row of the file): answer} of the shipped card in the same tests."""
+    sys.path.insert(0, str(ROOT / "materials" / "python"))
+    os.environ.setdefault("BARRENO_LIBRARY", str(LIBRARY))
+    from barreno_fit import card, data
+    from barreno_fit.answers import Laboratory
+    from barreno_fit.specimens import opened
+    from barreno_material import load
+
+    tests = [data.read_test(file) for file in files]
+    with opened(card.in_a_test(card.read(str(SHIPPED)), Tolerance=card.TOLERANCE), load()) as rock:
+        answers = Laboratory(tests).answers(rock)
+    return {(test.file, k): float(answer[test.channels[0]][k]) for test, answer in zip(tests, answers) for k in range(test.rows)}
+
+
 def to_store(numbers):
-    """What the page needs: rows of label, datum, model, uncertainty, source; parameters of shipped card, fit and range."""
-    rows = []
+    """What the page needs: rows of label, datum, answer of the shipped card, of the fit, uncertainty, source; parameters of shipped card, fit and range."""
+    rows, seen = [], {}
+    of_shipped = shipped_answers([file["file"] for file in numbers["files"]])
     for row in numbers["rows"]:
+        seen[row["file"]] = seen.get(row["file"], -1) + 1
         name = pathlib.Path(row["file"]).stem
         label, scale = LABELS[name.split("_")[0] if name.startswith(("triaxial", "compaction")) else row["channel"]]
         at = (row["at"] or 0.0) / MEGA
-        rows.append([label.format(at=at), row["data"] / scale, row["model"] / scale, row["uncertainty"], row["source"]])
+        rows.append([label.format(at=at), row["data"] / scale, of_shipped[row["file"], seen[row["file"]]] / scale, row["model"] / scale, row["uncertainty"], row["source"]])
     shipped = shipped_values()
     parameters = []
     for entry in numbers["parameters"]:
@@ -75,13 +92,12 @@ def to_store(numbers):
 def stored_part():
     """Lines of the page."""
     stored = json.loads(STORED.read_text())
-    lines = ["| quantity | data | model | misfit | uncertainty | source |", "|---|---|---|---|---|---|"]
-    squares = 0.0
-    for label, data, value, sigma, source in stored["rows"]:
-        lines.append(f"| {label} | {data:.4g} | {value:.4g} | {100 * (value / data - 1):+.0f} % | {100 * sigma:.0f} % | {source} |")
-        squares += (math.log(value / data) / sigma) ** 2
-    count = len(stored["rows"])
-    lines += ["", f"Root mean square of misfit over uncertainty: {(squares / count) ** 0.5:.2f} ({count} data)", ""]
+    lines = ["| quantity | data | shipped card | misfit | this fit | misfit | uncertainty | source |", "|---|---|---|---|---|---|---|---|"]
+    for label, data, shipped, value, sigma, source in stored["rows"]:
+        misfits = [f"{100 * (model / data - 1):+.0f} %" for model in (shipped, value)]
+        lines.append(f"| {label} | {data:.4g} | {shipped:.4g} | {misfits[0]} | {value:.4g} | {misfits[1]} | {100 * sigma:.0f} % | {source} |")
+    roots = [math.sqrt(sum((math.log(row[k] / row[1]) / row[4]) ** 2 for row in stored["rows"]) / len(stored["rows"])) for k in (2, 3)]
+    lines += ["", f"Root mean square of misfit over uncertainty: {roots[0]:.3f} of the shipped card, {roots[1]:.3f} of this fit ({len(stored['rows'])} data)", ""]
     lines += ["| parameter | unit | shipped card | this fit | difference | 95 % range |", "|---|---|---|---|---|---|"]
     for name, unit, shipped, value, low, high, _ in stored["parameters"]:
         interval = f"{low:.4g} to {high:.4g}" if low is not None else "not determined"

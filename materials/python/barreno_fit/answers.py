@@ -8,8 +8,8 @@ from barreno_fit.kinds import KINDS
 from barreno_fit.specimens import Specimens, compress, press
 
 LARGEST_STEP = 2e-3  # of strain
-PRESS_STEPS, CONFINE_STEPS = 24, 8
-STRENGTH_STEPS = 50  # short ones first: weak rock fails early, confined rock hardens for long
+PRESS_STEPS, CONFINE_STEPS = 16, 8
+STRENGTH_STEPS = 40  # short ones first: weak rock fails early, confined rock hardens for long
 TENSILE_STRAIN, TENSILE_STEPS = 3e-3, 40
 SEARCH = 48  # specimens of each round of a search for yield
 YIELD_STRAIN = (1e-6, 0.3)

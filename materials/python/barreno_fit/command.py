@@ -84,9 +84,9 @@ def load_library():
 
 
 def final_answers(problem, tests, result):
-    """Of the card as it stands in the file, with the tolerance that every other command takes."""
+    """Of the card as it stands in the file."""
     try:
-        with opened(card.in_a_test(result.card), problem.library) as rock:
+        with opened(card.in_a_test(result.card, Tolerance=card.TOLERANCE), problem.library) as rock:
             answers = Laboratory(tests).answers(rock)
         with opened(result.card, problem.library):
             pass

@@ -24,7 +24,7 @@ def scaled(name, values):
 
 def title_of(test):
     side = f", {test.confinement / 1e6:.4g} MPa" if test.kind == "triaxial" else ""
-    return f"{test.kind}{side}\n{pathlib.Path(test.file).name}"
+    return f"{test.kind.replace('poisson', 'Poisson')}{side}\n{pathlib.Path(test.file).name}"
 
 
 def draw_curve(axes, test, answer):
@@ -49,17 +49,22 @@ def draw_table(axes, test, answer):
         axes.set_xscale("log")
     order = numpy.argsort(x)
     axes.errorbar(x, data, yerr=test.uncertainty * data, fmt="o", ms=4, color="0.35", mfc="none", elinewidth=0.8, capsize=2, label="data")
-    axes.plot(x[order], model[order], "s-" if control else "s", ms=3, lw=1.0, color=MODEL, label="model")
+    axes.plot(x[order], model[order], "s:" if control else "s", ms=4, lw=1.0, color=MODEL, label="model")
     axes.set_xlabel(x_label)
     axes.set_ylabel(label)
-    axes.set_ylim(bottom=0.0)
+    axes.set_ylim(0.0, 1.12 * max((data * (1.0 + test.uncertainty)).max(), model.max()))
     if not control:
         axes.set_xticks(x)
         axes.set_xlim(0.5, test.rows + 0.5)
 
 
+def columns(count):
+    """Panels in a row: few rows, few empty places."""
+    return min((3, 4), key=lambda across: -count % across) if count > 4 else {4: 2}.get(count, count)
+
+
 def draw(file, tests, answers):
-    across = min(3, len(tests))
+    across = columns(len(tests))
     down = -(-len(tests) // across)
     figure, panels = pyplot.subplots(down, across, figsize=(4.2 * across, 3.4 * down), squeeze=False, layout="constrained")
     for axes, test, answer in zip(panels.flat, tests, answers):

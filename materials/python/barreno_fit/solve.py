@@ -61,14 +61,18 @@ def residuals_of(tests, answers):
     return out
 
 
+def size_of(test):
+    return test.rows * len(test.channels)
+
+
 class Search:
     """Least squares over some parameters and tests; the other parameters stand in `values`."""
 
     def __init__(self, problem, tests, names, values, rough=False):
         self.rough = rough  # differences to one side, and an early end: what comes is not the last word
         self.problem, self.tests, self.names, self.values = problem, tests, list(names), dict(values)
-        self.laboratory = Laboratory(tests)
-        self.count = sum(test.rows * len(test.channels) for test in tests)
+        self.laboratory, self.parts = Laboratory(tests), {}
+        self.count = sum(map(size_of, tests))
         limits = [bounds_of(name, problem.bounds) for name in self.names]
         self.low, self.high = (numpy.array([limit[k] for limit in limits]) for k in (0, 1))
 
@@ -81,33 +85,50 @@ class Search:
         room = 1e-6 * (self.high - self.low)
         return numpy.clip(z, self.low + room, self.high - room)
 
-    def residuals(self, z):
+    def residuals(self, z, laboratory=None):
+        """Of all tests, or of those of one laboratory."""
+        laboratory = laboratory or self.laboratory
         try:
-            return numpy.concatenate(residuals_of(self.tests, self.problem.answers(self.laboratory, self.at(z))))
+            return numpy.concatenate(residuals_of(laboratory.tests, self.problem.answers(laboratory, self.at(z))))
         except Rejected:
-            return numpy.full(self.count, REJECTED)
+            return numpy.full(sum(map(size_of, laboratory.tests)), REJECTED)
+
+    def part(self, name):
+        """The tests that a parameter matters in, as a laboratory, and which residuals are theirs."""
+        chosen = [KINDS[test.kind].curve or name in KINDS[test.kind].fits for test in self.tests]
+        rows = numpy.repeat(chosen, [size_of(test) for test in self.tests])
+        if not any(chosen):
+            return None, rows
+        key = tuple(chosen)
+        if key not in self.parts:
+            self.parts[key] = Laboratory([test for test, mine in zip(self.tests, chosen) if mine])
+        return self.parts[key], rows
 
     def jacobian(self, z, middle=None):
         """Central differences; to one side where that will do, or a bound or the library is in the way."""
         middle = self.residuals(z) if middle is None else middle
         columns = []
-        for i in range(len(z)):
-            sides = []
-            for sign in (1.0, -1.0):
-                if self.rough and sides:
-                    break
-                there = z.copy()
-                there[i] += sign * STEP
-                if not self.low[i] <= there[i] <= self.high[i]:
-                    continue
-                found = self.residuals(there)
-                if not (found == REJECTED).all():
-                    sides.append((sign * STEP, found))
-            if len(sides) == 2:
-                columns.append((sides[0][1] - sides[1][1]) / (2.0 * STEP))
-            else:
-                columns.append((sides[0][1] - middle) / sides[0][0] if sides else numpy.zeros(self.count))
+        for i, name in enumerate(self.names):
+            laboratory, rows = self.part(name)
+            column = numpy.zeros(self.count)
+            if laboratory:
+                column[rows] = self.slope(z, i, laboratory, middle[rows])
+            columns.append(column)
         return numpy.stack(columns, axis=1)
+
+    def slope(self, z, i, laboratory, middle):
+        sides = []
+        for sign in (1.0, -1.0):
+            there = z.copy()
+            there[i] += sign * STEP
+            if (self.rough and sides) or not self.low[i] <= there[i] <= self.high[i]:
+                continue
+            found = self.residuals(there, laboratory)
+            if not (found == REJECTED).all():
+                sides.append((sign * STEP, found))
+        if len(sides) == 2:
+            return (sides[0][1] - sides[1][1]) / (2.0 * STEP)
+        return (sides[0][1] - middle) / sides[0][0] if sides else numpy.zeros(len(middle))
 
     def refusal(self, start):
         """The library's words on a start."""
@@ -289,7 +310,7 @@ def fit(problem, tests):
     names = free_of(tests, problem.card({}), problem.fixed)
     if not names:
         raise Fault("nothing is left to fit (every parameter that these tests could determine is fixed, or 0 in the start); take a --fix out.")
-    count = sum(test.rows * len(test.channels) for test in tests)
+    count = sum(map(size_of, tests))
     if count < len(names):
         raise Fault(f"{count} data cannot determine {len(names)} parameters ({', '.join(names)}); give more tests, or hold some with --fix.")
     values = {}
