@@ -107,20 +107,22 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
   const MaskOf<R> dry = !(n.fluid > 0.0);
   R rise = real::select(dry, least, larger_of(guess, least));
   R solid{}, fluid{};
+  // A point that has its answer keeps it: its bits must not depend on the other points.
+  MaskOf<R> open = !none_of<R>();
   for (int i = 0; i < max_iterations; ++i) {
-    solid = n.solid * real::exp(R(grains.begin + grains.slope * rise));
-    fluid = n.fluid * real::exp(R(-c.per_fluid * rise));
-    const R excess = solid + fluid - volume;
-    const R softness = fluid * c.per_fluid - solid * grains.slope;
+    const R solid_here = n.solid * real::exp(R(grains.begin + grains.slope * rise));
+    const R fluid_here = n.fluid * real::exp(R(-c.per_fluid * rise));
+    const R excess = solid_here + fluid_here - volume;
+    const R softness = fluid_here * c.per_fluid - solid_here * grains.slope;
     const R next = real::select(dry, rise, larger_of(R(rise + excess / softness), least));
     const R step = next - rise;
-    rise = next;
     // The error that is left is that of the parabola: (step/Kf)^2.
     const R left = step * c.per_fluid;
-    const MaskOf<R> open = left * left > nothing;
+    rise = real::select(open, next, rise);
     // To first order beyond what was evaluated.
-    solid = solid * (1.0 + grains.slope * step);
-    fluid = fluid * (1.0 - left);
+    solid = real::select(open, R(solid_here * (1.0 + grains.slope * step)), solid);
+    fluid = real::select(open, R(fluid_here * (1.0 - left)), fluid);
+    open = open & (left * left > nothing);
     if (!real::any(open)) break;
   }
   const R per_volume = 1.0 / volume;

@@ -80,11 +80,9 @@ inline std::string check_fluid(const AreniscaParameters& p) {
            " needs a fluid, but fluid_B0 = 0 (dry rock); set fluid_B0, or the pressure to 0.";
   }
   if (is_poroplastic(p) && p.return_solver != 0) {
-    return "Return solver = bisection is the published return, for dry rock and the published "
-           "forms "
-           "of the pore fluid, but Backstress strain = poroplastic; leave Return solver out, or "
-           "set "
-           "Backstress strain to one of the others.";
+    return "Return solver = bisection does not go with Backstress strain = poroplastic (it is the "
+           "published return, for dry rock and the published forms of the pore fluid); leave "
+           "Return solver out, or set Backstress strain to one of the others.";
   }
   const double matrix = p.matrix_bulk_modulus > 0.0 ? p.matrix_bulk_modulus : p.B0 + p.B1;
   const double porosity = -std::expm1(-p.p3_crush_curve);
