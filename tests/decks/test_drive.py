@@ -129,7 +129,7 @@ BAD = {  # name: (arguments, exit code, sentence)
         GOOD + ["--plot", "answer.jpg"], 1,
         '--plot "answer.jpg" is not the name of a picture (it ends with .png, .pdf or .svg); write for example --plot answer.png.'),
     "a picture without a name": (
-        GOOD + ["--plot"], 1, "--plot has no value after it (it needs one); write for example --plot answer.png."),
+        GOOD + ["--plot"], 1, "--plot needs a value; write for example --plot answer.png."),
     "the surface would overwrite the path": (
         CARD + ["--path", "answer_surface.csv"] + OUT + ["--plot", "answer.png"], 1,
         '--plot with its table "answer_surface.csv" is an input of this command (it would be overwritten); give another file.'),
@@ -140,7 +140,7 @@ BAD = {  # name: (arguments, exit code, sentence)
         GOOD + ["--plot", "nowhere/a.png"], 2,
         '--plot "nowhere/a.png" cannot be drawn (No such file or directory); mend that, or leave --plot out.'),
     "a value of a flag": (
-        GOOD + ["--every-step=3"], 1, "--every-step has a value (it takes none); write --every-step."),
+        GOOD + ["--every-step=3"], 1, "--every-step takes no value; write --every-step."),
     "beyond the strength": (
         ["--material", "berea_sandstone", "--path", "too_strong.csv", "--steps-per-row", "40"] + OUT, 3,
         "too_strong.csv: line 4 cannot be reached: 'berea_sandstone' cannot sustain stress_xx = -2.38e+08 Pa at time 1.55 s (highest value "
