@@ -33,15 +33,6 @@ struct GroupFrame {
     if constexpr (width<R> == 1) {
       cell_size = frames.cell_size(first);
       dt = frames.dt(first);
-    } else if constexpr (in_halves<R>) {
-      using Half = GroupFrame<HalfOf<R>>;
-      constexpr int half = width<R> / 2;
-      const Half low(frames, first, count < half ? count : half);
-      // Spare lanes repeat the last row.
-      const Half high = count > half ? Half(frames, first + half, count - half)
-                                     : Half(frames, first + count - 1, 1);
-      cell_size = {low.cell_size, high.cell_size};
-      dt = {low.dt, high.dt};
     } else {
       // Neighbouring rows are in one tile nearly always.
       const int tile = frames.tile(first);

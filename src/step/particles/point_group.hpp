@@ -13,7 +13,7 @@
 namespace barreno {
 
 /// A model's history of one or several points, and the R that it is updated with: Lanes where the
-/// model takes them, as update_points() or in parts, and LanePair where it says `is_long_chain`.
+/// model takes them, as update_points() or in parts.
 template <class Model, class R>
 struct HistoryFor {
   using type = typename Model::template HistoryOf<R>;
@@ -27,18 +27,9 @@ struct RealFor {
   using type = double;
 };
 #if BARRENO_HAS_LANES
-template <class Model, class = void>
-inline constexpr bool takes_pairs = false;
-template <class Model>
-inline constexpr bool takes_pairs<Model, std::enable_if_t<Model::is_long_chain>> = true;
 template <class Model>
 struct RealFor<Model, std::void_t<typename Model::template HistoryOf<Lanes>>> {
-#ifdef __AVX512F__
-  // Where Lanes take two registers or more there is work for the pipelines without.
-  using type = std::conditional_t<takes_pairs<Model>, LanePair, Lanes>;
-#else
   using type = Lanes;
-#endif
 };
 #endif
 
@@ -53,6 +44,17 @@ struct PointGroup {
   }
   KOKKOS_INLINE_FUNCTION void put(const R& value, const Field& field, int c = 0) const {
     store(value, field.values, c, first, count);
+  }
+  /// Asks for rows further on, so that they arrive while this group is updated: many arrays are
+  /// read for the first time in the step, more than the processor follows by itself. An address
+  /// beyond the array is no error.
+  KOKKOS_INLINE_FUNCTION void prefetch(const Field& field) const {
+#ifdef __GNUC__
+    constexpr int rows_of_line = 8, ahead = 32;
+    for (int c = 0; c < field.components; ++c)
+      for (int i = 0; i < width<R>; i += rows_of_line)
+        __builtin_prefetch(&field.values(first, c) + ahead + i, 1);
+#endif
   }
   /// `components` of a symmetric tensor: 4 in two dimensions, where yz and zx are zero.
   KOKKOS_INLINE_FUNCTION Sym3Of<R> get_tensor(const Field& field, int components) const {
@@ -96,15 +98,17 @@ inline constexpr bool
     updates_in_parts<Model, R, std::enable_if_t<(Model::groups_together > 0) && (width<R> > 1)>> =
         true;
 
-template <class Model, class R>
-PointsOutcome<R> update_points(
+#if BARRENO_HAS_LANES
+template <class Model>
+PointsOutcome<Lanes> update_points(
     const Model& model,
-    const IncrementOf<Sym3Of<R>>& increment,
-    Sym3Of<R>& stress,
-    typename Model::template HistoryOf<R>& history
+    const IncrementOf<Sym3Of<Lanes>>& increment,
+    Sym3Of<Lanes>& stress,
+    typename Model::template HistoryOf<Lanes>& history
 ) {
   return model.update_points(increment, stress, history);
 }
+#endif
 template <class Model>
 KOKKOS_INLINE_FUNCTION PointsOutcome<double> update_points(
     const Model& model,

@@ -76,7 +76,6 @@ struct JohnsonCook {
   };
   using History = HistoryOf<double>;
   static constexpr int history_count = 4;
-  static constexpr bool is_long_chain = true;  ///< the return: logarithms and divisions in turn
 
   static std::vector<ParameterEntry<Parameters>> strength_entries() {
     using P = Parameters;
