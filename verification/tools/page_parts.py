@@ -12,6 +12,7 @@ import predictions
 import scaling
 import scaling_model
 import solver_cost
+import step_cost
 import trade_page
 from case_list import RESULTS
 from verification_pages import table
@@ -41,6 +42,7 @@ PARTS = {
     "pore_cost": pore_cost,
     "scaling.py": scaling.stored_part,
     "scaling_model.py": scaling_model.stored_part,
+    "step_cost.py": step_cost.stored_part,
 }
 
 
