@@ -203,8 +203,7 @@ BARRENO_FUNCTION JohnsonCookFlow::ReturnOf<R> JohnsonCookFlow::return_to_flow_st
   y.power = power_start;
   y.inverse_end = 1.0 / plastic_strain;
   constexpr int max_iterations = 80;
-  // Two evaluations suffice nearly always: a branch before the second would often be mispredicted.
-  for (int i = 0; i < 2 || (i < max_iterations && !real::all(done)); ++i) {
+  for (int i = 0; i < max_iterations && !real::all(done); ++i) {
     y = evaluate(x, plastic_strain, dt, theta, power_near_one, y);
     // What a point that is done had; its lane goes on with the others.
     power = real::select(done, power, y.power);
