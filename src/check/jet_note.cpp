@@ -38,7 +38,7 @@ std::string jet_note(const Scene& scene) {
   const double arrival = first_arrival(scene, path);
   if (arrival < scene.end_time) return {};
   return format(
-      "the jet would reach the target at %g s, after Time/End Time = %g s, so no depth will be "
+      "the jet reaches the target at %g s, not before Time/End Time = %g s, so no depth will be "
       "computed; choose a later End Time if it should",
       arrival,
       scene.end_time
