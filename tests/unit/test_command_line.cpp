@@ -128,7 +128,7 @@ TEST(CommandLine, RefusesWhatIsMissingOrTooMuch) {
       {{"run"}, "the deck file is missing"},
       {{"check", ""}, "the deck file is missing"},
       {{"resume"}, "the run folder, which holds the checkpoint, is missing"},
-      {{"run", "a.xml", "b.xml"}, "\"b.xml\" comes after \"a.xml\""},
+      {{"run", "a.xml", "b.xml"}, "\"b.xml\" follows \"a.xml\""},
       {{"run", "a.xml", "--out"}, "--out needs a value"},
       {{"run", "a.xml", "--out", ""}, "--out needs a value"},
       {{"run", "a.xml", "--out", "--overwrite"}, "--out needs a value"},
