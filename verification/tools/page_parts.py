@@ -5,6 +5,7 @@ import json
 import checkpoint_cost
 import deck_table
 import extremes
+import feature_cost
 import fit_berea
 import front_page
 import off_costs
@@ -31,6 +32,7 @@ def checkpoint_times():
 
 
 PARTS = {
+    "arenisca_forms": feature_cost.stored_part,
     "berea_fit": fit_berea.stored_part,
     "checkpoint_cost.py": checkpoint_cost.stored_part,
     "checkpoint_times": checkpoint_times,
@@ -51,4 +53,5 @@ def whole_pages():
         "trade.md": trade_page.page_of(json.loads((RESULTS / "trade.json").read_text())),
         "cost.md": predictions.stored_page(),
         "materials/arenisca_cost.md": solver_cost.stored_page(),
+        "materials/arenisca_forms_cost.md": feature_cost.stored_page(),
     }

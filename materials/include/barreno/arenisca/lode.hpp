@@ -83,6 +83,33 @@ BARRENO_FUNCTION LodeValueOf<R> lode_value(const Lode& lode, const R& cosine, co
   return mohr_coulomb_at(lode.psi, cosine, sine);
 }
 
+/// d(Gamma'/Gamma)/dtheta from the angle's cosine and sine and Gamma'/Gamma there.
+template <class R>
+BARRENO_FUNCTION R willam_warnke_bending(double psi, const R& c, const R& s, const R& bend) {
+  const double k = 1.0 - psi * psi, n = 2.0 * psi - 1.0;
+  // The square under the root, the root itself, and what they are composed to, twice derived.
+  const R square = real::larger(R(4.0 * k * c * c + psi * (5.0 * psi - 4.0)), 1e-300);
+  const R root = real::sqrt(square), per_root = 1.0 / root;
+  const R dsquare = -8.0 * k * c * s, ddsquare = -8.0 * k * (c * c - s * s);
+  const R droot = 0.5 * dsquare * per_root;
+  const R ddroot = (0.5 * ddsquare - droot * droot) * per_root;
+  if (psi > 1.0) return bend * bend + (2.0 * k * c + n * ddroot) / (2.0 * k * c - n * root);
+  const R per_top = 1.0 / (2.0 * k * c + n * root), per_bottom = 1.0 / (4.0 * k * c * c + n * n);
+  const R top = (-2.0 * k * s + n * droot) * per_top, bottom = dsquare * per_bottom;
+  return (-2.0 * k * c + n * ddroot) * per_top - top * top - ddsquare * per_bottom +
+         bottom * bottom;
+}
+template <class R>
+BARRENO_FUNCTION R bending_of(const Lode& lode, const R& c, const R& s, const R& bend) {
+  if (!lode.active()) return R{};
+  // Of 1/Gamma = u: (u'/u)^2 - u''/u.
+  if (lode.kind == Lode::mohr_coulomb) return 1.0 + bend * bend;
+  if (lode.kind == Lode::willam_warnke) return willam_warnke_bending(lode.psi, c, s, bend);
+  const R triple = c * (4.0 * c * c - 3.0);
+  const R u = 0.5 * ((1.0 - triple) + (1.0 + triple) * (1.0 / lode.psi));
+  return bend * bend - 4.5 * triple * (1.0 - 1.0 / lode.psi) / u;
+}
+
 BARRENO_FUNCTION Lode::Value Lode::at(double theta) const {
   const LodeValueOf<double> v = lode_value(*this, std::cos(theta), std::sin(theta));
   return {v.gamma, v.slope};

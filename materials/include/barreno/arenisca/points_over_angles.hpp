@@ -3,6 +3,7 @@
 
 #include "barreno/arenisca/points_return.hpp"
 #include "barreno/arenisca/points_state.hpp"
+#include "barreno/arenisca/points_turned_return.hpp"
 
 namespace barreno::arenisca {
 
@@ -86,12 +87,10 @@ BARRENO_FUNCTION void find_turn(
     TriedTurn<R>& at
 ) {
   constexpr int max_iterations = 50;
-  constexpr double close_enough = 1e-11, root_3_4 = 0.86602540378443865;
+  constexpr double close_enough = 1e-11;
   const MaskOf<R> down = at.miss > 0.0;
-  const R up_sine = root_3_4 * angle.cosine - 0.5 * angle.sine;
-  const R up_cosine = 0.5 * angle.cosine + root_3_4 * angle.sine;
-  const R axis =
-      real::select(down, -angle.sine / (1.0 + angle.cosine), up_sine / (1.0 + up_cosine));
+  const TurnRange<R> range = turns_to_axes(angle);
+  const R axis = real::select(down, range.low, range.high);
   R near{}, far = axis;  // the condition has the first sign at `near`
   const R slope = 2.0 * (trial.q + angle.bend * angle.bend * at.returned.q);
   R next = -at.miss / slope;
@@ -126,6 +125,28 @@ BARRENO_FUNCTION void find_turn(
   }
 }
 
+/// The closest point over the Lode angle where the way to it is not smooth: turn by turn, each with
+/// a return within its half-plane.
+template <class R, class Rock>
+BARRENO_FUNCTION TriedTurn<R> return_turn_by_turn(
+    const Rock& rock,
+    const AngleOf<R>& angle,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& outside,
+    const MeridianOf<R>& at_trial,
+    const R& guess
+) {
+  constexpr double nothing = 1e-13;
+  TriedTurn<R> at;
+  at.angle = {R{} + 1.0, R{}, {angle.gamma, angle.gamma * angle.bend}};
+  at.returned = return_after_turn(rock, trial, outside, at_trial, guess, at.angle);
+  measure_miss(trial, at);
+  const MaskOf<R> open = outside & angle.turnable & (at.returned.q > 0.0) &
+                         (real::abs(at.miss) > nothing * trial.q) & !at.returned.refused;
+  if (real::any(open)) find_turn(rock, angle, trial, at_trial, open, at);
+  return at;
+}
+
 /// Return of a trial shear stress.
 /// @param p       the prediction; where the strength depends on the angle, with that of `s`
 /// @param s       trial shear stress, trial.q long
@@ -142,18 +163,22 @@ BARRENO_FUNCTION ReturnedOf<R> return_shear(
     ShearIn<R, Law>& end
 ) {
   if constexpr (Law::angled) {
-    constexpr double nothing = 1e-13;
     const AngleOf<R>& angle = p.angle;
-    TriedTurn<R> at;
-    at.angle = {R{} + 1.0, R{}, {angle.gamma, angle.gamma * angle.bend}};
-    at.returned = return_after_turn(rock, trial, outside, at_trial, guess, at.angle);
-    measure_miss(trial, at);
-    const MaskOf<R> open = outside & angle.turnable & (at.returned.q > 0.0) &
-                           (real::abs(at.miss) > nothing * trial.q) & !at.returned.refused;
-    if (real::any(open)) find_turn(rock, angle, trial, at_trial, open, at);
-    const R q = at.returned.q;
-    end = R(q * at.angle.cosine) * angle.along + R(q * at.angle.sine) * angle.across;
-    return at.returned;
+    R half_tangent{};
+    ReturnedOf<R> r;
+    const MaskOf<R> found =
+        return_with_turn(rock, angle, trial, outside, at_trial, guess, half_tangent, r);
+    const MaskOf<R> rest = outside & !found;
+    if (real::any(rest)) {
+      const TriedTurn<R> at = return_turn_by_turn(rock, angle, trial, rest, at_trial, guess);
+      select_returned(rest, at.returned, r);
+      half_tangent = real::select(rest, at.half_tangent, half_tangent);
+    }
+    const R inverse = 1.0 / (1.0 + half_tangent * half_tangent);
+    const R cosine = (1.0 - half_tangent * half_tangent) * inverse;
+    const R sine = 2.0 * half_tangent * inverse;
+    end = R(r.q * cosine) * angle.along + R(r.q * sine) * angle.across;
+    return r;
   } else {
     const ReturnedOf<R> r = return_points(rock, trial, outside, at_trial, guess);
     end = lengthened(s, trial.q, r.q);
