@@ -65,8 +65,8 @@ SLOW = {"wet, nonassociated, Willam-Warnke 0.8": 10}  # substeps; a root in a ro
 LEFT_OUT = {*SLOW, "wet, few pores", "wet, no cohesion", "wet, soft fluid"}  # of the cheap form
 SEED, SPECIMENS, FEW_SPECIMENS = 7, 12, 2  # of wet rock on random paths
 RESOLVED = {"Tolerance": "1e-6"}
-# In the step, where the card's tolerance leaves a step whole: the published forms extrapolate, all others do not (until 23 November
-# rock with a third invariant shared the code of the published forms, and 1.7 was asked of it).
+# In the step, where the card's tolerance leaves a step whole: the published forms extrapolate, all others do not. Of rock with a third
+# invariant 1.7 was asked while it shared the code of the published forms; since it is the lanes' law, its order is that of dry rock.
 ORDERS = {"dry": 0.95, "wet": 0.95, "dry, Willam-Warnke 0.7": 0.95, "elastic centre": 1.7}
 
 
