@@ -41,6 +41,7 @@ def run(barreno, full):
         "rock, and a wet target behaved as a dry one in depth and in plastic work. Today strength is that of dry rock at the total pressure less the whole "
         "pore pressure. The plastic work falls by about a third; the depth grows by a few percent only, because at these velocities the "
         "inertia of the rock, not its strength, stops the jet. Expect more where strength decides: at late times, at the wall of the hole and around it.\n\n"
+        "Cells of 1 mm are as wide as the jet's radius at its tip: the depths are not converged (docs/trade.md), and only their comparison at equal cells counts. "
         "Results of decks with `fluid_B0` that were computed with the form before are to be computed again; `Backstress strain` = `elastic centre` reproduces them."
     )
     return result
