@@ -18,9 +18,9 @@ const char* const title =
     "Barreno: a material point code for shaped-charge jets that perforate rock.\n";
 const char* const exit_codes =
     "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, 3 numerical failure, 4 internal,\n"
-    "128 + the signal's number where one ended the run.";
+    "128 + the number of the signal that ended the run.";
 const char* const other_words =
-    "barreno COMMAND --help says more of a command. In the source tree ./barreno also has\n"
+    "barreno COMMAND --help describes a command in detail. In the source tree ./barreno also has\n"
     "report FOLDER (pictures and numbers of a run) and test.\n\n";
 
 /// Options of CLI11 back to what this code knows of them.
@@ -92,8 +92,8 @@ bool is_option(const std::string& word) {
 
 [[noreturn]] void refuse_no_value(const OptionPage& option) {
   throw DeckError(
-      std::string(option.name) + " has no value after it (it needs one); write for example " +
-      option.name + " " + option.example + "."
+      std::string(option.name) + " needs a value; write for example " + option.name + " " +
+      option.example + "."
   );
 }
 
@@ -104,9 +104,7 @@ bool is_option(const std::string& word) {
     for (const OptionPage& option : page->options) {
       if (what.rfind(std::string(option.name) + ":", 0) == 0) refuse_no_value(option);
       if (option.value == nullptr && what.rfind(option.name + 2, 0) == 0) {
-        throw DeckError(
-            std::string(option.name) + " has a value (it takes none); write " + option.name + "."
-        );
+        throw DeckError(std::string(option.name) + " takes no value; write " + option.name + ".");
       }
     }
   }
@@ -127,14 +125,14 @@ std::string operand_of(const CLI::App& app, const CommandPage& page) {
     if (page.operand == nullptr) {
       throw DeckError(
           input::shown(word) +
-          " stands alone (drive takes every file by its option); write --material, --path or --out "
-          "before it."
+          " is not preceded by an option (drive takes every file with its option); write "
+          "--material, --path or --out before it."
       );
     }
     if (!operand.empty()) {
       throw DeckError(
-          input::shown(word) + " comes after " + input::shown(operand) +
-          " (one is enough); remove one of them."
+          input::shown(word) + " follows " + input::shown(operand) +
+          " (only one is allowed); remove one of them."
       );
     }
     operand = word;
@@ -175,13 +173,13 @@ void check_operand(const std::string& operand, Command command) {
   if (!operand.empty()) return;
   if (command == Command::resume) {
     throw DeckError(
-        "no run is named (its folder holds the checkpoint); write for example barreno resume "
+        "the run folder, which holds the checkpoint, is missing; write for example barreno resume "
         "runs/perforation-1."
     );
   }
   if (command == Command::run || command == Command::check) {
     throw DeckError(
-        "no deck is named (it says what to compute); write for example barreno run "
+        "the deck file is missing; write for example barreno run "
         "input_xml/perforation.xml."
     );
   }

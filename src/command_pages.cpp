@@ -3,6 +3,9 @@
 
 #include "base/error.hpp"
 #include "deck/fidelity.hpp"
+#include "deck/section_table.hpp"
+#include "deck/sections/head_section.hpp"
+#include "deck/sections/time_section.hpp"
 
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
@@ -38,11 +41,11 @@ void take_fidelity(Options& options, const std::string& value) {
   const std::vector<std::string> known = fidelity_words();
   if (std::find(known.begin(), known.end(), value) == known.end()) {
     throw DeckError(
-        "--fidelity " + input::shown(value) + " names no set of choices; " +
+        "--fidelity " + input::shown(value) + " is not a fidelity; " +
         input::suggest_name(value, known)
     );
   }
-  options.overrides.push_back("Fidelity=" + value);
+  options.overrides.push_back(fidelity_override(value));
 }
 
 const OptionPage set_option = {
@@ -50,7 +53,7 @@ const OptionPage set_option = {
     "\"LIST/NAME=VALUE\"",
     "\"Time/End Time=50 us\"",
     "change a value of the deck, as often as needed;\n"
-    "\"LIST/NAME=\" takes a value or a list away",
+    "\"LIST/NAME=\" removes a value or a list",
     take_override};
 
 const OptionPage fidelity_option = {
@@ -66,14 +69,14 @@ CommandPage run_page() {
       Command::run,
       "run",
       "Compute a deck. The results go into a new folder, runs/NAME-1, -2, ... of a deck NAME.xml,\n"
-      "unless --out names one (docs/output.md).",
+      "unless --out gives one (docs/output.md).",
       "DECK",
       "deck file (docs/deck.md)",
       true,
       {{"--out",
         "FOLDER",
         "results",
-        "the run's folder; one that holds results is refused",
+        "the run's folder; refused if it holds results",
         [](Options& options, const std::string& value) { options.out = value; }},
        {"--overwrite",
         nullptr,
@@ -83,8 +86,8 @@ CommandPage run_page() {
        {"--ranks",
         "N",
         "2",
-        "processes that ./barreno starts, one for each core\n"
-        "without it; under mpirun -n N those that it started",
+        "processes that ./barreno starts; default: one per\n"
+        "core. Under mpirun -n N its processes are used",
         take_ranks},
        set_option,
        fidelity_option},
@@ -96,18 +99,18 @@ CommandPage resume_page() {
   return {
       Command::resume,
       "resume",
-      "Go on from the last checkpoint of a run, bit for bit (docs/checkpoints.md).",
+      "Continue a run from its last checkpoint, bit for bit (docs/checkpoints.md).",
       "FOLDER",
       "the run's folder",
       true,
       {{"--until",
         "TIME",
         "\"200 us\"",
-        "another end of the run",
+        "a new End Time",
         [](Options& options, const std::string& value) {
-          options.overrides.push_back("Time/End Time=" + value);
+          options.overrides.push_back(path_of(&TimeSpec::end_time) + "=" + value);
         }},
-       {"--ranks", "N", "2", "processes, as for run; any number will do", take_ranks}},
+       {"--ranks", "N", "2", "processes, as for run; any number works", take_ranks}},
       "barreno resume runs/perforation-1 --until \"200 us\""};
 }
 
@@ -115,14 +118,14 @@ CommandPage check_page() {
   return {
       Command::check,
       "check",
-      "Validate a deck, and say what its run will do, take and cost (docs/cost.md). Nothing is\n"
-      "written.",
+      "Validate a deck, and report what the run will do, how long it takes and what it costs\n"
+      "(docs/cost.md). Nothing is written.",
       "DECK",
       "deck file (docs/deck.md)",
       true,
       {set_option,
        fidelity_option,
-       {"--ranks", "N", "2", "processes that the costs are given for", take_ranks}},
+       {"--ranks", "N", "2", "number of processes to predict the cost for", take_ranks}},
       "barreno check input_xml/perforation.xml --ranks 4"};
 }
 
@@ -130,7 +133,8 @@ CommandPage drive_page() {
   return {
       Command::drive,
       "drive",
-      "Take one material point along a path of the deformation gradient (docs/drive.md).",
+      "Drive one material point along a path of deformation gradient, strain or stress\n"
+      "(docs/drive.md).",
       nullptr,
       nullptr,
       false,
@@ -155,10 +159,22 @@ CommandPage drive_page() {
        {"--steps-per-row",
         "N",
         "10",
-        "equal steps between two rows of the path; 1 without it",
+        "equal steps between two rows of the path; default 1",
         [](Options& options, const std::string& value) {
-          options.drive.steps_per_row = count_of("--steps-per-row", value, "number of steps");
+          options.drive.steps.per_row = count_of("--steps-per-row", value, "number of steps");
         }},
+       {"--every-step",
+        nullptr,
+        nullptr,
+        "a row of the answer for every step, not for rows of the path alone",
+        [](Options& options, const std::string&) { options.drive.steps.every = true; }},
+       {"--plot",
+        "FILE",
+        "answer.png",
+        "picture of every step with the yield surface (PNG, PDF or SVG),\n"
+        "and the surface as a table, FILE_surface.csv; needs Python 3\n"
+        "with Matplotlib",
+        [](Options& options, const std::string& value) { options.drive.picture = value; }},
        {"--set",
         "NAME=VALUE",
         "\"PEAKI1=20 MPa\"",
@@ -167,7 +183,9 @@ CommandPage drive_page() {
           options.drive.overrides.push_back(value);
         }}},
       "barreno drive --material berea_sandstone.xml --path input_xml/paths/uniaxial_berea.csv "
-      "--out answer.csv"};
+      "--out answer.csv\n"
+      "barreno drive --material berea_sandstone --path input_xml/paths/triaxial_berea.csv "
+      "--out answer.csv --steps-per-row 40 --every-step --plot answer.png"};
 }
 
 CommandPage describe_page() {
@@ -176,7 +194,7 @@ CommandPage describe_page() {
       "describe",
       "The deck reference: every section, parameter, unit, bound and default.",
       "SECTION",
-      "a section of the deck or a material model; an overview without",
+      "a section of the deck or a material model; default: an overview",
       false,
       {{"--markdown",
         nullptr,

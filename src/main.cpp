@@ -6,7 +6,8 @@
 #include "command_line.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
+#include "deck/sections/head_section.hpp"
 #include "drive/drive.hpp"
 #include "output/folder_lock.hpp"
 #include "output/output.hpp"
@@ -79,7 +80,7 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const int ranks = std::max(1, options.ranks);
   const auto scene_with = [&](const std::string& fidelity) {
     std::vector<std::string> overrides = options.overrides;
-    overrides.push_back("Fidelity=" + fidelity);
+    overrides.push_back(fidelity_override(fidelity));
     return build_scene(read_deck(options.deck_file, overrides, *comm));
   };
   const std::string fidelities = fidelity_lines(scene_with, ranks);

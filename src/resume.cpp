@@ -7,7 +7,7 @@
 #include "checkpoint/check_values.hpp"
 #include "checkpoint/read_checkpoint.hpp"
 #include "deck/echo_deck.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
 #include "output/folder_lock.hpp"
 #include "output/output.hpp"
 #include "output/text_file.hpp"
@@ -55,7 +55,7 @@ void refuse_resume(
     );
 }
 
-/// What is no folder is refused for the checkpoint that it does not hold.
+/// A path that is not a folder is reported as one without a checkpoint.
 std::unique_ptr<FolderLock> lock_if_there(const Comm& comm, const std::filesystem::path& folder) {
   std::array<double, 1> there{0.0};
   if (is_root(comm)) there[0] = std::filesystem::is_directory(folder) ? 1.0 : 0.0;

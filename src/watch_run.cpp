@@ -73,16 +73,17 @@ bool time_stands(const Scene& scene, const Clock& clock, double last_dt, RunWatc
   return watch.standing >= max_stalled_steps;
 }
 
-/// Energies now, and what was put in, of all ranks.
+/// Energies now, and the energy supplied, of all ranks.
 struct Energies {
-  double kinetic = 0.0, elastic = 0.0, put_in = 0.0;
+  double kinetic = 0.0, elastic = 0.0, supplied = 0.0;
 };
 
 Energies sum_energies(const State& state) {
   const Ledger l = sum_over_ranks(*state.grid.comm, state.ledger);
-  const double put_in = l.initial_kinetic + l.launched_kinetic + l.prestress +
-                        std::abs(l.boundary_work) + std::abs(l.body_work) + std::abs(l.fluid_work);
-  return {l.kinetic, l.elastic, put_in};
+  const double supplied = l.initial_kinetic + l.launched_kinetic + l.prestress +
+                          std::abs(l.boundary_work) + std::abs(l.body_work) +
+                          std::abs(l.fluid_work);
+  return {l.kinetic, l.elastic, supplied};
 }
 
 std::string gain_sentence(
@@ -91,14 +92,13 @@ std::string gain_sentence(
   std::ostringstream text;
   text
       << "The particles have more than " << max_gain
-      << " times the energy that was put in at t = " << state.clock.time << " s, step "
-      << state.clock.step << ", dt = " << state.clock.dt << " s: " << energies.kinetic
-      << " J kinetic and " << energies.elastic << " J elastic of " << max_energy_input << " J ("
+      << " times the energy supplied at t = " << state.clock.time << " s, step " << state.clock.step
+      << ", dt = " << state.clock.dt << " s: " << energies.kinetic << " J kinetic and "
+      << energies.elastic << " J elastic of " << max_energy_input << " J ("
       << fastest_words(scene, state)
-      << "). The steps are unstable: set \"Stable Alone\" where particles fly alone, take half the "
-         "\"Courant Fraction\" or \"Order\" modified stress last, or \"Bad Particles\" remove with "
-         "a smaller \"Largest "
-         "Expansion\".";
+      << "). The steps are unstable: set \"Stable Alone\" if particles fly in isolation, halve the "
+         "\"Courant Fraction\", set \"Order\" to modified stress last, or set \"Bad Particles\" to "
+         "remove with a smaller \"Largest Expansion\".";
   return text.str();
 }
 
@@ -109,10 +109,10 @@ std::string watch_run(const Scene& scene, const State& state, double last_dt, Ru
   if (time_stands(scene, clock, last_dt, watch)) return standing_sentence(scene, state);
   if (clock.step % energy_interval != 0 && clock.time < scene.end_time) return {};
   const Energies energies = sum_energies(state);
-  watch.max_energy_input = std::max(watch.max_energy_input, energies.put_in);
+  watch.max_energy_input = std::max(watch.max_energy_input, energies.supplied);
   // Neither compensates for the other, and values that are not finite are wrong too.
-  const double held = energies.kinetic + std::abs(energies.elastic);
-  if (held <= max_gain * watch.max_energy_input) return {};
+  const double energy = energies.kinetic + std::abs(energies.elastic);
+  if (energy <= max_gain * watch.max_energy_input) return {};
   return gain_sentence(scene, state, energies, watch.max_energy_input);
 }
 

@@ -35,11 +35,11 @@ HEAD = """# Cost of a run, predicted and measured
 `barreno check` predicts particle-steps and seconds, and every run compares them with the actual values (`prediction` in `summary.json`, the
 last block on the screen). Measured by `verification/predictions.py build/release/src/barreno --document`; do not edit by hand.
 
-- Particle-steps: the stable step of the scene with the artificial viscosity of what collides, or the longest step of the probe run if
-that is shorter; a slug of the jet counts from its launch on.
+- Particle-steps: the stable step of the scene with the artificial viscosity of the bodies that collide, or the longest step of the probe
+  run if that is shorter; a slug of the jet counts from its launch on.
 - ns: a probe run takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
-  that mode, shape function, transfer, loads and contact are those of the run. The stress update of materials that will yield is taken to be
-more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`.
+  that mode, shape function, transfer, loads and contact are those of the run. The stress update of materials that will yield is assumed to be
+  more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`.
 - Files: 350 ns per particle and instant of `particles.e`, 12 ns per particle and row of `history.csv`.
 - Not included: start-up (0.1 s), implicit solves of the pore flow, waiting of ranks.
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,43 @@ void rotate(const double* r, double* o) {
   std::copy(turned, turned + tensor_size, o);
 }
 
+/// The frame in which a host hands strains over and keeps stresses.
+enum class Frame {
+  space,     ///< stress and tensors of the state turn with DROT
+  material,  ///< the host has taken the rotation out: nothing turns
+};
+
+/// CalculiX has two interfaces for a material of this kind, told by its name. @ABAQUS_ passes
+/// Green's strain and the second Piola-Kirchhoff stress, which are those of small strains only
+/// where NLGEOM is off; @ABAQUSNL_ passes ln U and R^T sigma R (and a DROT that nothing needs),
+/// which it makes of Green's strain, so only where NLGEOM is on. KSTEP has four entries there, of
+/// which the third is 1 with NLGEOM, except in the linear prediction of a step, where the strains
+/// do not change (umat_abaqus.f, umat_abaqusnl.f, calctotstrain.f, nonlingeo.c of CalculiX 2.20).
+Frame frame_of(const char* name, const int* kstep, const double* dstran) {
+  constexpr double no_change = 1e-12;
+  const auto begins = [&](const char* word) {
+    return name != nullptr && std::strncmp(name, word, std::strlen(word)) == 0;
+  };
+  if (begins("@ABAQUS_") && kstep[2] == 1) {
+    barreno::hosts::stop(
+        "the step has NLGEOM, but the material's name begins with @ABAQUS_, to which CalculiX "
+        "passes Green's strain and the second Piola-Kirchhoff stress instead of logarithmic "
+        "strain and Cauchy stress; write @ABAQUSNL_ in *MATERIAL and *SOLID SECTION, or take "
+        "NLGEOM out."
+    );
+  }
+  if (!begins("@ABAQUSNL_")) return Frame::space;
+  double change = 0.0;
+  for (int i = 0; i < tensor_size; ++i) change = std::fmax(change, std::fabs(dstran[i]));
+  if (kstep[2] != 1 && change > no_change) {
+    barreno::hosts::stop(
+        "the material's name begins with @ABAQUSNL_, but the step has no NLGEOM, without which "
+        "CalculiX passes wrong strains to it; write *STEP,NLGEOM, or @ABAQUS_ for small strains."
+    );
+  }
+  return Frame::material;
+}
+
 /// A point that failed asks for a quarter of the step; one that no step cures stops the job.
 void ask_for_less(
     const barreno_material* material, const double* stress, const double* state, double* pnewdt
@@ -96,7 +134,8 @@ extern "C" {
 
 /// The list of arguments of Abaqus/Standard. Stress, state and DDSDDE are updated; a point that
 /// fails keeps its stress and state, and asks for a quarter of the step by PNEWDT. STRESS comes
-/// rotated to the end of the increment; tensors of the state are turned here by DROT.
+/// rotated to the end of the increment; tensors of the state are turned here by DROT, except where
+/// CalculiX has taken the rotation out.
 void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     double* stress,
     double* statev,
@@ -133,7 +172,7 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     const int* /*npt*/,
     const int* /*layer*/,
     const int* /*kspt*/,
-    const int* /*kstep*/,
+    const int* kstep,
     const int* /*kinc*/
 ) {
   const barreno_material* material = barreno::hosts::material_of(cmname);
@@ -146,7 +185,8 @@ void UMAT(  // NOLINT(readability-function-size,readability-identifier-naming)
     old_stress[i] = stress[i];
   }
   const std::vector<int>& tensors = known_tensors_of(material);
-  const bool turns = drot != nullptr && !tensors.empty();
+  const bool turns =
+      frame_of(cmname, kstep, dstran) == Frame::space && drot != nullptr && !tensors.empty();
   std::vector<double> unturned;
   if (turns) {
     check_rotation(material, drot);

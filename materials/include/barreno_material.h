@@ -2,22 +2,22 @@
 #ifndef BARRENO_MATERIAL_H
 #define BARRENO_MATERIAL_H
 
-/* Barreno's materials for other codes: a material is opened from a card and advances batches of points.
+/* Barreno's materials for other codes: a material is opened from a card and updates batches of points.
  *
  * Conventions. SI units. Symmetric tensors 11 22 33 12 13 23, tensor shears (half of engineering ones), tension
- * positive. Stress is Cauchy and corotational: the host takes rotation out of strain increments and stresses.
- * Strain increments are logarithmic; small-strain codes give theirs. State variables are scalars, or components in the same
+ * positive. Stress is Cauchy and corotational: the host removes the rotation from strain increments and stresses.
+ * Strain increments are logarithmic; small-strain codes pass their own. State variables are scalars, or components in the same
  * unrotated axes (NAME_xx to NAME_zx).
  *
  * State. Variable 0 is `initialized`: a point whose state is all zero is virgin, and the library fills in the rest
  * (confined, if the host gives it an initial pressure). Old and new are separate arrays, so that a step may be tried
  * again; they may also be the same array. Rock whose card has fluid_pressure_initial needs an initial stress: a point
- * that starts without is refused.
+ * that starts without one is refused.
  *
- * A point that fails keeps its old stress and state; its tangent is the elastic one. Nothing that is returned is NaN
- * or infinite: an old value that was comes back as 0, with BARRENO_BAD_INPUT.
+ * A point that fails keeps its old stress and state; its tangent is the elastic one. No returned value is NaN
+ * or infinite: a stress or state that was one on entry is returned as 0, with BARRENO_BAD_INPUT.
  *
- * Threads. A material may be updated by several threads at once. Texts of errors belong to the calling thread. */
+ * Threads. A material may be updated by several threads at once. Error messages belong to the calling thread. */
 
 /* C has names and forms of its own: NOLINTBEGIN(modernize-use-using,readability-identifier-naming) */
 
@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-/** Changes when this header does in a way that needs compiling again. */
+/** Changes whenever a change to this header requires callers to be recompiled. */
 #define BARRENO_ABI_VERSION 1
 int barreno_abi_version(void);
 /** Version of the library, "0.1.0". */
@@ -34,14 +34,14 @@ const char* barreno_version(void);
 typedef struct barreno_material barreno_material;
 
 /** Opens a card.
- *  @param card  a path; or the name of a card, in any case and without ".xml" if you like, that is searched in the
- *               directories of the environment variable BARRENO_MATERIALS (':' between them) and then among the
- *               cards that the library came with
+ *  @param card  a path; or the name of a card, in upper or lower case, with or without ".xml", which is searched for in
+ *               the directories of the environment variable BARRENO_MATERIALS (':' between them) and then among the
+ *               cards that come with the library
  *  @return NULL if that failed; barreno_last_error() says why */
 barreno_material* barreno_material_open(const char* card);
 void barreno_material_close(barreno_material* material);
 
-/** The model of the card, "Arenisca"; "" without material. */
+/** The model of the card, "Arenisca"; "" if material is NULL. */
 const char* barreno_material_model(const barreno_material* material);
 /** The file that the material was read from. */
 const char* barreno_material_file(const barreno_material* material);
@@ -56,24 +56,24 @@ const char* barreno_material_state_unit(const barreno_material* material, int in
 const char* barreno_material_state_meaning(const barreno_material* material, int index);
 double barreno_material_state_initial(const barreno_material* material, int index);
 
-/** K + 4G/3 of a point, which bounds its wave speed by sqrt(. / density) [Pa]; 0 for a state that cannot be.
+/** K + 4G/3 of a point, which bounds its wave speed by sqrt(. / density) [Pa]; 0 for an impossible state.
  *  @param stress  six components
- *  @param state   as many as barreno_material_state_count() says */
+ *  @param state   barreno_material_state_count() values */
 double barreno_material_longitudinal_modulus(const barreno_material* material, const double* stress, const double* state);
 
 /** What to compute of the tangent. */
 enum barreno_want {
-  BARRENO_STRESS = 0,    /**< nothing */
+  BARRENO_STRESS = 0,    /**< no tangent */
   BARRENO_ELASTIC = 1,   /**< the elastic stiffness at the start of the step */
   BARRENO_CONSISTENT = 2 /**< d stress_new / d strain_increment of the step that was taken */
 };
 
-/** Verdict on a point. */
+/** Outcome of the update of a point. */
 enum barreno_status {
   BARRENO_OK = 0,
   BARRENO_SUBSTEP_LIMIT = 1, /**< a smaller step may succeed */
   BARRENO_NOT_CONVERGED = 2, /**< a smaller step may succeed */
-  BARRENO_BAD_INPUT = 3      /**< not finite, absurdly large, or a state that cannot be */
+  BARRENO_BAD_INPUT = 3      /**< not finite, absurdly large, or an impossible state */
 };
 
 /** A step of `count` points. Arrays are by point: stress of point i is stress_old[6*i] to stress_old[6*i+5]. */
@@ -95,7 +95,7 @@ typedef struct barreno_batch {
 } barreno_batch;
 
 /** Advances a batch.
- *  @return how many points failed; -1 if the call itself cannot be served, and then nothing is written */
+ *  @return number of points that failed; -1 if the call itself is invalid, and then nothing is written */
 int barreno_material_update(const barreno_material* material, const barreno_batch* batch);
 
 /** Why the last call of this thread failed, as one sentence; valid until its next call. "" if none has failed. */

@@ -2,6 +2,7 @@
 // The C interface: one template over models.hpp, and nothing that throws across the boundary.
 #include "barreno/find_card.hpp"
 #include "barreno/input/units.hpp"
+#include "barreno/models.hpp"
 #include "barreno/registry.hpp"
 #include "barreno_material.h"
 #include "step_point.hpp"

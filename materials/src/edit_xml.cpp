@@ -80,12 +80,12 @@ std::optional<XMLObject> find_list(const XMLObject& list, const std::string& nam
 }
 
 UnitSystem units_of(const XMLObject& root, const std::string& source) {
-  const auto text = find_text(root, "Units");
+  const auto text = find_text(root, units_word);
   if (!text) return {};
   try {
     return read_unit_system(*text);
   } catch (const InputError& error) {
-    refuse_value(source, "Units", *text, error.what());
+    refuse_value(source, units_word, *text, error.what());
   }
 }
 

@@ -4,6 +4,7 @@
 #include "barreno/input/error.hpp"
 #include "barreno/input/nearest_name.hpp"
 #include "barreno/input/scan_xml.hpp"
+#include "barreno/models.hpp"
 #include "barreno/registry.hpp"
 #include "text.hpp"
 
@@ -61,7 +62,7 @@ std::vector<fs::path> directories() {
   return result;
 }
 
-/// Cards of a directory, sorted: a listing has no order of its own.
+/// Cards of a directory, sorted: the order of a listing is arbitrary.
 std::vector<fs::path> cards_in(const fs::path& directory) {
   std::vector<fs::path> cards;
   std::error_code ignored;  // a directory that cannot be listed holds no card

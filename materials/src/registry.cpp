@@ -4,6 +4,7 @@
 #include "barreno/input/error.hpp"
 #include "barreno/input/nearest_name.hpp"
 #include "barreno/input/scan_xml.hpp"
+#include "barreno/models.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -57,7 +58,7 @@ bool serves(const typename Special::Parameters& p) {
   return false;
 }
 
-/// The model, or the general form that this parameter set needs.
+/// The model, or the form of it that this parameter set needs.
 template <class Special, class... Models>
 AnyModel form_for(
     const typename Special::Parameters& p, double density, const std::variant<Models...>* /*list*/
@@ -172,7 +173,7 @@ void check_version(int version, const std::string& source, const std::string& pa
   if (version == card_schema_version) return;
   input::refuse_value(
       source,
-      input::join(path, "Schema Version"),
+      input::join(path, card_version_word),
       std::to_string(version),
       "is not the version that this program reads (" + std::to_string(card_schema_version) +
           "); convert the card or use the program that it was written for"
@@ -203,9 +204,10 @@ input::Section card_section(const ModelDescription& model) {
   section.name = "Card";
   section.meaning = model.summary;
   section.entries = {
-      input::integer("Schema Version", any(), "version of this table")
+      input::integer(card_version_word, any(), "version of this table")
           .by_default(std::to_string(card_schema_version)),
-      input::text("Units", "consistent system of the plain numbers, as in a deck").by_default("SI"),
+      input::text(input::units_word, "consistent system of the plain numbers, as in a deck")
+          .by_default("SI"),
       input::text("Source", "source of the numbers").if_given(),
       input::word("Model", names, "constitutive model"),
       input::number("Density", dimension::density, above(0.0), "reference density")};
@@ -223,7 +225,7 @@ Material make_material(
   const std::string word = list.isType<std::string>("Model") ? list.get<std::string>("Model") : "";
   const ModelDescription& model = model_named(word, source, path);
   const ParameterList values = checked(list, card_section(model), source, path);
-  check_version(values.get<int>("Schema Version"), source, path);
+  check_version(values.get<int>(card_version_word), source, path);
   const double density = values.get<double>("Density");
   const auto index = static_cast<std::size_t>(&model - describe_models().data());
   std::string problem;
@@ -241,13 +243,13 @@ ParameterList scan_card(const Teuchos::XMLObject& xml, const std::string& source
   const input::UnitSystem units = input::units_of(xml, source);
   ParameterList list =
       input::scan_list(xml, card_section(model_named(word, source, "")), "", {source, units});
-  check_version(list.get<int>("Schema Version"), source, "");
-  list.set("Units", std::string("SI"));
+  check_version(list.get<int>(card_version_word), source, "");
+  list.set(input::units_word, std::string("SI"));
   return list;
 }
 
 Material read_card(const std::string& file) {
-  // A pipe without a writer would be waited for without end, and a device has no end.
+  // Reading a pipe without a writer, or a device, would never end.
   std::error_code ignored;
   const bool plain = std::filesystem::is_regular_file(file, ignored);
   if (plain && std::filesystem::file_size(file, ignored) > input::largest_text)

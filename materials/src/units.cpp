@@ -179,7 +179,7 @@ private:
       if (at != at_) refuse();
       return unit;
     }
-    // Exponents beyond these are no physics and would overflow the decimal exponent.
+    // Larger exponents do not occur in physics and would overflow the decimal exponent.
     if (std::abs(n) > 12) refuse();
     at_ = static_cast<std::size_t>(end - text_.data());
     return sound(power(unit, n));

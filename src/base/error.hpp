@@ -13,7 +13,7 @@ namespace barreno {
 /// A deck, a card, a table or an argument is wrong.
 using DeckError = InputError;
 
-/// The computation cannot go on; FileError is in barreno/input/error.hpp.
+/// The computation cannot continue; FileError is in barreno/input/error.hpp.
 struct NumericalError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -9,7 +9,7 @@
 namespace barreno {
 
 /// Kernels over R (barreno/real.hpp) take width<R> neighbouring rows at a time: one as double,
-/// several as Lanes. The last ones of a run may be fewer; their spare lanes repeat the last row.
+/// several as Lanes. The last ones of a chunk may be fewer; their spare lanes repeat the last row.
 template <class R>
 inline constexpr int width = 1;
 

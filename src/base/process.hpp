@@ -3,7 +3,7 @@
 
 namespace barreno {
 
-/// Most memory that this process has held so far [bytes].
+/// Most memory that this process has used so far [bytes].
 double peak_resident_bytes();
 
 /// Time of processors that this process has taken so far [s]: other work on the machine does not

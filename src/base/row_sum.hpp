@@ -18,25 +18,25 @@ template <class R>
 struct RowSum {
   R high{}, low{};
 
-  KOKKOS_INLINE_FUNCTION static MaskOf<R> fits(const R& number, const SplitScales& sizes) {
-    return real::abs(number) < sizes.top;
+  KOKKOS_INLINE_FUNCTION static MaskOf<R> fits(const R& number, const SplitScales& scales) {
+    return real::abs(number) < scales.top;
   }
   /// @pre it fits
-  KOKKOS_INLINE_FUNCTION void split(const R& number, const SplitScales& sizes) {
-    const R rounded = (number + sizes.first) - sizes.first;
+  KOKKOS_INLINE_FUNCTION void split(const R& number, const SplitScales& scales) {
+    const R rounded = (number + scales.first) - scales.first;
     const R rest = number - rounded;
     high += rounded;
-    low += (rest + sizes.second) - sizes.second;
+    low += (rest + scales.second) - scales.second;
   }
   /// @param beyond  takes numbers that are too large to be split
   KOKKOS_INLINE_FUNCTION void add(
-      const R& number, const SplitScales& sizes, ReproducibleSum& beyond
+      const R& number, const SplitScales& scales, ReproducibleSum& beyond
   ) {
-    const MaskOf<R> small = fits(number, sizes);
-    if (real::all(small)) return split(number, sizes);
+    const MaskOf<R> small = fits(number, scales);
+    if (real::all(small)) return split(number, scales);
     for (int i = 0; i < width<R>; ++i)
       if (entry(small, i) == 0) beyond += entry(number, i);
-    split(real::select(small, number, 0.0), sizes);
+    split(real::select(small, number, 0.0), scales);
   }
   KOKKOS_INLINE_FUNCTION void add_to(ReproducibleSum& sum) const {
     double total_high = 0.0, total_low = 0.0;
@@ -56,9 +56,9 @@ using RowReal = Lanes;
 using RowReal = double;
 #endif
 
-/// Numbers of a run of rows. Those from `count` on are not looked at, but set to nothing.
+/// Adds the numbers of a chunk of rows. Those from `count` on are ignored and overwritten by zeros.
 KOKKOS_INLINE_FUNCTION void add_chunk(
-    double (&numbers)[rows_per_chunk], int count, const SplitScales& sizes, ReproducibleSum& sum
+    double (&numbers)[rows_per_chunk], int count, const SplitScales& scales, ReproducibleSum& sum
 ) {
   constexpr int step = width<RowReal>;
   for (int k = count; k % step != 0; ++k) numbers[k] = 0.0;
@@ -68,15 +68,15 @@ KOKKOS_INLINE_FUNCTION void add_chunk(
     return value;
   };
   RowSum<RowReal> part;
-  MaskOf<RowReal> small = RowSum<RowReal>::fits(RowReal{}, sizes);
+  MaskOf<RowReal> small = RowSum<RowReal>::fits(RowReal{}, scales);
   for (int k = 0; k < count; k += step) {
     const RowReal value = some(k);
-    small = small & RowSum<RowReal>::fits(value, sizes);
-    part.split(value, sizes);
+    small = small & RowSum<RowReal>::fits(value, scales);
+    part.split(value, scales);
   }
   if (!real::all(small)) {
     part = {};
-    for (int k = 0; k < count; k += step) part.add(some(k), sizes, sum);
+    for (int k = 0; k < count; k += step) part.add(some(k), scales, sum);
   }
   part.add_to(sum);
 }

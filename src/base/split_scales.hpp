@@ -7,14 +7,14 @@
 
 namespace barreno {
 
-/// Sizes that numbers of about one size are split by, see RowSum. They must not depend on which
-/// rows a rank has.
+/// Scales by which numbers of about one magnitude are split (RowSum). They must not depend on
+/// which rows a rank has.
 struct SplitScales {
   double first = 1.0, second = 1.0;  ///< adding and subtracting these rounds to a quantum
   double top = 0.0;                  ///< numbers from here on are not split
 
   KOKKOS_INLINE_FUNCTION SplitScales() : SplitScales(1.0) {}
-  /// @param size  what numbers are expected to be smaller than; 2^13 times as much is split too
+  /// @param size  numbers are expected to be smaller; up to 2^13 times as much is split too
   KOKKOS_INLINE_FUNCTION explicit SplitScales(double size) {
     constexpr int digits_above = 31, digits_below = 76;
     const double power = std::exp2(std::ceil(std::log2(size)));

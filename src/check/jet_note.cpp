@@ -29,18 +29,17 @@ std::string jet_note(const Scene& scene) {
   const char* const along = path.direction > 0.0 ? "+y" : "-y";
   if (!path.has_target)
     return format(
-               "the jet hits no body (none is in its path along %s from y = %g m), so there will "
-               "be "
-               "no depth; ",
+               "the jet hits no body (none lies in its path along %s from y = %g m), so no depth "
+               "will be computed; ",
                along,
                scene.jet.launch_position
            ) +
-           "reverse Jet/Direction, or move Jet/Launch Position or a body, if it should";
+           "if it should, reverse Jet/Direction, or move Jet/Launch Position or a body";
   const double arrival = first_arrival(scene, path);
   if (arrival < scene.end_time) return {};
   return format(
-      "the jet reaches the target at %g s, not before Time/End Time = %g s, so there will be no "
-      "depth; take a later End Time if it should",
+      "the jet reaches the target at %g s, not before Time/End Time = %g s, so no depth will be "
+      "computed; choose a later End Time if it should",
       arrival,
       scene.end_time
   );

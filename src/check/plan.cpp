@@ -9,7 +9,7 @@
 #include "check/predict_cost.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
-#include "deck/time_section.hpp"
+#include "deck/sections/time_section.hpp"
 #include "geometry/piece.hpp"
 #include "output/progress.hpp"
 #include "scene/build_scene.hpp"
@@ -18,10 +18,8 @@
 #include "state/particles.hpp"
 
 #include <algorithm>
-#include <barreno/models.hpp>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 namespace barreno {
 namespace {
@@ -33,20 +31,16 @@ std::string box_text(const GridSpec& grid) {
   return text;
 }
 
-const char* model_name(const Material& material) {
-  return std::visit([](const auto& model) { return model.name; }, material.model);
-}
-
 std::string material_lines(const Scene& scene) {
   std::string text;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m].material();
+    const MaterialSpec& material = scene.materials[m];
     const std::size_t bytes = bytes_per_particle(make_particles(scene, static_cast<int>(m)));
     text += format(
         "  %-22s %s, %.6g kg/m3, %zu bytes per particle\n",
-        material.name.c_str(),
-        model_name(material),
-        material.density,
+        material.name().c_str(),
+        material.model_name().c_str(),
+        material.density(),
         bytes
     );
   }
@@ -91,7 +85,7 @@ std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
 
 void refuse_short_domains(const Deck& deck, const Scene& scene) {
   const double corner = largest_corner(scene);
-  // Round-off of the deck's numbers is no reason to refuse it.
+  // A deck is not refused for the round-off of its numbers.
   if (!follows_deformation(scene) || scene.step.largest_domain >= corner * (1.0 - 1e-9)) return;
   deck.refuse_value(
       path_of(&StepSpec::largest_domain),

@@ -17,7 +17,7 @@ void refuse_short_domains(const Deck& deck, const Scene& scene);
 /// Refuses an end that no number of steps reaches. @throws DeckError
 void refuse_unreachable_end(const Deck& deck, const Scene& scene);
 
-/// What the user should know of deck and scene although it is no error, a sentence each.
+/// What the user should know of deck and scene besides errors, a sentence each.
 std::vector<std::string> notes_of(const Deck& deck, const Scene& scene);
 
 /// What the run would cost with each fidelity, a line each.

@@ -13,7 +13,7 @@ namespace barreno {
 struct Probe {
   double seconds = 0.0;        ///< of one step
   double particles = 0.0;      ///< in it, rigid bodies aside
-  double program_bytes = 0.0;  ///< that this process held before
+  double program_bytes = 0.0;  ///< that this process used before
   double dt = 0.0;             ///< longest of its steps, at the scene's own cell size [time]
   std::vector<std::pair<std::string, double>> shares;  ///< of a step: verb and part of the time
 };

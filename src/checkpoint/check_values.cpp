@@ -71,7 +71,7 @@ void check_owners(const Hdf5File& file, const State& state, long long ranks) {
 }
 
 /// Whole sums in their one form, far from what a part can hold.
-void check_whole_sums(const Hdf5File& file, const std::string& name, std::size_t rows) {
+void check_reproducible_sums(const Hdf5File& file, const std::string& name, std::size_t rows) {
   constexpr long long part = 1LL << ReproducibleSum::bits_per_part;
   constexpr long long max_leading_part = 1LL << 52U;
   expect_size(file, name, {rows, ReproducibleSum::parts});
@@ -84,8 +84,8 @@ void check_whole_sums(const Hdf5File& file, const std::string& name, std::size_t
 }
 
 void check_sums(const Hdf5File& file, const State& state) {
-  check_whole_sums(file, "ledger/terms", terms_of(state.ledger).size());
-  check_whole_sums(file, "ledger/reactions", 3 * state.reactions.size());
+  check_reproducible_sums(file, "ledger/terms", terms_of(state.ledger).size());
+  check_reproducible_sums(file, "ledger/reactions", 3 * state.reactions.size());
   const std::string name = "ledger/particle_steps";
   for_each_value<double>(file, name, 2, [&](std::size_t row, double steps) {
     if (!(steps >= 0.0 && std::isfinite(steps))) refuse_value(name, row, steps);
@@ -266,7 +266,7 @@ void check_checkpoint(const Scene& scene, const State& state, const Checkpoint& 
     if (fault.empty()) return;
     throw FileError(
         "cannot resume from '" + checkpoint.file.string() + "' (" + fault +
-        "); remove this file to go on from the checkpoint before it, or start again with barreno "
+        "); remove this file to continue from the previous checkpoint, or start again with barreno "
         "run."
     );
   });

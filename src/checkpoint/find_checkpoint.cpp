@@ -4,6 +4,8 @@
 #include "base/error.hpp"
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_checkpoint.hpp"
+#include "deck/section_table.hpp"
+#include "deck/sections/time_section.hpp"
 #include "output/text_file.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -57,7 +59,7 @@ std::string fault_of(const fs::path& path, Checkpoint& found) {
 
 Checkpoint find_on_root(const fs::path& folder) {
   Checkpoint found;
-  // One that was not sealed is what every kill may leave: no news.
+  // Any kill may leave one that was not sealed, so that is not reported.
   const fs::path aside = folder / checkpoint_temporary_name;
   if (fs::exists(aside) && SealedFile(aside).fault().empty() && fault_of(aside, found).empty())
     return found;
@@ -116,7 +118,8 @@ std::string trimmed(const std::string& line) {
 
 /// End times may differ, and the name that a comment gives the deck.
 bool may_differ(const std::string& a, const std::string& b) {
-  for (const char* mark : {"<!-- ", "name=\"End Time\""})
+  const std::string end_time = "name=\"" + name_of(&TimeSpec::end_time) + "\"";
+  for (const std::string& mark : {std::string("<!-- "), end_time})
     if (a.find(mark) != std::string::npos && b.find(mark) != std::string::npos) return true;
   return false;
 }

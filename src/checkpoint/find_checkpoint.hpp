@@ -12,7 +12,7 @@
 
 namespace barreno {
 
-/// The newest whole checkpoint of a run folder, found and held open but not read yet.
+/// The newest whole checkpoint of a run folder, found and kept open but not read yet.
 struct Checkpoint {
   std::filesystem::path file;
   std::shared_ptr<const Hdf5File> open;        ///< the file whose seal was compared; root only

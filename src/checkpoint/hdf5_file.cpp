@@ -52,7 +52,7 @@ void Hdf5File::refuse(const std::string& what) const {
   const std::string words = std::string("cannot ") + (writes_ ? "write" : "read") +
                             " the checkpoint '" + path_.string() + "' (" + what + ")";
   throw FileError(
-      words + (writes_ ? "; free the disk or give another place with --out."
+      words + (writes_ ? "; free disk space or choose another folder with --out."
                        : "; the one before it is checkpoint_previous.h5.")
   );
 }

@@ -46,9 +46,9 @@ std::vector<std::size_t> own_rows(
     std::iota(rows.begin(), rows.end(), static_cast<std::size_t>(begin));
     return rows;
   }
-  for_each_position(state, particles, file, [&](std::size_t row, const Vector& x, bool held) {
+  for_each_position(state, particles, file, [&](std::size_t row, const Vector& x, bool inside) {
     // One that has just left the grid is counted and removed by whoever has it.
-    const int owner = held ? owner_of(state.grid, x) : 0;
+    const int owner = inside ? owner_of(state.grid, x) : 0;
     if (owner == comm.getRank()) rows.push_back(row);
   });
   return rows;
@@ -103,8 +103,8 @@ void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
   }
   std::vector<TileCost> counts(grid.owner.size());
   for (const Particles& particles : state.particles)
-    for_each_position(state, particles, file, [&](std::size_t, const Vector& x, bool held) {
-      if (held) counts[static_cast<std::size_t>(cell_of(grid, x).tile)].particles += 1.0;
+    for_each_position(state, particles, file, [&](std::size_t, const Vector& x, bool inside) {
+      if (inside) counts[static_cast<std::size_t>(cell_of(grid, x).tile)].particles += 1.0;
     });
   set_owners(bisect_tiles(grid.tiles, counts, grid.comm->getSize()), grid);
 }

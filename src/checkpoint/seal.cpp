@@ -54,7 +54,7 @@ std::string broken_seal(int file) {
 [[noreturn]] void refuse(const std::filesystem::path& path) {
   throw FileError(
       "cannot write the checkpoint '" + path.string() + "' (" + std::strerror(errno) +
-      "); free the disk or give another place with --out."
+      "); free disk space or choose another folder with --out."
   );
 }
 

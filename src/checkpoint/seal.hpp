@@ -10,8 +10,8 @@ namespace barreno {
 /// disk (fsync). @throws FileError
 void seal_checkpoint(const std::filesystem::path& path);
 
-/// A file whose length and digest were compared with its seal, held open: who reads it later can
-/// see to it that it is this file and none that has taken its name since.
+/// A file whose length and digest were compared with its seal, kept open: who reads it later can
+/// make sure that it is this file, and not one that has taken its name since.
 class SealedFile {
 public:
   explicit SealedFile(const std::filesystem::path& path);

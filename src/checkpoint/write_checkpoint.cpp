@@ -89,7 +89,7 @@ void write_particles(
   });
 }
 
-/// Of all ranks: whole sums have no order.
+/// Of all ranks; the order does not matter for reproducible sums.
 Hdf5Table<long long> whole_table(const Comm& comm, std::vector<ReproducibleSum> sums) {
   sum_over_ranks(comm, sums);
   Hdf5Table<long long> table{sums.size(), ReproducibleSum::parts, {}};
@@ -166,7 +166,7 @@ void refuse_full_disk(const fs::path& folder, double bytes) {
       "cannot write a checkpoint of " + std::to_string(static_cast<long long>(bytes * 1e-6) + 1) +
       " MB into '" + folder.string() + "' (the disk has " +
       std::to_string(space.available / 1000000) +
-      " MB left); free the disk or give another place with --out."
+      " MB left); free disk space or choose another folder with --out."
   );
 }
 
@@ -209,7 +209,7 @@ void rename_checkpoint(const fs::path& folder) {
   close_aside(replaced);
   if (error)
     throw FileError(
-        "cannot name the checkpoint in '" + folder.string() + "' (" + error.message() +
+        "cannot rename the temporary file in '" + folder.string() + "' (" + error.message() +
         "); check the folder's permissions."
     );
 }

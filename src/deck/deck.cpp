@@ -2,13 +2,12 @@
 #include "deck/deck.hpp"
 
 #include "deck/echo_deck.hpp"
-#include "deck/material_section.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/material_section.hpp"
 
 #include <Teuchos_TwoDArray.hpp>
 
 #include <barreno/input/scan_xml.hpp>
-#include <barreno/registry.hpp>
 
 namespace barreno {
 namespace {
@@ -88,13 +87,6 @@ Teuchos::ParameterList Deck::list(const std::string& path) const {
   const auto [parent, name] = locate(values_, path);
   if (parent == nullptr || !parent->isSublist(name)) return {};
   return parent->sublist(name);
-}
-
-Material Deck::material(const std::string& name) const {
-  Teuchos::ParameterList list = values_.sublist(table_of<MaterialSection>().path).sublist(name);
-  // The deck's own words, which no model knows.
-  list.remove(name_of(&MaterialSection::bad_particles));
-  return make_material(name, list, name_, list_of<MaterialSection>(name));
 }
 
 void Deck::refuse_value(const std::string& path, const std::string& problem) const {

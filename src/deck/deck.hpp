@@ -13,7 +13,6 @@
 namespace barreno {
 
 class Surface;
-struct Material;
 
 /// A file of a surface, and what the folder of a run has of it.
 struct SurfaceFile {
@@ -31,7 +30,7 @@ public:
 
   const std::string& name() const { return name_; }
   const Teuchos::ParameterList& values() const { return values_; }
-  /// What the user should know although it is no error, a sentence each.
+  /// What the user should know besides errors, a sentence each.
   std::vector<std::string> notes;
   /// File of the jet table that Jet/Slugs came from; empty without one.
   std::string jet_table;
@@ -54,9 +53,6 @@ public:
 
   /// A list as it is; empty if there is none.
   Teuchos::ParameterList list(const std::string& path) const;
-
-  /// The material of a list below Materials, its model's own rules checked.
-  Material material(const std::string& name) const;
 
   /// Throws DeckError: path, the value as the user wrote it, the problem.
   [[noreturn]] void refuse_value(const std::string& path, const std::string& problem) const;

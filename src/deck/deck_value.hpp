@@ -3,7 +3,7 @@
 
 #include "deck/deck.hpp"
 #include "deck/face.hpp"
-#include "deck/grid_section.hpp"
+#include "deck/sections/grid_section.hpp"
 #include "deck/words.hpp"
 #include "geometry/shape.hpp"
 
@@ -34,7 +34,7 @@ template <>
 struct DeckValue<double> {
   static constexpr input::Kind kind = input::Kind::number;
   static input::Entry entry(
-      const char* name, const Dimension& dimension, const Bounds& bounds, const char* meaning
+      const char* name, const Dimension& dimension, const Bounds& bounds, const std::string& meaning
   ) {
     return input::number(name, dimension, bounds, meaning);
   }
@@ -45,7 +45,7 @@ struct DeckValue<double> {
 template <class T>
 struct DeckValue<T, std::enable_if_t<std::is_same_v<T, int> || std::is_same_v<T, long>>> {
   static constexpr input::Kind kind = input::Kind::integer;
-  static input::Entry entry(const char* name, const Bounds& bounds, const char* meaning) {
+  static input::Entry entry(const char* name, const Bounds& bounds, const std::string& meaning) {
     return input::integer(name, bounds, meaning);
   }
   static T read(const Deck& deck, const std::string& path) { return deck.integer(path); }
@@ -55,7 +55,7 @@ struct DeckValue<T, std::enable_if_t<std::is_same_v<T, int> || std::is_same_v<T,
 template <>
 struct DeckValue<bool> {
   static constexpr input::Kind kind = input::Kind::flag;
-  static input::Entry entry(const char* name, const char* meaning) {
+  static input::Entry entry(const char* name, const std::string& meaning) {
     return input::flag(name, meaning);
   }
   static bool read(const Deck& deck, const std::string& path) { return deck.flag(path); }
@@ -65,7 +65,7 @@ struct DeckValue<bool> {
 template <>
 struct DeckValue<std::string> {
   static constexpr input::Kind kind = input::Kind::text;
-  static input::Entry entry(const char* name, const char* meaning) {
+  static input::Entry entry(const char* name, const std::string& meaning) {
     return input::text(name, meaning);
   }
   static std::string read(const Deck& deck, const std::string& path) { return deck.word(path); }
@@ -75,7 +75,7 @@ struct DeckValue<std::string> {
 template <class E>
 struct DeckValue<E, std::enable_if_t<std::is_enum_v<E>>> {
   static constexpr input::Kind kind = input::Kind::word;
-  static input::Entry entry(const char* name, const char* meaning) {
+  static input::Entry entry(const char* name, const std::string& meaning) {
     return input::word(name, all_words<E>(), meaning);
   }
   static E read(const Deck& deck, const std::string& path) {
@@ -88,7 +88,7 @@ struct DeckValue<E, std::enable_if_t<std::is_enum_v<E>>> {
 template <>
 struct DeckValue<Face> {
   static constexpr input::Kind kind = input::Kind::word;
-  static input::Entry entry(const char* name, const char* meaning) {
+  static input::Entry entry(const char* name, const std::string& meaning) {
     return input::word(name, all_words<Face>(), meaning);
   }
   static Face read(const Deck& deck, const std::string& path) {
@@ -99,7 +99,7 @@ struct DeckValue<Face> {
 template <>
 struct DeckValue<FaceSet> {
   static constexpr input::Kind kind = input::Kind::words;
-  static input::Entry entry(const char* name, const char* meaning) {
+  static input::Entry entry(const char* name, const std::string& meaning) {
     return input::words(name, all_words<Face>(), meaning);
   }
   static FaceSet read(const Deck& deck, const std::string& path) {
@@ -122,7 +122,7 @@ template <>
 struct DeckValue<Vector> {
   static constexpr input::Kind kind = input::Kind::vector;
   static input::Entry entry(
-      const char* name, const Dimension& dimension, const Bounds& bounds, const char* meaning
+      const char* name, const Dimension& dimension, const Bounds& bounds, const std::string& meaning
   ) {
     return input::vector(name, dimension, bounds, meaning);
   }
@@ -136,7 +136,7 @@ struct DeckValue<Vector> {
 template <>
 struct DeckValue<std::vector<std::string>> {
   static constexpr input::Kind kind = input::Kind::words;
-  static input::Entry entry(const char* name, const char* meaning) {
+  static input::Entry entry(const char* name, const std::string& meaning) {
     return input::words(name, {}, meaning);
   }
   static std::vector<std::string> read(const Deck& deck, const std::string& path) {
@@ -153,7 +153,7 @@ template <>
 struct DeckValue<std::vector<std::vector<double>>> {
   static constexpr input::Kind kind = input::Kind::table;
   static input::Entry entry(
-      const char* name, const std::vector<Dimension>& columns, const char* meaning
+      const char* name, const std::vector<Dimension>& columns, const std::string& meaning
   ) {
     return input::table(name, columns, meaning);
   }

@@ -41,7 +41,7 @@ std::string type_of(const Teuchos::ParameterEntry& entry) {
 }
 
 /// A character reference for what an attribute may not hold as it is: marks of XML, line ends and
-/// tabs (which readers turn into blanks), and bytes that are no UTF-8, as the characters of
+/// tabs (which readers turn into blanks), and bytes that are not UTF-8, as the characters of
 /// Latin-1.
 std::string reference(char c) {
   switch (c) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/fidelity.hpp"
 
-#include "deck/body_section.hpp"
 #include "deck/describe_deck.hpp"
-#include "deck/jet_section.hpp"
-#include "deck/output_section.hpp"
 #include "deck/section_table.hpp"
-#include "deck/step_section.hpp"
-#include "deck/time_section.hpp"
+#include "deck/sections/body_section.hpp"
+#include "deck/sections/jet_section.hpp"
+#include "deck/sections/output_section.hpp"
+#include "deck/sections/step_section.hpp"
+#include "deck/sections/time_section.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "deck/material_section.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/material_section.hpp"
 
 namespace barreno {
 

@@ -122,7 +122,7 @@ BoundEntry<Spec> bind_entry(
   return bind_member<Spec, T>(member, DeckValue<T>::entry(name, what...));
 }
 
-/// A word out of these, for a member that is no enumeration.
+/// A word out of these, for a member that is not an enumeration.
 template <class Spec, class T>
 BoundEntry<Spec> bind_entry(
     T Spec::*member, const char* name, const Words<T>& words, const char* meaning

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/gather.hpp"
+#include "drive/drive_steps.hpp"
 
 #include <string>
 #include <vector>
@@ -11,12 +12,14 @@ namespace barreno {
 /// What `barreno drive` was asked for.
 struct DriveRequest {
   std::string material, path, out;  ///< card, path file, answer file
-  int steps_per_row = 1;
+  DriveSteps steps;
+  std::string picture;                 ///< file of the picture; empty: none
   std::vector<std::string> overrides;  ///< "PARAMETER=value"
 };
 
-/// Drives one material point along a path and writes what it became at every row; the answer file
-/// appears whole or not at all. Collective; every rank computes the same, the root writes.
+/// Drives one material point along a path and writes what it became at every row, or in every step;
+/// the answer file appears whole or not at all, and last. A picture shows every step; beside it
+/// lies the table of its yield surface. Collective; every rank computes the same, the root writes.
 /// Throws DeckError, FileError, NumericalError.
 /// @return what the screen shows, several lines
 std::string drive(const DriveRequest& request, const Comm& comm);

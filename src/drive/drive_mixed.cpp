@@ -69,6 +69,8 @@ struct PointState {
 /// What is asked of the end of a step.
 struct Goal {
   Six target{};
+  std::array<bool, 6> by_stress{};
+  bool drained = false;
   double pore_pressure = 0.0;
   double dt = 0.0;
 };
@@ -101,11 +103,7 @@ bool drain_to(const Model& model, double pressure, double scale, PointState<Mode
 
 template <class Model>
 std::optional<Tried<Model>> try_step(
-    const Model& model,
-    const PointState<Model>& start,
-    const Six& strain,
-    const Goal& goal,
-    bool drained
+    const Model& model, const PointState<Model>& start, const Six& strain, const Goal& goal
 ) {
   Tried<Model> tried{start, {}};
   PointState<Model>& end = tried.end;
@@ -121,7 +119,7 @@ std::optional<Tried<Model>> try_step(
     return std::nullopt;
   double borne = 0.0;
   if constexpr (is_drainable<Model>) {
-    if (drained) {
+    if (goal.drained) {
       const PorePoint pores = model.pore_point(end.stress, end.history);
       if (pores.storage > 0.0) borne = pores.biot * pores.biot / pores.storage;
       const double scale = model.longitudinal_modulus(end.stress, end.history, 1.0) * 1e-3;
@@ -136,17 +134,16 @@ std::optional<Tried<Model>> try_step(
 }
 
 /// What the stress misses of the goal, in the components that are asked for.
-Six missed(const Sym3& stress, const Six& target, const std::array<bool, 6>& by_stress) {
+Six missed(const Sym3& stress, const Goal& goal) {
   Six miss = six_of(stress);
-  for (std::size_t i = 0; i < 6; ++i) miss[i] = by_stress[i] ? miss[i] - target[i] : 0.0;
+  for (std::size_t i = 0; i < 6; ++i) miss[i] = goal.by_stress[i] ? miss[i] - goal.target[i] : 0.0;
   return miss;
 }
 
 template <class Model>
 class MixedDriver {
 public:
-  MixedDriver(const Model& model, const MixedPath& path)
-      : model_(model), path_(path), initial_(model.initial_state(0.0)) {
+  explicit MixedDriver(const Model& model) : model_(model), initial_(model.initial_state(0.0)) {
     point_.stress = initial_.stress;
     point_.history = initial_.history;
     point_.volume_strain = std::log(initial_.volume_ratio);
@@ -172,10 +169,10 @@ private:
     constexpr double exact = 1e-8;
     Six strain{};
     for (std::size_t i = 0; i < 6; ++i)
-      if (!path_.by_stress[i]) strain[i] = goal.target[i] - begin.target[i];
-    auto tried = try_step(model_, point_, strain, goal, path_.drained);
+      if (!goal.by_stress[i]) strain[i] = goal.target[i] - begin.target[i];
+    auto tried = try_step(model_, point_, strain, goal);
     for (int i = 0; i < most && tried; ++i) {
-      const Six miss = missed(tried->end.stress, goal.target, path_.by_stress);
+      const Six miss = missed(tried->end.stress, goal);
       const double modulus =
           model_.longitudinal_modulus(tried->end.stress, tried->end.history, 1.0);
       const double scale = std::max(largest_of(six_of(tried->end.stress)), 1e-3 * modulus);
@@ -193,15 +190,15 @@ private:
       Six& strain, const Six& miss, const Goal& goal, const Tried<Model>& from
   ) {
     constexpr int most = 8;
-    const Six correction = solve(from.stiffness, miss, path_.by_stress);
+    const Six correction = solve(from.stiffness, miss, goal.by_stress);
     double part = 1.0;
     for (int i = 0; i < most; ++i, part *= 0.5) {
       Six next = strain;
       for (std::size_t c = 0; c < 6; ++c) next[c] -= part * correction[c];
       if (!(largest_of(next) < 1.0)) continue;
-      auto tried = try_step(model_, point_, next, goal, path_.drained);
+      auto tried = try_step(model_, point_, next, goal);
       if (!tried) continue;
-      const Six left = missed(tried->end.stress, goal.target, path_.by_stress);
+      const Six left = missed(tried->end.stress, goal);
       if (largest_of(left) > largest_of(miss) && i + 1 < most) continue;
       strain = next;
       return tried;
@@ -210,15 +207,14 @@ private:
   }
 
   const Model& model_;
-  const MixedPath& path_;
   InitialStateOf<Sym3, typename Model::History> initial_;
   PointState<Model> point_;
 };
 
 template <class Model>
-MixedAnswer answer_of(const PointState<Model>& point) {
+MixedAnswer answer_of(double time, const PointState<Model>& point) {
   const double* const values = history_values<Model>(point.history);
-  return {point.strain, point.stress, {values, values + Model::history_count}};
+  return {time, point.strain, point.stress, {values, values + Model::history_count}};
 }
 
 void check_start(
@@ -239,10 +235,10 @@ void check_start(
   };
   const Six is = six_of(stress);
   for (std::size_t c = 0; c < 6; ++c)
-    if (path.by_stress[c])
+    if (first.by_stress[c])
       // Without the sign of a zero.
       refuse_start(std::string("stress_") + component_names[c], first.target[c], is[c] + 0.0);
-  if (path.drained) refuse_start("pore_pressure", first.pore_pressure, pore_pressure);
+  if (first.drained) refuse_start("pore_pressure", first.pore_pressure, pore_pressure);
 }
 
 /// Few digits: where a strength lies is known to the halvings of a step.
@@ -256,29 +252,28 @@ std::string rounded(double value) {
 /// The component that misses most, for the sentence.
 [[noreturn]] void refuse_stress(
     const Material& material,
-    const MixedPath& path,
     const MixedRow& row,
     const Goal& goal,
     const Sym3& reached,
     double time,
     const std::string& source
 ) {
-  const Six miss = missed(reached, goal.target, path.by_stress);
+  const Six miss = missed(reached, goal);
   std::size_t worst = 0;
   for (std::size_t c = 0; c < 6; ++c)
     if (std::fabs(miss[c]) > std::fabs(miss[worst])) worst = c;
   const std::string where = source + ": line " + std::to_string(row.line) + " cannot be reached: ";
-  if (!path.by_stress[worst]) {
+  if (!goal.by_stress[worst]) {
     throw NumericalError(
         where + "at time " + rounded(time) + " s the update of '" + material.name +
         "' fails; take smaller steps with --steps-per-row."
     );
   }
   throw NumericalError(
-      where + "'" + material.name + "' does not bear stress_" + component_names[worst] + " = " +
+      where + "'" + material.name + "' cannot sustain stress_" + component_names[worst] + " = " +
       rounded(goal.target[worst]) + " Pa at time " + rounded(time) +
-      " s (the last that was reached is " + rounded(six_of(reached)[worst]) +
-      " Pa); prescribe strain_" + component_names[worst] + " to go past the strength."
+      " s (highest value reached: " + rounded(six_of(reached)[worst]) + " Pa); prescribe strain_" +
+      component_names[worst] + " to go beyond the strength."
   );
 }
 
@@ -290,41 +285,73 @@ double pore_pressure_of(const Model& model, const PointState<Model>& point) {
     return 0.0;
 }
 
+/// Where the way to a row begins: at what the row before asked for, and for a component whose
+/// control changes at what the point has become.
+template <class Model>
+Goal start_of(
+    const Model& model, const MixedRow& from, const MixedRow& row, const PointState<Model>& point
+) {
+  Goal start{from.target, row.by_stress, row.drained, from.pore_pressure, 0.0};
+  const Six stress = six_of(point.stress), strain = six_of(point.strain);
+  for (std::size_t c = 0; c < 6; ++c)
+    if (row.by_stress[c] != from.by_stress[c])
+      start.target[c] = row.by_stress[c] ? stress[c] : strain[c];
+  if (row.drained && !from.drained) start.pore_pressure = pore_pressure_of(model, point);
+  return start;
+}
+
+/// So far along a row.
+Goal goal_at(double part, const Goal& start, const MixedRow& row, double dt) {
+  Goal goal = start;
+  goal.dt = dt;
+  for (std::size_t c = 0; c < 6; ++c)
+    goal.target[c] = start.target[c] + part * (row.target[c] - start.target[c]);
+  goal.pore_pressure = start.pore_pressure + part * (row.pore_pressure - start.pore_pressure);
+  return goal;
+}
+
+void check_fluid(
+    const Material& material,
+    const std::string& model,
+    const MixedPath& path,
+    const std::string& source
+) {
+  const auto drained = [](const MixedRow& row) { return row.drained; };
+  if (std::none_of(path.rows.begin(), path.rows.end(), drained)) return;
+  input::refuse(
+      source,
+      "pore_pressure:",
+      "the " + model + " of '" + material.name +
+          "' holds no fluid that could flow; give it a fluid or take the column out"
+  );
+}
+
 template <class Model>
 std::vector<MixedAnswer> drive_model(
     const Model& model,
     const Material& material,
     const MixedPath& path,
-    int steps,
+    const DriveSteps& steps,
     const std::string& source
 ) {
-  if (path.drained && !is_drainable<Model>) {
-    input::refuse(
-        source,
-        "pore_pressure:",
-        "the " + FullName<Model>::of() + " of '" + material.name +
-            "' holds no fluid that could flow; give it a fluid or take the column out"
-    );
-  }
-  MixedDriver<Model> driver(model, path);
+  if (!is_drainable<Model>) check_fluid(material, FullName<Model>::of(), path, source);
+  MixedDriver<Model> driver(model);
   check_start(path, driver.point().stress, pore_pressure_of(model, driver.point()), source);
-  std::vector<MixedAnswer> answers{answer_of<Model>(driver.point())};
-  Goal before{path.rows.front().target, path.rows.front().pore_pressure, 0.0};
+  std::vector<MixedAnswer> answers{answer_of<Model>(path.rows.front().time, driver.point())};
   for (std::size_t i = 1; i < path.rows.size(); ++i) {
     const MixedRow &from = path.rows[i - 1], &row = path.rows[i];
-    for (int k = 1; k <= steps; ++k) {
-      const double part = static_cast<double>(k) / steps;
-      Goal goal{row.target, row.pore_pressure, (row.time - from.time) / steps};
-      for (std::size_t c = 0; c < 6; ++c)
-        goal.target[c] = from.target[c] + part * (row.target[c] - from.target[c]);
-      goal.pore_pressure = from.pore_pressure + part * (row.pore_pressure - from.pore_pressure);
-      if (!driver.reach(before, goal)) {
-        const double time = from.time + part * (row.time - from.time);
-        refuse_stress(material, path, row, goal, driver.point().stress, time, source);
-      }
+    const Goal start = start_of(model, from, row, driver.point());
+    Goal before = start;
+    for (int k = 1; k <= steps.per_row; ++k) {
+      const bool last = k == steps.per_row;
+      const double part = static_cast<double>(k) / steps.per_row, duration = row.time - from.time;
+      const double time = last ? row.time : from.time + part * duration;
+      const Goal goal = goal_at(part, start, row, duration / steps.per_row);
+      if (!driver.reach(before, goal))
+        refuse_stress(material, row, goal, driver.point().stress, time, source);
       before = goal;
+      if (last || steps.every) answers.push_back(answer_of<Model>(time, driver.point()));
     }
-    answers.push_back(answer_of<Model>(driver.point()));
   }
   return answers;
 }
@@ -332,10 +359,13 @@ std::vector<MixedAnswer> drive_model(
 }  // namespace
 
 std::vector<MixedAnswer> drive_mixed(
-    const Material& material, const MixedPath& path, int steps_per_row, const std::string& source
+    const Material& material,
+    const MixedPath& path,
+    const DriveSteps& steps,
+    const std::string& source
 ) {
   return std::visit(
-      [&](const auto& model) { return drive_model(model, material, path, steps_per_row, source); },
+      [&](const auto& model) { return drive_model(model, material, path, steps, source); },
       material.model
   );
 }

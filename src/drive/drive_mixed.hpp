@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "drive/drive_steps.hpp"
 #include "drive/mixed_path.hpp"
 
 #include <barreno/models.hpp>
@@ -9,17 +10,20 @@
 
 namespace barreno {
 
-/// What a material point is like at one row of a path in strain and stress.
+/// What a material point is like at one instant of a path in strain and stress.
 struct MixedAnswer {
+  double time;                  ///< [s]
   Sym3 strain;                  ///< logarithmic, from the first row [-]
   Sym3 stress;                  ///< Cauchy, tension positive [Pa]
   std::vector<double> history;  ///< in the order of the model's history table
 };
 
 /// One material point under prescribed strains and stresses, virgin at the first row: an answer for
-/// each row of the path.
+/// each row of the path, or each step.
 ///
-/// Between two rows every prescribed value changes linearly, in `steps_per_row` steps. In each the
+/// Between two rows every value that the second prescribes changes linearly, in `steps.per_row`
+/// steps, from what the first prescribed, or from what the point has become where the first
+/// controlled that component by the other of strain and stress. In each step the
 /// strains that are not prescribed are found by Newton's method with the update's tangent (less
 /// what the fluid bears, where the pore pressure is prescribed), to 1e-8 of the largest stress; a
 /// step that has no solution in reach is halved, ten times at most. On a drained path
@@ -31,7 +35,10 @@ struct MixedAnswer {
 /// a stress cannot be borne or the model refuses a step.
 /// @param source  name of the path, for sentences
 std::vector<MixedAnswer> drive_mixed(
-    const Material& material, const MixedPath& path, int steps_per_row, const std::string& source
+    const Material& material,
+    const MixedPath& path,
+    const DriveSteps& steps,
+    const std::string& source
 );
 
 }  // namespace barreno

@@ -71,8 +71,8 @@ public:
     return model_.update(increment, stress_, history_);
   }
 
-  DrivenRow row() const {
-    DrivenRow row{rotate(rotation_, stress_), {}};
+  DrivenRow row(double time, const Mat3& f) const {
+    DrivenRow row{time, f, rotate(rotation_, stress_), stress_, {}};
     const double* const values = history_values<Model>(history_);
     row.history.assign(values, values + Model::history_count);
     return row;
@@ -108,24 +108,26 @@ std::vector<DrivenRow> drive_model(
     const Model& model,
     const Material& material,
     const std::vector<PathRow>& path,
-    int steps,
+    const DriveSteps& steps,
     const std::string& source
 ) {
-  Point<Model> point(model, path.front().deformation_gradient);
-  std::vector<DrivenRow> rows{point.row()};
+  const PathRow& first = path.front();
+  Point<Model> point(model, first.deformation_gradient);
+  std::vector<DrivenRow> rows{point.row(first.time, first.deformation_gradient)};
   for (std::size_t i = 1; i < path.size(); ++i) {
     const PathRow &before = path[i - 1], &row = path[i];
-    const Mat3 gradient = step_gradient(before, row, steps, source);
+    const Mat3 gradient = step_gradient(before, row, steps.per_row, source);
     const Mat3 growth = exponential(gradient);
-    const double dt = (row.time - before.time) / steps;
+    const double dt = (row.time - before.time) / steps.per_row;
     Mat3 f = before.deformation_gradient;
-    for (int k = 1; k <= steps; ++k) {
-      f = k == steps ? row.deformation_gradient : growth * f;
+    for (int k = 1; k <= steps.per_row; ++k) {
+      const bool last = k == steps.per_row;
+      const double time = last ? row.time : before.time + k * dt;
+      f = last ? row.deformation_gradient : growth * f;
       const Outcome outcome = point.step(gradient, f, dt);
-      if (outcome.failed())
-        refuse_step(material, Model::name, row, before.time + k * dt, outcome.status, source);
+      if (outcome.failed()) refuse_step(material, Model::name, row, time, outcome.status, source);
+      if (last || steps.every) rows.push_back(point.row(time, f));
     }
-    rows.push_back(point.row());
   }
   return rows;
 }
@@ -135,11 +137,11 @@ std::vector<DrivenRow> drive_model(
 std::vector<DrivenRow> drive_point(
     const Material& material,
     const std::vector<PathRow>& path,
-    int steps_per_row,
+    const DriveSteps& steps,
     const std::string& source
 ) {
   return std::visit(
-      [&](const auto& model) { return drive_model(model, material, path, steps_per_row, source); },
+      [&](const auto& model) { return drive_model(model, material, path, steps, source); },
       material.model
   );
 }

@@ -22,7 +22,7 @@ constexpr double settled = 1e-9;
 
 /// Square root by the product-free iteration of Denman and Beavers: x -> a^1/2, y -> a^-1/2.
 Mat3 square_root(const Mat3& a) {
-  constexpr int most = 60;  // of half a turn there is no root: the iteration wanders
+  constexpr int most = 60;  // half a turn has no real root: the iteration does not converge
   Mat3 x = a, y = identity();
   for (int i = 0; i < most; ++i) {
     const Mat3 next = 0.5 * (x + inverse(y));

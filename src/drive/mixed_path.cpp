@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive/mixed_path.hpp"
 
-#include "deck/read_table.hpp"
+#include "deck/files/read_table.hpp"
 #include "drive/path_table.hpp"
 
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
+#include <cmath>
 #include <sstream>
 
 namespace barreno {
@@ -17,19 +18,19 @@ using input::exact_text;
 /// Every column that such a path may have; the strains first, then the stresses.
 const std::vector<TableColumn>& all_columns() {
   static const std::vector<TableColumn> all = {
-      {"strain_xx", dimension::none},
-      {"strain_yy", dimension::none},
-      {"strain_zz", dimension::none},
-      {"strain_xy", dimension::none},
-      {"strain_yz", dimension::none},
-      {"strain_zx", dimension::none},
-      {"stress_xx", dimension::stress},
-      {"stress_yy", dimension::stress},
-      {"stress_zz", dimension::stress},
-      {"stress_xy", dimension::stress},
-      {"stress_yz", dimension::stress},
-      {"stress_zx", dimension::stress},
-      {"pore_pressure", dimension::stress},
+      {"strain_xx", dimension::none, true},
+      {"strain_yy", dimension::none, true},
+      {"strain_zz", dimension::none, true},
+      {"strain_xy", dimension::none, true},
+      {"strain_yz", dimension::none, true},
+      {"strain_zx", dimension::none, true},
+      {"stress_xx", dimension::stress, true},
+      {"stress_yy", dimension::stress, true},
+      {"stress_zz", dimension::stress, true},
+      {"stress_xy", dimension::stress, true},
+      {"stress_yz", dimension::stress, true},
+      {"stress_zx", dimension::stress, true},
+      {"pore_pressure", dimension::stress, true},
       {"time", dimension::time}};
   return all;
 }
@@ -83,41 +84,90 @@ std::vector<std::size_t> columns_of(const Header& header, const std::string& sou
     );
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const bool both = columns[i] < 12 && columns[j] < 12 && columns[i] % 6 == columns[j] % 6;
-      if (columns[i] != columns[j] && !both) continue;
-      input::refuse_value(
-          source,
-          line,
-          header.names[i],
-          "prescribes again what " + header.names[j] +
-              " prescribes (a component has its strain or its stress); take one column out"
-      );
-    }
+    if (std::find(columns.begin(), columns.begin() + static_cast<long>(i), columns[i]) ==
+        columns.begin() + static_cast<long>(i))
+      continue;
+    input::refuse_value(
+        source,
+        line,
+        header.names[i],
+        "is there twice (every column has its own name); take one of them out"
+    );
   }
   return columns;
 }
 
-MixedRow row_of(const TableRows& table, const std::vector<std::size_t>& columns, std::size_t row) {
+/// A cell that says what a component is to be; where it has two columns, one of them is filled.
+void take_cell(
+    MixedRow& row, std::array<bool, 6>& taken, std::size_t column, const std::string& source
+) {
+  const std::size_t component = column % 6;
+  if (taken[component]) {
+    const std::string name = component_names[component];
+    input::refuse(
+        source,
+        "line " + std::to_string(row.line),
+        "gives both strain_" + name + " and stress_" + name +
+            " (a component is controlled by one of them); leave one of the two cells empty"
+    );
+  }
+  taken[component] = true;
+  row.by_stress[component] = column >= 6;
+}
+
+/// A component that has a column is given in every row: nothing is assumed about it.
+void check_taken(
+    const MixedRow& row,
+    const std::array<bool, 6>& taken,
+    const std::vector<std::size_t>& columns,
+    const std::string& source
+) {
+  for (const std::size_t column : columns) {
+    if (column >= pore_pressure_column || taken[column % 6]) continue;
+    const std::string name = component_names[column % 6], own = all_columns()[column].name;
+    const std::string other = (column < 6 ? "stress_" : "strain_") + name;
+    const bool both = std::find(columns.begin(), columns.end(), (column + 6) % 12) != columns.end();
+    input::refuse(
+        source,
+        "line " + std::to_string(row.line),
+        both ? "gives neither strain_" + name + " nor stress_" + name +
+                   " (a component is controlled by one of them); fill one of the two cells"
+             : "leaves " + own + " empty, and there is no column " + other +
+                   " that could control the component instead; write a value, or add that column"
+    );
+  }
+}
+
+MixedRow row_of(
+    const TableRows& table,
+    const std::vector<std::size_t>& columns,
+    std::size_t row,
+    const std::string& source
+) {
   MixedRow out;
-  out.target.fill(0.0);
   out.line = table.lines[row];
+  std::array<bool, 6> taken{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double value = table.values[row * columns.size() + i];
-    if (columns[i] == time_column)
+    if (std::isnan(value)) continue;  // an empty cell
+    if (columns[i] == time_column) {
       out.time = value;
-    else if (columns[i] == pore_pressure_column)
+    } else if (columns[i] == pore_pressure_column) {
       out.pore_pressure = value;
-    else
+      out.drained = true;
+    } else {
+      take_cell(out, taken, columns[i], source);
       out.target[columns[i] % 6] = value;
+    }
   }
+  check_taken(out, taken, columns, source);
   return out;
 }
 
 void check_first(const MixedPath& path, const std::string& source) {
   const MixedRow& first = path.rows.front();
   for (std::size_t c = 0; c < 6; ++c) {
-    if (path.by_stress[c] || first.target[c] == 0.0) continue;
+    if (first.by_stress[c] || first.target[c] == 0.0) continue;
     input::refuse_value(
         source,
         "line " + std::to_string(first.line) + ", strain_" + component_names[c],
@@ -145,12 +195,8 @@ MixedPath read_mixed_path(const std::string& text, const std::string& source) {
   const TableRows table = read_table(text, asked, "a path", source);
   check_row_count(table.lines.size(), source);
   MixedPath path;
-  for (const std::size_t c : columns) {
-    if (c >= 6 && c < pore_pressure_column) path.by_stress[c - 6] = true;
-    if (c == pore_pressure_column) path.drained = true;
-  }
   for (std::size_t i = 0; i < table.lines.size(); ++i) {
-    const MixedRow row = row_of(table, columns, i);
+    const MixedRow row = row_of(table, columns, i, source);
     if (i > 0) {
       const MixedRow& before = path.rows.back();
       check_times(before.time, before.line, row.time, row.line, source);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive/path_table.hpp"
 
-#include "deck/read_table.hpp"
+#include "deck/files/read_table.hpp"
 #include "drive/matrix.hpp"
 
 #include <barreno/input/scan_xml.hpp>

@@ -52,8 +52,8 @@ struct SurfaceFaults {
   long open_edges = 0;       ///< belong to one facet only
   long branching_edges = 0;  ///< belong to more than two facets, not in pairs of opposite direction
   long flipped_facets = 0;   ///< run against their neighbours
-  long wrong_facets =
-      0;  ///< have no inside below and outside above them: inside out, or within the solid
+  long wrong_facets = 0;  ///< do not have the inside below and the outside above them: inside out,
+                          ///< or within the solid
 };
 SurfaceFaults faults_of(const Surface& surface);
 

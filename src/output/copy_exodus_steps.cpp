@@ -52,7 +52,7 @@ public:
   }
   [[noreturn]] void refuse(const std::string& what) const {
     throw FileError(
-        "cannot go on with '" + path_.string() + "' (" + what +
+        "cannot continue '" + path_.string() + "' (" + what +
         "); put the file back as the run left it, or start again with barreno run."
     );
   }

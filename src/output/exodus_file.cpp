@@ -62,7 +62,7 @@ void ExodusFile::check(int code, const char* what) const {
   const std::string words = number > 0 ? std::strerror(number) : message == nullptr ? "" : message;
   throw FileError(
       "cannot write '" + path_.string() + "' (" + what + ": " + words +
-      "). Free the disk or give another place with --out."
+      "). Free disk space or choose another folder with --out."
   );
 }
 
@@ -116,7 +116,10 @@ void ExodusFile::end_step() {
   if (++step_ != first_steps_) return;
   std::error_code error;
   std::filesystem::rename(aside_, path_, error);
-  if (error) throw FileError("cannot name '" + path_.string() + "' (" + error.message() + ").");
+  if (error)
+    throw FileError(
+        "cannot rename the temporary file of '" + path_.string() + "' (" + error.message() + ")."
+    );
 }
 
 void ExodusFile::close() {

@@ -19,7 +19,7 @@ struct ExodusBlock {
 /// What a file says of the set that it belongs to: the information of Nemesis, by which ParaView
 /// and epu take its files as one. Files of a set share no nodes.
 struct ExodusSet {
-  int files = 1;                          ///< 1: the file stands alone and says nothing
+  int files = 1;                          ///< 1: a file by itself, which does not state it
   int file = 0;                           ///< from 0
   std::vector<long long> block_elements;  ///< in all files
 };

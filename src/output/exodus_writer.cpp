@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <barreno/models.hpp>
 #include <limits>
 
 namespace barreno {
@@ -162,7 +161,7 @@ std::vector<ExodusLayout> ExodusWriter::record_start(
 }
 
 std::vector<std::string> ExodusWriter::variables(const Scene& scene, std::size_t set) const {
-  const Material& material = scene.materials[set].material();
+  const MaterialSpec& material = scene.materials[set];
   return particle_field_names(material, dimensions_, optional_fields(scene, material));
 }
 

@@ -100,7 +100,7 @@ void write_holder(int file, const fs::path& path) {
   if (!fine) refuse_lock(path, std::strerror(errno));
 }
 
-/// One attempt. @return whether the lock is held; `holder` says who has it otherwise
+/// One attempt. @return whether it has the lock; `holder` says who has it otherwise
 bool try_lock(const fs::path& path, int& file, std::string& holder) {
   file = open_lock(path);
   const int error = lock_bytes(file, F_WRLCK, own_byte, 2);
@@ -108,7 +108,7 @@ bool try_lock(const fs::path& path, int& file, std::string& holder) {
   if (has_no_locks(error)) {
     std::cerr << "barreno: note: the disk of '" << path.parent_path().string()
               << "' has no file locks (" << std::strerror(error)
-              << "): see to it that no other run uses this folder." << std::endl;
+              << "): make sure that no other run uses this folder." << std::endl;
     return true;
   }
   if (is_held(error)) holder = holder_of(file);

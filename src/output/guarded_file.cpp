@@ -52,10 +52,10 @@ void refuse_if_gone(const std::filesystem::path& path, const FileId& id) {
   const FileId found = id_of(path);
   if (found == id) return;
   throw FileError(
-      "cannot go on writing '" + path.string() +
+      "cannot continue writing '" + path.string() +
       "' (it was removed, moved or replaced during the run). Leave the run folder where it is "
-      "until the run has ended, and start again with barreno run, or barreno resume where the "
-      "folder is now."
+      "until the run has ended; start again with barreno run, or with barreno resume from where "
+      "the folder is now."
   );
 }
 
@@ -66,7 +66,7 @@ void refuse_file(const std::filesystem::path& path, const char* verb) {
                                        : std::strerror(errno);
   throw FileError(
       std::string("cannot ") + verb + " '" + path.string() + "' (" + why + "). " +
-      (link ? "Remove the link" : "Free the disk") + " or give another place with --out."
+      (link ? "Remove the link" : "Free disk space") + " or choose another folder with --out."
   );
 }
 

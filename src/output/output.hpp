@@ -69,8 +69,8 @@ public:
   /// How far the files have come in whole outputs, and the clock on the wall, for a checkpoint.
   /// Valid on the root.
   RunNumbers position() const;
-  /// Called once when a resumed run's state has been read: what it has is no news, and what could
-  /// not be written of its step is written now.
+  /// Called once when a resumed run's state has been read: its content has been reported before,
+  /// and what could not be written of its step is written now.
   void go_on_from(const Scene& scene, const State& state);
   double seconds() const;  ///< of work, those before a resume included; valid on the root
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/particle_fields.hpp"
 
-#include "scene/porous.hpp"
 #include "shape/kinematics_3d.hpp"
 #include "shape/shape_facts.hpp"
 
@@ -129,12 +128,12 @@ void HostParticles::append_corners(int p, std::vector<double>& values) const {
   append(domain_corners_3d(x, F, h));
 }
 
-OptionalFields optional_fields(const Scene& scene, const Material& material) {
-  return {follows_deformation(scene), scene.pore_flow.on() && is_porous(material)};
+OptionalFields optional_fields(const Scene& scene, const MaterialSpec& material) {
+  return {follows_deformation(scene), scene.pore_flow.on() && material.is_porous()};
 }
 
 std::vector<std::string> particle_field_names(
-    const Material& material, int dimensions, const OptionalFields& optional
+    const MaterialSpec& material, int dimensions, const OptionalFields& optional
 ) {
   std::vector<std::string> names{"status", "velocity_x", "velocity_y"};
   if (dimensions == 3) names.emplace_back("velocity_z");
@@ -147,12 +146,7 @@ std::vector<std::string> particle_field_names(
   if (optional.clipped) names.emplace_back("domain_clipped");
   if (optional.darcy_velocity)
     for (int d = 0; d < dimensions; ++d) names.push_back(std::string("darcy_velocity_") + "xyz"[d]);
-  std::visit(
-      [&](const auto& model) {
-        for (const HistoryField& field : model.history_table()) names.emplace_back(field.name);
-      },
-      material.model
-  );
+  for (const HistoryField& field : material.history_table()) names.emplace_back(field.name);
   return names;
 }
 

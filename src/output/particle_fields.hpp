@@ -54,12 +54,12 @@ struct OptionalFields {
   bool clipped = false;         ///< `domain_clipped`
   bool darcy_velocity = false;  ///< of the pore fluid, where it drains
 };
-OptionalFields optional_fields(const Scene& scene, const Material& material);
+OptionalFields optional_fields(const Scene& scene, const MaterialSpec& material);
 
 /// Element variables of a material in files: the common ones, then the optional ones, then the
 /// model's history by its own names.
 std::vector<std::string> particle_field_names(
-    const Material& material, int dimensions, const OptionalFields& optional = {}
+    const MaterialSpec& material, int dimensions, const OptionalFields& optional = {}
 );
 
 /// Their values for one particle, in that order; `status` is 1.

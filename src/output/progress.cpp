@@ -2,7 +2,6 @@
 #include "output/progress.hpp"
 
 #include "output/radii.hpp"
-#include "scene/porous.hpp"
 
 #include <algorithm>
 #include <barreno/input/scan_xml.hpp>
@@ -141,7 +140,7 @@ void Progress::warn(const std::string& kind, const std::string& sentence, long c
 void Progress::list_warnings() {
   for (const auto& [kind, count] : warnings_)
     if (count > 1)
-      say_on(std::cerr, "warning: " + kind + ": " + std::to_string(count) + " times in all");
+      say_on(std::cerr, "warning: " + kind + ": " + std::to_string(count) + " times in total");
 }
 
 namespace {
@@ -164,23 +163,20 @@ std::string grid_text(const GridSpec& grid) {
 }
 
 std::string body_text(const Scene& scene, const BodySpec& body) {
-  const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material();
-  const std::string model =
-      std::visit([](const auto& m) { return std::string(m.name); }, material.model);
-  std::string text = body.name + ": " + material.name + " (" + model + "), " +
+  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
+  std::string text = body.name + ": " + material.name() + " (" + material.model_name() + "), " +
                      counted(body.particles_per_cell, "particles per cell and direction");
   if (body.initial_pressure != 0.0)
     text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
-  if (body.pore_pressure && (*body.pore_pressure > 0.0 || is_porous(material)))
+  if (body.pore_pressure && (*body.pore_pressure > 0.0 || material.is_porous()))
     text += ", fluid under " + si(1e-6 * *body.pore_pressure, "MPa");
   return text;
 }
 
 std::string jet_text(const Scene& scene) {
   const auto& slugs = scene.jet.slugs;
-  const Material& material =
-      scene.materials[static_cast<std::size_t>(scene.jet.material)].material();
-  std::string text = std::to_string(slugs.size()) + " slugs of " + material.name;
+  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(scene.jet.material)];
+  std::string text = std::to_string(slugs.size()) + " slugs of " + material.name();
   if (!scene.jet.table_file.empty()) text += " from " + scene.jet.table_file;
   if (slugs.empty()) return text;
   return text + ", " + format("%.4g to %.4g m/s", slugs.front().velocity, slugs.back().velocity);

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 /// Counts are kept as doubles, and stand in the file as whole numbers. What JSON cannot say, nan
 /// and infinity, becomes null.
 Json number(double value) {
-  constexpr double largest = 9007199254740992.0;  // 2^53: beyond, doubles are no counts
+  constexpr double largest = 9007199254740992.0;  // 2^53: larger doubles do not hold every integer
   if (value == std::floor(value) && std::abs(value) < largest) return static_cast<long long>(value);
   return value;
 }

@@ -80,9 +80,9 @@ bool holds_lines(int handle, std::uintmax_t kept) {
   return last == '\n';
 }
 
-[[noreturn]] void refuse_to_go_on(const std::filesystem::path& path, const char* why) {
+[[noreturn]] void refuse_to_continue(const std::filesystem::path& path, const char* why) {
   throw FileError(
-      "cannot go on with '" + path.string() + "' (" + why +
+      "cannot continue '" + path.string() + "' (" + why +
       "); put the file back or start the run again with barreno run."
   );
 }
@@ -103,16 +103,16 @@ int open_kept_lines(const std::filesystem::path& path, std::uintmax_t kept, bool
   constexpr int how = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_APPEND;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
   const int handle = open(path.c_str(), how);
-  if (handle < 0 && errno != ENOENT) refuse_file(path, "go on with");
+  if (handle < 0 && errno != ENOENT) refuse_file(path, "continue");
   struct stat found {};
   if (handle < 0 || fstat(handle, &found) != 0 ||
       static_cast<std::uintmax_t>(found.st_size) < kept) {
     if (handle >= 0) close(handle);
-    refuse_to_go_on(path, "it is shorter than when the checkpoint was written");
+    refuse_to_continue(path, "it is shorter than when the checkpoint was written");
   }
   if (rows && !holds_lines(handle, kept)) {
     close(handle);
-    refuse_to_go_on(path, "its lines are not what the run wrote");
+    refuse_to_continue(path, "its lines are not what the run wrote");
   }
   if (ftruncate(handle, static_cast<off_t>(kept)) == 0) return handle;
   const int why = errno;
@@ -136,7 +136,7 @@ LineFile::~LineFile() {
 void LineFile::append(const std::string& line) {
   if (!write_all(handle_, line + '\n')) {
     const int why = errno;
-    // No half line stays; on what is no file nothing can be taken back.
+    // No half line stays in a file; what went to a pipe or device cannot be undone.
     if (ftruncate(handle_, static_cast<off_t>(bytes_)) != 0) errno = why;
     errno = why;
     refuse_file(path_, "write");

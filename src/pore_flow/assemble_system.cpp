@@ -25,7 +25,7 @@ void add_row(double dt, std::size_t i, PoreNetwork& network) {
   double diagonal = cells.emptied[i] ? 0.0 : cells.cells[i].storage / dt, inflow = 0.0;
   // What empties gives all that it holds, whether or not the round before filled its gap.
   if (cells.emptied[i])
-    inflow += cells.cells[i].held / dt;
+    inflow += cells.cells[i].content / dt;
   else if (cells.filled[i])
     inflow -= cells.cells[i].gap / dt;
   for (std::size_t face = 0; face < network.links[i].size(); ++face) {

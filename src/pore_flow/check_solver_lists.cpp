@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
+#include <barreno/input/scan_xml.hpp>
 
 namespace barreno {
 namespace {
@@ -120,7 +121,9 @@ void check_belos(const Deck& deck, const Teuchos::ParameterList& list) {
   if (!list.isType<double>(tolerance) || !(list.get<double>(tolerance) > 0.0) ||
       !(list.get<double>(tolerance) < 1.0))
     deck.refuse_value(
-        path + "/" + tolerance, "is not a double between 0 and 1; without it 1e-10 is used"
+        path + "/" + tolerance,
+        "is not a double between 0 and 1; correct it, or remove it to use the default of " +
+            input::exact_text(default_solver_tolerance)
     );
 }
 

@@ -38,10 +38,10 @@ double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, co
 /// @param start  what the flow sees of the point
 template <class Model>
 Outcome drain_point(
-    const Model& model, const PorePoint& start, double fluid_volume, PorousPoint<Model>& point
+    const Model& model, const PorePoint& start, double fluid_volume, MaterialPoint<Model>& point
 ) {
   constexpr int max_pieces = 64;
-  const PorousPoint<Model> before = point;
+  const MaterialPoint<Model> before = point;
   const bool emptied = fluid_mass_after(start, fluid_volume) == 0.0;
   Outcome outcome;
   for (int pieces = 1; pieces <= max_pieces; pieces *= 4) {
@@ -89,7 +89,7 @@ struct DrainSet {
 
   /// The fluid that a particle of own cell i wants, and what it and its cell can spare.
   void want(const Particles& particles, int p, std::size_t i, PoreShares& shares) const {
-    const auto at = PorousPoint<Model>::read(particles, p);
+    const auto at = MaterialPoint<Model>::read(particles, p);
     const PorePoint point = model.pore_point(at.stress, at.history);
     shares.points.push_back({point, 0.0});
     if (!(point.storage > 0.0)) return;
@@ -99,21 +99,22 @@ struct DrainSet {
       change = point.gap;
     }
     change += change_of(point, vector_of(particles.position, p), i) * storage;
-    const double held = point.fluid_mass / point.mass_per_volume;
-    if (network.cells.emptied[i]) change = -held;
+    const double content = point.fluid_mass / point.mass_per_volume;
+    if (network.cells.emptied[i]) change = -content;
     shares.points.back().wanted = change;
     const double whole = fluid_volume(scene, particles, p, first_porosity);
-    (change < -held ? shares.lacking : shares.spare)[i] +=
-        whole * point.mass_per_volume * std::fabs(held + change);
+    (change < -content ? shares.lacking : shares.spare)[i] +=
+        whole * point.mass_per_volume * std::fabs(content + change);
   }
 
   /// What the particle gets: no point loses more than it holds, the others of its cell give the
   /// rest.
   double granted(const PoreShare& share, std::size_t i, const PoreShares& shares) const {
-    const double held = share.point.fluid_mass / share.point.mass_per_volume;
-    if (share.wanted <= -held) return -held;
+    const double content = share.point.fluid_mass / share.point.mass_per_volume;
+    if (share.wanted <= -content) return -content;
     if (!(shares.lacking[i] > 0.0)) return share.wanted;
-    return (held + share.wanted) * std::max(0.0, 1.0 - shares.lacking[i] / shares.spare[i]) - held;
+    return (content + share.wanted) * std::max(0.0, 1.0 - shares.lacking[i] / shares.spare[i]) -
+           content;
   }
 
   void drain(
@@ -129,7 +130,7 @@ struct DrainSet {
     tally.fluid_before += whole * point.fluid_mass;
     tally.fluid += whole * point.fluid_mass;
     if (!(point.storage > 0.0)) return;
-    auto at = PorousPoint<Model>::read(particles, p);
+    auto at = MaterialPoint<Model>::read(particles, p);
     const double change = granted(share, i, shares);
     const Outcome outcome = drain_point(model, point, change, at);
     if (outcome.failed()) {

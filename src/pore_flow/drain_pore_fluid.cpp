@@ -86,7 +86,7 @@ struct FlowTally {
 /// Fluid that comes into an own cell, at its initial density [volume].
 double fluid_taken(const PoreNetwork& network, std::size_t i) {
   const PoreCell& cell = network.cells.cells[i];
-  if (network.cells.emptied[i]) return -cell.held;
+  if (network.cells.emptied[i]) return -cell.content;
   return cell.storage * network.change[i] + (network.cells.filled[i] ? cell.gap : 0.0);
 }
 
@@ -142,7 +142,7 @@ bool fills(const PoreNetwork& network, std::size_t i) {
 bool empties(const PoreNetwork& network, std::size_t i) {
   const PoreCell& cell = network.cells.cells[i];
   const double gap = network.cells.filled[i] ? cell.gap : 0.0;
-  return -(cell.storage * network.change[i] + gap) > cell.held && leaks(network, i);
+  return -(cell.storage * network.change[i] + gap) > cell.content && leaks(network, i);
 }
 
 /// Finds the cells whose gap is filled, and those that are emptied. Pressures rise and fall steeply

@@ -2,6 +2,7 @@
 #include "pore_flow/linear_solver.hpp"
 
 #include "base/region.hpp"
+#include "deck/sections/pore_flow_section.hpp"
 #include "pore_flow/multigrid.hpp"
 
 #include <BelosLinearProblem.hpp>
@@ -27,10 +28,9 @@ using Problem = Belos::LinearProblem<double, Vectors, SparseOperator>;
 using Krylov = Belos::SolverManager<double, Vectors, SparseOperator>;
 using Relaxation = Ifpack2::Preconditioner<double, int, long long>;
 
-constexpr double default_tolerance = 1e-10;
-/// Below so many unknowns in all, or so much flow to neighbours over what is stored (2 d c dt/h^2
-/// of a uniform rock in d dimensions), a smoother is cheaper than grids (docs/performance.md).
-constexpr long long fewest_for_multigrid = 2000;
+/// Below fewest_cells_for_multigrid in all, or so much flow to neighbours over what is stored (2 d
+/// c dt/h^2 of a uniform rock in d dimensions), a smoother is cheaper than grids
+/// (docs/performance.md).
 constexpr double min_flow_for_multigrid = 500.0;
 
 }  // namespace
@@ -39,7 +39,7 @@ struct LinearSolver {
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
   Teuchos::ParameterList belos, ifpack2, muelu;
   std::string krylov = "CG";
-  double tolerance = default_tolerance;
+  double tolerance = default_solver_tolerance;
 
   Teuchos::RCP<const Map> map;
   Teuchos::RCP<SparseMatrix> matrix;
@@ -97,7 +97,7 @@ void refill_matrix(const LinearSystem& system, LinearSolver& solver) {
 bool wants_multigrid(const LinearSolver& solver) {
   if (solver.ifpack2.numParams() > 0) return false;
   if (solver.muelu.numParams() > 0) return true;
-  return static_cast<long long>(solver.map->getGlobalNumElements()) >= fewest_for_multigrid &&
+  return static_cast<long long>(solver.map->getGlobalNumElements()) >= fewest_cells_for_multigrid &&
          solver.flow_over_storage >= min_flow_for_multigrid;
 }
 

@@ -99,7 +99,7 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
     const double per_viscosity = 1.0 / scene.pore_flow.viscosity;
     const double first = initial_pore_point(model).porosity;
     for_each_solid_row(grid, particles, [&](int p, int key) {
-      const auto at = PorousPoint<Model>::read(particles, p);
+      const auto at = MaterialPoint<Model>::read(particles, p);
       const PorePoint point = model.pore_point(at.stress, at.history);
       const double factor =
           per_viscosity * (rock.kozeny_carman ? kozeny_carman(point.porosity, first) : 1.0);
@@ -112,7 +112,7 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       cell.gap += capacity * point.gap;
       cell.gap_pressure = std::max(cell.gap_pressure, point.gap_pressure);
       double storage = point.storage;
-      if (storage > 0.0) cell.held += whole * point.fluid_mass;
+      if (storage > 0.0) cell.content += whole * point.fluid_mass;
       if (point.gap > 0.0 && cells.filled[static_cast<std::size_t>(index)])
         storage -= point.gap / point.gap_pressure;
       count_point(particles, p, point.pressure, storage, capacity, mobility, cell);

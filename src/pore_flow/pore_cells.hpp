@@ -17,7 +17,7 @@ struct PoreCell {
   double volume = 0.0;    ///< of rock [volume]
   double gap = 0.0;       ///< of gas in its pores, fluid at its initial density [volume]
   double gap_pressure = 0.0;  ///< rise of the pressure that fills it [stress]
-  double held = 0.0;          ///< fluid that can leave, at its initial density [volume]
+  double content = 0.0;       ///< fluid that can leave, at its initial density [volume]
   Vector centroid{};          ///< weight V / M [length]
   Vector lower{}, upper{};    ///< of the part of the cell that rock fills [length]
   Vector mobility{};          ///< k / viscosity along the axes, fluid at its initial density
@@ -31,7 +31,7 @@ struct PoreCells {
   std::vector<PoreCell> cells;
   std::vector<char> filled;   ///< own cells whose gap this solve fills: its storage is that of full
                               ///< pores then, and the gap is taken beside it
-  std::vector<char> emptied;  ///< own cells that this solve empties: held leaves, no storage
+  std::vector<char> emptied;  ///< own cells that this solve empties: all content leaves, no storage
   std::vector<int> index_of_key;         ///< Particles::key -> own cell, or -1
   std::vector<std::array<int, 6>> next;  ///< neighbours of own cells by Face; -1: nothing solid
 };

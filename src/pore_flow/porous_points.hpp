@@ -2,34 +2,13 @@
 #pragma once
 
 #include "scene/porous.hpp"
+#include "state/material_point.hpp"
 #include "state/state.hpp"
 
-#include <barreno/history_values.hpp>
 #include <type_traits>
 #include <variant>
 
 namespace barreno {
-
-/// Stress and history of one particle, as its model knows them.
-template <class Model>
-struct PorousPoint {
-  Sym3 stress;
-  typename Model::History history;
-
-  static PorousPoint read(const Particles& particles, int p) {
-    PorousPoint point{};
-    for (int c = 0; c < particles.stress.components; ++c)
-      (&point.stress.xx)[c] = particles.stress(p, c);
-    double* const h = history_values<Model>(point.history);
-    for (int c = 0; c < Model::history_count; ++c) h[c] = particles.history(p, c);
-    return point;
-  }
-  void write(int p, const Particles& particles) const {
-    for (int c = 0; c < particles.stress.components; ++c) particles.stress(p, c) = (&stress.xx)[c];
-    const double* const h = history_values<Model>(history);
-    for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
-  }
-};
 
 /// visit(model) with the model of a set of porous particles.
 template <class Visitor>
@@ -52,7 +31,7 @@ inline double fluid_volume(
 }
 
 /// visit(row, its cell's number) for the rows of a set, tile by tile in the order of cells and ids;
-/// rows that are held as debris, or about to be removed, are no rock.
+/// debris, and rows that are about to be removed, are left out.
 template <class Visitor>
 void for_each_solid_row(const Grid& grid, const Particles& particles, Visitor&& visit) {
   for (int i = particles.tile_begin(0);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/build_scene.hpp"
 
-#include "deck/head_section.hpp"
 #include "deck/section_table.hpp"
-#include "deck/time_section.hpp"
+#include "deck/sections/head_section.hpp"
+#include "deck/sections/time_section.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
 #include <barreno/models.hpp>
+#include <barreno/registry.hpp>
 #include <cmath>
 #include <cstdio>
 
@@ -52,10 +53,19 @@ GridSpec read_grid(const Deck& deck) {
   return grid;
 }
 
+/// The material of a list below Materials, its model's own rules checked.
+Material material_in(const Deck& deck, const std::string& name) {
+  const std::string path = list_of<MaterialSection>(name);
+  Teuchos::ParameterList list = deck.list(path);
+  // The deck's own word, which no model knows.
+  list.remove(name_of(&MaterialSection::bad_particles));
+  return make_material(name, list, deck.name(), path);
+}
+
 void add_materials(const Deck& deck, Scene& scene) {
   for (const std::string& name : deck.lists(table_of<MaterialSection>().path)) {
     const auto said = read_list<MaterialSection>(deck, list_of<MaterialSection>(name));
-    scene.materials.emplace_back(deck.material(name), said.bad_particles);
+    scene.materials.emplace_back(material_in(deck, name), said.bad_particles);
   }
 }
 

@@ -6,9 +6,6 @@
 namespace barreno {
 namespace {
 
-/// Half of the distance from 1 to the next number: F = 1 does not change by a smaller strain.
-constexpr double round_off = 0x1p-53;
-
 /// The force of a load on a particle at rest does not change as time goes on.
 bool is_steady(const PressureLoadSpec& load) {
   return load.kind != LoadKind::pore_fluid && load.pressure.time.size() <= 1;
@@ -37,7 +34,7 @@ double rest_motion(const Scene& scene) {
       std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodySpec& body) {
         return body.initial_pressure != 0.0;
       });
-  return stressed ? round_off : 0.0;
+  return stressed ? stressed_rest_motion : 0.0;
 }
 
 }  // namespace barreno

@@ -2,6 +2,9 @@
 #include "scene/scene.hpp"
 
 #include <barreno/models.hpp>
+#include <barreno/pore_point.hpp>
+#include <type_traits>
+#include <variant>
 
 namespace barreno {
 
@@ -12,6 +15,21 @@ MaterialSpec::MaterialSpec(const Material& material, BadParticlePolicy policy)
 
 const std::string& MaterialSpec::name() const {
   return material_->name;
+}
+
+std::string MaterialSpec::model_name() const {
+  return std::visit([](const auto& model) { return std::string(model.name); }, material_->model);
+}
+
+std::vector<HistoryField> MaterialSpec::history_table() const {
+  return std::visit([](const auto& model) { return model.history_table(); }, material_->model);
+}
+
+bool MaterialSpec::is_porous() const {
+  return std::visit(
+      [](const auto& model) { return is_drainable<std::decay_t<decltype(model)>>; },
+      material_->model
+  );
 }
 
 void MaterialSpec::scale_density(double factor) {

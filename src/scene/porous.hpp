@@ -5,17 +5,8 @@
 
 #include <barreno/models.hpp>
 #include <barreno/pore_point.hpp>
-#include <type_traits>
-#include <variant>
 
 namespace barreno {
-
-/// True of a material whose fluid can drain.
-inline bool is_porous(const Material& material) {
-  return std::visit(
-      [](const auto& model) { return is_drainable<std::decay_t<decltype(model)>>; }, material.model
-  );
-}
 
 /// Stress, fluid and density of a body's points at rest under its initial pressure, with the pore
 /// pressure that it is given; not possible where its material has no fluid to give one but 0.

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "deck/body_force_section.hpp"
-#include "deck/body_section.hpp"
-#include "deck/contact_section.hpp"
-#include "deck/grid_section.hpp"
-#include "deck/jet_section.hpp"
-#include "deck/load_sections.hpp"
-#include "deck/material_section.hpp"
-#include "deck/output_section.hpp"
-#include "deck/pore_flow_section.hpp"
-#include "deck/step_section.hpp"
+#include "deck/sections/body_force_section.hpp"
+#include "deck/sections/body_section.hpp"
+#include "deck/sections/contact_section.hpp"
+#include "deck/sections/grid_section.hpp"
+#include "deck/sections/jet_section.hpp"
+#include "deck/sections/load_sections.hpp"
+#include "deck/sections/material_section.hpp"
+#include "deck/sections/output_section.hpp"
+#include "deck/sections/pore_flow_section.hpp"
+#include "deck/sections/step_section.hpp"
 #include "scene/quasi_static_spec.hpp"
 
+#include <barreno/describe.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,7 +36,10 @@ public:
 
   const Material& material() const { return *material_; }
   const std::string& name() const;
-  double density() const { return density_; }  ///< at reference [mass/length^3]
+  std::string model_name() const;
+  std::vector<HistoryField> history_table() const;  ///< of the model's internal variables
+  bool is_porous() const;                           ///< it has a fluid that can drain
+  double density() const { return density_; }       ///< at reference [mass/length^3]
   void scale_density(double factor);
 
   BadParticlePolicy bad_particles;

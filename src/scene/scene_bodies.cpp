@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
-#include "deck/shape_section.hpp"
+#include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
 #include "scene/porous.hpp"
 #include "scene/scene_parts.hpp"

@@ -9,8 +9,9 @@ namespace barreno {
 namespace {
 
 std::array<int, 2> pair_at(const Deck& deck, const std::string& path) {
-  const std::string other = path + "/Other Material";
-  const std::array<int, 2> pair{material_at(deck, path + "/Material"), material_at(deck, other)};
+  const std::string first = input::join(path, material_word);
+  const std::string other = input::join(path, other_material_word);
+  const std::array<int, 2> pair{material_at(deck, first), material_at(deck, other)};
   if (pair[0] == pair[1])
     deck.refuse_value(
         other,
@@ -60,7 +61,7 @@ void add_contacts(const Deck& deck, Scene& scene) {
     contact.name = name;
     contact.materials = pair_at(deck, path);
     check_friction(deck, path_of(&ContactSpec::friction, name), contact.kind);
-    check_new_pair(deck, scene, contact, path + "/Other Material");
+    check_new_pair(deck, scene, contact, input::join(path, other_material_word));
     scene.contacts.push_back(contact);
   }
   const int fields = velocity_fields(scene).count;

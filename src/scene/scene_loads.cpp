@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
-#include "deck/shape_section.hpp"
+#include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
 #include "scene/load_tables.hpp"
 #include "scene/scene_parts.hpp"
@@ -37,7 +37,7 @@ const ConditionSpec* condition_on(const Scene& scene, Face face) {
   return nullptr;
 }
 
-/// The axis is no boundary: matter cannot cross it, and must be free to move along it.
+/// The axis is not a boundary: matter cannot cross it, and must be free to move along it.
 void check_axis(const Deck& deck, const Scene& scene) {
   if (scene.grid.mode != Mode::axisymmetric || scene.grid.lower[0] > 0.0) return;
   const ConditionSpec* condition = condition_on(scene, Face::x_lower);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
-#include "deck/quasi_static_section.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/quasi_static_section.hpp"
 #include "geometry/piece.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/scene_parts.hpp"

@@ -37,7 +37,7 @@ double tiles_of(const GridSpec& grid) {
   return tiles;
 }
 
-/// Of the lattices that are walked through to fill bodies, all that are no boxes: one of a thin
+/// Of the lattices that are walked through to fill bodies, all but those of boxes: one of a thin
 /// body across the grid is far larger than what it holds.
 double filling_bytes(const Scene& scene) {
   constexpr double bytes_per_cell = 8.0;

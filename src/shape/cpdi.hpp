@@ -20,7 +20,7 @@ namespace barreno {
 /// and a domain that reaches across the axis is narrowed there. Domains whose corners are further
 /// than Largest Domain (l_crit) from x_p are scaled; F, volume and stress are not.
 ///
-/// A particle whose F has no positive measure is taken as undeformed until its policy acts.
+/// A particle whose F has a measure of zero or less is taken as undeformed until its policy acts.
 ///
 /// Sources: A. Sadeghirad, R. Brannon, J. Burghardt, IJNME 86 (2011) 1435-1456; scaling: M. Homel,
 /// R. Brannon, J. Guilkey, IJNME 107 (2016) 31-48; axisymmetric weights: docs/method.md 1.
@@ -52,7 +52,7 @@ struct Cpdi {
     return out;
   }
 
-  /// Whether F has turned the domain inside out or flat: its measure is no more than a 1e-12 of
+  /// Whether F has turned the domain inside out or flat: its measure is at most 1e-12 of
   /// that of a rectangle with its edges.
   template <int D>
   KOKKOS_FORCEINLINE_FUNCTION static bool flat(const Domain<D>& domain) {
@@ -101,7 +101,7 @@ struct Cpdi {
     return 1.0 / std::sqrt(steepest);
   }
 
-  /// A corner of a domain as a point of the grid. It is held inside the patch and, in
+  /// A corner of a domain as a point of the grid. It is kept inside the patch and, in
   /// axisymmetry, off the other side of the axis, where round-off may carry it.
   template <class M>
   KOKKOS_FORCEINLINE_FUNCTION static void put_corner(

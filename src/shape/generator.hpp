@@ -24,7 +24,7 @@ enum class Gradient { at_start, at_end };
 /// exponential of its rate, as the hoop's is. With A = log f there too, CPDI's domains meet to
 /// round-off instead of a thousandth, but a bar of them breaks up where they are longer than two
 /// cells and aligned with the grid (verification/cases/extension.py).
-/// Entries beyond a half, with which 2 I +- dt L might have no inverse, give A = dt L.
+/// Entries beyond a half, with which 2 I +- dt L might be singular, give A = dt L.
 ///
 /// Source: the Cayley transform; N. Higham, Functions of Matrices (SIAM 2008), 11.1.
 inline constexpr double generator_limit = 0.5;

@@ -203,7 +203,7 @@ KOKKOS_INLINE_FUNCTION SpaceRotation mean_rotation(const SpaceRotation& a, const
 ///
 ///   (tr(S) I - S) w = {Gzy - Gyz, Gxz - Gzx, Gyx - Gxy}
 ///
-/// Errors are cubed by a step, because the third derivative has no part along w at the solution.
+/// Errors are cubed by a step, because the third derivative vanishes along w at the solution.
 struct RotationCorrection {
   double x, y, z;
 };

@@ -28,7 +28,7 @@ struct PatchFrame {
   double lower[D];
   double box_cell_size;              ///< that `cells` counts
   double cells[D];                   ///< of the box
-  double first_end[D], past_box[D];  ///< no_end beyond faces that mirror, else none
+  double first_end[D], past_box[D];  ///< no_end beyond symmetry planes, else none
   double largest;
 
   explicit PatchFrame(const Grid& grid)

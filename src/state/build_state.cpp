@@ -223,7 +223,8 @@ struct WriteNewParticles {
     for (int c = 0; c < Model::history_count; ++c) h[c] = start_history[c];
     if constexpr (VariesByPiece<Model>::value)
       model.vary(history, {static_cast<std::uint64_t>(from.id), from.volume, section(from)});
-    for (int c = 0; c < 3; ++c) particles.stress(p, c) = (&stress.xx)[c];
+    const double* const s = reals_of<double>(stress);
+    for (int c = 0; c < 3; ++c) particles.stress(p, c) = s[c];
     for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
     particles.volume(p) = from.volume;
     particles.mass(p) = density / volume_ratio * from.volume;

@@ -4,7 +4,6 @@
 #include "base/rows.hpp"
 #include "scene/body_force.hpp"
 #include "scene/heat.hpp"
-#include "scene/porous.hpp"
 #include "shape/shape_facts.hpp"
 #include "state/surface_share.hpp"
 
@@ -90,7 +89,8 @@ Particles make_particles(const Scene& scene, int material) {
       {}};
   p.clipped = {"clipped", dim::none, follows_deformation(scene) ? 1 : 0, {}};
   add_load_fields(scene, material, p);
-  const bool drains = scene.pore_flow.on() && is_porous(m);
+  const bool drains =
+      scene.pore_flow.on() && scene.materials[static_cast<std::size_t>(material)].is_porous();
   p.darcy_velocity = {"darcy_velocity", dim::velocity, drains ? d : 0, {}};
   add_transfer_fields(scene, p);
   reserve(p, 1);

@@ -3,7 +3,7 @@
 
 #include "base/gather.hpp"
 #include "grid/tiles.hpp"
-#include "step/boundary/node_conditions.hpp"
+#include "step/boundary/conditions_of_step.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/grid/solve_velocity.hpp"
 #include "step/transfer/interpolate_motion.hpp"
@@ -37,7 +37,7 @@ void add(const GridTally& part, GridTally& sum) {
 GridTally solve_fields(
     const Scene& scene, const Clock& clock, double damping, State& state, RigidTally& rigid
 ) {
-  const VelocityRule rule(scene, node_conditions(state.conditions, clock), damping);
+  const VelocityRule rule(scene, conditions_of_step(state.conditions, clock), damping);
   rigid = solve_contact(
       state.grid,
       state.fields,

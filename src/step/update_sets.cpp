@@ -44,7 +44,7 @@ void add(const DomainTally& domains, StressTally& set, double& clipped) {
   set.stable_step = std::min(set.stable_step, domains.stable_step);
 }
 
-/// What the set's particle policy says to its failures.
+/// Applies the set's particle policy to its failures.
 void apply_policy(
     BadParticlePolicy policy,
     int material,

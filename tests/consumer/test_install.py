@@ -99,6 +99,10 @@ def main():
         python["PYTHONPATH"] = str(prefix / "share/barreno/python")
         found = run(sys.executable, "-c", PYTHON_PROGRAM, env=python).strip()
         assert pathlib.Path(found).resolve() == card.resolve(), found
+        # The fit comes with the module, and finds library and cards of the installation.
+        command = [sys.executable, "-m", "barreno_fit", scratch / "nowhere.csv", "--out", scratch / "card.xml"]
+        refused = subprocess.run(command, capture_output=True, text=True, timeout=60, env=python)
+        assert refused.returncode == 2 and "nowhere.csv does not exist" in refused.stderr, refused.stderr
 
         # The library that hosts load finds the cards that it was installed and moved with.
         library = next(prefix.glob("lib*/**/libBARRENO.so"))

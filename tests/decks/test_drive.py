@@ -52,6 +52,12 @@ PATH_FILES = {
     "misspelt.csv": ["time,stress_xx,stres_yy", "0,0,0", "1,-1e6,0"],
     "too_strong.csv": ["time,stress_xx,stress_yy,stress_zz", "0,0,0,0", "1,-40 MPa,-40 MPa,-40 MPa", "2,-400 MPa,-40 MPa,-40 MPa"],
     "drained.csv": ["time,strain_xx,pore_pressure", "0,0,0", "1,-1e-3,0"],
+    "both.csv": ["time,strain_xx,stress_xx", "0,,0", "1,-1e-3,-1 MPa"],
+    "neither.csv": ["time,strain_xx,stress_xx", "0,,0", "1,,"],
+    "empty.csv": ["time,stress_xx,stress_yy", "0,0,0", "1,-1 MPa,"],
+    "twice.csv": ["time,stress_xx,stress_xx", "0,0,0", "1,0,0"],
+    "loaded.csv": ["time,strain_xx,stress_xx", "0,,-1 MPa", "1,,-2 MPa"],
+    "answer_surface.csv": [HEADER, START, SQUEEZE],
     "too_far.csv": [HEADER, START, SQUEEZE, "2e-6,1e-6,0,0,0,1,0,0,0,1"],
 }
 BAD = {  # name: (arguments, exit code, sentence)
@@ -100,10 +106,45 @@ BAD = {  # name: (arguments, exit code, sentence)
         CARD + ["--path", "misspelt.csv"] + OUT, 1,
         "misspelt.csv: line 1 = \"stres_yy\" is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, pore_pressure and "
         "time are); did you mean 'stress_yy'?"),
+    "both controls": (
+        CARD + ["--path", "both.csv"] + OUT, 1,
+        "both.csv: line 3 gives both strain_xx and stress_xx (a component is controlled by one of them); leave one of the two cells "
+        "empty."),
+    "no control": (
+        CARD + ["--path", "neither.csv"] + OUT, 1,
+        "neither.csv: line 3 gives neither strain_xx nor stress_xx (a component is controlled by one of them); fill one of the two "
+        "cells."),
+    "an empty cell without another column": (
+        CARD + ["--path", "empty.csv"] + OUT, 1,
+        "empty.csv: line 3 leaves stress_yy empty, and there is no column strain_yy that could control the component instead; write a "
+        "value, or add that column."),
+    "a column twice": (
+        CARD + ["--path", "twice.csv"] + OUT, 1,
+        'twice.csv: line 1 = "stress_xx" is there twice (every column has its own name); take one of them out.'),
+    "loaded at the start": (
+        CARD + ["--path", "loaded.csv"] + OUT, 1,
+        'loaded.csv: line 2, stress_xx = -1e+06 is not that of the virgin point, 0 Pa (a path begins there); write that, and the first '
+        "load in the next row."),
+    "no picture": (
+        GOOD + ["--plot", "answer.jpg"], 1,
+        '--plot "answer.jpg" is not the name of a picture (it ends with .png, .pdf or .svg); write for example --plot answer.png.'),
+    "a picture without a name": (
+        GOOD + ["--plot"], 1, "--plot needs a value; write for example --plot answer.png."),
+    "the surface would overwrite the path": (
+        CARD + ["--path", "answer_surface.csv"] + OUT + ["--plot", "answer.png"], 1,
+        '--plot with its table "answer_surface.csv" is an input of this command (it would be overwritten); give another file.'),
+    "the surface would overwrite the answer": (
+        CARD + PATH + ["--out", "a_surface.csv", "--plot", "a.png"], 1,
+        '--plot writes "a_surface.csv", which is the file of --out (one would overwrite the other); give another name.'),
+    "the picture in no folder": (
+        GOOD + ["--plot", "nowhere/a.png"], 2,
+        '--plot "nowhere/a.png" cannot be drawn (No such file or directory); mend that, or leave --plot out.'),
+    "a value of a flag": (
+        GOOD + ["--every-step=3"], 1, "--every-step takes no value; write --every-step."),
     "beyond the strength": (
         ["--material", "berea_sandstone", "--path", "too_strong.csv", "--steps-per-row", "40"] + OUT, 3,
-        "too_strong.csv: line 4 cannot be reached: 'berea_sandstone' does not bear stress_xx = -2.38e+08 Pa at time 1.55 s (the last that "
-        "was reached is -2.366e+08 Pa); prescribe strain_xx to go past the strength."),
+        "too_strong.csv: line 4 cannot be reached: 'berea_sandstone' cannot sustain stress_xx = -2.38e+08 Pa at time 1.55 s (highest value "
+        "reached: -2.366e+08 Pa); prescribe strain_xx to go beyond the strength."),
     "drained without fluid": (
         CARD + ["--path", "drained.csv"] + OUT, 1,
         "drained.csv: pore_pressure: the Linear Elastic of 'glass' holds no fluid that could flow; give it a fluid or take the column out."),
@@ -136,7 +177,7 @@ BAD = {  # name: (arguments, exit code, sentence)
         GOOD + ["--steps-per-row", "0"], 1,
         "--steps-per-row 0 is not a number of steps (1 or more); write for example --steps-per-row 2."),
     "option without value": (
-        CARD + PATH + ["--out"], 1, "--out has no value after it (it needs one); write for example --out answer.csv."),
+        CARD + PATH + ["--out"], 1, "--out needs a value; write for example --out answer.csv."),
     "no card": (
         PATH + OUT, 1,
         f"--material is missing (drive needs a card, a path and a file for the answer); {EXAMPLE_LINE}"),
@@ -146,20 +187,20 @@ BAD = {  # name: (arguments, exit code, sentence)
         CARD + PATH, 1, f"--out is missing (drive needs a card, a path and a file for the answer); {EXAMPLE_LINE}"),
     "a file without option": (
         ["good.csv"] + GOOD, 1,
-        '"good.csv" stands alone (drive takes every file by its option); write --material, --path or --out before it.'),
+        '"good.csv" is not preceded by an option (drive takes every file with its option); write --material, --path or --out before it.'),
     "out is an input": (
         CARD + PATH + ["--out", "good.csv"], 1,
         '--out "good.csv" is an input of this command (it would be overwritten); give another file.'),
     "out below a file": (
         CARD + PATH + ["--out", "good.csv/answer.csv"], 2,
-        "cannot write 'good.csv/answer.csv' (Not a directory). Free the disk or give another place with --out."),
+        "cannot write 'good.csv/answer.csv' (Not a directory). Free disk space or choose another folder with --out."),
     "out in no folder": (
         CARD + PATH + ["--out", "nowhere/answer.csv"], 2,
-        "cannot write 'nowhere/answer.csv' (No such file or directory). Free the disk or give another place with "
+        "cannot write 'nowhere/answer.csv' (No such file or directory). Free disk space or choose another folder with "
         "--out."),
     "out is a directory": (
         CARD + PATH + ["--out", "folder"], 2,
-        "cannot write 'folder' (Is a directory). Free the disk or give another place with --out."),
+        "cannot write 'folder' (Is a directory). Free disk space or choose another folder with --out."),
 }  # fmt: skip
 
 
@@ -241,26 +282,110 @@ def check_cards(barreno, folder):
             yield f"{card.name}: no stress at 10 % of shortening: {rows[20]}"
 
 
+def shipped_command(path):
+    """The words of the command that stands in a path file."""
+    lines = [line[1:].strip() for line in path.read_text().splitlines() if line.startswith("#")]
+    first = next(i for i, line in enumerate(lines) if line.startswith("Run: barreno drive"))
+    words = shlex.split(" ".join(lines[first:]))[3:]
+    words[words.index("--path") + 1] = str(path)
+    return words
+
+
+def yield_curve(file, state, section):
+    """(I1, sqrt(J2)) of one curve of a surface's table."""
+    with open(file, newline="") as stream:
+        rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+    return [(float(r["I1"]), float(r["sqrt_J2"])) for r in rows if (r["state"], r["section"]) == (state, section)]
+
+
+def strength_at(curve, x):
+    (x0, y0), (x1, y1) = next(pair for pair in zip(curve, curve[1:]) if pair[0][0] <= x <= pair[1][0])
+    return y0 + (x - x0) / (x1 - x0) * (y1 - y0)
+
+
 def check_shipped_paths(barreno, folder):
-    """Every path of input_xml/paths by the command that stands in it; the triaxial tests, dry and drained, have one strength."""
-    strengths = []
-    for path in sorted(EXAMPLE.parent.glob("*.csv")):
-        lines = [line[1:].strip() for line in path.read_text().splitlines() if line.startswith("#")]
-        first = next(i for i, line in enumerate(lines) if line.startswith("Run: barreno drive"))
-        words = shlex.split(" ".join(lines[first:]))[3:]
-        words[words.index("--path") + 1] = str(path)
-        result = drive(barreno, folder, words)
+    """Every path of input_xml/paths by the command that stands in it, with a picture: a row per row; the triaxial tests end on
+    the surface that is drawn, in the effective stress, and have one strength dry and drained."""
+    paths = sorted(EXAMPLE.parent.glob("*.csv"))
+    strengths = {}
+    for path in paths:
+        result = drive(barreno, folder, shipped_command(path) + ["--plot", "answer.png"])
         if result.returncode != 0:
             yield f"{path.name}: {result.stderr}"
             continue
         header, rows = table(folder / "answer.csv")
-        if not all(len(row) == len(header) and all(map(math.isfinite, row)) for row in rows):
-            yield f"{path.name}: a row is not whole"
-        if "strain_xx" in header and "hydrostatic" not in path.name:
-            axial, side = (rows[-1][header.index(f"stress_{c}")] for c in ("xx", "yy"))
-            strengths.append(side - axial)
-    if len(strengths) != 2 or abs(strengths[0] / strengths[1] - 1.0) > 1e-3:
-        yield f"strengths of the triaxial tests: {strengths}"
+        count = sum(1 for line in path.read_text().splitlines() if line and not line.startswith("#")) - 1
+        if len(rows) != count or not all(len(row) == len(header) and all(map(math.isfinite, row)) for row in rows):
+            yield f"{path.name}: {len(rows)} rows instead of {count}, or one is not whole"
+        if (folder / "answer.png").read_bytes()[:8] != b"\x89PNG\r\n\x1a\n" or "picture in answer.png" not in result.stdout:
+            yield f"{path.name}: no picture, {result.stdout}"
+        if "triaxial" not in path.name:
+            continue
+        last = dict(zip(header, rows[-1]))
+        stress = [last[f"stress_{c}"] for c in ("xx", "yy", "zz")]
+        I1 = sum(stress) + 3.0 * last.get("pore_pressure", 0.0)
+        shear = math.sqrt(sum((s - sum(stress) / 3.0) ** 2 for s in stress) / 2.0)
+        there = strength_at(yield_curve(folder / "answer_surface.csv", "current", "compression"), I1)
+        if not abs(shear / there - 1.0) <= 0.01:  # the tolerance of the card
+            yield f"{path.name}: ends at sqrt(J2) = {shear}, the surface has {there}"
+        strengths[path.stem] = [dict(zip(header, row))["stress_yy"] - dict(zip(header, row))["stress_xx"] for row in rows[2:]]
+        confined = dict(zip(header, rows[1]))
+        if confined["stress_xx"] != confined["stress_yy"] and abs(confined["stress_xx"] / confined["stress_yy"] - 1.0) > 1e-6:
+            yield f"{path.name}: the confinement is not hydrostatic: {rows[1]}"
+    dry, drained, undrained = (strengths.get(f"triaxial{kind}_berea", [math.nan] * 2) for kind in ("", "_drained", "_undrained"))
+    # Sealed rock yields earlier, under the pressure of its fluid, and is stronger in the end, when dilation has taken that away.
+    sealed = 0.8 * dry[0] < undrained[0] < 0.95 * dry[0] and undrained[1] > 1.05 * dry[1]
+    if len(paths) != 6 or not abs(dry[1] / drained[1] - 1.0) <= 1e-3 or not sealed:
+        yield f"{len(paths)} paths; strengths of the triaxial tests: {strengths}"
+
+
+def check_every_step(barreno, folder):
+    """A row per step, of which every N-th is a row of the path, for both kinds of path; a picture changes no bit of the answer."""
+    steps = 5
+    for path in (EXAMPLE, EXAMPLE.with_name("triaxial_berea.csv")):
+        words = ["--material", "berea_sandstone", "--path", str(path), "--steps-per-row", str(steps)]
+        drive(barreno, folder, words + ["--out", "rows.csv"])
+        rows = (folder / "rows.csv").read_text().splitlines()
+        for more, name in ((["--every-step"], "steps.csv"), (["--plot", "p.svg"], "plotted.csv"), (["--every-step", "--plot", "p.pdf"], "all.csv")):
+            result = drive(barreno, folder, words + more + ["--out", name])
+            if result.returncode != 0:
+                yield f"{path.name} {more}: {result.stderr}"
+        every = (folder / "steps.csv").read_text().splitlines()
+        if len(every) - 2 != (len(rows) - 3) * steps + 1 or every[:2] + every[2::steps] != rows:
+            yield f"{path.name}: {len(every) - 2} rows of every step, {len(rows) - 2} of the path, or other numbers in them"
+        for one, other in (("rows.csv", "plotted.csv"), ("steps.csv", "all.csv")):
+            if (folder / one).read_bytes() != (folder / other).read_bytes():
+                yield f"{path.name}: a picture changes the answer"
+        if not (folder / "p.svg").read_text().startswith("<?xml") or (folder / "p.pdf").read_bytes()[:4] != b"%PDF":
+            yield "pictures of other formats"
+
+
+def check_surfaces(barreno, folder):
+    """A metal's circle is at its flow stress; elastic materials have no surface; without Matplotlib nothing is written."""
+    words = ["--path", str(EXAMPLE), "--steps-per-row", "4"] + OUT + ["--plot", "metal.png"]
+    drive(barreno, folder, ["--material", "copper.xml"] + words)
+    header, rows = table(folder / "answer.csv")
+    stress = rows[-1][10:13]
+    shear = math.sqrt(sum((s - sum(stress) / 3.0) ** 2 for s in stress) / 2.0)
+    heights = {y for _, y in yield_curve(folder / "metal_surface.csv", "current", "compression")}
+    if len(heights) != 1 or not abs(heights.pop() / shear - 1.0) <= 1e-2:
+        yield f"copper ends at sqrt(J2) = {shear}, its surface is at {heights}"
+    result = drive(barreno, folder, GOOD + ["--plot", "glass.png"])
+    if result.returncode != 0 or not (folder / "glass.png").exists() or (folder / "glass_surface.csv").exists():
+        yield f"glass: {result.stdout}{result.stderr}"
+    (folder / "without").mkdir()
+    (folder / "without" / "matplotlib.py").write_text("raise ImportError(\"No module named 'matplotlib'\")\n")
+    (folder / "answer.csv").unlink()
+    before = listing(folder)
+    environment = dict(os.environ, PYTHONPATH=str(folder / "without"), PYTHONDONTWRITEBYTECODE="1", BARRENO_MATERIALS="")
+    command = [barreno, "drive", *GOOD, "--plot", "none.png"]
+    result = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
+    expected = (
+        "barreno: --plot \"none.png\" cannot be drawn (it needs Python 3 with Matplotlib: No module named 'matplotlib'); install it: "
+        "apt-get install --no-install-recommends python3 python3-numpy python3-matplotlib.\n"
+    )
+    if (result.returncode, result.stderr) != (2, expected) or listing(folder) != before:
+        yield f"without Matplotlib: exit {result.returncode}, {result.stderr}, new {set(listing(folder)) - set(before)}"
 
 
 def check_place_of_cards(barreno, folder):
@@ -305,8 +430,8 @@ def check_ranks(barreno, folder):
 
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
-    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_shipped_paths, check_place_of_cards,
-              check_ranks]  # fmt: skip
+    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_shipped_paths, check_every_step, check_surfaces,
+              check_place_of_cards, check_ranks]  # fmt: skip
     failed = 0
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:

@@ -253,7 +253,7 @@ def check_full_disk(barreno, folder, one):
         limited = ["bash", "-c", f"trap '' XFSZ; ulimit -f {limit}; exec \"$0\" \"$@\"", *words]
         command = ["mpirun", "--quiet", "--mca", "btl", "self,tcp", "-n", "1", *words, ":", "-n", "1", *limited]
         result = subprocess.run(command, capture_output=True, text=True, env=mpi_environment(2), timeout=120, check=False)
-        refused(result, "cannot write", "particles.e.2.1", "Free the disk")
+        refused(result, "cannot write", "particles.e.2.1", "Free disk space")
     assert set_names(folder / "full_at_start") == [], "half a set was left"
     must_work(program(barreno, 2, "resume", full))
     check_same(one, full, 2)

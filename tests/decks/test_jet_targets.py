@@ -49,7 +49,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         check_case(folder / "down", None, True)
-        check_case(folder / "up", "hits no body (none is in its path along -y", False, "Jet/Direction=-y")
+        check_case(folder / "up", "hits no body (none lies in its path along -y", False, "Jet/Direction=-y")
         check_case(folder / "late", "not before Time/End Time", False, "Jet/Launch Position=-35 mm")
 
 

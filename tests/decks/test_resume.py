@@ -180,7 +180,7 @@ def check_refusals(barreno, folder, plain):
         ((str(changed), "--until", "17 us"), 1, "Courant Fraction"),
         ((str(short), "--until", "17 us"), 2, "shorter"),
         ((str(folder / "nowhere"),), 2, "no checkpoint"),
-        ((), 1, "no run is named"),
+        ((), 1, "the run folder, which holds the checkpoint, is missing"),
         ((str(plain), "--until", "17 kg"), 1, "End Time"),
     ):
         result = program(barreno, 1, "resume", *words)

@@ -110,8 +110,8 @@ def check_help(barreno, folder):
         assert [line.split()[0] for line in lines] == ["barreno", "commit", "compiler", "Trilinos", "Kokkos", "MPI"], lines
         assert all(len(line.split()) >= 2 for line in lines), lines
     one_sentence(program(barreno, "report", folder), 1, "./barreno report")
-    one_sentence(program(barreno, "run", ""), 1, "no deck is named")
-    one_sentence(program(barreno, "resume", ""), 1, "no run is named")
+    one_sentence(program(barreno, "run", ""), 1, "the deck file is missing")
+    one_sentence(program(barreno, "resume", ""), 1, "the run folder, which holds the checkpoint, is missing")
     for option in ("--out", "--set", "--fidelity", "--ranks"):
         one_sentence(program(barreno, "run", QUICK, option, ""), 1, f"{option} has no value")
 

@@ -3,6 +3,7 @@
 
 #include "deck/deck_schema.hpp"
 
+#include <barreno/models.hpp>
 #include <barreno/registry.hpp>
 
 namespace barreno::fuzz {

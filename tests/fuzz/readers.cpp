@@ -2,11 +2,12 @@
 #include "readers.hpp"
 
 #include "base/error.hpp"
-#include "deck/jet_table.hpp"
-#include "deck/load_material.hpp"
-#include "deck/read_deck.hpp"
-#include "deck/read_on_root.hpp"
-#include "deck/read_surface.hpp"
+#include "deck/files/jet_table.hpp"
+#include "deck/files/load_material.hpp"
+#include "deck/files/read_deck.hpp"
+#include "deck/files/read_on_root.hpp"
+#include "deck/files/read_surface.hpp"
+#include "drive/mixed_path.hpp"
 #include "drive/path_table.hpp"
 #include "scene/build_scene.hpp"
 
@@ -28,6 +29,14 @@ const char* file_of(Reader reader) {
   return names[static_cast<int>(reader)];
 }
 
+/// Of deformation, or of strain and stress.
+void read_any_path(const std::string& text, const std::string& name) {
+  if (is_mixed_path(text))
+    read_mixed_path(text, name);
+  else
+    read_path(text, name);
+}
+
 void read(Reader reader, const std::string& file, const std::string& name) {
   const Teuchos::SerialComm<int> comm;
   switch (reader) {
@@ -41,7 +50,7 @@ void read(Reader reader, const std::string& file, const std::string& name) {
       read_jet_table(read_file(file, input::largest_text, "a jet table"), name);
       break;
     case Reader::path:
-      read_path(read_file(file, input::largest_text, "a path"), name);
+      read_any_path(read_file(file, input::largest_text, "a path"), name);
       break;
     case Reader::surface:
       read_surface(read_file(file, largest_surface, "an STL surface"), 1.0, {}, name);
@@ -74,7 +83,11 @@ const char* name_of(Reader reader) {
 Reader reader_of(const fs::path& file, const std::string& bytes) {
   const std::string ending = file.extension().string();
   if (ending == ".stl") return Reader::surface;
-  if (ending == ".csv") return bytes.find("F11") != std::string::npos ? Reader::path : Reader::jet;
+  if (ending == ".csv") {
+    for (const char* word : {"F11", "strain_", "stress_"})
+      if (bytes.find(word) != std::string::npos) return Reader::path;
+    return Reader::jet;
+  }
   if (ending == ".card" || file.parent_path().filename() == "cards") return Reader::card;
   return Reader::deck;
 }

@@ -53,6 +53,12 @@ REFUSED = {
         deck(good(function="@ABAQUS_NOSUCHLIB_UMAT@")), 255, ["libNOSUCHLIB.so: cannot open shared object file"]
     ),
     "no_such_function": (deck(good(function="@ABAQUS_BARRENO_NOSUCH@")), 255, ["unable to load function"]),
+    "large_strains_without_their_interface": (
+        deck(good()).replace("*STEP,", "*STEP,NLGEOM,"), STOPPED, ["NLGEOM", "write @ABAQUSNL_ in *MATERIAL"]
+    ),
+    "small_strains_with_the_other_interface": (
+        deck(good(function="@ABAQUSNL_BARRENO_UMAT@")), STOPPED, ["the step has no NLGEOM", "write *STEP,NLGEOM"]
+    ),
     # A state that no step size cures: said at once, instead of cutbacks until CalculiX gives up.
     "impossible_state": (
         deck(good(), before="*INITIAL CONDITIONS,TYPE=SOLUTION\n" + "".join(f"1,{p},0.5,1.,0.,0.\n" for p in range(1, 9))),

@@ -14,6 +14,7 @@ ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_fl
 # Of src/step; files directly in it stand to the right of all rooms, but for headers that include none.
 ROOMS = ["order", "ranks", "jet", "dormant", "boundary", "grid", "contact", "loads", "transfer", "particles"]
 LARGEST_ROOM = 20  # files
+LARGEST_FOLDER = 50  # files, of every other folder of src
 ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "exodusII": {"output"},
     "hdf5": {"checkpoint"},
@@ -75,6 +76,17 @@ def check_rooms(step):
                     problems.append(f"{path.relative_to(ROOT)}: a room must not include {outside}, which includes rooms")
 
 
+def check_folders():
+    """Folders stay small; what a section of the deck holds does not depend on the files that it is read from."""
+    for folder in sorted(path for path in (ROOT / "src").rglob("*") if path.is_dir()):
+        count = sum(path.is_file() for path in folder.iterdir())
+        if count > LARGEST_FOLDER:
+            problems.append(f"{folder.relative_to(ROOT)}: {count} files, more than {LARGEST_FOLDER}")
+    for path in sorted((ROOT / "src" / "deck" / "sections").iterdir()):
+        if '#include "deck/files/' in path.read_text():
+            problems.append(f"{path.relative_to(ROOT)}: deck/sections must not include deck/files")
+
+
 def check_tests():
     """Every verb of the step is tested by itself, so a test includes its header."""
     tested = tested_headers.included_in_tests()
@@ -97,6 +109,7 @@ def main():
         if path.suffix == ".cpp" and name not in listed:
             problems.append(f"src/{name} is not built: it is not in src/CMakeLists.txt")
     check_rooms(ROOT / "src" / "step")
+    check_folders()
     check_tests()
     print("\n".join(problems) or "layout is as docs/architecture.md says")
     return 1 if problems else 0

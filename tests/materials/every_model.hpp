@@ -21,20 +21,24 @@ struct TypesOf<std::variant<Model...>> {
 };
 using AllModels = TypesOf<AnyModel>::type;
 
-/// Those whose fluid a host can move.
-template <class Variant, class... Taken>
-struct DrainableOf;
-template <class... Taken>
-struct DrainableOf<std::variant<>, Taken...> {
+/// Those for which Holds<Model>::value.
+template <template <class> class Holds, class Variant, class... Taken>
+struct ModelsOf;
+template <template <class> class Holds, class... Taken>
+struct ModelsOf<Holds, std::variant<>, Taken...> {
   using type = ::testing::Types<Taken...>;
 };
-template <class First, class... Rest, class... Taken>
-struct DrainableOf<std::variant<First, Rest...>, Taken...>
+template <template <class> class Holds, class First, class... Rest, class... Taken>
+struct ModelsOf<Holds, std::variant<First, Rest...>, Taken...>
     : std::conditional_t<
-          is_drainable<First>,
-          DrainableOf<std::variant<Rest...>, Taken..., First>,
-          DrainableOf<std::variant<Rest...>, Taken...>> {};
-using DrainableModels = DrainableOf<AnyModel>::type;
+          Holds<First>::value,
+          ModelsOf<Holds, std::variant<Rest...>, Taken..., First>,
+          ModelsOf<Holds, std::variant<Rest...>, Taken...>> {};
+
+template <class Model>
+using HasFluid = std::bool_constant<is_drainable<Model>>;
+/// Those whose fluid a host can move.
+using DrainableModels = ModelsOf<HasFluid, AnyModel>::type;
 
 struct ModelName {
   template <class Model>

@@ -9,11 +9,11 @@
 
 namespace barreno::test {
 
-/// Berea sandstone full of water; cards for the general form of Arenisca differ in little else.
+/// Berea sandstone full of water; cards for the forms of Arenisca differ in little else.
 inline const std::string water_in_quartz = R"(
   <Parameter name="fluid_B0" type="double" value="2.2e9"/>
   <Parameter name="Matrix bulk modulus" type="double" value="36e9"/>)";
-/// All that the general form knows.
+/// All that a card can ask for.
 inline const std::string everything_general = water_in_quartz + R"(
   <Parameter name="fluid_pressure_initial" type="double" value="15e6"/>
   <Parameter name="J3_type" type="string" value="Willam-Warnke"/>
@@ -29,6 +29,12 @@ inline const std::string about_the_elastic_centre = R"(
 inline const std::string overstress = R"(
   <Parameter name="T1_rate_dependence" type="double" value="1e-5"/>
   <Parameter name="T2_rate_dependence" type="double" value="0.3"/>)";
+inline const std::string scatter = R"(
+  <Parameter name="Weibull modulus" type="double" value="8"/>
+  <Parameter name="Weibull reference volume" type="double" value="1e-4"/>)";
+inline const std::string third_invariant = R"(
+  <Parameter name="J3_type" type="string" value="Willam-Warnke"/>
+  <Parameter name="J3_psi" type="double" value="0.8"/>)";
 inline const std::string by_bisection = R"(
   <Parameter name="Return solver" type="string" value="bisection"/>)";
 

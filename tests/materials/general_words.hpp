@@ -10,7 +10,7 @@
 
 namespace barreno::test {
 
-/// What a word adds to a card of Arenisca: together they reach every branch of the general form.
+/// What a word adds to a card of Arenisca: together they reach every branch of its forms.
 inline const std::map<std::string, std::string> general_words = {
     {"water", R"(<Parameter name="fluid_B0" type="double" value="2.2e9"/>
       <Parameter name="Matrix bulk modulus" type="double" value="36e9"/>)"},

@@ -207,7 +207,7 @@ struct Sample<GeneralArenisca> : Sample<Arenisca> {
     return p;
   }
   static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
-    std::vector<std::pair<Arenisca::Parameters, std::string>> list(10, {parameters(), "J3_psi"});
+    std::vector<std::pair<Arenisca::Parameters, std::string>> list(11, {parameters(), "J3_psi"});
     list[0].first.J3_psi = 0.7;
     list[1].first.J3_type = arenisca::Lode::none;
     list[2].first.fluid_B0 = 0.0;
@@ -229,17 +229,10 @@ struct Sample<GeneralArenisca> : Sample<Arenisca> {
     list[9].first.weibull_reference_volume = 1e-6;
     list[9].first.PEAKI1 = 0.0;
     list[9].second = "Weibull modulus";
+    list[10].first.backstress_strain = Arenisca::Parameters::poroplastic;
+    list[10].first.return_solver = 1;
+    list[10].second = "Return solver";
     return list;
-  }
-};
-
-/// The same in the poroplastic form.
-template <>
-struct Sample<GeneralWetArenisca> : Sample<GeneralArenisca> {
-  static Arenisca::Parameters parameters() {
-    Arenisca::Parameters p = Sample<GeneralArenisca>::parameters();
-    p.backstress_strain = Arenisca::Parameters::poroplastic;
-    return p;
   }
 };
 

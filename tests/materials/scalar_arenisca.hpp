@@ -16,7 +16,7 @@ BARRENO_FUNCTION Prediction predict(const Rock& rock, const Substep& step, doubl
   const PointState& n = step.n;
   const Cap& cap = step.cap;
   const Elasticity& e = rock.elasticity;
-  const Elasticity::PressureTerm term = e.pressure_term(n.x, evp);
+  const PressureTermOf<double> term = e.pressure_term(n.x, evp);
   const double coupling = e.coupling(n.x, evp);
   const Moduli start = e.moduli(term.value, coupling);
   Moduli used = start;
@@ -71,8 +71,7 @@ accept_elastic(const Rock& rock, const Substep& step, const Prediction& p) {
   ScalarAttempt a;
   a.end = {p.x, p.s, n.evp, n.shear_strain};
   a.moduli = moduli_after(rock, n, p);
-  a.error =
-      moduli_mismatch(p, a.moduli) * stress_size(p.x - n.x, std::sqrt(second_invariant(p.s - n.s)));
+  a.error = moduli_mismatch(p, a.moduli) * size_of_stress(p.x - n.x, second_invariant(p.s - n.s));
   a.allowed = allowed_error(rock, n, p.x, p.q());
   a.order = 3;
   a.elastic_work = 0.5 * ((n.x + p.x) * step.dv / 3.0 + contract(n.s + p.s, step.de));
@@ -109,8 +108,8 @@ begin_to_dilate(const Rock& rock, const Substep& step, const Prediction& p, Coun
   // The elastic part has its own error, that of its moduli on the way to the surface.
   const double x_flow = n.x + t * (p.x - n.x);
   const Moduli at_flow = rock.elasticity.moduli_at(x_flow, n.evp);
-  a.error += moduli_mismatch(p, at_flow) * t *
-             stress_size(p.x - n.x, std::sqrt(second_invariant(p.s - n.s)));
+  a.error +=
+      moduli_mismatch(p, at_flow) * t * size_of_stress(p.x - n.x, second_invariant(p.s - n.s));
   return a;
 }
 

@@ -55,7 +55,7 @@ BARRENO_FUNCTION FlowStart find_flow_start(
   f.x = n.x;
   f.s = n.s;
   f.q = std::sqrt(second_invariant(n.s));
-  MeridianPoint m = rock.surface.at(f.x, cap, count);
+  MeridianOf<double> m = rock.surface.at(f.x, cap, count);
   const double limit = larger(m.limit, 0.0) * shrink;
   if (f.x < rock.surface.vertex && f.q * f.q < limit * limit * m.cap_squared) {
     constexpr int halvings = 6;
@@ -187,7 +187,7 @@ BARRENO_FUNCTION void refine(
   // Rock without strength dissipates nothing: round-off must not decide.
   constexpr double round_off = 1e-9;
   const double flow = b.end.shear_strain - n.shear_strain;
-  if (b.plastic_work >= -round_off * flow * stress_size(b.end.x, moved.q())) a = b;
+  if (b.plastic_work >= -round_off * flow * size_of_stress(b.end.x, moved.J2)) a = b;
 }
 
 /// How far the cap retracted onto the returned point, in parts of its length; 0 when it stayed out
@@ -224,14 +224,14 @@ flow_plastically(const Rock& rock, const Substep& step, const Prediction& p, Cou
   }
   ScalarAttempt a;
   finish(rock, step, p, p, r, f, a);
-  a.error = moduli_mismatch(p, a.moduli) *
-            stress_size(r.x - n.x, std::sqrt(second_invariant(a.end.s - n.s)));
+  a.error =
+      moduli_mismatch(p, a.moduli) * size_of_stress(r.x - n.x, second_invariant(a.end.s - n.s));
   a.allowed = allowed_error(rock, n, r.x, r.q);
   const Correction c = correction_of(p, r, std::sqrt(metric));
   if (r.x >= rock.surface.vertex) {
     // A long step goes to the vertex where the path slides towards it; wrong by the way left at
     // most.
-    const double way = f.scale * stress_size(f.x - r.x, f.q);
+    const double way = f.scale * size_of_stress(f.x - r.x, f.q * f.q);
     a.error += smaller(direction_error(p, c, f), way);
     return a;
   }

@@ -31,9 +31,9 @@ struct Prediction {
   Sym3 s;
   double J2;
   Moduli start, used;
-  Elasticity::PressureTerm term{};  ///< pressure dependence at the start
-  double coupling = 0.0;            ///< elastic-plastic coupling at the start [stress]
-  double evp = 0.0;                 ///< plastic strain the moduli were taken at
+  PressureTermOf<double> term{};  ///< pressure dependence at the start
+  double coupling = 0.0;          ///< elastic-plastic coupling at the start [stress]
+  double evp = 0.0;               ///< plastic strain the moduli were taken at
   BARRENO_FUNCTION double q() const { return std::sqrt(J2); }
 };
 
@@ -47,8 +47,9 @@ struct ScalarAttempt : Attempt {
 BARRENO_FUNCTION double allowed_error(
     const Rock& rock, const PointState& n, double x_end, double q_end
 ) {
-  const double start = stress_size(n.x, std::sqrt(second_invariant(n.s)));
-  return rock.tolerance * larger(larger(start, stress_size(x_end, q_end)), rock.stress_floor);
+  const double start = size_of_stress(n.x, second_invariant(n.s));
+  const double end = size_of_stress(x_end, q_end * q_end);
+  return rock.tolerance * larger(larger(start, end), rock.stress_floor);
 }
 
 BARRENO_FUNCTION Prediction predict_with(

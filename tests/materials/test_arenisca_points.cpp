@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arenisca's points in lanes: against the law written apart for one point, and each independent of
-// the others.
+// Arenisca's points in lanes against the law written apart for one point. That lanes and single
+// points have the same bits: test_arenisca_forms.cpp.
 #include "materials/arenisca_points.hpp"
 #include "materials/scalar_arenisca.hpp"
 
@@ -10,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <random>
 #include <vector>
 
 namespace barreno::test {
@@ -224,28 +222,6 @@ TEST(AreniscaLanes, TakeLongSteps) {
   }
 }
 
-/// A host with a single point (finite elements, drive) runs the same code.
-TEST(AreniscaLanes, GiveTheBitsOfSinglePoints) {
-  const ScalarArenisca model(berea(), 1.0);
-  RockSampler sampler(model, 5);
-  auto points = draw_points(400, [&] { return sampler.flowing(); });
-  for (const RockPoint& quiet : draw_points(100, [&] { return sampler.elastic(); }))
-    points.push_back(quiet);
-  const std::vector<Result> lanes = by_lanes(model, points);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Sym3 stress = points[i].stress;
-    Arenisca::History history = points[i].history;
-    const Outcome one = model.Arenisca::update(points[i].increment, stress, history);
-    ASSERT_EQ(!one.failed(), lanes[i].sound) << i;
-    EXPECT_EQ(std::memcmp(&stress, &lanes[i].stress, sizeof stress), 0) << i;
-    EXPECT_EQ(std::memcmp(&history, &lanes[i].history, sizeof history), 0) << i;
-    if (one.failed()) continue;
-    EXPECT_EQ(one.plastic_work, lanes[i].plastic_work) << i;
-    EXPECT_EQ(one.elastic_work, lanes[i].elastic_work) << i;
-    EXPECT_EQ(one.longitudinal_modulus, lanes[i].modulus) << i;
-  }
-}
-
 TEST(AreniscaLanes, RefuseWhatIsNotFinite) {
   const ScalarArenisca model(berea(), 1.0);
   RockSampler sampler(model, 6);
@@ -260,37 +236,6 @@ TEST(AreniscaLanes, RefuseWhatIsNotFinite) {
     if (lanes[i].sound) continue;
     EXPECT_EQ(lanes[i].stress.xx, points[i].stress.xx) << i;
     EXPECT_EQ(lanes[i].history.equivalent_plastic_strain, 0.1) << i;
-  }
-}
-
-/// A point's bits depend neither on its lane nor on its neighbours nor on their number: on that the
-/// reproducibility of runs rests.
-TEST(AreniscaLanes, NoPointDependsOnAnother) {
-  for (const Parameters& set : sets_of_all_kinds()) {
-    const ScalarArenisca model(set, 1.0);
-    RockSampler sampler(model, 21);
-    auto points = draw_points(4000, [&] { return sampler.anywhere(-6.0, -1.0); });
-    const std::vector<Result> lanes = by_lanes(model, points);
-    std::vector<std::size_t> order(points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::shuffle(order.begin(), order.end(), std::mt19937_64(4));
-    std::vector<RockPoint> shuffled;
-    shuffled.reserve(order.size());
-    for (const std::size_t i : order) shuffled.push_back(points[i]);
-    const std::vector<Result> others = by_lanes(model, shuffled);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const Result& a = lanes[order[i]];
-      ASSERT_EQ(0, std::memcmp(&a.stress, &others[i].stress, sizeof a.stress)) << i;
-      ASSERT_EQ(0, std::memcmp(&a.history, &others[i].history, sizeof a.history)) << i;
-      ASSERT_EQ(a.plastic_work, others[i].plastic_work) << i;
-      ASSERT_EQ(a.elastic_work, others[i].elastic_work) << i;
-      ASSERT_EQ(a.modulus, others[i].modulus) << i;
-    }
-    for (std::size_t i = 0; i < 200; ++i) {
-      const Result alone = by_lanes(model, {points[i]}).front();
-      ASSERT_EQ(0, std::memcmp(&alone.stress, &lanes[i].stress, sizeof alone.stress)) << i;
-      ASSERT_EQ(0, std::memcmp(&alone.history, &lanes[i].history, sizeof alone.history)) << i;
-    }
   }
 }
 

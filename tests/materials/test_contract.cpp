@@ -117,8 +117,6 @@ TYPED_TEST(Contract, ZeroIncrementChangesNothing) {
 /// (arenisca::fill_pores()), which is more.
 template <class Model>
 constexpr double round_off = 1e-12;
-template <>
-constexpr double round_off<GeneralWetArenisca> = 1e-11;
 
 TYPED_TEST(Contract, RotatedIncrementGivesRotatedStress) {
   const auto model = sample_model<TypeParam>();

@@ -148,8 +148,6 @@ template <>
 constexpr double round_trip<RatedWetArenisca> = 1e-5;
 template <>
 constexpr double round_trip<AngledWetArenisca> = 1e-5;
-template <>
-constexpr double round_trip<GeneralWetArenisca> = 1e-5;
 template <class Model>
 constexpr double open_part = 1e-4;
 template <>
@@ -158,8 +156,6 @@ template <>
 constexpr double open_part<RatedWetArenisca> = 0.01;
 template <>
 constexpr double open_part<AngledWetArenisca> = 0.01;
-template <>
-constexpr double open_part<GeneralWetArenisca> = 0.01;
 
 TYPED_TEST(Drain, ElasticPointsForgetWhatCameBack) {
   const auto model = sample_model<TypeParam>();

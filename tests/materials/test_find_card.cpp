@@ -3,6 +3,7 @@
 
 #include <barreno/find_card.hpp>
 #include <barreno/input/error.hpp>
+#include <barreno/models.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <barreno/models.hpp>
 #include <barreno/registry.hpp>
 #include <cmath>
 #include <string>

@@ -91,7 +91,7 @@ TEST(ScatteredArenisca, APieceIsRockOfItsOwnPeak) {
   }
 }
 
-/// The general form is written apart from this one.
+/// The general form divides its steps in its own way.
 TEST(ScatteredArenisca, TheGeneralFormAgrees) {
   Parameters p = Sample<ScatteredArenisca>::parameters();
   p.tolerance = 1e-6;
@@ -118,11 +118,11 @@ TEST(ScatteredArenisca, EveryFormVariesAlike) {
   Parameters wet = p;
   wet.fluid_B0 = 2.2e9;
   wet.backstress_strain = Parameters::poroplastic;
-  GeneralWetArenisca::History general_wet;
-  GeneralWetArenisca(wet, 2300.0).vary(general_wet, piece);
+  RatedWetArenisca::History rated_wet;
+  RatedWetArenisca(wet, 2300.0).vary(rated_wet, piece);
   EXPECT_NE(scattered.coherence, 1.0);
   EXPECT_EQ(scattered.coherence, general.coherence);
-  EXPECT_EQ(scattered.coherence, general_wet.coherence);
+  EXPECT_EQ(scattered.coherence, rated_wet.coherence);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(Tangent, DoesNotSeeTheChoiceOfSubsteps) {
   EXPECT_GT(steep, 5) << "no stress jumps: substeps need not be frozen any more";
 }
 
-using ModelsWithSubsteps = ::testing::Types<GeneralArenisca, GeneralWetArenisca>;
+using ModelsWithSubsteps = ::testing::Types<GeneralArenisca>;
 template <class Model>
 class ModelWithSubsteps : public ::testing::Test {};
 TYPED_TEST_SUITE(ModelWithSubsteps, ModelsWithSubsteps, ModelName);

@@ -116,6 +116,31 @@ def check_report(machine, folder):
     assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
 
 
+def check_plot(machine):
+    """A picture needs Matplotlib, the rest of drive does not."""
+    machine.built()
+    (machine.notes / "installed").unlink()
+    for words, plots in ((["--plot", "a.png"], True), (["--plot=a.png"], True), ([], False)):
+        result, calls = machine.run("drive", "--out", "a.csv", *words)
+        assert result.returncode == 0 and result.stdout.startswith("program drive --out a.csv"), result.stderr
+        installs = [call for call in calls if " install " in call]
+        assert any(call.endswith(" python3 python3-numpy python3-matplotlib") for call in installs) == plots, f"{words}: {calls}"
+
+
+def check_fit(machine, folder):
+    """Files that are missing are said before anything is installed; then the packages of a fit, the build, the program."""
+    refused(*machine.run("fit"), 1, "fit takes the files of tests")
+    refused(*machine.run("fit", folder / "nowhere.csv", "--out", "card.xml"), 2, "nowhere.csv does not exist")
+    machine.file("materials/python/barreno_fit/__main__.py", "import os, sys; print('fitted', sys.argv[1:], os.environ['BARRENO_LIBRARY'])")
+    (folder / "a test.csv").write_text("")
+    result, calls = machine.run("fit", folder / "a test.csv", "--out", "card.xml")
+    assert result.returncode == 0 and f"fitted ['{folder / 'a test.csv'}', '--out', 'card.xml']" in result.stdout, result.stderr
+    assert result.stdout.strip().endswith("a tree/build/release/materials/libBARRENO.so"), result.stdout
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-numpy", "python3-scipy"], packages
+    assert any(call.startswith("ninja") and "BARRENO" in call for call in calls), calls
+
+
 def check_words(machine):
     """What cannot be is said before anything is installed or built."""
     refused(*machine.run("run", "deck.xml", "--ranks", "100000000"), 1, "--ranks 100000000 is more than this machine can start")
@@ -125,7 +150,7 @@ def check_words(machine):
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 
@@ -148,7 +173,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_fit, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

@@ -68,11 +68,17 @@ TEST(CommandLine, ReadsTheOtherCommands) {
        "c",
        "--steps-per-row",
        "7",
+       "--every-step",
+       "--plot",
+       "d.png",
        "--set",
        "K=1"}
   );
   EXPECT_EQ(drive.drive.material + drive.drive.path + drive.drive.out, "abc");
-  EXPECT_EQ(drive.drive.steps_per_row, 7);
+  EXPECT_EQ(drive.drive.steps.per_row, 7);
+  EXPECT_TRUE(drive.drive.steps.every);
+  EXPECT_EQ(drive.drive.picture, "d.png");
+  EXPECT_FALSE(parse({"drive", "--material", "a", "--path", "b", "--out", "c"}).drive.steps.every);
   EXPECT_EQ(drive.drive.overrides, Words{"K=1"});
   const Options describe = parse({"describe", "Grid", "--markdown"});
   EXPECT_EQ(describe.section, "Grid");
@@ -125,18 +131,18 @@ TEST(CommandLine, RefusesWhatItDoesNotKnowWithTheNearestName) {
 
 TEST(CommandLine, RefusesWhatIsMissingOrTooMuch) {
   const std::pair<Words, const char*> refusals[] = {
-      {{"run"}, "no deck is named"},
-      {{"check", ""}, "no deck is named"},
-      {{"resume"}, "no run is named"},
-      {{"run", "a.xml", "b.xml"}, "\"b.xml\" comes after \"a.xml\""},
-      {{"run", "a.xml", "--out"}, "--out has no value after it"},
-      {{"run", "a.xml", "--out", ""}, "--out has no value after it"},
-      {{"run", "a.xml", "--out", "--overwrite"}, "--out has no value after it"},
+      {{"run"}, "the deck file is missing"},
+      {{"check", ""}, "the deck file is missing"},
+      {{"resume"}, "the run folder, which holds the checkpoint, is missing"},
+      {{"run", "a.xml", "b.xml"}, "\"b.xml\" follows \"a.xml\""},
+      {{"run", "a.xml", "--out"}, "--out needs a value"},
+      {{"run", "a.xml", "--out", ""}, "--out needs a value"},
+      {{"run", "a.xml", "--out", "--overwrite"}, "--out needs a value"},
       {{"run", "a.xml", "--ranks", "0"}, "--ranks 0 is not a number of ranks"},
       {{"run", "a.xml", "--ranks", "2x"}, "is not a number of ranks"},
-      {{"drive", "good.csv"}, "\"good.csv\" stands alone"},
+      {{"drive", "good.csv"}, "\"good.csv\" is not preceded by an option"},
       {{"drive", "--material", "a", "--path", "b"}, "--out is missing"},
-      {{"run", "a.xml", "--overwrite=yes"}, "--overwrite has a value (it takes none)"}};
+      {{"run", "a.xml", "--overwrite=yes"}, "--overwrite takes no value"}};
   for (const auto& [words, sentence] : refusals)
     EXPECT_NE(refusal(words).find(sentence), std::string::npos) << refusal(words);
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Demands fail when they must: no number, beyond the limit, beyond the worst value of an open one, and an open one that holds."""
+"""Requirements fail when they must: a value that is not finite, beyond the bound, beyond the largest value of an open
+requirement, and an open requirement that holds."""
 import math
 import pathlib
 import sys

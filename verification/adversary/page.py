@@ -20,8 +20,8 @@ Written by `verification/adversary/page.py` from `verification/results/adversary
 `verification/adversary/adversary.py BUILD` tries to break runs. Every test run includes its short form (`ctest -R verification.adversary`); `ctest -R slow.adversary` is the
 long one; `--out FILE` adds to the counts of earlier invocations.
 
-- **Option sets.** A shipped deck, at a size that runs in a twentieth of a second, with options drawn at random from what `barreno describe --markdown`
-  says of their kind, unit and bounds, so new options are included automatically. A change that `check` refuses, with one sentence that names
+- **Option sets.** A shipped deck, at a size that runs in a twentieth of a second, with options drawn at random according to the kind, unit and bounds
+  that `barreno describe --markdown` gives, so new options are included automatically. A change that `check` refuses, with one sentence that names
   it, is undone, until the deck is valid. The set is then run, and some sets are repeated in part: killed at random moments by
   SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, up to three times; run on two or three ranks, and resumed there from one; run
   by two processes that compete for one folder; killed with mpirun's process group and resumed at once; run under the address and undefined-behaviour
@@ -31,8 +31,8 @@ long one; `--out FILE` adds to the counts of earlier invocations.
   missing, under a valid seal.
 
 A finding is a crash by a signal or a sanitizer error, an internal error, a refusal that is not one sentence, a hang, a result that is not a finite number,
-mass that appears or vanishes, or files that differ from those of the uninterrupted run: every table, every field of particles.e and of the checkpoint, and what
-the summary reports of balances, bit for bit; with pore flow to 1e-5 of the largest value of a field.
+mass that appears or vanishes, or files that differ from those of the uninterrupted run: every table, every field of particles.e and of the checkpoint, and
+the balances in the summary, bit for bit; with pore flow to 1e-5 of the largest value of a field.
 
 """
 

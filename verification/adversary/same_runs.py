@@ -106,5 +106,5 @@ def unsound(folder):
         tables = []
         file.visititems(lambda name, item: tables.append(item) if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
         # Without a particle any step is stable.
-        wrong += [f"checkpoint.h5: {t.name} is no number" for t in tables if t.name != "/run/stable_step" and not np.all(np.isfinite(t[()]))]
+        wrong += [f"checkpoint.h5: {t.name} has values that are not finite" for t in tables if t.name != "/run/stable_step" and not np.all(np.isfinite(t[()]))]
     return wrong

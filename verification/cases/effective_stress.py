@@ -135,10 +135,10 @@ def drained(result, laws, library, full):
 def run(barreno, full):
     result = Result(
         "Effective stress",
-        "Saturated rock is as strong as dry rock under the pressure less the pore pressure, whatever either of them is.",
+        "Saturated rock is as strong as dry rock under the pressure minus the pore pressure, whatever their values.",
         "the dry limit surface and cap, from the oracle's own formulas, at P - p (Terzaghi). Undrained triaxial compression of the Berea card "
-        "with water and quartz, 3 % axial strain, pore pressure before the confinement is put on; drained, with a fluid of 10 Pa instead of "
-        "water, whose pressure stays what it is: the dry test under the difference of the pressures.",
+        "with water and quartz, 3 % axial strain, pore pressure applied before the confinement; drained, with a fluid of bulk modulus 10 Pa instead"
+        " of water, whose pressure stays constant: the dry test under the difference of the pressures.",
         ["test", "form", "confinement [MPa]", "initial pore pressure [MPa]", "stress difference at first flow [MPa]",
          "dry envelope at P - p there [MPa]", "peak stress difference [MPa]", "P there [MPa]", "p there [MPa]", "flow off the dry envelope, maximum"],
         [],
@@ -162,14 +162,14 @@ def run(barreno, full):
             result.demand(what, abs(peaks[one] / peaks[two] - 1.0), 1e-6)
     drained(result, laws, library, full)
     result.notes = (
-        "Water in the pores carries a part of every pressure, so that the grains are pressed together by P - p only, and it is this "
-        "pressure that friction and crushing know. The rows of `elastic centre` are those of the form that was the default before. Its "
-        "yield surface saw the initial pore pressure and the one that plastic strain makes, but not the one of elastic compression: where the tap "
-        "is open there is no such pressure, and both forms agree with dry rock at P - p. Where it is closed, rock of the old form flows later "
-        "than its own pore pressure allows: compare its first flow with the dry envelope at P - p next to it. When such rock dilates, the "
-        "pressure that its surface saw is soon gone, whatever the pressure of the fluid: at 100 MPa of confinement its strength was "
-        "that of dry rock at 100 MPa with any pore pressure up to 90 MPa.\n\n"
-        "Undrained rock that is sheared dilates, by the associated flow rule as much as friction asks for; its pore pressure falls and its "
-        "strength rises with strain. The peak is that at 3 % strain; what a test compares with the envelope is every point of flow."
+        "Water in the pores carries part of the total pressure, so the grains are pressed together by P - p only, and friction and crushing depend "
+        "on this effective pressure. The rows `elastic centre` belong to the form that was the default before. Its yield surface accounted for the "
+        "initial pore pressure and for that due to plastic strain, but not for that due to elastic compression. In drained tests there is none of "
+        "the latter, and both forms agree with dry rock at P - p. In undrained tests rock of the old form starts to yield later than its own pore "
+        "pressure allows: compare its first flow with the dry envelope at P - p in the next column. When such rock dilates, the pressure seen by "
+        "its yield surface soon vanishes, whatever the pressure of the fluid: at 100 MPa of confinement its strength was that of dry rock at 100 "
+        "MPa for any pore pressure up to 90 MPa.\n\n"
+        "Undrained rock dilates in shear, by the associated flow rule at the angle of friction; its pore pressure falls and its strength rises with"
+        " strain. The peak is the value at 3 % strain; every point of flow is compared with the envelope."
     )
     return result

@@ -47,9 +47,9 @@ def fine(barreno):
             f"plastic work {works[0]:.0f} J and {works[1]:.0f} J ({100 * (works[1] / works[0] - 1):+.0f} %)"
         )
     return (
-        f" In cells fine enough to hold the jet, to {FINE_END:g} us and from the outer face of the casing; " + "; ".join(told) + ". The jet's radius is 1.0 mm "
-        "at its tip, so that the smallest of these cells are half of it. Compare what the fluid does with what the cells do: depth is not yet "
-        "independent of them. Both rocks are plugs of 24 mm radius, whose sides the waves reach in this time."
+        f" In cells fine enough to hold the jet, to {FINE_END:g} us and from the outer face of the casing; " + "; ".join(told) + ". The jet's radius"
+        " is 1.0 mm at its tip, twice the size of the smallest of these cells. Compare the effect of the fluid with that of the cell size: the "
+        "depth is not yet independent of the cells. Both rocks are plugs of 24 mm radius, and the waves reach their sides within this time."
     )
 
 
@@ -73,8 +73,8 @@ def run(barreno, full):
     gone = max(r[-1] for r in result.rows)
     result.demand("particles removed, maximum", gone, 0.0)
     result.notes = (
-        "`verification/depth_against_permeability.py BARRENO` runs the sweep and draws it. The cells of 4 mm serve the comparison with the "
-        "limits only: they are twice as wide as the jet, whose depth in them says little about rock and nothing about what the fluid does to it."
+        "`verification/depth_against_permeability.py BARRENO` runs the sweep and draws it. The cells of 4 mm only serve the comparison with the "
+        "limits: they are twice as wide as the jet, so its depth says little about rock and nothing about the effect of the fluid."
     )
     if full:
         result.notes += fine(barreno)

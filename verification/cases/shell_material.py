@@ -184,10 +184,10 @@ def run(barreno, full):
         for ratio in RATIOS if full else RATIOS[1:2]:
             compressible(barreno, result, porosity, ratio)
     result.notes = (
-        "The compressible shells (`compressible_shell.py`) have nothing fitted either: drained modulus of the hollow sphere, modulus of its "
-        "solid, Y and porosity. What they differ by in loading is the rounded knee: a shell yields from its inner wall outwards while Arenisca "
-        "is elastic to the crush curve. The fewer the pores and the stiffer the solid, the larger is the elastic part before. In unloading the shell flows "
-        "again, inwards out, after a few tenths of a per cent of strain; a crush curve does not flow when pressure falls."
+        "The compressible shells (`compressible_shell.py`) have no fitted parameters either: drained modulus of the hollow sphere, modulus of its "
+        "solid, Y and porosity. In loading they differ by the rounded knee: a shell yields from its inner wall outwards, while Arenisca is elastic "
+        "up to the crush curve. The fewer the pores and the stiffer the solid, the larger the preceding elastic part. In unloading the shell yields"
+        " again, from the inner wall outwards, after a few tenths of a per cent of strain; a crush curve does not yield when the pressure falls."
     )
     return result
 

@@ -24,7 +24,7 @@ def settings_of(h, split, top, bottom):
         "Bodies/Lid/Upper": f"{corner}, {HEIGHT!r} m}}",
         "Loads/Piston/Body": "Lid",
         "Pore Flow/Rocks/Lid/Permeability": f"{{{permeability(10.0 / top)!r} m2}}",
-        # With solves as far apart as by default the error of the coarse meshes hangs on how they fall into the ramp.
+        # At the default interval between solves, the error of the coarse meshes depends on where the solves fall within the ramp.
         "Pore Flow/Diffusion Number": "0.5",
         "Time/End Time": repr(TIMES[-1]),
         "Output/Field Interval": repr(TIMES[0]),

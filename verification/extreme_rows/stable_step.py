@@ -65,7 +65,7 @@ def own_limit_rows(barreno, full, table):
         if part < 1.0:
             table.finishes(title, setup, done, GAIN, energy_gained, 1e-2)
         else:
-            table.stops(title, setup, done, 3, "energy that was put in", "Courant Fraction", "fastest particle")
+            table.stops(title, setup, done, 3, "energy supplied", "Courant Fraction", "fastest particle")
     table.stops(title, "Courant Fraction 1.2", attempt(barreno, bar("GIMP", 2, 1.2, 0.1)), 1, "Courant Fraction")
     longer = {"Initial Step": 1.0, "Growth Limit": 1e6, "Largest Step": 1.0}
     done = attempt(barreno, bar("GIMP", 2, 0.8, 2.0, **longer))

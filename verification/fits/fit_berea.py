@@ -1,238 +1,125 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fits materials/cards/berea_sandstone.xml to published data of Berea sandstone.
+"""Fits Berea sandstone with `barreno fit` and compares materials/cards/berea_sandstone.xml with the result.
 
-    fit_berea.py [PICTURE] [--document]
+    fit_berea.py [--out CARD.xml] [--document]
 
-Prints the misfit table and the parameters; with a file name as argument writes a picture of the fit, with --document
-verification/results/berea_fit.json, from which docs/materials/berea_fit.md has its table.
-
-Every datum says where it comes from and how sure it is:
-  looked up   the number was read in a stored copy of the source, or of a text that quotes it
-  recalled    from memory of the source, not checked against it for this fit
-  assumed     no measurement: an engineering choice
-`sigma` is the relative uncertainty that weighs the datum; it holds the scatter between blocks of Berea.
-Tension positive, I1 = tr(sigma), pressures in MPa and moduli in GPa as in the sources.
+The data and the card that the fit starts from are in verification/fits/berea: every datum says where it comes from and how sure it is
+(looked up in a stored copy of the source or in a text that quotes it; recalled from memory; assumed). The picture goes beside the card.
+--document writes verification/results/berea_fit.json, from which docs/materials/berea_fit.md has its tables, and the picture of that page.
+The library is that of BARRENO_LIBRARY, or of build/release.
 """
 
+import argparse
 import json
+import math
+import os
 import pathlib
+import shutil
+import subprocess
 import sys
-from typing import NamedTuple
-
-import numpy as np
+import tempfile
+import xml.etree.ElementTree as xml
 
 VERIFICATION = pathlib.Path(__file__).resolve().parents[1]
+ROOT = VERIFICATION.parent
+DATA = VERIFICATION / "fits" / "berea"
+SHIPPED = ROOT / "materials" / "cards" / "berea_sandstone.xml"
 STORED = VERIFICATION / "results" / "berea_fit.json"
-POROSITY = 0.20  # between the 19 % and 21 % of the blocks below
-GRAIN_DENSITY = 2650.0  # quartz [kg/m3]
+PICTURE = ROOT / "docs" / "pictures" / "berea_fit.png"
+LIBRARY = ROOT / "build" / "release" / "materials" / "libBARRENO.so"
+# The slope at high pressure has no datum of this rock; the shear strength of shocked quartz rock is 0.6 to 1.4 GPa at 5 GPa.
+HELD = ("YSLOPE=0.0724",)
+LABELS = {
+    "bulk_modulus": ("K at {at:.0f} MPa [GPa]", 1e9), "poissons_ratio": ("Poisson's ratio at {at:.0f} MPa", 1.0),
+    "crush_pressure": ("P* at 20 % porosity [MPa]", 1e6), "open_pores": ("pore strain left at {at:.0f} MPa", 1.0),
+    "triaxial": ("TXC peak at {at:.0f} MPa [MPa]", 1e6), "tensile_strength": ("uniaxial tension [MPa]", 1e6),
+    "compaction": ("Q at P = {at:.0f} MPa, onset [MPa]", 1e6),
+}  # fmt: skip
+MEGA, GIGA = 1e6, 1e9
+UNITS = {"PEAKI1": (MEGA, "MPa"), "STREN": (MEGA, "MPa"), "B0": (GIGA, "GPa"), "B1": (GIGA, "GPa"), "B2": (MEGA, "MPa"), "G0": (GIGA, "GPa"),
+         "p0_crush_curve": (MEGA, "MPa"), "p1_crush_curve": (1e-9, "1/GPa")}  # fmt: skip
 
 
-def least_squares(*arguments, **settings):
-    from scipy.optimize import least_squares as solve  # only a fit needs it, not a page of the stored one
-
-    return solve(*arguments, **settings)
-
-
-class Datum(NamedTuple):
-    at: float  # pressure or confining pressure [MPa]
-    value: float
-    sigma: float  # relative
-    source: str
+def fit(card):
+    """Runs the fit; its numbers."""
+    files = sorted(map(str, DATA.glob("*.csv")))
+    held = [word for text in HELD for word in ("--fix", text)]
+    words = [sys.executable, "-m", "barreno_fit", *files, "--start", str(DATA / "start.xml"), *held, "--out", str(card), "--name", "Berea Sandstone"]
+    environment = {"BARRENO_LIBRARY": str(LIBRARY), **os.environ, "PYTHONPATH": str(ROOT / "materials" / "python")}
+    subprocess.run(words, env=environment, check=True)
+    return json.loads(card.with_suffix(".json").read_text())
 
 
-BULK_MODULUS = [  # drained tangent K [GPa] at a hydrostatic pressure
-    Datum(10, 6.6, 0.20, "Hart & Wang 1995 JGR 100:17741, abstract, static; looked up"),
-    Datum(60, 11.0, 0.25, "Zimmerman 1991, compressibility of dry Berea, static; recalled"),
-    Datum(50, 15.0, 0.25, "dry ultrasonic Vp 3.85, Vs 2.4 km/s; recalled"),
-    Datum(300, 18.0, 0.35, "stiff frame of 18 % porosity quartz rock before crushing; assumed"),
-    Datum(5000, 36.0, 0.10, "grain modulus, Detournay & Cheng 1993 table; recalled"),
-]
-POISSON_RATIO = [
-    Datum(10, 0.17, 0.10, "Hart & Wang 1995, abstract; looked up"),
-    Datum(5000, 0.20, 0.25, "Detournay & Cheng 1993 table; recalled"),
-]
-CRUSH_PRESSURE = [  # P* [MPa] at porosity `at` [%]
-    Datum(19, 440.0, 0.05, "Zhang, Wong & Davis 1990 JGR 95:341, as quoted in a rock physics text; looked up"),
-    Datum(21, 380.0, 0.05, "Wong, David & Zhu 1997 JGR 102:3009; recalled"),
-]
-POROSITY_UNDER_CRUSHING = [  # part of the pore strain left at a pressure [MPa]
-    Datum(600, 0.70, 0.15, "Zhang, Wong & Davis 1990, figure of the porosity drop; recalled"),
-    Datum(3000, 0.01, 0.70, "shocked sandstones: pores closed at 3 to 5.5 GPa (Kieffer 1971); recalled"),
-]
-# Coulomb line of triaxial compression, 27.2 MPa and 27.8 degrees for confinement 0 to 200 MPa, 18.2 % porosity:
-# Goodman, Introduction to Rock Mechanics, table 3.3; looked up (quoted).
-COHESION, FRICTION = 27.2, np.radians(27.8)
-FLOW = (1 + np.sin(FRICTION)) / (1 - np.sin(FRICTION))
+def shipped_values():
+    return {entry.get("name"): entry.get("value") for entry in xml.parse(SHIPPED).getroot().iter("Parameter")}
 
 
-def coulomb(confinement):
-    return 2 * COHESION * np.sqrt(FLOW) + (FLOW - 1) * confinement
+def shipped_answers(files):
+    """{(file, row of the file): answer} of the shipped card in the same tests."""
+    sys.path.insert(0, str(ROOT / "materials" / "python"))
+    os.environ.setdefault("BARRENO_LIBRARY", str(LIBRARY))
+    from barreno_fit import card, data
+    from barreno_fit.answers import Laboratory
+    from barreno_fit.specimens import opened
+    from barreno_material import load
+
+    tests = [data.read_test(file) for file in files]
+    with opened(card.in_a_test(card.read(str(SHIPPED)), Tolerance=card.TOLERANCE), load()) as rock:
+        answers = Laboratory(tests).answers(rock)
+    return {(test.file, k): float(answer[test.channels[0]][k]) for test, answer in zip(tests, answers) for k in range(test.rows)}
 
 
-STRENGTH = [Datum(0, 73.8, 0.15, "unconfined strength, Goodman table 3.1; recalled")] + [
-    Datum(p, coulomb(p), 0.10, "Coulomb line, Goodman table 3.3; looked up") for p in (10.0, 25.0, 50.0, 100.0, 150.0, 200.0)
-]
-TENSION = Datum(0, 3.0, 0.30, "uniaxial tensile strength 2 to 4 MPa; recalled")
-# Onset of shear-enhanced compaction: differential stress over P* at mean stress over P*. Wide bounds: the pick of an
-# onset, and it must not outweigh the strength, which matters more under a jet.
-COMPACTION = [
-    Datum(0.50, 0.58, 0.30, "common yield envelope of porous sandstones, Wong et al. 1997; recalled"),
-    Datum(0.75, 0.45, 0.30, "same"),
-    Datum(0.90, 0.28, 0.40, "same"),
-]
-YSLOPE_ASSUMED = Datum(
-    0, 0.07, 0.10, "shear strength of shocked quartz rock, 0.6 to 1.4 GPa at 5 GPa; recalled, rough, held fast"
-)
-
-
-def pressure_term(scale, pressure):
-    return np.exp(-scale / (3 * pressure))
-
-
-def fit_moduli():
-    def model(v, p):
-        return v[0] + v[1] * pressure_term(v[2], p)
-
-    def residual(v):
-        return [np.log(model(v, d.at) / d.value) / d.sigma for d in BULK_MODULUS]
-
-    v = least_squares(residual, [6.0, 30.0, 300.0], bounds=([1, 1, 10], [20, 60, 2000])).x
-    nu0, nu1 = (d.value for d in POISSON_RATIO)
-    return v, (nu0, nu1 - nu0), [(f"K at {d.at:.0f} MPa [GPa]", d, model(v, d.at)) for d in BULK_MODULUS]
-
-
-def fit_crushing():
-    p3 = -np.log(1 - POROSITY)
-    # P* falls as (porosity times grain size)^-3/2 (Zhang et al. 1990): both blocks at this porosity.
-    scaled = [d.value * (d.at / (100 * POROSITY)) ** 1.5 for d in CRUSH_PRESSURE]
-    crush = float(np.exp(np.mean(np.log(scaled))))
-    rows = [(f"P* at {d.at:.0f} % [MPa]", d, crush * (100 * POROSITY / d.at) ** 1.5) for d in CRUSH_PRESSURE]
-
-    def left(p1, p):
-        return np.exp(-p1 * 3 * (p - crush))
-
-    def residual(v):
-        return [np.log(left(v[0], d.at) / d.value) / d.sigma for d in POROSITY_UNDER_CRUSHING]
-
-    p1 = least_squares(residual, [6e-4]).x[0]
-    rows += [(f"pore strain left at {d.at:.0f} MPa", d, left(p1, d.at)) for d in POROSITY_UNDER_CRUSHING]
-    return p3, crush, p1, rows
-
-
-def limit(v, x):
-    peak, slope, strength, far_slope = v[:4]
-    a2 = (slope - far_slope) / (strength - far_slope * peak)
-    a3 = (strength - far_slope * peak) * np.exp(-a2 * peak)
-    return strength - a3 * np.exp(a2 * x) - far_slope * x
-
-
-def meridian(v, x, crush):
-    peak, cr, X = v[0], v[4], -3 * crush
-    kappa = peak - cr * (peak - X)
-    c = np.where(x < kappa, (kappa - x) / (kappa - X), 0.0)
-    return limit(v, x) * np.sqrt(np.maximum(1 - c * c, 0.0))
-
-
-def bisect(too_small, low, high):
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if too_small(middle) else (low, middle)
-    return low
-
-
-def triaxial_yield(v, crush, confinement):
-    """Differential stress at which triaxial compression meets the surface with this crushing pressure."""
-    return bisect(lambda q: q / np.sqrt(3) < meridian(v, -(q + 3 * confinement), crush), 0.0, 5000.0)
-
-
-def compacts(v, crush, confinement):
-    """Whether the surface rises with I1 at yield: then the rock compacts and hardens (associated flow)."""
-    x = -(triaxial_yield(v, crush, confinement) + 3 * confinement)
-    return meridian(v, x + 0.1, crush) > meridian(v, x - 0.1, crush)
-
-
-def triaxial_peak(v, crush, confinement):
-    """Yield, or where that compacts the plateau at which the hardened cap flows without change of volume."""
-    if compacts(v, crush, confinement):
-        crush = bisect(lambda c: compacts(v, c, confinement), crush, 100 * crush)
-    return triaxial_yield(v, crush, confinement)
-
-
-def tensile(v):
-    return bisect(lambda t: t <= v[0] and t / np.sqrt(3) < limit(v, t), 0.0, 100.0)
-
-
-def strength_rows(v, crush):
-    rows = [(f"TXC peak at {d.at:.0f} MPa [MPa]", d, triaxial_peak(v, crush, d.at)) for d in STRENGTH]
-    rows.append(("uniaxial tension [MPa]", TENSION, tensile(v)))
-    for d in COMPACTION:
-        x = -3 * crush * d.at
-        rows.append((f"Q/P* at P/P* = {d.at}", d, np.sqrt(3) * float(meridian(v, x, crush)) / crush))
-    rows.append(("YSLOPE", YSLOPE_ASSUMED, v[3]))
-    return rows
-
-
-def fit_strength(crush):
-    def residual(v):
-        return [np.log(max(value, 1e-6) / d.value) / d.sigma for _, d, value in strength_rows(v, crush)]
-
-    start = [6.0, 0.5, 250.0, 0.05, 0.2]
-    fit = least_squares(residual, start, bounds=([1, 0.1, 50, 0.0, 0.05], [80, 1.5, 2000, 0.2, 0.9]),
-                        x_scale=[10, 0.5, 200, 0.05, 0.3])
-    return fit.x, strength_rows(fit.x, crush)
-
-
-def table_of(rows):
-    """Lines of a page from rows of label, datum, model, uncertainty, source."""
-    lines = ["| quantity | data | model | misfit | uncertainty | source |", "|---|---|---|---|---|---|"]
-    for label, data, value, sigma, source in rows:
-        lines.append(f"| {label} | {data:.4g} | {value:.4g} | {100 * (value / data - 1):+.0f} % | {100 * sigma:.0f} % | {source} |")
-    squares = [(np.log(value / data) / sigma) ** 2 for _, data, value, sigma, _ in rows]
-    return [*lines, "", f"Root mean square of misfit over uncertainty: {np.sqrt(np.mean(squares)):.2f} ({len(squares)} data)"]
+def to_store(numbers):
+    """What the page needs: rows of label, datum, answer of the shipped card, of the fit, uncertainty, source; parameters of shipped card, fit and range."""
+    rows, seen = [], {}
+    of_shipped = shipped_answers([file["file"] for file in numbers["files"]])
+    for row in numbers["rows"]:
+        seen[row["file"]] = seen.get(row["file"], -1) + 1
+        name = pathlib.Path(row["file"]).stem
+        label, scale = LABELS[name.split("_")[0] if name.startswith(("triaxial", "compaction")) else row["channel"]]
+        at = (row["at"] or 0.0) / MEGA
+        rows.append([label.format(at=at), row["data"] / scale, of_shipped[row["file"], seen[row["file"]]] / scale, row["model"] / scale, row["uncertainty"], row["source"]])
+    shipped = shipped_values()
+    parameters = []
+    for entry in numbers["parameters"]:
+        scale, unit = UNITS.get(entry["name"], (1.0, ""))
+        values = [float(shipped[entry["name"]]), entry["value"], entry["low"], entry["high"]]
+        parameters.append([entry["name"], unit, *(None if value is None else value / scale for value in values), entry["open"]])
+    return {"rows": rows, "parameters": parameters}
 
 
 def stored_part():
-    return table_of(json.loads(STORED.read_text()))
-
-
-def draw(name, v, crush):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    x = np.linspace(-3 * crush, v[0], 400)
-    plt.plot(-x, meridian(v, x, crush), label="initial surface")
-    plt.plot(-x, limit(v, x), "--", label="limit surface")
-    for d in STRENGTH:
-        plt.plot(d.value + 3 * d.at, d.value / np.sqrt(3), "ko")
-    for d in COMPACTION:
-        plt.plot(3 * crush * d.at, d.value * crush / np.sqrt(3), "s", color="tab:red")
-    plt.xlabel("-I1 [MPa]"), plt.ylabel("sqrt(J2) [MPa]"), plt.legend(), plt.savefig(name, dpi=120)
+    """Lines of the page."""
+    stored = json.loads(STORED.read_text())
+    lines = ["| quantity | data | shipped card | misfit | this fit | misfit | uncertainty | source |", "|---|---|---|---|---|---|---|---|"]
+    for label, data, shipped, value, sigma, source in stored["rows"]:
+        misfits = [f"{100 * (model / data - 1):+.0f} %" for model in (shipped, value)]
+        lines.append(f"| {label} | {data:.4g} | {shipped:.4g} | {misfits[0]} | {value:.4g} | {misfits[1]} | {100 * sigma:.0f} % | {source} |")
+    roots = [math.sqrt(sum((math.log(row[k] / row[1]) / row[4]) ** 2 for row in stored["rows"]) / len(stored["rows"])) for k in (2, 3)]
+    lines += ["", f"Root mean square of misfit over uncertainty: {roots[0]:.3f} of the shipped card, {roots[1]:.3f} of this fit ({len(stored['rows'])} data)", ""]
+    lines += ["| parameter | unit | shipped card | this fit | difference | 95 % range |", "|---|---|---|---|---|---|"]
+    for name, unit, shipped, value, low, high, _ in stored["parameters"]:
+        interval = f"{low:.4g} to {high:.4g}" if low is not None else "not determined"
+        lines.append(f"| {name} | {unit} | {shipped:.4g} | {value:.4g} | {100 * (value / shipped - 1):+.1f} % | {interval} |")
+    return lines + [""] + [f"- {entry[-1]}" for entry in stored["parameters"] if entry[-1]]
 
 
 def main():
-    (B0, B1, B2), (G1, G2), moduli = fit_moduli()
-    p3, crush, p1, crushing = fit_crushing()
-    v, strength = fit_strength(crush)
-    rows = [(label, d.value, float(value), d.sigma, d.source) for label, d, value in [*moduli, *crushing, *strength]]
-    print("\n".join(table_of(rows)) + "\n")
-    G0 = 1.5 * B0 * (1 - 2 * G1) / (1 + G1)
-    for name, value in [
-        ("Density", GRAIN_DENSITY * (1 - POROSITY)), ("PEAKI1", v[0] * 1e6), ("FSLOPE", v[1]),
-        ("STREN", v[2] * 1e6), ("YSLOPE", v[3]), ("CR", v[4]), ("B0", B0 * 1e9), ("B1", B1 * 1e9),
-        ("B2", B2 * 1e6), ("G0", G0 * 1e9), ("G1", G1), ("G2", G2), ("p0_crush_curve", -3 * crush * 1e6),
-        ("p1_crush_curve", p1 * 1e-6), ("p3_crush_curve", p3),
-    ]:
-        print(f"{name:16s} {value:.6g}")
-    pictures = [name for name in sys.argv[1:] if name != "--document"]
-    if pictures:
-        draw(pictures[0], v, crush)
-    if "--document" in sys.argv[1:]:
-        sys.path[:0] = [str(VERIFICATION)]
-        from pages import write_pages  # it asks this file for its part
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=pathlib.Path, help="the card (default: nowhere)")
+    parser.add_argument("--document", action="store_true")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        card = options.out or pathlib.Path(scratch) / "berea.xml"
+        numbers = fit(card)
+        if options.document:
+            sys.path[:0] = [str(VERIFICATION)]
+            from pages import write_pages  # it asks this file for its part
 
-        STORED.write_text(json.dumps(rows, indent=1) + "\n")
-        write_pages()
+            STORED.write_text(json.dumps(to_store(numbers), indent=1) + "\n")
+            shutil.copy(card.with_suffix(".png"), PICTURE)
+            write_pages()
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@
 // runs the deck on one rank and writes a uniform random sample of its point updates, in random
 // order: FLOWING (4096) that flow plastically and ELASTIC (1024) that do not.
 #include "base/error.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
 #include "scene/build_scene.hpp"
 #include "support/scenes.hpp"
 

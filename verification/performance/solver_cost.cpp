@@ -35,7 +35,7 @@ struct Reference {
 };
 
 double size_of(const PointState& s) {
-  return arenisca::stress_size(s.x, std::sqrt(second_invariant(s.s)));
+  return arenisca::size_of_stress(s.x, second_invariant(s.s));
 }
 
 /// The last of two step numbers; second order, so its error is a third of their difference.

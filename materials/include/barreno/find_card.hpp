@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/models.hpp"
-
 #include <string>
 
 namespace barreno {
+
+/// A model with its parameters: barreno/models.hpp.
+struct Material;
 
 /// File of a card that a user or a host names; with or without ".xml".
 ///

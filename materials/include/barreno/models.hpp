@@ -4,7 +4,6 @@
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/featured_arenisca.hpp"
 #include "barreno/models/general_arenisca.hpp"
-#include "barreno/models/general_wet_arenisca.hpp"
 #include "barreno/models/johnson_cook.hpp"
 #include "barreno/models/linear_elastic.hpp"
 #include "barreno/models/neo_hookean.hpp"
@@ -35,8 +34,7 @@ using AnyModel = std::variant<
     RatedWetArenisca,
     AngledArenisca,
     AngledWetArenisca,
-    GeneralArenisca,
-    GeneralWetArenisca>;
+    GeneralArenisca>;
 
 /// Name of a model, and that of its form where several models serve one name: "Arenisca wet".
 template <class Model, class = void>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "barreno/input/schema.hpp"
-#include "barreno/models.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_XMLObject.hpp>
@@ -11,6 +10,10 @@
 #include <vector>
 
 namespace barreno {
+
+/// A model with its parameters. Whoever makes one or looks into it includes barreno/models.hpp,
+/// which this header leaves out: names, tables and cards do not depend on the models' code.
+struct Material;
 
 /// The registry is generated from the list in models.hpp and from the models' own tables: what a
 /// deck may say, what the manual prints and what hosts ask for have one source.
@@ -21,7 +24,7 @@ struct ModelDescription {
   std::string summary;
   std::vector<input::Entry> parameters;    ///< in the order of the model's table
   std::vector<HistoryField> history;       ///< in the order of the History struct
-  std::vector<HistoryField> more_history;  ///< what its general form has besides, in no order
+  std::vector<HistoryField> more_history;  ///< what its other forms have besides, in no order
 };
 
 const std::vector<ModelDescription>& describe_models();
@@ -30,6 +33,7 @@ const std::vector<ModelDescription>& describe_models();
 const ModelDescription& find_model(const std::string& name);
 
 inline constexpr int card_schema_version = 1;
+inline constexpr const char* card_version_word = "Schema Version";  ///< its entry in a card
 
 /// The table of a card of this model: schema version, units, source, model, density and its
 /// parameters.

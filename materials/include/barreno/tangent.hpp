@@ -64,8 +64,7 @@ constexpr bool goes_in_lanes<Model, std::enable_if_t<(Model::groups_together > 0
 #endif
 /// Models that choose substeps by their error one point at a time.
 template <class Model>
-constexpr bool chooses_substeps =
-    std::is_same_v<Model, GeneralArenisca> || std::is_same_v<Model, GeneralWetArenisca>;
+constexpr bool chooses_substeps = std::is_same_v<Model, GeneralArenisca>;
 
 /// A model's update, and ends of the same step for strains close by that are smooth in them.
 template <class Model>

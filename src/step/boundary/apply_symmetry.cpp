@@ -32,7 +32,7 @@ struct ApplySymmetryToSums {
   ArrayView<double> sums, mirrored;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    if (planes.mirrors_axially)
+    if (planes.any_axial)
       for (std::size_t i = 0; i < 2; ++i) mirrored(first_mirrored(tile) + i) = 0.0;
     for (int i = 0; i < planes.count; ++i) {
       const SymmetryPlane& plane = planes.list[i];
@@ -68,8 +68,8 @@ struct ApplySymmetryToSums {
   }
 };
 
-/// Axial impulses that mirrors give to particles, what of them changes v^n, and what of that
-/// particles take.
+/// Axial impulses that symmetry planes give to particles, what of them changes v^n, and what of
+/// that particles take.
 struct MirrorTally {
   ReproducibleSum impulse, before, taken;
 };
@@ -90,7 +90,7 @@ struct ApplySymmetryToVelocities {
     const double dt = tile_frame(tile).dt;
     const double share = grid_share(dt);
     for (int i = 0; i < planes.count; ++i) mirror_tile(planes.list[i], tile, share, tally);
-    if (!planes.mirrors_axially) return;
+    if (!planes.any_axial) return;
     // With M p_I' for p_I' the grid holds -2 p_y more than the particles gave; what they take back
     // from nodes behind is -2 m v_y more than these would give unmirrored.
     const double* const of_tile = &mirrored(first_mirrored(tile));
@@ -146,7 +146,7 @@ struct ApplySymmetryToVelocities {
 void apply_symmetry_to_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes) {
   if (planes.count == 0) return;
   const Region region("apply_symmetry_to_sums");
-  if (planes.mirrors_axially) make_room("mirrored", first_mirrored(grid.active), nodes.mirrored);
+  if (planes.any_axial) make_room("mirrored", first_mirrored(grid.active), nodes.mirrored);
   launch(
       "apply_symmetry_to_sums",
       range(grid.active),

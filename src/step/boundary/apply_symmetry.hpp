@@ -14,15 +14,15 @@ namespace barreno {
 ///   m_I += m_I',   p_I += M p_I',   f_I += M f_I',   then m_I' = p_I' = f_I' = 0
 ///
 /// for every node I' behind the plane and its image I; M turns the component across the plane
-/// round. (Nodes behind it that are only held still take mass from the body: an error of the first
-/// order in the cell size.)
+/// round. (Nodes behind it that are only kept at rest take mass from the body: an error of the
+/// first order in the cell size.)
 ///
 /// A tile does this with its own part of the sums, before they are exchanged: whatever it gives
 /// behind a plane, the images are in its own patch.
 /// @post nodes.mirrored
 void apply_symmetry_to_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes);
 
-/// v_I' = M v_I behind the planes, and what the mirror gives to the axial momentum of the
+/// v_I' = M v_I behind the planes, and what the plane gives to the axial momentum of the
 /// particles.
 /// @pre nodes.motion holds the velocities of this step (solve_velocity)
 /// @param[in,out] tally  impulses are added

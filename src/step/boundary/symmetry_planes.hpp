@@ -24,7 +24,7 @@ struct SymmetryPlanes {
   int count = 0;
   /// Those across y last: they leave masses where the others would look for impedances.
   SymmetryPlane list[6];
-  bool mirrors_axially = false;  ///< one lies across y
+  bool any_axial = false;  ///< one lies across y
   bool at_lower[3] = {}, at_upper[3] = {};
   int last[3] = {};  ///< index of the upper face
 
@@ -39,7 +39,7 @@ struct SymmetryPlanes {
         const bool lower = face % 2 == 0;
         list[count++] = {axis, lower ? 0 : grid.cells[axis], lower};
         (lower ? at_lower : at_upper)[axis] = true;
-        mirrors_axially = mirrors_axially || across_y;
+        any_axial = any_axial || across_y;
       }
   }
 

@@ -68,7 +68,7 @@ struct FitSurfaceNormals {
   static constexpr std::size_t extent = moment_components(D);
   NodeCopies copies;
   ArrayView<TileFrame> tile_frame;
-  SymmetryPlanes mirrors;
+  SymmetryPlanes planes;
   unsigned bits;  ///< of both fields
   ArrayView<unsigned char> shared_tile, fields;
   ArrayView<double> first, second, normal;
@@ -87,12 +87,12 @@ struct FitSurfaceNormals {
     double a[extent], b[extent];
     copies.add(first, components, tile, slot, a);
     copies.add(second, components, tile, slot, b);
-    if (!(a[0] > 0.0) || !(b[0] > 0.0)) return;  // mass by a mirror alone
+    if (!(a[0] > 0.0) || !(b[0] > 0.0)) return;  // mass from images alone
     int at[3];
     copies.position(slot, at);
     bool mirrored[D];
     for (int d = 0; d < dimensions; ++d)
-      mirrored[d] = mirrors.holds(
+      mirrored[d] = planes.holds(
           d, tile_frame(tile).position[d] * copies.patch.tile_cells - copies.patch.reach + at[d]
       );
     separating_normal<D>(a, b, mirrored, n);
@@ -142,7 +142,7 @@ void fit_surface_normals(
     const Grid& grid,
     const VelocityFields& fields,
     const std::vector<Particles>& sets,
-    const SymmetryPlanes& mirrors,
+    const SymmetryPlanes& planes,
     const ContactNodes& contact
 ) {
   if (!has_surfaces(fields)) return;
@@ -159,7 +159,7 @@ void fit_surface_normals(
           FitSurfaceNormals<M::dimensions>{
               NodeCopies(grid),
               grid.tile_frame,
-              mirrors,
+              planes,
               bits_of(pair),
               contact.shared_tile,
               contact.fields,

@@ -23,7 +23,7 @@ void fit_surface_normals(
     const Grid& grid,
     const VelocityFields& fields,
     const std::vector<Particles>& sets,
-    const SymmetryPlanes& mirrors,
+    const SymmetryPlanes& planes,
     const ContactNodes& contact
 );
 

@@ -79,7 +79,7 @@ struct ChooseNormals {
   static constexpr int count = Directions<D>::count;
   NodeCopies copies;
   ArrayView<TileFrame> tile_frame;
-  SymmetryPlanes mirrors;
+  SymmetryPlanes planes;
   Directions<D> directions;
   unsigned bits;  ///< of both fields
   ArrayView<unsigned char> shared_tile, fields;
@@ -94,7 +94,7 @@ struct ChooseNormals {
       if ((fields(tile * patch.size + slot) & bits) == bits) choose(tile, slot, n + slot * normals);
   }
 
-  /// At a mirror the fit has said all that there is to say.
+  /// At a symmetry plane the fitted normal is final: it lies in the plane or across it.
   KOKKOS_INLINE_FUNCTION bool mirrored(int tile, int slot) const {
     int at[3];
     copies.position(slot, at);
@@ -102,7 +102,7 @@ struct ChooseNormals {
     for (int d = 0; d < dimensions; ++d)
       found =
           found ||
-          mirrors.holds(
+          planes.holds(
               d, tile_frame(tile).position[d] * copies.patch.tile_cells - copies.patch.reach + at[d]
           );
     return found;
@@ -160,7 +160,7 @@ void clear_reach(const Grid& grid, const ContactNodes& contact, const ArrayView<
 struct PairSurfaces {
   const Grid& grid;
   const std::vector<Particles>& sets;
-  const SymmetryPlanes& mirrors;
+  const SymmetryPlanes& planes;
   const ContactNodes& contact;
   FieldPair pair;
   ArrayView<double> normal, reach;
@@ -200,7 +200,7 @@ void compare_directions(const PairSurfaces& of, double spread, bool axes) {
       ChooseNormals<M::dimensions>{
           NodeCopies(of.grid),
           of.grid.tile_frame,
-          of.mirrors,
+          of.planes,
           directions,
           bits_of(of.pair),
           of.contact.shared_tile,
@@ -216,7 +216,7 @@ void refine_surface_normals(
     const Grid& grid,
     const VelocityFields& fields,
     const std::vector<Particles>& sets,
-    const SymmetryPlanes& mirrors,
+    const SymmetryPlanes& planes,
     const ContactNodes& contact
 ) {
   if (!has_surfaces(fields)) return;
@@ -225,7 +225,7 @@ void refine_surface_normals(
     for (std::size_t i = 0; i < fields.pairs.size(); ++i) {
       if (fields.pairs[i].kind == ContactKind::bonded) continue;
       const PairSurfaces surfaces{
-          grid, sets, mirrors, contact, fields.pairs[i], contact.normal[i], contact.reach[i]};
+          grid, sets, planes, contact, fields.pairs[i], contact.normal[i], contact.reach[i]};
       bool first = true;
       for (const double spread : spreads) {
         compare_directions<decltype(mode), decltype(shape)>(surfaces, spread, first);

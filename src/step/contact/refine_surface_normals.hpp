@@ -24,7 +24,7 @@ void refine_surface_normals(
     const Grid& grid,
     const VelocityFields& fields,
     const std::vector<Particles>& sets,
-    const SymmetryPlanes& mirrors,
+    const SymmetryPlanes& planes,
     const ContactNodes& contact
 );
 

@@ -60,7 +60,7 @@ KOKKOS_INLINE_FUNCTION void separating_normal(
     apart[i] = b.mean[i] - a.mean[i];
     for (int j = 0; j < dimensions; ++j) scatter[i][j] = a.scatter[i][j] + b.scatter[i][j];
   }
-  int across = -1;  // axis of a mirror that separates them better than all else does
+  int across = -1;  // axis of the symmetry plane that separates them best, if one does
   double most = 0.0;
   for (int d = 0; d < dimensions; ++d) {
     const double quality = apart[d] * apart[d] / scatter[d][d];

@@ -32,15 +32,15 @@ void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
   Kokkos::deep_copy(dormancy.summed_rows, 0);
 }
 
-/// Where a symmetry plane across y is within reach of a tile, its sums are no longer those that its
-/// particles gave (apply_symmetry_to_sums).
-struct AxialMirror {
+/// Where a symmetry plane across y is within reach of a tile, its sums are no longer those of its
+/// particles (apply_symmetry_to_sums).
+struct AxialPlanes {
   ArrayView<TileFrame> frame;
   Patch patch;
   bool at_lower, at_upper;
   int last;  ///< node of the upper face
 
-  explicit AxialMirror(const Grid& grid)
+  explicit AxialPlanes(const Grid& grid)
       : frame(grid.tile_frame),
         patch(grid.patch),
         at_lower(grid.mirrored[static_cast<std::size_t>(Face::y_lower)]),
@@ -52,8 +52,8 @@ struct AxialMirror {
   }
 };
 
-/// The rows of a set in a tile count, and a tile in which one of them moves is no candidate: it has
-/// a velocity, or a viscous pressure, which would go at once.
+/// Counts the rows of a set in each tile. A tile is not a candidate if a row moves: if it has a
+/// velocity, or a viscous pressure, which would vanish in the step.
 void look_at_rows(int tiles, const Particles& particles, const Dormancy& dormancy) {
   const ArrayView<int> tile_begin = particles.tile_begin, order = particles.order;
   const FieldView velocity = particles.velocity.values;
@@ -87,7 +87,7 @@ void take_stable_steps(
   const FieldView mass = particles.mass.values, volume = particles.volume.values;
   const FieldView modulus = particles.longitudinal_modulus.values;
   launch(
-      "dormant_steps",
+      "take_stable_steps",
       range(grid.active),
       KOKKOS_LAMBDA(const int tile) {
         if (dormancy.summed_rows(tile) >= 0) return;
@@ -156,14 +156,14 @@ void find_dormant_candidates(
   );
   for (const Particles& particles : sets) look_at_rows(grid.active, particles, dormancy);
   const ArrayView<unsigned char> sums_kept = nodes.sums_kept;
-  const AxialMirror mirror(grid);
+  const AxialPlanes planes(grid);
   launch(
       "find_dormant_candidates",
       range(grid.active),
       KOKKOS_LAMBDA(const int tile) {
         if (of.rows(tile) == 0) of.candidate(tile) = 0;
         const bool kept = of.candidate(tile) != 0 && of.summed_rows(tile) == of.rows(tile) &&
-                          !mirror.reaches(tile);
+                          !planes.reaches(tile);
         sums_kept(tile) = kept ? 1 : 0;
       }
   );

@@ -38,16 +38,12 @@ struct NodeScaleRule {
   }
 };
 
-inline NodeScales node_scales(const Scene& scene, double dt) {
-  return NodeScaleRule(scene.materials, scene.grid)(scene.grid.cell_size, dt);
-}
-
 /// Adds a number of a node in two parts (RowSum): which tile counts a node depends on the tiles
 /// that are active, and sums over a tile must not depend on that.
-KOKKOS_INLINE_FUNCTION void add_split(double number, const SplitScales& sizes, double (&sum)[2]) {
-  const double rounded = (number + sizes.first) - sizes.first;
+KOKKOS_INLINE_FUNCTION void add_split(double number, const SplitScales& scales, double (&sum)[2]) {
+  const double rounded = (number + scales.first) - scales.first;
   sum[0] += rounded;
-  sum[1] += ((number - rounded) + sizes.second) - sizes.second;
+  sum[1] += ((number - rounded) + scales.second) - scales.second;
 }
 
 }  // namespace barreno

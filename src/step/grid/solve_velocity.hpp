@@ -2,7 +2,7 @@
 #pragma once
 
 #include "state/dormancy.hpp"
-#include "step/boundary/node_conditions.hpp"
+#include "step/boundary/conditions_of_step.hpp"
 #include "step/grid/node_scales.hpp"
 #include "step/grid_share.hpp"
 #include "step/grid_tally.hpp"

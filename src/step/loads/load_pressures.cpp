@@ -39,7 +39,7 @@ void set_load_pressures(
   for (std::size_t l = 0; l < specs.size(); ++l) {
     const double pressure = load_pressure(specs[l], cavities[l], time);
     launch(
-        "set_load_pressure",
+        "set_load_pressures",
         range(1),
         KOKKOS_LAMBDA(const int) { loads.loads(l).pressure = pressure; }
     );

@@ -6,10 +6,10 @@
 #include "base/row_sum.hpp"
 #include "shape/patch_frame.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/material_point.hpp"
 #include "state/shape_fields.hpp"
 #include "step/loads/face_force.hpp"
 
-#include <barreno/history_values.hpp>
 #include <barreno/models.hpp>
 #include <barreno/tangent.hpp>
 #include <type_traits>
@@ -37,12 +37,8 @@ struct FindShearModuli {
   }
 
   KOKKOS_INLINE_FUNCTION double shear_modulus_of(int p) const {
-    Sym3 stress;
-    for (int c = 0; c < particles.stress.components; ++c) (&stress.xx)[c] = particles.stress(p, c);
-    typename Model::History history{};
-    double* const h = history_values<Model>(history);
-    for (int c = 0; c < Model::history_count; ++c) h[c] = particles.history(p, c);
-    return shear_modulus(model, stress, history);
+    const auto point = MaterialPoint<Model>::read(particles, p);
+    return shear_modulus(model, point.stress, point.history);
   }
 };
 

@@ -42,7 +42,7 @@ LostTally mark_lost(const RemovalRule& rule, const Particles& particles) {
   const FieldView mass = particles.mass.values;
   LostTally tally;
   launch_reduction(
-      "remove_lost",
+      "mark_lost",
       range(particles.count),
       KOKKOS_LAMBDA(const int p, LostTally& part) {
         const int cause = rule.cause_of(p);

@@ -15,20 +15,29 @@ void make_room(std::size_t tiles, std::size_t keys, Particles& particles) {
     particles.tile_begin = ArrayView<int>("tile_begin", tiles + tiles / 4 + 1);
 }
 
-/// cell_begin of every cell and of the one past the last; cell_end the same, to count on from.
-void count_in_cells(int keys, const Particles& particles) {
-  const ArrayView<int> begin = particles.cell_begin, end = particles.cell_end;
+void clear_counts(int keys, const Particles& particles) {
+  const ArrayView<int> end = particles.cell_end;
+  launch(
+      "clear_counts", range(keys + 1), KOKKOS_LAMBDA(const int k) { end(k) = 0; }
+  );
+}
+
+/// cell_end: rows of every cell.
+void count_in_cells(const Particles& particles) {
+  const ArrayView<int> end = particles.cell_end;
   const ArrayView<CellKey> key = particles.key;
   launch(
-      "sort_clear", range(keys + 1), KOKKOS_LAMBDA(const int k) { end(k) = 0; }
-  );
-  launch(
-      "sort_count",
+      "count_in_cells",
       range(particles.count),
       KOKKOS_LAMBDA(const int p) { fetch_add(end(index_of(key(p))), 1); }
   );
+}
+
+/// cell_begin of every cell and of the one past the last; cell_end the same, to count on from.
+void add_counts(int keys, const Particles& particles) {
+  const ArrayView<int> begin = particles.cell_begin, end = particles.cell_end;
   launch_scan(
-      "sort_scan",
+      "add_counts",
       range(keys + 1),
       KOKKOS_LAMBDA(const int k, int& sum, const bool last) {
         const int count = end(k);
@@ -38,17 +47,22 @@ void count_in_cells(int keys, const Particles& particles) {
   );
 }
 
-/// Rows of every cell, by id: rows fall into a cell in any order.
-void list_rows(int cells, int tiles, const Particles& particles) {
-  const ArrayView<int> begin = particles.cell_begin, end = particles.cell_end;
-  const ArrayView<int> order = particles.order, tile_begin = particles.tile_begin;
+/// Rows of every cell, in any order.
+void list_rows(const Particles& particles) {
+  const ArrayView<int> end = particles.cell_end, order = particles.order;
   const ArrayView<CellKey> key = particles.key;
-  const ArrayView<ParticleId> id = particles.id;
   launch(
-      "sort_list",
+      "list_rows",
       range(particles.count),
       KOKKOS_LAMBDA(const int p) { order(fetch_add(end(index_of(key(p))), 1)) = p; }
   );
+}
+
+/// The rows of every cell by id, and where those of a tile begin.
+void sort_by_id(int cells, int tiles, const Particles& particles) {
+  const ArrayView<int> begin = particles.cell_begin;
+  const ArrayView<int> order = particles.order, tile_begin = particles.tile_begin;
+  const ArrayView<ParticleId> id = particles.id;
   launch(
       "sort_by_id",
       range(tiles + 1),
@@ -72,8 +86,11 @@ void list_rows(int cells, int tiles, const Particles& particles) {
 void sort_by_cell(const Grid& grid, Particles& particles) {
   const int keys = grid.active * grid.patch.cells;
   make_room(static_cast<std::size_t>(grid.active), static_cast<std::size_t>(keys), particles);
-  count_in_cells(keys, particles);
-  list_rows(grid.patch.cells, grid.active, particles);
+  clear_counts(keys, particles);
+  count_in_cells(particles);
+  add_counts(keys, particles);
+  list_rows(particles);
+  sort_by_id(grid.patch.cells, grid.active, particles);
   particles.sorted = true;
 }
 

@@ -52,7 +52,7 @@ struct UpdateStress {
       if (entry(failed, i) != 0) treat_failure(group.first + i, fault, sums);
   }
 
-  /// Rows that are there and not held as debris.
+  /// Rows that are there and not debris.
   KOKKOS_INLINE_FUNCTION Mask alive(const Group& group) const {
     const bool may_hold = policy == BadParticlePolicy::hold;
     if (!may_hold && group.count == width<R>) return R{} <= 0.0;
@@ -145,9 +145,9 @@ struct UpdateStress {
       }
     }
     group.put_history(good, history, particles.history);
-    const SplitScales& sizes = particles.tally_scales.energy;
+    const SplitScales& scales = particles.tally_scales.energy;
     const auto enter = [&](const R& energy, RowSum<R>& sum, ReproducibleSum& beyond) {
-      sum.add(real::select(good, energy, 0.0), sizes, beyond);
+      sum.add(real::select(good, energy, 0.0), scales, beyond);
     };
     enter(elastic_work, tally.elastic, sums.elastic);
     enter(reference_volume * outcome.plastic_work, tally.plastic, sums.plastic);
@@ -202,7 +202,7 @@ struct UpdateStress {
       const Group group = group_at(row, rows);
       if (rows.skips(row)) continue;  // find_dormant_tiles knows the step that they allow
       Update update = begin(group, begun[count]);
-      // Points that are held or have expanded too far need no end of their update.
+      // Debris and points that have expanded too far skip the second part of the update.
       const Mask left = model.start_points(update) & alive(group) & (!dormant(group)) &
                         (update.increment.volume_ratio_end <= largest_expansion);
       if (real::any(left)) {
@@ -217,7 +217,7 @@ struct UpdateStress {
     finish();
   }
 
-  /// A run of rows, so that the lanes' sums meet rarely.
+  /// All rows of a launch index, so that the sums of the lanes are added up rarely.
   KOKKOS_INLINE_FUNCTION void operator()(Rows rows, StressTally& sums) const {
     Tally tally;
     if constexpr (updates_in_parts<Model, R>)
@@ -270,14 +270,16 @@ StressTally update_stress(
             spec.density(),
             step.largest_expansion,
             RowFrames(grid, particles)};
-        constexpr int run =
-            updates_in_parts<Model, typename RealFor<Model>::type> ? max_summed_rows : 64;
+        // A model that packs its yielding points needs many of them at once.
+        constexpr int together = updates_in_parts<Model, typename RealFor<Model>::type>
+                                     ? max_summed_rows
+                                     : rows_per_chunk;
         launch_reduction(
             "update_stress",
-            range((rows.end - rows.begin + run - 1) / run),
-            KOKKOS_LAMBDA(const int r, StressTally& part) {
-              const int begin = rows.begin + r * run;
-              const int end = rows.end - begin < run ? rows.end : begin + run;
+            range((rows.end - rows.begin + together - 1) / together),
+            KOKKOS_LAMBDA(const int i, StressTally& part) {
+              const int begin = rows.begin + i * together;
+              const int end = rows.end - begin < together ? rows.end : begin + together;
               kernel(Rows{begin, end, rows.chunks}, part);
             },
             TallyReducer<StressTally>(sums)

@@ -16,7 +16,7 @@ void mark_tiles(
 ) {
   const FieldView position = particles.position.values;
   launch(
-      "occupied_tiles",
+      "mark_tiles",
       range(particles.count),
       KOKKOS_LAMBDA(const int p) { holds(lattice.cell_at(position, p).tile) = 1; }
   );

@@ -11,11 +11,12 @@ namespace barreno {
 
 namespace {
 
-/// Particles of a run are taken together: their loop vectorises, and so do the sums over them.
+/// The particles of a chunk are processed together: their loop vectorises, and so do the sums over
+/// them.
 template <class M>
 struct AccelerateParticles {
   FieldView velocity, grid_motion, mass;
-  TallyScales sizes;
+  TallyScales scales;
   RowFrames frames;
   GridShare grid_share;
 
@@ -44,15 +45,15 @@ struct AccelerateParticles {
       kinetic[k] = 0.5 * m * new_square;
     }
     add_masses(begin, count, tally);
-    add_chunk(gain, count, sizes.energy, tally.gain);
-    add_chunk(kinetic, count, sizes.energy, tally.kinetic);
-    add_chunk(momentum, count, sizes.momentum, tally.momentum);
+    add_chunk(gain, count, scales.energy, tally.gain);
+    add_chunk(kinetic, count, scales.energy, tally.kinetic);
+    add_chunk(momentum, count, scales.momentum, tally.momentum);
   }
 
   KOKKOS_INLINE_FUNCTION void add_masses(int begin, int count, ParticleTally& tally) const {
     double masses[rows_per_chunk];
     for (int k = 0; k < count; ++k) masses[k] = mass(begin + k, 0);
-    add_chunk(masses, count, sizes.mass, tally.mass);
+    add_chunk(masses, count, scales.mass, tally.mass);
   }
 };
 
@@ -62,8 +63,8 @@ ParticleTally accelerate_rows(const Kernel& kernel, Rows rows) {
   launch_reduction(
       "accelerate_particles",
       range((rows.end - rows.begin + rows_per_chunk - 1) / rows_per_chunk),
-      KOKKOS_LAMBDA(const int run, ParticleTally& part) {
-        const int begin = rows.begin + run * rows_per_chunk;
+      KOKKOS_LAMBDA(const int chunk, ParticleTally& part) {
+        const int begin = rows.begin + chunk * rows_per_chunk;
         const int left = rows.end - begin;
         const int count = left < rows_per_chunk ? left : rows_per_chunk;
         if (rows.skips(begin))

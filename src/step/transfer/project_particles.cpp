@@ -15,14 +15,14 @@ namespace {
 
 using Sums = Pack<sum_components>;
 
-/// What one particle gives to its nodes: S times mass and momentum, and the resultants of its
+/// Contributions of one particle to its nodes: S times mass and momentum, and the resultants of its
 /// stress, -V (sigma - q I), times the gradients of S.
 template <class M>
-struct Given;
+struct Contributions;
 
 /// In two dimensions one pack holds all of it.
 template <class M>
-struct GivenInPlane {
+struct ContributionsInPlane {
   enum { mass, momentum_x, momentum_y, force_xx, force_xy, force_yy, force_hoop, nothing };
   alignas(sizeof(Sums)) double value[sum_components];
 
@@ -56,13 +56,13 @@ struct GivenInPlane {
   }
 };
 template <>
-struct Given<Axisymmetric> : GivenInPlane<Axisymmetric> {};
+struct Contributions<Axisymmetric> : ContributionsInPlane<Axisymmetric> {};
 template <>
-struct Given<PlaneStrain> : GivenInPlane<PlaneStrain> {};
+struct Contributions<PlaneStrain> : ContributionsInPlane<PlaneStrain> {};
 
 /// In three dimensions the forces across y and z go into a second pack.
 template <>
-struct Given<ThreeDimensional> {
+struct Contributions<ThreeDimensional> {
   enum { mass, momentum_x, momentum_y, momentum_z, force_xx, force_xy, force_xz, nothing };
   enum { again_xy, force_yy, force_yz, again_xz, force_zz };
   alignas(sizeof(Sums)) double value[sum_components];
@@ -121,10 +121,11 @@ struct ProjectParticles {
   KOKKOS_INLINE_FUNCTION void batch(int tile, const BatchRows& rows, Sums* patch) const {
     SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
-    Given<M> given[rows_per_batch];
+    Contributions<M> contributions[rows_per_batch];
     BARRENO_IVDEP
-    for (int k = 0; k < rows_per_batch; ++k) given[k].find(particles, rows.row[k]);
-    for (int k = 0; k < rows.count; ++k) given[k].add_to(patch, frame.patch, supports.get(k));
+    for (int k = 0; k < rows_per_batch; ++k) contributions[k].find(particles, rows.row[k]);
+    for (int k = 0; k < rows.count; ++k)
+      contributions[k].add_to(patch, frame.patch, supports.get(k));
   }
 };
 

@@ -17,7 +17,7 @@ void clear_nodes(const Grid& grid, Nodes& nodes);
 ///
 /// and in axisymmetry f_I,r -= V_p (sigma_zz - q_p) T_Ip (z the hoop direction).
 ///
-/// Tiles that keep their sums (Nodes::kept) have them already.
+/// Tiles that keep their sums (Nodes::sums_kept) have them already.
 ///
 /// @param[in]     particles  sorted by place_particles since they last moved
 /// @param[in,out] nodes      sums of each tile's own particles in its own patch: partial

@@ -6,7 +6,7 @@
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/shape_fields.hpp"
-#include "step/contact/node_moments.hpp"
+#include "step/transfer/node_moments.hpp"
 
 namespace barreno {
 namespace {

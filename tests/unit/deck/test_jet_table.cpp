@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
-#include "deck/jet_table.hpp"
+#include "deck/files/jet_table.hpp"
 #include "scene/jet.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "deck/deck_schema.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/files/read_deck.hpp"
 #include "scene/build_scene.hpp"
 
 #include <Teuchos_DefaultSerialComm.hpp>
@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <barreno/input/scan_xml.hpp>
+#include <barreno/models.hpp>
 #include <barreno/registry.hpp>
 #include <cmath>
 #include <filesystem>

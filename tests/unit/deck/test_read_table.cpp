@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
-#include "deck/read_solver_lists.hpp"
-#include "deck/read_table.hpp"
+#include "deck/files/read_solver_lists.hpp"
+#include "deck/files/read_table.hpp"
 
 #include <Teuchos_XMLObject.hpp>
 

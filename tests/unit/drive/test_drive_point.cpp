@@ -39,7 +39,7 @@ std::vector<PathRow> path_of(const std::vector<Mat3>& gradients, double interval
 }
 
 std::vector<DrivenRow> drive_elastic(const std::vector<Mat3>& gradients, int steps = 1) {
-  return drive_point(elastic(), path_of(gradients), steps, "path");
+  return drive_point(elastic(), path_of(gradients), {steps}, "path");
 }
 
 Sym3 uniaxial_stress(double log_strain) {
@@ -140,7 +140,7 @@ public:
     return rows;
   }
   std::vector<DrivenRow> run(const std::vector<Mat3>& rows, int steps) const {
-    return drive_point(material, path_of(rows, 1e-7), steps, "path");
+    return drive_point(material, path_of(rows, 1e-7), {steps}, "path");
   }
 };
 TYPED_TEST_SUITE(Drive, AllModels, ModelName);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "deck/read_surface.hpp"
+#include "deck/files/read_surface.hpp"
 #include "geometry/fill.hpp"
 
 #include <gtest/gtest.h>

@@ -49,7 +49,7 @@ TEST(SpaceStress, OfAUniaxialStressPointsAlongTheTurnedAxis) {
 TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
   const Scene scene = synthetic::make_scene();
   State state = synthetic::make_state(scene, Teuchos::DefaultComm<int>::getComm());
-  const Material& rock = scene.materials[1].material();
+  const MaterialSpec& rock = scene.materials[1];
   const std::vector<std::string> names = particle_field_names(rock, 2);
   EXPECT_EQ(names.back(), "equivalent_plastic_strain");
   Particles& set = state.particles[1];
@@ -58,7 +58,7 @@ TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
   set.stress(0, 3) = 2.0;
   set.volume(0) *= 0.5;
   std::vector<double> values;
-  append_particle_fields(HostParticles(set), 0, rock.density, values);
+  append_particle_fields(HostParticles(set), 0, rock.density(), values);
   ASSERT_EQ(values.size(), names.size());
   const auto value = [&](const char* name) {
     return values[static_cast<std::size_t>(
@@ -71,7 +71,7 @@ TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
   EXPECT_NEAR(
       value("density"), 2.0 * 2000.0, 1e-9
   );  // 2000: the mass that make_state gives to set 1
-  EXPECT_NEAR(value("volume_ratio"), rock.density / 4000.0, 1e-12);
+  EXPECT_NEAR(value("volume_ratio"), rock.density() / 4000.0, 1e-12);
 }
 
 }  // namespace

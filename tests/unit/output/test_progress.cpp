@@ -40,7 +40,7 @@ TEST(Progress, LogsALineEveryTenthAndEachWarningOnce) {
   EXPECT_EQ(warnings.find("warning: 3 odd things"), 0U) << warnings;
   EXPECT_EQ(std::count(screen.begin(), screen.end(), '\n'), 11);
   EXPECT_NE(
-      log.find("warning: 3 odd things by t = 1 s.\nwarning: odd things: 4 times in all\n"),
+      log.find("warning: 3 odd things by t = 1 s.\nwarning: odd things: 4 times in total\n"),
       std::string::npos
   );
 }

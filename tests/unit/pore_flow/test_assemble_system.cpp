@@ -15,7 +15,7 @@ PoreNetwork two_cells(bool filled, bool emptied) {
   cells.cells.resize(2);
   for (PoreCell& cell : cells.cells) {
     cell.storage = 2.0;
-    cell.held = 5.0;
+    cell.content = 5.0;
     cell.gap = 0.25;
   }
   cells.filled = {static_cast<char>(filled), 0};

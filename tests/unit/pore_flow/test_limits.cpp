@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rock that lets nothing through is undrained rock, and any rank count gives the same answer.
+#include "barreno/models.hpp"
 #include "barreno/registry.hpp"
 #include "support/scenes.hpp"
 

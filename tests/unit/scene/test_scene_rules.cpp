@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/pore_flow_section.hpp"
+#include "deck/sections/pore_flow_section.hpp"
 #include "deck/table.hpp"
 #include "scene/dormant.hpp"
 #include "scene/heat.hpp"
@@ -105,8 +105,8 @@ TEST(Heat, IsTakenByModelsThatKnowIt) {
 }
 
 TEST(Porous, IsAMaterialWhoseFluidDrains) {
-  EXPECT_FALSE(is_porous(testing::copper().material()));
-  EXPECT_FALSE(is_porous(testing::elastic(1e9, 0.2, 2500.0).material()));
+  EXPECT_FALSE(testing::copper().is_porous());
+  EXPECT_FALSE(testing::elastic(1e9, 0.2, 2500.0).is_porous());
   BodySpec body;
   const LinearElastic glass({1e9, 0.6e9}, 2500.0);
   EXPECT_TRUE(initial_state_of(glass, body).possible);

@@ -189,8 +189,8 @@ TEST_P(BadParticles, StopTheRunWithASentenceThatNamesTheCause) {
   }
 }
 
-/// What is no number spreads to the neighbours within the step: the run must not go on.
-TEST_P(BadParticles, StopTheRunWhereTheirMotionIsNoNumber) {
+/// NaN spreads to the neighbours within the step, so the run must not continue.
+TEST_P(BadParticles, StopTheRunWhereTheirMotionIsNotFinite) {
   const Scene scene = block(GetParam(), BadParticlePolicy::stop);
   State state = testing::start(scene);
   harm(state, lose_volume);

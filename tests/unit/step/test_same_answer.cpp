@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer does not depend on the order of particles, the decomposition or the units.
+#include "barreno/models.hpp"
 #include "barreno/registry.hpp"
 #include "grid/partition.hpp"
 #include "shape/visit_kernels.hpp"

@@ -2,7 +2,7 @@
 // What sets the transfers apart: rotation, linear velocities, what they lose.
 #include "shape/visit_kernels.hpp"
 #include "state/shape_fields.hpp"
-#include "step/contact/node_moments.hpp"
+#include "step/transfer/node_moments.hpp"
 #include "support/scenes.hpp"
 #include "unit/step/transfer_cases.hpp"
 

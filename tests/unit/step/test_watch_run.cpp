@@ -61,7 +61,7 @@ TEST(WatchRun, SaysThatEnergyCameFromNowhere) {
   for (Particles& particles : state.particles)
     for (int p = 0; p < particles.count; ++p) particles.velocity(p, 1) = 4.0;
   const std::string wrong = watched(scene, state, energy_interval);
-  EXPECT_NE(wrong.find("times the energy that was put in at t = "), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("times the energy supplied at t = "), std::string::npos) << wrong;
   EXPECT_NE(wrong.find("Courant Fraction"), std::string::npos) << wrong;
   EXPECT_EQ(state.clock.step, energy_interval);
 }

@@ -29,17 +29,15 @@ struct MeridianCurve {
     count.add();
     if (s >= quarter_turn) {
       const double x = smaller(origin + (s - quarter_turn) * width, surface.vertex);
-      const double curved = surface.linear() ? 0.0 : surface.a3 * std::exp(surface.a2 * x);
-      return {x, surface.limit(x), width, -(surface.a2 * curved + surface.a4) * width};
+      const LimitOf<double> l = limit_at(surface, x);
+      return {x, l.value, width, l.slope * width};
     }
     const double length = cap.kappa - cap.X;
     const double half = std::sin(0.5 * s);
     const double x = cap.X + 2.0 * length * half * half;
-    const double curved = surface.linear() ? 0.0 : surface.a3 * std::exp(surface.a2 * x);
-    const double limit = surface.a1 - curved - surface.a4 * x;
-    const double slope = -surface.a2 * curved - surface.a4;
+    const LimitOf<double> l = limit_at(surface, x);
     const double dx = length * std::sin(s);
-    return {x, limit * std::sin(s), dx, slope * dx * std::sin(s) + limit * std::cos(s)};
+    return {x, l.value * std::sin(s), dx, l.slope * dx * std::sin(s) + l.value * std::cos(s)};
   }
   /// Half the derivative of the squared distance to the trial point along the curve.
   BARRENO_FUNCTION double operator()(double s) {
@@ -114,7 +112,7 @@ struct ConsistencyOfEta {
 
   BARRENO_FUNCTION Returned returned(double eta) {
     const double evp = trial.evp + eta * devp0;
-    const Cap cap = crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
+    const Cap cap = crush.has_cap(evp) ? cap_with(surface, crush.strength(evp)) : Cap{};
     return return_without_hardening(surface, trial, cap, count, resolution);
   }
   /// Negative while eta is too small.
@@ -124,7 +122,7 @@ struct ConsistencyOfEta {
     if (closed && devp0 < 0.0) return 1.0;
     if (closed) return -1.0;
     // Hardening may swallow the trial point: then the surface has moved too far.
-    const Cap cap = crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
+    const Cap cap = crush.has_cap(evp) ? cap_with(surface, crush.strength(evp)) : Cap{};
     if (surface.contains(trial.x, trial.q * trial.q, cap, count)) return 1.0;
     const double devp =
         return_without_hardening(surface, trial, cap, count, resolution).evp - trial.evp;
@@ -148,7 +146,7 @@ BARRENO_FUNCTION Returned return_bisection(
   if (crush.p3 == 0.0) return first;
   if (devp0 >= 0.0 && clears_cap(surface, crush, first.x, first.evp)) return first;
   if (devp0 == 0.0) {
-    return trial.cap.present ? first : return_with_closed_pores(surface, crush, trial);
+    return trial.cap.present ? first : closed_pores(surface, crush, trial);
   }
   ConsistencyOfEta<Crush, Counter> consistency{surface, crush, trial, devp0, count, resolution};
   // Steep retraction of the cap: the paper's eta <= 1 does not hold, and there may be several
@@ -163,7 +161,7 @@ BARRENO_FUNCTION Returned return_bisection(
   }
   const double start = larger(trial.evp, crush.last_open());
   if (!trial.cap.present && consistency((start - trial.evp) / devp0) >= 0.0) {
-    return return_with_closed_pores(surface, crush, trial);
+    return closed_pores(surface, crush, trial);
   }
   const double X = trial.cap.present ? trial.cap.X : crush.strength(start);
   const double farthest = (trial.x - X) / (trial.triple_bulk * devp0);
@@ -177,7 +175,7 @@ BARRENO_FUNCTION Returned return_bisection(
   const double eta = bisect(consistency, below, above, resolution);
   const double evp = trial.evp + eta * devp0;
   if (evp <= crush.last_open()) {
-    return return_with_closed_pores(surface, crush, trial);
+    return closed_pores(surface, crush, trial);
   }
   // evp as bisected: that of the closest point at eta multiplies the last digit of evp by the ratio
   // of dX/d(evp) to 3K, thousands where the pores are all but closed.

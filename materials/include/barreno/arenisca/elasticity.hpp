@@ -1,18 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/portability.hpp"
+#include "barreno/arenisca/selection.hpp"
+#include "barreno/real.hpp"
 
 #include <cmath>
 
 namespace barreno::arenisca {
 
 /// Tangent bulk and shear modulus at a state [stress].
-struct Moduli {
-  double bulk, shear;
+template <class R>
+struct ModuliOf {
+  R bulk{}, shear{};
+};
+using Moduli = ModuliOf<double>;
+
+/// exp(B2/I1) and its two derivatives by I1: all pressure dependence enters through this one
+/// number, so a second-order step needs one exponential only.
+template <class R>
+struct PressureTermOf {
+  R value{}, slope{}, curvature{};
 };
 
-/// Nonlinear isotropic elasticity of the drained rock, I1 = tr(sigma), tension positive.
+/// Nonlinear isotropic elasticity of the drained rock, I1 = tr(sigma), tension positive; of one
+/// point or several (real.hpp).
 ///
 ///   I1 >= 0 or evp > 0:    K = B0, G = G0
 ///   I1 < 0 and evp <= 0:   K = B0 + B1 exp(B2/I1) - B3 exp(B4/evp)   (last term for evp < 0)
@@ -27,53 +38,99 @@ struct Elasticity {
   /// The moduli jump where rock becomes dilated; |evp| below this counts as at the jump (round-off
   /// of an isochoric flow is not dilation).
   static constexpr double at_jump = 1e-12;
-  BARRENO_FUNCTION static bool dilated(double evp) { return evp > at_jump; }
+  template <class R>
+  BARRENO_FUNCTION static MaskOf<R> dilated(const R& evp) {
+    return evp > at_jump;
+  }
   /// Plastic strain at which to take the moduli when the way to `evp_end` began at `evp_begin`: at
   /// the jump itself those of the side it came from.
-  BARRENO_FUNCTION static double seen_from(double evp_begin, double evp_end) {
-    return dilated(evp_begin) && std::fabs(evp_end) <= at_jump ? 2.0 * at_jump : evp_end;
+  template <class R>
+  BARRENO_FUNCTION static R seen_from(const R& evp_begin, const R& evp_end) {
+    const MaskOf<R> from_dilated = dilated(evp_begin) & (real::abs(evp_end) <= at_jump);
+    return real::select(from_dilated, 2.0 * at_jump, evp_end);
+  }
+  /// Whether the jump lies between two plastic volume strains.
+  template <class R>
+  BARRENO_FUNCTION MaskOf<R> crosses_jump(const R& begin, const R& end) const {
+    if (B1 == 0.0 && B3 == 0.0 && !variable_ratio()) return none_of<R>();
+    return ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
   }
   /// Part of the way from one evp to the other at which the jump lies; 1 if it does not lie
   /// between.
   BARRENO_FUNCTION double way_to_jump(double evp_begin, double evp_end) const {
-    const bool between =
-        (evp_begin < -at_jump && evp_end > at_jump) || (evp_begin > at_jump && evp_end < -at_jump);
-    if (!between || (B1 == 0.0 && B3 == 0.0 && !variable_ratio())) return 1.0;
-    return evp_begin / (evp_begin - evp_end);
+    return crosses_jump(evp_begin, evp_end) ? evp_begin / (evp_begin - evp_end) : 1.0;
   }
 
   BARRENO_FUNCTION bool variable_ratio() const { return G1 != 0.0 && G2 != 0.0; }
 
-  /// exp(B2/I1) and its two derivatives by I1: all pressure dependence enters through this one
-  /// number, so a second-order step needs one exponential only.
-  struct PressureTerm {
-    double value, slope, curvature;
-  };
-  BARRENO_FUNCTION PressureTerm pressure_term(double I1, double evp) const {
-    if (I1 >= 0.0 || dilated(evp) || (B1 == 0.0 && !variable_ratio())) return {0.0, 0.0, 0.0};
-    const double inverse = 1.0 / I1, ratio = B2 * inverse;
-    const double value = std::exp(ratio);
-    const double slope = -ratio * inverse * value;
+  template <class R>
+  BARRENO_FUNCTION PressureTermOf<R> pressure_term(const R& I1, const R& evp) const {
+    const MaskOf<R> pressed = (I1 < 0.0) & (evp <= at_jump);
+    if ((B1 == 0.0 && !variable_ratio()) || !real::any(pressed)) return {};
+    const R inverse = 1.0 / real::select(pressed, I1, -1.0);
+    const R ratio = B2 * inverse;
+    const R value = real::select(pressed, real::exp(ratio), 0.0);
+    const R slope = -ratio * inverse * value;
     return {value, slope, -slope * inverse * (ratio + 2.0)};
   }
 
   /// Elastic-plastic coupling B3 exp(B4/evp): crushed rock is softer than its pressure says
   /// [stress].
-  BARRENO_FUNCTION double coupling(double I1, double evp) const {
-    if (B3 == 0.0 || I1 >= 0.0 || evp >= 0.0) return 0.0;
-    return B3 * std::exp(B4 / evp);
+  template <class R>
+  BARRENO_FUNCTION R coupling(const R& I1, const R& evp) const {
+    if (B3 == 0.0) return R{};
+    const MaskOf<R> coupled = (I1 < 0.0) & (evp < 0.0);
+    if (!real::any(coupled)) return R{};
+    return real::select(coupled, B3 * real::exp(R(B4 / real::select(coupled, evp, -1.0))), 0.0);
   }
 
-  BARRENO_FUNCTION Moduli moduli(double pressure_value, double coupling_value) const {
-    const double bulk = B0 + B1 * pressure_value - coupling_value;
-    if (!variable_ratio()) return {bulk, G0};
-    return {bulk, shear_from_ratio(bulk, G1 + G2 * pressure_value)};
+  template <class R>
+  BARRENO_FUNCTION ModuliOf<R> moduli(const R& pressure_value, const R& coupling_value) const {
+    const R bulk = B0 + B1 * pressure_value - coupling_value;
+    if (!variable_ratio()) return {bulk, R{} + G0};
+    const R nu = G1 + G2 * pressure_value;
+    return {bulk, shear_from_ratio(bulk, nu)};
   }
-  BARRENO_FUNCTION Moduli moduli_at(double I1, double evp) const {
+  template <class R>
+  BARRENO_FUNCTION ModuliOf<R> moduli_at(const R& I1, const R& evp) const {
     return moduli(pressure_term(I1, evp).value, coupling(I1, evp));
   }
+  /// Moduli half way to a change of I1, to second order.
+  template <class R>
+  BARRENO_FUNCTION ModuliOf<R> moduli_midway(
+      const PressureTermOf<R>& term, const R& coupling_value, const R& change
+  ) const {
+    const R middle = term.value + 0.5 * term.slope * change;
+    return moduli(R(real::smaller(real::larger(middle, 0.0), 1.0)), coupling_value);
+  }
+  /// Moduli at the end of an elastic change of I1: a parabola in I1 for short ones in compression
+  /// (its relative error in exp(B2/I1) is below (B2/I1 dI1/I1)^3, here 1e-6), else the exponential.
+  /// @param asked where they are asked for
+  template <class R>
+  BARRENO_FUNCTION ModuliOf<R> moduli_after(
+      const MaskOf<R>& asked,
+      const R& x_n,
+      const R& evp,
+      const R& x_end,
+      const PressureTermOf<R>& term,
+      const R& coupling_value
+  ) const {
+    constexpr double short_step = 0.01;
+    const R change = x_end - x_n;
+    const MaskOf<R> is_short =
+        (x_n < 0.0) & (evp <= at_jump) &
+        (real::abs(change) * (real::abs(x_n) + B2) <= short_step * x_n * x_n);
+    R value = term.value + change * (term.slope + 0.5 * change * term.curvature);
+    R coupled = coupling_value;
+    if (real::any(asked & !is_short)) {
+      value = real::select(is_short, value, pressure_term(x_end, evp).value);
+      coupled = real::select(is_short, coupled, coupling(x_end, evp));
+    }
+    return moduli(value, coupled);
+  }
 
-  BARRENO_FUNCTION static double shear_from_ratio(double bulk, double nu) {
+  template <class R>
+  BARRENO_FUNCTION static R shear_from_ratio(const R& bulk, const R& nu) {
     return 1.5 * bulk * (1.0 - 2.0 * nu) / (1.0 + nu);
   }
 

@@ -15,8 +15,8 @@
 
 namespace barreno::arenisca {
 
-/// Everything about a rock with pore fluid, rate dependence, variability or third invariant that a
-/// point update reads.
+/// Everything that a point update of the forms for comparison reads: pore fluid in a published
+/// form, the paper's return, with the other features of a card.
 struct GeneralRock {
   Elasticity elasticity;
   double PEAKI1, FSLOPE, STREN, YSLOPE, CR;
@@ -59,17 +59,9 @@ struct PointRock {
     filling = fluid.filling_strain(mu);
   }
 
-  /// The meridian at a Lode angle of which Gamma is this.
-  BARRENO_FUNCTION YieldSurface scaled_surface(double gamma) const {
-    YieldSurface s = surface;
-    s.a1 *= gamma;
-    s.a3 *= gamma;
-    s.a4 *= gamma;
-    s.steepest *= gamma;
-    return s;
-  }
   BARRENO_FUNCTION bool has_cap(double e) const { return rock.crush.has_cap(e); }
   BARRENO_FUNCTION double last_open() const { return rock.crush.last_open(); }
+  BARRENO_FUNCTION double closed() const { return rock.crush.closed(); }
   BARRENO_FUNCTION double strength(double e) const {
     const double dry = rock.crush.strength(e);
     if (rock.published.present()) return rock.published.strength(rock.elasticity, dry, e);
@@ -77,7 +69,7 @@ struct PointRock {
     return saturated_strength(fluid, rock.elasticity, at_centre(e), dry, e);
   }
   BARRENO_FUNCTION Cap cap_at(double e) const {
-    return has_cap(e) ? surface.cap_at(strength(e)) : Cap{};
+    return has_cap(e) ? cap_with(surface, strength(e)) : Cap{};
   }
   BARRENO_FUNCTION FluidState at_centre(double e) const {
     return fluid_at(fluid, rock.elasticity, e, mu, filling);
@@ -141,7 +133,7 @@ struct PublishedReturn {
   BARRENO_FUNCTION At at(double devp) const {
     const double evp = trial.evp + devp;
     const double seen = trial.x - (point.zeta(evp) - zeta);
-    const Cap cap = point.has_cap(evp) ? surface.cap_at(point.strength(evp)) : Cap{};
+    const Cap cap = point.has_cap(evp) ? cap_with(surface, point.strength(evp)) : Cap{};
     if (surface.contains(seen, trial.q * trial.q, cap, count)) {
       return {{seen, trial.q, evp}, 0.0};
     }
@@ -207,7 +199,7 @@ struct ReturnOverAngles {
   BARRENO_FUNCTION Returned at(double angle, double gamma) const {
     Trial part = trial;
     part.q = trial.q * std::cos(angle - theta);
-    return return_in_half_plane(point, point.scaled_surface(gamma), part, zeta, count);
+    return return_in_half_plane(point, scaled_surface(point.surface, gamma), part, zeta, count);
   }
   BARRENO_FUNCTION double operator()(double angle) const {
     const Lode::Value g = point.rock.lode.at(angle);

@@ -32,7 +32,7 @@ struct GeneralTrial {
   Trial part;  ///< with the full sqrt(J2)
   Sym3 s;      ///< stress deviator [stress]
   double theta;
-  bool round;    ///< the Lode angle has no part in it
+  bool round;    ///< independent of the Lode angle
   bool outside;  ///< of the surface at the start
 };
 
@@ -47,7 +47,7 @@ BARRENO_FUNCTION GeneralTrial make_trial(
     Counter& count
 ) {
   const Lode& lode = point.rock.lode;
-  const double beta = point.rock.beta, metric = 9.0 * beta * beta * used.bulk / used.shear;
+  const double metric = return_metric(point.rock.beta, used);
   GeneralTrial t{};
   t.s = n.s + (2.0 * used.shear) * de;
   const double J2 = second_invariant(t.s), q = std::sqrt(J2);
@@ -55,7 +55,7 @@ BARRENO_FUNCTION GeneralTrial make_trial(
   t.round = !lode.active() || q == 0.0;
   t.theta = t.round ? 0.0 : lode_angle(t.s);
   const double gamma = t.round ? 1.0 : lode.at(t.theta).gamma;
-  t.outside = !point.scaled_surface(gamma).contains(t.part.x, J2, cap, count);
+  t.outside = !scaled_surface(point.surface, gamma).contains(t.part.x, J2, cap, count);
   return t;
 }
 
@@ -136,10 +136,10 @@ BARRENO_FUNCTION GeneralEnd take_elastically(
 }
 
 BARRENO_FUNCTION double distance(const GeneralState& a, const GeneralState& b) {
-  return stress_size(a.x - b.x, std::sqrt(second_invariant(a.s - b.s)));
+  return size_of_stress(a.x - b.x, second_invariant(a.s - b.s));
 }
 BARRENO_FUNCTION double size_of(const GeneralState& n) {
-  return stress_size(n.x, std::sqrt(second_invariant(n.s)));
+  return size_of_stress(n.x, second_invariant(n.s));
 }
 
 /// The elastic part of a substep that ends outside: its fraction, and its end. Without it two half

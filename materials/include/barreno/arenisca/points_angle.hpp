@@ -108,25 +108,6 @@ BARRENO_FUNCTION TurnedAngle<R> turned_by(
   return {c, s, lode_value(lode, cosine, sine)};
 }
 
-/// The surface of another strength at the same pressure.
-template <class R>
-BARRENO_FUNCTION SurfaceOf<R> scaled_surface(SurfaceOf<R> s, const R& gamma) {
-  s.a1 = gamma * s.a1;
-  s.a3 = gamma * s.a3;
-  s.a4 = gamma * s.a4;
-  s.steepest = gamma * s.steepest;
-  return s;
-}
-/// Its meridian, where that of strength 1 is known.
-template <class R>
-BARRENO_FUNCTION MeridianOf<R> scaled_meridian(MeridianOf<R> m, const R& gamma) {
-  m.limit = gamma * m.limit;
-  m.limit_slope = gamma * m.limit_slope;
-  m.curved = gamma * m.curved;
-  m.slope = gamma * m.slope;
-  return m;
-}
-
 /// Dry or wet rock with overstress, of which pieces can have a strength of their own.
 template <class Whole>
 struct RatedRock : ScatteredRock<Whole> {

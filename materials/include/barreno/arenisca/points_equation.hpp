@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/points.hpp"
+#include "barreno/arenisca/flow_rule.hpp"
+#include "barreno/arenisca/rock.hpp"
 
 namespace barreno::arenisca {
-
-/// Trial states outside the surface, see Trial.
-template <class R>
-struct TrialOf {
-  R x, q;
-  R metric;       ///< 9 beta^2 K/G
-  R triple_bulk;  ///< 3K [stress]
-  R evp;
-  CapOf<R> cap;  ///< at that evp
-};
 
 /// The equation of the return at evp + gain, and the point of the surface there, with derivatives
 /// by the gain.
@@ -26,9 +17,9 @@ struct ReturnEquation {
   R q{}, dq{};
 };
 
-/// CompactingSide or DilatingSide (return_map.hpp) from the meridian; without the cap the second is
-/// the return to the limit surface. Both are positive below the solution, and have the same sign on
-/// the compacting side: there the form is taken that is the smoother one.
+/// The condition of the closest point (flow_rule.hpp) from the meridian; without the cap that is
+/// the return to the limit surface. Positive below the solution; on the compacting side the form is
+/// taken that is the smoother one.
 /// @param compact where the compacting side is meant
 template <class R, class Law>
 BARRENO_FUNCTION void close_equation(
@@ -37,24 +28,14 @@ BARRENO_FUNCTION void close_equation(
   constexpr double near_tip = 0.3;
   const MeridianOf<R>& m = e.m;
   const R dx = -trial.triple_bulk;
-  const R dX = real::select(m.on_cap, e.cap.slope, 0.0);
-  const R dlength = (rock.surface.CR - 1.0) * dX;
-  const R dc =
-      real::select(m.on_cap, (rock.surface.CR * dX - dx - m.c * dlength) * m.inverse_length, 0.0);
-  const R dcap_squared = -2.0 * m.c * dc;
-  const R dlimit = m.limit_slope * dx;
-  const R curvature = -(rock.surface.a2 * rock.surface.a2) * m.curved;
-  const R dslope =
-      curvature * dx * m.cap_squared + m.limit_slope * dcap_squared +
-      (dlimit * m.c + m.limit * (dc - m.c * dlength * m.inverse_length)) * m.inverse_length;
+  const MeridianRateOf<R> d = meridian_rate(rock.surface, m, dx, e.cap.slope);
   const R back = e.x - trial.x;
-  const R fc = real::sqrt(real::larger(m.cap_squared, 0.0));
-  const R dfc = real::select(fc > 0.0, 0.5 * dcap_squared / fc, 0.0);
-  e.q = m.limit * fc;
-  e.dq = dlimit * fc + m.limit * dfc;
-  const R over = trial.q - e.q;
-  e.f = back * fc - trial.metric * over * m.slope;
-  e.df = dx * fc + back * dfc - trial.metric * (over * dslope - e.dq * m.slope);
+  const ShearStrengthOf<R> s = shear_strength(m, d);
+  e.q = s.q;
+  e.dq = s.dq;
+  const NormalityOf<R> normal = normality(trial, m, back, dx, d, s);
+  e.f = normal.f;
+  e.df = normal.df;
   if (!real::any(compact)) return;
   // Past the top of the meridian: enough compaction, by no matter how much.
   const MaskOf<R> past_top = compact & !(m.slope > 0.0);
@@ -62,17 +43,13 @@ BARRENO_FUNCTION void close_equation(
   e.df = real::select(past_top, 0.0, e.df);
   const MaskOf<R> at_tip = compact & (m.cap_squared < near_tip) & (m.slope > 0.0);
   if (!real::any(at_tip)) return;
-  const R whole = back + trial.metric * m.limit * m.slope;
-  const R dwhole = dx + trial.metric * (dlimit * m.slope + m.limit * dslope);
-  const R inverse = 1.0 / whole;
-  const R shear = trial.metric * trial.q;
-  const R ratio = shear * m.slope * inverse;
-  const R dratio = (shear * dslope - ratio * dwhole) * inverse;
-  e.f = real::select(at_tip, m.cap_squared - ratio * ratio, e.f);
-  e.df = real::select(at_tip, dcap_squared - 2.0 * ratio * dratio, e.df);
+  const TipRatioOf<R> t = tip_ratio(trial, m, back);
+  const R dratio = tip_ratio_rate(trial, m, dx, d, t);
+  e.f = real::select(at_tip, m.cap_squared - t.value * t.value, e.f);
+  e.df = real::select(at_tip, d.cap_squared - 2.0 * t.value * dratio, e.df);
   // At the solution fc = ratio; towards the tip that form of q is the smooth one.
-  e.q = real::select(at_tip, m.limit * ratio, e.q);
-  e.dq = real::select(at_tip, dlimit * ratio + m.limit * dratio, e.dq);
+  e.q = real::select(at_tip, m.limit * t.value, e.q);
+  e.dq = real::select(at_tip, d.limit * t.value + m.limit * dratio, e.dq);
 }
 
 /// @param capped  where the cap plays a part
@@ -92,16 +69,6 @@ BARRENO_FUNCTION ReturnEquation<R> return_equation(
   return e;
 }
 
-template <class R>
-BARRENO_FUNCTION CapOf<R> select_points(
-    const MaskOf<R>& choice, const CapOf<R>& yes, const CapOf<R>& no
-) {
-  return {
-      MaskOf<R>((choice & yes.present) | ((!choice) & no.present)),
-      real::select(choice, yes.X, no.X),
-      real::select(choice, yes.kappa, no.kappa),
-      real::select(choice, yes.slope, no.slope)};
-}
 /// A point that is done keeps its own while others go on.
 template <class R>
 BARRENO_FUNCTION void advance_points(

@@ -268,11 +268,7 @@ BARRENO_FUNCTION void finish_flow(
     a.elastic_work =
         0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de - dep);
   }
-  // At the jump of the moduli itself those of the side it came from, see Elasticity::seen_from().
-  constexpr double at_jump = Elasticity::at_jump;
-  const MaskOf<R> from_dilated = (p.evp > at_jump) & (real::abs(r.evp) <= at_jump);
-  a.moduli =
-      moduli_of_state(rock.elasticity, r.x, R(real::select(from_dilated, 2.0 * at_jump, r.evp)));
+  a.moduli = rock.elasticity.moduli_at(r.x, Elasticity::seen_from(p.evp, r.evp));
   if constexpr (Law::wet) {
     const R rise = p.rise - p.fall * devp;
     const FilledOf<R> filled = fill_pores(

@@ -13,7 +13,6 @@ namespace barreno::arenisca {
 template <class R>
 struct HalfPlane {
   const CrushCurve& crush;
-  const CrushRates& rates;
   double stress_floor;
   SurfaceOf<R> surface;
 };
@@ -30,7 +29,7 @@ BARRENO_FUNCTION ReturnedOf<R> return_after_turn(
     const TurnedAngle<R>& to
 ) {
   const HalfPlane<R> there = {
-      rock.crush, rock.rates, rock.stress_floor, scaled_surface(rock.surface, to.strength.gamma)};
+      rock.crush, rock.stress_floor, scaled_surface(rock.surface, to.strength.gamma)};
   TrialOf<R> part = trial;
   part.q = trial.q * to.cosine;
   const MeridianOf<R> m = scaled_meridian(at_trial, to.strength.gamma);

@@ -1,51 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/points.hpp"
+#include "barreno/arenisca/rock.hpp"
 
 namespace barreno::arenisca {
 
 // Rock of which every piece has a strength of its own (weibull.hpp): the limit surface is that of
 // PEAKI1 times the piece's coherence, all else is the card's.
-
-/// YieldSurface of several pieces. CR, the slope at the vertex and whether the surface is straight
-/// are the same for all of them.
-template <class R>
-struct SurfaceOf {
-  R a1{}, a2{}, a3{}, a4{};
-  R peak{}, vertex{};  ///< [stress]
-  R steepest{};
-  double CR = 0.0;
-  bool straight = true;
-
-  BARRENO_FUNCTION bool linear() const { return straight; }
-};
-
-/// make_yield_surface() of several peaks.
-template <class R>
-BARRENO_FUNCTION SurfaceOf<R> make_surfaces(
-    const R& peak, double FSLOPE, double STREN, double YSLOPE, double CR
-) {
-  SurfaceOf<R> s;
-  s.peak = s.vertex = peak;
-  s.CR = CR;
-  s.steepest = R{} + FSLOPE;
-  s.straight = STREN == 0.0 || FSLOPE == 0.0;
-  if (STREN == 0.0) {
-    s.a1 = peak * FSLOPE;
-    s.a4 = R{} + FSLOPE;
-  } else if (FSLOPE == 0.0) {
-    s.a1 = R{} + STREN;
-    s.vertex = R{} + std::numeric_limits<double>::infinity();
-  } else {
-    const R room = STREN - YSLOPE * peak;
-    s.a1 = R{} + STREN;
-    s.a2 = (FSLOPE - YSLOPE) / room;
-    s.a3 = room * real::exp(R(-s.a2 * peak));
-    s.a4 = R{} + YSLOPE;
-  }
-  return s;
-}
 
 /// Dry or wet rock whose pieces differ; which surface a point has is known with its coherence.
 template <class Whole>
@@ -64,7 +25,7 @@ struct PiecesOf : Whole {
 
   BARRENO_FUNCTION PiecesOf(const ScatteredRock<Whole>& rock, const R& coherence)
       : Whole(static_cast<const Whole&>(rock)),
-        surface(make_surfaces(
+        surface(make_yield_surface(
             R(rock.PEAKI1 * coherence), rock.FSLOPE, rock.STREN, rock.YSLOPE, rock.surface.CR
         )),
         first_cap(cap_of(*this, R{})) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/points.hpp"
+#include "barreno/arenisca/rock.hpp"
 
 namespace barreno::arenisca {
 

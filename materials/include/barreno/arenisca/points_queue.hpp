@@ -19,7 +19,7 @@ struct LaneQueue {
   struct Place {
     int group, lane;
   };
-  Step blocks[max_groups];
+  Step packed[max_groups];                ///< lane groups
   Place places[max_groups * lane_count];  ///< where each came from
   int count = 0;
 
@@ -32,34 +32,34 @@ struct LaneQueue {
       std::memcpy(target + w * sizeof(Lanes), source + w * sizeof(Lanes), 8);
   }
   void put(const Step& from, int lane, Place place) {
-    copy_lane(from, lane, blocks[count / lane_count], count % lane_count);
+    copy_lane(from, lane, packed[count / lane_count], count % lane_count);
     places[count++] = place;
   }
-  int block_count() const { return (count + lane_count - 1) / lane_count; }
+  int group_count() const { return (count + lane_count - 1) / lane_count; }
 
-  /// One attempt of each; those that are done go home.
+  /// One attempt of each; those that are done are copied back to the groups that they came from.
   void advance(const Law& rock, Step* home) {
-    const int blocks_now = block_count(), count_now = count;
-    for (int i = count; i < blocks_now * lane_count; ++i) {
+    const int groups_now = group_count(), count_now = count;
+    for (int i = count; i < groups_now * lane_count; ++i) {
       // Idle lanes repeat a point that is there, so that they meet nothing unusual.
-      copy_lane(blocks[0], 0, blocks[i / lane_count], i % lane_count);
-      blocks[i / lane_count].active[i % lane_count] = 0;
+      copy_lane(packed[0], 0, packed[i / lane_count], i % lane_count);
+      packed[i / lane_count].active[i % lane_count] = 0;
     }
-    for (int b = 0; b < blocks_now; ++b) advance_step(rock, blocks[b]);
+    for (int g = 0; g < groups_now; ++g) advance_step(rock, packed[g]);
     count = 0;
     for (int i = 0; i < count_now; ++i) {
-      const Step& block = blocks[i / lane_count];
+      const Step& group = packed[i / lane_count];
       const Place place = places[i];
-      if (block.active[i % lane_count] != 0)
-        put(block, i % lane_count, place);
+      if (group.active[i % lane_count] != 0)
+        put(group, i % lane_count, place);
       else
-        copy_lane(block, i % lane_count, home[place.group], place.lane);
+        copy_lane(group, i % lane_count, home[place.group], place.lane);
     }
   }
 };
 
 /// Carries the steps of groups to their end: the first attempt of a group that is mostly active
-/// where it is, the rest packed.
+/// in place, the rest packed.
 template <class Law, std::size_t max_groups>
 inline void finish_steps(const Law& rock, StepOf<Lanes, Law> (&steps)[max_groups], int count) {
   LaneQueue<Law, max_groups> queue;

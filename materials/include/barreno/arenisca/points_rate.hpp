@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/points.hpp"
-#include "barreno/outcome.hpp"
+#include "barreno/arenisca/points_shear.hpp"
+#include "barreno/arenisca/rate.hpp"
 
 namespace barreno::arenisca {
 
-// Overstress of one or several points: Duvaut-Lions with the relaxation time tau = T1 |D|^-T2,
-// exact for constant rates within the step,
-//
-//   o' = (elastic change - quasi-static change) (1 - exp(-dt/tau)) tau/dt + o exp(-dt/tau).
-//
-// The stress that hosts see is the dynamic one, quasi-static stress and overstress; the latter is
-// history.
+// Overstress of points (rate.hpp) as steps and histories hold it.
 
 /// What a step of rated rock keeps: the changes that it left of elastic ones [stress], and moduli.
 template <class R, class Law, bool rated>
@@ -42,47 +36,6 @@ BARRENO_FUNCTION void set_overstress(const MaskOf<R>& choice, const Sym3Of<R>& o
   h.overstress_xy = real::select(choice, over.xy, h.overstress_xy);
   h.overstress_yz = real::select(choice, over.yz, h.overstress_yz);
   h.overstress_zx = real::select(choice, over.zx, h.overstress_zx);
-}
-
-/// Overstress after a step. D = 0 with T2 > 0: tau is infinite, the overstress stays. dt = 0: rate
-/// terms are off and it stays too.
-/// @param missed  change of an elastic step less the quasi-static change [stress]
-template <class R>
-BARRENO_FUNCTION Sym3Of<R> relaxed(
-    double T1,
-    double T2,
-    const IncrementOf<Sym3Of<R>>& increment,
-    const Sym3Of<R>& missed,
-    const Sym3Of<R>& over
-) {
-  constexpr double small = 1e-4;
-  const R size = real::sqrt(contract(increment.strain, increment.strain));
-  const MaskOf<R> timed = increment.dt > 0.0;
-  const MaskOf<R> strained = size > 0.0;
-  const R dt = real::select(timed, increment.dt, 1.0);
-  R per_tau = R{} + 1.0 / T1;
-  if (T2 > 0.0) per_tau = real::select(strained, real::pow(R(size / dt), T2) * (1.0 / T1), 0.0);
-  const R ratio = real::select(timed, increment.dt * per_tau, 0.0);
-  const R left = real::exp(R(-ratio));
-  const MaskOf<R> slow = ratio < small;
-  const R series = 1.0 - ratio * (0.5 - ratio * (1.0 / 6.0));
-  const R mean = real::select(slow, series, (1.0 - left) / real::select(slow, 1.0, ratio));
-  const MaskOf<R> moves = timed & (strained | (T2 == 0.0 ? timed : !timed));
-  return select_points<R>(moves, mean * missed + left * over, over);
-}
-
-/// Work that a step under the dynamic stress dissipates, by plastic flow and by overstress: what
-/// its change does not store by the moduli [stress].
-/// @param strain  of the skeleton
-/// @param before, after  effective stress
-template <class R>
-BARRENO_FUNCTION R dissipated_work(
-    const Sym3Of<R>& strain, const Sym3Of<R>& before, const Sym3Of<R>& after, const ModuliOf<R>& m
-) {
-  const Sym3Of<R> mean = 0.5 * (before + after), change = after - before;
-  const R stored = contract(deviator(mean), deviator(change)) / (2.0 * m.shear) +
-                   trace(mean) * trace(change) / (9.0 * m.bulk);
-  return contract(mean, strain) - stored;
 }
 
 }  // namespace barreno::arenisca

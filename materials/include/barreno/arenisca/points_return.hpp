@@ -21,28 +21,22 @@ BARRENO_FUNCTION ReturnedOf<R> returned_at(
   return {e.x, smaller_of(q, trial.q), trial.evp + e.gain, e.cap, refused};
 }
 
-/// Pores close altogether, where `closed`: no cap is left, and the shear stress comes back to the
-/// limit surface at the pressure that closing leaves.
+/// Pores close altogether, where `closed` (flow_rule.hpp): no cap is left.
 template <class R, class Law>
 BARRENO_FUNCTION void close_pores(
     const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& closed, ReturnedOf<R>& r
 ) {
   if (!real::any(closed)) return;
-  const R evp = real::select(trial.cap.present, -rock.crush.p3, trial.evp);
-  const R x =
-      smaller_of(R(trial.x - trial.triple_bulk * (evp - trial.evp)), R(R{} + rock.surface.vertex));
-  const R limit = real::larger(meridian_at(rock.surface, x, CapOf<R>{}).limit, 0.0);
-  r.x = real::select(closed, x, r.x);
-  r.q = real::select(closed, smaller_of(trial.q, limit), r.q);
-  r.evp = real::select(closed, evp, r.evp);
+  const ClosedOf<R> c = return_with_closed_pores(rock.surface, rock.crush.closed(), trial);
+  r.x = real::select(closed, c.x, r.x);
+  r.q = real::select(closed, c.q, r.q);
+  r.evp = real::select(closed, c.evp, r.evp);
   r.cap.present = r.cap.present & !closed;
   r.refused = r.refused & !closed;
 }
 
-/// Brackets the first root of the way on which closed pores open: from the first step a quarter
-/// farther each until it has tripled, then twice as far. Where pores are all but closed the cap
-/// retracts so fast that it overtakes the dilated point again: the condition then has three roots,
-/// the first two close together just beyond the first step. At x = X there is always enough.
+/// Brackets the first root of the way on which closed pores open, see next_dilation(). At x = X
+/// there is always enough dilation.
 /// @param opens where it is asked for; there e is at the least dilation, with too little of it
 /// @param first gain of evp to try first
 /// @param[in,out] e the equation at the lower end of the bracket
@@ -56,7 +50,6 @@ BARRENO_FUNCTION void find_dilation(
     GainBracket<R>& bracket,
     ReturnEquation<R>& e
 ) {
-  constexpr double near = 3.0, short_way = 1.25, long_way = 2.0;
   constexpr int max_steps = 200;
   const MaskOf<R> compact = none_of<R>();
   const R farthest = (trial.x - e.cap.X) / trial.triple_bulk;
@@ -72,7 +65,7 @@ BARRENO_FUNCTION void find_dilation(
     bracket.high = real::select(enough, step, bracket.high);
     bracket.low = real::select(too_little, step, bracket.low);
     advance_points<R>(too_little, there, e);
-    step = step * real::select(step < near * first, short_way, long_way);
+    step = next_dilation(step, first);
     open = open & (!enough) & (step < farthest);
   }
 }

@@ -94,7 +94,8 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
     p.inside = p.inside | own.inside;
     if constexpr (Law::wet) p.pores = select_points<R>(open, own.pores, p.pores);
   }
-  const ModuliOf<R> end = moduli_after_points(rock, p.inside, n.x, n.evp, p.x, n.term, n.coupling);
+  const ModuliOf<R> end =
+      rock.elasticity.moduli_after(p.inside, n.x, n.evp, p.x, n.term, n.coupling);
   outcome.elastic_work = 0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
   outcome.plastic_work = R{};
   R bulk = end.bulk;

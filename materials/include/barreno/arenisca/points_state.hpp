@@ -168,7 +168,7 @@ BARRENO_FUNCTION void follow_pressure(
 /// 9 beta^2 K/G, K as the return sees it.
 template <class R, class Law>
 BARRENO_FUNCTION R metric_of(const RockOf<R, Law>& rock, const PredictionOf<R, Law>& p) {
-  const R metric = (9.0 * rock.beta * rock.beta) * p.used.bulk / p.used.shear;
+  const R metric = return_metric(rock.beta, p.used);
   if constexpr (Law::wet)
     return metric * (1.0 + p.fall * rock.constituents.per_matrix);
   else

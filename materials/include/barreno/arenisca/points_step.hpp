@@ -8,7 +8,7 @@ namespace barreno::arenisca {
 
 // A whole step of one or several points, in substeps that each chooses by its own local error.
 
-/// Moduli at the middle of a substep, I1 held within what the surface admits.
+/// Moduli at the middle of a substep, I1 kept within what the surface admits.
 template <class R, class Law>
 BARRENO_FUNCTION ModuliOf<R> used_moduli(
     const Law& rock,
@@ -21,8 +21,7 @@ BARRENO_FUNCTION ModuliOf<R> used_moduli(
 ) {
   R x = smaller_of(R(x_n + start.bulk * triple_dv), R(R{} + rock.surface.vertex));
   x = real::select(cap.present & (x < cap.X), cap.X, x);
-  const R middle = term.value + 0.5 * term.slope * (x - x_n);
-  return moduli_of(rock.elasticity, R(real::smaller(real::larger(middle, 0.0), 1.0)), coupling);
+  return rock.elasticity.moduli_midway(term, coupling, R(x - x_n));
 }
 
 /// Elastic prediction with the moduli of this plastic strain.
@@ -34,9 +33,9 @@ BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
   const Elasticity& e = rock.elasticity;
   PredictionOf<R, Law> p;
   p.evp = evp;
-  p.term = pressure_term_of(e, n.x, evp);
-  p.coupling = coupling_of(e, n.x, evp);
-  p.start = moduli_of(e, p.term.value, p.coupling);
+  p.term = e.pressure_term(n.x, evp);
+  p.coupling = e.coupling(n.x, evp);
+  p.start = e.moduli(p.term.value, p.coupling);
   R strain = step.dv;
   if constexpr (Law::wet)
     strain = skeleton_guess(rock.constituents, step.pores, p.start.bulk, step.dv);
@@ -45,34 +44,6 @@ BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
   predict_pressure(rock, step, used.bulk, p);
   predict_with(rock, step, used, p);
   return p;
-}
-
-/// At the end of elastic substeps: a parabola in I1 for short ones in compression (its relative
-/// error in exp(B2/I1) is below (B2/I1 dI1/I1)^3, here 1e-6), else the exponential.
-/// @param asked where they are asked for
-template <class R>
-BARRENO_FUNCTION ModuliOf<R> moduli_after_points(
-    const Rock& rock,
-    const MaskOf<R>& asked,
-    const R& x_n,
-    const R& evp,
-    const R& x_end,
-    const PressureTermOf<R>& term,
-    const R& coupling
-) {
-  constexpr double short_step = 0.01;
-  const Elasticity& e = rock.elasticity;
-  const R change = x_end - x_n;
-  const MaskOf<R> is_short =
-      (x_n < 0.0) & (evp <= Elasticity::at_jump) &
-      (real::abs(change) * (real::abs(x_n) + e.B2) <= short_step * x_n * x_n);
-  R value = term.value + change * (term.slope + 0.5 * change * term.curvature);
-  R coupled = coupling;
-  if (real::any(asked & !is_short)) {
-    value = real::select(is_short, value, pressure_term_of(e, x_end, evp).value);
-    coupled = real::select(is_short, coupled, coupling_of(e, x_end, evp));
-  }
-  return moduli_of(e, value, coupled);
 }
 
 /// End of elastic substeps, where `inside`.
@@ -175,7 +146,7 @@ BARRENO_FUNCTION void begin_to_dilate(
   AttemptOf<R, Law> b = flow_points(rock, MaskOf<R>(asked & !inside), step, mixed, m, choose);
   if (real::any(inside)) accept_elastic(rock, inside, step, mixed, soft, b);
   // The elastic part has its own error, that of its moduli on the way to the surface.
-  const ModuliOf<R> at_flow = moduli_of_state(rock.elasticity, R(n.x + t * (p.x - n.x)), n.evp);
+  const ModuliOf<R> at_flow = rock.elasticity.moduli_at(R(n.x + t * (p.x - n.x)), n.evp);
   b.error =
       real::select(inside, 0.0, b.error) +
       t * mismatch_of(p.start, p.used, at_flow) * size_of_stress(R(p.x - n.x), squared(p.s - n.s));
@@ -203,7 +174,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   a.elastic = inside;
   if (!real::any(asked & inside)) return a;
   const ModuliOf<R> moduli =
-      moduli_after_points(rock, MaskOf<R>(asked & inside), n.x, n.evp, p.x, p.term, p.coupling);
+      rock.elasticity.moduli_after(MaskOf<R>(asked & inside), n.x, n.evp, p.x, p.term, p.coupling);
   accept_elastic(rock, inside, step, p, moduli, a);
   return a;
 }
@@ -325,14 +296,6 @@ BARRENO_FUNCTION void take_substeps(
   }
 }
 
-/// Whether the jump of the moduli lies between two plastic volume strains.
-template <class R>
-BARRENO_FUNCTION MaskOf<R> crosses_jump(const Elasticity& e, const R& begin, const R& end) {
-  constexpr double at_jump = Elasticity::at_jump;
-  if (e.B1 == 0.0 && e.B3 == 0.0 && !e.variable_ratio()) return none_of<R>();
-  return ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
-}
-
 template <class R, class Law>
 BARRENO_FUNCTION VerdictOf<R> verdict_on(
     const Law& rock, const StepOf<R, Law>& step, const R& fraction, const AttemptOf<R, Law>& a
@@ -341,7 +304,7 @@ BARRENO_FUNCTION VerdictOf<R> verdict_on(
   const R begin = step.state.evp, end = a.end.evp;
   const MaskOf<R> divisible = fraction > step.smallest;
   const MaskOf<R> lost = a.refused | !real::is_finite(a.error);
-  const MaskOf<R> crosses = divisible & (!lost) & crosses_jump(rock.elasticity, begin, end);
+  const MaskOf<R> crosses = divisible & (!lost) & rock.elasticity.crosses_jump(begin, end);
   const MaskOf<R> fails = lost | ((a.error > a.allowed) & divisible);
   const R to_jump = begin / real::select(crosses, begin - end, 1.0);
   const R factor = real::select(lost, much_shorter, step_factor_of(a));

@@ -18,7 +18,7 @@ namespace barreno::arenisca {
 /// is a gas gap and p_c = 0; the fluid engages again when elastic compression has closed the gap.
 ///
 /// Where fluid has flowed, e counts from the elastic centre of virgin rock with as much fluid:
-/// grains that were relieved of pressure are no dilation of the rock. See holding().
+/// the expansion of grains whose pressure drops is not dilation of the rock. See holding().
 struct PoreFluid {
   double bulk = 0.0;              ///< Kf, 0: no fluid [stress]
   double matrix = 0.0;            ///< Km, bulk modulus of the grains [stress]

@@ -3,54 +3,58 @@
 
 #include "barreno/arenisca/elasticity.hpp"
 #include "barreno/outcome.hpp"
+#include "barreno/real.hpp"
 #include "barreno/tensor.hpp"
-
-#include <cmath>
 
 namespace barreno::arenisca {
 
-/// Overstress after a step, Duvaut-Lions with the relaxation time tau = T1 |D|^-T2, exact for
-/// constant rates within the step:
-///
-///   o' = (elastic change - quasi-static change) (1 - exp(-dt/tau)) tau/dt + o exp(-dt/tau)
-///
-/// D = 0 with T2 > 0: tau is infinite, the overstress stays. dt = 0: rate terms are off and the
-/// overstress stays.
-/// @param elastic  stress change had the step been elastic [stress]
-/// @param change   change of the quasi-static stress [stress]
-BARRENO_FUNCTION Sym3 relax(
+// Overstress of one point or several (real.hpp): Duvaut-Lions with the relaxation time tau = T1
+// |D|^-T2, exact for constant rates within the step,
+//
+//   o' = (elastic change - quasi-static change) (1 - exp(-dt/tau)) tau/dt + o exp(-dt/tau).
+//
+// The stress that hosts see is the dynamic one, quasi-static stress and overstress; the latter is
+// history.
+
+/// Overstress after a step. D = 0 with T2 > 0: tau is infinite, the overstress stays. dt = 0: rate
+/// terms are off and it stays too.
+/// @param missed  change of an elastic step less the quasi-static change [stress]
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> relaxed(
     double T1,
     double T2,
-    const IncrementOf<Sym3>& increment,
-    const Sym3& elastic,
-    const Sym3& change,
-    const Sym3& over
+    const IncrementOf<Sym3Of<R>>& increment,
+    const Sym3Of<R>& missed,
+    const Sym3Of<R>& over
 ) {
-  if (increment.dt <= 0.0) return over;
-  const double rate = norm(increment.strain) / increment.dt;
-  if (rate == 0.0 && T2 > 0.0) return over;
-  const double tau = T1 * (T2 > 0.0 ? std::pow(rate, -T2) : 1.0);
-  const double ratio = increment.dt / tau;
-  const double mean = ratio > 0.0 ? -std::expm1(-ratio) / ratio : 1.0;
-  return mean * (elastic - change) + std::exp(-ratio) * over;
+  constexpr double small = 1e-4;
+  const R size = real::sqrt(contract(increment.strain, increment.strain));
+  const MaskOf<R> timed = increment.dt > 0.0;
+  const MaskOf<R> strained = size > 0.0;
+  const R dt = real::select(timed, increment.dt, 1.0);
+  R per_tau = R{} + 1.0 / T1;
+  if (T2 > 0.0) per_tau = real::select(strained, real::pow(R(size / dt), T2) * (1.0 / T1), 0.0);
+  const R ratio = real::select(timed, increment.dt * per_tau, 0.0);
+  const R left = real::exp(R(-ratio));
+  const MaskOf<R> slow = ratio < small;
+  const R series = 1.0 - ratio * (0.5 - ratio * (1.0 / 6.0));
+  const R mean = real::select(slow, series, (1.0 - left) / real::select(slow, 1.0, ratio));
+  const MaskOf<R> moves = timed & (strained | (T2 == 0.0 ? timed : !timed));
+  return select_points<R>(moves, mean * missed + left * over, over);
 }
 
-/// Work of a step under the dynamic stress: what the stress change stores by the moduli and the
-/// fluid by its pressure; the rest is dissipated, by plastic flow and by overstress.
-BARRENO_FUNCTION void split_work(
-    const Sym3& strain,
-    const Sym3& before,
-    const Sym3& after,
-    double mean_zeta,
-    const Moduli& m,
-    Outcome& outcome
+/// Work that a step under the dynamic stress dissipates, by plastic flow and by overstress: what
+/// its change does not store by the moduli [stress].
+/// @param strain  of the skeleton
+/// @param before, after  effective stress
+template <class R>
+BARRENO_FUNCTION R dissipated_work(
+    const Sym3Of<R>& strain, const Sym3Of<R>& before, const Sym3Of<R>& after, const ModuliOf<R>& m
 ) {
-  const Sym3 mean = 0.5 * (before + after), change = after - before;
-  const double stored = contract(deviator(mean), deviator(change)) / (2.0 * m.shear) +
-                        (trace(mean) - mean_zeta) * trace(change) / (9.0 * m.bulk) +
-                        mean_zeta * trace(strain) / 3.0;
-  outcome.elastic_work = stored;
-  outcome.plastic_work = contract(mean, strain) - stored;
+  const Sym3Of<R> mean = 0.5 * (before + after), change = after - before;
+  const R stored = contract(deviator(mean), deviator(change)) / (2.0 * m.shear) +
+                   trace(mean) * trace(change) / (9.0 * m.bulk);
+  return contract(mean, strain) - stored;
 }
 
 }  // namespace barreno::arenisca

@@ -1,45 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/crush_curve.hpp"
+#include "barreno/arenisca/flow_rule.hpp"
 #include "barreno/arenisca/root_finding.hpp"
-#include "barreno/arenisca/yield_surface.hpp"
 #include "barreno/portability.hpp"
 
 #include <cmath>
 
 namespace barreno::arenisca {
 
-/// Trial state outside the surface, in x = I1 and q = sqrt(J2) at constant Lode angle.
-///
-/// Returned is the point closest to the trial point in z = I1/sqrt(3), r = beta sqrt(3K/G)
-/// sqrt(J2). Three times that distance squared is (x_tr - x)^2 + metric (q_tr - q)^2 with metric =
-/// 9 beta^2 K/G, which is why beta acts squared on the dilatancy.
-struct Trial {
-  double x, q;
-  double metric;       ///< 9 beta^2 K/G
-  double triple_bulk;  ///< 3K, so that d(evp) = (x_tr - x)/3K [stress]
-  double evp;          ///< volumetric plastic strain at the start of the substep
-  Cap cap;             ///< cap at that evp
-};
-
 /// Where the trial state comes back to: on the surface hardened to `evp`.
 struct Returned {
   double x, q, evp;
 };
 
-/// The return is one scalar equation, because evp fixes everything: x = x_tr - 3K (evp - evp_n) by
-/// elasticity, the cap by the crush curve, q = Ff fc by the surface; what is left is that the line
-/// to the trial point is normal to the surface,
-///
-///   (x - x_tr) fc = metric (q_tr - Ff fc) A,   A = fc d(Ff fc)/dx.
-///
-/// At the tip fc -> 0 like a square root. Collecting fc and squaring gives, on the compacting side,
-///
-///   fc^2 = (metric q_tr A / D)^2,   D = (x - x_tr) + metric Ff A,
-///
-/// which is smooth through the tip (hydrostatic crushing is no special case), while the first form
-/// is smooth where A changes sign. q = q_tr metric Ff A / D is what is left of the trial shear.
+/// Meridian point at evp on the way back from the trial state.
+struct OnTheWay {
+  double x, back;  ///< back = x - x_tr [stress]
+  MeridianOf<double> m;
+};
+template <class Crush, class Counter>
+BARRENO_FUNCTION OnTheWay on_the_way(
+    const YieldSurface& surface, const Crush& crush, const Trial& trial, double evp, Counter& count
+) {
+  const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
+  return {x, x - trial.x, surface.at(x, cap_with(surface, crush.strength(evp)), count)};
+}
+
+/// What the second form of the condition of the closest point (flow_rule.hpp) leaves, for roots
+/// without derivatives.
 template <class Crush, class Counter>
 struct CompactingSide {
   const YieldSurface& surface;
@@ -49,17 +38,14 @@ struct CompactingSide {
 
   /// Positive where the point lies on the elastic side of the solution (too much compaction).
   BARRENO_FUNCTION double operator()(double evp) {
-    const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
-    const Cap cap = surface.cap_at(crush.strength(evp));
-    const MeridianPoint m = surface.at(x, cap, count);
-    if (m.slope <= 0.0) return m.cap_squared;
-    const double shear = trial.metric * trial.q * m.slope;
-    const double whole = (x - trial.x) + trial.metric * m.limit * m.slope;
-    return m.cap_squared - (shear / whole) * (shear / whole);
+    const OnTheWay w = on_the_way(surface, crush, trial, evp, count);
+    if (w.m.slope <= 0.0) return w.m.cap_squared;
+    const double ratio = tip_ratio(trial, w.m, w.back).value;
+    return w.m.cap_squared - ratio * ratio;
   }
 };
 
-/// The same condition on the dilating side (A <= 0), where the cap retracts; positive at too little
+/// The first form on the dilating side (A <= 0), where the cap retracts; positive at too little
 /// dilation.
 template <class Crush, class Counter>
 struct DilatingSide {
@@ -69,11 +55,8 @@ struct DilatingSide {
   Counter& count;
 
   BARRENO_FUNCTION double operator()(double evp) {
-    const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
-    const Cap cap = surface.cap_at(crush.strength(evp));
-    const MeridianPoint m = surface.at(x, cap, count);
-    const double fc = std::sqrt(larger(m.cap_squared, 0.0));
-    return (x - trial.x) * fc - trial.metric * (trial.q - m.limit * fc) * m.slope;
+    const OnTheWay w = on_the_way(surface, crush, trial, evp, count);
+    return normality(trial, w.m, w.back, 0.0, {}, shear_strength<double>(w.m, {})).f;
   }
 };
 
@@ -85,15 +68,15 @@ BARRENO_FUNCTION double return_to_limit(
   if (trial.x - surface.vertex >= trial.metric * trial.q * surface.steepest) return surface.vertex;
   double x = smaller(trial.x, surface.vertex);
   const Cap none;
-  const MeridianPoint start = surface.at(x, none, count);
+  const MeridianOf<double> start = surface.at(x, none, count);
   if (trial.x <= surface.vertex && trial.q <= start.limit) return trial.x;
   // Newton on the monotone condition (x - x_tr) - metric (q_tr - Ff) Ff'; Ff'' <= 0 keeps its slope
   // >= 1.
   double lower = trial.x - trial.metric * trial.q * surface.steepest, upper = x;
-  MeridianPoint m = start;
+  MeridianOf<double> m = start;
   constexpr int max_iterations = 60;
   for (int i = 0; i < max_iterations; ++i) {
-    const double curvature = surface.linear() ? 0.0 : surface.a2 * (m.slope + surface.a4);
+    const double curvature = limit_curvature(surface, m.curved);
     const double residual = (x - trial.x) - trial.metric * (trial.q - m.limit) * m.slope;
     const double slope = 1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
     (residual > 0.0 ? upper : lower) = x;
@@ -108,15 +91,12 @@ BARRENO_FUNCTION double return_to_limit(
   return x;
 }
 
-/// All pores closed: evp stops at -p3 (or where it was, if they were closed before) and the flow is
-/// isochoric; what porosity shear would open at this pressure crushes at once, so the shear limit
-/// without cap holds.
+/// return_with_closed_pores() as a Returned.
 template <class Crush>
 BARRENO_FUNCTION Returned
-return_with_closed_pores(const YieldSurface& surface, const Crush& crush, const Trial& trial) {
-  const double evp = trial.cap.present ? -crush.p3 : trial.evp;
-  const double x = smaller(trial.x - trial.triple_bulk * (evp - trial.evp), surface.vertex);
-  return {x, smaller(trial.q, larger(surface.limit(x), 0.0)), evp};
+closed_pores(const YieldSurface& surface, const Crush& crush, const Trial& trial) {
+  const ClosedOf<double> c = return_with_closed_pores(surface, crush.closed(), trial);
+  return {c.x, c.q, c.evp};
 }
 
 /// Point of the hardened surface at a solved evp; towards the tip q comes from the smooth form,
@@ -127,14 +107,11 @@ BARRENO_FUNCTION Returned point_on_cap(
     const YieldSurface& surface, const Crush& crush, const Trial& trial, double evp, Counter& count
 ) {
   constexpr double near_tip = 0.1;
-  const double x = trial.x - trial.triple_bulk * (evp - trial.evp);
-  const MeridianPoint m = surface.at(x, surface.cap_at(crush.strength(evp)), count);
-  double q = m.limit * std::sqrt(larger(m.cap_squared, 0.0));
-  if (m.cap_squared < near_tip && m.slope > 0.0) {
-    const double kept = trial.metric * m.limit * m.slope;
-    q = trial.q * kept / ((x - trial.x) + kept);
-  }
-  return {x, smaller(q, trial.q), evp};
+  const OnTheWay w = on_the_way(surface, crush, trial, evp, count);
+  const bool at_tip = w.m.cap_squared < near_tip && w.m.slope > 0.0;
+  const double q =
+      at_tip ? w.m.limit * tip_ratio(trial, w.m, w.back).value : shear_strength<double>(w.m, {}).q;
+  return {w.x, smaller(q, trial.q), evp};
 }
 
 /// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it
@@ -145,7 +122,7 @@ BARRENO_FUNCTION bool clears_cap(
 ) {
   if (crush.p3 == 0.0) return true;
   const double open_evp = larger(evp, crush.last_open());
-  return x >= surface.cap_at(crush.strength(open_evp)).kappa;
+  return x >= branch_point(surface, crush.strength(open_evp));
 }
 
 /// Function values that count as zero, relative to the solution's own scale: five digits beyond the
@@ -162,21 +139,12 @@ BARRENO_FUNCTION Returned return_by_compaction(
   BracketEnd a = {trial.evp + (trial.x - trial.cap.kappa) / trial.triple_bulk, 1.0};
   if (a.x < crush.last_open()) {
     a = {crush.last_open(), side(crush.last_open())};
-    if (a.f <= 0.0) return return_with_closed_pores(surface, crush, trial);
+    if (a.f <= 0.0) return closed_pores(surface, crush, trial);
   }
   const BracketEnd b = {trial.evp, side(trial.evp)};
   if (b.f >= 0.0) return point_on_cap(surface, crush, trial, trial.evp, count);
   const double evp = find_root(side, a, b, 1e-15 * (b.x - a.x), solved);
   return point_on_cap(surface, crush, trial, evp, count);
-}
-
-/// Steps that are tried for enough dilation: from the first a quarter farther each until it has
-/// tripled, then twice as far. Where pores are all but closed the cap retracts so fast that it
-/// overtakes the dilated point again: the condition then has three roots, the first two close
-/// together just beyond the first step.
-BARRENO_FUNCTION double next_dilation(double step, double first) {
-  constexpr double near = 3.0, short_way = 1.25, long_way = 2.0;
-  return step < near * first ? short_way * step : long_way * step;
 }
 
 /// Root of the dilating side between the first step with enough dilation and the one before it, so
@@ -208,7 +176,7 @@ BARRENO_FUNCTION double find_dilation(
 
 /// First guess of enough dilation onto the cap: half more than the non-hardening return to the
 /// tangent of the surface straight below the trial point.
-BARRENO_FUNCTION double dilation_guess(const Trial& trial, const MeridianPoint& below) {
+BARRENO_FUNCTION double dilation_guess(const Trial& trial, const MeridianOf<double>& below) {
   constexpr double margin = 1.5;
   const double fc = std::sqrt(larger(below.cap_squared, 0.0));
   const double slope = below.slope / fc;
@@ -223,7 +191,7 @@ BARRENO_FUNCTION Returned return_to_retracting_cap(
     const YieldSurface& surface,
     const Crush& crush,
     const Trial& trial,
-    const MeridianPoint& below,
+    const MeridianOf<double>& below,
     Counter& count
 ) {
   DilatingSide<Crush, Counter> side{surface, crush, trial, count};
@@ -251,7 +219,7 @@ BARRENO_FUNCTION Returned return_by_dilation(
   const double start = larger(trial.evp, crush.last_open());
   const BracketEnd a = {start, side(start)};
   if (a.f <= 0.0) {
-    if (!trial.cap.present) return return_with_closed_pores(surface, crush, trial);
+    if (!trial.cap.present) return closed_pores(surface, crush, trial);
     return point_on_cap(surface, crush, trial, start, count);
   }
   const double small = solved * std::fabs(trial.x);
@@ -270,7 +238,7 @@ return_fast(const YieldSurface& surface, const Crush& crush, const Trial& trial,
   if (trial.x <= trial.cap.X) return return_by_compaction(surface, crush, trial, count);
   // Straight below the trial point the surface's slope decides the sign of the plastic volume
   // change, with or without hardening.
-  const MeridianPoint below = surface.at(trial.x, trial.cap, count);
+  const MeridianOf<double> below = surface.at(trial.x, trial.cap, count);
   if (below.slope > 0.0) return return_by_compaction(surface, crush, trial, count);
   return return_to_retracting_cap(surface, crush, trial, below, count);
 }

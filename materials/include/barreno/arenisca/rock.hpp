@@ -3,13 +3,24 @@
 
 #include "barreno/arenisca/crush_curve.hpp"
 #include "barreno/arenisca/elasticity.hpp"
-#include "barreno/arenisca/root_finding.hpp"
 #include "barreno/arenisca/yield_surface.hpp"
-#include "barreno/tensor.hpp"
-
-#include <cmath>
+#include "barreno/real.hpp"
 
 namespace barreno::arenisca {
+
+/// Cap at a plastic volume strain, of one point or several.
+/// @param rock  with `crush` and `surface`
+template <class R, class Law>
+BARRENO_FUNCTION CapOf<R> cap_of(const Law& rock, const R& evp) {
+  CapOf<R> cap{none_of<R>()};
+  if (rock.crush.p3 == 0.0) return cap;
+  const CrushedOf<R> crushed = rock.crush.at(evp);
+  cap.present = crushed.open;
+  cap.X = crushed.X;
+  cap.slope = crushed.slope;
+  cap.kappa = branch_point(rock.surface, cap.X);
+  return cap;
+}
 
 /// Everything about the material that a point update reads.
 struct Rock {
@@ -21,7 +32,6 @@ struct Rock {
   Elasticity elasticity;
   YieldSurface surface;
   CrushCurve crush;
-  CrushRates rates;         ///< of the crush curve
   Cap first_cap;            ///< cap of the virgin rock; compaction only widens it
   double beta;              ///< nonassociativity: scales r in the transformed space
   double tolerance;         ///< relative local error of a substep
@@ -29,9 +39,7 @@ struct Rock {
   bool bisection;           ///< the paper's return instead of the fast one
   double resolution = 0.0;  ///< of the bisections; 0: the last bit. Benchmarks set it
 
-  BARRENO_FUNCTION Cap cap_at(double evp) const {
-    return crush.has_cap(evp) ? surface.cap_at(crush.strength(evp)) : Cap{};
-  }
+  BARRENO_FUNCTION Cap cap_at(double evp) const { return cap_of(*this, evp); }
 };
 
 /// Bulk moduli of what fills a volume of saturated rock [stress].
@@ -51,8 +59,9 @@ struct WetRock : Rock {
 };
 
 /// Size of a stress: sqrt(sigma : sigma).
-BARRENO_FUNCTION double stress_size(double x, double q) {
-  return std::sqrt(x * x / 3.0 + 2.0 * q * q);
+template <class R>
+BARRENO_FUNCTION R size_of_stress(const R& x, const R& J2) {
+  return real::sqrt(R(x * x * (1.0 / 3.0) + 2.0 * J2));
 }
 
 }  // namespace barreno::arenisca

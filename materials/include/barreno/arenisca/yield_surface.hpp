@@ -1,37 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/portability.hpp"
+#include "barreno/arenisca/counters.hpp"
+#include "barreno/arenisca/selection.hpp"
+#include "barreno/real.hpp"
 
-#include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace barreno::arenisca {
 
-/// Counts yield-function evaluations for benchmarks; the default counts nothing and costs nothing.
-/// Every counter also hears of the substeps that were taken (frozen_substeps.hpp).
-struct NoCounter {
-  BARRENO_FUNCTION void add() {}
-  BARRENO_FUNCTION void took(double /*fraction*/) {}
-};
-struct EvaluationCounter {
-  long evaluations = 0;
-  BARRENO_FUNCTION void add() { ++evaluations; }
-  BARRENO_FUNCTION void took(double /*fraction*/) {}
-};
+// The meridian of the yield surface, of one point or several (real.hpp): values, derivatives, and
+// what lies inside. No other file knows its equation.
 
-/// Cap of the surface: hydrostatic strength X and branch point kappa [stress]; absent when not
-/// `present`.
-struct Cap {
-  bool present = false;
-  double X = 0.0, kappa = 0.0;
+/// Cap of the surface: hydrostatic strength X and branch point kappa [stress], and the slope of the
+/// crush curve there. X = -infinity is never stored: where not `present`, the others mean nothing.
+template <class R>
+struct CapOf {
+  MaskOf<R> present{};
+  R X{}, kappa{};
+  R slope{};  ///< dX/d(evp) [stress]
+};
+using Cap = CapOf<double>;
+
+template <class R>
+BARRENO_FUNCTION CapOf<R> select_points(
+    const MaskOf<R>& choice, const CapOf<R>& yes, const CapOf<R>& no
+) {
+  return {
+      MaskOf<R>((choice & yes.present) | ((!choice) & no.present)),
+      real::select(choice, yes.X, no.X),
+      real::select(choice, yes.kappa, no.kappa),
+      real::select(choice, yes.slope, no.slope)};
+}
+/// The same cap at every point, or that of points that have their own already.
+template <class R, class C>
+BARRENO_FUNCTION CapOf<R> same_cap(const CapOf<C>& cap) {
+  if constexpr (std::is_same_v<R, C>)
+    return cap;
+  else
+    return {cap.present ? R{} <= 0.0 : none_of<R>(), R{} + cap.X, R{} + cap.kappa, R{}};
+}
+
+/// Limit function at I1 = x: value, slope and exponential term [stress].
+template <class R>
+struct LimitOf {
+  R value, slope, curved;
 };
 
 /// Point of the meridian at I1 = x: limit function, its slope and the cap's factor squared.
-struct MeridianPoint {
-  double limit;        ///< Ff(x) [stress]
-  double cap_squared;  ///< fc^2; negative beyond the cap's tip, 1 outside the cap's range
-  double slope;        ///< fc d(Ff fc)/dx, finite everywhere, also at the cap's tip
+template <class R>
+struct MeridianOf {
+  MaskOf<R> on_cap{};        ///< x < kappa
+  R limit{}, limit_slope{};  ///< Ff(x) [stress] and dFf/dx
+  R curved{};                ///< exponential term of Ff [stress]
+  R c{};                     ///< (kappa - x)/(kappa - X) on the cap, else 0
+  R inverse_length{};        ///< 1/(kappa - X)
+  R cap_squared{};           ///< fc^2; negative beyond the cap's tip, 1 outside the cap's range
+  R slope{};                 ///< fc d(Ff fc)/dx, finite everywhere, also at the cap's tip
 };
 
 /// Meridian of the yield surface in x = I1 (minus the elastic centre, which is 0 drained) and q =
@@ -40,78 +66,208 @@ struct MeridianPoint {
 ///   q = Ff(x) fc(x),  Ff = a1 - a3 exp(a2 x) - a4 x,  fc^2 = 1 - ((kappa - x)/(kappa - X))^2 for x
 ///   < kappa
 ///
-/// It is convex: Ff is concave and falls, fc is concave and rises, so is their product.
-struct YieldSurface {
-  double a1 = 0.0, a2 = 0.0, a3 = 0.0, a4 = 0.0;
-  double peak = 0.0;      ///< PEAKI1, from which the cap's branch point is measured [stress]
-  double vertex = 0.0;    ///< P, largest admissible x; +infinity for von Mises [stress]
-  double CR = 0.0;        ///< shape of the cap
-  double steepest = 0.0;  ///< largest -dFf/dx, at the vertex: FSLOPE
+/// It is convex: Ff is concave and falls, fc is concave and rises, so is their product. CR, the
+/// slope at the vertex and whether the surface is straight are the same for all points.
+template <class R>
+struct SurfaceOf {
+  R a1{}, a2{}, a3{}, a4{};
+  R peak{};         ///< PEAKI1, from which the cap's branch point is measured [stress]
+  R vertex{};       ///< P, largest admissible x; +infinity for von Mises [stress]
+  R steepest{};     ///< largest -dFf/dx, at the vertex: FSLOPE
+  double CR = 0.0;  ///< shape of the cap: d(kappa)/dX
+  bool straight = true;
 
-  BARRENO_FUNCTION bool linear() const { return a3 == 0.0; }
-  BARRENO_FUNCTION double limit(double x) const {
-    return linear() ? a1 - a4 * x : a1 - a3 * std::exp(a2 * x) - a4 * x;
-  }
-  BARRENO_FUNCTION Cap cap_at(double X) const { return {true, X, peak - CR * (peak - X)}; }
+  BARRENO_FUNCTION bool linear() const { return straight; }
+  BARRENO_FUNCTION R limit(const R& x) const { return limit_at(*this, x).value; }
 
+  /// Points and containment, counted.
   template <class Counter>
-  BARRENO_FUNCTION MeridianPoint at(double x, const Cap& cap, Counter& count) const {
+  BARRENO_FUNCTION MeridianOf<R> at(const R& x, const CapOf<R>& cap, Counter& count) const {
     count.add();
-    const double curved = linear() ? 0.0 : a3 * std::exp(a2 * x);
-    const double limit_x = a1 - curved - a4 * x;
-    const double limit_slope = -a2 * curved - a4;
-    if (!cap.present || x >= cap.kappa) return {limit_x, 1.0, limit_slope};
-    const double length = cap.kappa - cap.X;
-    // 1 - c^2 as a product: no cancellation at the tip, where 1 - c is small.
-    const double one_minus_c = (x - cap.X) / length;
-    const double c = (cap.kappa - x) / length;
-    const double cap_squared = one_minus_c * (1.0 + c);
-    return {limit_x, cap_squared, limit_slope * cap_squared + limit_x * c / length};
+    return meridian_at(*this, x, cap);
   }
-
-  /// Elastic if X <= x <= P and J2 <= (Ff fc)^2.
   template <class Counter>
-  BARRENO_FUNCTION bool contains(double x, double J2, const Cap& cap, Counter& count) const {
-    if (x > vertex || (cap.present && x < cap.X)) return false;
-    double cap_squared = 1.0;
-    if (cap.present && x < cap.kappa) {
-      const double c = (cap.kappa - x) / (cap.kappa - cap.X);
-      cap_squared = 1.0 - c * c;
-    }
-    // exp(y) <= 1/(1 - y + y^2/2) for y <= 0: a bound that spares the exponential for most elastic
-    // points.
-    const double y = a2 * x;
-    const double bound = a1 - a3 / (1.0 - y + 0.5 * y * y) - a4 * x;
-    if (x <= 0.0 && bound > 0.0 && J2 <= bound * bound * cap_squared) return true;
-    count.add();
-    const double limit_x = limit(x);
-    return limit_x >= 0.0 && J2 <= limit_x * limit_x * cap_squared;
-  }
+  BARRENO_FUNCTION MaskOf<R> contains(const R& x, const R& J2, const CapOf<R>& cap, Counter& count)
+      const;
 };
+using YieldSurface = SurfaceOf<double>;
 
 /// Coefficients of the limit surface from PEAKI1, FSLOPE, STREN and YSLOPE; the cases that check()
 /// admits: linear Drucker-Prager (STREN = YSLOPE = 0), von Mises (STREN only), nonlinear
 /// Drucker-Prager (else; with PEAKI1 = YSLOPE = 0 it is the "zero vertex to von Mises" surface).
-BARRENO_FUNCTION YieldSurface
-make_yield_surface(double peak, double FSLOPE, double STREN, double YSLOPE, double CR) {
-  YieldSurface s;
+template <class R>
+BARRENO_FUNCTION SurfaceOf<R> make_yield_surface(
+    const R& peak, double FSLOPE, double STREN, double YSLOPE, double CR
+) {
+  SurfaceOf<R> s;
   s.peak = s.vertex = peak;
   s.CR = CR;
-  s.steepest = FSLOPE;
+  s.steepest = R{} + FSLOPE;
+  s.straight = STREN == 0.0 || FSLOPE == 0.0;
   if (STREN == 0.0) {
     s.a1 = peak * FSLOPE;
-    s.a4 = FSLOPE;
+    s.a4 = R{} + FSLOPE;
   } else if (FSLOPE == 0.0) {
     // No vertex: P = 0 would forbid tension.
-    s.a1 = STREN;
-    s.vertex = std::numeric_limits<double>::infinity();
+    s.a1 = R{} + STREN;
+    s.vertex = R{} + std::numeric_limits<double>::infinity();
   } else {
-    s.a1 = STREN;
-    s.a2 = (FSLOPE - YSLOPE) / (STREN - YSLOPE * peak);
-    s.a3 = (STREN - YSLOPE * peak) * std::exp(-s.a2 * peak);
-    s.a4 = YSLOPE;
+    const R room = STREN - YSLOPE * peak;
+    s.a1 = R{} + STREN;
+    s.a2 = (FSLOPE - YSLOPE) / room;
+    s.a3 = room * real::exp(R(-s.a2 * peak));
+    s.a4 = R{} + YSLOPE;
   }
   return s;
+}
+
+/// The surface of another strength at the same pressure.
+template <class R>
+BARRENO_FUNCTION SurfaceOf<R> scaled_surface(SurfaceOf<R> s, const R& gamma) {
+  s.a1 = gamma * s.a1;
+  s.a3 = gamma * s.a3;
+  s.a4 = gamma * s.a4;
+  s.steepest = gamma * s.steepest;
+  return s;
+}
+/// Its meridian, where that of strength 1 is known.
+template <class R>
+BARRENO_FUNCTION MeridianOf<R> scaled_meridian(MeridianOf<R> m, const R& gamma) {
+  m.limit = gamma * m.limit;
+  m.limit_slope = gamma * m.limit_slope;
+  m.curved = gamma * m.curved;
+  m.slope = gamma * m.slope;
+  return m;
+}
+
+// @param Surface  SurfaceOf<R>, or a SurfaceOf<double> that all points share
+
+/// Branch point of the cap [stress].
+template <class R, class Surface>
+BARRENO_FUNCTION R branch_point(const Surface& surface, const R& X) {
+  return surface.peak - surface.CR * (surface.peak - X);
+}
+
+/// Cap of this hydrostatic strength.
+BARRENO_FUNCTION Cap cap_with(const YieldSurface& surface, double X) {
+  return {true, X, branch_point(surface, X), 0.0};
+}
+
+template <class R, class Surface>
+BARRENO_FUNCTION LimitOf<R> limit_at(const Surface& surface, const R& x) {
+  LimitOf<R> l;
+  l.curved = surface.linear() ? R{} : R(surface.a3 * real::exp(R(surface.a2 * x)));
+  l.value = surface.a1 - l.curved - surface.a4 * x;
+  l.slope = -surface.a2 * l.curved - surface.a4;
+  return l;
+}
+/// d2Ff/dx2 from the exponential term [1/stress].
+template <class R, class Surface>
+BARRENO_FUNCTION R limit_curvature(const Surface& surface, const R& curved) {
+  return -(surface.a2 * surface.a2) * curved;
+}
+
+template <class R, class Surface>
+BARRENO_FUNCTION MeridianOf<R> meridian_at(
+    const Surface& surface, const R& x, const CapOf<R>& cap
+) {
+  const LimitOf<R> l = limit_at(surface, x);
+  MeridianOf<R> m;
+  m.curved = l.curved;
+  m.limit = l.value;
+  m.limit_slope = l.slope;
+  m.on_cap = cap.present & (x < cap.kappa);
+  m.inverse_length = 1.0 / real::select(cap.present, cap.kappa - cap.X, 1.0);
+  m.c = real::select(m.on_cap, (cap.kappa - x) * m.inverse_length, 0.0);
+  // 1 - c^2 as a product: no cancellation at the tip, where 1 - c is small.
+  m.cap_squared = real::select(m.on_cap, (x - cap.X) * m.inverse_length * (1.0 + m.c), 1.0);
+  m.slope = m.limit_slope * m.cap_squared + m.limit * m.c * m.inverse_length;
+  return m;
+}
+
+/// Derivatives of a meridian point by a parameter that moves x and the cap.
+template <class R>
+struct MeridianRateOf {
+  R limit, cap_squared, slope;
+};
+/// @param dx, dX  derivatives of x and of the cap's X
+template <class R, class Surface>
+BARRENO_FUNCTION MeridianRateOf<R> meridian_rate(
+    const Surface& surface, const MeridianOf<R>& m, const R& dx, const R& dX_on_cap
+) {
+  const R dX = real::select(m.on_cap, dX_on_cap, 0.0);
+  const R dlength = (surface.CR - 1.0) * dX;
+  const R dc =
+      real::select(m.on_cap, (surface.CR * dX - dx - m.c * dlength) * m.inverse_length, 0.0);
+  const R dcap_squared = -2.0 * m.c * dc;
+  const R dlimit = m.limit_slope * dx;
+  const R curvature = limit_curvature(surface, m.curved);
+  const R dslope =
+      curvature * dx * m.cap_squared + m.limit_slope * dcap_squared +
+      (dlimit * m.c + m.limit * (dc - m.c * dlength * m.inverse_length)) * m.inverse_length;
+  return {dlimit, dcap_squared, dslope};
+}
+
+/// The cap's factor fc and the shear strength q = Ff fc of a meridian point, with derivatives.
+template <class R>
+struct ShearStrengthOf {
+  R fc, dfc, q, dq;
+};
+template <class R>
+BARRENO_FUNCTION ShearStrengthOf<R> shear_strength(
+    const MeridianOf<R>& m, const MeridianRateOf<R>& d
+) {
+  ShearStrengthOf<R> s;
+  s.fc = real::sqrt(real::larger(m.cap_squared, 0.0));
+  s.dfc = real::select(s.fc > 0.0, 0.5 * d.cap_squared / s.fc, 0.0);
+  s.q = m.limit * s.fc;
+  s.dq = d.limit * s.fc + m.limit * s.dfc;
+  return s;
+}
+
+/// Elastic if X <= x <= P and J2 <= (Ff fc)^2; from the meridian at x.
+template <class R, class Surface>
+BARRENO_FUNCTION MaskOf<R> contained(
+    const Surface& surface, const R& x, const R& J2, const CapOf<R>& cap, const MeridianOf<R>& m
+) {
+  return (x <= surface.vertex) & !(cap.present & (x < cap.X)) & (m.limit >= 0.0) &
+         (J2 <= m.limit * m.limit * m.cap_squared);
+}
+
+/// The same with a bound that spares the exponential where it decides, as for most elastic points:
+/// exp(y) <= 1/(1 - y + y^2/2) for y <= 0.
+/// @param asked where it is asked for
+template <class R, class Surface, class Counter = NoCounter>
+BARRENO_FUNCTION MaskOf<R> contains(
+    const Surface& surface,
+    const MaskOf<R>& asked,
+    const R& x,
+    const R& J2,
+    const CapOf<R>& cap,
+    Counter&& count = {}
+) {
+  const MaskOf<R> in_range = asked & (x <= surface.vertex) & !(cap.present & (x < cap.X));
+  const MaskOf<R> on_cap = cap.present & (x < cap.kappa);
+  const R length = real::select(on_cap, cap.kappa - cap.X, 1.0);
+  const R c = real::select(on_cap, (cap.kappa - x) / length, 0.0);
+  const R cap_squared = 1.0 - c * c;
+  const R y = surface.a2 * x;
+  const R bound = surface.a1 - surface.a3 / (1.0 - y + 0.5 * y * y) - surface.a4 * x;
+  const MaskOf<R> surely =
+      in_range & (x <= 0.0) & (bound > 0.0) & (J2 <= bound * bound * cap_squared);
+  const MaskOf<R> open = in_range & !surely;
+  if (!real::any(open)) return surely;
+  count.add();
+  const R limit = limit_at(surface, x).value;
+  return surely | (open & (limit >= 0.0) & (J2 <= limit * limit * cap_squared));
+}
+
+template <class R>
+template <class Counter>
+BARRENO_FUNCTION MaskOf<R> SurfaceOf<R>::contains(
+    const R& x, const R& J2, const CapOf<R>& cap, Counter& count
+) const {
+  return arenisca::contains(*this, MaskOf<R>(!none_of<R>()), x, J2, cap, count);
 }
 
 }  // namespace barreno::arenisca

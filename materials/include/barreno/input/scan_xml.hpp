@@ -17,7 +17,7 @@ namespace barreno::input {
 ///
 /// The XML is scanned before Teuchos converts a value, because Teuchos' own conversions read "0.3
 /// MPa" as 0.3, "abc" as 0 and the integer "1e6" as 1, keep the last of two equal names, name
-/// unnamed lists by themselves and have no notion of a required parameter.
+/// unnamed lists by themselves and do not know required parameters.
 ///
 /// Every refusal is an InputError with one sentence: source, path and value, what is wrong (why),
 /// what to do.
@@ -28,7 +28,8 @@ struct Source {
   UnitSystem units;
 };
 
-/// Larger texts and deeper lists are no decks; they are refused before they cost memory or stack.
+/// Larger texts and deeper lists cannot be decks; they are refused before they cost memory or
+/// stack.
 inline constexpr std::size_t largest_text = 8u << 20u;
 inline constexpr int deepest_nesting = 32;
 
@@ -71,7 +72,7 @@ std::vector<Teuchos::XMLObject> sub_lists(
     const Teuchos::XMLObject& list, const std::string& path, const std::string& source
 );
 
-/// The system that the list's "Units" names; SI without it.
+/// The system that the list's Units names; SI without it.
 UnitSystem units_of(const Teuchos::XMLObject& root, const std::string& source);
 
 /// Sets or adds a parameter of this list, in the tree itself.

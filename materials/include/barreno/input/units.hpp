@@ -8,6 +8,9 @@
 
 namespace barreno::input {
 
+/// Entry of decks and cards that names the system of their plain numbers.
+inline constexpr const char* units_word = "Units";
+
 /// A unit as mantissa * 10^exponent in SI. The exponent is kept apart so that decimal units convert
 /// to the double nearest to the decimal number: 12.7 mm is the literal 0.0127, not 12.7 * 0.001.
 struct Unit {

@@ -18,7 +18,7 @@ using Increment = IncrementOf<Sym3>;
 
 namespace arenisca {
 
-/// False for NaN, infinite or absurd input: a strain increment beyond exp(10) has no meaning.
+/// False for NaN, infinite or absurd input: a strain increment beyond exp(10) is meaningless.
 BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
   constexpr double largest_increment = 10.0;
   const double strain_squared = contract(i.strain, i.strain);
@@ -140,7 +140,6 @@ inline arenisca::Rock Arenisca::make_rock(const Parameters& p) {
   rock.elasticity = {p.B0, p.B1, p.B2, p.B3, p.B4, p.G0, p.G1, p.G2};
   rock.surface = arenisca::make_yield_surface(p.PEAKI1, p.FSLOPE, p.STREN, p.YSLOPE, p.CR);
   rock.crush = {p.p0_crush_curve, p.p1_crush_curve, p.p3_crush_curve};
-  rock.rates = arenisca::crush_rates(rock.crush);
   rock.first_cap = rock.cap_at(0.0);
   rock.beta = p.BETA_nonassociativity;
   rock.tolerance = p.tolerance;

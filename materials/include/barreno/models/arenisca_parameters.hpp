@@ -248,16 +248,17 @@ inline ParameterTable<AreniscaParameters> arenisca_parameter_table() {
        "Return solver",
        {"fast", "bisection"},
        0,
-       "fast: one superlinear scalar solve; bisection: the published nested method, the oracle"},
+       "fast: one superlinear scalar solve; bisection: the published nested method, the oracle "
+       "(not "
+       "with poroplastic fluid)"},
       {&AreniscaParameters::backstress_strain,
        "Backstress strain",
        {"elastic centre", "plastic", "poroplastic"},
        AreniscaParameters::poroplastic,
-       "how the fluid bears on the rock; poroplastic: strength, flow and crush curve are those of "
-       "dry "
-       "rock under the stress less the pore pressure; the others are for comparison, and ten times "
-       "as dear: plastic: the published form, for its calibrations; elastic centre: the same about "
-       "the strain of zero effective stress"},
+       "effect of the fluid on the rock; poroplastic: strength, flow and crush curve are those of "
+       "dry rock under the effective stress, stress plus pore pressure. The others are for "
+       "comparison and ten times as expensive: plastic: the published form, for its calibrations; "
+       "elastic centre: the same about the strain of zero effective stress"},
       {&AreniscaParameters::undrained_moduli,
        "Undrained moduli",
        {"biot", "arenisca3"},

@@ -79,6 +79,11 @@ inline std::string check_fluid(const AreniscaParameters& p) {
     return named("fluid_pressure_initial", p.fluid_pressure_initial) +
            " needs a fluid, but fluid_B0 = 0 (dry rock); set fluid_B0, or the pressure to 0.";
   }
+  if (is_poroplastic(p) && p.return_solver != 0) {
+    return "Return solver = bisection does not go with Backstress strain = poroplastic (it is the "
+           "published return, for dry rock and the published forms of the pore fluid); leave "
+           "Return solver out, or set Backstress strain to one of the others.";
+  }
   const double matrix = p.matrix_bulk_modulus > 0.0 ? p.matrix_bulk_modulus : p.B0 + p.B1;
   const double porosity = -std::expm1(-p.p3_crush_curve);
   const std::string grains = named("Matrix bulk modulus", matrix);
@@ -109,13 +114,13 @@ inline std::string check_angle(const AreniscaParameters& p) {
   const bool narrow = p.J3_type == 1;
   if (narrow && !(p.J3_psi >= 1.0 / widest && p.J3_psi <= widest)) {
     return named("J3_psi", p.J3_psi) +
-           " makes the Gudehus surface not convex (it is from 7/9 to 9/7); change it, or take "
+           " makes the Gudehus surface concave (it is convex from 7/9 to 9/7); change it, or use "
            "Willam-Warnke, which is convex from 1/2 to 2.";
   }
   if (p.J3_type == 0 && p.J3_psi != 1.0) {
     return named("J3_psi", p.J3_psi) +
-           " has no effect without a J3_type (which says how the strength goes from 1 to it); set "
-           "J3_type, or J3_psi to 1.";
+           " has no effect without a J3_type (the shape of the section between J3_psi and 1); set "
+           "J3_type, or set J3_psi to 1.";
   }
   return {};
 }

@@ -56,9 +56,9 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const Law& rock, const Points& p) {
     n.pores = pores_of<R>(p.history);
     n.x = n.x + 3.0 * n.pores.pressure;
   }
-  n.term = pressure_term_of(rock.elasticity, n.x, n.evp);
-  n.coupling = coupling_of(rock.elasticity, n.x, n.evp);
-  n.moduli = moduli_of(rock.elasticity, n.term.value, n.coupling);
+  n.term = rock.elasticity.pressure_term(n.x, n.evp);
+  n.coupling = rock.elasticity.coupling(n.x, n.evp);
+  n.moduli = rock.elasticity.moduli(n.term.value, n.coupling);
   return n;
 }
 

@@ -3,7 +3,7 @@
 
 #include "barreno/arenisca/drain.hpp"
 #include "barreno/arenisca/general_step.hpp"
-#include "barreno/arenisca/rate.hpp"
+#include "barreno/arenisca/points_rate.hpp"
 #include "barreno/arenisca/weibull.hpp"
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/scattered_arenisca.hpp"
@@ -15,9 +15,12 @@
 
 namespace barreno {
 
-/// Arenisca with rate dependence, third invariant or pore fluid in a published form: what the
-/// drained, quasi-static form (models/arenisca.hpp) leaves out because most scenes do without it. A
-/// card asks for neither by name: the registry takes this form where needed() says so.
+/// Arenisca's forms for comparison, written apart for one point at a time: pore fluid in a
+/// published form, and dry rock by the published nested bisection; with the other features of a
+/// card, third invariant, rate dependence and scatter, in both. Surface, crush curve, flow rule,
+/// elasticity and rate are those of the other forms; how steps are divided and returned is its own,
+/// at ten times the cost and more. A card does not ask for it by name: the registry takes it where
+/// needed() says so.
 ///
 /// The stress that hosts see is the dynamic one; the overstress is history.
 struct GeneralArenisca {
@@ -33,15 +36,10 @@ struct GeneralArenisca {
     double pore_pressure = 0.0, porosity = 0.0;
     double overstress_xx = 0.0, overstress_yy = 0.0, overstress_zz = 0.0;
     double overstress_xy = 0.0, overstress_yz = 0.0, overstress_zx = 0.0;
-    double gas = 0.0;
   };
-  static constexpr int history_count = 13;
+  static constexpr int history_count = 12;
 
-  static bool needed(const Parameters& p) {
-    if (arenisca::goes_in_lanes(p, false) || arenisca::is_poroplastic(p)) return false;
-    return p.fluid_B0 > 0.0 || p.T1_rate_dependence > 0.0 || p.J3_type != arenisca::Lode::none ||
-           p.weibull_modulus > 0.0 || p.return_solver != 0;
-  }
+  static bool needed(const Parameters& p) { return !arenisca::goes_in_lanes(p, p.fluid_B0 > 0.0); }
   static ParameterTable<Parameters> parameter_table() { return Arenisca::parameter_table(); }
   static std::vector<HistoryField> history_table();
   static std::string check(const Parameters& p, double density) {
@@ -113,13 +111,7 @@ private:
   static arenisca::GeneralRock make_rock(const Parameters& p);
 
   BARRENO_FUNCTION static Sym3 overstress(const History& h) {
-    return {
-        h.overstress_xx,
-        h.overstress_yy,
-        h.overstress_zz,
-        h.overstress_xy,
-        h.overstress_yz,
-        h.overstress_zx};
+    return arenisca::overstress_of<double>(h);
   }
   BARRENO_FUNCTION static bool sound_history(const History& h) {
     return std::isfinite(h.plastic_volume_strain + h.equivalent_plastic_strain) &&
@@ -163,7 +155,7 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
   if (rock_.T1 > 0.0) {
     const Sym3 elastic = step.elastic_s + isotropic(step.elastic_x / 3.0);
     const Sym3 change = new_quasi_static - quasi_static;
-    new_over = arenisca::relax(rock_.T1, rock_.T2, increment, elastic, change, over);
+    new_over = arenisca::relaxed(rock_.T1, rock_.T2, increment, elastic - change, over);
   }
   const Sym3 new_stress = new_quasi_static + new_over;
   const arenisca::Moduli& m = seen.moduli;
@@ -172,21 +164,19 @@ BARRENO_FUNCTION Outcome GeneralArenisca::update_counted(
     return refused;
   }
   if (rock_.T1 > 0.0) {
-    arenisca::split_work(
-        increment.strain, stress, new_stress, 0.5 * (zeta + seen.zeta), step.last, step.outcome
-    );
+    const Sym3& strain = increment.strain;
+    const Sym3 centre = isotropic((zeta + seen.zeta) / 6.0);
+    const double dissipated =
+        arenisca::dissipated_work(strain, stress - centre, new_stress - centre, step.last);
+    step.outcome.plastic_work = dissipated;
+    step.outcome.elastic_work = 0.5 * contract(stress + new_stress, strain) - dissipated;
   }
   stress = new_stress;
   h.plastic_volume_strain = end.e;
   h.equivalent_plastic_strain = end.shear_strain;
   h.pore_pressure = pressure_of_fluid(seen.pore_pressure, h.fluid_mass_ratio);
   h.porosity = seen.porosity;
-  h.overstress_xx = new_over.xx;
-  h.overstress_yy = new_over.yy;
-  h.overstress_zz = new_over.zz;
-  h.overstress_xy = new_over.xy;
-  h.overstress_yz = new_over.yz;
-  h.overstress_zx = new_over.zx;
+  arenisca::set_overstress<double>(true, new_over, h);
   const double mean_ratio = 0.5 * (increment.volume_ratio_begin + increment.volume_ratio_end);
   step.outcome.elastic_work *= mean_ratio;
   step.outcome.plastic_work *= mean_ratio;
@@ -213,8 +203,7 @@ inline std::vector<HistoryField> GeneralArenisca::history_table() {
       {"overstress_zz", d::stress, "dynamic less quasi-static stress"},
       {"overstress_xy", d::stress, "dynamic less quasi-static stress"},
       {"overstress_yz", d::stress, "dynamic less quasi-static stress"},
-      {"overstress_zx", d::stress, "dynamic less quasi-static stress"},
-      {"gas", d::none, "volume in the pores that the fluid does not fill, over volume"}};
+      {"overstress_zx", d::stress, "dynamic less quasi-static stress"}};
 }
 
 inline arenisca::GeneralRock GeneralArenisca::make_rock(const Parameters& p) {

@@ -43,6 +43,7 @@ void set_strength(const AreniscaParameters& p, ScatteredRock<Whole>& rock) {
 struct ScatteredArenisca {
   using SpecialForm = Arenisca;
   using Parameters = Arenisca::Parameters;
+  using Law = arenisca::ScatteredRock<arenisca::Rock>;
   static constexpr const char* name = "Arenisca";
   static constexpr const char* form = "scattered";  ///< tells it from others of that name
   static constexpr const char* summary = Arenisca::summary;
@@ -101,7 +102,7 @@ struct ScatteredArenisca {
   }
   template <class R>
   BARRENO_FUNCTION void finish_points(Points<R>* groups, const MaskOf<R>* flows, int count) const {
-    arenisca::StepOf<R, Rock> steps[groups_together];
+    arenisca::StepOf<R, Law> steps[groups_together];
     arenisca::finish_rock(rock_, steps, groups, flows, count);
   }
 
@@ -118,13 +119,12 @@ struct ScatteredArenisca {
     return mean_.drained_moduli(stress, mean(h));
   }
   const Parameters& parameters() const { return mean_.parameters(); }
-  using Rock = arenisca::ScatteredRock<arenisca::Rock>;
-  const Rock& rock() const { return rock_; }
+  const Law& rock() const { return rock_; }
 
 private:
-  static Rock make_rock(const Arenisca& mean) {
+  static Law make_rock(const Arenisca& mean) {
     const Parameters& p = mean.parameters();
-    Rock rock;
+    Law rock;
     static_cast<arenisca::Rock&>(rock) = mean.rock();
     arenisca::set_strength(p, rock);
     return rock;
@@ -135,7 +135,7 @@ private:
   }
 
   Arenisca mean_;
-  Rock rock_;
+  Law rock_;
   arenisca::Weibull weibull_;
 };
 

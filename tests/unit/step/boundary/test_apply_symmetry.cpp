@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plane of symmetry is a mirror: nodes behind it and their images, one by one.
+// Nodes behind a plane of symmetry and their images, one by one.
 #include "step/boundary/apply_symmetry.hpp"
-#include "step/boundary/symmetry_planes.hpp"
-#include "support/tiles.hpp"
+#include "unit/step/boundary/two_tiles_along_y.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,17 +11,6 @@ namespace {
 using testing::motion_at;
 using testing::sums_at;
 
-/// A particle in the first tile of a box, and one in the tile above it.
-Scene two_tiles(const std::vector<Face>& mirrors) {
-  Scene scene = testing::box_scene(
-      Mode::plane_strain, 1.0, {0.0, 0.0, 0.0}, {8.0, 16.0, 0.0}, testing::elastic(1e9, 0.3, 1e3)
-  );
-  testing::add_box(scene, "low", {3.0, 3.0, 0.0}, {4.0, 4.0, 0.0}, 1);
-  testing::add_box(scene, "high", {3.0, 12.0, 0.0}, {4.0, 13.0, 0.0}, 1);
-  for (const Face face : mirrors) testing::add_symmetry(scene, face);
-  return scene;
-}
-
 void put(double* sums, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) sums[i] = values[i];
 }
@@ -30,24 +18,8 @@ void expect(const double* sums, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(sums[i], values[i]) << i;
 }
 
-TEST(SymmetryPlanes, AreFacesOfTheGridThoseAcrossYLast) {
-  const Scene scene = two_tiles({Face::y_lower, Face::x_upper});
-  const State state = testing::in_tiles(scene, 1.0);
-  const SymmetryPlanes planes(scene.conditions, state.grid);
-  ASSERT_EQ(planes.count, 2);
-  EXPECT_EQ(planes.list[0].axis, 0);
-  EXPECT_EQ(planes.list[0].node, 8);
-  EXPECT_TRUE(planes.list[0].is_behind(9));
-  EXPECT_FALSE(planes.list[0].is_behind(8));
-  EXPECT_EQ(planes.list[1].axis, 1);
-  EXPECT_TRUE(planes.list[1].is_behind(-1));
-  EXPECT_TRUE(planes.mirrors_axially);
-  EXPECT_TRUE(planes.holds(0, 8));
-  EXPECT_FALSE(planes.holds(0, 0));
-}
-
 TEST(ApplySymmetryToSums, AnImageTakesWhatTheNodeBehindThePlaneGot) {
-  const Scene scene = two_tiles({Face::x_lower});
+  const Scene scene = testing::two_tiles_along_y({Face::x_lower});
   State state = testing::in_tiles(scene, 1.0);
   put(sums_at(state, 0, 0, {-1, 3}), {2.0, 3.0, 5.0, 7.0, 11.0, 0.0, 0.0, 13.0});
   put(sums_at(state, 0, 0, {1, 3}), {20.0, 30.0, 50.0, 70.0, 110.0, 0.0, 0.0, 130.0});
@@ -61,7 +33,7 @@ TEST(ApplySymmetryToSums, AnImageTakesWhatTheNodeBehindThePlaneGot) {
 }
 
 TEST(ApplySymmetryToSums, BehindAnEdgeTheImageIsThatOfBothPlanes) {
-  const Scene scene = two_tiles({Face::x_lower, Face::y_lower});
+  const Scene scene = testing::two_tiles_along_y({Face::x_lower, Face::y_lower});
   State state = testing::in_tiles(scene, 1.0);
   put(sums_at(state, 0, 0, {-1, -1}), {2.0, 3.0, 5.0, 7.0, 11.0});
   const SymmetryPlanes planes(scene.conditions, state.grid);
@@ -95,7 +67,7 @@ GridTally mirror_one_node(const State& state, const Scene& scene, int tile) {
 }
 
 TEST(ApplySymmetryToVelocities, MirrorsMotionsAndTalliesTheImpulsesOfTheMirror) {
-  const Scene scene = two_tiles({Face::y_lower, Face::y_upper});
+  const Scene scene = testing::two_tiles_along_y({Face::y_lower, Face::y_upper});
   const State state = testing::in_tiles(scene, 0.5);
   const GridTally tally = mirror_one_node(state, scene, 0);
   EXPECT_EQ(tally.condition_impulse.value(), -2.0 * 2.0 * 0.5 - 2.0 * 0.5 * 11.0);
@@ -104,7 +76,7 @@ TEST(ApplySymmetryToVelocities, MirrorsMotionsAndTalliesTheImpulsesOfTheMirror) 
 }
 
 TEST(ApplySymmetryToVelocities, EveryTileTakesItsOwnStep) {
-  const Scene scene = two_tiles({Face::y_lower, Face::y_upper});
+  const Scene scene = testing::two_tiles_along_y({Face::y_lower, Face::y_upper});
   for (int tile = 0; tile < 2; ++tile) {
     const State mixed = testing::in_tiles(scene, 0.5);
     testing::set_tile_step(mixed.grid, 1, 0.125);

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contact between velocity fields: its law, its normals, its balances, and the same bits on any
-// ranks.
+// Contact between velocity fields: its balances, and the same bits on any number of ranks.
 #include "base/gather.hpp"
 #include "state/balance.hpp"
-#include "step/contact/contact_law.hpp"
-#include "step/contact/directions.hpp"
-#include "step/contact/separating_normal.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -24,106 +20,6 @@ using testing::all_rows;
 using testing::box_scene;
 using testing::start;
 using testing::start_alone;
-
-constexpr double up[2] = {0.0, 1.0};
-
-TEST(ContactLaw, SurfacesThatPartOrAreApartAreFree) {
-  const double parting[2] = {3.0, 1.0}, closing[2] = {3.0, -1.0}, none[2] = {0.0, 0.0};
-  for (const auto kind : {ContactKind::stick, ContactKind::friction, ContactKind::frictionless}) {
-    EXPECT_EQ(contact_impulse<2>(kind, 0.5, 2.0, parting, up, 0.0).total[1], 0.0);
-    EXPECT_EQ(contact_impulse<2>(kind, 0.5, 2.0, closing, up, 1.5).total[0], 0.0);
-    EXPECT_EQ(contact_impulse<2>(kind, 0.5, 2.0, closing, none, 0.0).total[1], 0.0);
-  }
-  EXPECT_EQ(contact_impulse<2>(ContactKind::bonded, 0.0, 2.0, parting, none, 9.0).total[0], 6.0);
-}
-
-TEST(ContactLaw, FrictionIsTheSmallerOfStickAndItsCoefficientTimesThePush) {
-  const double w[2] = {3.0, -1.0};
-  const auto slides = contact_impulse<2>(ContactKind::friction, 0.5, 2.0, w, up, 0.0);
-  EXPECT_DOUBLE_EQ(slides.total[0], 1.0);
-  EXPECT_DOUBLE_EQ(slides.total[1], -2.0);
-  EXPECT_DOUBLE_EQ(slides.tangential[0], 1.0);
-  EXPECT_EQ(slides.tangential[1], 0.0);
-  const auto sticks = contact_impulse<2>(ContactKind::friction, 5.0, 2.0, w, up, 0.0);
-  const auto stuck = contact_impulse<2>(ContactKind::stick, 0.0, 2.0, w, up, 0.0);
-  EXPECT_DOUBLE_EQ(sticks.total[0], 6.0);
-  EXPECT_DOUBLE_EQ(stuck.total[0], 6.0);
-  const auto smooth = contact_impulse<2>(ContactKind::frictionless, 0.0, 2.0, w, up, 0.25);
-  EXPECT_EQ(smooth.total[0], 0.0);
-  EXPECT_DOUBLE_EQ(smooth.total[1], -1.5);
-}
-
-/// Moments of a box of uniform weight, centre and half edges along rotated axes.
-template <unsigned D>
-struct BoxMoments {
-  double values[1 + D + D * (D + 1) / 2] = {};
-  BoxMoments(const double (&centre)[D], const double (&axes)[D][D], const double (&half)[D]) {
-    values[0] = 2.0;
-    double* second = values + 1 + D;
-    for (unsigned i = 0; i < D; ++i) {
-      values[1 + i] = 2.0 * centre[i];
-      for (unsigned j = i; j < D; ++j) {
-        double sum = centre[i] * centre[j];
-        for (unsigned k = 0; k < D; ++k) sum += axes[k][i] * axes[k][j] * half[k] * half[k] / 3.0;
-        *second++ = 2.0 * sum;
-      }
-    }
-  }
-};
-
-TEST(ContactNormals, BoxesSideBySideAreSeparatedByTheirCommonFace) {
-  const double axes[2][2] = {{0.8, 0.6}, {-0.6, 0.8}}, half[2] = {0.5, 1.4};
-  // The second is moved along the face too: the means alone would give another normal.
-  const double a[2] = {0.1, 0.2}, b[2] = {0.1 + 0.8 * 1.0, 0.2 + 0.6 * 1.0};
-  const bool none[2] = {false, false};
-  double n[2];
-  separating_normal<2>(
-      BoxMoments<2>(a, axes, half).values, BoxMoments<2>(b, axes, half).values, none, n
-  );
-  EXPECT_NEAR(n[0], 0.8, 1e-14);
-  EXPECT_NEAR(n[1], 0.6, 1e-14);
-}
-
-TEST(ContactNormals, AtAMirrorTheNormalIsInThePlaneOrAcrossIt) {
-  const double axes[2][2] = {{1.0, 0.0}, {0.0, 1.0}}, half[2] = {0.5, 0.5};
-  const bool mirror[2] = {true, false};
-  const double a[2] = {0.5, 0.0}, above[2] = {0.7, 1.0}, beside[2] = {1.5, 0.1};
-  double n[2];
-  separating_normal<2>(
-      BoxMoments<2>(a, axes, half).values, BoxMoments<2>(above, axes, half).values, mirror, n
-  );
-  EXPECT_EQ(n[0], 0.0);
-  EXPECT_EQ(n[1], 1.0);
-  separating_normal<2>(
-      BoxMoments<2>(a, axes, half).values, BoxMoments<2>(beside, axes, half).values, mirror, n
-  );
-  EXPECT_EQ(n[0], 1.0);
-  EXPECT_EQ(n[1], 0.0);
-}
-
-template <unsigned D>
-void expect_cone(const double (&n)[D]) {
-  const Directions<D> directions(0.5, true);
-  for (int k = 0; k < Directions<D>::count; ++k) {
-    double out[D];
-    directions.find(n, k, out);
-    double squared = 0.0;
-    double along = 0.0;
-    for (unsigned d = 0; d < D; ++d) {
-      squared += out[d] * out[d];
-      along += out[d] * n[d];
-    }
-    EXPECT_NEAR(squared, 1.0, 1e-14);
-    EXPECT_GT(along, k <= Directions<D>::turned ? std::cos(0.5) - 1e-14 : 0.5 - 1e-14);
-  }
-}
-
-TEST(ContactNormals, DirectionsAboutANormalAreUnitVectorsNearIt) {
-  expect_cone<2>({0.6, -0.8});
-  expect_cone<3>({0.48, -0.64, 0.6});
-  expect_cone<3>({1.0, 0.0, 0.0});
-  expect_cone<3>({0.0, 0.0, -1.0});
-}
 
 /// A block that hits another aslant, with friction; a third of yet another material joins the
 /// second. In three dimensions they slide past each other along z too, in larger cells.

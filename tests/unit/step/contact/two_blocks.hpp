@@ -33,8 +33,8 @@ inline void meet(const Scene& scene, State& state) {
         state.grid, particles, state.nodes[static_cast<std::size_t>(particles.field)]
     );
   detect_contact_nodes(state.grid, state.fields, state.particles, state.nodes, state.contact);
-  const SymmetryPlanes mirrors(scene.conditions, state.grid);
-  fit_surface_normals(state.grid, state.fields, state.particles, mirrors, state.contact);
+  const SymmetryPlanes planes(scene.conditions, state.grid);
+  fit_surface_normals(state.grid, state.fields, state.particles, planes, state.contact);
 }
 
 /// The normal of a pair at a node of the box, and the gap behind it.

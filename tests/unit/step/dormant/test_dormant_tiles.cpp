@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiles at rest are left out of a step, and nobody can tell from the answer.
+#include "barreno/models.hpp"
 #include "barreno/registry.hpp"
 #include "base/gather.hpp"
 #include "state/balance.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Body forces, damping and mirrors: exact answers of single steps, and their places in the ledger.
+// Body forces, damping and symmetry planes: exact answers of single steps, and their places in the
+// ledger.
 #include "scene/body_force.hpp"
 #include "state/balance.hpp"
 #include "support/scenes.hpp"

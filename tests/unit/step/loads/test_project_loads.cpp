@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The force of a load on the face of one particle, at the nodes of the face; its work and impulse.
-#include "base/numbers.hpp"
-#include "step/loads/face_force.hpp"
 #include "step/loads/load_pressures.hpp"
 #include "step/loads/project_loads.hpp"
 #include "step/loads/release_torn_faces.hpp"
-#include "support/tiles.hpp"
+#include "unit/step/loads/two_particles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,53 +14,16 @@ namespace {
 
 using testing::sums_at;
 
-constexpr double h = 0.5, density = 1000.0, young = 8e9, poisson = 0.25;
-const double axial = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
-const double shear = young / (2.0 * (1.0 + poisson));
-
-/// Single particles that fill the cells (3, 3) and (3, 11): one in each of two tiles.
-Scene two_particles(LoadKind kind, Face face, double pressure) {
-  Scene scene = testing::box_scene(
-      Mode::plane_strain,
-      h,
-      {0.0, 0.0, 0.0},
-      {8.0 * h, 16.0 * h, 0.0},
-      testing::elastic(young, poisson, density)
-  );
-  scene.step.shape = "linear";
-  for (int i = 0; i < 2; ++i) {
-    const double y = (3.0 + 8.0 * i) * h;
-    testing::add_box(scene, "block", {3.0 * h, y, 0.0}, {4.0 * h, y + h, 0.0}, 1).velocity = {
-        3.0, 2.0, 0.0};
-    PressureLoadSpec load;
-    load.body = i;
-    load.kind = kind;
-    load.faces[static_cast<std::size_t>(face)] = true;
-    load.pressure = {{0.0}, {pressure}};
-    scene.loads.push_back(load);
-  }
-  return scene;
-}
+using testing::axial;
+using testing::density;
+using testing::h;
+using testing::shear;
+using testing::two_particles;
 
 void apply(const Scene& scene, State& state) {
   set_load_pressures(scene.loads, state.cavities, 0.0, state.loads);
   release_torn_faces(state.grid, state.nodes, state.particles, state.loads);
   project_loads(state.grid, state.loads, scene.materials, state.particles, state.nodes);
-}
-
-/// Nanson on a ring of a square of side h between the radii 3 h and 4 h.
-TEST(FaceArea, OfARingIsThatOfItsOwnRadius) {
-  Scene scene = two_particles(LoadKind::pressure, Face::y_upper, 4e6);
-  scene.grid.mode = Mode::axisymmetric;
-  const State state = testing::in_tiles(scene, 1.0);
-  const Particles& particles = state.particles[0];
-  const auto area = [&](Face face) {
-    return face_area<Axisymmetric>(particles, 0, static_cast<int>(face));
-  };
-  EXPECT_DOUBLE_EQ(area(Face::x_upper)[0], two_pi * 4.0 * h * h);
-  EXPECT_DOUBLE_EQ(area(Face::x_lower)[0], -two_pi * 3.0 * h * h);
-  EXPECT_DOUBLE_EQ(area(Face::y_upper)[1], two_pi * 3.5 * h * h);
-  EXPECT_EQ(area(Face::y_upper)[0], 0.0);
 }
 
 TEST(ProjectLoads, APressurePushesTheNodesOfItsFaceInwards) {

@@ -51,7 +51,8 @@ TEST(DropForces, MassAndMomentumStay) {
   for (std::size_t i = 3; i < sum_components; ++i) EXPECT_EQ(sums(corner + i), 0.0);
 }
 
-/// Nodes beyond a mirror give what they have to their images, the part across it turned round.
+/// Nodes behind a symmetry plane add their sums to their images, with the normal components
+/// reversed.
 TEST(SumHalos, NodesBeyondAMirrorGiveToTheirImages) {
   Scene scene = testing::box_scene(
       Mode::plane_strain, 1.0, {0.0, 0.0, 0.0}, {8.0, 8.0, 0.0}, testing::elastic(1.0, 0.25, 4.0)

@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A test from its CSV file: units, signs and strains are brought to SI, compression positive, logarithmic."""
+
+import csv
+import difflib
+import hashlib
+import io
+import pathlib
+import re
+from dataclasses import dataclass, field
+
+import numpy
+
+from barreno_fit import units
+from barreno_fit.faults import FILE, Fault
+from barreno_fit.kinds import DIMENSIONS, KINDS, columns_of
+
+LEAST_ROWS = 8  # of a curve
+MOST_ROWS = 150  # of a curve that are compared
+MOST_TURNS = 12  # of the strain: three loops of unloading, with room
+LARGEST_STRAIN = 0.7
+LARGEST_STRESS = 200e9
+CURVE_UNCERTAINTY, TABLE_UNCERTAINTY = 0.02, 0.10
+KEYS = ("kind", "compression", "confinement", "porosity", "uncertainty", "strain", "strain_limit", "source")
+
+
+@dataclass
+class Test:
+    """What a file says."""
+
+    file: str
+    kind: str
+    digest: str
+    source: str
+    columns: dict  # name -> values
+    labels: list  # per row of a table: its source
+    uncertainty: numpy.ndarray  # relative: of each row, or (curve) of the largest value of the channel
+    confinement: float = 0.0
+    porosity: float = 0.0  # 0: not said
+    strain_limit: float = 0.1
+    notes: list = field(default_factory=list)
+
+    @property
+    def rows(self):
+        return len(next(iter(self.columns.values())))
+
+    @property
+    def channels(self):
+        return [name for group in KINDS[self.kind].channels for name in group if name in self.columns]
+
+
+def text_of(file):
+    path = pathlib.Path(file)
+    try:
+        raw = path.read_bytes()
+    except FileNotFoundError:
+        raise Fault(f"{file} does not exist (needed as the data of a test); check the path.", FILE) from None
+    except OSError as error:
+        raise Fault(f"{file} cannot be read ({error.strerror}); check the path and its permissions.", FILE) from None
+    try:
+        return raw.decode("utf-8-sig"), hashlib.sha256(raw).hexdigest()[:16]
+    except UnicodeDecodeError:
+        raise Fault(f"{file} is not text in UTF-8 (a spreadsheet?); save it as CSV.") from None
+
+
+def header_keys(file, text):
+    """`# key: value` of the comments."""
+    keys = {}
+    for line in text.splitlines():
+        found = re.match(r"#\s*([a-z_]+)\s*:\s*(.+?)\s*$", line)
+        if found and found.group(1) in KEYS:
+            if found.group(1) in keys and found.group(1) != "source":
+                raise Fault(f"{file} gives '{found.group(1)}' twice; keep one of the two lines.")
+            keys[found.group(1)] = (keys.get("source", "") + " " + found.group(2)).strip() if found.group(1) == "source" else found.group(2)
+    return keys
+
+
+def kind_of(file, keys):
+    if "kind" not in keys:
+        raise Fault(f"{file} does not say which kind of test it is; add a line '# kind: NAME' with one of {', '.join(KINDS)}.")
+    name = keys["kind"].lower()
+    if name in KINDS:
+        return name
+    near = difflib.get_close_matches(name, KINDS, 1, 0.6)
+    advice = f"did you mean '{near[0]}'?" if near else f"it is one of {', '.join(KINDS)}."
+    raise Fault(f"{file} has the kind '{keys['kind']}', which is not known; {advice}")
+
+
+def table_of(file, text):
+    """Header cells, units per column ('' if none), and the rows with their line numbers. Units stand in brackets behind the names,
+    or in a row of their own."""
+    lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
+    rows = [(n, [c.strip() for c in next(csv.reader(io.StringIO(line), skipinitialspace=True))]) for n, line in lines]
+    if not rows:
+        raise Fault(f"{file} contains no table; write a line of column names, then rows of numbers.")
+    names, given = [], []
+    for cell in rows[0][1]:
+        found = re.fullmatch(r"([^\[]*?)\s*(?:\[\s*(.*?)\s*\])?", cell)
+        names.append((found.group(1) if found else cell).strip().lower())
+        given.append((found.group(2) or "") if found else "")
+    rows = rows[1:]
+    if rows and not any(given) and not any(is_number(cell) for cell in rows[0][1]):
+        given = [cell.strip("[]() ") for cell in rows[0][1]] + [""] * len(names)
+        rows = rows[1:]
+    for number, cells in rows:
+        if len(cells) != len(names):
+            raise Fault(f"{file}, line {number} has {len(cells)} cells under {len(names)} column names; complete it (text with commas goes in quotes).")
+    return names, given, rows
+
+
+def is_number(cell):
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def numbers_of(file, name, unit, at, rows):
+    """A column in SI."""
+    dimension = DIMENSIONS[name]
+    if not unit:
+        if dimension != "ratio":
+            raise Fault(f"{file} gives no unit for the column '{name}'; write for example '{name} [{'MPa' if dimension == 'stress' else '%'}]'.")
+        unit = "-"
+    scale = units.factor(unit, dimension, f"{file}, column '{name}'")
+    values = []
+    for number, cells in rows:
+        if not is_number(cells[at]) or not numpy.isfinite(float(cells[at])):
+            raise Fault(f"{file}, line {number} has '{cells[at]}' in the column '{name}', which is not a number; correct the row or take it out.")
+        values.append(float(cells[at]) * scale)
+    return numpy.array(values)
+
+
+def check_columns(file, kind, names):
+    """The columns that are needed are there, one of each group of alternatives."""
+    what = KINDS[kind]
+    for name in names:
+        if names.count(name) > 1:
+            raise Fault(f"{file} has the column '{name}' twice; take one out.")
+    near = difflib.get_close_matches
+    for group in ([(what.control,)] if what.control else []) + list(what.channels[:1]):
+        if any(name in names for name in group):
+            continue
+        like = [found for name in names if name not in DIMENSIONS for found in near(name, group, 1, 0.7)]
+        advice = f" (is one misspelt? they are {', '.join(names)})" if like else ""
+        raise Fault(f"{file} lacks the column '{group[0]}', which a test of kind '{kind}' needs{advice}; its columns are {', '.join(columns_of(what))}.")
+    for group in what.channels:
+        both = [name for name in group if name in names]
+        if len(both) > 1:
+            raise Fault(f"{file} has the columns {' and '.join(both)}, which say the same; keep one.")
+
+
+def positive_in_compression(file, keys, columns):
+    """Turns signs that are those of mechanics, and checks that the data are as the file says."""
+    said = keys.get("compression", "").lower()
+    if said not in ("positive", "negative"):
+        raise Fault(f"{file} does not say its sign convention; add a line '# compression: positive' (or negative).")
+    if said == "negative":
+        for name in columns:
+            if DIMENSIONS[name] in ("stress", "strain"):
+                columns[name] = -columns[name] + 0.0
+    for name, values in columns.items():
+        checked = name in ("pressure", "axial_stress", "differential_stress", "axial_strain")
+        if checked and values[numpy.argmax(numpy.abs(values))] < 0.0:
+            other = "negative" if said == "positive" else "positive"
+            raise Fault(f"{file} says that compression is {said}, but the largest value of '{name}' has the other sign; correct the column, or write '# compression: {other}'.")
+
+
+def check_curve(file, control, columns, confinement):
+    values = columns[control]
+    if len(values) < LEAST_ROWS:
+        raise Fault(f"{file} has {len(values)} rows, too few for a curve ({LEAST_ROWS} at least); give more of the test.")
+    turns = numpy.flatnonzero(numpy.diff(numpy.sign(numpy.diff(values)[numpy.diff(values) != 0.0])))
+    if len(turns) > MOST_TURNS:
+        raise Fault(f"{file} is not monotone: '{control}' turns {len(turns)} times (noise, or rows out of order; a loop of unloading has 2 turns, and {MOST_TURNS} are possible); sort, smooth or thin the rows.")
+    if "axial_stress" in columns and control == "axial_strain" and confinement is not None:
+        stress = columns["axial_stress"]
+        if stress.max() < confinement or stress[0] < 0.5 * confinement:
+            raise Fault(f"{file} begins with an axial_stress of {stress[0] / 1e6:.4g} MPa under a confinement of {confinement / 1e6:.4g} MPa (the axial stress includes the confinement); if the column is the stress above the confinement, call it differential_stress.")
+
+
+def check_magnitudes(file, columns):
+    for name, values in columns.items():
+        largest = numpy.abs(values).max()
+        if DIMENSIONS[name] == "strain" and not 1e-6 < largest < LARGEST_STRAIN:
+            raise Fault(f"{file} has a largest '{name}' of {100 * largest:.3g} %, which no test has; check the unit of the column.")
+        if DIMENSIONS[name] == "stress" and not 1e3 < largest < LARGEST_STRESS:
+            raise Fault(f"{file} has a largest '{name}' of {largest:.3g} Pa, which no test has; check the unit of the column.")
+
+
+def logarithmic(file, keys, columns):
+    """Change of length (volume) over the original one, positive in compression, to its logarithm."""
+    said = keys.get("strain", "engineering").lower()
+    if said not in ("engineering", "logarithmic"):
+        raise Fault(f"{file} has '# strain: {keys['strain']}'; it is engineering (change over original length or volume) or logarithmic.")
+    if said == "engineering":
+        for name in columns:
+            if DIMENSIONS[name] == "strain":
+                columns[name] = -numpy.log1p(-columns[name])
+
+
+def kept_rows(values):
+    """At most MOST_ROWS of a curve, turns and ends among them."""
+    if len(values) <= MOST_ROWS:
+        return numpy.arange(len(values))
+    turns = numpy.flatnonzero(numpy.diff(numpy.sign(numpy.diff(values)))) + 1
+    even = numpy.linspace(0, len(values) - 1, MOST_ROWS - len(turns)).round().astype(int)
+    return numpy.unique(numpy.concatenate([even, turns]))
+
+
+def header_value(file, keys, key, dimension, default, low, high):
+    if key not in keys:
+        return default
+    value = units.quantity(keys[key], dimension, f"{file}, '{key}'")
+    if not low <= value <= high:
+        raise Fault(f"{file} has '# {key}: {keys[key]}', which cannot be; correct the line.")
+    return value
+
+
+def read_test(file):
+    """The test of a file, or a Fault that says what to correct."""
+    file = str(file)
+    text, digest = text_of(file)
+    keys = header_keys(file, text)
+    kind = kind_of(file, keys)
+    what = KINDS[kind]
+    names, given, rows = table_of(file, text)
+    check_columns(file, kind, names)
+    if not rows:
+        raise Fault(f"{file} has no row of numbers; write them under the column names.")
+    used = [name for name in names if name in columns_of(what)]
+    columns = {name: numbers_of(file, name, given[names.index(name)], names.index(name), rows) for name in used}
+    labels = [cells[names.index("source")] for _, cells in rows] if "source" in names else [""] * len(rows)
+    positive_in_compression(file, keys, columns)
+    check_magnitudes(file, columns)
+    if kind == "triaxial" and "confinement" not in keys:
+        raise Fault(f"{file} does not say its confinement; add a line such as '# confinement: 40 MPa' (0 MPa for an unconfined test).")
+    confinement = header_value(file, keys, "confinement", "stress", 0.0, 0.0, LARGEST_STRESS)
+    default = header_value(file, keys, "uncertainty", "ratio", CURVE_UNCERTAINTY if what.curve else TABLE_UNCERTAINTY, 1e-4, 10.0)
+    uncertainty = columns.pop("uncertainty", numpy.full(len(rows), default))
+    if not (uncertainty > 0.0).all():
+        raise Fault(f"{file} has an uncertainty that is not above 0; correct the column.")
+    test = Test(
+        file, kind, digest, keys.get("source", ""), columns, labels, uncertainty, confinement,
+        header_value(file, keys, "porosity", "ratio", 0.0, 1e-3, 0.6), header_value(file, keys, "strain_limit", "strain", 0.1, 1e-3, LARGEST_STRAIN),
+    )  # fmt: skip
+    extra = [name for name in names if name not in columns_of(what) and name != "source"]
+    if extra:
+        test.notes.append(f"{file}: not used: {', '.join(extra)}.")
+    if what.curve:
+        finish_curve(test, what, keys)
+    elif any((test.columns[name] <= 0.0).any() for name in test.channels):
+        raise Fault(f"{file} has a value of '{test.channels[0]}' that is not above 0; correct the row.")
+    return test
+
+
+def finish_curve(test, what, keys):
+    logarithmic(test.file, keys, test.columns)
+    check_curve(test.file, what.control, test.columns, test.confinement if test.kind == "triaxial" else None)
+    kept = kept_rows(test.columns[what.control])
+    if len(kept) < test.rows:
+        test.notes.append(f"{test.file}: {len(kept)} of {test.rows} rows are compared.")
+    for name in test.columns:
+        test.columns[name] = test.columns[name][kept]
+    test.uncertainty = test.uncertainty[kept]
+    test.labels = [test.labels[i] for i in kept]

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Specimens in a laboratory: points of the library under axial strain and radial strain or stress, all at once."""
+
+import contextlib
+import os
+import tempfile
+
+import numpy
+from barreno_material import CONSISTENT, STRESS, Material
+
+from barreno_fit.card import text_of
+from barreno_fit.faults import Rejected
+
+EXACT = 1e-8  # of the stress
+ENOUGH = 1e-4  # where Newton's method stalls at a jump of the update
+MOST_STEPS = 60
+
+
+@contextlib.contextmanager
+def opened(card, library):
+    """The material of a card; Rejected if the library refuses it."""
+    handle, name = tempfile.mkstemp(suffix=".xml", prefix="barreno-fit-")
+    try:
+        with os.fdopen(handle, "w") as file:
+            file.write(text_of(card))
+        try:
+            rock = Material(name, library)
+        except ValueError as error:
+            raise Rejected(str(error).replace(name, "the card")) from None
+    finally:
+        os.unlink(name)
+    rock.card = card
+    with rock:
+        yield rock
+
+
+class Specimens:
+    """Stress and state of points, and their strains from the start."""
+
+    def __init__(self, rock, count):
+        self.rock = rock
+        self.stress, self.state = rock.virgin(count)
+        self.axial, self.radial = numpy.zeros(count), numpy.zeros(count)
+
+    def repeated(self, times):
+        """Each specimen that many times."""
+        out = Specimens(self.rock, 0)
+        for name in ("stress", "state", "axial", "radial"):
+            setattr(out, name, numpy.repeat(getattr(self, name), times, axis=0))
+        return out
+
+    def tried(self, axial, radial, want=STRESS):
+        """Answer to an increment of strain."""
+        strain = numpy.zeros((len(self.axial), 6))
+        strain[:, 0] = -axial
+        strain[:, 1] = strain[:, 2] = -numpy.asarray(radial)
+        return self.rock.update(strain, self.stress, self.state, want=want)
+
+    def take(self, answer, axial, radial):
+        if answer.status.any():
+            raise Rejected("the stress update fails")
+        self.stress, self.state = answer.stress, answer.state
+        self.axial, self.radial = self.axial + axial, self.radial + radial
+
+    def strain_by(self, axial, radial):
+        self.take(self.tried(axial, radial), axial, radial)
+
+    def of_state(self, name):
+        return self.state[:, self.rock.state_index(name)]
+
+    @property
+    def axial_stress(self):
+        return -self.stress[:, 0]
+
+    @property
+    def radial_stress(self):
+        return -0.5 * (self.stress[:, 1] + self.stress[:, 2])
+
+    @property
+    def pressure(self):
+        return -self.stress[:, :3].mean(axis=1)
+
+
+def newton(measure, start, target, free):
+    """Increments of strain that give the targets, where free; elsewhere they stay. Newton's method for each specimen by itself, shortened
+    while a miss grows.
+
+    @param measure  increments -> answer, what is controlled, its slope
+    """
+    x = start.copy()
+    answer, value, slope = measure(x)
+    miss = numpy.where(free, value - target, 0.0)
+    for _ in range(MOST_STEPS):
+        scale = numpy.maximum(numpy.abs(answer.stress).max(axis=1), 1e5)
+        if (numpy.abs(miss) <= EXACT * scale).all():
+            break
+        step = numpy.where(free & (slope > 0.0), -miss / numpy.where(slope > 0.0, slope, 1.0), 0.0)
+        for _ in range(8):
+            tried = measure(x + step)
+            left = numpy.where(free, tried[1] - target, 0.0)
+            worse = (numpy.abs(left) > numpy.abs(miss)) & (numpy.abs(miss) > EXACT * scale)
+            if not worse.any():
+                break
+            step = numpy.where(worse, 0.5 * step, step)
+        x = x + step
+        (answer, _, slope), miss = tried, left
+    scale = numpy.maximum(numpy.abs(answer.stress).max(axis=1), 1e5)
+    if answer.status.any() or not (numpy.abs(miss) <= ENOUGH * scale).all():
+        raise Rejected("no strain gives the stress that is asked for")
+    return answer, x
+
+
+def press(specimens, pressure, steps):
+    """Hydrostatic loading to a pressure of each specimen, by isotropic strain."""
+    begin = specimens.pressure
+    last = numpy.zeros(len(begin))
+
+    def measure(x):
+        answer = specimens.tried(x, x, CONSISTENT)
+        return answer, -answer.stress[:, :3].mean(axis=1), answer.tangent[:, :3, :3].sum(axis=(1, 2)) / 3.0
+
+    for k in range(1, steps + 1):
+        answer, last = newton(measure, last, begin + (pressure - begin) * k / steps, numpy.full(len(begin), True))
+        specimens.take(answer, last, last)
+
+
+def compress(specimens, axial, radial, confinement, free):
+    """An increment of axial strain; where free, the radial strain is what keeps the confinement.
+
+    @param radial  increments, the first guess where free
+    @return the radial increments
+    """
+
+    def measure(x):
+        answer = specimens.tried(axial, x, CONSISTENT)
+        value = -0.5 * (answer.stress[:, 1] + answer.stress[:, 2])
+        return answer, value, answer.tangent[:, 1, 1] + answer.tangent[:, 1, 2]
+
+    if not free.any():
+        specimens.strain_by(axial, radial)
+        return radial
+    answer, radial = newton(measure, radial, confinement, free)
+    specimens.take(answer, axial, radial)
+    return radial

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/sections/jet_section.hpp"
+
+#include "deck/material_named.hpp"
+#include "deck/section_table.hpp"
+
+namespace barreno {
+namespace {
+
+using namespace input;
+namespace dim = dimension;
+
+SectionTable<JetSpec> jet_table() {
+  return {
+      "Jet",
+      "a jet launched along y through a plane, from a table of slugs",
+      Presence::optional,
+      {material_named(&JetSpec::material, "Material", "name of a list in Materials"),
+       read_by(
+           "include_jet_table",
+           &JetSpec::table_file,
+           file("Table", "CSV file: time,velocity,radius,length,density, a row per slug").if_given()
+       ),
+       read_by(
+           "discrete_slugs",
+           &JetSpec::slugs,
+           table(
+               "Slugs",
+               {dim::time, dim::velocity, dim::length, dim::length, dim::density},
+               "the same rows in the deck itself, in place of Table"
+           )
+               .if_given()
+       ),
+       needed(
+           &JetSpec::launch_position, "Launch Position", dim::length, any(), "y of the launch plane"
+       ),
+       needed(
+           &JetSpec::direction,
+           "Direction",
+           Words<double>{{"+y", 1.0}, {"-y", -1.0}},
+           "direction of flight"
+       ),
+       defaulted(
+           &JetSpec::particles_per_cell, "Particles Per Cell", between(1, 16), "per direction"
+       )}};
+}
+
+}  // namespace
+
+template <>
+const SectionTable<JetSpec>& table_of<JetSpec>() {
+  static const SectionTable<JetSpec> table = jet_table();
+  return table;
+}
+
+}  // namespace barreno

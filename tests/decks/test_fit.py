@@ -1,0 +1,248 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""`barreno fit` from the outside: a known card is found again from the curves that the code makes of it, the ranges hold the true values where the
+curves are noisy, the laboratory answers as `barreno drive` does, and every bad input has its own sentence and exit code.
+
+    test_fit.py LIBRARY BARRENO
+"""
+import contextlib
+import io
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "materials" / "python"))
+from barreno_fit import card as cards  # noqa: E402
+from barreno_fit import command, units  # noqa: E402
+from barreno_fit.answers import Laboratory  # noqa: E402
+from barreno_fit.data import Test, read_test  # noqa: E402
+from barreno_fit.kinds import DIMENSIONS  # noqa: E402
+from barreno_fit.specimens import opened  # noqa: E402
+from barreno_material import load  # noqa: E402
+
+MEGA = 1e6
+NOISE = 0.01
+FITTED = {"PEAKI1", "FSLOPE", "STREN", "CR", "B0", "B1", "B2", "G1", "p0_crush_curve", "p1_crush_curve"}
+EXACT = 2e-3
+SHIFTED = {"PEAKI1": 1.6, "FSLOPE": 0.8, "STREN": 1.5, "B0": 1.3, "B1": 0.7, "B2": 1.4, "p0_crush_curve": 1.3, "p1_crush_curve": 0.6}
+HELD = ["--fix", "YSLOPE=0.02", "--fix", "G2=0.02", "--fix", "p3_crush_curve=0.22"]
+
+
+def true_card():
+    card = {**cards.read("arenisca_demonstration"), "G1": 0.2, "G2": 0.02}
+    return {**card, "G0": 1.5 * card["B0"] * (1 - 2 * card["G1"]) / (1 + card["G1"])}
+
+
+def unloaded(top, low, last, rows):
+    """Strains up to top, back to low and up to last."""
+    return numpy.concatenate([numpy.linspace(0, top, rows), numpy.linspace(top, low, 6)[1:], numpy.linspace(low, last, rows)[1:]])
+
+
+def test_of(name, kind, columns, channel, confinement=0.0):
+    rows = len(next(iter(columns.values())))
+    return Test(name, kind, "", "", {**columns, channel: numpy.zeros(rows)}, [""] * rows, numpy.full(rows, NOISE), confinement * MEGA)
+
+
+def specimens():
+    tests = [test_of("hydrostatic", "hydrostatic", {"volume_strain": unloaded(0.035, 0.028, 0.09, 16)}, "pressure")]
+    for side, last in ((0, 0.012), (30, 0.02), (120, 0.05)):
+        tests.append(test_of(f"triaxial_{side}", "triaxial", {"axial_strain": numpy.linspace(0, last, 16)}, "differential_stress", side))
+    return tests
+
+
+def write_data(folder, card, noise, library, seed=7):
+    """The curves of a card as a laboratory would hand them over: engineering strains in %, stresses in MPa or psi."""
+    tests, random = specimens(), numpy.random.default_rng(seed)
+    with opened(cards.in_a_test(card, Tolerance=1e-5), library) as rock:
+        answers = Laboratory(tests).answers(rock)
+    files = []
+    for test, answer in zip(tests, answers):
+        unit = "psi" if test.file == "triaxial_30" else "MPa"
+        lines = [f"# kind: {test.kind}", "# compression: positive", f"# uncertainty: {100 * NOISE} %", f"# confinement: {test.confinement / MEGA} MPa"]
+        (channel,) = answer
+        (strain,) = set(test.columns) - {channel}
+        stress = answer[channel] + noise * numpy.abs(answer[channel]).max() * random.standard_normal(test.rows)
+        lines.append(f"{strain} [%],{channel} [{unit}]")
+        engineering = -numpy.expm1(-test.columns[strain])
+        lines += [f"{100 * e!r},{s / units.UNITS['stress'][unit]!r}" for e, s in zip(engineering.tolist(), stress.tolist())]
+        files.append(folder / f"{test.file}.csv")
+        files[-1].write_text("\n".join(lines) + "\n")
+    return list(map(str, files))
+
+
+def run(words):
+    """Exit code and what is said."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        code = command.main(list(map(str, words)))
+    return code, out.getvalue(), err.getvalue()
+
+
+def fitted(files, folder, *words):
+    code, out, err = run([*files, "--out", folder / "card.xml", *HELD, *words])
+    assert code == 0, err
+    return out, {entry["name"]: entry for entry in json.loads((folder / "card.json").read_text())["parameters"]}
+
+
+def check_known_card(folder, library):
+    """Without noise: every parameter, from a start that is 20 to 60 % away, and from data in two units."""
+    truth = true_card()
+    start = folder / "start.xml"
+    start.write_text(cards.text_of({**truth, **{name: truth[name] * factor for name, factor in SHIFTED.items()}, "CR": 0.7, "G1": 0.3}))
+    out, found = fitted(write_data(folder, truth, 0.0, library), folder, "--start", start)
+    off = {name: abs(entry["value"] / truth[name] - 1) for name, entry in found.items()}
+    print("  without noise, largest difference:", max(off.items(), key=lambda item: item[1]))
+    assert set(off) == FITTED, f"fitted {sorted(off)}"
+    assert all(value <= EXACT for value in off.values()), off
+    assert "hydrostatic.csv (hydrostatic, pressure)" in out and "95 % range" in out, out
+    assert (folder / "card.png").read_bytes()[:4] == b"\x89PNG"
+    text = (folder / "card.xml").read_text()
+    assert '"Schema Version" type="int"' in text and 'name="Units" type="string" value="SI"' in text and str(folder) not in text, text
+    with opened(cards.read(str(folder / "card.xml")), library) as rock:
+        assert rock.model == "Arenisca"
+
+
+def check_noise(folder, library):
+    """With 1 % of noise: at most one of ten true values outside of its 95 % range, and the ranges no wider than that needs."""
+    truth = true_card()
+    _, found = fitted(write_data(folder, truth, NOISE, library), folder, "--start", "arenisca_demonstration", "--fix", "G1=0.2")
+    outside = [name for name, entry in found.items() if not entry["low"] <= truth[name] <= entry["high"]]
+    wide = {name: entry["high"] / entry["low"] for name, entry in found.items() if name in ("B0", "FSLOPE", "CR")}
+    print("  with noise, outside of their range:", outside, "; high/low:", wide)
+    assert len(found) == 9 and len(outside) <= 1, outside
+    assert all(ratio < 1.5 for ratio in wide.values()), wide
+
+
+def check_left_open(folder, library):
+    """A hydrostatic test that ends before the rock crushes says nothing of crushing, and the fit says so."""
+    truth = true_card()
+    strain = numpy.linspace(0, 0.008, 16)
+    test = test_of("elastic", "hydrostatic", {"volume_strain": strain}, "pressure")
+    with opened(cards.in_a_test(truth), library) as rock:
+        pressure = Laboratory([test]).answers(rock)[0]["pressure"]
+    lines = ["# kind: hydrostatic", "# compression: positive", "# strain: logarithmic", "volume_strain [-],pressure [Pa]"]
+    (folder / "elastic.csv").write_text("\n".join([*lines, *(f"{e!r},{p!r}" for e, p in zip(strain.tolist(), pressure.tolist()))]) + "\n")
+    out, found = fitted([str(folder / "elastic.csv")], folder, "--start", "arenisca_demonstration", "--fix", "G1=0.2", "--fix", "B2=400 MPa")
+    for name in ("p0_crush_curve", "p1_crush_curve"):
+        start = cards.read("arenisca_demonstration")[name]
+        assert found[name]["low"] is None and found[name]["value"] == start, found[name]
+        assert f"{name} is not determined by these data and is kept at its start" in out, out
+    assert abs(found["B0"]["value"] / truth["B0"] - 1) < 0.01, found["B0"]
+
+
+def check_against_drive(folder, library, barreno):
+    """The laboratory's unconfined, oedometer and hydrostatic tests are those of `barreno drive`."""
+    strain = numpy.linspace(0, 0.02, 21)
+    cases = {"triaxial": ("axial_stress", "strain_xx,stress_yy,stress_zz", "{e},0,0"), "uniaxial strain": ("axial_stress", "strain_xx", "{e}"),
+             "hydrostatic": ("pressure", "strain_xx,strain_yy,strain_zz", "{e},{e},{e}")}  # fmt: skip
+    tests = [test_of(kind, kind, {"volume_strain" if kind == "hydrostatic" else "axial_strain": strain * (3 if kind == "hydrostatic" else 1)}, channel) for kind, (channel, _, _) in cases.items()]
+    with opened(cards.in_a_test(true_card()), library) as rock:
+        answers = Laboratory(tests).answers(rock)
+    (folder / "rock.xml").write_text(cards.text_of(true_card()))
+    for (kind, (channel, columns, row)), answer in zip(cases.items(), answers):
+        path, out = folder / "path.csv", folder / "answer.csv"
+        path.write_text("\n".join([f"time,{columns}", *(f"{i}," + row.format(e=repr(-e + 0.0)) for i, e in enumerate(strain.tolist()))]) + "\n")
+        subprocess.run([barreno, "drive", "--material", folder / "rock.xml", "--path", path, "--out", out], check=True, capture_output=True)
+        lines = [line for line in out.read_text().splitlines() if not line.startswith("#")]
+        stress = -numpy.array([float(line.split(",")[lines[0].split(",").index("stress_xx")]) for line in lines[1:]])
+        off = numpy.abs(answer[channel] - stress).max() / stress.max()
+        assert off < 1e-6, f"{kind}: {off}"
+
+
+HEAD = "# kind: hydrostatic\n# compression: positive\n"
+ROWS = "".join(f"{0.1 * i},{10 * i}\n" for i in range(12))
+TABLE = "volume_strain [%],pressure [MPa]\n" + ROWS
+TRIAXIAL = "# kind: triaxial\n# compression: positive\n# confinement: 40 MPa\n"
+BAD = {  # file name: (text or None, further words, exit code, sentence)
+    "nowhere.csv": (None, [], 2, "does not exist (needed as the data of a test)"),
+    "no_kind.csv": ("# compression: positive\n" + TABLE, [], 1, "does not say which kind of test it is"),
+    "odd_kind.csv": ("# kind: hydrostatik\n# compression: positive\n" + TABLE, [], 1, "did you mean 'hydrostatic'?"),
+    "no_units.csv": (HEAD + "volume_strain,pressure\n" + ROWS, [], 1, "gives no unit for the column 'volume_strain'"),
+    "odd_unit.csv": (HEAD + TABLE.replace("MPa", "Mpa"), [], 1, "has the unit 'Mpa', which is none of a stress; did you mean MPa?"),
+    "strain_unit.csv": (HEAD + TABLE.replace("%", "MPa"), [], 1, "has the unit 'MPa', which is none of a strain"),
+    "no_sign.csv": ("# kind: hydrostatic\n" + TABLE, [], 1, "does not say its sign convention"),
+    "wrong_sign.csv": (HEAD.replace("positive", "negative") + TABLE, [], 1, "says that compression is negative, but the largest value of"),
+    "few_rows.csv": (HEAD + "\n".join(TABLE.splitlines()[:5]) + "\n", [], 1, "has 4 rows, too few for a curve (8 at least)"),
+    "no_rows.csv": (HEAD + "volume_strain [%],pressure [MPa]\n", [], 1, "has no row of numbers"),
+    "empty.csv": (HEAD, [], 1, "contains no table"),
+    "noisy.csv": (HEAD + "volume_strain [%],pressure [MPa]\n" + "".join(f"{0.1 * i + (0.3 if i % 2 else 0)},{i}\n" for i in range(30)), [], 1, "is not monotone: 'volume_strain' turns 28 times"),
+    "text.csv": (HEAD + TABLE.replace("50\n", "fifty\n", 1), [], 1, "line 9 has 'fifty' in the column 'pressure', which is not a number"),
+    "nan.csv": (HEAD + TABLE.replace("50\n", "nan\n", 1), [], 1, "which is not a number"),
+    "ragged.csv": (HEAD + TABLE + "1,2,3\n", [], 1, "line 16 has 3 cells under 2 column names"),
+    "misspelt.csv": (HEAD + TABLE.replace("pressure", "presure"), [], 1, "lacks the column 'pressure', which a test of kind 'hydrostatic' needs (is one misspelt?"),
+    "twice.csv": (HEAD + TABLE.replace("pressure [MPa]", "volume_strain [%]"), [], 1, "has the column 'volume_strain' twice"),
+    "percent.csv": (HEAD + TABLE.replace("[%]", "[-]"), [], 1, "has a largest 'volume_strain' of 110 %, which no test has"),
+    "binary.csv": (b"\xff\xfe\x00", [], 1, "is not text in UTF-8"),
+    "side.csv": ("# kind: triaxial\n# compression: positive\naxial_strain [%],axial_stress [MPa]\n" + ROWS, [], 1, "does not say its confinement"),
+    "above.csv": (TRIAXIAL + "axial_strain [%],axial_stress [MPa]\n" + ROWS, [], 1, "call it differential_stress"),
+    "side_unit.csv": (TRIAXIAL.replace(" MPa", "") + "axial_strain [%],differential_stress [MPa]\n" + ROWS, [], 1, "'confinement' is '40', without a unit"),
+    "only_triaxial.csv": (TRIAXIAL + "axial_strain [%],differential_stress [MPa]\n" + ROWS, [], 1, "no hydrostatic test is among the data"),
+    "only_hydrostatic.csv": (HEAD + TABLE, [], 1, "no triaxial test is among the data"),
+    "start.csv": (HEAD + TABLE, ["--start", "nowhere"], 2, "nowhere is neither a file nor the name of a card"),
+    "metal.csv": (HEAD + TABLE, ["--start", "copper"], 1, "--start needs one of Arenisca in SI"),
+    "fixed.csv": (HEAD + TABLE, ["--fix", "PEEK=1"], 1, "--fix PEEK names no parameter of a fit"),
+    "fix_unit.csv": (HEAD + TABLE, ["--fix", "B0=3 m"], 1, "has the unit 'm', which is none of a stress"),
+    "bounds.csv": (HEAD + TABLE, ["--bounds", "B0=3 GPa,1 GPa"], 1, "is not an interval above 0"),
+    "all_fixed.csv": (HEAD + TABLE, ["--start", "berea_sandstone", *(w for n in ("B0=6 GPa", "B1=2 GPa", "B2=9 MPa", "p0_crush_curve=-9 MPa", "p1_crush_curve=1 1/GPa", "p3_crush_curve=0.2") for w in ("--fix", n))], 1, "nothing is left to fit"),
+    "word.csv": (HEAD + TABLE, ["--fixx", "B0=1"], 1, "unrecognized arguments: --fixx"),
+    "refused.csv": (HEAD + TABLE, ["--start", "berea_sandstone", "--fix", "FSLOPE=0.01"], 3, "the library refuses every card that the fit could start from"),
+}  # fmt: skip
+
+
+def check_bad_inputs(folder):
+    problems = []
+    for name, (text, words, code, sentence) in BAD.items():
+        file, out = folder / name, folder / "bad.xml"
+        if text is not None:
+            file.write_bytes(text if isinstance(text, bytes) else text.encode())
+        got, _, err = run([file, "--out", out, *words])
+        said = [line for line in err.splitlines() if line.startswith("barreno: ")]
+        if got != code or len(said) != 1 or sentence not in said[0] or out.exists() or "Traceback" in err:
+            problems.append(f"{name}: exit {got}: {err}")
+    for words, code, sentence in (
+        ([folder / "only_hydrostatic.csv"], 1, "--out"),
+        ([folder / "only_hydrostatic.csv"] * 2 + ["--out", folder / "bad.xml"], 1, "a file is given twice"),
+        ([folder / "only_hydrostatic.csv", "--out", folder / "none" / "bad.xml"], 2, "the folder of --out"),
+        ([folder / "only_hydrostatic.csv", "--out", folder / "bad.csv"], 1, "end it with .xml"),
+    ):
+        got, _, err = run(words)
+        if got != code or sentence not in err or err.count("\n") != 1:
+            problems.append(f"{words}: exit {got}: {err}")
+    assert not problems, "\n".join(problems)
+
+
+def check_reading(folder):
+    """A row of units, another sign and another order of columns give the same test; the tables of Berea are read."""
+    (folder / "first.csv").write_text(HEAD + TABLE)
+    rows = "".join(f"{-1450.37738 * i},ignored,{-0.1 * i}\n" for i in range(12))
+    (folder / "second.csv").write_text("# kind: hydrostatic\n# compression: negative\npressure,note,volume_strain\npsi,-,%\n" + rows)
+    first, second = read_test(folder / "first.csv"), read_test(folder / "second.csv")
+    for name in first.columns:
+        numpy.testing.assert_allclose(first.columns[name], second.columns[name], rtol=1e-8)
+    assert second.notes == [f"{folder / 'second.csv'}: not used: note."], second.notes
+    kinds = {read_test(file).kind for file in (ROOT / "verification" / "fits" / "berea").glob("*.csv")}
+    assert len(kinds) == 7 and set(DIMENSIONS) >= {"bulk_modulus"}, kinds
+
+
+def main():
+    os.environ["BARRENO_LIBRARY"] = str(pathlib.Path(sys.argv[1]).resolve())
+    barreno, library = pathlib.Path(sys.argv[2]).resolve(), load()
+    checks = {
+        "reading": lambda f: check_reading(f), "bad inputs": lambda f: check_bad_inputs(f), "drive": lambda f: check_against_drive(f, library, barreno),
+        "left open": lambda f: check_left_open(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library),
+    }  # fmt: skip
+    for name, check in checks.items():
+        with tempfile.TemporaryDirectory() as scratch:
+            print(name, flush=True)
+            check(pathlib.Path(scratch))
+    print("fit finds what was put in, and says what it cannot use")
+
+
+if __name__ == "__main__":
+    main()
