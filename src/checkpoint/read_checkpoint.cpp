@@ -104,7 +104,7 @@ void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
   std::vector<TileCost> counts(grid.owner.size());
   for (const Particles& particles : state.particles)
     for_each_position(state, particles, file, [&](std::size_t, const Vector& x, bool inside) {
-      if (inside) counts[static_cast<std::size_t>(cell_of(grid, x).tile)].particles += 1.0;
+      if (inside) counts[static_cast<std::size_t>(cell_of(grid, x).box_tile)].particles += 1.0;
     });
   set_owners(bisect_tiles(grid.tiles, counts, grid.comm->getSize()), grid);
 }

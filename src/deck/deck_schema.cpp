@@ -13,6 +13,7 @@
 #include "deck/sections/output_section.hpp"
 #include "deck/sections/pore_flow_section.hpp"
 #include "deck/sections/quasi_static_section.hpp"
+#include "deck/sections/refinement_section.hpp"
 #include "deck/sections/shape_section.hpp"
 #include "deck/sections/step_section.hpp"
 #include "deck/sections/time_section.hpp"
@@ -29,6 +30,7 @@ input::Section build_schema() {
   deck.name = "Deck";
   deck.sections = {
       section_of<GridSpec>(),
+      refinement_section(),
       materials,
       section_of<ShapeSection>(),
       bodies_section(),

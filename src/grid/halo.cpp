@@ -23,12 +23,12 @@ std::vector<GlobalTile> touching_tiles(const Grid& grid, const std::vector<int>&
   const int me = grid.comm->getRank();
   std::vector<GlobalTile> touching;
   for (const int id : owned) {
-    const TilePosition at = grid.position_of_tile(id);
+    const TilePosition at = grid.box.position(id);
     for_each_neighbour(grid.patch, [&](int, int dx, int dy, int dz) {
-      const int x = at[0] + dx, y = at[1] + dy, z = at[2] + dz;
-      if (!grid.has_tile(x, y, z)) return;
-      const int other = grid.tile_id(x, y, z);
-      if (grid.owner[static_cast<std::size_t>(other)] != me) touching.push_back(other);
+      const TilePosition beside{{at[0] + dx, at[1] + dy, at[2] + dz}, at.level};
+      if (!grid.box.has(beside)) return;
+      const auto box_tile = static_cast<std::size_t>(grid.box.box_tile(beside));
+      if (grid.owner[box_tile] != me) touching.push_back(grid.box.id(beside));
     });
   }
   std::sort(touching.begin(), touching.end());

@@ -4,25 +4,17 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "grid/halo.hpp"
+#include "scene/tile_levels.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace barreno {
 namespace {
 
-/// Tiles of a box, for kernels.
-struct BoxTiles {
-  int along[3];
-  KOKKOS_INLINE_FUNCTION bool has(int x, int y, int z) const {
-    return x >= 0 && x < along[0] && y >= 0 && y < along[1] && z >= 0 && z < along[2];
-  }
-  KOKKOS_INLINE_FUNCTION int id(int x, int y, int z) const {
-    return (z * along[1] + y) * along[0] + x;
-  }
-};
-
 void find_neighbours(const Grid& grid) {
-  const BoxTiles box{{grid.tiles[0], grid.tiles[1], grid.tiles[2]}};
+  const BoxTiles box = grid.box;
   const Patch patch = grid.patch;
   const ArrayView<TileFrame> frame = grid.tile_frame;
   const ArrayView<int> directory = grid.directory, neighbours = grid.neighbours;
@@ -32,8 +24,8 @@ void find_neighbours(const Grid& grid) {
       KOKKOS_LAMBDA(const int t) {
         const TilePosition at = frame(t).position;
         for_each_neighbour(patch, [&](int k, int dx, int dy, int dz) {
-          const int x = at[0] + dx, y = at[1] + dy, z = at[2] + dz;
-          neighbours(t * patch.neighbours + k) = box.has(x, y, z) ? directory(box.id(x, y, z)) : -1;
+          const TilePosition beside{{at[0] + dx, at[1] + dy, at[2] + dz}, at.level};
+          neighbours(t * patch.neighbours + k) = box.has(beside) ? directory(box.id(beside)) : -1;
         });
       }
   );
@@ -72,17 +64,117 @@ void find_counting_copies(const Grid& grid) {
   );
 }
 
+/// Which nodes a refined tile takes from the coarser lattice.
+struct FindParents {
+  Patch patch;
+  BoxTiles box;
+  int cells[3];  ///< of the box at level 0
+  bool mirrored[6];
+  ArrayView<unsigned char> level_of_tile;
+  ArrayView<TileFrame> frame;
+  ArrayView<int> directory, parent;
+  ArrayView<unsigned char> from_parent, counts;
+
+  explicit FindParents(const Grid& grid)
+      : patch(grid.patch),
+        box(grid.box),
+        cells{grid.cells[0], grid.cells[1], grid.cells[2]},
+        level_of_tile(grid.level_of_tile),
+        frame(grid.tile_frame),
+        directory(grid.directory),
+        parent(grid.parent),
+        from_parent(grid.from_parent),
+        counts(grid.counts) {
+    for (int face = 0; face < 6; ++face) mirrored[face] = grid.mirrored[face];
+  }
+
+  /// A cell, by its place on the lattice of a level, belongs to tiles as fine as that level; so do
+  /// those outside the box, which have no say.
+  KOKKOS_INLINE_FUNCTION bool is_fine(const int (&cell)[3], int level) const {
+    TilePosition at{{}, level};
+    for (int d = 0; d < patch.dimensions; ++d) {
+      if (cell[d] < 0) return true;
+      at.along[d] = cell[d] >> patch.tile_bits;
+    }
+    return !box.has(at) || level_of_tile(box.box_tile(at)) >= level;
+  }
+  /// All cells around a node are that fine.
+  KOKKOS_INLINE_FUNCTION bool is_inside(const int (&node)[3], int level) const {
+    for (int corner = 0; corner < 1 << patch.dimensions; ++corner) {
+      int cell[3] = {};
+      for (int d = 0; d < patch.dimensions; ++d) cell[d] = node[d] - (corner >> d & 1);
+      if (!is_fine(cell, level)) return false;
+    }
+    return true;
+  }
+  KOKKOS_INLINE_FUNCTION bool is_on_parent(const int (&node)[3]) const {
+    bool even = true;
+    for (int d = 0; d < patch.dimensions; ++d) even = even && (node[d] & 1) == 0;
+    return even;
+  }
+  /// Such nodes follow their images.
+  KOKKOS_INLINE_FUNCTION bool is_behind_mirror(const int (&node)[3], int level) const {
+    bool behind = false;
+    for (int d = 0; d < patch.dimensions; ++d)
+      behind = behind || (mirrored[2 * d] && node[d] < 0) ||
+               (mirrored[2 * d + 1] && node[d] > cells[d] << level);
+    return behind;
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int t) const {
+    const TilePosition at = frame(t).position;
+    parent(t) = at.level > 0 ? directory(box.id(box.parent(at))) : -1;
+    for (int slot = 0; slot < patch.size; ++slot) {
+      int node[3];
+      position_of_slot(patch, slot, node);
+      for (int d = 0; d < patch.dimensions; ++d)
+        node[d] += at[d] * patch.tile_cells - patch.reach;
+      const bool taken = at.level > 0 && !is_behind_mirror(node, at.level) &&
+                         (is_on_parent(node) || !is_inside(node, at.level));
+      from_parent(t * patch.size + slot) = taken ? 1 : 0;
+      if (taken) counts(t * patch.size + slot) = 0;
+    }
+  }
+};
+
+void find_parents(Grid& grid) {
+  if (!grid.is_refined()) return;
+  const auto n = static_cast<std::size_t>(grid.active);
+  grid.parent = ArrayView<int>("parent", n);
+  grid.from_parent =
+      ArrayView<unsigned char>("from_parent", n * static_cast<std::size_t>(grid.patch.size));
+  launch("find_parents", range(grid.active), FindParents(grid));
+}
+
+/// Tiles are numbered level by level.
+void find_levels(const std::vector<int>& owned, Grid& grid) {
+  for (int l = 0; l <= max_level + 1; ++l) {
+    const auto first = std::lower_bound(owned.begin(), owned.end(), grid.box.first_id[l]);
+    grid.first_of_level[l] = static_cast<int>(first - owned.begin());
+  }
+}
+
 /// Frames of the local tiles, and where the box finds them.
 void enter_tiles(const std::vector<int>& local, const Grid& grid) {
   const auto frame = Kokkos::create_mirror_view(grid.tile_frame);
-  for (std::size_t t = 0; t < local.size(); ++t)
-    frame(t) = {grid.position_of_tile(local[t]), grid.cell_size, 0.0};
+  for (std::size_t t = 0; t < local.size(); ++t) {
+    const TilePosition at = grid.box.position(local[t]);
+    frame(t) = {at, grid.cell_size / (1 << at.level), 0.0};
+  }
   Kokkos::deep_copy(grid.tile_frame, frame);
   const auto directory = Kokkos::create_mirror_view(grid.directory);
   Kokkos::deep_copy(directory, -1);
   for (std::size_t t = 0; t < local.size(); ++t)
     directory(static_cast<std::size_t>(local[t])) = static_cast<int>(t);
   Kokkos::deep_copy(grid.directory, directory);
+}
+
+void set_levels(const std::vector<unsigned char>& level_of_tile, Grid& grid) {
+  grid.host_level_of_tile = level_of_tile;
+  grid.level_of_tile = ArrayView<unsigned char>("level_of_tile", level_of_tile.size());
+  const auto copy = Kokkos::create_mirror_view(grid.level_of_tile);
+  for (std::size_t t = 0; t < level_of_tile.size(); ++t) copy(t) = level_of_tile[t];
+  Kokkos::deep_copy(grid.level_of_tile, copy);
 }
 
 }  // namespace
@@ -99,6 +191,7 @@ Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::
     if (condition.kind == ConditionKind::symmetry)
       grid.mirrored[static_cast<std::size_t>(condition.face)] = true;
   grid.comm = comm;
+  const std::array<int, 3> tiles = box_tiles(spec);
   for (int d = 0; d < grid.patch.dimensions; ++d) {
     const auto i = static_cast<std::size_t>(d);
     grid.lower[d] = spec.lower[i];
@@ -106,11 +199,13 @@ Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::
     // A box that is a whole number of cells up to round-off has that number.
     grid.cells[d] =
         static_cast<int>(std::ceil((spec.upper[i] - spec.lower[i]) / spec.cell_size - 1e-9));
-    grid.tiles[d] = (grid.cells[d] + grid.patch.tile_cells - 1) / grid.patch.tile_cells;
+    grid.tiles[d] = tiles[i];
   }
-  const auto n = static_cast<std::size_t>(grid.tile_id(0, 0, grid.tiles[2]));
-  set_owners(std::vector<int>(n, 0), grid);
-  grid.directory = ArrayView<int>("directory", n);
+  grid.box = BoxTiles(grid.patch.dimensions, finest_level(spec) + 1, grid.tiles);
+  set_levels(spec.level_of_tile, grid);
+  set_owners(std::vector<int>(static_cast<std::size_t>(grid.box.first_id[1]), 0), grid);
+  grid.directory =
+      ArrayView<int>("directory", static_cast<std::size_t>(grid.box.first_id[grid.box.levels]));
   Kokkos::deep_copy(grid.directory, -1);
   return grid;
 }
@@ -139,8 +234,10 @@ void activate_tiles(Grid& grid, const std::vector<int>& owned) {
       ArrayView<int>("neighbours", n * static_cast<std::size_t>(grid.patch.neighbours));
   grid.counts = ArrayView<unsigned char>("counts", n * static_cast<std::size_t>(grid.patch.size));
   enter_tiles(local, grid);
+  find_levels(owned, grid);
   find_neighbours(grid);
   find_counting_copies(grid);
+  find_parents(grid);
 }
 
 void set_tile_steps(const Grid& grid, double dt) {

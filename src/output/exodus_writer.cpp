@@ -5,6 +5,7 @@
 #include "base/region.hpp"
 #include "output/copy_exodus_steps.hpp"
 #include "output/particle_fields.hpp"
+#include "scene/jet.hpp"
 #include "shape/shape_facts.hpp"
 
 #include <algorithm>
@@ -135,7 +136,8 @@ std::vector<ExodusLayout> ExodusWriter::record_start(
 ) {
   const auto directions = static_cast<std::size_t>(dimensions_);
   const auto nodes = static_cast<std::size_t>(nodes_);
-  const double launched_size = scene.grid.cell_size / (2.0 * scene.jet.particles_per_cell);
+  const double launched_size = 
+      grid_of_jet(scene.grid, scene.jet).cell_size / (2.0 * scene.jet.particles_per_cell);
   std::vector<ExodusLayout> layouts;
   for (OpenFile& open : open_files_) {
     layouts.push_back(layout_of(open, common));

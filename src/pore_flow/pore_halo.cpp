@@ -36,10 +36,10 @@ long long id_beyond(const Grid& grid, long long id, std::size_t face) {
 
 int owner_of_cell(const Grid& grid, long long id) {
   const std::array<int, 3> at = place_of_cell(grid, id);
-  int tile[3] = {0, 0, 0};
+  TilePosition tile;
   for (std::size_t d = 0; d < static_cast<std::size_t>(grid.patch.dimensions); ++d)
-    tile[d] = at[d] >> grid.patch.tile_bits;
-  return grid.owner[static_cast<std::size_t>(grid.tile_id(tile[0], tile[1], tile[2]))];
+    tile.along[d] = at[d] >> grid.patch.tile_bits;
+  return grid.owner[static_cast<std::size_t>(grid.box.id(tile))];
 }
 
 template <class Visitor>

@@ -131,6 +131,7 @@ Scene build_scene(const Deck& deck) {
   add_materials(deck, scene);
   add_bodies(deck, scene);
   check_size(deck, scene);  // before lattices are filled
+  add_refinement(deck, scene);
   check_bodies(deck, scene);
   add_conditions(deck, scene);
   add_loads(deck, scene);
@@ -145,6 +146,7 @@ Scene build_scene(const Deck& deck) {
   scene.output = read_section<OutputSpec>(deck);
   add_quasi_static(deck, scene);
   check_returned_losses(deck, scene);
+  check_refinement(deck, scene);
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse(
         table_of<BodySpec>().path,

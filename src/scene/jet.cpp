@@ -2,6 +2,7 @@
 #include "scene/jet.hpp"
 
 #include "base/numbers.hpp"
+#include "scene/tile_levels.hpp"
 
 #include <cstdio>
 
@@ -43,6 +44,13 @@ std::string problem_of(const JetSlug& slug, double material_density) {
 }
 
 }  // namespace
+
+GridSpec grid_of_jet(const GridSpec& grid, const JetSpec& jet) {
+  GridSpec own = grid;
+  own.cell_size = cell_size_of(grid, level_at(grid, {0.0, jet.launch_position, 0.0}));
+  own.level_of_tile.clear();
+  return own;
+}
 
 std::vector<JetSlug> discrete_slugs(
     const std::vector<std::vector<double>>& rows, double material_density, std::string& problem

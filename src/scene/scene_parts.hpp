@@ -12,6 +12,10 @@ namespace barreno {
 /// part may use what an earlier one built. All throw DeckError.
 
 void add_bodies(const Deck& deck, Scene& scene);
+/// Levels of the grid's tiles; after check_size, which says whether the box can be indexed.
+void add_refinement(const Deck& deck, Scene& scene);
+/// After all else: refuses what does not work across levels.
+void check_refinement(const Deck& deck, const Scene& scene);
 void add_conditions(const Deck& deck, Scene& scene);
 void add_loads(const Deck& deck, Scene& scene);
 void add_confinement(const Deck& deck, Scene& scene);

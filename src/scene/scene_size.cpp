@@ -3,7 +3,9 @@
 #include "deck/section_table.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/geometry.hpp"
+#include "scene/jet.hpp"
 #include "scene/scene_parts.hpp"
+#include "scene/tile_levels.hpp"
 #include "scene/tile_size.hpp"
 
 #include <algorithm>
@@ -35,6 +37,14 @@ double tiles_of(const GridSpec& grid) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i)
     tiles *= std::ceil(cells_along(grid, i) / tile_cells(dimensions(grid.mode)));
   return tiles;
+}
+
+/// Of the places that tiles of each level may take in the box.
+double directory_bytes(const GridSpec& grid) {
+  double places = 0.0;
+  for (int level = 1; level <= finest_level(grid); ++level)
+    places += tiles_of(grid) * std::pow(2.0, level * dimensions(grid.mode));
+  return sizeof(int) * places;
 }
 
 /// Of the lattices that are walked through to fill bodies, all but those of boxes: one of a thin
@@ -83,10 +93,11 @@ double particle_estimate(const Scene& scene) {
   double particles = 0.0;
   for (const BodySpec& body : scene.bodies) {
     const double size = scene.grid.cell_size / body.particles_per_cell;
-    particles += max_measure(body.shape, scene.grid) / std::pow(size, d);
+    particles += max_measure(body.shape, scene.grid) / std::pow(size, d) *
+                 refined_share(scene.grid, box_around(body.shape, scene.grid));
   }
   for (const JetSlug& slug : scene.jet.slugs) {
-    const double per_length = scene.jet.particles_per_cell / scene.grid.cell_size;
+    const double per_length = scene.jet.particles_per_cell / grid_of_jet(scene.grid, scene.jet).cell_size;
     // A slug thinner than a particle is still one.
     const double across = std::max(1.0, slug.radius * per_length);
     particles +=
@@ -96,7 +107,7 @@ double particle_estimate(const Scene& scene) {
 }
 
 double memory_estimate(const Scene& scene) {
-  return bytes_per_tile * tiles_of(scene.grid) + channel_bytes(scene) +
+  return bytes_per_tile * tiles_of(scene.grid) + directory_bytes(scene.grid) + channel_bytes(scene) +
          estimated_particle_bytes(dimensions(scene.grid.mode)) * particle_estimate(scene);
 }
 

@@ -30,12 +30,14 @@ struct PatchFrame {
   double cells[D];                   ///< of the box
   double first_end[D], past_box[D];  ///< no_end beyond symmetry planes, else none
   double largest;
+  double widest_half;  ///< of particles that came from larger cells; no limit where all are alike
 
   explicit PatchFrame(const Grid& grid)
       : patch(grid.patch),
         tile_frame(grid.tile_frame),
         box_cell_size(grid.cell_size),
-        largest(grid.largest_domain) {
+        largest(grid.largest_domain),
+        widest_half(grid.is_refined() ? 0.5 : no_end) {
     for (int d = 0; d < dimensions; ++d) {
       lower[d] = grid.lower[d];
       cells[d] = grid.cells[d];
@@ -82,7 +84,8 @@ struct PatchFrame {
     ParticleGeometry out;
     for (int d = 0; d < dimensions; ++d) {
       out.x[d] = (fields.position(p, d) - lower[d]) * first.per_cell - first.node[d];
-      out.half[d] = fields.half_size(p, d) * first.per_cell;
+      const double half = fields.half_size(p, d) * first.per_cell;
+      out.half[d] = half < widest_half ? half : widest_half;
       out.low[d] = first.low[d];
       out.high[d] = first.high[d];
     }

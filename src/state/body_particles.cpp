@@ -3,6 +3,8 @@
 
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
+#include "scene/jet.hpp"
+#include "scene/tile_levels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -74,7 +76,7 @@ NewParticle particle_of(const GridSpec& grid, double size, const Piece& piece) {
 /// What slugs are cut into: the grid's lattice, the jet's particles per cell, and its material's
 /// own density.
 struct SlugLattice {
-  const GridSpec& grid;
+  GridSpec grid;
   const JetSpec& jet;
   double density;
 
@@ -82,7 +84,7 @@ struct SlugLattice {
 };
 SlugLattice slug_lattice(const Scene& scene) {
   const auto m = static_cast<std::size_t>(scene.jet.material);
-  return {scene.grid, scene.jet, scene.materials[m].density()};
+  return {grid_of_jet(scene.grid, scene.jet), scene.jet, scene.materials[m].density()};
 }
 
 /// Layers of a slug along its axis, which is as long as its mass is at the material's own density.
@@ -130,6 +132,37 @@ NewParticle round_particle(double size, const Piece& piece, const Division& laye
   return p;
 }
 
+/// visit(particle) for the equal parts of a particle, one per particle that its tile's level asks
+/// for: 2^level along each axis. They hold its volume and first moments; in axisymmetry a part has
+/// the volume of its own ring.
+void for_each_part(
+    const GridSpec& grid,
+    const NewParticle& whole,
+    const std::function<void(const NewParticle&)>& visit
+) {
+  const int level = level_at(grid, whole.x);
+  if (level == 0) return visit(whole);
+  const int dimension = dimensions(grid.mode);
+  const int along = 1 << level;
+  const int last = along - 1;
+  const Index count{along, along, dimension == 3 ? along : 1};
+  Index i{};
+  for (i[2] = 0; i[2] < count[2]; ++i[2])
+    for (i[1] = 0; i[1] < count[1]; ++i[1])
+      for (i[0] = 0; i[0] < count[0]; ++i[0]) {
+        NewParticle part = whole;
+        for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
+          part.half[d] = whole.half[d] / along;
+          part.x[d] = whole.x[d] + static_cast<double>(2 * i[d] - last) * part.half[d];
+          part.volume /= along;
+          if (i[d] != 0) part.loaded_sides &= ~(1U << (2 * d));
+          if (i[d] != last) part.loaded_sides &= ~(1U << (2 * d + 1));
+        }
+        if (grid.mode == Mode::axisymmetric) part.volume *= part.x[0] / whole.x[0];
+        visit(part);
+      }
+}
+
 void for_each_particle(
     const GridSpec& grid,
     const Divisions& divisions,
@@ -141,9 +174,10 @@ void for_each_particle(
   for (i[2] = 0; i[2] < divisions.along[2].count; ++i[2])
     for (i[1] = 0; i[1] < divisions.along[1].count; ++i[1])
       for (i[0] = 0; i[0] < divisions.along[0].count; ++i[0]) {
-        NewParticle p = make(grid, divisions, i);
-        p.id = id++;
-        visit(p);
+        for_each_part(grid, make(grid, divisions, i), [&](NewParticle p) {
+          p.id = id++;
+          visit(p);
+        });
       }
 }
 
@@ -167,9 +201,10 @@ void for_each_body_particle(
   ParticleId id = first;
   const double size = wanted_size(grid, body);
   const auto take = [&](const Index& /*cell*/, const Piece& piece) {
-    NewParticle p = particle_of(grid, size, piece);
-    p.id = id++;
-    visit(p);
+    for_each_part(grid, particle_of(grid, size, piece), [&](NewParticle p) {
+      p.id = id++;
+      visit(p);
+    });
   };
   for_each_lattice_piece(
       body.shape, dimensions(grid.mode), lattice_of(body.shape, grid, size), take
@@ -177,7 +212,8 @@ void for_each_body_particle(
 }
 
 long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
-  if (const auto* box = std::get_if<Box>(&body.shape))
+  const auto* box = std::get_if<Box>(&body.shape);
+  if (box != nullptr && grid.level_of_tile.empty())
     return count_particles(divide_box(grid, body, *box));
   long long count = 0;
   for_each_body_particle(grid, body, 0, [&](const NewParticle&) { ++count; });
@@ -192,9 +228,9 @@ void for_each_slug_particle(
     ParticleId first,
     const std::function<void(const NewParticle&)>& visit
 ) {
-  const SlugLattice lattice{grid, jet, density};
+  const SlugLattice lattice{grid_of_jet(grid, jet), jet, density};
   if (grid.mode != Mode::three_dimensional) {
-    for_each_particle(grid, divide_slug(lattice, slug), first, visit);
+    for_each_particle(lattice.grid, divide_slug(lattice, slug), first, visit);
     return;
   }
   ParticleId id = first;
@@ -239,7 +275,7 @@ std::vector<IdRange> particle_id_ranges(const Scene& scene) {
 }
 
 double smallest_half_size(const Scene& scene, int material) {
-  const double h = scene.grid.cell_size;
+  double h = scene.grid.cell_size;
   double smallest = 1.0;
   const auto take = [&](const Division& d) { smallest = std::min(smallest, 0.5 * d.size / h); };
   for (const BodySpec& body : scene.bodies) {
@@ -254,6 +290,7 @@ double smallest_half_size(const Scene& scene, int material) {
   }
   if (!scene.jet.present || scene.jet.material != material) return smallest;
   const SlugLattice lattice = slug_lattice(scene);
+  h = lattice.grid.cell_size;
   for (const JetSlug& slug : scene.jet.slugs) {
     take(divide_length(lattice, slug));
     if (scene.grid.mode == Mode::three_dimensional)
@@ -266,7 +303,7 @@ double smallest_half_size(const Scene& scene, int material) {
 
 double largest_corner(const Scene& scene) {
   const int dimension = dimensions(scene.grid.mode);
-  const double h = scene.grid.cell_size;
+  double h = scene.grid.cell_size;
   double largest = 0.0;
   const auto take = [&](double x, double y, double z) {
     if (dimension == 2) z = 0.0;
@@ -283,6 +320,7 @@ double largest_corner(const Scene& scene) {
   }
   if (!scene.jet.present) return largest;
   const SlugLattice lattice = slug_lattice(scene);
+  h = lattice.grid.cell_size;
   for (const JetSlug& slug : scene.jet.slugs) {
     const double across =
         dimension == 2 ? divide_slug(lattice, slug).along[0].size : lattice.size();

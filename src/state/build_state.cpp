@@ -113,7 +113,7 @@ std::vector<TileCost> count_in_tiles(const Scene& scene, const Grid& grid) {
   std::vector<TileCost> counts(grid.owner.size());
   for (const BodySpec& body : scene.bodies)
     for_each_body_particle(scene.grid, body, 0, [&](const NewParticle& p) {
-      counts[static_cast<std::size_t>(cell_of(grid, p.x).tile)].particles += 1.0;
+      counts[static_cast<std::size_t>(cell_of(grid, p.x).box_tile)].particles += 1.0;
     });
   return counts;
 }

@@ -12,14 +12,15 @@ namespace barreno {
 /// sets, and to what.
 struct NodeCondition {
   int axis = 0;
-  int bound = 0;  ///< nodes <= bound (lower face) or >= bound (upper face)
+  int bound = 0;  ///< on the lattice of level 0: nodes <= bound (lower face) or >= bound (upper face)
   bool lower = true;
   bool sets[3] = {false, false, false};
   double velocity[3] = {0.0, 0.0, 0.0};  ///< times the factor of its table [length/time]
   int table = -1;                        ///< of NodeConditions::factors; -1: no motion
 
-  KOKKOS_INLINE_FUNCTION bool holds(const int (&node)[3]) const {
-    return lower ? node[axis] <= bound : node[axis] >= bound;
+  /// @param level  of the lattice that the node is counted on
+  KOKKOS_INLINE_FUNCTION bool holds(const int (&node)[3], int level) const {
+    return lower ? node[axis] <= bound << level : node[axis] >= bound << level;
   }
 };
 

@@ -44,7 +44,7 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   launch_slugs(scene, state);                                          // whose time has come
   Placement placement = locate_particles(grid, sets, ledger, effort);  // cells; lost are tallied
   const double stable = agree_on_stable_step(*grid.comm, state.stable_step, placement);
-  const double with_fluids = stable_step_with_fluids(state.cavities, grid.cell_size, stable);
+  const double with_fluids = stable_step_with_fluids(state.cavities, grid.smallest_cell(), stable);
   const double dt = next_step(scene.step, clock, next_time, with_fluids);
   place_particles(placement, clock.step, grid, sets, ledger, effort);  // ranks, tiles, order
   if (clock.step == 0) start_affine(grid, sets);                       // APIC

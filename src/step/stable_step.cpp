@@ -24,7 +24,7 @@ double stable_step_of_rows(
   const FieldView modulus = particles.longitudinal_modulus.values;
   const FieldView velocity = particles.velocity.values;
   const int dimensions = particles.velocity.components;
-  const double cell_size = grid.cell_size;  // these rows are in no tile yet
+  const double cell_size = grid.smallest_cell();  // these rows are in no tile yet
   double least = 0.0;
   launch_reduction(
       "stable_step_of_rows",

@@ -15,6 +15,7 @@
 #include "deck/sections/head_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/material_section.hpp"
+#include "deck/sections/refinement_section.hpp"
 #include "deck/sections/shape_section.hpp"
 
 #include <algorithm>
@@ -240,7 +241,8 @@ Surfaces read_surfaces(
     const Reading& reading, ParameterList& values, std::vector<SurfaceFile>& files
 ) {
   Surfaces surfaces;
-  for (const std::string& section : {table_of<ShapeSection>().path, table_of<BodySpec>().path}) {
+  for (const std::string& section : 
+       {table_of<ShapeSection>().path, table_of<RefinedRegion>().path, table_of<BodySpec>().path}) {
     ParameterList& lists = values.sublist(section);
     std::vector<std::string> names;
     for (auto item = lists.begin(); item != lists.end(); ++item) names.push_back(lists.name(item));

@@ -6,6 +6,7 @@
 #include "geometry/shape.hpp"
 
 #include <string>
+#include <vector>
 
 namespace barreno {
 
@@ -26,10 +27,15 @@ inline int dimensions(Mode mode) {
   return mode == Mode::three_dimensional ? 3 : 2;
 }
 
+/// Cells of a refined tile are at most 2^max_level times smaller than the grid's.
+constexpr int max_level = 4;
+
 struct GridSpec {
   Mode mode = Mode::axisymmetric;
   Vector lower{}, upper{};  ///< corners of the box that particles may occupy [length]
-  double cell_size = 0.0;   ///< [length]
+  double cell_size = 0.0;   ///< of tiles of level 0 [length]
+  /// Of every tile of the box, x fastest; empty: all are of level 0 (scene/tile_levels.hpp).
+  std::vector<unsigned char> level_of_tile;
 };
 template <>
 const SectionTable<GridSpec>& table_of<GridSpec>();

@@ -10,11 +10,12 @@ namespace barreno {
 /// A plane of symmetry that a deck asks for: a face of the grid.
 struct SymmetryPlane {
   int axis = 0;  ///< that it lies across
-  int node = 0;  ///< of the box, along that axis
+  int node = 0;  ///< of the box at level 0, along that axis
   bool lower = true;
 
-  KOKKOS_INLINE_FUNCTION bool is_behind(int index) const {
-    return lower ? index < node : index > node;
+  /// @param index  of a node on the lattice of a level
+  KOKKOS_INLINE_FUNCTION bool is_behind(int index, int level) const {
+    return lower ? index < node << level : index > node << level;
   }
 };
 
@@ -53,7 +54,7 @@ struct SymmetryPlanes {
       const SymmetryPlane& plane, const Patch& patch, const TilePosition& position
   ) {
     const int first = position[plane.axis] * patch.tile_cells - patch.reach;
-    return plane.is_behind(plane.lower ? first : first + patch.nodes - 1);
+    return plane.is_behind(plane.lower ? first : first + patch.nodes - 1, position.level);
   }
   /// visit(slot behind the plane, slot of its image) of a tile's patch.
   template <class Visitor>
@@ -66,8 +67,8 @@ struct SymmetryPlanes {
     for (int axis = 0; axis < plane.axis; ++axis) stride *= patch.nodes;
     for (int slot = 0; slot < patch.size; ++slot) {
       const int i = slot / stride % patch.nodes;
-      const int image = 2 * (plane.node - first) - i;
-      if (plane.is_behind(first + i) && image >= 0 && image < patch.nodes)
+      const int image = 2 * ((plane.node << position.level) - first) - i;
+      if (plane.is_behind(first + i, position.level) && image >= 0 && image < patch.nodes)
         visit(slot, slot + (image - i) * stride);
     }
   }

@@ -18,7 +18,7 @@ struct DormantNodes {
   Dormancy dormancy;
   ArrayView<unsigned char> sums_kept;
   ArrayView<TileFrame> frame;
-  ArrayView<int> neighbours;
+  ArrayView<int> neighbours, parent;
   Patch patch;
   int active;
 
@@ -27,6 +27,7 @@ struct DormantNodes {
         sums_kept(nodes.sums_kept),
         frame(grid.tile_frame),
         neighbours(grid.neighbours),
+        parent(grid.parent),
         patch(grid.patch),
         active(grid.active) {}
 
@@ -54,7 +55,11 @@ struct DormantNodes {
   KOKKOS_INLINE_FUNCTION bool stays_motionless(int tile) const {
     if (!is_candidate(tile) || sums_kept(tile) == 0) return false;
     const double most = dormancy.speed(tile) + frame(tile).dt * dormancy.acceleration(tile);
-    return most * (1.0 + 1e-12) <= limit(tile) && all_around_keep_sums(tile);
+    if (most * (1.0 + 1e-12) > limit(tile)) return false;
+    // Nodes that are taken from the coarser lattice move by the sums around the tile there.
+    for (int t = tile; t >= 0; t = parent.extent(0) > 0 ? parent(t) : -1)
+      if (!all_around_keep_sums(t)) return false;
+    return true;
   }
 
   /// Notes the bounds of a tile that was solved, and whether it is motionless.

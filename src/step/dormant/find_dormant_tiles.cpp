@@ -47,8 +47,9 @@ struct AxialPlanes {
         at_upper(grid.mirrored[static_cast<std::size_t>(Face::y_upper)]),
         last(grid.cells[1]) {}
   KOKKOS_INLINE_FUNCTION bool reaches(int tile) const {
-    const int first = frame(tile).position[1] * patch.tile_cells - patch.reach;
-    return (at_lower && first < 0) || (at_upper && first + patch.nodes - 1 > last);
+    const TilePosition& at = frame(tile).position;
+    const int first = at[1] * patch.tile_cells - patch.reach;
+    return (at_lower && first < 0) || (at_upper && first + patch.nodes - 1 > last << at.level);
   }
 };
 
@@ -74,6 +75,33 @@ void look_at_rows(int tiles, const Particles& particles, const Dormancy& dormanc
         if (moves) dormancy.candidate(tile) = 0;
       }
   );
+}
+
+/// Coarser tiles have the rows of the finer ones in them, and rest with them.
+void add_finer_tiles(const Grid& grid, const Dormancy& dormancy) {
+  const ArrayView<int> parent = grid.parent;
+  for (int level = grid.box.levels - 1; level > 0; --level)
+    launch(
+        "add_finer_tiles",
+        RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
+        KOKKOS_LAMBDA(const int tile) {
+          fetch_add(dormancy.rows(parent(tile)), dormancy.rows(tile));
+          if (dormancy.candidate(tile) == 0) dormancy.candidate(parent(tile)) = 0;
+        }
+    );
+}
+
+/// A coarser tile's sums are those of the finer ones in it: they hold where all of theirs do.
+void keep_with_finer_tiles(const Grid& grid, const ArrayView<unsigned char>& sums_kept) {
+  const ArrayView<int> parent = grid.parent;
+  for (int level = grid.box.levels - 1; level > 0; --level)
+    launch(
+        "keep_with_finer_tiles",
+        RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
+        KOKKOS_LAMBDA(const int tile) {
+          if (sums_kept(tile) == 0) sums_kept(parent(tile)) = 0;
+        }
+    );
 }
 
 /// A tile's least stable step, as far as this set has it, which changes only with its particles:
@@ -155,6 +183,7 @@ void find_dormant_candidates(
       }
   );
   for (const Particles& particles : sets) look_at_rows(grid.active, particles, dormancy);
+  add_finer_tiles(grid, dormancy);
   const ArrayView<unsigned char> sums_kept = nodes.sums_kept;
   const AxialPlanes planes(grid);
   launch(
@@ -167,6 +196,7 @@ void find_dormant_candidates(
         sums_kept(tile) = kept ? 1 : 0;
       }
   );
+  keep_with_finer_tiles(grid, sums_kept);
   effort.tile_seconds += watch.seconds();
 }
 

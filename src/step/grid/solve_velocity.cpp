@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
+#include "grid/coarse_nodes.hpp"
 #include "shape/kinematics.hpp"
 #include "step/dormant/dormant_nodes.hpp"
 
@@ -27,8 +28,8 @@ struct SolveVelocity {
   VelocityRule rule;
   Patch patch;
   ArrayView<TileFrame> tile_frame;
-  ArrayView<int> neighbours;
-  ArrayView<unsigned char> counts;
+  ArrayView<int> neighbours, parent;  ///< parent: empty where nothing is refined
+  ArrayView<unsigned char> from_parent, counts;
   ArrayView<double> sums, motion, tally;
   ArrayView<unsigned char> shared_tile;  ///< tiles in which contact acts; empty without contact
   ArrayView<double> impulse;
@@ -63,6 +64,22 @@ struct SolveVelocity {
     }
   }
 
+  /// Where a node is on the box's lattice of a level.
+  struct NodePlace {
+    int index[3];
+    int level;
+  };
+
+  /// The motion of a node that is no unknown of its tile.
+  KOKKOS_INLINE_FUNCTION void take_from_parent(int tile, int slot, double* out) const {
+    constexpr int width = motion_components(dimensions);
+    const double* const coarser = &motion(first_motion(patch, parent(tile)));
+    for (int i = 0; i < width; ++i) out[i] = 0.0;
+    for_each_coarse_node(patch, tile_frame(tile).position, slot, [&](int coarse, double weight) {
+      for (int i = 0; i < width; ++i) out[i] += weight * coarser[coarse * width + i];
+    });
+  }
+
   /// A node's velocity before and after the step.
   struct Velocity {
     double before[D], after[D];
@@ -71,7 +88,7 @@ struct SolveVelocity {
   /// @return whether one acts
   KOKKOS_INLINE_FUNCTION bool apply_conditions(
       const PrescribedVelocities& velocities,
-      const int (&node)[3],
+      const NodePlace& node,
       double dt,
       double mass,
       const double* force,
@@ -83,7 +100,7 @@ struct SolveVelocity {
     bool acts = false;
     for (int i = 0; i < rule.conditions.count; ++i) {
       const NodeCondition& c = rule.conditions.list[i];
-      if (!c.holds(node)) continue;
+      if (!c.holds(node.index, node.level)) continue;
       acts = true;
       for (int d = 0; d < dimensions; ++d) {
         if (!c.sets[d]) continue;
@@ -167,7 +184,7 @@ struct SolveVelocity {
   /// @param own      gets what conditions do to it
   KOKKOS_INLINE_FUNCTION SolvedNode solve_node(
       const PrescribedVelocities& velocities,
-      const int (&index)[3],
+      const NodePlace& place,
       double dt,
       const double* node,
       const double* contact,
@@ -190,7 +207,7 @@ struct SolveVelocity {
       out.v.after[d] = out.v.before[d] + dt * out.force[d] * inverse;
     }
     if (contact != nullptr) add_contact(dt, contact, inverse, net_force, out.v);
-    out.prescribed = apply_conditions(velocities, index, dt, mass, net_force, out.v, own);
+    out.prescribed = apply_conditions(velocities, place, dt, mass, net_force, out.v, own);
     return out;
   }
 
@@ -215,17 +232,21 @@ struct SolveVelocity {
     const TilePosition at = tile_frame(tile).position;
     const double dt = tile_frame(tile).dt;
     const double share = rule.grid_share(dt);
-    int index[3];  // of the node in the box
-    for (int d = 0; d < 3; ++d) index[d] = at[d] * patch.tile_cells - patch.reach;
-    index[1] += y;
-    index[2] += z;
+    NodePlace place{{}, at.level};
+    for (int d = 0; d < 3; ++d) place.index[d] = at[d] * patch.tile_cells - patch.reach;
+    place.index[1] += y;
+    place.index[2] += z;
     bool prescribed = false;
-    for (int x = 0; x < patch.nodes; ++x, ++index[0]) {
+    for (int x = 0; x < patch.nodes; ++x, ++place.index[0]) {
       const double* const node = total + x * sum_components;
       double* const out = moved + x * motion_components(dimensions);
+      if (from_parent.extent(0) > 0 && from_parent(tile * patch.size + row + x) != 0) {
+        take_from_parent(tile, row + x, out);
+        continue;
+      }
       const double* const of_contact = contact != nullptr ? contact + x * impulses : nullptr;
       double own[tally_components] = {};
-      const SolvedNode solved = solve_node(velocities, index, dt, node, of_contact, own);
+      const SolvedNode solved = solve_node(velocities, place, dt, node, of_contact, own);
       const Velocity& v = solved.v;
       prescribed |= solved.prescribed;
       for (int d = 0; d < dimensions; ++d) {
@@ -308,22 +329,26 @@ GridTally solve_velocity(
   const auto values = static_cast<std::size_t>(grid.active) * tally_values;
   if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
   visit_mode(grid.mode, [&](auto mode) {
-    launch(
-        "solve_velocity",
-        range(grid.active),
-        SolveVelocity<decltype(mode)::dimensions>{
-            rule,
-            grid.patch,
-            grid.tile_frame,
-            grid.neighbours,
-            grid.counts,
-            nodes.sums,
-            nodes.motion,
-            nodes.tally,
-            special.shared,
-            nodes.impulse,
-            DormantNodes(grid, special.dormancy, nodes)}
-    );
+    const SolveVelocity<decltype(mode)::dimensions> solve{
+        rule,
+        grid.patch,
+        grid.tile_frame,
+        grid.neighbours,
+        grid.parent,
+        grid.from_parent,
+        grid.counts,
+        nodes.sums,
+        nodes.motion,
+        nodes.tally,
+        special.shared,
+        nodes.impulse,
+        DormantNodes(grid, special.dormancy, nodes)};
+    for (int level = 0; level < grid.box.levels; ++level)  // finer tiles ask coarser ones
+      launch(
+          "solve_velocity",
+          RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
+          solve
+      );
   });
   return add_tiles(grid.active, nodes.tally);
 }

@@ -13,7 +13,8 @@ GridSpec box_of(const Grid& grid) {
       grid.mode,
       {grid.lower[0], grid.lower[1], grid.lower[2]},
       {grid.upper[0], grid.upper[1], grid.upper[2]},
-      grid.cell_size};
+      grid.cell_size,
+      grid.host_level_of_tile};
 }
 
 /// Where the particles of a slug are now, as far as they are in tiles of this rank.

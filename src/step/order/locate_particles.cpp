@@ -5,6 +5,8 @@
 #include "base/row_sum.hpp"
 #include "step/order/remove_lost.hpp"
 
+#include <type_traits>
+
 namespace barreno {
 namespace {
 
@@ -22,35 +24,50 @@ KOKKOS_INLINE_FUNCTION void add(const Found& from, Found& to) {
 /// Keys of rows from their cells, without branches for the compiler to vectorise; rows outside the
 /// grid or lost otherwise keep theirs. Of other ranks' tiles those are active that are ghosts here;
 /// of others, further away, nothing is known.
-template <unsigned D>
+template <unsigned D, bool Refined>
 struct FindKeys {
   static constexpr int dimensions = D;
   double lower[D], upper[D];
-  int tiles[D];
+  BoxTiles box;
   const double* position[D];
   double cells_per_length;
   int bits, in_tile, cells, active, me;
   const int* owner;
+  const unsigned char* level_of_tile;
   const int* directory;
   CellKey* keys;
   const Fault* faults;
 
   FindKeys(const Grid& grid, const Particles& particles)
-      : cells_per_length(1.0 / grid.cell_size),
+      : box(grid.box),
+        cells_per_length(1.0 / grid.cell_size),
         bits(grid.patch.tile_bits),
         in_tile(grid.patch.tile_cells - 1),
         cells(grid.patch.cells),
         active(grid.active),
         me(grid.comm->getRank()),
         owner(grid.owner_of_tile.data()),
+        level_of_tile(grid.level_of_tile.data()),
         directory(grid.directory.data()),
         keys(particles.key.data()),
         faults(particles.fault.data()) {
     for (int d = 0; d < dimensions; ++d) {
       lower[d] = grid.lower[d];
       upper[d] = grid.upper[d];
-      tiles[d] = grid.tiles[d];
       position[d] = &particles.position(0, d);
+    }
+  }
+
+  /// Cell of a row on the lattice of a level: the tile there, and the place in it. As in
+  /// CellLattice.
+  KOKKOS_FORCEINLINE_FUNCTION void find_cell(int p, int lost, int level, int& tile, int& inside)
+      const {
+    tile = inside = 0;
+    const double per_length = Refined ? cells_per_length * (1 << level) : cells_per_length;
+    for (int d = dimensions - 1; d >= 0; --d) {
+      const int cell = static_cast<int>(lost ? 0.0 : (position[d][p] - lower[d]) * per_length);
+      tile = tile * (box.along[d] << level) + (cell >> bits);
+      inside = (inside << bits) + (cell & in_tile);
     }
   }
 
@@ -60,17 +77,19 @@ struct FindKeys {
     for (int d = 0; d < dimensions; ++d)
       lost |= static_cast<int>(!(position[d][p] >= lower[d])) |
               static_cast<int>(!(position[d][p] < upper[d]));
-    int box = 0;
+    int box_tile = 0;
+    int id = 0;
     int inside = 0;
-    for (int d = dimensions - 1; d >= 0; --d) {
-      const int cell =
-          static_cast<int>(lost ? 0.0 : (position[d][p] - lower[d]) * cells_per_length);
-      box = box * tiles[d] + (cell >> bits);
-      inside = (inside << bits) + (cell & in_tile);
+    find_cell(p, lost, 0, box_tile, inside);
+    id = box_tile;
+    if constexpr (Refined) {
+      const int level = level_of_tile[box_tile];
+      find_cell(p, lost, level, id, inside);
+      id += box.first_id[level];
     }
-    const int tile = directory[box];
+    const int tile = directory[id];
     const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
-    const int mine = static_cast<int>(owner[box] == me);
+    const int mine = static_cast<int>(owner[box_tile] == me);
     const int unknown = static_cast<int>(tile < 0);
     const CellKey key = here ? CellKey{tile * cells + inside} : CellKey::unplaced;
     keys[p] = lost ? old_key : key;
@@ -82,14 +101,14 @@ struct FindKeys {
   }
 };
 
-template <unsigned D>
-Found find_keys(const FindKeys<D>& key_of, int first_row, int count) {
+template <class Keys>
+Found find_keys(const Keys& key_of, int first_row, int count) {
   Found found;
   launch_reduction(
       "find_keys",
       range((count - first_row + rows_per_chunk - 1) / rows_per_chunk),
       KOKKOS_LAMBDA(const int chunk, Found& part) {
-        const FindKeys<D> find = key_of;  // its numbers do not change with what it writes
+        const Keys find = key_of;  // its numbers do not change with what it writes
         const int begin = first_row + chunk * rows_per_chunk;
         const int end = begin + rows_per_chunk < count ? begin + rows_per_chunk : count;
         Found some;
@@ -104,9 +123,16 @@ Found find_keys(const FindKeys<D>& key_of, int first_row, int count) {
 
 Found find_keys(const Grid& grid, const Particles& particles, int first_row) {
   if (first_row >= particles.count) return {};
-  return grid.patch.dimensions == 3
-             ? find_keys(FindKeys<3>(grid, particles), first_row, particles.count)
-             : find_keys(FindKeys<2>(grid, particles), first_row, particles.count);
+  const auto find = [&](auto dimensions, auto refined) {
+    constexpr unsigned D = decltype(dimensions)::value;
+    constexpr bool is_refined = decltype(refined)::value;
+    return find_keys(FindKeys<D, is_refined>(grid, particles), first_row, particles.count);
+  };
+  using Plane = std::integral_constant<unsigned, 2>;
+  using Space = std::integral_constant<unsigned, 3>;
+  if (grid.patch.dimensions == 3)
+    return grid.is_refined() ? find(Space(), std::true_type()) : find(Space(), std::false_type());
+  return grid.is_refined() ? find(Plane(), std::true_type()) : find(Plane(), std::false_type());
 }
 
 /// Keys of a set's rows; false if one is outside the grid or lost otherwise.

@@ -61,7 +61,7 @@ struct SpreadCosts {
   KOKKOS_INLINE_FUNCTION void add(int p, const RowCost& cost) const {
     const bool awake = is_awake(p) != 0;
     if (!is_inside(p)) return;
-    const int tile = lattice.cell_at(position, p).tile;
+    const int tile = lattice.cell_at(position, p).box_tile;
     if (awake) fetch_add(seconds(2 * tile), cost.nodes);
     fetch_add(seconds(2 * tile + 1), awake ? cost.awake : cost.dormant);
   }
@@ -88,14 +88,13 @@ struct SpreadCosts {
 /// What cells and nodes have cost, alike for all active tiles.
 void spread_tile_seconds(const Grid& grid, double all, const ArrayView<double>& seconds) {
   const ArrayView<TileFrame> frame = grid.tile_frame;
-  const int along_x = grid.tiles[0], along_y = grid.tiles[1];
+  const BoxTiles box = grid.box;
   const double each = all / grid.active;
   launch(
       "spread_tile_seconds",
       range(grid.active),
       KOKKOS_LAMBDA(const int t) {
-        const TilePosition& at = frame(t).position;
-        seconds(2 * ((at[2] * along_y + at[1]) * along_x + at[0])) += each;
+        fetch_add(seconds(2 * box.box_tile(frame(t).position)), each);
       }
   );
 }

@@ -50,7 +50,7 @@ int mark_leaving(const Grid& grid, const Particles& particles) {
       "mark_leaving",
       range(particles.count),
       KOKKOS_LAMBDA(const int p, int& sum) {
-        leaves(p) = !is_placed(key(p)) && owner(lattice.cell_at(position, p).tile) != me ? 1 : 0;
+        leaves(p) = !is_placed(key(p)) && owner(lattice.cell_at(position, p).box_tile) != me ? 1 : 0;
         sum += leaves(p);
       },
       count
@@ -71,7 +71,7 @@ Leaving list_leaving(const Grid& grid, const Particles& particles, int count) {
       KOKKOS_LAMBDA(const int p, int& sum, const bool last) {
         if (last && leaves(p) != 0) {
           leaving.row(sum) = p;
-          leaving.rank(sum) = owner(lattice.cell_at(position, p).tile);
+          leaving.rank(sum) = owner(lattice.cell_at(position, p).box_tile);
         }
         sum += leaves(p);
       }

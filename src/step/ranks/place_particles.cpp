@@ -10,7 +10,7 @@
 namespace barreno {
 namespace {
 
-/// Marks the tiles of the box that hold rows of a set.
+/// Marks the tiles that hold rows of a set, by number (BoxTiles).
 void mark_tiles(
     const CellLattice& lattice, const Particles& particles, const ArrayView<unsigned char>& holds
 ) {
@@ -22,11 +22,20 @@ void mark_tiles(
   );
 }
 
-/// Tiles of the box that hold particles of this rank, ascending.
+/// Marks the coarser tiles around those that are marked.
+template <class Marks>
+void mark_coarser_tiles(const BoxTiles& box, const Marks& marked) {
+  for (int id = box.first_id[box.levels] - 1; id >= box.first_id[1]; --id)
+    if (marked(static_cast<std::size_t>(id)) != 0)
+      marked(static_cast<std::size_t>(box.id(box.parent(box.position(id))))) = 1;
+}
+
+/// Tiles that hold particles of this rank, and the coarser ones around them, by number, ascending.
 std::vector<int> occupied_tiles(const Grid& grid, const std::vector<Particles>& sets) {
-  const ArrayView<unsigned char> holds("occupied_tiles", grid.owner.size());
+  const ArrayView<unsigned char> holds("occupied_tiles", grid.directory.extent(0));
   for (const Particles& particles : sets) mark_tiles(CellLattice(grid), particles, holds);
   const auto marked = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), holds);
+  mark_coarser_tiles(grid.box, marked);
   std::vector<int> tiles;
   for (std::size_t t = 0; t < marked.extent(0); ++t)
     if (marked(t) != 0) tiles.push_back(static_cast<int>(t));

@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "grid/halo.hpp"
 #include "step/boundary/apply_symmetry.hpp"
+#include "step/grid/restrict_sums.hpp"
 #include "step/transfer/project_affine.hpp"
 #include "step/transfer/project_particles.hpp"
 
@@ -40,7 +41,10 @@ void drop_forces(const Grid& grid, std::vector<Nodes>& fields) {
 }
 
 void sum_halos(const SymmetryPlanes& symmetry, const Grid& grid, std::vector<Nodes>& fields) {
-  for (Nodes& nodes : fields) apply_symmetry_to_sums(symmetry, grid, nodes);
+  for (Nodes& nodes : fields) {
+    apply_symmetry_to_sums(symmetry, grid, nodes);
+    restrict_sums(grid, nodes);
+  }
   for (const Nodes& nodes : fields)
     exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
 }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/section_table.hpp"
+#include "deck/sections/refinement_section.hpp"
+#include "scene/scene_parts.hpp"
+#include "scene/tile_levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+/// What does not work across cells of different sizes yet, as the deck calls it; empty: all does.
+std::string conflict_of(const Scene& scene) {
+  if (!scene.contacts.empty()) return "Contacts";
+  if (scene.pore_flow.on()) return "Pore Flow";
+  if (scene.step.transfer == Transfer::xpic || scene.step.transfer == Transfer::apic)
+    return "Step/Transfer = " + word_of(scene.step.transfer);
+  if (scene.step.return_losses) return path_of(&StepSpec::return_losses);
+  return {};
+}
+
+RefinedRegion read_region(const Deck& deck, const std::string& name, const Scene& scene) {
+  const std::string path = list_of<RefinedRegion>(name);
+  auto region = read_list<RefinedRegion>(deck, path);
+  region.name = name;
+  region.shape = read_shape(deck, path, scene.grid.mode);
+  return region;
+}
+
+}  // namespace
+
+void add_refinement(const Deck& deck, Scene& scene) {
+  std::vector<RefinedRegion> regions;
+  for (const std::string& name : deck.lists(table_of<RefinedRegion>().path)) {
+    regions.push_back(read_region(deck, name, scene));
+    const std::vector<unsigned char> levels = find_tile_levels(scene.grid, {regions.back()});
+    if (std::all_of(levels.begin(), levels.end(), [](int level) { return level == 0; })) {
+      deck.refuse(
+          list_of<RefinedRegion>(name),
+          "lies outside the grid (no cell would be refined); move the region or remove it"
+      );
+    }
+  }
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, regions);
+}
+
+void check_refinement(const Deck& deck, const Scene& scene) {
+  if (scene.grid.level_of_tile.empty()) return;
+  const std::string conflict = conflict_of(scene);
+  if (conflict.empty()) return;
+  deck.refuse(
+      table_of<RefinedRegion>().path,
+      "cannot be combined with " + conflict +
+          " (which does not work across cells of different sizes yet); remove one of the two"
+  );
+}
+
+}  // namespace barreno

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/tile_levels.hpp"
+
+#include "scene/geometry.hpp"
+#include "scene/tile_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+/// visit(index of a tile of the box, its place) for all of them.
+template <class Visitor>
+void for_each_box_tile(const std::array<int, 3>& tiles, Visitor&& visit) {
+  std::size_t index = 0;
+  std::array<int, 3> at{};
+  for (at[2] = 0; at[2] < tiles[2]; ++at[2])
+    for (at[1] = 0; at[1] < tiles[1]; ++at[1])
+      for (at[0] = 0; at[0] < tiles[0]; ++at[0]) visit(index++, at);
+}
+
+double tile_size(const GridSpec& grid) {
+  return grid.cell_size * tile_cells(dimensions(grid.mode));
+}
+
+Box box_of_tile(const GridSpec& grid, const std::array<int, 3>& at) {
+  Box box{grid.lower, grid.upper};
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
+    box.lower[d] = grid.lower[d] + at[d] * tile_size(grid);
+    box.upper[d] = std::min(box.lower[d] + tile_size(grid), grid.upper[d]);
+  }
+  return box;
+}
+
+/// The largest level around a tile.
+int level_around(
+    const std::vector<unsigned char>& level,
+    const std::array<int, 3>& tiles,
+    const std::array<int, 3>& at
+) {
+  std::array<int, 3> from{}, to{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    from[d] = std::max(at[d] - 1, 0);
+    to[d] = std::min(at[d] + 1, tiles[d] - 1);
+  }
+  int most = 0;
+  for (int z = from[2]; z <= to[2]; ++z)
+    for (int y = from[1]; y <= to[1]; ++y)
+      for (int x = from[0]; x <= to[0]; ++x)
+        most = std::max<int>(most, level[static_cast<std::size_t>((z * tiles[1] + y) * tiles[0] + x)]);
+  return most;
+}
+
+/// Raises levels until neighbours differ by one at most: from the finest down, since a level that is
+/// raised is below all that were looked at.
+void grade(const std::array<int, 3>& tiles, std::vector<unsigned char>& level) {
+  for (int l = max_level; l > 1; --l) {
+    const std::vector<unsigned char> before = level;
+    for_each_box_tile(tiles, [&](std::size_t t, const std::array<int, 3>& at) {
+      if (level_around(before, tiles, at) >= l && level[t] < l - 1)
+        level[t] = static_cast<unsigned char>(l - 1);
+    });
+  }
+}
+
+}  // namespace
+
+std::array<int, 3> box_tiles(const GridSpec& grid) {
+  std::array<int, 3> tiles{1, 1, 1};
+  const int along = tile_cells(dimensions(grid.mode));
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
+    // A box that is a whole number of cells up to round-off has that number.
+    const double cells = std::ceil((grid.upper[d] - grid.lower[d]) / grid.cell_size - 1e-9);
+    tiles[d] = (static_cast<int>(cells) + along - 1) / along;
+  }
+  return tiles;
+}
+
+std::vector<unsigned char> find_tile_levels(
+    const GridSpec& grid, const std::vector<RefinedRegion>& regions
+) {
+  if (regions.empty()) return {};
+  const std::array<int, 3> tiles = box_tiles(grid);
+  std::vector<unsigned char> level(
+      static_cast<std::size_t>(tiles[0]) * static_cast<std::size_t>(tiles[1]) *
+      static_cast<std::size_t>(tiles[2])
+  );
+  for_each_box_tile(tiles, [&](std::size_t t, const std::array<int, 3>& at) {
+    for (const RefinedRegion& region : regions)
+      if (region.level > level[t] &&
+          overlap(region.shape, box_of_tile(grid, at), grid, grid.cell_size))
+        level[t] = static_cast<unsigned char>(region.level);
+  });
+  grade(tiles, level);
+  return level;
+}
+
+int level_at(const GridSpec& grid, const Vector& x) {
+  if (grid.level_of_tile.empty()) return 0;
+  const std::array<int, 3> tiles = box_tiles(grid);
+  std::array<int, 3> at{};
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
+    const double tile = std::floor((x[d] - grid.lower[d]) / tile_size(grid));
+    at[d] = static_cast<int>(std::clamp(tile, 0.0, tiles[d] - 1.0));
+  }
+  return grid.level_of_tile[static_cast<std::size_t>((at[2] * tiles[1] + at[1]) * tiles[0] + at[0])];
+}
+
+int finest_level(const GridSpec& grid) {
+  const auto& levels = grid.level_of_tile;
+  return levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
+}
+
+double refined_share(const GridSpec& grid, const Box& box) {
+  if (grid.level_of_tile.empty()) return 1.0;
+  const int dimension = dimensions(grid.mode);
+  double whole = 0.0;
+  double weighted = 0.0;
+  for_each_box_tile(box_tiles(grid), [&](std::size_t t, const std::array<int, 3>& at) {
+    const Box tile = box_of_tile(grid, at);
+    double common = 1.0;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d)
+      common *= std::max(
+          0.0, std::min(box.upper[d], tile.upper[d]) - std::max(box.lower[d], tile.lower[d])
+      );
+    whole += common;
+    weighted += common * std::pow(2.0, dimension * grid.level_of_tile[t]);
+  });
+  return whole > 0.0 ? weighted / whole : 1.0;
+}
+
+}  // namespace barreno
