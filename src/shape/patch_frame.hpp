@@ -31,6 +31,7 @@ struct PatchFrame {
   double first_end[D], past_box[D];  ///< no_end beyond symmetry planes, else none
   double largest;
   double widest_half;  ///< of particles that came from larger cells; no limit where all are alike
+                       ///< [cells]
 
   explicit PatchFrame(const Grid& grid)
       : patch(grid.patch),
@@ -51,6 +52,7 @@ struct PatchFrame {
     double node[D];          ///< its first node, from the box's lower corner
     double per_cell;         ///< 1 / the tile's cell size
     double low[D], high[D];  ///< ParticleGeometry::low and high
+    double widest;           ///< half size of a particle here, at most [length]
   };
   KOKKOS_INLINE_FUNCTION First first(int tile) const {
     const TileFrame& frame = tile_frame(tile);
@@ -68,6 +70,7 @@ struct PatchFrame {
   KOKKOS_INLINE_FUNCTION First first(const double (&node)[D], double cell_size) const {
     First out;
     out.per_cell = 1.0 / cell_size;
+    out.widest = widest_half * cell_size;
     const double own_cells = box_cell_size / cell_size;  // along a cell of the box
     for (int d = 0; d < dimensions; ++d) {
       out.node[d] = node[d];
@@ -84,8 +87,8 @@ struct PatchFrame {
     ParticleGeometry out;
     for (int d = 0; d < dimensions; ++d) {
       out.x[d] = (fields.position(p, d) - lower[d]) * first.per_cell - first.node[d];
-      const double half = fields.half_size(p, d) * first.per_cell;
-      out.half[d] = half < widest_half ? half : widest_half;
+      const double half_size = fields.half_size(p, d);
+      out.half[d] = (half_size < first.widest ? half_size : first.widest) * first.per_cell;
       out.low[d] = first.low[d];
       out.high[d] = first.high[d];
     }

@@ -69,10 +69,29 @@ TEST(Grid, KnowsWhatItsSceneAsksFor) {
   EXPECT_EQ(grid.active, 0);
   EXPECT_TRUE(grid.mirrored[static_cast<int>(Face::y_lower)]);
   EXPECT_FALSE(grid.mirrored[static_cast<int>(Face::y_upper)]);
-  EXPECT_EQ(grid.tile_id(2, 1, 0), 5);
-  EXPECT_EQ(grid.position_of_tile(5)[0], 2);
-  EXPECT_EQ(grid.position_of_tile(5)[1], 1);
-  EXPECT_FALSE(grid.has_tile(3, 0, 0));
+  EXPECT_EQ(grid.box.id({{2, 1, 0}, 0}), 5);
+  EXPECT_EQ(grid.box.position(5)[0], 2);
+  EXPECT_EQ(grid.box.position(5)[1], 1);
+  EXPECT_FALSE(grid.box.has({{3, 0, 0}, 0}));
+}
+
+/// Tiles of all levels have numbers of their own, and find those around them.
+TEST(BoxTiles, NumberTilesLevelByLevel) {
+  for (const int dimension : {2, 3}) {
+    const BoxTiles box(dimension, 3, {3, 2, dimension == 3 ? 2 : 1});
+    for (int id = 0; id < box.first_id[3]; ++id) {
+      const TilePosition at = box.position(id);
+      EXPECT_TRUE(box.has(at));
+      EXPECT_EQ(box.id(at), id);
+      if (at.level == 0) {
+        EXPECT_EQ(box.box_tile(at), id);
+      } else {
+        EXPECT_EQ(box.box_tile(box.parent(at)), box.box_tile(at));
+      }
+    }
+    EXPECT_EQ(box.first_id[1], dimension == 3 ? 12 : 6);
+    EXPECT_EQ(box.first_id[2], box.first_id[1] * (dimension == 3 ? 9 : 5));
+  }
 }
 
 TEST(Grid, FindsTheCellOfAPoint) {
@@ -133,7 +152,7 @@ TEST(Halo, BringsTheSumsOfNeighboursFromTheirOwners) {
   constexpr int width = 2;
   const auto tile_of = [&](int t) {
     const TilePosition& at = grid.tile_frame(t).position;
-    return grid.tile_id(at[0], at[1], at[2]);
+    return grid.box.id(at);
   };
   const ArrayView<double> sums(
       "sums", static_cast<std::size_t>((grid.active + grid.ghosts) * width)

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Levels of tiles from regions, and the particles that they ask for.
+#include "scene/tile_levels.hpp"
+#include "state/body_particles.hpp"
+#include "support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+using testing::add_box;
+using testing::all_modes;
+using testing::box_scene;
+
+constexpr double h = 1e-3;
+
+/// 6 tiles along x and y, of 8 cells in the plane and 4 in space, where there are 2 along z.
+Scene scene_of(Mode mode) {
+  const double tile = mode == Mode::three_dimensional ? 4 * h : 8 * h;
+  return box_scene(mode, h, {}, {6 * tile, 6 * tile, 2 * tile}, testing::copper());
+}
+double tile_of(Mode mode) {
+  return mode == Mode::three_dimensional ? 4 * h : 8 * h;
+}
+RefinedRegion corner_region(Mode mode, int level) {
+  const double tile = tile_of(mode);
+  return {"corner", Box{{}, {0.5 * tile, 0.5 * tile, 0.5 * tile}}, level};
+}
+
+TEST(TileLevels, NeighboursDifferByOneCornersIncluded) {
+  for (const Mode mode : all_modes) {
+    Scene scene = scene_of(mode);
+    scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(mode, 3)});
+    const double tile = tile_of(mode);
+    const auto level = [&](int x, int y) {
+      return level_at(scene.grid, {(x + 0.5) * tile, (y + 0.5) * tile, 0.5 * tile});
+    };
+    EXPECT_EQ(level(0, 0), 3);
+    for (int x = 0; x < 6; ++x)
+      for (int y = 0; y < 6; ++y) EXPECT_EQ(level(x, y), std::max(0, 3 - std::max(x, y)));
+    EXPECT_EQ(finest_level(scene.grid), 3);
+  }
+}
+
+TEST(TileLevels, TheFinestOfTwoRegionsCounts) {
+  Scene scene = scene_of(Mode::plane_strain);
+  const double tile = tile_of(Mode::plane_strain);
+  const RefinedRegion all{"all", Box{{}, {6 * tile, 6 * tile, 0.0}}, 1};
+  scene.grid.level_of_tile =
+      find_tile_levels(scene.grid, {corner_region(Mode::plane_strain, 2), all});
+  EXPECT_EQ(level_at(scene.grid, {0.0, 0.0, 0.0}), 2);
+  EXPECT_EQ(level_at(scene.grid, {5.5 * tile, 5.5 * tile, 0.0}), 1);
+}
+
+TEST(TileLevels, ARegionThatOnlyTouchesATileLeavesIt) {
+  const Scene scene = scene_of(Mode::plane_strain);
+  const double tile = tile_of(Mode::plane_strain);
+  const RefinedRegion region{"one", Box{{tile, tile, 0.0}, {2 * tile, 2 * tile, 0.0}}, 1};
+  const auto levels = find_tile_levels(scene.grid, {region});
+  EXPECT_EQ(std::count(levels.begin(), levels.end(), 1), 1);
+  EXPECT_EQ(levels[7], 1);
+}
+
+TEST(TileLevels, WithoutRegionsNothingIsKept) {
+  EXPECT_TRUE(find_tile_levels(scene_of(Mode::plane_strain).grid, {}).empty());
+  EXPECT_EQ(finest_level(scene_of(Mode::plane_strain).grid), 0);
+}
+
+/// Parts of particles hold the volume and first moments of the whole, and the ids have no gaps.
+TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
+  for (const Mode mode : all_modes) {
+    Scene scene = scene_of(mode);
+    const double tile = tile_of(mode);
+    const BodySpec& body = add_box(scene, "body", {}, {2.3 * tile, 3.1 * tile, 1.2 * tile}, 2);
+    const auto sums_of = [&] {
+      std::array<long double, 4> sums{};
+      for_each_body_particle(scene.grid, body, 7, [&](const NewParticle& p) {
+        sums[0] += p.volume;
+        for (std::size_t d = 1; d < 3; ++d) sums[d] += p.volume * p.x[d];
+        EXPECT_EQ(p.id, 7 + std::llround(sums[3]));
+        sums[3] += 1.0;
+      });
+      return sums;
+    };
+    const auto uniform = sums_of();
+    scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(mode, 2)});
+    const auto refined = sums_of();
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(static_cast<double>(refined[i] / uniform[i]), 1.0, 1e-13);
+    EXPECT_EQ(count_body_particles(scene.grid, body), std::llround(refined[3]));
+    // The share counts areas, and particles belong to one tile each.
+    const double share = static_cast<double>(refined[3] / uniform[3]);
+    EXPECT_GT(share, 1.5);
+    EXPECT_NEAR(refined_share(scene.grid, std::get<Box>(body.shape)) / share, 1.0, 0.2);
+  }
+}
+
+}  // namespace
+}  // namespace barreno
