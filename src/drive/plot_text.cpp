@@ -12,7 +12,7 @@ namespace {
 constexpr const char* components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
 
 /// Column of the history that is the pressure of a pore fluid; that behind the last where none is.
-std::size_t pore_pressure_column(const Material& material) {
+std::size_t pressure_history_of(const Material& material) {
   const auto fields =
       std::visit([](const auto& model) { return model.history_table(); }, material.model);
   const auto found = std::find_if(fields.begin(), fields.end(), [](const HistoryField& field) {
@@ -40,7 +40,7 @@ std::string plot_text(
     const std::string& yield_table,
     const std::string& path
 ) {
-  const std::size_t pores = pore_pressure_column(material);
+  const std::size_t pores = pressure_history_of(material);
   const bool wet = holds_fluid(states, pores);
   std::string text = "# title: " + model_name(material) + " of '" + material.name + "' along " +
                      path + "\n# bounded: " + bounded_stress_words(material) + "\ntime";
