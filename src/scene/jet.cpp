@@ -46,10 +46,7 @@ std::string problem_of(const JetSlug& slug, double material_density) {
 }  // namespace
 
 GridSpec grid_of_jet(const GridSpec& grid, const JetSpec& jet) {
-  GridSpec own = grid;
-  own.cell_size = cell_size_of(grid, level_at(grid, {0.0, jet.launch_position, 0.0}));
-  own.level_of_tile.clear();
-  return own;
+  return uniform_grid(grid, level_at(grid, {0.0, jet.launch_position, 0.0}));
 }
 
 std::vector<JetSlug> discrete_slugs(

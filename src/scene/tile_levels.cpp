@@ -20,15 +20,11 @@ void for_each_box_tile(const std::array<int, 3>& tiles, Visitor&& visit) {
       for (at[0] = 0; at[0] < tiles[0]; ++at[0]) visit(index++, at);
 }
 
-double tile_size(const GridSpec& grid) {
-  return grid.cell_size * tile_cells(dimensions(grid.mode));
-}
-
 Box box_of_tile(const GridSpec& grid, const std::array<int, 3>& at) {
   Box box{grid.lower, grid.upper};
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
-    box.lower[d] = grid.lower[d] + at[d] * tile_size(grid);
-    box.upper[d] = std::min(box.lower[d] + tile_size(grid), grid.upper[d]);
+    box.lower[d] = grid.lower[d] + at[d] * tile_size_of(grid);
+    box.upper[d] = std::min(box.lower[d] + tile_size_of(grid), grid.upper[d]);
   }
   return box;
 }
@@ -66,6 +62,10 @@ void grade(const std::array<int, 3>& tiles, std::vector<unsigned char>& level) {
 
 }  // namespace
 
+double tile_size_of(const GridSpec& grid) {
+  return grid.cell_size * tile_cells(dimensions(grid.mode));
+}
+
 std::array<int, 3> box_tiles(const GridSpec& grid) {
   std::array<int, 3> tiles{1, 1, 1};
   const int along = tile_cells(dimensions(grid.mode));
@@ -101,10 +101,14 @@ int level_at(const GridSpec& grid, const Vector& x) {
   const std::array<int, 3> tiles = box_tiles(grid);
   std::array<int, 3> at{};
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
-    const double tile = std::floor((x[d] - grid.lower[d]) / tile_size(grid));
+    const double tile = std::floor((x[d] - grid.lower[d]) / tile_size_of(grid));
     at[d] = static_cast<int>(std::clamp(tile, 0.0, tiles[d] - 1.0));
   }
   return grid.level_of_tile[static_cast<std::size_t>((at[2] * tiles[1] + at[1]) * tiles[0] + at[0])];
+}
+
+GridSpec uniform_grid(const GridSpec& grid, int level) {
+  return {grid.mode, grid.lower, grid.upper, grid.cell_size / (1 << level), {}};
 }
 
 int finest_level(const GridSpec& grid) {

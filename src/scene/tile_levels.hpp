@@ -12,6 +12,9 @@ namespace barreno {
 /// Tiles of the whole box along each axis; one along z in two dimensions.
 std::array<int, 3> box_tiles(const GridSpec& grid);
 
+/// Edge of a tile of level 0 [length].
+double tile_size_of(const GridSpec& grid);
+
 /// Levels of the tiles of the box: that of the finest region which shares more than a boundary with
 /// a tile, and so that neighbouring tiles, those at corners included, differ by one level at most.
 ///
@@ -26,10 +29,8 @@ int level_at(const GridSpec& grid, const Vector& x);
 /// Largest of all levels; 0 where nothing is refined.
 int finest_level(const GridSpec& grid);
 
-/// Edge of the cells of a level [length].
-inline double cell_size_of(const GridSpec& grid, int level) {
-  return grid.cell_size / (1 << level);
-}
+/// The same box with cells of one level everywhere.
+GridSpec uniform_grid(const GridSpec& grid, int level);
 
 /// Particles that a box is filled with for each that it would hold at level 0, on average.
 double refined_share(const GridSpec& grid, const Box& box);

@@ -61,6 +61,54 @@ Divisions divide_box(const GridSpec& grid, const BodySpec& body, const Box& box)
   return divisions;
 }
 
+/// Where a box is cut so that its particles do not straddle tiles of different cells: there the
+/// forces of a body in equilibrium would not balance exactly. No cut leaves less than half a
+/// particle.
+std::vector<double> cuts_along(
+    const GridSpec& grid, const BodySpec& body, const Box& box, std::size_t axis
+) {
+  std::vector<double> cuts{box.lower[axis]};
+  if (!grid.level_of_tile.empty()) {
+    const double tile = tile_size_of(grid), least = 0.5 * wanted_size(grid, body);
+    const double first = std::floor((box.lower[axis] - grid.lower[axis]) / tile);
+    for (double i = first + 1.0; grid.lower[axis] + i * tile < box.upper[axis] - least; ++i)
+      if (grid.lower[axis] + i * tile > box.lower[axis] + least)
+        cuts.push_back(grid.lower[axis] + i * tile);
+  }
+  cuts.push_back(box.upper[axis]);
+  return cuts;
+}
+
+/// visit(grid with the cells of a part's level everywhere, divisions of the part, bits by Face of
+/// the sides at which it ends the box) for the parts of a box between the cuts; where nothing is
+/// refined there is one.
+template <class Visitor>
+void for_each_box_part(
+    const GridSpec& grid, const BodySpec& body, const Box& box, Visitor&& visit
+) {
+  const auto dimension = static_cast<std::size_t>(dimensions(grid.mode));
+  std::array<std::vector<double>, 3> cuts;
+  for (std::size_t d = 0; d < 3; ++d)
+    cuts[d] = d < dimension ? cuts_along(grid, body, box, d) : std::vector<double>{0.0, 0.0};
+  std::array<std::size_t, 3> i{};
+  for (i[2] = 0; i[2] + 1 < cuts[2].size(); ++i[2])
+    for (i[1] = 0; i[1] + 1 < cuts[1].size(); ++i[1])
+      for (i[0] = 0; i[0] + 1 < cuts[0].size(); ++i[0]) {
+        Box part;
+        Vector middle{};
+        unsigned ends = 0;
+        for (std::size_t d = 0; d < dimension; ++d) {
+          part.lower[d] = cuts[d][i[d]];
+          part.upper[d] = cuts[d][i[d] + 1];
+          middle[d] = 0.5 * (part.lower[d] + part.upper[d]);
+          if (i[d] == 0) ends |= 1U << (2 * d);
+          if (i[d] + 2 == cuts[d].size()) ends |= 1U << (2 * d + 1);
+        }
+        const GridSpec own = uniform_grid(grid, level_at(grid, middle));
+        visit(own, divide_box(own, body, part), ends);
+      }
+}
+
 /// The particle of a piece in its square of the lattice. It stays a box of the whole square, at the
 /// centroid of what it holds: a smaller one would cost time steps. A ring has its volume exactly,
 /// 2 pi x * area (Pappus).
@@ -132,7 +180,7 @@ NewParticle round_particle(double size, const Piece& piece, const Division& laye
   return p;
 }
 
-/// visit(particle) for the equal parts of a particle, one per particle that its tile's level asks
+/// visit(particle) for the equal parts of a particle of a lattice, one per particle that its tile's level asks
 /// for: 2^level along each axis. They hold its volume and first moments; in axisymmetry a part has
 /// the volume of its own ring.
 void for_each_part(
@@ -174,10 +222,9 @@ void for_each_particle(
   for (i[2] = 0; i[2] < divisions.along[2].count; ++i[2])
     for (i[1] = 0; i[1] < divisions.along[1].count; ++i[1])
       for (i[0] = 0; i[0] < divisions.along[0].count; ++i[0]) {
-        for_each_part(grid, make(grid, divisions, i), [&](NewParticle p) {
-          p.id = id++;
-          visit(p);
-        });
+        NewParticle p = make(grid, divisions, i);
+        p.id = id++;
+        visit(p);
       }
 }
 
@@ -195,7 +242,18 @@ void for_each_body_particle(
     const std::function<void(const NewParticle&)>& visit
 ) {
   if (const auto* box = std::get_if<Box>(&body.shape)) {
-    for_each_particle(grid, divide_box(grid, body, *box), first, visit);
+    for_each_box_part(
+        grid,
+        body,
+        *box,
+        [&](const GridSpec& own, const Divisions& divisions, unsigned ends) {
+          for_each_particle(own, divisions, first, [&](NewParticle p) {
+            p.loaded_sides &= ends;
+            visit(p);
+          });
+          first += count_particles(divisions);
+        }
+    );
     return;
   }
   ParticleId id = first;
@@ -212,10 +270,13 @@ void for_each_body_particle(
 }
 
 long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
-  const auto* box = std::get_if<Box>(&body.shape);
-  if (box != nullptr && grid.level_of_tile.empty())
-    return count_particles(divide_box(grid, body, *box));
   long long count = 0;
+  if (const auto* box = std::get_if<Box>(&body.shape)) {
+    for_each_box_part(grid, body, *box, [&](const GridSpec&, const Divisions& part, unsigned) {
+      count += count_particles(part);
+    });
+    return count;
+  }
   for_each_body_particle(grid, body, 0, [&](const NewParticle&) { ++count; });
   return count;
 }
@@ -285,8 +346,15 @@ double smallest_half_size(const Scene& scene, int material) {
       smallest = std::min(smallest, 0.5 / body.particles_per_cell);
       continue;
     }
-    const Divisions divisions = divide_box(scene.grid, body, *box);
-    for (int d = 0; d < dimensions(scene.grid.mode); ++d) take(divisions.along[d]);
+    for_each_box_part(
+        scene.grid,
+        body,
+        *box,
+        [&](const GridSpec& own, const Divisions& part, unsigned) {
+          h = own.cell_size;
+          for (int d = 0; d < dimensions(own.mode); ++d) take(part.along[d]);
+        }
+    );
   }
   if (!scene.jet.present || scene.jet.material != material) return smallest;
   const SlugLattice lattice = slug_lattice(scene);
@@ -310,10 +378,18 @@ double largest_corner(const Scene& scene) {
     largest = std::max(largest, 0.5 * std::sqrt(x * x + y * y + z * z) / h);
   };
   for (const BodySpec& body : scene.bodies) {
+    h = scene.grid.cell_size;
     const double size = wanted_size(scene.grid, body);
     if (const auto* box = std::get_if<Box>(&body.shape)) {
-      const Divisions d = divide_box(scene.grid, body, *box);
-      take(d.along[0].size, d.along[1].size, d.along[2].size);
+      for_each_box_part(
+          scene.grid,
+          body,
+          *box,
+          [&](const GridSpec& own, const Divisions& d, unsigned) {
+            h = own.cell_size;
+            take(d.along[0].size, d.along[1].size, d.along[2].size);
+          }
+      );
     } else {
       take(size, size, size);
     }

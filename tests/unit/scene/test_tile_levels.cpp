@@ -81,7 +81,7 @@ TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
       std::array<long double, 4> sums{};
       for_each_body_particle(scene.grid, body, 7, [&](const NewParticle& p) {
         sums[0] += p.volume;
-        for (std::size_t d = 1; d < 3; ++d) sums[d] += p.volume * p.x[d];
+        for (std::size_t d = 0; d < 2; ++d) sums[d + 1] += p.volume * p.x[d];
         EXPECT_EQ(p.id, 7 + std::llround(sums[3]));
         sums[3] += 1.0;
       });
