@@ -3,8 +3,11 @@
 
 #include "scene/build_scene.hpp"
 #include "scene/dormant.hpp"
+#include "scene/tile_levels.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
 
 namespace barreno {
 
@@ -41,6 +44,28 @@ Choice dormancy_choice(const Scene& scene) {
       text, sizeof text, "dormant tiles are skipped until a node moves %.2g cells in a step", motion
   );
   return {true, text};
+}
+
+Choice refinement_choice(const Scene& scene) {
+  const GridSpec& grid = scene.grid;
+  const int finest = finest_level(grid);
+  if (finest == 0) return {false, "no Refinement list: all cells have Cell Size"};
+  const auto tiles = static_cast<double>(grid.level_of_tile.size());
+  std::string text = "cells of";
+  for (int level = 0; level <= finest; ++level) {
+    const auto count = std::count(grid.level_of_tile.begin(), grid.level_of_tile.end(), level);
+    char part[80];
+    std::snprintf(
+        part,
+        sizeof part,
+        "%s %g m in %.3g %%",
+        level == 0 ? "" : ",",
+        uniform_grid(grid, level).cell_size,
+        100.0 * static_cast<double>(count) / tiles
+    );
+    text += part;
+  }
+  return {true, text + " of the box"};
 }
 
 Choice quasi_static_choice(const Scene& scene) {

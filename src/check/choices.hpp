@@ -21,5 +21,6 @@ Choice dormancy_choice(const Scene& scene);
 
 /// Whether inertia is scaled: by how much, and how fast that is beside diffusion.
 Choice quasi_static_choice(const Scene& scene);
+Choice refinement_choice(const Scene& scene);
 
 }  // namespace barreno

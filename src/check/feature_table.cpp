@@ -189,6 +189,7 @@ std::vector<Feature> scene_features(const Scene& scene) {
        dormancy_choice(scene),
        [](Scene& without) { without.step.skip_dormant = false; },
        {}},
+      {"refined cells", refinement_choice(scene), keep_all, {"restrict_sums"}},
       {"quasi-static", quasi_static_choice(scene), keep_all, {}}};
 }
 

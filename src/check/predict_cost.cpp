@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "check/cost_growth.hpp"
 #include "scene/build_scene.hpp"
+#include "scene/tile_levels.hpp"
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
@@ -79,13 +80,14 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
     const double slow = body_speed(scene, index), jet = jet_speed(scene, index);
     const double jump = std::max(compression * slow, compression_of_jet * jet);
     // Any rate below zero brings the linear part; that of the colliding bodies the quadratic one.
-    const double rate = viscous ? -(jump + 1e-9) / scene.grid.cell_size : 0.0;
+    const double cell_size = smallest_cell(scene.grid);
+    const double rate = viscous ? -(jump + 1e-9) / cell_size : 0.0;
     const StepRule rule(
         scene.step, scene.grid.mode, courant, isolated_courant(scene, static_cast<int>(m))
     );
     step = std::min(
         step,
-        rule.stable_step(scene.grid.cell_size, material.density, modulus, rate, std::max(slow, jet))
+        rule.stable_step(cell_size, material.density, modulus, rate, std::max(slow, jet))
     );
   }
   return step;

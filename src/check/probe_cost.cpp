@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "base/region.hpp"
 #include "scene/build_scene.hpp"
+#include "scene/tile_levels.hpp"
 #include "state/build_state.hpp"
 #include "step/advance.hpp"
 #include "step/stable_step.hpp"
@@ -25,10 +26,11 @@ constexpr std::size_t fewest_steps = 4;
 /// The scene with cells so large that it has few particles; the box grows to whole cells.
 Scene probed_scene(const Scene& scene) {
   Scene probed = scene;
+  probed.grid = uniform_grid(scene.grid, 0);  // a particle costs the same in cells of any size
   probed.pore_flow = {};
   probed.step.skip_dormant = false;  // nearly all is at rest in the first steps
   const int d = dimensions(scene.grid.mode);
-  Scene bodies = scene;
+  Scene bodies = probed;
   bodies.jet.slugs.clear();
   const double particles = particle_estimate(bodies);
   if (particles <= max_particles) return probed;
@@ -65,6 +67,7 @@ Probe probe_cost(const Scene& scene) {
   Probe probe;
   probe.program_bytes = peak_resident_bytes();
   const Scene probed = probed_scene(scene);
+  const double smallest = smallest_cell(scene.grid);
   State state = build_state(probed, Teuchos::rcp(new Teuchos::SerialComm<int>));
   for (const Particles& particles : state.particles)
     state.stable_step =
@@ -81,7 +84,7 @@ Probe probe_cost(const Scene& scene) {
     for (const PhaseTime& phase : phase_times())
       if (!is_whole(phase)) verbs[phase.name].push_back(phase.seconds);
     // A jet's first touch shortens the step for a moment only.
-    probe.dt = std::max(probe.dt, state.clock.dt * scene.grid.cell_size / probed.grid.cell_size);
+    probe.dt = std::max(probe.dt, state.clock.dt * smallest / probed.grid.cell_size);
     if (seconds.size() > fewest_steps && cpu_seconds() - start > enough_seconds) break;
   }
   clear_phase_times();

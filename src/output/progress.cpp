@@ -2,6 +2,7 @@
 #include "output/progress.hpp"
 
 #include "output/radii.hpp"
+#include "scene/tile_levels.hpp"
 
 #include <algorithm>
 #include <barreno/input/scan_xml.hpp>
@@ -159,7 +160,9 @@ std::string grid_text(const GridSpec& grid) {
   text += ", ";
   for (std::size_t d = 0; d <= last; ++d)
     text += si(1e3 * (grid.upper[d] - grid.lower[d]), d < last ? "mm x " : "mm, cells of ");
-  return text + si(1e3 * grid.cell_size, "mm");
+  text += si(1e3 * grid.cell_size, "mm");
+  if (finest_level(grid) > 0) text += ", refined to " + si(1e3 * smallest_cell(grid), "mm");
+  return text;
 }
 
 std::string body_text(const Scene& scene, const BodySpec& body) {

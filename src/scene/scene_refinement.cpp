@@ -12,8 +12,8 @@ namespace {
 
 /// What does not work across cells of different sizes yet, as the deck calls it; empty: all does.
 std::string conflict_of(const Scene& scene) {
-  if (!scene.contacts.empty()) return "Contacts";
-  if (scene.pore_flow.on()) return "Pore Flow";
+  if (!scene.contacts.empty()) return table_of<ContactSpec>().path;
+  if (scene.pore_flow.on()) return table_of<PoreFlowSpec>().path;
   if (scene.step.transfer == Transfer::xpic || scene.step.transfer == Transfer::apic)
     return "Step/Transfer = " + word_of(scene.step.transfer);
   if (scene.step.return_losses) return path_of(&StepSpec::return_losses);

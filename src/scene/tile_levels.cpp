@@ -116,6 +116,10 @@ int finest_level(const GridSpec& grid) {
   return levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
 }
 
+double smallest_cell(const GridSpec& grid) {
+  return uniform_grid(grid, finest_level(grid)).cell_size;
+}
+
 double refined_share(const GridSpec& grid, const Box& box) {
   if (grid.level_of_tile.empty()) return 1.0;
   const int dimension = dimensions(grid.mode);

@@ -32,6 +32,9 @@ int finest_level(const GridSpec& grid);
 /// The same box with cells of one level everywhere.
 GridSpec uniform_grid(const GridSpec& grid, int level);
 
+/// Edge of the cells of the finest level [length].
+double smallest_cell(const GridSpec& grid);
+
 /// Particles that a box is filled with for each that it would hold at level 0, on average.
 double refined_share(const GridSpec& grid, const Box& box);
 

@@ -71,7 +71,8 @@ TEST(TileLevels, WithoutRegionsNothingIsKept) {
   EXPECT_EQ(finest_level(scene_of(Mode::plane_strain).grid), 0);
 }
 
-/// Parts of particles hold the volume and first moments of the whole, and the ids have no gaps.
+/// Volume and first moments are those of the uniform grid's particles (rings of another radius have
+/// another moment across the axis, as they do on a finer uniform grid), and the ids have no gaps.
 TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
   for (const Mode mode : all_modes) {
     Scene scene = scene_of(mode);
@@ -91,7 +92,8 @@ TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
     scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(mode, 2)});
     const auto refined = sums_of();
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(static_cast<double>(refined[i] / uniform[i]), 1.0, 1e-13);
+      if (mode != Mode::axisymmetric || i != 1)
+        EXPECT_NEAR(static_cast<double>(refined[i] / uniform[i]), 1.0, 1e-13);
     EXPECT_EQ(count_body_particles(scene.grid, body), std::llround(refined[3]));
     // The share counts areas, and particles belong to one tile each.
     const double share = static_cast<double>(refined[3] / uniform[3]);
