@@ -107,8 +107,20 @@ struct DeformInSpace {
 
 bool all_found(const FieldView& scratch, Rows rows) {
   int left = 0;
-  for (int p = rows.begin; p < rows.end; ++p)
-    left |= static_cast<int>(!(scratch(p, rotation_left) <= rotation_tolerance));
+  launch_reduction(
+      "all_found",
+      range((rows.end - rows.begin + rows_per_chunk - 1) / rows_per_chunk),
+      KOKKOS_LAMBDA(const int chunk, int& some) {
+        const int begin = rows.begin + chunk * rows_per_chunk;
+        const int end = begin + rows_per_chunk < rows.end ? begin + rows_per_chunk : rows.end;
+        if (rows.skips(begin)) return;
+        int here = 0;
+        for (int p = begin; p < end; ++p)
+          here |= static_cast<int>(!(scratch(p, rotation_left) <= rotation_tolerance));
+        some += here;
+      },
+      left
+  );
   return left == 0;
 }
 
