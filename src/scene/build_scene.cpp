@@ -131,13 +131,13 @@ Scene build_scene(const Deck& deck) {
   add_materials(deck, scene);
   add_bodies(deck, scene);
   check_size(deck, scene);  // before lattices are filled
-  add_refinement(deck, scene);
   check_bodies(deck, scene);
   add_conditions(deck, scene);
   add_loads(deck, scene);
   add_confinement(deck, scene);
   check_pore_pressures(deck, scene);
   add_jet(deck, scene);
+  add_refinement(deck, scene);
   add_body_force(deck, scene);
   check_rigid_bodies(deck, scene);
   add_contacts(deck, scene);

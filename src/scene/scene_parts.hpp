@@ -12,7 +12,8 @@ namespace barreno {
 /// part may use what an earlier one built. All throw DeckError.
 
 void add_bodies(const Deck& deck, Scene& scene);
-/// Levels of the grid's tiles; after check_size, which says whether the box can be indexed.
+/// Levels of the grid's tiles; after check_size, which says whether the box can be indexed, and
+/// after the jet, whose path can be refined.
 void add_refinement(const Deck& deck, Scene& scene);
 /// After all else: refuses what does not work across levels.
 void check_refinement(const Deck& deck, const Scene& scene);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace barreno {
 namespace {
@@ -28,6 +29,35 @@ RefinedRegion read_region(const Deck& deck, const std::string& name, const Scene
   return region;
 }
 
+/// Of the widest slug: where the jet, what is left of it and the wall of its channel are.
+constexpr double path_radius = 2.5;
+
+/// The path of a jet, with cells that are small enough for its thinnest slug.
+RefinedRegion path_of_jet(const Deck& deck, const Scene& scene) {
+  double thinnest = std::numeric_limits<double>::infinity(), widest = 0.0;
+  for (const JetSlug& slug : scene.jet.slugs) {
+    thinnest = std::min(thinnest, slug.radius);
+    widest = std::max(widest, slug.radius);
+  }
+  const double wanted = thinnest / scene.jet.cells_per_radius;
+  const double halvings = std::ceil(std::log2(scene.grid.cell_size / wanted) - 1e-9);
+  if (halvings > max_level) {
+    deck.refuse_value(
+        path_of(&JetSpec::cells_per_radius),
+        "asks for cells of " + text_of("%.3g", wanted) + " m, more than 2^" +
+            std::to_string(max_level) + " times smaller than Grid/Cell Size (the most that the "
+            "grid can be refined); choose a smaller Cell Size or fewer Cells Per Radius"
+    );
+  }
+  const double reach = path_radius * widest;
+  Box box{scene.grid.lower, scene.grid.upper};
+  for (const std::size_t across : {0U, 2U}) {
+    box.lower[across] = std::max(box.lower[across], -reach);
+    box.upper[across] = std::min(box.upper[across], reach);
+  }
+  return {"path of the jet", box, static_cast<int>(halvings)};
+}
+
 }  // namespace
 
 void add_refinement(const Deck& deck, Scene& scene) {
@@ -42,6 +72,10 @@ void add_refinement(const Deck& deck, Scene& scene) {
       );
     }
   }
+  if (scene.jet.present && scene.jet.cells_per_radius > 0.0) {
+    const RefinedRegion path = path_of_jet(deck, scene);
+    if (path.level > 0) regions.push_back(path);
+  }
   scene.grid.level_of_tile = find_tile_levels(scene.grid, regions);
 }
 
@@ -49,8 +83,9 @@ void check_refinement(const Deck& deck, const Scene& scene) {
   if (scene.grid.level_of_tile.empty()) return;
   const std::string conflict = conflict_of(scene);
   if (conflict.empty()) return;
+  const bool by_region = !deck.lists(table_of<RefinedRegion>().path).empty();
   deck.refuse(
-      table_of<RefinedRegion>().path,
+      by_region ? table_of<RefinedRegion>().path : path_of(&JetSpec::cells_per_radius),
       "cannot be combined with " + conflict +
           " (which does not work across cells of different sizes yet); remove one of the two"
   );

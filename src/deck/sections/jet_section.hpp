@@ -23,6 +23,7 @@ struct JetSpec {
   double launch_position = 0.0;  ///< coordinate of the launch plane along y [length]
   double direction = 1.0;        ///< +1 or -1 along y
   int particles_per_cell = 4;    ///< per direction
+  double cells_per_radius = 0.0; ///< wanted of its thinnest slug along its path; 0: as the grid is
 };
 template <>
 const SectionTable<JetSpec>& table_of<JetSpec>();
