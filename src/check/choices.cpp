@@ -49,7 +49,8 @@ Choice dormancy_choice(const Scene& scene) {
 Choice refinement_choice(const Scene& scene) {
   const GridSpec& grid = scene.grid;
   const int finest = finest_level(grid);
-  if (finest == 0) return {false, "no Refinement list, and Jet/Cells Per Radius is 0: all cells have Cell Size"};
+  if (finest == 0)
+    return {false, "no Refinement list, and Jet/Cells Per Radius is 0: all cells have Cell Size"};
   const auto tiles = static_cast<double>(grid.level_of_tile.size());
   std::string text = "cells of";
   for (int level = 0; level <= finest; ++level) {

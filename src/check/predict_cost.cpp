@@ -86,8 +86,7 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
         scene.step, scene.grid.mode, courant, isolated_courant(scene, static_cast<int>(m))
     );
     step = std::min(
-        step,
-        rule.stable_step(cell_size, material.density, modulus, rate, std::max(slow, jet))
+        step, rule.stable_step(cell_size, material.density, modulus, rate, std::max(slow, jet))
     );
   }
   return step;

@@ -26,19 +26,21 @@ struct TilePosition {
   KOKKOS_INLINE_FUNCTION int operator[](int axis) const { return along[axis]; }
 };
 
-/// Tiles of all levels of a box, by number: those of level 0 first, x fastest. A tile of level l has
-/// cells 2^l times smaller than the box's, and 2^l of them fill one of level 0 along each axis.
+/// Tiles of all levels of a box, by number: those of level 0 first, x fastest. A tile of level l
+/// has cells 2^l times smaller than the box's, and 2^l of them fill one of level 0 along each axis.
 struct BoxTiles {
   int dimensions = 2;
   int levels = 1;
-  int along[3] = {0, 0, 1};           ///< of level 0
+  int along[3] = {0, 0, 1};          ///< of level 0
   int first_id[max_level + 2] = {};  ///< of each level; behind the last, their number
 
   BoxTiles() = default;
   BoxTiles(int dimension, int count, const int (&of_box)[3])
       : dimensions(dimension), levels(count), along{of_box[0], of_box[1], of_box[2]} {
     for (int l = 0; l <= max_level; ++l)
-      first_id[l + 1] = first_id[l] + (l < levels ? count_along(0, l) * count_along(1, l) * count_along(2, l) : 0);
+      first_id[l + 1] =
+          first_id[l] +
+          (l < levels ? count_along(0, l) * count_along(1, l) * count_along(2, l) : 0);
   }
 
   KOKKOS_INLINE_FUNCTION int count_along(int axis, int level) const {
@@ -46,8 +48,7 @@ struct BoxTiles {
   }
   KOKKOS_INLINE_FUNCTION bool has(const TilePosition& at) const {
     bool inside = true;
-    for (int d = 0; d < 3; ++d)
-      inside = inside && at[d] >= 0 && at[d] < count_along(d, at.level);
+    for (int d = 0; d < 3; ++d) inside = inside && at[d] >= 0 && at[d] < count_along(d, at.level);
     return inside;
   }
   KOKKOS_INLINE_FUNCTION int id(const TilePosition& at) const {
@@ -126,7 +127,8 @@ struct Grid {
   /// next, where nothing is refined.
   ArrayView<int> parent;
   /// tile * patch.size + slot: 1 if the node is none of the tile's own unknowns: it coincides with
-  /// one of the coarser lattice, or lies on or beyond the border to larger cells and follows theirs.
+  /// one of the coarser lattice, or lies on or beyond the border to larger cells and follows
+  /// theirs.
   ArrayView<unsigned char> from_parent;
   std::shared_ptr<HaloPlan> halo;
 

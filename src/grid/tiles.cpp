@@ -127,8 +127,7 @@ struct FindParents {
     for (int slot = 0; slot < patch.size; ++slot) {
       int node[3];
       position_of_slot(patch, slot, node);
-      for (int d = 0; d < patch.dimensions; ++d)
-        node[d] += at[d] * patch.tile_cells - patch.reach;
+      for (int d = 0; d < patch.dimensions; ++d) node[d] += at[d] * patch.tile_cells - patch.reach;
       const bool taken = at.level > 0 && !is_behind_mirror(node, at.level) &&
                          (is_on_parent(node) || !is_inside(node, at.level));
       from_parent(t * patch.size + slot) = taken ? 1 : 0;

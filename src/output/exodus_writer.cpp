@@ -136,7 +136,7 @@ std::vector<ExodusLayout> ExodusWriter::record_start(
 ) {
   const auto directions = static_cast<std::size_t>(dimensions_);
   const auto nodes = static_cast<std::size_t>(nodes_);
-  const double launched_size = 
+  const double launched_size =
       grid_of_jet(scene.grid, scene.jet).cell_size / (2.0 * scene.jet.particles_per_cell);
   std::vector<ExodusLayout> layouts;
   for (OpenFile& open : open_files_) {

@@ -45,7 +45,8 @@ RefinedRegion path_of_jet(const Deck& deck, const Scene& scene) {
     deck.refuse_value(
         path_of(&JetSpec::cells_per_radius),
         "asks for cells of " + text_of("%.3g", wanted) + " m, more than 2^" +
-            std::to_string(max_level) + " times smaller than Grid/Cell Size (the most that the "
+            std::to_string(max_level) +
+            " times smaller than Grid/Cell Size (the most that the "
             "grid can be refined); choose a smaller Cell Size or fewer Cells Per Radius"
     );
   }

@@ -97,7 +97,8 @@ double particle_estimate(const Scene& scene) {
                  refined_share(scene.grid, box_around(body.shape, scene.grid));
   }
   for (const JetSlug& slug : scene.jet.slugs) {
-    const double per_length = scene.jet.particles_per_cell / grid_of_jet(scene.grid, scene.jet).cell_size;
+    const double per_length =
+        scene.jet.particles_per_cell / grid_of_jet(scene.grid, scene.jet).cell_size;
     // A slug thinner than a particle is still one.
     const double across = std::max(1.0, slug.radius * per_length);
     particles +=
@@ -107,7 +108,8 @@ double particle_estimate(const Scene& scene) {
 }
 
 double memory_estimate(const Scene& scene) {
-  return bytes_per_tile * tiles_of(scene.grid) + directory_bytes(scene.grid) + channel_bytes(scene) +
+  return bytes_per_tile * tiles_of(scene.grid) + directory_bytes(scene.grid) +
+         channel_bytes(scene) +
          estimated_particle_bytes(dimensions(scene.grid.mode)) * particle_estimate(scene);
 }
 

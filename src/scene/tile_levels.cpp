@@ -44,12 +44,13 @@ int level_around(
   for (int z = from[2]; z <= to[2]; ++z)
     for (int y = from[1]; y <= to[1]; ++y)
       for (int x = from[0]; x <= to[0]; ++x)
-        most = std::max<int>(most, level[static_cast<std::size_t>((z * tiles[1] + y) * tiles[0] + x)]);
+        most =
+            std::max<int>(most, level[static_cast<std::size_t>((z * tiles[1] + y) * tiles[0] + x)]);
   return most;
 }
 
-/// Raises levels until neighbours differ by one at most: from the finest down, since a level that is
-/// raised is below all that were looked at.
+/// Raises levels until neighbours differ by one at most: from the finest down, since a level that
+/// is raised is below all that were looked at.
 void grade(const std::array<int, 3>& tiles, std::vector<unsigned char>& level) {
   for (int l = max_level; l > 1; --l) {
     const std::vector<unsigned char> before = level;
@@ -104,7 +105,8 @@ int level_at(const GridSpec& grid, const Vector& x) {
     const double tile = std::floor((x[d] - grid.lower[d]) / tile_size_of(grid));
     at[d] = static_cast<int>(std::clamp(tile, 0.0, tiles[d] - 1.0));
   }
-  return grid.level_of_tile[static_cast<std::size_t>((at[2] * tiles[1] + at[1]) * tiles[0] + at[0])];
+  return grid
+      .level_of_tile[static_cast<std::size_t>((at[2] * tiles[1] + at[1]) * tiles[0] + at[0])];
 }
 
 GridSpec uniform_grid(const GridSpec& grid, int level) {

@@ -180,9 +180,9 @@ NewParticle round_particle(double size, const Piece& piece, const Division& laye
   return p;
 }
 
-/// visit(particle) for the equal parts of a particle of a lattice, one per particle that its tile's level asks
-/// for: 2^level along each axis. They hold its volume and first moments; in axisymmetry a part has
-/// the volume of its own ring.
+/// visit(particle) for the equal parts of a particle of a lattice, one per particle that its tile's
+/// level asks for: 2^level along each axis. They hold its volume and first moments; in axisymmetry
+/// a part has the volume of its own ring.
 void for_each_part(
     const GridSpec& grid,
     const NewParticle& whole,

@@ -12,7 +12,8 @@ namespace barreno {
 /// sets, and to what.
 struct NodeCondition {
   int axis = 0;
-  int bound = 0;  ///< on the lattice of level 0: nodes <= bound (lower face) or >= bound (upper face)
+  int bound =
+      0;  ///< on the lattice of level 0: nodes <= bound (lower face) or >= bound (upper face)
   bool lower = true;
   bool sets[3] = {false, false, false};
   double velocity[3] = {0.0, 0.0, 0.0};  ///< times the factor of its table [length/time]

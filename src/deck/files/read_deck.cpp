@@ -241,7 +241,7 @@ Surfaces read_surfaces(
     const Reading& reading, ParameterList& values, std::vector<SurfaceFile>& files
 ) {
   Surfaces surfaces;
-  for (const std::string& section : 
+  for (const std::string& section :
        {table_of<ShapeSection>().path, table_of<RefinedRegion>().path, table_of<BodySpec>().path}) {
     ParameterList& lists = values.sublist(section);
     std::vector<std::string> names;

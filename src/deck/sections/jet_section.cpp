@@ -48,7 +48,8 @@ SectionTable<JetSpec> jet_table() {
            "Cells Per Radius",
            dim::none,
            at_least(0.0),
-           "refines the grid along the jet's path, to 2.5 times the radius of its widest slug, until "
+           "refines the grid along the jet's path, to 2.5 times the radius of its widest slug, "
+           "until "
            "at least so many cells fit in the radius of its thinnest slug; depths are converged to "
            "about 1 % with 4 (docs/trade.md). 0 leaves the grid as it is"
        )}};

@@ -19,11 +19,11 @@ struct JetSpec {
   bool present = false;
   int material = 0;  ///< index into Scene::materials
   std::string table_file;
-  std::vector<JetSlug> slugs;    ///< launch times do not decrease
-  double launch_position = 0.0;  ///< coordinate of the launch plane along y [length]
-  double direction = 1.0;        ///< +1 or -1 along y
-  int particles_per_cell = 4;    ///< per direction
-  double cells_per_radius = 0.0; ///< wanted of its thinnest slug along its path; 0: as the grid is
+  std::vector<JetSlug> slugs;     ///< launch times do not decrease
+  double launch_position = 0.0;   ///< coordinate of the launch plane along y [length]
+  double direction = 1.0;         ///< +1 or -1 along y
+  int particles_per_cell = 4;     ///< per direction
+  double cells_per_radius = 0.0;  ///< wanted of its thinnest slug along its path; 0: as the grid is
 };
 template <>
 const SectionTable<JetSpec>& table_of<JetSpec>();

@@ -54,13 +54,7 @@ void restrict_sums(const Grid& grid, const Nodes& nodes) {
     launch(
         "restrict_sums",
         RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
-        RestrictSums{
-            grid.patch,
-            grid.box,
-            grid.tile_frame,
-            grid.directory,
-            grid.from_parent,
-            nodes}
+        RestrictSums{grid.patch, grid.box, grid.tile_frame, grid.directory, grid.from_parent, nodes}
     );
 }
 

@@ -93,9 +93,7 @@ void spread_tile_seconds(const Grid& grid, double all, const ArrayView<double>& 
   launch(
       "spread_tile_seconds",
       range(grid.active),
-      KOKKOS_LAMBDA(const int t) {
-        fetch_add(seconds(2 * box.box_tile(frame(t).position)), each);
-      }
+      KOKKOS_LAMBDA(const int t) { fetch_add(seconds(2 * box.box_tile(frame(t).position)), each); }
   );
 }
 

@@ -50,7 +50,8 @@ int mark_leaving(const Grid& grid, const Particles& particles) {
       "mark_leaving",
       range(particles.count),
       KOKKOS_LAMBDA(const int p, int& sum) {
-        leaves(p) = !is_placed(key(p)) && owner(lattice.cell_at(position, p).box_tile) != me ? 1 : 0;
+        leaves(p) =
+            !is_placed(key(p)) && owner(lattice.cell_at(position, p).box_tile) != me ? 1 : 0;
         sum += leaves(p);
       },
       count

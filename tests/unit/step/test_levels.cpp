@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole steps on grids with cells of several sizes, on any number of ranks.
-#include "base/numbers.hpp"
 #include "base/gather.hpp"
+#include "base/numbers.hpp"
 #include "grid/tiles.hpp"
 #include "scene/tile_levels.hpp"
 #include "state/balance.hpp"
@@ -44,8 +44,10 @@ Scene collision(Mode mode) {
   Scene scene = box_scene(
       mode, 1e-3, {0.0, 0.0, 0.0}, {0.032, 0.048, 0.012}, testing::elastic(70e9, 0.3, 2700.0)
   );
-  add_box(scene, "lower", {0.0, 0.013, 0.0}, {width_in(mode), 0.0189, 0.0042}, 2).velocity = {0, 120, 0};
-  add_box(scene, "upper", {0.0, 0.020, 0.0}, {width_in(mode), 0.0267, 0.0053}, 2).velocity = {0, -80, 0};
+  add_box(scene, "lower", {0.0, 0.013, 0.0}, {width_in(mode), 0.0189, 0.0042}, 2).velocity = {
+      0, 120, 0};
+  add_box(scene, "upper", {0.0, 0.020, 0.0}, {width_in(mode), 0.0267, 0.0053}, 2).velocity = {
+      0, -80, 0};
   add_symmetry(scene, Face::x_lower);
   if (mode == Mode::three_dimensional) add_symmetry(scene, Face::z_lower);
   refine(scene, {{0.0, 0.017, 0.0}, {0.003, 0.022, 0.003}}, level_in(mode));
@@ -119,7 +121,8 @@ TEST_P(Levels, PreloadedBodyStaysAtRest) {
   Scene scene = box_scene(
       mode, 1e-3, {0.0, 0.0, 0.0}, {0.032, 0.040, 0.012}, testing::elastic(20e9, 0.25, 2300.0)
   );
-  add_box(scene, "core", {0.0, 0.0122, 0.0}, {width_in(mode), 0.0227, 0.0053}, 2).initial_pressure = 70e6;
+  add_box(scene, "core", {0.0, 0.0122, 0.0}, {width_in(mode), 0.0227, 0.0053}, 2).initial_pressure =
+      70e6;
   PressureLoadSpec load;
   load.faces[static_cast<std::size_t>(Face::x_upper)] = true;
   load.faces[static_cast<std::size_t>(Face::y_lower)] = true;
@@ -133,8 +136,7 @@ TEST_P(Levels, PreloadedBodyStaysAtRest) {
   State state = start(scene);
   advance_to(scene, 3e-6, state);
   const double free_speed = 70e6 / (2300.0 * std::sqrt(24e9 / 2300.0));
-  for (const auto& row : all_rows(state))
-    EXPECT_LT(std::hypot(row[2], row[3]), 1e-9 * free_speed);
+  for (const auto& row : all_rows(state)) EXPECT_LT(std::hypot(row[2], row[3]), 1e-9 * free_speed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Levels, ::testing::ValuesIn(all_modes));
