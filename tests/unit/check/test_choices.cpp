@@ -72,7 +72,7 @@ TEST(JetNote, WarnsOfAJetThatMissesOrComesTooLate) {
   scene.jet.slugs = {{0.0, 1000.0, 0.2, 0.1, 8930.0}};
   EXPECT_EQ(jet_note(scene), "");  // its leading face takes 0.45 ms
   scene.end_time = 0.4e-3;
-  EXPECT_TRUE(says(jet_note(scene), "would reach the target at 0.00045 s")) << jet_note(scene);
+  EXPECT_TRUE(says(jet_note(scene), "reaches the target at 0.00045 s")) << jet_note(scene);
   scene.jet.direction = -1.0;
   EXPECT_TRUE(says(jet_note(scene), "hits no body"));
 }

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs with cells of several sizes: those that are there are taken, others are made or continued."""
+
+import dataclasses
+import pathlib
+import xml.etree.ElementTree as xml
+
+from barreno_converge.faults import NUMERICAL, Fault
+from barreno_converge.program import as_set, body_of
+from barreno_converge.quantity import read_summary
+
+CELL_SIZE = "Grid/Cell Size"
+
+
+@dataclasses.dataclass
+class Level:
+    cells: float  # [m]
+    words: list  # of the deck
+    deck: str  # as it takes effect
+    folder: pathlib.Path
+    how: str = ""  # "reused", "resumed" or "computed"
+
+
+def value_in(deck, path):
+    """Text of a parameter of an effective deck, or None."""
+    node = xml.fromstring(deck)
+    *lists, name = path.split("/")
+    for one in lists:
+        node = next((child for child in node if child.get("name") == one), None)
+        if node is None:
+            return None
+    return next((child.get("value") for child in node if child.get("name") == name), None)
+
+
+def cells_of(size, count, ratio):
+    """Cell sizes, the smallest first: one level below the deck's own, the others above."""
+    return [size * ratio ** (i - 1) for i in range(count)]
+
+
+def folder_name(cells):
+    return f"cells-{1e3 * cells:.6g}mm"
+
+
+def make_levels(program, deck, settings, sizes, out):
+    """Every level's effective deck: what is wrong with one is said before anything is computed."""
+    levels = []
+    for size in sizes:
+        words = [deck, *as_set([*settings, f"{CELL_SIZE}={size!r} m"])]
+        levels.append(Level(size, words, program.effective_deck(words), out / folder_name(size)))
+    return levels
+
+
+def deck_in(folder):
+    try:
+        return body_of((folder / "deck.xml").read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+def is_finished(folder, version):
+    try:
+        summary = read_summary(folder)
+    except Fault:
+        return False
+    return isinstance(summary, dict) and summary.get("finished") is True and summary.get("version") == version
+
+
+def find_finished(level, version, places):
+    """A finished run of the same program and the same effective deck: in its own folder, or in one of the places."""
+    candidates = [level.folder]
+    for place in places:
+        if place.is_dir():
+            candidates += sorted(folder for folder in place.iterdir() if (folder / "deck.xml").is_file())
+    return next((folder for folder in candidates if deck_in(folder) == level.deck and is_finished(folder, version)), None)
+
+
+def compute(program, level):
+    """@return how the run was made"""
+    if deck_in(level.folder) == level.deck and (level.folder / "checkpoint.h5").exists():
+        code, _ = program.compute(["resume", str(level.folder)])
+        if code == 0 or program.asked:
+            return "resumed", code, ""
+    code, said = program.compute(["run", *level.words, "--out", str(level.folder), "--overwrite"])
+    return "computed", code, said
+
+
+def run_level(program, level, places, say):
+    """Takes, continues or makes the run of a level. @raises Fault if it fails"""
+    version = program.version()
+    found = find_finished(level, version, places)
+    if found:
+        level.folder, level.how = found, "reused"
+        say(f"cells of {level.cells:.6g} m: finished run in {found}")
+        return
+    say(f"cells of {level.cells:.6g} m: computing in {level.folder} (progress in its run.log)")
+    level.how, code, said = compute(program, level)
+    if program.asked:
+        raise Fault("interrupted; the same command continues, and takes the finished runs as they are.", 128 + program.asked)
+    if code:
+        raise Fault(f"the run with cells of {level.cells:.6g} m ended with exit code {code}: {said or 'see its run.log in ' + str(level.folder)}", code if 0 < code < 128 else NUMERICAL)
+    say(f"  {read_summary(level.folder).get('wall_seconds', 0.0):.3g} s")
