@@ -70,12 +70,14 @@ def times_of(text, end):
 
 
 def out_folder(options):
-    folder = pathlib.Path(options.out) if options.out else pathlib.Path("runs") / f"{pathlib.Path(options.deck).stem}-converge"
+    return pathlib.Path(options.out) if options.out else pathlib.Path("runs") / f"{pathlib.Path(options.deck).stem}-converge"
+
+
+def make_folder(folder):
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise Fault(f"--out {folder} cannot be made ({error.strerror}); name another folder.", FILE) from None
-    return folder
 
 
 def check_quantity(name, deck):
@@ -104,8 +106,13 @@ def compare(levels, quantity, times, formal):
     return rows
 
 
+def stem_of(name):
+    """The depth, which summaries refer to, is not written over by another quantity."""
+    return "converge" if name == "depth" else "converge_" + re.sub(r"\W", "_", name)
+
+
 def write(options, levels, quantity, rows, out):
-    stem = "converge"
+    stem = stem_of(quantity.name)
     report.place(out / f"{stem}.csv", report.as_csv(quantity.name, levels, rows))
     report.place(out / f"{stem}.json", report.as_json(options.deck, quantity.name, levels, rows, options.formal_order))
     series = [quantity.series(level.folder) for level in levels]
@@ -134,8 +141,10 @@ def run(words):
     times = times_of(options.times, end)
     if times[-1] < end:
         times.append(end)
-    out = out_folder(options)
-    levels = level_runs.make_levels(program, options.deck, settings, level_runs.cells_of(size, options.levels, options.refine), out)
+    out, sizes = out_folder(options), level_runs.cells_of(size, options.levels, options.refine)
+    settings += level_runs.box_setting(base, level_runs.common_length(sizes[0], options.levels, options.refine), print)
+    levels = level_runs.make_levels(program, options.deck, settings, sizes, out)
+    make_folder(out)  # nothing is left of a deck that cannot be
     program.watch_signals()
     places = [out, out.parent]
     for level in reversed(levels):  # the cheap ones first: what is wrong shows early
@@ -147,8 +156,13 @@ def run(words):
     print(report.table(quantity.name, levels, rows))
     for line in report.remarks(rows, options.formal_order):
         print(line)
-    print(f"interval: {report.METHOD}" if any(row[2].order_used for row in rows) else "no interval by an order was found")
-    print(f"written: {out / 'converge.csv'}, converge.json and converge.png")
+    if any(row[2].order_used for row in rows):
+        print(f"Interval: {report.METHOD}.")
+    measured = report.measured_error(quantity, levels[0])
+    if measured:
+        print(measured)
+    stem = stem_of(quantity.name)
+    print(f"Written: {out / stem}.csv, {stem}.json and {stem}.png")
     return 0
 
 

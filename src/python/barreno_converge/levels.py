@@ -2,6 +2,8 @@
 """Runs with cells of several sizes: those that are there are taken, others are made or continued."""
 
 import dataclasses
+import fractions
+import math
 import pathlib
 import xml.etree.ElementTree as xml
 
@@ -9,7 +11,8 @@ from barreno_converge.faults import NUMERICAL, Fault
 from barreno_converge.program import as_set, body_of
 from barreno_converge.quantity import read_summary
 
-CELL_SIZE = "Grid/Cell Size"
+CELL_SIZE, UPPER = "Grid/Cell Size", "Grid/Upper"
+ROUND_OFF = 1e-9
 
 
 @dataclasses.dataclass
@@ -35,6 +38,44 @@ def value_in(deck, path):
 def cells_of(size, count, ratio):
     """Cell sizes, the smallest first: one level below the deck's own, the others above."""
     return [size * ratio ** (i - 1) for i in range(count)]
+
+
+def vector_in(deck, path):
+    return [float(x) for x in value_in(deck, path).strip("{}").split(",")]
+
+
+def bound_faces(deck):
+    """Faces of the grid that a condition holds."""
+    conditions = next((child for child in xml.fromstring(deck) if child.get("name") == "Conditions"), [])
+    return {entry.get("value") for one in conditions for entry in one if entry.get("name") == "Face"}
+
+
+def common_length(finest, count, ratio):
+    """The smallest length that the cells of all levels divide."""
+    step = fractions.Fraction(ratio).limit_denominator(64)
+    sizes = [step**i for i in range(count)]
+    return finest * math.lcm(*(size.numerator for size in sizes)) / math.gcd(*(size.denominator for size in sizes))
+
+
+def common_upper(deck, length):
+    """Upper corner of the box that all levels divide: the deck's own, or further out where the box is open. A face with a condition stays,
+    and a cell size that does not divide such a box is refused as in any run."""
+    lower, upper, bound = vector_in(deck, "Grid/Lower"), vector_in(deck, UPPER), bound_faces(deck)
+    for axis, (low, high) in enumerate(zip(lower, upper)):
+        count = (high - low) / length
+        if abs(count - round(count)) > ROUND_OFF * count and f"{'xyz'[axis]}_upper" not in bound:
+            upper[axis] = low + math.ceil(count) * length
+    return upper
+
+
+def box_setting(deck, length, say):
+    """The override that enlarges the box of all levels; none where the deck's fits."""
+    upper = common_upper(deck, length)
+    if upper == vector_in(deck, UPPER):
+        return []
+    text = "{" + ", ".join(f"{x!r} m" for x in upper) + "}"
+    say(f"{UPPER} is moved out to {{{', '.join(f'{x:.6g} m' for x in upper)}}} on all levels, so that their cells divide the box")
+    return [f"{UPPER}={text}"]
 
 
 def folder_name(cells):

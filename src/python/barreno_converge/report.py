@@ -5,6 +5,7 @@ import contextlib
 import csv
 import io
 import json
+import math
 import os
 
 from barreno_converge import order
@@ -38,13 +39,19 @@ def number(value, digits=6):
     return "-" if value is None else f"{value:.{digits}g}"
 
 
+def interval_text(verdict):
+    """With as many digits as tell its ends apart."""
+    width, size = verdict.high - verdict.low, max(abs(verdict.low), abs(verdict.high))
+    digits = 3 if width == 0.0 or size == 0.0 else max(3, min(12, 3 + math.ceil(math.log10(size / width))))
+    return f"{number(verdict.low, digits)} to {number(verdict.high, digits)}"
+
+
 def table(name, levels, rows):
     """Lines of the screen; lengths in m, times in s."""
     heads = ["time [s]", *(f"{level.cells:.4g} m" for level in levels), "order", "extrapolated", "interval"]
     body = []
     for time, values, verdict in rows:
-        interval = f"{number(verdict.low, 5)} to {number(verdict.high, 5)}"
-        body.append([number(time, 4), *(number(value) for value in values), number(verdict.order, 3), number(verdict.limit), interval])
+        body.append([number(time, 4), *(number(value) for value in values), number(verdict.order, 3), number(verdict.limit), interval_text(verdict)])
     widths = [max(len(row[i]) for row in [heads, *body]) for i in range(len(heads))]
     line = lambda row: "  ".join(cell.rjust(width) for cell, width in zip(row, widths))  # noqa: E731
     return "\n".join([f"{name} with cells of", line(heads), *map(line, body)])
@@ -57,7 +64,17 @@ def remarks(rows, formal):
         said = order.sentence(verdict, formal)
         if said:
             times.setdefault(said, []).append(f"{time:.4g}")
-    return [f"at {', '.join(when)} s {said}." for said, when in times.items()]
+    return [f"At {', '.join(when)} s {said}." for said, when in times.items()]
+
+
+def measured_error(quantity, finest):
+    """What cells of that size were measured to do to a depth, which needs no order; empty where it is not known."""
+    error = read_summary(finest.folder).get("penetration", {}).get("depth_error", {}) if quantity.name == "depth" else {}
+    if "value" not in error:
+        return ""
+    percent = lambda name: f"{100.0 * error[name]:+.0f} %"  # noqa: E731
+    return (f"Error of the depth at the end with the smallest cells, which are {error['cells_per_radius']:.2g} per jet radius: {percent('value')} "
+            f"({percent('low')} to {percent('high')}), {error['source']}.")  # fmt: skip
 
 
 def as_csv(name, levels, rows):
