@@ -86,12 +86,12 @@ bool is_option(const std::string& word) {
 }
 
 [[noreturn]] void refuse_command(const std::string& word) {
-  for (const auto& [name, operand] : source_commands)
-    if (word == name)
-      throw DeckError(
-          word + " is a command of the source tree (it draws with Python); write there ./barreno " +
-          word + " " + operand + "."
-      );
+  for (const auto& [name, operand] : source_commands) {
+    if (word != name) continue;
+    std::string sentence = word;
+    sentence += " is a command of the source tree (it draws with Python); write there ./barreno ";
+    throw DeckError(sentence.append(word).append(" ").append(operand).append("."));
+  }
   std::vector<std::string> names;
   for (const CommandPage& page : command_pages()) names.emplace_back(page.name);
   throw DeckError(input::shown(word) + " is not a command; " + input::suggest_name(word, names));

@@ -2,7 +2,7 @@
 #include "check/jet_lines.hpp"
 
 #include "check/format.hpp"
-#include "output/jet_estimate.hpp"
+#include "output/jet/jet_estimate.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "check/format.hpp"
 #include "output/depth.hpp"
-#include "output/jet_estimate.hpp"
+#include "output/jet/jet_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

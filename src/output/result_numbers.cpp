@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/result_numbers.hpp"
 
-#include "output/jet_estimate.hpp"
+#include "output/jet/jet_estimate.hpp"
 #include "output/progress.hpp"
 #include "output/text_file.hpp"
 #include "state/balance.hpp"

@@ -4,7 +4,7 @@
 #include "base/process.hpp"
 #include "base/region.hpp"
 #include "base/utf8.hpp"
-#include "output/jet_estimate.hpp"
+#include "output/jet/jet_estimate.hpp"
 #include "state/balance.hpp"
 
 #include <cmath>

@@ -6,9 +6,9 @@
 #include "check/predict_cost.hpp"
 #include "check/scale_notes.hpp"
 #include "output/depth.hpp"
-#include "output/depth_error.hpp"
-#include "output/depth_error_table.hpp"
-#include "output/jet_estimate.hpp"
+#include "output/jet/depth_error.hpp"
+#include "output/jet/depth_error_table.hpp"
+#include "output/jet/jet_estimate.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>

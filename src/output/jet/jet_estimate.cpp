@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/jet_estimate.hpp"
+#include "output/jet/jet_estimate.hpp"
 
 #include "output/depth.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/depth_error.hpp"
+#include "output/jet/depth_error.hpp"
 
 #include "output/depth.hpp"
-#include "output/depth_error_table.hpp"
+#include "output/jet/depth_error_table.hpp"
 
 #include <algorithm>
 #include <barreno/describe.hpp>

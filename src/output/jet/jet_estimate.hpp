@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/depth_error.hpp"
+#include "output/jet/depth_error.hpp"
 #include "scene/scene.hpp"
 
 #include <string>
