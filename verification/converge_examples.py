@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The examples of docs/converge.md, run anew:
 
-    converge_examples.py BARRENO    writes verification/results/converge.json and docs/pictures/converge.png; pages.py --write then the page
+    converge_examples.py BARRENO [NAME...]    writes verification/results/converge.json and docs/pictures/converge.png; pages.py --write then the page
 """
 import json
 import pathlib
@@ -32,7 +32,7 @@ EXAMPLES = {  # name: words behind ./barreno converge
     "jet": cut(20, 112),
     "fine jet": cut(10, 60) + ' --set "Grid/Cell Size=0.5 mm"',
 }
-DRAWN = "shell"
+DRAWN = "fine jet"
 
 
 def run_example(barreno, words, folder):
@@ -49,9 +49,11 @@ def run_example(barreno, words, folder):
 
 def main():
     barreno = pathlib.Path(sys.argv[1]).resolve()
-    data = {}
+    data = json.loads(STORED.read_text()) if STORED.exists() else {}
+    chosen = sys.argv[2:] or list(EXAMPLES)
     with tempfile.TemporaryDirectory() as scratch:
-        for name, words in EXAMPLES.items():
+        for name in chosen:
+            words = EXAMPLES[name]
             folder = pathlib.Path(scratch) / name.replace(" ", "_") / "study"
             data[name] = run_example(barreno, words, folder)
             if name == DRAWN:

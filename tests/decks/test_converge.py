@@ -96,11 +96,12 @@ def check_interruption(out, folder):
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)
     assert child.returncode == 130 and said.startswith("barreno: interrupted; the same command continues"), f"{child.returncode}: {said}"
+    (other / "cells-4mm" / "summary.json").unlink()  # as after a kill behind the last checkpoint
     summary = json.loads((other / "cells-1mm" / "summary.json").read_text())
     assert not summary["finished"] and not (other / "converge.csv").exists(), summary["finished"]
     converge(*words)
     found = results_of(other)
-    assert [level["how"] for level in found["levels"]] == ["resumed", "reused", "reused"], found["levels"]
+    assert [level["how"] for level in found["levels"]] == ["resumed", "reused", "resumed"], found["levels"]
     assert found["results"] == results_of(out)["results"]
 
 
@@ -151,6 +152,11 @@ def check_bad_quantity(out):
     assert "stands for several numbers of summary.json" in found and "balances.mass.error" in found, found
 
 
+def check_no_depth(folder):
+    found = converge(QUICK, "--set", "Time/End Time=0.2 us", "--out", folder / "early", code=1)
+    assert "the jet has met no target by the end of the runs" in found and found.count("\n") == 1, found
+
+
 def check_summary_number(out):
     """A number of summary.json has one time, the end."""
     converge(QUICK, *SHORT, "--out", out, "--quantity", "balances.energy.transfer_share")
@@ -171,6 +177,7 @@ def main():
         check_bad_words(folder)
         out = check_jet(folder)
         check_bad_quantity(out)
+        check_no_depth(folder)
         check_summary_number(out)
         check_reuse(out, folder)
         check_interruption(out, folder)

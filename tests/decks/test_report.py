@@ -150,7 +150,7 @@ DEPTH = {"depth": 0.0234}
 ERROR = {"value": -0.074, "low": -0.15, "high": -0.03, "cells_per_radius": 1.0, "source": "measured"}
 STUDY = {"cells": [5e-4, 1e-3, 2e-3], "low": 0.021, "high": 0.026, "extrapolated": 0.025}
 DEPTHS = [  # what a summary holds, words of the line
-    ({"depth_error": ERROR}, "23.40 mm; error from the cells -7 % (-15 % to -3 %), at 1 cell per jet radius as measured"),
+    ({"depth_error": ERROR}, "23.40 mm; error from the cells -7 % (-15 to -3 %), at 1 cell per jet radius as measured"),
     ({"depth_error": {**ERROR, "cells_per_radius": 0.5}}, "at 0.5 cells per jet radius"),
     ({"depth_error": {"unknown": "of plane jets nothing was measured"}}, "23.40 mm; error from the cells unknown: of plane jets"),
     ({"convergence": STUDY}, "23.40 mm; 21.0 to 26.0 mm by cells of 2, 1, 0.5 mm (grid convergence index)"),

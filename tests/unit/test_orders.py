@@ -38,12 +38,16 @@ def check_published():
 
 
 def check_limited_order():
-    """An order above the formal one is not used: the interval is that of the formal order."""
+    """An order above the formal one is not used: the interval is that of the formal order, with the factor of two levels unless the orders
+    are near each other."""
     cells = [0.5, 1.0, 2.0]
     found = order.judge(cells, power_law(cells, 3.0), formal=2.0)
     assert found.kind == order.CONVERGES and abs(found.order - 3.0) < 1e-9 and found.order_used == 2.0, found
     step = abs(SLOPE) * (1.0 - 0.125)
-    assert abs(found.high - found.value - 1.25 * step / 3.0) < 1e-12, found
+    assert abs(found.high - found.value - 3.0 * step / 3.0) < 1e-12, found
+    near = order.judge(cells, power_law(cells, 2.15), formal=2.0)
+    step = abs(near.value - power_law(cells, 2.15)[1])
+    assert near.order_used == 2.0 and abs(near.high - near.value - 1.25 * step / 3.0) < 1e-12, near
 
 
 REFUSED = {  # what: (cells, values, words of judge, kind, words of the sentence)

@@ -3,6 +3,7 @@
 import json
 
 from case_list import RESULTS
+from uniform_cells import depths, error_text
 
 MILLI, MICRO = 1e-3, 1e-6
 
@@ -18,7 +19,7 @@ def millimetres(value, digits):
 def lines(name, digits):
     """The command and its answer; lengths in mm."""
     data = example(name)
-    out = [f"    ./barreno converge {data['words']}", ""]
+    out = [f"`./barreno converge {data['words']}`", ""]
     sizes = " | ".join(f"cells of {size / MILLI:g} mm" for size in reversed(data["cells"]))
     out += [f"| time [us] | {sizes} | order | extrapolated | interval | verdict |", "|---|" + "---|" * (len(data["cells"]) + 4)]
     for one in data["results"]:
@@ -28,9 +29,7 @@ def lines(name, digits):
         out.append(f"| {one['time'] / MICRO:g} | {values} | {order} | {millimetres(one['extrapolated'], digits)} | {interval} | {one['verdict']} |")
     error = data["depth_error"]
     if error and "value" in error:
-        percent = lambda key: f"{100.0 * error[key]:+.0f} %"  # noqa: E731
-        out += ["", f"Error that was measured with the smallest of these cells, {error['cells_per_radius']:g} per radius of the tip: {percent('value')} "
-                    f"({percent('low')} to {percent('high')})."]  # fmt: skip
+        out += ["", f"Error that was measured with the smallest of these cells, {error['cells_per_radius']:g} per radius of the tip: {error_text(error)}."]
     return out
 
 
@@ -43,4 +42,8 @@ def jet():
 
 
 def fine_jet():
-    return lines("fine jet", 2)
+    data, found = example("fine jet"), depths()
+    last, finest = data["results"][-1], min(cells for cells, _ in found)
+    depth = found[finest, round(last["time"] / MICRO)] * MILLI
+    inside = "lies inside" if last["low"] <= depth <= last["high"] else "lies outside"
+    return [*lines("fine jet", 2), "", f"The depth of {millimetres(depth, 1)} mm at {last['time'] / MICRO:g} us with cells of {finest:g} mm ([trade.md](trade.md)) {inside} the last interval."]

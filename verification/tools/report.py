@@ -21,6 +21,7 @@ import numpy as np
 from join_exodus import as_one_file, files_of
 from matplotlib.collections import PolyCollection
 from netCDF4 import Dataset, chartostring
+from uniform_cells import error_text
 
 PLASTIC_STRAIN = ("equivalent_plastic_strain", "plastic_strain")
 MILLI, MICRO, MEGA = 1e-3, 1e-6, 1e6
@@ -288,8 +289,7 @@ def depth_text(depth, penetration):
         what = "grid convergence index" if study["extrapolated"] is not None else "spread, without an order"
         text += f"; {study['low'] / MILLI:.1f} to {study['high'] / MILLI:.1f} mm by cells of {cells} mm ({what})"
     if "value" in error:
-        percent = lambda name: f"{100.0 * error[name]:+.0f} %"
-        text += f"; error from the cells {percent('value')} ({percent('low')} to {percent('high')}), at {count_text(error['cells_per_radius'])} per jet radius as {error['source']}"
+        text += f"; error from the cells {error_text(error)}, at {count_text(error['cells_per_radius'])} per jet radius as {error['source']}"
     elif "unknown" in error:
         text += f"; error from the cells unknown: {error['unknown']}"
     return text

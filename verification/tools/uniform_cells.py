@@ -30,6 +30,12 @@ def doubt():
     return max(abs(found[REFERENCE, time] / depth - 1.0) for (cells, time), depth in found.items() if cells == finest)
 
 
+def error_text(error):
+    """-14 % (-15 to -3 %)"""
+    percent = lambda share: f"{round(100.0 * share):+d}" if round(100.0 * share) else "0"  # noqa: E731
+    return f"{percent(error['value'])} % ({percent(error['low'])} to {percent(error['high'])} %)"
+
+
 def depth_table():
     """Lines: depth and error by cell size and time."""
     found = depths()

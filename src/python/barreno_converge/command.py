@@ -93,8 +93,15 @@ def resolves_jet(levels, quantity):
     return not isinstance(cells, dict) or cells["tip"] >= 1.0 - 1e-6
 
 
+def refuse_no_depth(levels, quantity):
+    """A depth of 0 on all levels agrees to round-off and says nothing."""
+    if quantity.table == "depth.csv" and not any(read_summary(level.folder).get("penetration", {}).get("met_target") for level in levels):
+        raise Fault("the jet has met no target by the end of the runs, so there is no depth; barreno check says why.")
+
+
 def compare(levels, quantity, times, formal):
     """[(time, values, verdict)]"""
+    refuse_no_depth(levels, quantity)
     found = [quantity.at(level.folder, times) for level in levels]
     if any(not math.isfinite(value) for values in found for value in values):
         raise Fault(f"{quantity.name} is not a finite number in a run; choose another quantity.")

@@ -98,12 +98,13 @@ def deck_in(folder):
         return None
 
 
-def is_finished(folder, version):
+def state_of(folder):
+    """(finished, version) as a run says; (False, "") of one that was killed."""
     try:
         summary = read_summary(folder)
     except Fault:
-        return False
-    return isinstance(summary, dict) and summary.get("finished") is True and summary.get("version") == version
+        return False, ""
+    return (summary.get("finished") is True, summary.get("version", "")) if isinstance(summary, dict) else (False, "")
 
 
 def find_finished(level, version, places):
@@ -112,12 +113,18 @@ def find_finished(level, version, places):
     for place in places:
         if place.is_dir():
             candidates += sorted(folder for folder in place.iterdir() if (folder / "deck.xml").is_file())
-    return next((folder for folder in candidates if deck_in(folder) == level.deck and is_finished(folder, version)), None)
+    return next((folder for folder in candidates if deck_in(folder) == level.deck and state_of(folder) == (True, version)), None)
 
 
-def compute(program, level):
-    """@return how the run was made"""
-    if deck_in(level.folder) == level.deck and (level.folder / "checkpoint.h5").exists():
+def can_go_on(level, version):
+    """An unfinished run of this deck, by this version as far as it says."""
+    finished, made_by = state_of(level.folder)
+    return not finished and made_by in ("", version) and deck_in(level.folder) == level.deck and (level.folder / "checkpoint.h5").exists()
+
+
+def compute(program, level, version):
+    """@return how the run was made, its exit code, and what it said of a failure"""
+    if can_go_on(level, version):
         code, _ = program.compute(["resume", str(level.folder)])
         if code == 0 or program.asked:
             return "resumed", code, ""
@@ -131,10 +138,11 @@ def run_level(program, level, places, say):
     found = find_finished(level, version, places)
     if found:
         level.folder, level.how = found, "reused"
-        say(f"cells of {level.cells:.6g} m: finished run in {found}")
+        older = " (made before the program was built last; remove it if its answer has changed since)" if program.is_newer_than(found / "deck.xml") else ""
+        say(f"cells of {level.cells:.6g} m: finished run in {found}{older}")
         return
     say(f"cells of {level.cells:.6g} m: computing in {level.folder} (progress in its run.log)")
-    level.how, code, said = compute(program, level)
+    level.how, code, said = compute(program, level, version)
     if program.asked:
         raise Fault("interrupted; the same command continues, and takes the finished runs as they are.", 128 + program.asked)
     if code:

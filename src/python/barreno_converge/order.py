@@ -6,14 +6,17 @@ Three levels h1 < h2 < h3 with values f1, f2, f3, r21 = h2/h1 and r32 = h3/h2. I
     (f3 - f2)/(f2 - f1) = r21^p (r32^p - 1)/(r21^p - 1)
 
 (Celik et al., J. Fluids Eng. 130, 078001, 2008, eq. 3, in another form), f0 = f1 + (f1 - f2)/(r21^p - 1), and the Grid Convergence Index
-is the interval f1 +- 1.25 |f1 - f2|/(r21^p - 1) (Roache, J. Fluids Eng. 116, 405, 1994; 1.25 for three levels). The order in the last two is
-at most the formal one: chance gives a sequence a high order and too narrow an interval.
+is the interval f1 +- F |f1 - f2|/(r21^p - 1) (Roache, J. Fluids Eng. 116, 405, 1994). F = 1.25 with the observed order of three levels. The order in
+the last two is at most the formal one, because chance gives a sequence a high order and too narrow an interval; where the observed order is above
+it by more than a tenth, the levels confirm no order, and F = 3 as for two levels and the formal order (Roache; Oberkampf and Roy, Verification and
+Validation in Scientific Computing, 2010, section 8.6).
 """
 
 import dataclasses
 import math
 
-SAFETY = 1.25
+SAFETY, UNCONFIRMED_SAFETY = 1.25, 3.0
+NEAR_FORMAL = 1.1  # observed over formal order up to which the levels confirm the latter
 LEAST_ORDER = 0.5
 LARGEST_ROOT = 50.0
 ROUND_OFF = 1e-12
@@ -88,7 +91,7 @@ def judge(cells, values, formal=2.0, resolved=True):
         return spread(OUT_OF_RANGE, values, order)
     used = min(order, formal)
     step = (values[0] - values[1]) / math.expm1(used * math.log(cells[1] / cells[0]))
-    width = SAFETY * abs(step)
+    width = (SAFETY if order <= NEAR_FORMAL * formal else UNCONFIRMED_SAFETY) * abs(step)
     return Verdict(CONVERGES, values[0], values[0] - width, values[0] + width, order, used, values[0] + step)
 
 

@@ -25,6 +25,9 @@ class Program:
             raise Fault(result.stderr.strip().removeprefix("barreno: ") or "the deck cannot be checked.", result.returncode)
         return body_of(result.stdout)
 
+    def is_newer_than(self, file):
+        return os.path.getmtime(self.binary) > os.path.getmtime(file)
+
     def version(self):
         """The number that summary.json gives."""
         said = subprocess.run([self.binary, "--version"], capture_output=True, text=True, check=False).stdout
@@ -40,8 +43,8 @@ class Program:
             command = ["setpriv", "--pdeathsig", "USR1", *command]
         # Apart from the terminal: a key there reaches the command alone, which passes it on once.
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True) as self.child:
-            if self.asked:
-                self.pass_on(self.asked)
+            if self.asked:  # before there was a run to pass it on to
+                self.child.send_signal(signal.SIGUSR1)
             said = self.child.stderr.read()
             code = self.child.wait()
         self.child = None
@@ -49,10 +52,10 @@ class Program:
         return code, lines[-1].removeprefix("barreno: ") if lines else ""
 
     def pass_on(self, number, _frame=None):
-        """The run ends behind a checkpoint; mpirun passes no other signal on."""
-        first, self.asked = self.asked is None, number
+        """The run ends behind a checkpoint; mpirun passes no other signal on. A second one is meant seriously."""
+        first, self.asked = self.asked is None, self.asked or number
         if self.child is not None:
-            self.child.send_signal(signal.SIGUSR1 if first or number == self.asked else signal.SIGTERM)
+            self.child.send_signal(signal.SIGUSR1 if first else signal.SIGTERM)
 
     def watch_signals(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -13,8 +13,8 @@ from barreno_converge.faults import FILE, Fault
 from barreno_converge.quantity import read_summary
 
 METHOD = (
-    "Grid Convergence Index, safety factor 1.25, of the three smallest cells, with the observed order but at most the formal one "
-    "(Roache, J. Fluids Eng. 116, 405, 1994; Celik et al., J. Fluids Eng. 130, 078001, 2008)"
+    "Grid Convergence Index of the three smallest cells, with the observed order and a safety factor of 1.25, or where the observed order is above "
+    "the formal one with that and a factor of 3 (Roache, J. Fluids Eng. 116, 405, 1994; Celik et al., J. Fluids Eng. 130, 078001, 2008)"
 )
 
 
@@ -72,9 +72,14 @@ def measured_error(quantity, finest):
     error = read_summary(finest.folder).get("penetration", {}).get("depth_error", {}) if quantity.name == "depth" else {}
     if "value" not in error:
         return ""
-    percent = lambda name: f"{100.0 * error[name]:+.0f} %"  # noqa: E731
-    return (f"Error of the depth at the end with the smallest cells, which are {error['cells_per_radius']:.2g} per jet radius: {percent('value')} "
-            f"({percent('low')} to {percent('high')}), {error['source']}.")  # fmt: skip
+    return (f"Error of the depth at the end with the smallest cells, which are {error['cells_per_radius']:.2g} per jet radius: {error_text(error)}, "
+            f"{error['source']}.")  # fmt: skip
+
+
+def error_text(error):
+    """-14 % (-15 to -3 %)"""
+    percent = lambda share: f"{round(100.0 * share):+d}" if round(100.0 * share) else "0"  # noqa: E731
+    return f"{percent(error['value'])} % ({percent(error['low'])} to {percent(error['high'])} %)"
 
 
 def as_csv(name, levels, rows):
