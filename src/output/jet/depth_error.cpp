@@ -42,7 +42,7 @@ DepthError row_error(std::size_t index, double depth) {
   const MeasuredDepths& row = measured_depths[index];
   DepthError error{error_along(row, depth), steady_errors[index].low, steady_errors[index].high};
   if (index + 1 == measured_depths.size()) {
-    const double doubt = std::abs(finest().depth[0] / finest_depth - 1.0);
+    const double doubt = std::abs(finest().depth[1] / finest_depth - 1.0);
     return {0.0, -doubt, doubt};
   }
   for (std::size_t t = 0; t < measured_times.size(); ++t) {

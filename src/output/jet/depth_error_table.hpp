@@ -10,20 +10,20 @@ namespace barreno {
 
 /// Depths of perforation.xml, whose jet has a tip of 1 mm radius (perforation_cells.csv).
 inline constexpr double measured_radius = 1e-3;  ///< [length]
-inline constexpr std::array<double, 6> measured_times{
-    10e-6, 20e-6, 30e-6, 50e-6, 70e-6, 90e-6};  ///< [time]
+inline constexpr std::array<double, 7> measured_times{
+    5e-6, 10e-6, 20e-6, 30e-6, 50e-6, 70e-6, 90e-6};  ///< [time]
 struct MeasuredDepths {
   double cell = 0.0;              ///< [length]
-  std::array<double, 6> depth{};  ///< at measured_times; 0: not measured [length]
+  std::array<double, 7> depth{};  ///< at measured_times; 0: not measured [length]
 };
 /// The last row is what the others are compared with.
 inline constexpr std::array<MeasuredDepths, 4> measured_depths{{
-    {2e-3, {0.0, 65.9e-3, 0.0, 132.9e-3, 0.0, 182.6e-3}},
-    {1e-3, {40.9e-3, 78.2e-3, 109.3e-3, 159.2e-3, 200.1e-3, 232.3e-3}},
-    {0.5e-3, {0.0, 85.3e-3, 0.0, 181.0e-3, 0.0, 268.2e-3}},
-    {0.25e-3, {44.1e-3, 85.5e-3, 120.8e-3, 180.4e-3, 229.5e-3, 271.5e-3}},
+    {2e-3, {13.87e-3, 33.18e-3, 65.9e-3, 0.0, 132.9e-3, 0.0, 182.6e-3}},
+    {1e-3, {18.59e-3, 40.9e-3, 78.2e-3, 109.3e-3, 159.2e-3, 200.1e-3, 232.3e-3}},
+    {0.5e-3, {20.28e-3, 43.69e-3, 85.3e-3, 0.0, 181.0e-3, 0.0, 268.2e-3}},
+    {0.25e-3, {20.74e-3, 44.1e-3, 85.5e-3, 120.8e-3, 180.4e-3, 229.5e-3, 271.5e-3}},
 }};
-/// With cells of 0.125 mm at the first of the times: what the comparison is worth.
+/// With cells of 0.125 mm at the second of the times: what the comparison is worth.
 inline constexpr double finest_depth = 43.8e-3;  ///< [length]
 
 /// Range of the error of steady penetration (steady_penetration.csv), rows as above.
