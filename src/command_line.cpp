@@ -7,9 +7,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
+#include <iterator>
 #include <map>
+#include <utility>
 
 namespace barreno {
 namespace {
@@ -21,7 +24,9 @@ const char* const exit_codes =
     "128 + the number of the signal that ended the run.";
 const char* const other_words =
     "barreno COMMAND --help describes a command in detail. In the source tree ./barreno also has\n"
-    "report FOLDER (pictures and numbers of a run) and test.\n\n";
+    "report FOLDER (pictures and numbers of a run), converge DECK (order and interval of its "
+    "depth),\n"
+    "fit DATA (a card from laboratory tests) and test.\n\n";
 
 /// Options of CLI11 back to what this code knows of them.
 using Known = std::map<const CLI::Option*, const OptionPage*>;
@@ -64,16 +69,28 @@ void add_commands(CLI::App& program, Known& known) {
   program.add_flag("--version", "version, commit, compiler and libraries");
 }
 
+/// What the launcher alone has, and the operand of each.
+constexpr std::pair<const char*, const char*> source_commands[] = {
+    {"report", "FOLDER"}, {"converge", "DECK"}, {"fit", "DATA... --out CARD.xml"}};
+
+bool is_source_command(const std::string& word) {
+  return std::any_of(
+      std::begin(source_commands),
+      std::end(source_commands),
+      [&](const auto& command) { return word == command.first; }
+  );
+}
+
 bool is_option(const std::string& word) {
   return word.size() > 1 && word.front() == '-';
 }
 
 [[noreturn]] void refuse_command(const std::string& word) {
-  if (word == "report") {
-    throw DeckError(
-        "report is a command of the source tree (it draws with Python); write there ./barreno "
-        "report FOLDER."
-    );
+  for (const auto& [name, operand] : source_commands) {
+    if (word != name) continue;
+    std::string sentence = word;
+    sentence += " is a command of the source tree (it draws with Python); write there ./barreno ";
+    throw DeckError(sentence.append(word).append(" ").append(operand).append("."));
   }
   std::vector<std::string> names;
   for (const CommandPage& page : command_pages()) names.emplace_back(page.name);
@@ -200,7 +217,7 @@ Options parse_command_line(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) return options;
   if (words.front() == "help" || words.front() == "version") words.front().insert(0, "--");
-  if (!is_option(words.front()) && words.front() == "report") refuse_command(words.front());
+  if (is_source_command(words.front())) refuse_command(words.front());
   CLI::App program(title, "barreno");
   Known known;
   add_commands(program, known);

@@ -20,8 +20,9 @@ struct Options {
   std::string out;  ///< empty: a new folder below runs/
   bool overwrite = false;
   int ranks = 0;  ///< --ranks; 0: not given. The launcher starts that many; the code only compares.
-  std::string section;    ///< describe; empty: overview
-  bool markdown = false;  ///< describe as docs/deck.md
+  std::string section;      ///< describe; empty: overview
+  bool markdown = false;    ///< describe as docs/deck.md
+  bool print_deck = false;  ///< check: the effective deck instead of the plan
 };
 
 /// @throws DeckError  with one sentence

@@ -125,7 +125,13 @@ CommandPage check_page() {
       true,
       {set_option,
        fidelity_option,
-       {"--ranks", "N", "2", "number of processes to predict the cost for", take_ranks}},
+       {"--ranks", "N", "2", "number of processes to predict the cost for", take_ranks},
+       {"--print-deck",
+        nullptr,
+        nullptr,
+        "print the effective deck, every value that a run\n"
+        "would use, instead of the plan",
+        [](Options& options, const std::string&) { options.print_deck = true; }}},
       "barreno check input_xml/perforation.xml --ranks 4"};
 }
 

@@ -77,6 +77,10 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   refuse_short_domains(deck, scene);
   refuse_unreachable_end(deck, scene);
   check_solver_lists(deck, scene, *comm);
+  if (options.print_deck) {
+    if (is_root(*comm)) std::cout << effective_deck_xml(deck);
+    return static_cast<int>(ExitCode::finished);
+  }
   const int ranks = std::max(1, options.ranks);
   const auto scene_with = [&](const std::string& fidelity) {
     std::vector<std::string> overrides = options.overrides;

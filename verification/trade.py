@@ -6,6 +6,7 @@
                                       docs/trade.md and docs/pictures/trade_*.png
     trade.py BARRENO --only KNOB      the same for one knob, for example fidelity; the rest stays as it was measured
     trade.py BARRENO --tiny           two problems, few knobs: only whether what must hold does
+    trade.py BARRENO --judge          errors, checks and page of the last measurement anew, where what they are compared with has changed
     trade.py --draw                   the page and the pictures of the last measurement
 
 Cost is the user time of the processor on one core: particle-steps times the ns of the largest run of a choice, the least of three
@@ -26,15 +27,17 @@ from choices import shape_functions, words  # noqa: E402
 from runs import DECKS, mpi_environment, run_deck  # noqa: E402
 from trade_checks import demands, verdict_lines  # noqa: E402
 from trade_page import draw  # noqa: E402
-from trade_problems import PROBLEMS, Lost, has, richardson  # noqa: E402
+from trade_problems import PROBLEMS, Lost, has  # noqa: E402
+from uniform_cells import REFERENCE, depth_of, doubt  # noqa: E402
 from pages import write_pages  # noqa: E402
 from verify import failures  # noqa: E402
 
 STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
 FIDELITIES = ("fast", "balanced", "reference")
-LIMITS = ("GIMP", "quadratic B-spline", "CPDI")  # whose depths at 2, 1 and 0.5 mm give the limit
+FINEST_SHAPES = ("default", "quadratic B-spline", "CPDI")  # whose depths are measured with FINEST cells too
 FINEST = 0.5  # mm
+DEPTH_TIME = 20  # us
 
 
 def fidelity_words(barreno, name):
@@ -146,9 +149,7 @@ def measure(barreno, tiny, only):
                 points.append(point(barreno, problem, level, variant, not tiny and level == levels[-1]))
                 print(json.dumps(points[-1]), flush=True)
     if only:
-        stored = json.loads(STORED.read_text())["points"]
-        for p in stored:  # as it was measured, before the limit of the depth was known
-            p["error"] = p.pop("depth", p.get("error"))
+        stored = as_measured(json.loads(STORED.read_text())["points"])
         points = [p for p in stored if p["knob"] != only] + points
     elif not tiny:
         points += finest_depths(barreno)
@@ -158,29 +159,35 @@ def measure(barreno, tiny, only):
 
 
 def finest_depths(barreno):
-    chosen = [v for v in variants(barreno, False) if v[0] in ("default", "shape function") and v[1] in ("default", *LIMITS)]
+    chosen = [v for v in variants(barreno, False) if v[0] in ("default", "shape function") and v[1] in FINEST_SHAPES]
     return [point(barreno, PROBLEMS[-1], FINEST, variant) for variant in chosen]
 
 
-def depth_limit(points):
-    """Depths of three shape functions at three cells, the limit of each, and the errors of all depths against their middle."""
-    depths = {(p["name"], p["level"]): p["error"] for p in points if p["problem"] == "depth" and "error" in p}
-    limits = {}
-    for shape in LIMITS:
-        name = "default" if shape == "GIMP" else shape
-        values = [depths[name, level] for level in (2.0, 1.0, FINEST)]
-        found = richardson(values)
-        if found:
-            limits[shape] = {"depths": values, "limit": found[0], "order": found[1]}
-    ends = [one["limit"] for one in limits.values()]
-    middle = 0.5 * (min(ends) + max(ends))
-    finest = depths["default", FINEST]
+def as_measured(points):
+    """Points as `point` gives them: of a jet the depth stands where its error comes."""
+    for p in points:
+        if "depth" in p:
+            p["error"] = p.pop("depth")
+    return points
+
+
+def judge_depths(points):
+    """Errors of all depths against that of perforation.xml with uniform cells of 0.25 mm, and what that is worth."""
+    reference = depth_of(REFERENCE, DEPTH_TIME)
     for p in points:
         if p["problem"] == "depth" and "error" in p:
-            p["depth"] = p["error"]
-            p["error"] = abs(p["depth"] - middle) / middle
-            p["second"] = (p["depth"] - finest) / finest
-    return {"limits": limits, "limit": middle, "uncertainty": 0.5 * (max(ends) - min(ends)), "finest": finest}
+            p["depth"] = p["second"] = p["error"]
+            p["error"] = abs(p["depth"] - reference) / reference
+    return {"reference": reference, "cells": REFERENCE, "time": DEPTH_TIME, "doubt": doubt()}
+
+
+def judged(points, tiny, barreno):
+    """All that is stored."""
+    data = {"points": points, "chosen": {name: fidelity_words(barreno, name) for name in FIDELITIES}}
+    if not tiny:
+        data["depth"] = judge_depths(points)
+    data["checks"] = demands(points, tiny, said_errors(barreno))
+    return data
 
 
 def main():
@@ -189,6 +196,7 @@ def main():
     parser.add_argument("--document", action="store_true")
     parser.add_argument("--tiny", action="store_true")
     parser.add_argument("--only", metavar="KNOB")
+    parser.add_argument("--judge", action="store_true")
     parser.add_argument("--draw", action="store_true")
     options = parser.parse_args()
     if options.draw:
@@ -199,15 +207,12 @@ def main():
     if options.barreno is None:
         parser.error("name the program, for example build/release/src/barreno")
     barreno = options.barreno.resolve()
-    points = measure(barreno, options.tiny, options.only)
-    data = {"points": points, "chosen": {name: fidelity_words(barreno, name) for name in FIDELITIES}}
-    if not options.tiny:
-        data["depth"] = depth_limit(points)
-    data["checks"] = demands(points, options.tiny, said_errors(barreno))
+    points = as_measured(json.loads(STORED.read_text())["points"]) if options.judge else measure(barreno, options.tiny, options.only)
+    data = judged(points, options.tiny, barreno)
     print("\n".join(verdict_lines(data["checks"], options.tiny)))
     if not options.tiny:
         STORED.write_text(json.dumps(data, indent=1) + "\n")
-    if options.document:
+    if options.document or options.judge:
         draw(data)
         write_pages()
     failed = failures("trade", data["checks"], not options.tiny)

@@ -3,6 +3,7 @@
 
 #include "check/format.hpp"
 #include "output/depth.hpp"
+#include "output/jet/jet_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,13 @@ double first_arrival(const Scene& scene, const JetPath& path) {
   return first;
 }
 
+/// Nothing but the rim of the widest slugs meets a body.
+bool only_grazes(const Scene& scene) {
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const JetSlug& slug : scene.jet.slugs) thinnest = std::min(thinnest, slug.radius);
+  return path_layers(scene, thinnest).empty();
+}
+
 }  // namespace
 
 std::string jet_note(const Scene& scene) {
@@ -36,13 +44,41 @@ std::string jet_note(const Scene& scene) {
            ) +
            "if it should, reverse Jet/Direction, or move Jet/Launch Position or a body";
   const double arrival = first_arrival(scene, path);
-  if (arrival < scene.end_time) return {};
+  if (arrival >= scene.end_time)
+    return format(
+        "the jet reaches the target at %g s, not before Time/End Time = %g s, so no depth will be "
+        "computed; choose a later End Time if it should",
+        arrival,
+        scene.end_time
+    );
+  if (!only_grazes(scene)) return {};
   return format(
-      "the jet reaches the target at %g s, not before Time/End Time = %g s, so no depth will be "
-      "computed; choose a later End Time if it should",
-      arrival,
-      scene.end_time
+      "the thinnest slugs of the jet hit no body along %s from y = %g m (only wider ones meet one, "
+      "with their rims); if they should, move a body onto the jet's axis, x = 0",
+      along,
+      scene.jet.launch_position
   );
+}
+
+std::string early_end_note(const Scene& scene) {
+  if (!scene.jet.present) return {};
+  constexpr double small_share = 0.05;
+  const JetEstimate estimate = estimate_jet(scene, scene.end_time);
+  if (estimate.thinnest == 0.0 || estimate.passed || estimate.mass_left < small_share) return {};
+  const JetEstimate whole = estimate_jet(scene, std::numeric_limits<double>::infinity());
+  return format(
+             "Time/End Time = %g s ends the run before the jet stops (%.0f %% of its mass and "
+             "%.0f %% of its energy is not yet consumed then, by a hydrodynamic estimate), ",
+             scene.end_time,
+             100.0 * estimate.mass_left,
+             100.0 * estimate.energy_left
+         ) +
+         format(
+             "so the depth will not be the final one; for that choose an End Time of about %.2g "
+             "s%s",
+             whole.time,
+             whole.passed ? ", when the jet comes out of the back of the target" : ""
+         );
 }
 
 }  // namespace barreno

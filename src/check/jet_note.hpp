@@ -8,7 +8,11 @@
 namespace barreno {
 
 /// A warning that the jet will meet no body, or none before the end of the run, so that there will
-/// be no depth. Empty if it will, or if there is no jet.
+/// be no depth, or that most of it passes by. Empty if it will, or if there is no jet.
 std::string jet_note(const Scene& scene);
+
+/// A warning that the run ends while a share of the jet worth naming still digs or flies. Empty if
+/// it does not, or if the jet does not reach the target at all.
+std::string early_end_note(const Scene& scene);
 
 }  // namespace barreno

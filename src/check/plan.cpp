@@ -4,9 +4,12 @@
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
 #include "check/format.hpp"
+#include "check/gap_notes.hpp"
+#include "check/jet_lines.hpp"
 #include "check/jet_note.hpp"
 #include "check/locking_note.hpp"
 #include "check/predict_cost.hpp"
+#include "check/scale_notes.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
@@ -116,15 +119,18 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
     if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
-  if (std::string note = jet_note(scene); !note.empty()) notes.push_back(std::move(note));
+  for (std::string note : {jet_note(scene), early_end_note(scene)})
+    if (!note.empty()) notes.push_back(std::move(note));
+  for (const auto& find : {gap_notes, scale_notes})
+    for (std::string& note : find(scene)) notes.push_back(std::move(note));
   return notes;
 }
 
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
   std::string text =
       "Fidelity (--fidelity NAME chooses what the deck leaves open; errors measured in "
-      "docs/trade.md: depth of a jet with cells of its radius, pressures of a shock, smooth "
-      "strains of 0.3)\n";
+      "docs/trade.md: depth of a jet after 20 us with cells of its tip's radius, pressures of a "
+      "shock, smooth strains of 0.3)\n";
   for (const std::string& name : fidelity_words()) {
     const Scene scene = scene_with(name);
     const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);
@@ -165,7 +171,7 @@ std::string plan_text(
       cost.steps < 1e9 ? std::round(cost.steps) : cost.steps,
       cost.particle_steps
   );
-  text += cost_line(scene, cost, ranks);
+  text += cost_line(scene, cost, ranks) + jet_lines(scene);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);
   for (const std::string& note : notes) text += "Note: " + note + "\n";

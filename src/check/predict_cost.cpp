@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "check/cost_growth.hpp"
 #include "scene/build_scene.hpp"
+#include "scene/geometry.hpp"
 #include "scene/tile_levels.hpp"
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
@@ -26,13 +27,26 @@ constexpr double compression = 0.5;
 /// The same for a jet, which flows more than it is compressed: perforation_plane_gimp.xml.
 constexpr double compression_of_jet = 0.05;
 
+/// Greatest |sin(k . x)| in a body, or what bounds it: a wave much longer than the body is the way
+/// to write a linear field.
+double wave_share(const Scene& scene, const BodySpec& body) {
+  if (body.velocity_wave_number == Vector{}) return 1.0;
+  const Box box = box_around(body.shape, scene.grid);
+  double phase = 0.0;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(scene.grid.mode)); ++d)
+    phase += std::abs(body.velocity_wave_number[d]) *
+             std::max(std::abs(box.lower[d]), std::abs(box.upper[d]));
+  return std::min(1.0, phase);
+}
+
 double body_speed(const Scene& scene, int material) {
   double speed = 0.0;
   for (const BodySpec& body : scene.bodies)
     if (body.material == material)
       speed = std::max(
           speed,
-          std::hypot(body.velocity[0], body.velocity[1], body.velocity[2]) +
+          std::hypot(body.velocity[0], body.velocity[1], body.velocity[2]) *
+                  wave_share(scene, body) +
               std::abs(body.radial_velocity)
       );
   return speed;

@@ -31,7 +31,7 @@ struct Choices {
   int jet_per_cell;     ///< of the jet, whose radius may be less than a cell
   double tolerance;     ///< of materials that integrate with a controlled error
   double fields, rows;  ///< instants of the output in a run; 0: first and last
-  const char* errors;   ///< depth of a jet at cells of its radius / shock / smooth strains of 0.3
+  const char* errors;   ///< depth of a jet / shock / smooth strains of 0.3, see fidelity_errors()
 };
 
 /// One row for each name. The numbers come from the curves of docs/trade.md.
@@ -46,7 +46,7 @@ constexpr Choices fidelities[] = {
      0.1,
      0.0,
      100.0,
-     "16 %, 6 %, 3 %"},
+     "8 %, 6 %, 3 %"},
     {"balanced",
      "GIMP",
      Transfer::flip,
@@ -57,7 +57,7 @@ constexpr Choices fidelities[] = {
      0.01,
      20.0,
      500.0,
-     "16 %, 11 %, 3 %"},
+     "9 %, 11 %, 3 %"},
     {"reference",
      "CPDI",
      Transfer::flip,
@@ -68,7 +68,7 @@ constexpr Choices fidelities[] = {
      0.001,
      50.0,
      2000.0,
-     "18 %, 11 %, 0.6 %"},
+     "11 %, 11 %, 0.6 %"},
 };
 
 const Choices* choices_of(const std::string& name) {

@@ -15,7 +15,8 @@ namespace barreno {
 /// docs/trade.md.
 std::vector<std::string> fidelity_words();
 
-/// What errors were measured with a set, in one line for `check`.
+/// What errors were measured with a set, in one line for `check`: depth of a jet after 20 us with
+/// cells of its tip's radius, pressures of a shock, smooth strains of 0.3.
 std::string fidelity_errors(const std::string& name);
 
 /// All sets in one line, for the manual.

@@ -180,22 +180,38 @@ void combine_reach(
 
 }  // namespace
 
+double widest_radius(const Scene& scene) {
+  double radius = 0.0;
+  for (const JetSlug& slug : scene.jet.slugs) radius = std::max(radius, slug.radius);
+  return radius;
+}
+
+std::vector<PathLayer> path_layers(const Scene& scene, double radius) {
+  const double launch = scene.jet.direction * scene.jet.launch_position;
+  const bool forward = scene.jet.direction > 0.0;
+  std::vector<PathLayer> layers;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Extent extent = on_axis(scene.bodies[b].shape, scene.grid, radius);
+    const double near = forward ? extent.lower : -extent.upper;
+    const double far = forward ? extent.upper : -extent.lower;
+    if (!(far > near) || far <= launch) continue;  // off the axis or behind the jet
+    layers.push_back({b, near, far});
+  }
+  std::stable_sort(layers.begin(), layers.end(), [](const PathLayer& a, const PathLayer& b) {
+    return a.near < b.near;
+  });
+  return layers;
+}
+
 JetPath jet_path(const Scene& scene) {
   JetPath path;
   path.direction = scene.jet.direction;
   path.bin = scene.grid.cell_size;
-  double radius = 0.0;
-  for (const JetSlug& slug : scene.jet.slugs) radius = std::max(radius, slug.radius);
   const double launch = path.direction * scene.jet.launch_position;
   double face = infinity, end = -infinity;
-  for (const BodySpec& body : scene.bodies) {
-    const Extent extent = on_axis(body.shape, scene.grid, radius);
-    const bool forward = path.direction > 0.0;
-    const double near = forward ? extent.lower : -extent.upper;
-    const double far = forward ? extent.upper : -extent.lower;
-    if (!(far > near) || far <= launch) continue;  // off the axis or behind the jet
-    face = std::min(face, near);
-    end = std::max(end, far);
+  for (const PathLayer& layer : path_layers(scene, widest_radius(scene))) {
+    face = std::min(face, layer.near);
+    end = std::max(end, layer.far);
   }
   path.has_target = end >= face;
   if (!path.has_target) face = end = launch;

@@ -27,6 +27,17 @@ struct JetPath {
 };
 JetPath jet_path(const Scene& scene);
 
+/// What a body takes of the jet's path: coordinates along the direction of flight, direction * y.
+struct PathLayer {
+  std::size_t body = 0;          ///< index into Scene::bodies
+  double near = 0.0, far = 0.0;  ///< [length]
+};
+/// Bodies that a jet of this radius around the axis meets, the nearest first.
+std::vector<PathLayer> path_layers(const Scene& scene, double radius);
+
+/// Of the slugs; 0 without a jet [length].
+double widest_radius(const Scene& scene);
+
 /// How far the jet has come. None of the numbers depends on the rank count or on the order of
 /// particles.
 struct Penetration {

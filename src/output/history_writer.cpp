@@ -18,6 +18,7 @@ RunTotals sum_totals(const State& state) {
   totals.particles = counts[0];
   totals.particle_steps = counts[1];
   totals.skipped_steps = counts[2];
+  totals.time = state.clock.time;
   totals.reactions = reaction_impulses(state);
   totals.pore_flow = pore_flow_values(state, totals.ledger);
   return totals;

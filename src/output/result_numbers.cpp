@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/result_numbers.hpp"
 
+#include "output/jet/jet_estimate.hpp"
 #include "output/progress.hpp"
 #include "output/text_file.hpp"
 #include "state/balance.hpp"
@@ -23,6 +24,11 @@ std::vector<std::string> result_numbers(
                               1e3 * penetration.channel_depth
                           )
                         : "no depth: the jet has hit no target"
+    );
+  if (scene.jet.present && penetration.met)
+    lines.push_back(
+        "its error from the cells: " +
+        depth_doubt_text(depth_doubt(scene, totals.time, penetration.depth))
     );
   const Ledger& ledger = totals.ledger;
   const NumericalEnergy energy = numerical_energy(ledger);

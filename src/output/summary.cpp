@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "base/region.hpp"
 #include "base/utf8.hpp"
+#include "output/jet/jet_estimate.hpp"
 #include "state/balance.hpp"
 
 #include <cmath>
@@ -83,7 +84,33 @@ void put_prediction(Json& json, const RunDescription& run, const RunSummary& sum
   expected["bytes"] = number(run.prediction.bytes);
 }
 
-void put_penetration(Json& json, const Penetration& p) {
+void put_cells(Json& json, const char* name, const SlugCells& cells) {
+  Json& one = json[name];
+  one["tip"] = number(cells.tip);
+  one["tail"] = number(cells.tail);
+  one["least"] = number(cells.least);
+  one["most"] = number(cells.most);
+}
+
+/// How well the cells resolve the jet, and what that was measured to do to a depth.
+void put_resolution(Json& json, const Scene& scene, double time, const Penetration& p) {
+  put_cells(json, "cells_per_radius", slug_cells(scene, &JetSlug::radius));
+  put_cells(json, "cells_per_length", slug_cells(scene, &JetSlug::length));
+  if (!p.met) return;
+  const DepthDoubt doubt = depth_doubt(scene, time, p.depth);
+  Json& error = json["depth_error"];
+  if (!doubt.unknown.empty()) {
+    error["unknown"] = as_utf8(doubt.unknown);
+    return;
+  }
+  error["value"] = number(doubt.error.value);
+  error["low"] = number(doubt.error.low);
+  error["high"] = number(doubt.error.high);
+  error["cells_per_radius"] = number(doubt.cells_per_radius);
+  error["source"] = depth_error_source;
+}
+
+void put_penetration(Json& json, const Scene& scene, double time, const Penetration& p) {
   Json& reached = json["penetration"];
   reached["met_target"] = p.met;
   reached["depth"] = number(p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
@@ -91,6 +118,7 @@ void put_penetration(Json& json, const Penetration& p) {
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["jet_mass_inside"] = number(p.jet_mass_inside);
   reached["tip_velocity"] = number(p.tip_velocity);
+  put_resolution(reached, scene, time, p);
 }
 
 void put_balance(Json& json, const Balance& balance) {
@@ -219,7 +247,7 @@ std::string summary_text(
   json["steps"] = state.clock.step;
   put_cost(json, summary, totals);
   put_prediction(json, run, summary);
-  if (scene.jet.present) put_penetration(json, penetration);
+  if (scene.jet.present) put_penetration(json, scene, state.clock.time, penetration);
   put_balances(json, totals.ledger);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
   put_removed(json, totals.ledger);

@@ -61,6 +61,8 @@ CASES = [
     ("summary.json", cut(0.0), "summary.json is truncated or was changed"),
     ("summary.json", lambda data: b"[1, 2]", "summary.json is truncated or was changed: it is not a JSON object"),
     ("summary.json", lambda data: b'{"balances": 3}', "truncated or was changed"),
+    ("summary.json", lambda data: b'{"penetration": 3}', "truncated or was changed"),
+    ("summary.json", lambda data: b'{"penetration": {"convergence": {"low": 1}}}', "truncated or was changed"),
     ("summary.json", replaced(b'"ranks": 1', b'"rank": 1'), "summary.json is truncated or was changed: 'ranks'"),
     ("particles.e", cut(0.0), "particles.e cannot be read"),
     ("particles.e", lambda data: b"CDF\x02" + b"\xff" * 200, "particles.e "),
@@ -144,6 +146,29 @@ def check_links(whole, folder):
     return [] if kept and got == "" else [f"links: {got!r}, {victim.read_text()[:20]!r}"]
 
 
+DEPTH = {"depth": 0.0234}
+ERROR = {"value": -0.074, "low": -0.15, "high": -0.03, "cells_per_radius": 1.0, "source": "measured"}
+STUDY = {"cells": [5e-4, 1e-3, 2e-3], "low": 0.021, "high": 0.026, "extrapolated": 0.025}
+DEPTHS = [  # what a summary holds, words of the line
+    ({"depth_error": ERROR}, "23.40 mm; error from the cells -7 % (-15 to -3 %), at 1 cell per jet radius as measured"),
+    ({"depth_error": {**ERROR, "cells_per_radius": 0.5}}, "at 0.5 cells per jet radius"),
+    ({"depth_error": {"unknown": "of plane jets nothing was measured"}}, "23.40 mm; error from the cells unknown: of plane jets"),
+    ({"convergence": STUDY}, "23.40 mm; 21.0 to 26.0 mm by cells of 2, 1, 0.5 mm (grid convergence index)"),
+    ({"convergence": {**STUDY, "extrapolated": None}}, "(spread, without an order)"),
+    ({}, "23.40 mm"),
+]  # fmt: skip
+
+
+def check_depths(whole):
+    """The depth stands with its interval, or with what was measured of its cells; the run's own summary has the latter."""
+    problems = [f"{found}: {report.depth_text(DEPTH, found)}" for found, words in DEPTHS if words not in report.depth_text(DEPTH, found)]
+    report.make_report(whole)
+    page = (whole / "report" / "index.md").read_text()
+    shutil.rmtree(whole / "report")
+    wanted = ("at 0.5 cells per jet radius as measured with tungsten jets", "| cells per radius of the jet at impact | 0.5 to 1.1 (tip 0.5, tail 1.1) |")
+    return problems + [f"the page lacks: {words}" for words in wanted if words not in page]
+
+
 def check_command(folder):
     """As a user calls it: the exit code and one line."""
     (folder / "empty").mkdir()
@@ -162,7 +187,7 @@ def main():
         folder = pathlib.Path(scratch)
         whole = folder / "whole"
         run_deck(options.barreno, "perforation_quick.xml", {"Time/End Time": "1 us", "Output/Checkpoint Wall Interval": "0 s"}, folder=whole)
-        problems = check_command(folder) + check_links(whole, folder)
+        problems = check_command(folder) + check_links(whole, folder) + check_depths(whole)
         for case in CASES:
             problems += check_case(whole, folder, *case)
         problems += check_random(whole, folder, options.random)

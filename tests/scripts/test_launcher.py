@@ -127,6 +127,22 @@ def check_plot(machine):
         assert any(call.endswith(" python3 python3-numpy python3-matplotlib") for call in installs) == plots, f"{words}: {calls}"
 
 
+def check_converge(machine, folder):
+    """A deck that is missing is said before anything is installed; then packages, build, and the program with its ranks."""
+    refused(*machine.run("converge"), 1, "converge takes a deck")
+    refused(*machine.run("converge", "--levels", "3"), 1, "converge takes a deck")
+    refused(*machine.run("converge", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
+    machine.file("src/python/barreno_converge/__main__.py", "import os, sys; print('converged', sys.argv[1:], os.environ['BARRENO_PROGRAM'])")
+    (folder / "a deck.xml").write_text("")
+    result, calls = machine.run("converge", folder / "a deck.xml", "--ranks", "3")
+    assert result.returncode == 0 and f"converged ['{folder / 'a deck.xml'}', '--ranks', '3']" in result.stdout, result.stderr
+    assert result.stdout.strip().endswith("a tree/build/release/src/barreno"), result.stdout
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-numpy"], packages
+    result, _ = machine.run("converge", folder / "a deck.xml")
+    assert re.search(r"'--ranks', '[1-9][0-9]*'\]", result.stdout), result.stdout
+
+
 def check_fit(machine, folder):
     """Files that are missing are said before anything is installed; then the packages of a fit, the build, the program."""
     refused(*machine.run("fit"), 1, "fit takes the files of tests")
@@ -150,7 +166,7 @@ def check_words(machine):
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "converge", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 
@@ -173,7 +189,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_fit, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_fit, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

@@ -120,6 +120,7 @@ TEST(CommandLine, RefusesWhatItDoesNotKnowWithTheNearestName) {
       {{"rnu", "deck.xml"}, "\"rnu\" is not a command; did you mean 'run'?"},
       {{"rnu", "--help"}, "\"rnu\" is not a command"},
       {{"report", "x"}, "report is a command of the source tree"},
+      {{"converge", "x"}, "write there ./barreno converge DECK."},
       {{"run", "deck.xml", "--overwrit"},
        "--overwrit is not an option of this command; did you mean '--overwrite'?"},
       {{"check", "deck.xml", "--until", "1 s"}, "--until is not an option of this command"},

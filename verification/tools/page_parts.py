@@ -3,6 +3,7 @@
 import json
 
 import checkpoint_cost
+import converge_parts
 import deck_table
 import extremes
 import fit_berea
@@ -34,6 +35,9 @@ PARTS = {
     "berea_fit": fit_berea.stored_part,
     "checkpoint_cost.py": checkpoint_cost.stored_part,
     "checkpoint_times": checkpoint_times,
+    "converge_fine_jet": converge_parts.fine_jet,
+    "converge_jet": converge_parts.jet,
+    "converge_shell": converge_parts.shell,
     "decks": deck_table.lines,
     "figures": front_page.figures,
     "fidelities": front_page.fidelities,

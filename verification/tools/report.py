@@ -21,6 +21,7 @@ import numpy as np
 from join_exodus import as_one_file, files_of
 from matplotlib.collections import PolyCollection
 from netCDF4 import Dataset, chartostring
+from uniform_cells import error_text
 
 PLASTIC_STRAIN = ("equivalent_plastic_strain", "plastic_strain")
 MILLI, MICRO, MEGA = 1e-3, 1e-6, 1e6
@@ -272,6 +273,35 @@ def table_lines(rows):
     return lines + [""]
 
 
+def count_text(cells):
+    text = f"{cells:.2g}"
+    return f"{text} cell" if text == "1" else f"{text} cells"
+
+
+def depth_text(depth, penetration):
+    """The depth with its interval: of a convergence study of the deck, or else the error that was measured with cells of that size."""
+    if depth["depth"] <= 0.0:
+        return "none: the jet has hit no target"
+    text = f"{depth['depth'] / MILLI:.2f} mm"
+    study, error = penetration.get("convergence"), penetration.get("depth_error", {})
+    if study:
+        cells = ", ".join(f"{size / MILLI:.3g}" for size in sorted(study["cells"], reverse=True))
+        what = "grid convergence index" if study["extrapolated"] is not None else "spread, without an order"
+        text += f"; {study['low'] / MILLI:.1f} to {study['high'] / MILLI:.1f} mm by cells of {cells} mm ({what})"
+    if "value" in error:
+        text += f"; error from the cells {error_text(error)}, at {count_text(error['cells_per_radius'])} per jet radius as {error['source']}"
+    elif "unknown" in error:
+        text += f"; error from the cells unknown: {error['unknown']}"
+    return text
+
+
+def resolution_rows(penetration):
+    cells = penetration.get("cells_per_radius")
+    if not cells:
+        return []
+    return [("cells per radius of the jet at impact", f"{cells['least']:.3g} to {cells['most']:.3g} (tip {cells['tip']:.3g}, tail {cells['tail']:.3g})")]
+
+
 def index_text(run, summary, history, depth):
     title = on_one_line(summary.get("title") or run.name)
     state = "finished" if summary.get("finished") else summary.get("reason", "not finished")
@@ -280,7 +310,8 @@ def index_text(run, summary, history, depth):
     rows += [("particles", f"{history['particles']:.0f}")]
     if depth:
         rows += [
-            ("depth", f"{depth['depth'] / MILLI:.2f} mm" if depth["depth"] > 0.0 else "none: the jet has hit no target"),
+            ("depth", depth_text(depth, summary.get("penetration", {}))),
+            *resolution_rows(summary.get("penetration", {})),
             ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm"),
             ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
             ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),

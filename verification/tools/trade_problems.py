@@ -89,7 +89,7 @@ SMALL_TARGET = {
 
 
 def perforation(barreno, h, words, per_cell):
-    """Depth and depth of the open channel in mm: answers, whose errors follow when the limit is known."""
+    """Depth and depth of the open channel in mm: answers, whose errors follow (judge_depths of trade.py)."""
     settings = {**SMALL_TARGET, "Grid/Cell Size": f"{h} mm", **deck_words(words, ("Casing", "Rock"), per_cell, "Sandstone", jet=True)}
     run = finished(lambda: run_deck(barreno, "perforation_quick.xml", settings))
     found = run.summary["penetration"]
@@ -117,16 +117,8 @@ PROBLEMS = (
     Problem("shock", "Shock in copper (plane strain)", shock, (1.0, 0.5), (0.25,), "mm", "mean pressure error / mean pressure",
             "error of internal energy", (1.0, 0.5)),
     Problem("depth", "Perforation depth at 20 us (axisymmetric, small target)", perforation, (2.0, 1.0), (), "mm",
-            "error of the depth", "difference to the finest run", ()),
+            "error of the depth", "depth [mm]", ()),
 )  # fmt: skip
-
-
-def richardson(values):
-    """Limit and order of three values whose cells halve; nothing where they do not converge."""
-    first, last = values[1] - values[0], values[2] - values[1]
-    if not 0.0 < last / first < 1.0:
-        return None
-    return float(values[2] + last / (first / last - 1.0)), float(np.log2(first / last))
 
 
 @functools.lru_cache(None)

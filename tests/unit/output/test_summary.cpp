@@ -66,6 +66,24 @@ TEST(Summary, CountsAreWholeAndWhatIsNoNumberIsNull) {
     EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
 }
 
+TEST(Summary, SaysHowWellCellsResolveTheJet) {
+  Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const State state = synthetic::make_state(scene, comm);
+  const auto text_with = [&](const Penetration& penetration) {
+    return summary_text(
+        scene, state, {"out", "deck.xml", "", "1.0", {}}, sum_totals(state), penetration, {}, {}
+    );
+  };
+  EXPECT_NE(text_with({}).find("\"cells_per_radius\": {\n      \"tip\": "), std::string::npos);
+  EXPECT_NE(text_with({}).find("\"cells_per_length\": {\n      \"tip\": "), std::string::npos);
+  EXPECT_EQ(text_with({}).find("depth_error"), std::string::npos);
+  Penetration met;
+  met.met = true;
+  met.depth = 0.01;
+  EXPECT_NE(text_with(met).find("\"depth_error\": {\n      \"unknown\": "), std::string::npos);
+}
+
 TEST(History, HasAHeaderAndARowThatMatch) {
   const Scene scene = synthetic::make_scene();
   const auto comm = Teuchos::DefaultComm<int>::getComm();

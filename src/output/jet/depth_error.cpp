@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/jet/depth_error.hpp"
+
+#include "output/depth.hpp"
+#include "output/jet/depth_error_table.hpp"
+
+#include <algorithm>
+#include <barreno/describe.hpp>
+#include <cmath>
+#include <cstdio>
+
+namespace barreno {
+namespace {
+
+const MeasuredDepths& finest() {
+  return measured_depths.back();
+}
+
+double error_at(const MeasuredDepths& row, std::size_t time) {
+  return row.depth[time] / finest().depth[time] - 1.0;
+}
+
+/// Error of one row along the path, linear between its measurements.
+/// @param depth  in tip radii, true
+double error_along(const MeasuredDepths& row, double depth) {
+  double last_depth = 0.0, last = 0.0;
+  bool first = true;
+  for (std::size_t t = 0; t < measured_times.size(); ++t) {
+    if (row.depth[t] == 0.0) continue;
+    const double here = finest().depth[t] / measured_radius, error = error_at(row, t);
+    if (depth <= here)
+      return first ? error : last + (error - last) * (depth - last_depth) / (here - last_depth);
+    last_depth = here;
+    last = error;
+    first = false;
+  }
+  return last;
+}
+
+/// All errors that were measured with the cells of a row.
+DepthError row_error(std::size_t index, double depth) {
+  const MeasuredDepths& row = measured_depths[index];
+  DepthError error{error_along(row, depth), steady_errors[index].low, steady_errors[index].high};
+  if (index + 1 == measured_depths.size()) {
+    const double doubt = std::abs(finest().depth[1] / finest_depth - 1.0);
+    return {0.0, -doubt, doubt};
+  }
+  for (std::size_t t = 0; t < measured_times.size(); ++t) {
+    if (row.depth[t] == 0.0) continue;
+    error.low = std::min(error.low, error_at(row, t));
+    error.high = std::max(error.high, error_at(row, t));
+  }
+  return error;
+}
+
+/// The longest body in the jet's path.
+const BodySpec& main_body(const Scene& scene, const std::vector<PathLayer>& layers) {
+  const auto longest =
+      std::max_element(layers.begin(), layers.end(), [](const PathLayer& a, const PathLayer& b) {
+        return a.far - a.near < b.far - b.near;
+      });
+  return scene.bodies[longest->body];
+}
+
+/// Densities of jet over rock as measured, tungsten over Berea, by less than a third.
+bool is_measured_pair(const MaterialSpec& jet, const MaterialSpec& target) {
+  constexpr double measured = 8.3, share = 1.3;
+  const double ratio = jet.density() / target.density();
+  return target.model_name().rfind("Arenisca", 0) == 0 && ratio > measured / share &&
+         ratio < measured * share;
+}
+
+std::string number(const char* pattern, double x) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, x);
+  return text;
+}
+
+}  // namespace
+
+const char* const depth_error_source =
+    "measured with tungsten jets in dry Berea sandstone (docs/trade.md)";
+
+CellRange measured_cells() {
+  return {steady_errors.front().cells_per_radius, steady_errors.back().cells_per_radius};
+}
+
+DepthError measured_depth_error(double cells_per_radius, double depth_over_radius) {
+  std::size_t upper = 1;
+  while (upper + 1 < steady_errors.size() &&
+         cells_per_radius > steady_errors[upper].cells_per_radius)
+    ++upper;
+  const DepthError coarse = row_error(upper - 1, depth_over_radius);
+  const DepthError fine = row_error(upper, depth_over_radius);
+  const double from = std::log(steady_errors[upper - 1].cells_per_radius);
+  const double to = std::log(steady_errors[upper].cells_per_radius);
+  const double part = (std::log(cells_per_radius) - from) / (to - from);
+  const auto between = [&](double a, double b) { return a + part * (b - a); };
+  return {
+      between(coarse.value, fine.value),
+      between(coarse.low, fine.low),
+      between(coarse.high, fine.high)};
+}
+
+std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius) {
+  if (scene.grid.mode == Mode::plane_strain) return "it was measured with round jets only";
+  if (scene.grid.mode == Mode::three_dimensional) return "it was measured in axisymmetry only";
+  if (scene.step.transfer != Transfer::flip || scene.step.pic_fraction > 0.0)
+    return "it was measured with Transfer FLIP only";
+  const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));
+  if (layers.empty()) return "the jet meets no target";
+  const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
+  const MaterialSpec& target =
+      scene.materials[static_cast<std::size_t>(main_body(scene, layers).material)];
+  if (target.is_porous()) return "it was measured in dry rock only";
+  if (!is_measured_pair(jet, target))
+    return "it was measured with tungsten in dry Berea sandstone only, not with " + jet.name() +
+           " in " + target.name();
+  const CellRange range = measured_cells();
+  // A table's last digit must not decide.
+  constexpr double round_off = 1e-6;
+  if (cells_per_radius < range.fewest * (1.0 - round_off) ||
+      cells_per_radius > range.most * (1.0 + round_off))
+    return "it was measured with " + number("%g", range.fewest) + " to " +
+           number("%g cells per radius only", range.most);
+  return {};
+}
+
+std::string depth_error_text(const DepthError& error) {
+  const auto percent = [](double x) {
+    const double rounded = std::round(100.0 * x);
+    return rounded == 0.0 ? std::string("0") : number("%+.0f", rounded);
+  };
+  return percent(error.value) + " % (" + percent(error.low) + " to " + percent(error.high) + " %)";
+}
+
+}  // namespace barreno

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <string>
+
+namespace barreno {
+
+/// Error of a jet's depth that comes from the size of the cells, depth over true depth less 1.
+struct DepthError {
+  double value = 0.0;            ///< what perforation.xml had at the same cells and depth
+  double low = 0.0, high = 0.0;  ///< range of all measurements with the same cells
+};
+
+/// By interpolation in depth_error_table.hpp: between cells over their logarithm, along the path
+/// over depth in radii; deeper than measured it is that of the deepest.
+/// @param cells_per_radius  of the thinnest part of the jet at impact; inside of measured_cells()
+/// @param depth_over_radius  depth in radii of that part
+DepthError measured_depth_error(double cells_per_radius, double depth_over_radius);
+
+struct CellRange {
+  double fewest, most;
+};
+/// Cells per radius that were measured.
+CellRange measured_cells();
+
+/// Why the measurements say nothing of this scene; empty if they do. They are of a round tungsten
+/// jet in dry sandstone, axisymmetric, with FLIP.
+std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius);
+
+/// The error in words, "-14 % (-15 to -3 %)".
+std::string depth_error_text(const DepthError& error);
+
+/// What was measured, for a sentence.
+extern const char* const depth_error_source;
+
+}  // namespace barreno

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/gap_notes.hpp"
+#include "check/jet_lines.hpp"
+#include "check/jet_note.hpp"
+#include "check/plan.hpp"
+#include "check/predict_cost.hpp"
+#include "check/scale_notes.hpp"
+#include "output/depth.hpp"
+#include "output/jet/depth_error.hpp"
+#include "output/jet/depth_error_table.hpp"
+#include "output/jet/jet_estimate.hpp"
+#include "support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <barreno/models.hpp>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace barreno {
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+constexpr double jet_density = 17600.0, steel_density = 7830.0, rock_density = 2120.0;
+constexpr double cell = 1e-3, launch = -5e-3, face = 0.0, border = 12.7e-3, back = 0.3127;
+
+Material rock() {
+  Arenisca::Parameters p{};
+  p.PEAKI1 = 1e6;
+  p.FSLOPE = 0.4;
+  p.STREN = 300e6;
+  p.YSLOPE = 0.2;
+  p.B0 = 10e9;
+  p.G0 = 8e9;
+  p.p0_crush_curve = -100e6;
+  p.p1_crush_curve = 1e-9;
+  p.p3_crush_curve = 0.2;
+  p.CR = 0.5;
+  p.tolerance = 1e-6;
+  return {"sandstone", rock_density, Arenisca(p, rock_density)};
+}
+
+/// A tungsten jet along +y in front of steel and rock; cells of 1 mm.
+Scene jet_scene(std::vector<JetSlug> slugs) {
+  Scene scene = testing::box_scene(
+      Mode::axisymmetric,
+      cell,
+      {0, -0.04, 0},
+      {0.08, 0.33, 0},
+      testing::elastic(4e11, 0.28, jet_density)
+  );
+  scene.materials.push_back(testing::elastic(2e11, 0.3, steel_density));
+  scene.materials.emplace_back(rock());
+  testing::add_box(scene, "Casing", {0, face, 0}, {0.05, border, 0}, 2).material = 1;
+  testing::add_box(scene, "Rock", {0, border, 0}, {0.05, back, 0}, 2).material = 2;
+  scene.jet.present = true;
+  scene.jet.slugs = std::move(slugs);
+  scene.jet.launch_position = launch;
+  scene.end_time = 1e-4;
+  return scene;
+}
+
+JetSlug slug(double time, double velocity, double radius, double length) {
+  return {time, velocity, radius, length, jet_density};
+}
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+std::string together(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += note + "\n";
+  return text;
+}
+
+/// Rows of a results file or a table, comments and header left out.
+std::vector<std::vector<std::string>> rows_of(const std::string& name) {
+  std::ifstream file(std::string(BARRENO_SOURCE_DIR) + "/" + name);
+  EXPECT_TRUE(file.good()) << name;
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    std::vector<std::string> row;
+    std::istringstream cells(line);
+    for (std::string one; std::getline(cells, one, ',');) row.push_back(one);
+    rows.push_back(row);
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+Scene main_job() {
+  std::vector<JetSlug> slugs;
+  for (const auto& row : rows_of("input_xml/jets/tungsten_154.csv"))
+    slugs.push_back(slug(std::stod(row[0]), std::stod(row[1]), std::stod(row[2]), std::stod(row[3]))
+    );
+  Scene scene = jet_scene(slugs);
+  scene.end_time = 120e-6;
+  return scene;
+}
+
+TEST(DepthErrorTable, IsThatOfTheResultsFiles) {
+  std::map<std::pair<double, double>, double> depths;
+  for (const auto& row : rows_of("verification/results/perforation_cells.csv"))
+    depths[{1e-3 * std::stod(row[0]), 1e-6 * std::stod(row[1])}] = 1e-3 * std::stod(row[2]);
+  std::size_t compared = 0;
+  for (const auto& [where, depth] : depths) {
+    for (const MeasuredDepths& row : measured_depths)
+      for (std::size_t t = 0; t < measured_times.size(); ++t)
+        if (std::abs(row.cell - where.first) < 1e-9 &&
+            std::abs(measured_times[t] - where.second) < 1e-9) {
+          EXPECT_NEAR(row.depth[t], depth, 1e-9) << where.first << " " << where.second;
+          ++compared;
+        }
+    if (std::abs(where.first - 0.125e-3) < 1e-9) {
+      EXPECT_NEAR(finest_depth, depth, 1e-9);
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, depths.size());
+  std::size_t steady = 0;
+  for (const auto& row : rows_of("verification/results/steady_penetration.csv")) {
+    if (row[2] != "Berea sandstone") continue;
+    const SteadyError& one = steady_errors.at(steady++);
+    EXPECT_EQ(one.cells_per_radius, std::stod(row[0]));
+    EXPECT_NEAR(one.low, 0.01 * std::stod(row[3]), 1e-12);
+    EXPECT_NEAR(one.high, 0.01 * std::stod(row[4]), 1e-12);
+  }
+  EXPECT_EQ(steady, steady_errors.size());
+}
+
+TEST(DepthError, GivesBackWhatWasMeasuredAndLiesBetween) {
+  // perforation.xml with cells of 1 mm at 50 us: 159.2 mm instead of 180.4 mm.
+  const double at_50 = 159.2 / 180.4 - 1.0;
+  EXPECT_NEAR(measured_depth_error(1.0, 180.4).value, at_50, 1e-12);
+  const DepthError one = measured_depth_error(1.0, 1000.0);
+  EXPECT_NEAR(one.value, 232.3 / 271.5 - 1.0, 1e-12);
+  EXPECT_NEAR(one.low, -0.15, 1e-12);
+  EXPECT_NEAR(one.high, -0.03, 1e-12);
+  const DepthError coarse = measured_depth_error(0.5, 271.5);
+  EXPECT_NEAR(coarse.low, 13.87 / 20.74 - 1.0, 1e-12);  // beyond that of steady penetration
+  EXPECT_EQ(measured_depth_error(4.0, 100.0).value, 0.0);
+  const double middle = measured_depth_error(std::sqrt(0.5), 180.4).value;
+  EXPECT_NEAR(middle, 0.5 * (at_50 + 132.9 / 180.4 - 1.0), 1e-12);
+  EXPECT_EQ(depth_error_text({-0.137, -0.15, 0.0049}), "-14 % (-15 to 0 %)");
+}
+
+TEST(DepthError, IsUnknownWhereNothingWasMeasured) {
+  const Scene scene = jet_scene({slug(0, 7000, 1e-3, 1e-3)});
+  EXPECT_EQ(why_depth_error_unknown(scene, 1.0), "");
+  EXPECT_TRUE(says(why_depth_error_unknown(scene, 0.4), "0.5 to 4 cells per radius"));
+  EXPECT_TRUE(says(why_depth_error_unknown(scene, 5.0), "0.5 to 4 cells per radius"));
+  Scene other = scene;
+  other.grid.mode = Mode::plane_strain;
+  EXPECT_TRUE(says(why_depth_error_unknown(other, 1.0), "round jets"));
+  other = scene;
+  other.step.transfer = Transfer::apic;
+  EXPECT_TRUE(says(why_depth_error_unknown(other, 1.0), "FLIP"));
+  other = scene;
+  other.bodies[1].material = 1;
+  EXPECT_TRUE(says(why_depth_error_unknown(other, 1.0), "not with elastic in elastic"));
+  other = scene;
+  other.materials[0] = testing::copper();
+  EXPECT_TRUE(says(why_depth_error_unknown(other, 1.0), "not with copper in sandstone"));
+}
+
+TEST(JetEstimate, IsHydrodynamicInEveryLayer) {
+  const double length = 5e-3, velocity = 7000.0, k = std::sqrt(steel_density / jet_density);
+  const Scene scene = jet_scene({slug(1e-6, velocity, 1e-3, length)});
+  const JetEstimate whole = estimate_jet(scene, forever);
+  EXPECT_NEAR(whole.depth, length / k, 1e-12);
+  EXPECT_EQ(whole.mass_left, 0.0);
+  const double arrival = 1e-6 + (face - launch - 0.5 * length) / velocity;
+  const double digging = length * (1.0 + k) / (velocity * k);
+  EXPECT_NEAR(whole.time, arrival + digging, 1e-15);
+  const JetEstimate half = estimate_jet(scene, arrival + 0.5 * digging);
+  EXPECT_NEAR(half.mass_left, 0.5, 1e-9);
+  EXPECT_NEAR(half.depth, 0.5 * length / k, 1e-12);
+  EXPECT_EQ(estimate_jet(scene, 0.9 * arrival).thinnest, 0.0);
+
+  // What the casing leaves digs in the rock.
+  const double longer = 0.03, rest = longer - border * k;
+  const Scene deep = jet_scene({slug(0, velocity, 1e-3, longer)});
+  EXPECT_NEAR(
+      estimate_jet(deep, forever).depth,
+      border + rest / std::sqrt(rock_density / jet_density),
+      1e-12
+  );
+  const JetEstimate passed = estimate_jet(jet_scene({slug(0, velocity, 1e-3, 1.0)}), forever);
+  EXPECT_TRUE(passed.passed);
+  EXPECT_NEAR(passed.depth, back - face, 1e-12);
+}
+
+TEST(JetEstimate, FallsShortOfTheMainJobAsItsCommentSays) {
+  const Scene scene = main_job();
+  const MeasuredDepths& finest = measured_depths.back();
+  EXPECT_NEAR(estimate_jet(scene, 10e-6).depth / finest.depth[1], 0.97, 0.01);
+  EXPECT_NEAR(estimate_jet(scene, 90e-6).depth / finest.depth[6], 0.74, 0.01);
+}
+
+TEST(JetLines, SayCellsOfTipAndTailAndTheErrorToExpect) {
+  const std::string text = jet_lines(main_job());
+  EXPECT_TRUE(says(text, "154 slugs of 7830 to 1292 m/s")) << text;
+  EXPECT_TRUE(says(text, "1 to 2.2 cells per radius (tip 1, tail 2.2)")) << text;
+  EXPECT_TRUE(says(text, "0.302 to 1.01 cells per length (tip 1.01, tail 0.302)")) << text;
+  EXPECT_TRUE(says(text, "at the end -13 % (-15 to -3 %), at 1 cell per jet radius")) << text;
+  Scene coarse = main_job();
+  coarse.grid.cell_size = 2e-3;
+  EXPECT_TRUE(says(jet_lines(coarse), "(-33 to -16 %), at 0.5 cells per jet radius"));
+  coarse.grid.cell_size = 4e-3;
+  EXPECT_TRUE(says(jet_lines(coarse), "unknown: it was measured with 0.5 to 4 cells"));
+  coarse.jet.present = false;
+  EXPECT_EQ(jet_lines(coarse), "");
+}
+
+TEST(JetNote, NamesAJetThatMissesOrOnlyGrazes) {
+  Scene scene = jet_scene({slug(0, 7000, 1e-3, 1e-3), slug(0, 6000, 3e-3, 1e-3)});
+  EXPECT_EQ(jet_note(scene), "");
+  for (BodySpec& body : scene.bodies) std::get<Box>(body.shape).lower[0] = 2e-3;
+  EXPECT_TRUE(says(jet_note(scene), "the thinnest slugs of the jet hit no body along +y"));
+  for (BodySpec& body : scene.bodies) std::get<Box>(body.shape).lower[0] = 4e-3;
+  EXPECT_TRUE(says(jet_note(scene), "the jet hits no body"));
+  scene = jet_scene({slug(2e-4, 7000, 1e-3, 1e-3)});
+  EXPECT_TRUE(says(jet_note(scene), "not before Time/End Time"));
+}
+
+TEST(JetNote, NamesAnEndBeforeTheJetStops) {
+  const std::string note = early_end_note(main_job());
+  EXPECT_TRUE(says(note, "Time/End Time = 0.00012 s ends the run before the jet stops (32 %"))
+      << note;
+  EXPECT_TRUE(says(note, "an End Time of about 0.0003 s")) << note;
+  Scene done = main_job();
+  done.end_time = 4e-4;
+  EXPECT_EQ(early_end_note(done), "");
+  Scene thin = main_job();
+  std::get<Box>(thin.bodies[1].shape).upper[1] = 0.1;
+  EXPECT_EQ(early_end_note(thin), "");  // the jet is through
+  thin.end_time = 15e-6;
+  EXPECT_TRUE(says(early_end_note(thin), "when the jet comes out of the back"));
+  Scene late = main_job();
+  late.end_time = 1e-9;  // jet_note says it
+  EXPECT_EQ(early_end_note(late), "");
+}
+
+TEST(GapNotes, NameBodiesThatDoNotTouch) {
+  Scene scene = jet_scene({slug(0, 7000, 1e-3, 1e-3)});
+  EXPECT_EQ(together(gap_notes(scene)), "");
+  std::get<Box>(scene.bodies[1].shape).lower[1] = border + 0.3e-3;
+  const std::string note = together(gap_notes(scene));
+  EXPECT_TRUE(says(note, "Bodies/Rock and Bodies/Casing do not touch in the path of the jet"))
+      << note;
+  EXPECT_TRUE(says(note, "a gap of 0.0003 m or 0.3 cells")) << note;
+  scene.jet.present = false;
+  EXPECT_TRUE(says(together(gap_notes(scene)), "are at rest 0.0003 m apart, 0.3 cells"));
+  scene.bodies[1].velocity[1] = -1.0;  // they are to meet
+  EXPECT_EQ(together(gap_notes(scene)), "");
+  scene.bodies[1].velocity[1] = 0.0;
+  std::get<Box>(scene.bodies[1].shape).lower[1] = border + 1.5 * cell;
+  EXPECT_EQ(together(gap_notes(scene)), "");
+  std::get<Box>(scene.bodies[1].shape).lower = {0.0504, border + 0.3e-3, 0};  // round a corner
+  EXPECT_EQ(together(gap_notes(scene)), "");
+}
+
+TEST(ScaleNotes, AreSilentOnTheMainJob) {
+  EXPECT_EQ(together(scale_notes(main_job())), "");
+}
+
+TEST(ScaleNotes, NameWhatLooksLikeAForgottenUnit) {
+  Scene scene = jet_scene({slug(0, 7.83, 1e-3, 1e-3)});
+  EXPECT_TRUE(says(together(scale_notes(scene)), "Jet/Slugs gives the fastest slug 7.83 m/s"));
+  scene.jet.slugs = {slug(0, 7830, 1.0, 1e-3)};
+  scene.jet.table_file = "jet.csv";
+  EXPECT_TRUE(says(together(scale_notes(scene)), "Jet/Table gives a slug a radius of 1 m"));
+  scene = jet_scene({slug(0, 7830, 1e-3, 1e-3)});
+  std::get<Box>(scene.bodies[1].shape).upper[1] = 40.0;
+  EXPECT_TRUE(says(together(scale_notes(scene)), "the target is 40 m thick along the jet"));
+  scene = jet_scene({slug(0, 7830, 1e-3, 1e-3)});
+  scene.grid.cell_size = 20e-3;
+  const std::string thin = together(scale_notes(scene));
+  EXPECT_TRUE(says(thin, "Bodies/Casing is 0.0127 m thick, less than a cell")) << thin;
+  scene = jet_scene({slug(0, 7830, 1e-3, 1e-3)});
+  scene.end_time = 120.0;
+  EXPECT_TRUE(says(together(scale_notes(scene)), "Time/End Time = 120 s takes"));
+}
+
+TEST(PredictCost, SeesTheSpeedThatALongWaveHasInItsBody) {
+  Scene scene = jet_scene({slug(0, 7000, 1e-3, 1e-3)});
+  scene.jet.present = false;
+  const double at_rest = stable_step_of_scene(scene, false);
+  scene.bodies[0].velocity = {0.0, 1e7, 0.0};
+  EXPECT_LT(stable_step_of_scene(scene, false), 0.01 * at_rest);
+  scene.bodies[0].velocity_wave_number = {0.0, 1e-6, 0.0};  // 10 1/s times y
+  EXPECT_NEAR(stable_step_of_scene(scene, false), at_rest, 1e-3 * at_rest);
+}
+
+}  // namespace
+}  // namespace barreno

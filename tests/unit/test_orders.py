@@ -1,0 +1,108 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Order and interval of `barreno converge`, against sequences whose order is known exactly."""
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
+from barreno_converge import order  # noqa: E402
+
+LIMIT, SLOPE = 93.5, -7.0
+
+
+def power_law(cells, p):
+    return [LIMIT + SLOPE * h**p for h in cells]
+
+
+def check_power_laws():
+    """The order, the limit and the interval of f = f0 + C h^p, with equal and with unequal ratios, falling or growing."""
+    for p in (0.6, 1.0, 1.5, 2.0):
+        for cells in ([0.5, 1.0, 2.0], [0.25, 0.5, 1.0, 2.0], [1.0, 1.5, 2.7], [0.3, 0.9, 1.2]):
+            for sign in (1.0, -1.0):
+                values = [sign * value for value in power_law(cells, p)]
+                found = order.judge(cells, values)
+                assert found.kind == order.CONVERGES, f"{p}, {cells}: {found}"
+                assert abs(found.order - p) < 1e-9 and abs(found.limit - sign * LIMIT) < 1e-9, f"{p}, {cells}: {found}"
+                width = 1.25 * abs(LIMIT - sign * values[0])
+                assert abs(found.high - found.low - 2.0 * width) < 1e-9 and abs(found.low + width - values[0]) < 1e-9, f"{p}, {cells}: {found}"
+
+
+def check_published():
+    """The example of Celik et al. (2008), table 1: reattachment length on 18000, 8000 and 4500 cells, of r = 1.5 and 1.333; p = 1.53,
+    extrapolated 6.1685, GCI 2.2 %."""
+    cells = [1.0, 1.5, 1.5 * 1.333]
+    found = order.judge(cells, [6.063, 5.972, 5.863])
+    assert abs(found.order - 1.53) < 0.01 and abs(found.limit - 6.1685) < 1e-3, found
+    assert abs((found.high - found.value) / found.value - 0.022) < 5e-4, found
+
+
+def check_limited_order():
+    """An order above the formal one is not used: the interval is that of the formal order, with the factor of two levels unless the orders
+    are near each other."""
+    cells = [0.5, 1.0, 2.0]
+    found = order.judge(cells, power_law(cells, 3.0), formal=2.0)
+    assert found.kind == order.CONVERGES and abs(found.order - 3.0) < 1e-9 and found.order_used == 2.0, found
+    step = abs(SLOPE) * (1.0 - 0.125)
+    assert abs(found.high - found.value - 3.0 * step / 3.0) < 1e-12, found
+    near = order.judge(cells, power_law(cells, 2.15), formal=2.0)
+    step = abs(near.value - power_law(cells, 2.15)[1])
+    assert near.order_used == 2.0 and abs(near.high - near.value - 1.25 * step / 3.0) < 1e-12, near
+
+
+REFUSED = {  # what: (cells, values, words of judge, kind, words of the sentence)
+    "oscillating": ([0.5, 1, 2], [5.0, 6.0, 5.5], {}, order.OSCILLATES, "change their sign"),
+    "diverging": ([0.5, 1, 2], [1.0, 3.0, 4.0], {}, order.DIVERGES, "do not fall"),
+    "constant differences": ([0.5, 1, 2], [1.0, 2.0, 3.0], {}, order.DIVERGES, "do not fall"),
+    "low order": ([0.5, 1, 2], power_law([0.5, 1, 2], 0.4), {}, order.OUT_OF_RANGE, "0.40, is outside of 0.5 to 4"),
+    "high order": ([0.5, 1, 2], power_law([0.5, 1, 2], 5.0), {}, order.OUT_OF_RANGE, "5.00, is outside of 0.5 to 4"),
+    "order above that of a method of first order": ([0.5, 1, 2], power_law([0.5, 1, 2], 2.5), {"formal": 1.0}, order.OUT_OF_RANGE, "0.5 to 2"),
+    "two that agree": ([0.5, 1, 2], [4.0, 4.0, 5.0], {}, order.OUT_OF_RANGE, "above any bound"),
+    "two levels": ([0.5, 1], [4.0, 5.0], {}, order.FEW, "two levels"),
+    "unresolved": ([0.5, 1, 2], power_law([0.5, 1, 2], 1.0), {"resolved": False}, order.UNRESOLVED, "wider than the radius"),
+}
+
+
+def check_refusals():
+    """No limit without an order, and the spread of the levels instead, with the reason."""
+    for what, (cells, values, words, kind, said) in REFUSED.items():
+        found = order.judge(cells, values, **words)
+        assert found.kind == kind and found.limit is None and found.order_used is None, f"{what}: {found}"
+        width = max(values) - min(values)
+        assert abs(found.low - (values[0] - width)) < 1e-12 and abs(found.high - (values[0] + width)) < 1e-12, f"{what}: {found}"
+        sentence = order.sentence(found, words.get("formal", 2.0))
+        assert said in sentence and "without a level of confidence" in sentence, f"{what}: {sentence}"
+
+
+def check_equal():
+    found = order.judge([0.5, 1, 2], [3.0, 3.0, 3.0])
+    assert found.kind == order.EQUAL and found.limit == found.low == found.high == 3.0 and order.sentence(found) == "", found
+    assert order.judge([0.5, 1, 2], [0.0, 0.0, 0.0]).kind == order.EQUAL
+
+
+def check_three_smallest():
+    """What coarser levels do does not count."""
+    cells = [0.25, 0.5, 1.0, 2.0]
+    found = order.judge(cells, [*power_law(cells[:3], 1.0), 1e3])
+    assert abs(found.order - 1.0) < 1e-9, found
+
+
+def check_equation():
+    """right_side is the equation of the module's text."""
+    p, r21, r32 = 1.3, 1.4, 2.2
+    assert math.isclose(order.right_side(p, r21, r32), r21**p * (r32**p - 1) / (r21**p - 1), rel_tol=1e-12)
+    try:
+        order.observed_order([1.0, 0.5, 2.0], [1.0, 2.0, 3.0])
+    except ValueError:
+        return
+    raise AssertionError("cells that do not grow were taken")
+
+
+def main():
+    for check in (check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal, check_three_smallest):
+        check()
+    print("orders and intervals are those of the sequences")
+
+
+if __name__ == "__main__":
+    main()
