@@ -16,6 +16,7 @@
 #include "geometry/piece.hpp"
 #include "output/progress.hpp"
 #include "scene/build_scene.hpp"
+#include "scene/tile_levels.hpp"
 #include "shape/shape_facts.hpp"
 #include "state/body_particles.hpp"
 #include "state/particles.hpp"
@@ -32,6 +33,12 @@ std::string box_text(const GridSpec& grid) {
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d)
     text += format(d == 0 ? "%g" : " x %g", grid.upper[d] - grid.lower[d]);
   return text;
+}
+
+std::string cells_text(const GridSpec& grid) {
+  const std::string largest = format("%g m", grid.cell_size);
+  if (finest_level(grid) == 0) return largest;
+  return largest + format(", refined to %g m", smallest_cell(grid));
 }
 
 std::string material_lines(const Scene& scene) {
@@ -153,10 +160,10 @@ std::string plan_text(
   std::string text = scene.title.empty() ? std::string("The deck is valid.\n")
                                          : scene.title + "\nThe deck is valid.\n";
   text += format(
-      "Grid      %s, %s m, cells of %g m\n",
+      "Grid      %s, %s m, cells of %s\n",
       word_of(scene.grid.mode).c_str(),
       box_text(scene.grid).c_str(),
-      scene.grid.cell_size
+      cells_text(scene.grid).c_str()
   );
   text += format(
       "Particles %.0f, including the whole jet; about %.0f MB in total\n",

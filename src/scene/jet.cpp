@@ -2,8 +2,10 @@
 #include "scene/jet.hpp"
 
 #include "base/numbers.hpp"
+#include "scene/geometry.hpp"
 #include "scene/tile_levels.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace barreno {
@@ -44,6 +46,22 @@ std::string problem_of(const JetSlug& slug, double material_density) {
 }
 
 }  // namespace
+
+double cell_size_of_path(const Scene& scene) {
+  const GridSpec& grid = scene.grid;
+  const double launch = scene.jet.launch_position;
+  double end = launch;
+  for (const BodySpec& body : scene.bodies) {
+    const Box around = box_around(body.shape, grid);
+    end =
+        scene.jet.direction > 0.0 ? std::max(end, around.upper[1]) : std::min(end, around.lower[1]);
+  }
+  int level = level_at(grid, {0.0, launch, 0.0});
+  const double step = scene.jet.direction * grid.cell_size;  // shorter than any tile of level 0
+  for (double y = launch; scene.jet.direction * (end - y) > 0.0; y += step)
+    level = std::min(level, level_at(grid, {0.0, y, 0.0}));
+  return uniform_grid(grid, level).cell_size;
+}
 
 GridSpec grid_of_jet(const GridSpec& grid, const JetSpec& jet) {
   return uniform_grid(grid, level_at(grid, {0.0, jet.launch_position, 0.0}));

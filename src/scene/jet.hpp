@@ -11,6 +11,10 @@ namespace barreno {
 /// The grid as slugs are cut for it: all of its cells are as large as where they are launched.
 GridSpec grid_of_jet(const GridSpec& grid, const JetSpec& jet);
 
+/// Largest cells on the axis between the launch plane and the back of the last body: they decide how
+/// well the jet is resolved [length].
+double cell_size_of_path(const Scene& scene);
+
 /// A discrete jet from a jet table's rows {time, velocity, radius, length, density}: a density
 /// below the material's means void, which becomes length, so that every slug has the material's
 /// density and its own mass.

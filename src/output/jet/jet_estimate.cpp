@@ -2,6 +2,7 @@
 #include "output/jet/jet_estimate.hpp"
 
 #include "output/depth.hpp"
+#include "scene/jet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,8 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
 
 SlugCells slug_cells(const Scene& scene, double JetSlug::*length) {
   const std::vector<JetSlug>& slugs = scene.jet.slugs;
-  const auto cells = [&](const JetSlug& slug) { return slug.*length / scene.grid.cell_size; };
+  const double cell_size = cell_size_of_path(scene);
+  const auto cells = [&](const JetSlug& slug) { return slug.*length / cell_size; };
   SlugCells result{cells(slugs.front()), cells(slugs.back()), cells(slugs.front()), 0.0};
   for (const JetSlug& slug : slugs) {
     result.least = std::min(result.least, cells(slug));
@@ -112,7 +114,7 @@ SlugCells slug_cells(const Scene& scene, double JetSlug::*length) {
 DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
   const JetEstimate estimate = estimate_jet(scene, time);
   DepthDoubt doubt;
-  doubt.cells_per_radius = estimate.thinnest / scene.grid.cell_size;
+  doubt.cells_per_radius = estimate.thinnest / cell_size_of_path(scene);
   if (estimate.thinnest == 0.0) {
     doubt.unknown = "the jet does not reach a target by then";
     return doubt;
