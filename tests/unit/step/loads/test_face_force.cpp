@@ -60,6 +60,7 @@ TEST(FaceForce, OfANonReflectingFaceIsThatOfDashpotsUnderThePressure) {
   const State state =
       testing::in_tiles(two_particles(LoadKind::non_reflecting, Face::y_upper, 5e5), 1.0);
   const Particles& particles = state.particles[0];
+  particles.shear_modulus(0) = shear;  // project_loads sets it
   const Vector force = face_force<PlaneStrain>({5e5, true, false}, particles, 0, top);
   const double normal = std::sqrt(density * axial), tangential = std::sqrt(density * shear);
   EXPECT_NEAR(force[0], -3.0 * tangential * h, 1e-12 * tangential);
