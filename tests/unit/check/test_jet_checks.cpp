@@ -288,9 +288,11 @@ TEST(ScaleNotes, AreSilentOnTheMainJob) {
 TEST(ScaleNotes, NameWhatLooksLikeAForgottenUnit) {
   Scene scene = jet_scene({slug(0, 7.83, 1e-3, 1e-3)});
   EXPECT_TRUE(says(together(scale_notes(scene)), "Jet/Slugs gives the fastest slug 7.83 m/s"));
+  EXPECT_TRUE(says(together(scale_notes(scene)), "the deck's Units"));
   scene.jet.slugs = {slug(0, 7830, 1.0, 1e-3)};
   scene.jet.table_file = "jet.csv";
   EXPECT_TRUE(says(together(scale_notes(scene)), "Jet/Table gives a slug a radius of 1 m"));
+  EXPECT_TRUE(says(together(scale_notes(scene)), "# units: mm-us-g"));
   scene = jet_scene({slug(0, 7830, 1e-3, 1e-3)});
   std::get<Box>(scene.bodies[1].shape).upper[1] = 40.0;
   EXPECT_TRUE(says(together(scale_notes(scene)), "the target is 40 m thick along the jet"));
