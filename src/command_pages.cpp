@@ -119,7 +119,9 @@ CommandPage check_page() {
       Command::check,
       "check",
       "Validate a deck, and report what the run will do, how long it takes and what it costs\n"
-      "(docs/cost.md). Nothing is written.",
+      "(docs/cost.md), how well its cells resolve a jet (docs/trade.md), and what may be a "
+      "mistake:\n"
+      "gaps, a jet that misses, an early end, a forgotten unit. Nothing is written.",
       "DECK",
       "deck file (docs/deck.md)",
       true,

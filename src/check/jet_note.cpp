@@ -68,7 +68,7 @@ std::string early_end_note(const Scene& scene) {
   const JetEstimate whole = estimate_jet(scene, std::numeric_limits<double>::infinity());
   return format(
              "Time/End Time = %g s ends the run before the jet stops (%.0f %% of its mass and "
-             "%.0f %% of its energy is not yet consumed then, by a hydrodynamic estimate), ",
+             "%.0f %% of its energy are not yet consumed then, by a hydrodynamic estimate), ",
              scene.end_time,
              100.0 * estimate.mass_left,
              100.0 * estimate.energy_left

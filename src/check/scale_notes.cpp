@@ -29,9 +29,12 @@ std::string jet_rows(const JetSpec& jet) {
   return jet.table_file.empty() ? path_of(&JetSpec::slugs) : path_of(&JetSpec::table_file);
 }
 
-const char* const unit_of_rows =
-    "if a unit was forgotten, name the system of the table's numbers (\"# units: mm-us-g\" in its "
-    "file)";
+std::string unit_of_rows(const JetSpec& jet) {
+  return jet.table_file.empty()
+             ? "if a unit was forgotten, mind that the numbers of Slugs are in the deck's Units"
+             : "if a unit was forgotten, name the system of the numbers in the table's file, "
+               "\"# units: mm-us-g\"";
+}
 
 void add_jet_notes(const JetSpec& jet, Notes& notes) {
   double fastest = 0.0, widest = 0.0, thinnest = std::numeric_limits<double>::infinity();
@@ -49,7 +52,7 @@ void add_jet_notes(const JetSpec& jet, Notes& notes) {
             slowest_jet,
             fastest_jet
         ) +
-        unit_of_rows
+        unit_of_rows(jet)
     );
   if (thinnest < thinnest_jet || widest > widest_jet)
     notes.push_back(
@@ -60,7 +63,7 @@ void add_jet_notes(const JetSpec& jet, Notes& notes) {
             thinnest_jet,
             widest_jet
         ) +
-        unit_of_rows
+        unit_of_rows(jet)
     );
 }
 

@@ -113,7 +113,7 @@ def check_help(barreno, folder):
     one_sentence(program(barreno, "run", ""), 1, "the deck file is missing")
     one_sentence(program(barreno, "resume", ""), 1, "the run folder, which holds the checkpoint, is missing")
     for option in ("--out", "--set", "--fidelity", "--ranks"):
-        one_sentence(program(barreno, "run", QUICK, option, ""), 1, f"{option} has no value")
+        one_sentence(program(barreno, "run", QUICK, option, ""), 1, f"{option} needs a value")
 
 
 def check_screen(barreno, folder):

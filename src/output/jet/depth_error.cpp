@@ -21,13 +21,15 @@ double error_at(const MeasuredDepths& row, std::size_t time) {
 }
 
 /// Error of one row along the path, linear between its measurements.
-/// @param depth  in tip radii, true
-double error_along(const MeasuredDepths& row, double depth) {
+/// @param depth  in tip radii, as a run with these cells has it, or as estimated
+double error_along(const MeasuredDepths& row, double depth, DepthOf whose) {
   double last_depth = 0.0, last = 0.0;
   bool first = true;
   for (std::size_t t = 0; t < measured_times.size(); ++t) {
     if (row.depth[t] == 0.0) continue;
-    const double here = finest().depth[t] / measured_radius, error = error_at(row, t);
+    const double here =
+        (whose == DepthOf::run ? row.depth[t] : estimated_depths[t]) / measured_radius;
+    const double error = error_at(row, t);
     if (depth <= here)
       return first ? error : last + (error - last) * (depth - last_depth) / (here - last_depth);
     last_depth = here;
@@ -38,9 +40,10 @@ double error_along(const MeasuredDepths& row, double depth) {
 }
 
 /// All errors that were measured with the cells of a row.
-DepthError row_error(std::size_t index, double depth) {
+DepthError row_error(std::size_t index, double depth, DepthOf whose) {
   const MeasuredDepths& row = measured_depths[index];
-  DepthError error{error_along(row, depth), steady_errors[index].low, steady_errors[index].high};
+  DepthError error{
+      error_along(row, depth, whose), steady_errors[index].low, steady_errors[index].high};
   if (index + 1 == measured_depths.size()) {
     const double doubt = std::abs(finest().depth[1] / finest_depth - 1.0);
     return {0.0, -doubt, doubt};
@@ -85,13 +88,13 @@ CellRange measured_cells() {
   return {steady_errors.front().cells_per_radius, steady_errors.back().cells_per_radius};
 }
 
-DepthError measured_depth_error(double cells_per_radius, double depth_over_radius) {
+DepthError measured_depth_error(double cells_per_radius, double depth_over_radius, DepthOf whose) {
   std::size_t upper = 1;
   while (upper + 1 < steady_errors.size() &&
          cells_per_radius > steady_errors[upper].cells_per_radius)
     ++upper;
-  const DepthError coarse = row_error(upper - 1, depth_over_radius);
-  const DepthError fine = row_error(upper, depth_over_radius);
+  const DepthError coarse = row_error(upper - 1, depth_over_radius, whose);
+  const DepthError fine = row_error(upper, depth_over_radius, whose);
   const double from = std::log(steady_errors[upper - 1].cells_per_radius);
   const double to = std::log(steady_errors[upper].cells_per_radius);
   const double part = (std::log(cells_per_radius) - from) / (to - from);

@@ -13,11 +13,16 @@ struct DepthError {
   double low = 0.0, high = 0.0;  ///< range of all measurements with the same cells
 };
 
+/// Whose depth it is that an error is asked for.
+enum class DepthOf { run, estimate };
+
 /// By interpolation in depth_error_table.hpp: between cells over their logarithm, along the path
 /// over depth in radii; deeper than measured it is that of the deepest.
 /// @param cells_per_radius  of the thinnest part of the jet at impact; inside of measured_cells()
 /// @param depth_over_radius  depth in radii of that part
-DepthError measured_depth_error(double cells_per_radius, double depth_over_radius);
+DepthError measured_depth_error(
+    double cells_per_radius, double depth_over_radius, DepthOf whose = DepthOf::run
+);
 
 struct CellRange {
   double fewest, most;

@@ -23,6 +23,9 @@ inline constexpr std::array<MeasuredDepths, 4> measured_depths{{
     {0.5e-3, {20.28e-3, 43.69e-3, 85.3e-3, 0.0, 181.0e-3, 0.0, 268.2e-3}},
     {0.25e-3, {20.74e-3, 44.1e-3, 85.5e-3, 120.8e-3, 180.4e-3, 229.5e-3, 271.5e-3}},
 }};
+/// What estimate_jet() finds at those times, so that an estimate can stand for a depth [length].
+inline constexpr std::array<double, 7> estimated_depths{
+    20.09e-3, 42.90e-3, 79.48e-3, 108.00e-3, 149.25e-3, 178.43e-3, 199.63e-3};
 /// With cells of 0.125 mm at the second of the times: what the comparison is worth.
 inline constexpr double finest_depth = 43.8e-3;  ///< [length]
 

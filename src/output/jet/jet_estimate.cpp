@@ -121,8 +121,9 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
   }
   doubt.unknown = why_depth_error_unknown(scene, doubt.cells_per_radius);
   if (!doubt.unknown.empty()) return doubt;
-  const double reached = depth > 0.0 ? depth : estimate.depth;
-  doubt.error = measured_depth_error(doubt.cells_per_radius, reached / estimate.thinnest);
+  const DepthOf whose = depth > 0.0 ? DepthOf::run : DepthOf::estimate;
+  const double reached = whose == DepthOf::run ? depth : estimate.depth;
+  doubt.error = measured_depth_error(doubt.cells_per_radius, reached / estimate.thinnest, whose);
   return doubt;
 }
 

@@ -138,7 +138,8 @@ TEST(DepthErrorTable, IsThatOfTheResultsFiles) {
 TEST(DepthError, GivesBackWhatWasMeasuredAndLiesBetween) {
   // perforation.xml with cells of 1 mm at 50 us: 159.2 mm instead of 180.4 mm.
   const double at_50 = 159.2 / 180.4 - 1.0;
-  EXPECT_NEAR(measured_depth_error(1.0, 180.4).value, at_50, 1e-12);
+  EXPECT_NEAR(measured_depth_error(1.0, 159.2).value, at_50, 1e-12);
+  EXPECT_NEAR(measured_depth_error(1.0, 149.25, DepthOf::estimate).value, at_50, 1e-4);
   const DepthError one = measured_depth_error(1.0, 1000.0);
   EXPECT_NEAR(one.value, 232.3 / 271.5 - 1.0, 1e-12);
   EXPECT_NEAR(one.low, -0.15, 1e-12);
@@ -146,8 +147,8 @@ TEST(DepthError, GivesBackWhatWasMeasuredAndLiesBetween) {
   const DepthError coarse = measured_depth_error(0.5, 271.5);
   EXPECT_NEAR(coarse.low, 13.87 / 20.74 - 1.0, 1e-12);  // beyond that of steady penetration
   EXPECT_EQ(measured_depth_error(4.0, 100.0).value, 0.0);
-  const double middle = measured_depth_error(std::sqrt(0.5), 180.4).value;
-  EXPECT_NEAR(middle, 0.5 * (at_50 + 132.9 / 180.4 - 1.0), 1e-12);
+  const double middle = measured_depth_error(std::sqrt(0.5), 1000.0).value;
+  EXPECT_NEAR(middle, 0.5 * ((232.3 + 182.6) / 271.5 - 2.0), 1e-12);
   EXPECT_EQ(depth_error_text({-0.137, -0.15, 0.0049}), "-14 % (-15 to 0 %)");
 }
 
@@ -200,6 +201,8 @@ TEST(JetEstimate, IsHydrodynamicInEveryLayer) {
 TEST(JetEstimate, FallsShortOfTheMainJobAsItsCommentSays) {
   const Scene scene = main_job();
   const MeasuredDepths& finest = measured_depths.back();
+  for (std::size_t t = 0; t < measured_times.size(); ++t)
+    EXPECT_NEAR(estimate_jet(scene, measured_times[t]).depth, estimated_depths[t], 1e-5);
   EXPECT_NEAR(estimate_jet(scene, 10e-6).depth / finest.depth[1], 0.97, 0.01);
   EXPECT_NEAR(estimate_jet(scene, 90e-6).depth / finest.depth[6], 0.74, 0.01);
 }
@@ -209,7 +212,18 @@ TEST(JetLines, SayCellsOfTipAndTailAndTheErrorToExpect) {
   EXPECT_TRUE(says(text, "154 slugs of 7830 to 1292 m/s")) << text;
   EXPECT_TRUE(says(text, "1 to 2.2 cells per radius (tip 1, tail 2.2)")) << text;
   EXPECT_TRUE(says(text, "0.302 to 1.01 cells per length (tip 1.01, tail 0.302)")) << text;
-  EXPECT_TRUE(says(text, "at the end -13 % (-15 to -3 %), at 1 cell per jet radius")) << text;
+  EXPECT_TRUE(says(text, "at the end -14 % (-15 to -3 %), at 1 cell per jet radius")) << text;
+  // As it was measured with cells of 1 mm.
+  for (const auto& [time, error] : std::map<double, std::string>{
+           {10e-6, "-7 %"},
+           {20e-6, "-9 %"},
+           {30e-6, "-10 %"},
+           {50e-6, "-12 %"},
+           {90e-6, "-14 %"}}) {
+    Scene shorter = main_job();
+    shorter.end_time = time;
+    EXPECT_TRUE(says(jet_lines(shorter), "at the end " + error + " (")) << jet_lines(shorter);
+  }
   Scene coarse = main_job();
   coarse.grid.cell_size = 2e-3;
   EXPECT_TRUE(says(jet_lines(coarse), "(-33 to -16 %), at 0.5 cells per jet radius"));
@@ -274,9 +288,11 @@ TEST(ScaleNotes, AreSilentOnTheMainJob) {
 TEST(ScaleNotes, NameWhatLooksLikeAForgottenUnit) {
   Scene scene = jet_scene({slug(0, 7.83, 1e-3, 1e-3)});
   EXPECT_TRUE(says(together(scale_notes(scene)), "Jet/Slugs gives the fastest slug 7.83 m/s"));
+  EXPECT_TRUE(says(together(scale_notes(scene)), "the deck's Units"));
   scene.jet.slugs = {slug(0, 7830, 1.0, 1e-3)};
   scene.jet.table_file = "jet.csv";
   EXPECT_TRUE(says(together(scale_notes(scene)), "Jet/Table gives a slug a radius of 1 m"));
+  EXPECT_TRUE(says(together(scale_notes(scene)), "# units: mm-us-g"));
   scene = jet_scene({slug(0, 7830, 1e-3, 1e-3)});
   std::get<Box>(scene.bodies[1].shape).upper[1] = 40.0;
   EXPECT_TRUE(says(together(scale_notes(scene)), "the target is 40 m thick along the jet"));
