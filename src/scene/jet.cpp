@@ -6,7 +6,9 @@
 #include "scene/tile_levels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace barreno {
 namespace {
@@ -46,6 +48,23 @@ std::string problem_of(const JetSlug& slug, double material_density) {
 }
 
 }  // namespace
+
+RefinedRegion path_of_jet(const GridSpec& grid, const JetSpec& jet) {
+  constexpr double path_radius = 2.5;
+  double thinnest = std::numeric_limits<double>::infinity(), widest = 0.0;
+  for (const JetSlug& slug : jet.slugs) {
+    thinnest = std::min(thinnest, slug.radius);
+    widest = std::max(widest, slug.radius);
+  }
+  const double ratio = jet.cells_per_radius * grid.cell_size / thinnest;
+  const double halvings = ratio > 1.0 ? std::ceil(std::log2(ratio) - 1e-9) : 0.0;
+  Box path{grid.lower, grid.upper};
+  for (const std::size_t across : {0U, 2U}) {
+    path.lower[across] = std::max(path.lower[across], -path_radius * widest);
+    path.upper[across] = std::min(path.upper[across], path_radius * widest);
+  }
+  return {"path of the jet", path, static_cast<int>(std::min(halvings, 100.0))};
+}
 
 double cell_size_of_path(const Scene& scene) {
   const GridSpec& grid = scene.grid;

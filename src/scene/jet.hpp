@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "deck/sections/refinement_section.hpp"
 #include "scene/scene.hpp"
 
 #include <string>
@@ -11,8 +12,13 @@ namespace barreno {
 /// The grid as slugs are cut for it: all of its cells are as large as where they are launched.
 GridSpec grid_of_jet(const GridSpec& grid, const JetSpec& jet);
 
-/// Largest cells on the axis between the launch plane and the back of the last body: they decide how
-/// well the jet is resolved [length].
+/// The path of a jet, to 2.5 times the radius of its widest slug, with the level at which
+/// JetSpec::cells_per_radius cells fit in the radius of its thinnest one; 0 if those of the grid
+/// do. There are the jet, what is left of it and the wall of its channel.
+RefinedRegion path_of_jet(const GridSpec& grid, const JetSpec& jet);
+
+/// Largest cells on the axis between the launch plane and the back of the last body: they decide
+/// how well the jet is resolved [length].
 double cell_size_of_path(const Scene& scene);
 
 /// A discrete jet from a jet table's rows {time, velocity, radius, length, density}: a density

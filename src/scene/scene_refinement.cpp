@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
 #include "deck/sections/refinement_section.hpp"
+#include "scene/jet.hpp"
 #include "scene/scene_parts.hpp"
 #include "scene/tile_levels.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <string>
 
 namespace barreno {
 namespace {
@@ -29,34 +29,17 @@ RefinedRegion read_region(const Deck& deck, const std::string& name, const Scene
   return region;
 }
 
-/// Of the widest slug: where the jet, what is left of it and the wall of its channel are.
-constexpr double path_radius = 2.5;
-
-/// The path of a jet, with cells that are small enough for its thinnest slug.
-RefinedRegion path_of_jet(const Deck& deck, const Scene& scene) {
-  double thinnest = std::numeric_limits<double>::infinity(), widest = 0.0;
-  for (const JetSlug& slug : scene.jet.slugs) {
-    thinnest = std::min(thinnest, slug.radius);
-    widest = std::max(widest, slug.radius);
-  }
-  const double wanted = thinnest / scene.jet.cells_per_radius;
-  const double halvings = std::ceil(std::log2(scene.grid.cell_size / wanted) - 1e-9);
-  if (halvings > max_level) {
+RefinedRegion read_path(const Deck& deck, const Scene& scene) {
+  const RefinedRegion path = path_of_jet(scene.grid, scene.jet);
+  if (path.level > max_level) {
     deck.refuse_value(
         path_of(&JetSpec::cells_per_radius),
-        "asks for cells of " + text_of("%.3g", wanted) + " m, more than 2^" +
-            std::to_string(max_level) +
-            " times smaller than Grid/Cell Size (the most that the "
-            "grid can be refined); choose a smaller Cell Size or fewer Cells Per Radius"
+        "needs cells more than 2^" + std::to_string(max_level) +
+            " times smaller than Grid/Cell Size (the most that the grid can be refined); choose a "
+            "smaller Cell Size or fewer Cells Per Radius"
     );
   }
-  const double reach = path_radius * widest;
-  Box box{scene.grid.lower, scene.grid.upper};
-  for (const std::size_t across : {0U, 2U}) {
-    box.lower[across] = std::max(box.lower[across], -reach);
-    box.upper[across] = std::min(box.upper[across], reach);
-  }
-  return {"path of the jet", box, static_cast<int>(halvings)};
+  return path;
 }
 
 }  // namespace
@@ -74,7 +57,7 @@ void add_refinement(const Deck& deck, Scene& scene) {
     }
   }
   if (scene.jet.present && scene.jet.cells_per_radius > 0.0) {
-    const RefinedRegion path = path_of_jet(deck, scene);
+    const RefinedRegion path = read_path(deck, scene);
     if (path.level > 0) regions.push_back(path);
   }
   scene.grid.level_of_tile = find_tile_levels(scene.grid, regions);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels of tiles from regions, and the particles that they ask for.
+#include "scene/jet.hpp"
 #include "scene/tile_levels.hpp"
 #include "state/body_particles.hpp"
 #include "support/scenes.hpp"
@@ -100,6 +101,28 @@ TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
     EXPECT_GT(share, 1.5);
     EXPECT_NEAR(refined_share(scene.grid, std::get<Box>(body.shape)) / share, 1.0, 0.2);
   }
+}
+
+/// Slugs of 1.2 and 3 mm in cells of 1 mm: 4 cells per radius are 0.25 mm, from 0.3 mm wanted.
+TEST(JetPath, IsRefinedForTheThinnestSlug) {
+  Scene scene = scene_of(Mode::axisymmetric);
+  JetSpec& jet = scene.jet;
+  jet.present = true;
+  jet.launch_position = 1e-3;
+  jet.slugs = {{0.0, 1000.0, 3e-3, 1e-3, 8930.0}, {0.0, 900.0, 1.2e-3, 1e-3, 8930.0}};
+  add_box(scene, "target", {0.0, 20e-3, 0.0}, {40e-3, 40e-3, 0.0}, 2);
+  EXPECT_EQ(path_of_jet(scene.grid, jet).level, 0);
+  EXPECT_EQ(cell_size_of_path(scene), 1e-3);
+  jet.cells_per_radius = 4.0;
+  const RefinedRegion path = path_of_jet(scene.grid, jet);
+  EXPECT_EQ(path.level, 2);
+  EXPECT_DOUBLE_EQ(std::get<Box>(path.shape).upper[0], 7.5e-3);
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, {path});
+  EXPECT_EQ(cell_size_of_path(scene), 0.25e-3);
+  EXPECT_EQ(grid_of_jet(scene.grid, jet).cell_size, 0.25e-3);
+  // Where only a part of the path is refined, its largest cells count.
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, {{"gun", Box{{}, {8e-3, 8e-3, 0.0}}, 2}});
+  EXPECT_EQ(cell_size_of_path(scene), 1e-3);
 }
 
 }  // namespace
