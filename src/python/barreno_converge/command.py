@@ -150,7 +150,7 @@ def run(words):
         times.append(end)
     out, sizes = out_folder(options), level_runs.cells_of(size, options.levels, options.refine)
     settings += level_runs.box_setting(base, level_runs.common_length(sizes[0], options.levels, options.refine), print)
-    levels = level_runs.make_levels(program, options.deck, settings, sizes, out)
+    levels = level_runs.make_levels(program, options.deck, settings, base, sizes, out)
     make_folder(out)  # nothing is left of a deck that cannot be
     program.watch_signals()
     places = [out, out.parent]

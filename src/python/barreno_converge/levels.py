@@ -11,7 +11,7 @@ from barreno_converge.faults import NUMERICAL, Fault
 from barreno_converge.program import as_set, body_of
 from barreno_converge.quantity import read_summary
 
-CELL_SIZE, UPPER = "Grid/Cell Size", "Grid/Upper"
+CELL_SIZE, UPPER, CELLS_PER_RADIUS = "Grid/Cell Size", "Grid/Upper", "Jet/Cells Per Radius"
 ROUND_OFF = 1e-9
 
 
@@ -82,11 +82,20 @@ def folder_name(cells):
     return f"cells-{1e3 * cells:.6g}mm"
 
 
-def make_levels(program, deck, settings, sizes, out):
+def cell_settings(base, size):
+    """The overrides that give all cells of a deck another size, those along the path of a jet too."""
+    settings = [f"{CELL_SIZE}={size!r} m"]
+    along_path = float(value_in(base, CELLS_PER_RADIUS) or 0.0)
+    if along_path > 0.0:
+        settings.append(f"{CELLS_PER_RADIUS}={along_path * float(value_in(base, CELL_SIZE)) / size!r}")
+    return settings
+
+
+def make_levels(program, deck, settings, base, sizes, out):
     """Every level's effective deck: what is wrong with one is said before anything is computed."""
     levels = []
     for size in sizes:
-        words = [deck, *as_set([*settings, f"{CELL_SIZE}={size!r} m"])]
+        words = [deck, *as_set([*settings, *cell_settings(base, size)])]
         levels.append(Level(size, words, program.effective_deck(words), out / folder_name(size)))
     return levels
 
