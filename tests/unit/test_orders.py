@@ -6,7 +6,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_converge import order  # noqa: E402
+from barreno_converge import levels, order  # noqa: E402
 
 LIMIT, SLOPE = 93.5, -7.0
 
@@ -98,8 +98,17 @@ def check_equation():
     raise AssertionError("cells that do not grow were taken")
 
 
+def check_cells():
+    """Cells along the path of a jet are halved with the others; a deck without such cells is left alone."""
+    deck = '<ParameterList><ParameterList name="Grid"><Parameter name="Cell Size" value="0.001"/></ParameterList>{}</ParameterList>'
+    jet = '<ParameterList name="Jet"><Parameter name="Cells Per Radius" value="{}"/></ParameterList>'
+    assert levels.cell_settings(deck.format(""), 5e-4) == ["Grid/Cell Size=0.0005 m"]
+    assert levels.cell_settings(deck.format(jet.format("0")), 5e-4) == ["Grid/Cell Size=0.0005 m"]
+    assert levels.cell_settings(deck.format(jet.format("4")), 5e-4) == ["Grid/Cell Size=0.0005 m", "Jet/Cells Per Radius=8.0"]
+
+
 def main():
-    for check in (check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal, check_three_smallest):
+    for check in (check_cells, check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal, check_three_smallest):
         check()
     print("orders and intervals are those of the sequences")
 
