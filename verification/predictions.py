@@ -39,7 +39,8 @@ last block on the screen). Measured by `verification/predictions.py build/releas
   run if that is shorter; a slug of the jet counts from its launch on.
 - ns: a probe run takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
   that mode, shape function, transfer, loads and contact are those of the run. The stress update of materials that will yield is assumed to be
-  more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`.
+  more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`. Where a jet is all that moves at the start, tiles cost
+  nothing until the front of its waves arrives (`src/check/awake_share.cpp`): ns are per particle-step, dormant ones included.
 - Files: 350 ns per particle and instant of `particles.e`, 12 ns per particle and row of `history.csv`.
 - Not included: start-up (0.1 s), implicit solves of the pore flow, waiting of ranks.
 

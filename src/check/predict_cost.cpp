@@ -2,6 +2,7 @@
 #include "check/predict_cost.hpp"
 
 #include "base/process.hpp"
+#include "check/awake_share.hpp"
 #include "check/cost_growth.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/geometry.hpp"
@@ -123,17 +124,23 @@ Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks) {
   if (probe.dt > 0.0) dt = std::min(dt, probe.dt);
   if (scene.step.largest_step > 0.0) dt = std::min(dt, scene.step.largest_step);
   prediction.steps = scene.end_time / dt;
-  for (const BodySpec& body : scene.bodies)
-    if (!is_rigid(scene, body))
-      prediction.particle_steps +=
-          static_cast<double>(count_body_particles(scene.grid, body)) * scene.end_time / dt;
+  double skipped = 0.0;  // particle-steps in dormant tiles
+  for (const BodySpec& body : scene.bodies) {
+    if (is_rigid(scene, body)) continue;
+    const double steps =
+        static_cast<double>(count_body_particles(scene.grid, body)) * scene.end_time / dt;
+    prediction.particle_steps += steps;
+    skipped += steps * (1.0 - awake_share(scene, body, dt));
+  }
   if (scene.jet.present)
     for (const JetSlug& slug : scene.jet.slugs)
       prediction.particle_steps += static_cast<double>(count_slug_particles(scene, slug)) *
                                    std::max(0.0, scene.end_time - slug.time) / dt;
   double grown = 1.0;
   for (const auto& [verb, share] : probe.shares) grown += share * (growth_of(scene, verb) - 1.0);
-  if (probe.particles > 0.0) prediction.nanoseconds = 1e9 * probe.seconds / probe.particles * grown;
+  const double awake = 1.0 - skipped / prediction.particle_steps;
+  if (probe.particles > 0.0)
+    prediction.nanoseconds = 1e9 * probe.seconds / probe.particles * grown * awake;
   const double computed = prediction.nanoseconds * prediction.particle_steps;
   prediction.seconds = 1e-9 * (computed + written_nanoseconds(scene, prediction)) / ranks;
   // Every rank holds the program and its libraries; the probe was on this one alone.

@@ -12,11 +12,13 @@
 /// Points of Arenisca and steps for them, for the tests of lanes and the benchmark.
 namespace barreno::test {
 
-struct RockPoint {
+template <class Model>
+struct PointOf {
   Increment increment{};
   Sym3 stress;
-  Arenisca::History history;
+  typename Model::History history;
 };
+using RockPoint = PointOf<Arenisca>;
 
 /// As materials/cards/berea_sandstone.xml.
 inline Arenisca::Parameters berea() {
@@ -154,22 +156,19 @@ private:
   std::mt19937_64 random_;
 };
 
-struct RockLanes {
-  IncrementOf<Sym3Of<Lanes>> increment;
-  Sym3Of<Lanes> stress;
-  Arenisca::HistoryOf<Lanes> history;
-};
-inline RockLanes gather(const std::vector<RockPoint>& points, const std::size_t* of) {
-  RockLanes out{};
+/// Points in lanes, as the host has them.
+/// @param of places in `points` of as many as there are lanes
+template <class Model>
+typename Model::template Points<Lanes> gather(
+    const std::vector<PointOf<Model>>& points, const std::size_t* of
+) {
+  typename Model::template Points<Lanes> out{};
   for (int i = 0; i < lane_count; ++i) {
-    const RockPoint& p = points[of[i]];
-    set_lane(p.increment.strain, i, out.increment.strain);
+    const PointOf<Model>& p = points[of[i]];
+    set_lane(p.increment, i, out.increment);
     set_lane(p.stress, i, out.stress);
     set_lane(p.history, i, out.history);
-    out.increment.volume_ratio_begin[i] = p.increment.volume_ratio_begin;
-    out.increment.volume_ratio_end[i] = p.increment.volume_ratio_end;
   }
-  out.increment.dt = Lanes{} + points[of[0]].increment.dt;
   return out;
 }
 

@@ -52,8 +52,7 @@ std::vector<Result> by_lanes(const Arenisca& model, const std::vector<RockPoint>
   for (std::size_t first = 0; first < points.size(); first += lane_count) {
     std::array<std::size_t, lane_count> of{};
     for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::min(first + i, points.size() - 1);
-    const RockLanes lanes = gather(points, of.data());
-    groups[count] = Arenisca::Points<Lanes>{lanes.increment, lanes.stress, lanes.history, {}};
+    groups[count] = gather(points, of.data());
     rest[count] = model.start_points(groups[count]);
     if (++count < groups.size() && first + lane_count < points.size()) continue;
     model.finish_points(groups.data(), rest.data(), static_cast<int>(count));

@@ -71,11 +71,20 @@ TEST(Real, PowerIsExactToRoundOffOfItsLogarithm) {
 }
 
 TEST(Real, SelectionsAndChecksGoByLane) {
-  const Lanes x{-1.0, 2.0, HUGE_VAL, NAN, 0.0, 5.0, -HUGE_VAL, 7.0};
-  const LaneMask finite = real::is_finite(x);
-  const Lanes y = real::select(finite, real::abs(x), -3.0);
-  const std::array<double, lane_count> expected{1.0, 2.0, -3.0, -3.0, 0.0, 5.0, -3.0, 7.0};
-  for (int i = 0; i < lane_count; ++i) EXPECT_EQ(y[i], expected[static_cast<std::size_t>(i)]);
+  const std::array<double, 8> numbers{-1.0, 2.0, HUGE_VAL, NAN, 0.0, 5.0, -HUGE_VAL, 7.0};
+  const std::array<double, 8> expected{1.0, 2.0, -3.0, -3.0, 0.0, 5.0, -3.0, 7.0};
+  static_assert(
+      numbers.size() % lane_count == 0 && lane_count >= 4, "a number that is not finite in each"
+  );
+  LaneMask finite{};
+  for (std::size_t first = 0; first < numbers.size(); first += lane_count) {
+    Lanes x{};
+    for (int i = 0; i < lane_count; ++i) x[i] = numbers[first + static_cast<std::size_t>(i)];
+    finite = real::is_finite(x);
+    const Lanes y = real::select(finite, real::abs(x), -3.0);
+    for (int i = 0; i < lane_count; ++i)
+      EXPECT_EQ(y[i], expected[first + static_cast<std::size_t>(i)]);
+  }
   EXPECT_TRUE(real::any(finite));
   EXPECT_FALSE(real::all(finite));
   EXPECT_FALSE(real::any(Lanes{} > 0.0));

@@ -122,6 +122,14 @@ TYPED_TEST(ModelWithSubsteps, FrozenSubstepsGiveTheSameStep) {
   EXPECT_GT(divided, 50) << "steps must be divided, or this tests nothing";
 }
 
+/// Whether rock has its moduli from beyond their jump.
+template <class Model>
+bool is_dilated(const Point<Model>& point) {
+  const auto fields = Model::history_table();
+  const bool is_rock = !fields.empty() && fields[0].name == std::string("plastic_volume_strain");
+  return is_rock && history_values<Model>(point.history)[0] > 0.0;
+}
+
 template <class Model>
 class EveryModel : public ::testing::Test {};
 TYPED_TEST_SUITE(EveryModel, AllModels, ModelName);
@@ -136,6 +144,7 @@ TYPED_TEST(EveryModel, HasATangentOfWhatItDoes) {
     const Sym3 way = (Sample<TypeParam>::plastic / 50.0) * direction(path % 6, engine);
     for (int i = 0; i < 10; ++i) {
       const auto expected = differences(point, way);
+      const bool was_dilated = is_dilated<TypeParam>(point);
       Sym3 stress = point.stress;
       auto history = point.history;
       Tangent tangent;
@@ -145,7 +154,8 @@ TYPED_TEST(EveryModel, HasATangentOfWhatItDoes) {
       ASSERT_FALSE(point.apply(way, 0.0).failed());
       const double scale = point.last.longitudinal_modulus;
       const bool kink = difference(expected.left, expected.right) > 1e-3 * scale;
-      if (kink || !expected.same_substeps) continue;
+      const bool jumps = was_dilated != is_dilated<TypeParam>(point);  // tested above, apart
+      if (kink || jumps || !expected.same_substeps) continue;
       ++checked;
       worst = std::fmax(worst, difference(tangent, expected.central) / scale);
     }

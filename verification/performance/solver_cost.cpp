@@ -107,7 +107,7 @@ Row error_controlled(
   set_errors(errors, row);
   const int runs = row.evaluations > 200.0 ? 2 : 15;
   row.single = cost_of_single_points(model, points, runs).nanoseconds;
-  row.lanes = model.rock().bisection ? row.single : cost_in_lanes(model, points, runs);
+  row.lanes = model.rock().bisection ? row.single : cost_in_lanes<Arenisca>(model, points, runs);
   return row;
 }
 
@@ -210,15 +210,17 @@ int write_csv(
 }
 
 int run(const char* file, const char* csv) {
-  const RecordedPoints points = read_rock_points(file);
-  if (points.flowing.size() < judged || points.elastic.size() < lane_count) {
+  const RecordedPoints recorded = read_rock_points(file);
+  if (recorded.flowing.size() < judged || recorded.elastic.size() < lane_count) {
     std::cerr << "'" << file << "' holds too few points; record at least 256 that flow.\n";
     return 2;
   }
   const Arenisca model = with_tolerance(1e-2, 0);
-  const double elastic = cost_in_lanes(model, points.elastic, 50);
+  const auto elastic_points = points_of(model, recorded.history_names, recorded.elastic);
+  const auto flowing = points_of(model, recorded.history_names, recorded.flowing);
+  const double elastic = cost_in_lanes(model, elastic_points, 50);
   std::printf("elastic points in lanes: %.1f ns\n", elastic);
-  const Reference reference = find_reference(model, points.flowing);
+  const Reference reference = find_reference(model, flowing);
   std::printf(
       "reference: mean error %.1e, largest %.1e\n", reference.mean_error, reference.largest_error
   );
@@ -235,7 +237,7 @@ int run(const char* file, const char* csv) {
       "ns single",
       "ns lanes"
   );
-  const std::vector<Row> rows = measure(points.flowing, reference);
+  const std::vector<Row> rows = measure(flowing, reference);
   return csv != nullptr ? write_csv(csv, reference, elastic, rows) : 0;
 }
 

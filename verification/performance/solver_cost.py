@@ -80,7 +80,7 @@ def page_text(notes, rows):
         "Written by `verification/performance/solver_cost.py build/release`; do not edit by hand. The updates come from",
         "yielding rock in `input_xml/perforation_quick.xml`, a random sample of all steps, recorded by",
         "`build/release/verification/barreno_record_rock_points input_xml/perforation_quick.xml "
-        "verification/performance/rock_points.csv 2048 512`.",
+        "verification/performance/rock_points.csv --flowing 2048 --elastic 512`.",
         "",
         "Errors are those of the stress after one update, relative to the larger of the stresses before and after and the",
         "strength at zero pressure, against the same update in 32768 second-order substeps. Given are the mean, the error that 99 of 100",

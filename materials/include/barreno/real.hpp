@@ -4,22 +4,28 @@
 #include "barreno/portability.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
-#if defined(__AVX512F__) && !defined(__CUDACC__) && !defined(__HIP__)
+#if defined(__AVX2__) && !defined(__CUDACC__) && !defined(__HIP__)
 #include <immintrin.h>
 #endif
 
 /// One source for one point and for several at once: templates over R, which is double or Lanes.
 ///
-/// Lanes are eight doubles in vector registers. Every lane goes its own way: its result depends
-/// neither on the other lanes nor on its place. Where there are no vector extensions (devices),
-/// codes take the double.
+/// Lanes are as many doubles as a vector register holds. Every lane goes its own way: its result
+/// depends neither on the other lanes nor on its place or their number. Where there are no vector
+/// extensions (devices), codes take the double.
 namespace barreno {
 
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDACC__) && !defined(__HIP__)
 #define BARRENO_HAS_LANES 1
+// Wider ones than the machine's are compared and selected number by number: five times slower.
+#if defined(__AVX2__) && !defined(__AVX512F__)
+inline constexpr int lane_count = 4;
+#else
 inline constexpr int lane_count = 8;
+#endif
 // NOLINTNEXTLINE(modernize-use-using): the attribute needs it
 typedef double Lanes __attribute__((vector_size(lane_count * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});
@@ -59,6 +65,9 @@ BARRENO_FUNCTION double log(double x) {
 BARRENO_FUNCTION double exp(double x) {
   return std::exp(x);
 }
+BARRENO_FUNCTION double abs(double x) {
+  return std::fabs(x);
+}
 /// x^y for x >= 0.
 BARRENO_FUNCTION double pow(double x, double y) {
   return std::pow(x, y);
@@ -74,14 +83,24 @@ inline To bits_as(const From& from) {
   return to;
 }
 
+/// The same number in every lane. Lanes pass as they are: an addition of nothing is one that the
+/// compiler must make, because of -0.
+inline Lanes in_lanes(double number) {
+  return Lanes{} + number;
+}
+inline const Lanes& in_lanes(const Lanes& numbers) {
+  return numbers;
+}
 template <class Yes, class No>
 inline Lanes select(const LaneMask& choice, const Yes& yes, const No& no) {
-  return choice ? Lanes{} + yes : Lanes{} + no;
+  return choice ? in_lanes(yes) : in_lanes(no);
 }
 inline bool any(const LaneMask& choice) {
 #ifdef __AVX512F__
   // Compilers do not find this instruction in the general form.
   return _mm512_test_epi64_mask(bits_as<__m512i>(choice), bits_as<__m512i>(choice)) != 0;
+#elif defined(__AVX2__)
+  return _mm256_movemask_pd(bits_as<__m256d>(choice)) != 0;
 #else
   long long sum = 0;
   for (int i = 0; i < lane_count; ++i) sum |= choice[i];
@@ -95,11 +114,21 @@ inline bool all(const LaneMask& choice) {
 inline Lanes sqrt(const Lanes& x) {
 #ifdef __AVX512F__
   return bits_as<Lanes>(_mm512_maskz_sqrt_pd(0xff, bits_as<__m512d>(x)));
+#elif defined(__AVX2__)
+  return bits_as<Lanes>(_mm256_sqrt_pd(bits_as<__m256d>(x)));
 #else
   Lanes root{};
   for (int i = 0; i < lane_count; ++i) root[i] = std::sqrt(x[i]);
   return root;
 #endif
+}
+
+/// Adding it to a number below 2^51 rounds that to an integer, which then sits in the lowest bits.
+inline constexpr double rounder = 6755399441055744.0;  // 1.5 2^52
+
+inline Lanes abs(const Lanes& x) {
+  constexpr unsigned long long all_but_sign = 0x7fffffffffffffffULL;
+  return bits_as<Lanes>(bits_as<LaneBits>(x) & all_but_sign);
 }
 
 /// ln x for normal x > 0: x = 2^k m with m in [sqrt(1/2), sqrt(2)), and ln m = 2 artanh s,
@@ -126,7 +155,8 @@ inline Lanes log(const Lanes& x) {
   even = zz * even + 1.0 / 3.0;
   odd = zz * odd + 1.0 / 5.0;
   const Lanes sum = even + z * odd;
-  const Lanes k = __builtin_convertvector(exponent, Lanes);
+  const LaneMask lowest = exponent + bits_as<LaneMask>(Lanes{} + rounder);
+  const Lanes k = bits_as<Lanes>(lowest) - rounder;
   // 2 s = f - s f: the leading part f is exact.
   const Lanes small = s * (2.0 * z * sum - f) + k * ln2_low;
   return k * ln2_high + (f + small);
@@ -140,8 +170,6 @@ inline Lanes exp(const Lanes& x) {
   constexpr double per_ln2 = 1.4426950408889634;
   constexpr double largest = 700.0;
   const Lanes y = select(x > largest, largest, select(x < -largest, -largest, x));
-  // Adding 1.5 2^52 rounds to an integer, which then sits in the lowest bits.
-  constexpr double rounder = 6755399441055744.0;
   const Lanes shifted = y * per_ln2 + rounder;
   const Lanes k = shifted - rounder;
   const Lanes r = (y - k * ln2_high) - k * ln2_low;
@@ -158,7 +186,7 @@ inline Lanes exp(const Lanes& x) {
   odd = rr * odd + 1.0 / 6.0;
   const Lanes sum = even + r * odd;
   const Lanes one_plus = 1.0 + (r + rr * sum);
-  const LaneBits power = (bits_as<LaneBits>(__builtin_convertvector(k, LaneMask)) + 1023) << 52;
+  const LaneBits power = (bits_as<LaneBits>(shifted) + 1023) << 52;
   return select(x < -largest, 0.0, one_plus * bits_as<Lanes>(power));
 }
 
@@ -170,16 +198,24 @@ inline Lanes pow(const Lanes& x, double y) {
 #endif
 
 template <class R>
-BARRENO_FUNCTION R abs(const R& x) {
-  return select(x < 0.0, -x, x);
-}
-template <class R>
 BARRENO_FUNCTION R larger(const R& a, double b) {
   return select(a > b, a, b);
 }
 template <class R>
 BARRENO_FUNCTION R smaller(const R& a, double b) {
   return select(a < b, a, b);
+}
+/// Sum of even[k] x^2k + odd[k] x^(2k+1): two short chains instead of a long one.
+template <std::size_t count, class R>
+BARRENO_FUNCTION R
+even_odd_sum(const double (&even)[count], const double (&odd)[count], const R& x) {
+  const R xx = x * x;
+  R even_sum = R{} + even[count - 1], odd_sum = R{} + odd[count - 1];
+  for (std::size_t k = count - 1; k-- > 0;) {
+    even_sum = xx * even_sum + even[k];
+    odd_sum = xx * odd_sum + odd[k];
+  }
+  return even_sum + x * odd_sum;
 }
 /// False for infinities and NaN.
 template <class R>

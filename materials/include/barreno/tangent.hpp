@@ -162,7 +162,7 @@ bool visit_neighbours(
 }
 
 #if BARRENO_HAS_LANES
-/// The same in lanes: the step itself in the first, one side in the six that follow.
+/// The same in lanes: the step itself in the first, strains of one side in those that follow.
 template <class Model>
 bool visit_neighbours_in_lanes(
     const Model& model,
@@ -172,18 +172,20 @@ bool visit_neighbours_in_lanes(
     double h,
     Neighbours& n
 ) {
-  static_assert(lane_count >= 7, "the step itself and six strains next to it");
-  for (int k = 0; k < 2; ++k) {
-    Increment near[lane_count];
-    Sym3 ends[lane_count];
-    for (int i = 0; i < lane_count; ++i) {
-      const bool shifts = i >= 1 && i <= 6;
-      near[i] = shifts ? shifted(increment, i - 1, k == 0 ? -h : h) : increment;
+  constexpr int shifts_at_once = lane_count - 1;
+  for (int k = 0; k < 2; ++k)
+    for (int first = 0; first < 6; first += shifts_at_once) {
+      Increment near[lane_count];
+      Sym3 ends[lane_count];
+      const int count = first + shifts_at_once < 6 ? shifts_at_once : 6 - first;
+      for (int i = 0; i < lane_count; ++i) {
+        const bool shifts = i >= 1 && i <= count;
+        near[i] = shifts ? shifted(increment, first + i - 1, k == 0 ? -h : h) : increment;
+      }
+      if (!arenisca::update_alike(model, near, stress, begin, ends)) return false;
+      n.middle = ends[0];
+      for (int j = 0; j < count; ++j) n.side[first + j][k] = ends[j + 1];
     }
-    if (!arenisca::update_alike(model, near, stress, begin, ends)) return false;
-    n.middle = ends[0];
-    for (int j = 0; j < 6; ++j) n.side[j][k] = ends[j + 1];
-  }
   return true;
 }
 #endif

@@ -82,6 +82,12 @@ struct UpdateStress {
 
   /// State and increment of a group.
   KOKKOS_INLINE_FUNCTION Update begin(const Group& group, Begun& begun) const {
+    for (const Field* field :
+         {&particles.stress,
+          &particles.history,
+          &particles.viscous_pressure,
+          &particles.longitudinal_modulus})
+      group.prefetch(*field);
     const GroupFrame<R> frame(frames, group.first, group.count);
     begun.cell_size = frame.cell_size;
     begun.mass = group.get(particles.mass);

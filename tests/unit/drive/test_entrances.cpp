@@ -94,7 +94,7 @@ Sym3 tensor(const double* s) {
 /// As update_stress of a run does it: in lanes, in two parts, in a lane of its own.
 template <class Form>
 Seen by_run(const Form& form, const Seen& begin, const Asked& asked) {
-  constexpr int lane = 5;
+  constexpr int lane = lane_count - 1;
   typename Form::template Points<Lanes> p{};
   typename Form::History h;
   for (int i = 0; i < Form::history_count; ++i)

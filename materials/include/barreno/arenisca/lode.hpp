@@ -32,6 +32,8 @@ struct Lode {
       return 1.0 / std::hypot(1.0 / psi, (2.0 - 1.0 / psi) / std::sqrt(3.0));
     return smaller(psi, 1.0);
   }
+  /// Gamma where it is most.
+  BARRENO_FUNCTION double strongest() const { return active() ? larger(psi, 1.0) : 1.0; }
   struct Value {
     double gamma, slope;  ///< Gamma and dGamma/dtheta
   };
@@ -81,6 +83,61 @@ BARRENO_FUNCTION LodeValueOf<R> lode_value(const Lode& lode, const R& cosine, co
   if (lode.kind == Lode::gudehus) return gudehus_at(lode.psi, cosine, sine);
   if (lode.kind == Lode::willam_warnke) return willam_warnke_at(lode.psi, cosine, sine);
   return mohr_coulomb_at(lode.psi, cosine, sine);
+}
+
+/// Gamma, Gamma'/Gamma and the derivative of that by the angle.
+template <class R>
+struct LodeBendOf {
+  R gamma, bend, bend_slope;
+};
+/// Of Gamma = 1/u.
+template <class R>
+BARRENO_FUNCTION LodeBendOf<R> bend_of_inverse(const R& u, const R& du, const R& ddu) {
+  const R gamma = 1.0 / u, bend = -du * gamma;
+  return {gamma, bend, bend * bend - ddu * gamma};
+}
+template <class R>
+BARRENO_FUNCTION LodeBendOf<R> willam_warnke_bend(double psi, const R& c, const R& s) {
+  const double k = 1.0 - psi * psi, n = 2.0 * psi - 1.0;
+  // The square under the root, and the root, each with two derivatives.
+  const R square = 4.0 * k * c * c + psi * (5.0 * psi - 4.0);
+  const R root = real::sqrt(real::larger(square, 1e-300)), per_root = 1.0 / root;
+  const R dsquare = -8.0 * k * c * s, ddsquare = -8.0 * k * (c * c - s * s);
+  const R droot = 0.5 * dsquare * per_root;
+  const R ddroot = (0.5 * ddsquare - droot * droot) * per_root;
+  if (psi > 1.0) {
+    const double part = 1.0 / (k - n * n);
+    return bend_of_inverse(
+        R(part * (2.0 * k * c - n * root)),
+        R(part * (-2.0 * k * s - n * droot)),
+        R(part * (-2.0 * k * c - n * ddroot))
+    );
+  }
+  const R top = 2.0 * k * c + n * root, per_top = 1.0 / top;
+  const R per_bottom = 1.0 / (4.0 * k * c * c + n * n);
+  const R dtop = (-2.0 * k * s + n * droot) * per_top, dbottom = dsquare * per_bottom;
+  const R ddtop = (-2.0 * k * c + n * ddroot) * per_top;
+  return {
+      top * per_bottom,
+      dtop - dbottom,
+      ddtop - dtop * dtop - ddsquare * per_bottom + dbottom * dbottom};
+}
+template <class R>
+BARRENO_FUNCTION LodeBendOf<R> lode_bend(const Lode& lode, const R& c, const R& s) {
+  if (!lode.active()) return {R{} + 1.0, R{}, R{}};
+  if (lode.kind == Lode::willam_warnke) return willam_warnke_bend(lode.psi, c, s);
+  if (lode.kind == Lode::mohr_coulomb) {
+    const double a = 1.0 / lode.psi, b = (2.0 - 1.0 / lode.psi) / std::sqrt(3.0);
+    const R u = a * c + b * s;
+    return bend_of_inverse(u, R(b * c - a * s), R(-u));
+  }
+  const double part = 1.0 - 1.0 / lode.psi;
+  const R triple = c * (4.0 * c * c - 3.0), sine = s * (3.0 - 4.0 * s * s);
+  return bend_of_inverse(
+      R(0.5 * ((1.0 - triple) + (1.0 + triple) * (1.0 / lode.psi))),
+      R(1.5 * part * sine),
+      R(4.5 * part * triple)
+  );
 }
 
 BARRENO_FUNCTION Lode::Value Lode::at(double theta) const {

@@ -17,6 +17,13 @@ struct ReturnEquation {
   R q{}, dq{};
 };
 
+/// Where the form for the tip of the cap is taken (flow_rule.hpp).
+template <class R>
+BARRENO_FUNCTION MaskOf<R> is_at_tip(const MaskOf<R>& compact, const MeridianOf<R>& m) {
+  constexpr double near_tip = 0.3;
+  return compact & (m.cap_squared < near_tip) & (m.slope > 0.0);
+}
+
 /// The condition of the closest point (flow_rule.hpp) from the meridian; without the cap that is
 /// the return to the limit surface. Positive below the solution; on the compacting side the form is
 /// taken that is the smoother one.
@@ -25,7 +32,6 @@ template <class R, class Law>
 BARRENO_FUNCTION void close_equation(
     const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& compact, ReturnEquation<R>& e
 ) {
-  constexpr double near_tip = 0.3;
   const MeridianOf<R>& m = e.m;
   const R dx = -trial.triple_bulk;
   const MeridianRateOf<R> d = meridian_rate(rock.surface, m, dx, e.cap.slope);
@@ -41,7 +47,7 @@ BARRENO_FUNCTION void close_equation(
   const MaskOf<R> past_top = compact & !(m.slope > 0.0);
   e.f = real::select(past_top, 1.0, e.f);
   e.df = real::select(past_top, 0.0, e.df);
-  const MaskOf<R> at_tip = compact & (m.cap_squared < near_tip) & (m.slope > 0.0);
+  const MaskOf<R> at_tip = is_at_tip(compact, m);
   if (!real::any(at_tip)) return;
   const TipRatioOf<R> t = tip_ratio(trial, m, back);
   const R dratio = tip_ratio_rate(trial, m, dx, d, t);

@@ -336,11 +336,13 @@ BARRENO_FUNCTION void refine_points(
   const CapOf<R> cap = cap_of(rock, evp);
   const MeridianOf<R> m = meridian_at(rock.surface, moved_x, cap);
   const TrialOf<R> trial{moved_x, q, metric, triple_bulk, evp, cap};
-  if constexpr (Law::angled) p.angle = angle_of(rock.lode, moved);
+  find_angle(rock, moved, p);
   R seen = J2;
   if constexpr (Law::angled) seen = J2 / (p.angle.gamma * p.angle.gamma);
   const MaskOf<R> outside = asked & !contained(rock.surface, moved_x, seen, cap, m);
-  auto [r, end] = return_shear(rock, p, moved, trial, outside, m, R(a.end.evp - evp));
+  auto [r, end] = return_shear(
+      rock, p, moved, trial, outside, m, guess_from<R, Law>(p, a.end.s, R(a.end.evp - evp))
+  );
   r.x = real::select(outside, r.x, moved_x);
   r.q = real::select(outside, r.q, q);
   r.evp = real::select(outside, r.evp, evp);
@@ -371,9 +373,8 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
 ) {
   const StateOf<R, Law>& n = step.n;
   const R metric = metric_of(rock, p);
-  const R no_guess = R{} + HUGE_VAL;
   const TrialOf<R> trial{p.x, p.q, metric, stiffness_of_return(rock, p), n.evp, step.cap};
-  const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess);
+  const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess<R, Law>());
   FlowStartOf<R, Law> f = flow_start_of(rock, flows, step, p, metric);
   if (rock.crush.p3 > 0.0) {
     // Rock without open pores that keeps them closed flows along its shear stress, not along the
@@ -400,7 +401,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
   const R way = f.scale * size_of_stress(R(f.x - r.x), R(f.q * f.q));
   a.error = of_moduli + real::select(at_vertex & (way < turn.error), way, turn.error);
   if constexpr (Law::wet) a.error = a.error + pressure_error(rock, step, p, a);
-  constexpr double largest_retraction = 0.1, negligible = 0.01;
+  constexpr double largest_retraction = 0.1, negligible = Law::angled ? 0.0 : 0.01;
   const MaskOf<R> retracts =
       (!at_vertex) & (r.evp > n.evp) & step.cap.present & r.cap.present & (r.x < r.cap.kappa);
   const R length = real::select(retracts, step.cap.kappa - step.cap.X, 1.0);

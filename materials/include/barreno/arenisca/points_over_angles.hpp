@@ -3,6 +3,9 @@
 
 #include "barreno/arenisca/points_return.hpp"
 #include "barreno/arenisca/points_state.hpp"
+#include "barreno/arenisca/points_turned_return.hpp"
+
+#include <type_traits>
 
 namespace barreno::arenisca {
 
@@ -42,17 +45,6 @@ BARRENO_FUNCTION ReturnedOf<R> return_after_turn(
   return r;
 }
 
-template <class R>
-BARRENO_FUNCTION void select_returned(
-    const MaskOf<R>& choice, const ReturnedOf<R>& other, ReturnedOf<R>& r
-) {
-  r.x = real::select(choice, other.x, r.x);
-  r.q = real::select(choice, other.q, r.q);
-  r.evp = real::select(choice, other.evp, r.evp);
-  r.cap = select_points<R>(choice, other.cap, r.cap);
-  r.refused = (choice & other.refused) | ((!choice) & r.refused);
-}
-
 /// A turn and what it leaves of the condition of the closest point,
 ///
 ///   Gamma'/Gamma (q - q_tr cos d) + q_tr sin d = 0,
@@ -85,12 +77,10 @@ BARRENO_FUNCTION void find_turn(
     TriedTurn<R>& at
 ) {
   constexpr int max_iterations = 50;
-  constexpr double close_enough = 1e-11, root_3_4 = 0.86602540378443865;
+  constexpr double close_enough = 1e-11;
   const MaskOf<R> down = at.miss > 0.0;
-  const R up_sine = root_3_4 * angle.cosine - 0.5 * angle.sine;
-  const R up_cosine = 0.5 * angle.cosine + root_3_4 * angle.sine;
-  const R axis =
-      real::select(down, -angle.sine / (1.0 + angle.cosine), up_sine / (1.0 + up_cosine));
+  const TurnRange<R> range = turns_to_axes(angle);
+  const R axis = real::select(down, range.low, range.high);
   R near{}, far = axis;  // the condition has the first sign at `near`
   const R slope = 2.0 * (trial.q + angle.bend * angle.bend * at.returned.q);
   R next = -at.miss / slope;
@@ -125,12 +115,61 @@ BARRENO_FUNCTION void find_turn(
   }
 }
 
+/// The closest point over the Lode angle where the way to it is not smooth: turn by turn, each with
+/// a return within its half-plane.
+template <class R, class Rock>
+BARRENO_FUNCTION TriedTurn<R> return_turn_by_turn(
+    const Rock& rock,
+    const AngleOf<R>& angle,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& outside,
+    const MeridianOf<R>& at_trial,
+    const R& guess
+) {
+  constexpr double nothing = 1e-13;
+  TriedTurn<R> at;
+  at.angle = {R{} + 1.0, R{}, {angle.gamma, angle.gamma * angle.bend}};
+  at.returned = return_after_turn(rock, trial, outside, at_trial, guess, at.angle);
+  measure_miss(trial, at);
+  const MaskOf<R> open = outside & angle.turnable & (at.returned.q > 0.0) &
+                         (real::abs(at.miss) > nothing * trial.q) & !at.returned.refused;
+  if (real::any(open)) find_turn(rock, angle, trial, at_trial, open, at);
+  return at;
+}
+
 /// Where a trial shear stress comes back to.
 template <class R, class Law>
 struct ReturnedShear {
   ReturnedOf<R> point;
   ShearIn<R, Law> shear;
 };
+
+/// What a return is told to begin with: a gain of evp, infinity where there is none, and a turn if
+/// the law lets stress turn.
+template <class R, class Law>
+using GuessIn = std::conditional_t<Law::angled, TurnGuess<R>, R>;
+template <class R, class Law>
+BARRENO_FUNCTION GuessIn<R, Law> no_guess() {
+  if constexpr (Law::angled)
+    return {R{} + HUGE_VAL, R{}};
+  else
+    return R{} + HUGE_VAL;
+}
+/// From where another return led to, close by.
+/// @param p  the prediction, with the angle that the return starts from
+template <class R, class Law>
+BARRENO_FUNCTION GuessIn<R, Law> guess_from(
+    const PredictionOf<R, Law>& p, const ShearIn<R, Law>& end, const R& gain
+) {
+  if constexpr (Law::angled) {
+    const R along = dot(end, p.angle.along), across = dot(end, p.angle.across);
+    const R size = real::sqrt(R(along * along + across * across));
+    const MaskOf<R> ahead = along > 0.0;
+    return {gain, real::select(ahead, across / real::select(ahead, size + along, 1.0), 0.0)};
+  } else {
+    return gain;
+  }
+}
 
 /// Return of a trial shear stress.
 /// @param p       the prediction; where the strength depends on the angle, with that of `s`
@@ -143,21 +182,22 @@ BARRENO_FUNCTION ReturnedShear<R, Law> return_shear(
     const TrialOf<R>& trial,
     const MaskOf<R>& outside,
     const MeridianOf<R>& at_trial,
-    const R& guess
+    const GuessIn<R, Law>& guess
 ) {
   if constexpr (Law::angled) {
-    constexpr double nothing = 1e-13;
     const AngleOf<R>& angle = p.angle;
-    TriedTurn<R> at;
-    at.angle = {R{} + 1.0, R{}, {angle.gamma, angle.gamma * angle.bend}};
-    at.returned = return_after_turn(rock, trial, outside, at_trial, guess, at.angle);
-    measure_miss(trial, at);
-    const MaskOf<R> open = outside & angle.turnable & (at.returned.q > 0.0) &
-                           (real::abs(at.miss) > nothing * trial.q) & !at.returned.refused;
-    if (real::any(open)) find_turn(rock, angle, trial, at_trial, open, at);
-    const R q = at.returned.q;
-    return {
-        at.returned, R(q * at.angle.cosine) * angle.along + R(q * at.angle.sine) * angle.across};
+    TurnedReturn<R> r = return_with_turn(rock, angle, trial, outside, at_trial, guess);
+    const MaskOf<R> rest = outside & !r.found;
+    if (real::any(rest)) {
+      const TriedTurn<R> at = return_turn_by_turn(rock, angle, trial, rest, at_trial, guess.gain);
+      select_returned(rest, at.returned, r.point);
+      r.half_tangent = real::select(rest, at.half_tangent, r.half_tangent);
+    }
+    const R inverse = 1.0 / (1.0 + r.half_tangent * r.half_tangent);
+    const R cosine = (1.0 - r.half_tangent * r.half_tangent) * inverse;
+    const R sine = 2.0 * r.half_tangent * inverse;
+    const R q = r.point.q;
+    return {r.point, R(q * cosine) * angle.along + R(q * sine) * angle.across};
   } else {
     const ReturnedOf<R> r = return_points(rock, trial, outside, at_trial, guess);
     return {r, lengthened(s, trial.q, r.q)};

@@ -15,7 +15,17 @@ struct ScatteredRock : Whole {
   static constexpr bool scattered = true;
 
   double PEAKI1 = 0.0, FSLOPE = 0.0, STREN = 0.0, YSLOPE = 0.0;
+  YieldSurface mean;  ///< of pieces of coherence 1, to the bits that lanes have
+  Cap mean_first_cap;
 };
+
+/// The surface of pieces.
+template <class R, class Whole>
+BARRENO_ALIKE SurfaceOf<R> surface_of_pieces(const ScatteredRock<Whole>& rock, const R& coherence) {
+  return make_yield_surface(
+      R(rock.PEAKI1 * coherence), rock.FSLOPE, rock.STREN, rock.YSLOPE, rock.surface.CR
+  );
+}
 
 /// The rock of several pieces.
 template <class R, class Whole>
@@ -24,11 +34,16 @@ struct PiecesOf : Whole {
   CapOf<R> first_cap;
 
   BARRENO_FUNCTION PiecesOf(const ScatteredRock<Whole>& rock, const R& coherence)
-      : Whole(static_cast<const Whole&>(rock)),
-        surface(make_yield_surface(
-            R(rock.PEAKI1 * coherence), rock.FSLOPE, rock.STREN, rock.YSLOPE, rock.surface.CR
-        )),
-        first_cap(cap_of(*this, R{})) {}
+      : Whole(static_cast<const Whole&>(rock)) {
+    // Rock that does not scatter, but has a feature whose form scatters too.
+    if (!real::any(coherence != 1.0)) {
+      surface = same_surface<R>(rock.mean);
+      first_cap = same_cap<R>(rock.mean_first_cap);
+      return;
+    }
+    surface = surface_of_pieces(rock, coherence);
+    first_cap = cap_of(*this, R{});
+  }
 };
 
 /// The rock that the parts of a substep are given: the law itself, or its pieces.

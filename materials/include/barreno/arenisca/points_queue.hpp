@@ -66,7 +66,7 @@ inline void finish_steps(const Law& rock, StepOf<Lanes, Law> (&steps)[max_groups
   for (int g = 0; g < count; ++g) {
     int active = 0;
     for (int i = 0; i < lane_count; ++i) active += steps[g].active[i] != 0 ? 1 : 0;
-    constexpr int mostly = 6;
+    constexpr int mostly = 3 * lane_count / 4;
     if (active >= mostly) advance_step(rock, steps[g]);
     for (int i = 0; i < lane_count; ++i)
       if (steps[g].active[i] != 0) queue.put(steps[g], i, {g, i});

@@ -21,6 +21,17 @@ BARRENO_FUNCTION ReturnedOf<R> returned_at(
   return {e.x, smaller_of(q, trial.q), trial.evp + e.gain, e.cap, refused};
 }
 
+template <class R>
+BARRENO_FUNCTION void select_returned(
+    const MaskOf<R>& choice, const ReturnedOf<R>& other, ReturnedOf<R>& r
+) {
+  r.x = real::select(choice, other.x, r.x);
+  r.q = real::select(choice, other.q, r.q);
+  r.evp = real::select(choice, other.evp, r.evp);
+  r.cap = select_points<R>(choice, other.cap, r.cap);
+  r.refused = (choice & other.refused) | ((!choice) & r.refused);
+}
+
 /// Pores close altogether, where `closed` (flow_rule.hpp): no cap is left.
 template <class R, class Law>
 BARRENO_FUNCTION void close_pores(
@@ -70,6 +81,20 @@ BARRENO_FUNCTION void find_dilation(
   }
 }
 
+/// Whether the cap has retracted into the way of a return to the limit surface or the vertex.
+/// @param limited where the return went there
+template <class R, class Law>
+BARRENO_FUNCTION MaskOf<R> caught_by_cap(
+    const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& limited, const ReturnedOf<R>& r
+) {
+  // The crush curve is concave: its tangent tells most that clear the cap.
+  const R bound = trial.cap.kappa + rock.surface.CR * trial.cap.slope * (r.evp - trial.evp);
+  const MaskOf<R> unclear = limited & !(trial.cap.present & (r.x >= bound));
+  if (!real::any(unclear)) return none_of<R>();
+  const CapOf<R> end = cap_of(rock, R(real::larger(r.evp, rock.crush.last_open())));
+  return unclear & (r.x < end.kappa);
+}
+
 /// Where a return to the limit surface or the vertex finds that the cap has retracted into the way:
 /// return to that cap.
 /// @param limited where the return went to the limit surface or the vertex
@@ -77,13 +102,8 @@ template <class R, class Law>
 BARRENO_FUNCTION void return_to_retracted_cap(
     const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& limited, ReturnedOf<R>& r
 ) {
-  // The crush curve is concave: its tangent tells most that clear the cap.
   const double last_open = rock.crush.last_open();
-  const R bound = trial.cap.kappa + rock.surface.CR * trial.cap.slope * (r.evp - trial.evp);
-  const MaskOf<R> unclear = limited & !(trial.cap.present & (r.x >= bound));
-  if (!real::any(unclear)) return;
-  const CapOf<R> end = cap_of(rock, R(real::larger(r.evp, last_open)));
-  const MaskOf<R> caught = unclear & (r.x < end.kappa);
+  const MaskOf<R> caught = caught_by_cap(rock, trial, limited, r);
   if (!real::any(caught)) return;
   // First guess: where the cap's branch point meets the elastic path; closed pores begin to open.
   const R to_branch =
@@ -108,6 +128,53 @@ BARRENO_FUNCTION void return_to_retracted_cap(
   close_pores(rock, trial, closed, r);
 }
 
+/// On which side of the surface a return is searched, and between which gains of evp.
+template <class R>
+struct ReturnSearch {
+  MaskOf<R> capped, beyond_tip, compact, to_vertex;
+  R reach;                ///< I1 beyond the vertex from which all goes there [stress]
+  R last_open, to_kappa;  ///< gains: pores closed, the cap's branch point passed
+  R least;                ///< gain that brings the point to the vertex' pressure, or none
+  GainBracket<R> bracket;
+};
+/// @param at_trial the meridian at the trial state
+template <class R, class Law>
+BARRENO_FUNCTION ReturnSearch<R> search_of(
+    const Law& rock, const TrialOf<R>& trial, const MeridianOf<R>& at_trial
+) {
+  const auto& surface = rock.surface;
+  const R per_bulk = 1.0 / trial.triple_bulk;
+  ReturnSearch<R> s;
+  s.capped = trial.cap.present & (trial.x < trial.cap.kappa);
+  s.beyond_tip = s.capped & (trial.x <= trial.cap.X);
+  s.compact = s.beyond_tip | (s.capped & (at_trial.slope > 0.0));
+  s.reach = trial.metric * trial.q * surface.steepest;
+  s.to_vertex = (!s.capped) & (trial.x - surface.vertex >= s.reach);
+  // At x = kappa_n the hardened cap's branch point is passed; at x = X there is always enough
+  // dilation; the limit surface is nowhere steeper than at its vertex.
+  s.last_open = rock.crush.last_open() - trial.evp;
+  s.to_kappa = (trial.x - trial.cap.kappa) * per_bulk;
+  const R to_X = trial.x - trial.cap.X;
+  const MaskOf<R> beyond_vertex = (!s.capped) & (trial.x > surface.vertex);
+  s.least = real::select(beyond_vertex, (trial.x - surface.vertex) * per_bulk, 0.0);
+  s.bracket = {
+      real::select(s.compact, larger_of(s.to_kappa, s.last_open), s.least),
+      real::select(s.compact, 0.0, real::select(s.capped, to_X, s.reach) * per_bulk)};
+  return s;
+}
+/// The gain of evp to begin with.
+/// @param guess  infinity: none
+template <class R>
+BARRENO_FUNCTION R
+start_of_return(const TrialOf<R>& trial, const ReturnSearch<R>& search, const R& guess) {
+  const GainBracket<R>& bracket = search.bracket;
+  // Beyond the tip the hydrostatic solution, to first order, is the better start.
+  const R hydrostatic = (trial.x - trial.cap.X) / (trial.triple_bulk + trial.cap.slope);
+  const R known =
+      real::select(search.beyond_tip, larger_of(hydrostatic, bracket.low), search.least);
+  return real::select((guess > bracket.low) & (guess < bracket.high), guess, known);
+}
+
 /// Consistency and closest point in one equation: compaction, retracting cap, limit surface,
 /// vertex, closed pores.
 /// @param outside  where a return is asked for
@@ -121,30 +188,12 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
     const MeridianOf<R>& at_trial,
     const R& guess
 ) {
-  const auto& surface = rock.surface;
-  const R per_bulk = 1.0 / trial.triple_bulk;
-  const MaskOf<R> capped = trial.cap.present & (trial.x < trial.cap.kappa);
-  const MaskOf<R> beyond_tip = capped & (trial.x <= trial.cap.X);
-  const MaskOf<R> compact = beyond_tip | (capped & (at_trial.slope > 0.0));
-  const R reach = trial.metric * trial.q * surface.steepest;
-  const MaskOf<R> to_vertex = (!capped) & (trial.x - surface.vertex >= reach);
-  const MaskOf<R> wanted = outside & !to_vertex;
+  const ReturnSearch<R> search = search_of(rock, trial, at_trial);
+  const MaskOf<R> capped = search.capped, compact = search.compact;
+  const GainBracket<R>& bracket = search.bracket;
+  const MaskOf<R> wanted = outside & !search.to_vertex;
 
-  // Bracket: at x = kappa_n the hardened cap's branch point is passed; at x = X there is always
-  // enough dilation; the limit surface is nowhere steeper than at its vertex.
-  const R last_open = rock.crush.last_open() - trial.evp;
-  const R to_kappa = (trial.x - trial.cap.kappa) * per_bulk;
-  const R to_X = trial.x - trial.cap.X;
-  const MaskOf<R> beyond_vertex = (!capped) & (trial.x > surface.vertex);
-  const R least = real::select(beyond_vertex, (trial.x - surface.vertex) * per_bulk, 0.0);
-  const GainBracket<R> bracket = {
-      real::select(compact, larger_of(to_kappa, last_open), least),
-      real::select(compact, 0.0, real::select(capped, to_X, reach) * per_bulk)};
-
-  // Beyond the tip the hydrostatic solution, to first order, is the better start.
-  const R hydrostatic = to_X / (trial.triple_bulk + trial.cap.slope);
-  const R known = real::select(beyond_tip, larger_of(hydrostatic, bracket.low), least);
-  const R start = real::select((guess > bracket.low) & (guess < bracket.high), guess, known);
+  const R start = start_of_return(trial, search, guess);
   const MaskOf<R> elsewhere = wanted & (start != 0.0);
   ReturnEquation<R> e{R{}, trial.x, trial.cap, at_trial};
   e.cap.present = capped;
@@ -154,17 +203,18 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
 
   // Pores that close altogether.
   MaskOf<R> closed = none_of<R>();
-  const MaskOf<R> may_close = wanted & compact & (to_kappa < last_open);
+  const MaskOf<R> may_close = wanted & compact & (search.to_kappa < search.last_open);
   if (real::any(may_close)) {
-    const ReturnEquation<R> nearly = return_equation(rock, trial, capped, compact, last_open);
+    const ReturnEquation<R> nearly =
+        return_equation(rock, trial, capped, compact, search.last_open);
     closed = may_close & (nearly.f <= 0.0);
   }
   const MaskOf<R> open = wanted & !closed;
   const MaskOf<R> failed = solve_return(rock, trial, capped, compact, open, bracket, e);
   ReturnedOf<R> r = returned_at(trial, e, failed);
-  r.x = real::select(to_vertex, R(R{} + surface.vertex), r.x);
-  r.q = real::select(to_vertex, 0.0, r.q);
-  r.evp = real::select(to_vertex, trial.evp + least, r.evp);
+  r.x = real::select(search.to_vertex, R(R{} + rock.surface.vertex), r.x);
+  r.q = real::select(search.to_vertex, 0.0, r.q);
+  r.evp = real::select(search.to_vertex, trial.evp + search.least, r.evp);
   if (rock.crush.p3 == 0.0) return r;
   return_to_retracted_cap(rock, trial, MaskOf<R>(outside & !capped), r);
   close_pores(rock, trial, closed, r);

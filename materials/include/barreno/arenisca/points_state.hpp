@@ -93,7 +93,14 @@ BARRENO_FUNCTION void predict_with(
   p.s = step.n.s + R(2.0 * used.shear) * step.de;
   p.J2 = squared(p.s);
   p.q = real::sqrt(p.J2);
-  if constexpr (Law::angled) p.angle = angle_of(rock.lode, p.s);
+}
+/// The angle of a prediction, where the law asks for it.
+/// @param s  its shear stress, or another one that a return starts from
+template <class R, class Law>
+BARRENO_FUNCTION void find_angle(
+    const RockOf<R, Law>& rock, const ShearIn<R, Law>& s, PredictionOf<R, Law>& p
+) {
+  if constexpr (Law::angled) p.angle = angle_of(rock.lode, s);
 }
 
 /// J2 of a prediction as the meridian of triaxial compression sees it.

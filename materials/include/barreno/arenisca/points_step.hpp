@@ -43,6 +43,7 @@ BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
       used_moduli(rock, n.x, R(3.0 * strain), step.cap, p.term, p.coupling, p.start);
   predict_pressure(rock, step, used.bulk, p);
   predict_with(rock, step, used, p);
+  find_angle(rock, p.s, p);
   return p;
 }
 
@@ -140,6 +141,7 @@ BARRENO_FUNCTION void begin_to_dilate(
   mixed.start = {2.0 * used.bulk - soft.bulk, 2.0 * used.shear - soft.shear};
   predict_pressure(rock, step, used.bulk, mixed);
   predict_with(rock, step, used, mixed);
+  find_angle(rock, mixed.s, mixed);
   const MeridianOf<R> m = meridian_at(rock.surface, mixed.x, step.cap);
   // A trace of dilation, and the softer rock may no longer reach the surface.
   const MaskOf<R> inside = asked & contained(rock.surface, mixed.x, seen_J2(mixed), step.cap, m);
@@ -179,9 +181,10 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   return a;
 }
 
-/// Largest integer not above x, for 0 <= x < 2^52.
+/// Largest integer not above x, for 0 <= x < 2^51.
 inline Lanes whole_part(const Lanes& x) {
-  return __builtin_convertvector(__builtin_convertvector(x, LaneMask), Lanes);
+  const Lanes nearest = (x + real::rounder) - real::rounder;
+  return real::select(nearest > x, nearest - 1.0, nearest);
 }
 
 /// Factor for the next substep, in sixteenths: then round-off does not reach the choice of
@@ -272,7 +275,8 @@ BARRENO_FUNCTION void take_substeps(
     const AttemptOf<R, Law>& a,
     StepOf<R, Law>& step
 ) {
-  if constexpr (Law::rated) add_missed(rock, takes, fraction, a, step);
+  if constexpr (Law::rated)
+    if (rock.T1 != 0.0) add_missed(rock, takes, fraction, a, step);
   step.substeps = step.substeps + real::select(takes, 1.0, 0.0);
   step.state.x = real::select(takes, a.end.x, step.state.x);
   step.state.s = select_points<R>(takes, a.end.s, step.state.s);

@@ -60,6 +60,21 @@ struct MeridianOf {
   R slope{};                 ///< fc d(Ff fc)/dx, finite everywhere, also at the cap's tip
 };
 
+template <class R>
+BARRENO_FUNCTION MeridianOf<R> select_points(
+    const MaskOf<R>& choice, const MeridianOf<R>& yes, const MeridianOf<R>& no
+) {
+  return {
+      MaskOf<R>((choice & yes.on_cap) | ((!choice) & no.on_cap)),
+      real::select(choice, yes.limit, no.limit),
+      real::select(choice, yes.limit_slope, no.limit_slope),
+      real::select(choice, yes.curved, no.curved),
+      real::select(choice, yes.c, no.c),
+      real::select(choice, yes.inverse_length, no.inverse_length),
+      real::select(choice, yes.cap_squared, no.cap_squared),
+      real::select(choice, yes.slope, no.slope)};
+}
+
 /// Meridian of the yield surface in x = I1 (minus the elastic centre, which is 0 drained) and q =
 /// sqrt(J2).
 ///
@@ -121,6 +136,21 @@ BARRENO_FUNCTION SurfaceOf<R> make_yield_surface(
   return s;
 }
 
+/// The same surface at every point.
+template <class R>
+BARRENO_FUNCTION SurfaceOf<R> same_surface(const YieldSurface& one) {
+  SurfaceOf<R> s;
+  s.a1 = R{} + one.a1;
+  s.a2 = R{} + one.a2;
+  s.a3 = R{} + one.a3;
+  s.a4 = R{} + one.a4;
+  s.peak = R{} + one.peak;
+  s.vertex = R{} + one.vertex;
+  s.steepest = R{} + one.steepest;
+  s.CR = one.CR;
+  s.straight = one.straight;
+  return s;
+}
 /// The surface of another strength at the same pressure.
 template <class R>
 BARRENO_FUNCTION SurfaceOf<R> scaled_surface(SurfaceOf<R> s, const R& gamma) {

@@ -8,6 +8,26 @@
 
 namespace barreno {
 
+/// (1 + w)^n for small w by the binomial series to w^11, exact to round-off: its terms are at most
+/// (1/16)^k / k, and (n w)^k / k! for n > 1.
+struct PowerNearOne {
+  static constexpr int pairs = 6;
+  double even[pairs] = {}, odd[pairs] = {};  ///< coefficients of w^0, w^2, ... and of w, w^3, ...
+  double limit;                              ///< of |w|
+
+  BARRENO_FUNCTION explicit PowerNearOne(double n) : limit(1.0 / (16.0 * (n > 1.0 ? n : 1.0))) {
+    double coefficient = 1.0;
+    for (int k = 0; k < 2 * pairs; ++k) {
+      (k % 2 == 0 ? even : odd)[k / 2] = coefficient;
+      coefficient *= (n - k) / (k + 1.0);
+    }
+  }
+  template <class R>
+  BARRENO_FUNCTION R operator()(const R& w) const {
+    return real::even_odd_sum(even, odd, w);
+  }
+};
+
 /// Johnson-Cook flow stress and the return of an equivalent stress to it.
 ///
 ///   Y(ep, rate, T) = (A + B ep^n) (1 + C ln max(rate / rate0, 1)) (1 - T*^m)
@@ -82,7 +102,12 @@ private:
   /// @param near an evaluation at another x, made use of where it is close
   template <class R>
   BARRENO_FUNCTION Evaluation<R> evaluate(
-      const R& x, const R& plastic_strain, const R& dt, const R& theta, const Evaluation<R>& near
+      const R& x,
+      const R& plastic_strain,
+      const R& dt,
+      const R& theta,
+      const PowerNearOne& power_near_one,
+      const Evaluation<R>& near
   ) const {
     Evaluation<R> y;
     const R end = plastic_strain + x;
@@ -92,11 +117,11 @@ private:
     y.inverse_end = x * inverse;
     const R change = x - near.x;
     const R w = change * near.inverse_end;
-    const MaskOf<R> far_end = !(real::abs(w) <= 0.002);
+    const MaskOf<R> far_end = !(real::abs(w) <= power_near_one.limit);
     y.power = near.power * power_near_one(w);
     if (real::any(far_end)) y.power = real::select(far_end, real::pow(end, n), y.power);
     const R v = change * near.inverse_x;
-    const MaskOf<R> far_rate = !((near.logarithm > 0.0) & (real::abs(v) <= 0.005));
+    const MaskOf<R> far_rate = !((near.logarithm > 0.0) & (real::abs(v) <= log_limit));
     y.logarithm = real::larger(R(near.logarithm + log_near_one(v)), 0.0);
     if (real::any(far_rate)) y.logarithm = real::select(far_rate, log_rate(x, dt), y.logarithm);
     y.rate_factor = 1.0 + c * y.logarithm;
@@ -108,19 +133,13 @@ private:
                   y.static_stress * rating * y.inverse_x;
     return y;
   }
-  /// (1 + w)^n for |w| <= 0.002: the binomial series to w^5, exact to round-off.
+  /// ln(1 + v) for |v| <= log_limit: the power series to v^12, exact to round-off.
+  static constexpr double log_limit = 1.0 / 16.0;
   template <class R>
-  BARRENO_FUNCTION R power_near_one(const R& w) const {
-    R sum = 1.0 + (n - 4.0) * 0.2 * w;
-    sum = 1.0 + (n - 3.0) * 0.25 * w * sum;
-    sum = 1.0 + (n - 2.0) * (1.0 / 3.0) * w * sum;
-    sum = 1.0 + (n - 1.0) * 0.5 * w * sum;
-    return 1.0 + n * w * sum;
-  }
-  /// ln(1 + y) for |y| <= 0.005: the power series to y^6, exact to round-off.
-  template <class R>
-  BARRENO_FUNCTION static R log_near_one(const R& y) {
-    return y * (1.0 - y * (0.5 - y * (1.0 / 3.0 - y * (0.25 - y * (0.2 - y * (1.0 / 6.0))))));
+  BARRENO_FUNCTION static R log_near_one(const R& v) {
+    constexpr double even[] = {1.0, 1.0 / 3, 1.0 / 5, 1.0 / 7, 1.0 / 9, 1.0 / 11};
+    constexpr double odd[] = {-1.0 / 2, -1.0 / 4, -1.0 / 6, -1.0 / 8, -1.0 / 10, -1.0 / 12};
+    return v * real::even_odd_sum(even, odd, v);
   }
   /// Mean of Y over the increment.
   template <class R>
@@ -178,12 +197,13 @@ BARRENO_FUNCTION JohnsonCookFlow::ReturnOf<R> JohnsonCookFlow::return_to_flow_st
   R power = power_start;
   R rate_factor = R{} + 1.0;
   MaskOf<R> done = elastic;
+  const PowerNearOne power_near_one(n);
   Evaluation<R> y{};
   y.power = power_start;
   y.inverse_end = 1.0 / plastic_strain;
   constexpr int max_iterations = 80;
   for (int i = 0; i < max_iterations && !real::all(done); ++i) {
-    y = evaluate(x, plastic_strain, dt, theta, y);
+    y = evaluate(x, plastic_strain, dt, theta, power_near_one, y);
     // What a point that is done had; its lane goes on with the others.
     power = real::select(done, power, y.power);
     rate_factor = real::select(done, rate_factor, y.rate_factor);

@@ -27,6 +27,12 @@ inline Weibull make_weibull(const AreniscaParameters& p) {
   return w;
 }
 
+/// What a cap depends on.
+template <class R>
+struct CrushedSurface {
+  const CrushCurve& crush;
+  SurfaceOf<R> surface;
+};
 /// What the surface of a piece is made of.
 template <class Whole>
 void set_strength(const AreniscaParameters& p, ScatteredRock<Whole>& rock) {
@@ -34,6 +40,16 @@ void set_strength(const AreniscaParameters& p, ScatteredRock<Whole>& rock) {
   rock.FSLOPE = p.FSLOPE;
   rock.STREN = p.STREN;
   rock.YSLOPE = p.YSLOPE;
+  // By the arithmetic of lanes, so that a point's bits do not depend on the others with it.
+  const SurfaceOf<Lanes> mean = surface_of_pieces(rock, Lanes{} + 1.0);
+  rock.mean = rock.surface;
+  rock.mean.a1 = mean.a1[0];
+  rock.mean.a2 = mean.a2[0];
+  rock.mean.a3 = mean.a3[0];
+  rock.mean.a4 = mean.a4[0];
+  const CrushedSurface<Lanes> crushed = {rock.crush, mean};
+  const CapOf<Lanes> cap = cap_of(crushed, Lanes{});
+  rock.mean_first_cap = {cap.present[0] != 0, cap.X[0], cap.kappa[0], cap.slope[0]};
 }
 
 }  // namespace arenisca

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/arenisca/points_angle.hpp"
+#include "barreno/arenisca/points_return.hpp"
+
+namespace barreno::arenisca {
+
+// Closest point over pressure and Lode angle at once, by Newton's method. Few returns do not get
+// there; they are left to the search turn by turn (points_over_angles.hpp).
+
+/// A point of the surface, by the gain of evp and the turn d of the trial state's angle, and what
+/// it leaves of the two conditions of the closest point, with derivatives by gain and d:
+///
+///   f    = (x - x_tr) fc - metric (q_tr cos d - q) dq/dx    consistency within the half-plane
+///   miss = Gamma'/Gamma (q - q_tr cos d) + q_tr sin d       no part of the way along the angle
+///
+/// f near the tip of the cap is the other form of flow_rule.hpp.
+template <class R>
+struct TurnedPoint {
+  R half_tangent;  ///< of the turn
+  R cosine, sine;  ///< of the turn
+  R bend;          ///< Gamma'/Gamma after it
+  ReturnEquation<R> e;
+  R over;             ///< q_tr cos d - q
+  R f_turn, dq_turn;  ///< derivatives of f and q by d
+  R miss, miss_gain, miss_turn;
+};
+
+/// The meridian of triaxial compression at a gain of evp.
+template <class R, class Rock>
+BARRENO_FUNCTION ReturnEquation<R> compression_at(
+    const Rock& rock, const TrialOf<R>& trial, const MaskOf<R>& capped, const R& gain
+) {
+  ReturnEquation<R> e{gain, trial.x - trial.triple_bulk * gain};
+  if (real::any(capped)) e.cap = cap_of(rock, R(trial.evp + gain));
+  e.cap.present = e.cap.present & capped;
+  e.m = meridian_at(rock.surface, e.x, e.cap);
+  return e;
+}
+
+/// Derivatives of f and q by the turn.
+/// @param part   the trial state within the half-plane
+/// @param aside  q_tr sin d
+template <class R>
+BARRENO_FUNCTION void differentiate_by_turn(
+    const TrialOf<R>& part, const MaskOf<R>& compact, const R& aside, TurnedPoint<R>& at
+) {
+  const MeridianOf<R>& m = at.e.m;
+  const R q_turn = at.bend * at.e.q;
+  at.dq_turn = q_turn;
+  at.f_turn = part.metric * m.slope * (aside + at.bend * (at.e.q - at.over));
+  const MaskOf<R> at_tip = is_at_tip(compact, m);
+  if (!real::any(at_tip)) return;
+  const TipRatioOf<R> t = tip_ratio(part, m, R(at.e.x - part.x));
+  const R stiff = part.metric * m.limit * m.slope * t.inverse;
+  const R ratio_turn = t.value * (at.bend * (1.0 - 2.0 * stiff) - aside / part.q);
+  at.f_turn = real::select(at_tip, -2.0 * t.value * ratio_turn, at.f_turn);
+  at.dq_turn = real::select(at_tip, q_turn + m.limit * ratio_turn, at.dq_turn);
+}
+
+/// @param[in,out] at  with gain, x, cap, the meridian of triaxial compression and half_tangent; all
+/// of it
+template <class R, class Rock>
+BARRENO_FUNCTION void close_turned(
+    const Rock& rock,
+    const AngleOf<R>& from,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& compact,
+    TurnedPoint<R>& at
+) {
+  const R t = at.half_tangent;
+  const R inverse = 1.0 / (1.0 + t * t);
+  at.cosine = (1.0 - t * t) * inverse;
+  at.sine = 2.0 * t * inverse;
+  const R c = from.cosine * at.cosine - from.sine * at.sine;
+  const R s = from.sine * at.cosine + from.cosine * at.sine;
+  const LodeBendOf<R> strength = lode_bend(rock.lode, c, s);
+  at.bend = strength.bend;
+  at.e.m = scaled_meridian(at.e.m, strength.gamma);
+  TrialOf<R> part = trial;
+  part.q = trial.q * at.cosine;
+  close_equation(rock, part, compact, at.e);
+  const R aside = trial.q * at.sine;
+  at.over = part.q - at.e.q;
+  differentiate_by_turn(part, compact, aside, at);
+  at.miss = aside - at.bend * at.over;
+  at.miss_gain = at.bend * at.e.dq;
+  at.miss_turn = part.q + at.bend * (at.dq_turn + aside) - strength.bend_slope * at.over;
+}
+
+/// Tangents of half the turns that lead to the axes of the octahedral plane.
+template <class R>
+struct TurnRange {
+  R low, high;
+};
+template <class R>
+BARRENO_FUNCTION TurnRange<R> turns_to_axes(const AngleOf<R>& from) {
+  constexpr double root_3_4 = 0.86602540378443865;
+  const R up_sine = root_3_4 * from.cosine - 0.5 * from.sine;
+  const R up_cosine = 0.5 * from.cosine + root_3_4 * from.sine;
+  return {-from.sine / (1.0 + from.cosine), up_sine / (1.0 + up_cosine)};
+}
+
+/// Which closest point is searched, and from where.
+template <class R>
+struct TurnSearch {
+  MaskOf<R> open;             ///< where it is searched
+  MaskOf<R> capped, compact;  ///< see return_equation()
+  MaskOf<R> still;            ///< where the gain is given, and the turn alone is searched
+  GainBracket<R> bracket;
+  R half_tangent;
+  ReturnEquation<R> e;  ///< gain and meridian of triaxial compression to begin with
+};
+/// What was found of it.
+template <class R>
+struct TurnedReturn {
+  MaskOf<R> found;
+  R half_tangent;  ///< of the turn
+  ReturnedOf<R> point;
+};
+
+/// A step of the search.
+template <class R>
+struct TurnStep {
+  R gain, turn;
+  MaskOf<R> regular;  ///< by Newton's method, towards a least distance
+};
+/// Newton's method for both conditions. On an axis, where the surface may have an edge, and where
+/// the point cannot turn, the gain alone is searched.
+template <class R>
+BARRENO_FUNCTION TurnStep<R> newton_step(
+    const TurnSearch<R>& search,
+    const TurnRange<R>& range,
+    const AngleOf<R>& from,
+    const TurnedPoint<R>& at
+) {
+  const MaskOf<R> at_low = (at.half_tangent <= range.low) & (at.miss > 0.0);
+  const MaskOf<R> at_high = (at.half_tangent >= range.high) & (at.miss < 0.0);
+  const MaskOf<R> fixed = at_low | at_high | !from.turnable;
+  const MaskOf<R> coupled = !(fixed | search.still);
+  const R f = real::select(search.still, 0.0, at.e.f);
+  const R df = real::select(search.still, -1.0, at.e.df);
+  const R f_turn = real::select(coupled, at.f_turn, 0.0);
+  const R miss = real::select(fixed, 0.0, at.miss);
+  const R miss_gain = real::select(coupled, at.miss_gain, 0.0);
+  const R miss_turn = real::select(fixed, 1.0, at.miss_turn);
+  const R determinant = df * miss_turn - f_turn * miss_gain;
+  const R inverse = 1.0 / determinant;
+  return {
+      (f_turn * miss - f * miss_turn) * inverse,
+      (f * miss_gain - df * miss) * inverse,
+      (df < 0.0) & (miss_turn > 0.0) & (determinant < 0.0)};
+}
+/// Where that leads elsewhere: half way to the end of the bracket on the side of the solution, and
+/// a turn with a slope that is positive for sure.
+/// @param irregular  where it is asked for
+template <class R>
+BARRENO_FUNCTION void go_safely(
+    const TurnSearch<R>& search,
+    const AngleOf<R>& from,
+    const MaskOf<R>& irregular,
+    const TurnedPoint<R>& at,
+    TurnStep<R>& step
+) {
+  const R end = real::select(at.e.f > 0.0, search.bracket.high, search.bracket.low);
+  const R size = at.over + at.e.q * (1.0 + at.bend * at.bend);
+  const MaskOf<R> turns = from.turnable & (size > 0.0);
+  const R turn = real::select(turns, -at.miss / real::select(turns, size, 1.0), 0.0);
+  step.gain = real::select(irregular, 0.5 * (end - at.e.gain), step.gain);
+  step.turn = real::select(irregular, turn, step.turn);
+  step.regular = step.regular & !irregular;
+}
+
+/// The return that a last step by the derivatives leads to.
+template <class R, class Rock>
+BARRENO_FUNCTION ReturnedOf<R> returned_by(
+    const Rock& rock, const TrialOf<R>& trial, const TurnedPoint<R>& at, const TurnStep<R>& step
+) {
+  CapOf<R> cap = at.e.cap;
+  cap.X = cap.X + cap.slope * step.gain;
+  cap.kappa = cap.kappa + rock.surface.CR * cap.slope * step.gain;
+  return {
+      at.e.x - trial.triple_bulk * step.gain,
+      at.e.q + at.e.dq * step.gain + at.dq_turn * step.turn,
+      trial.evp + at.e.gain + step.gain,
+      cap,
+      none_of<R>()};
+}
+
+/// A gain in its bracket; half way to the end of it where the step leads out.
+template <class R>
+BARRENO_FUNCTION R within(const GainBracket<R>& bracket, const R& gain, const R& next) {
+  const R low = real::select(next < bracket.low, 0.5 * (gain + bracket.low), next);
+  return real::select(next > bracket.high, 0.5 * (gain + bracket.high), low);
+}
+
+/// Both conditions at once. A turn does not go beyond an axis. The step that leaves nothing is
+/// taken by the derivatives, as in solve_return().
+/// @param[in,out] r  replaced where it was found
+template <class R, class Rock>
+BARRENO_FUNCTION void solve_turned(
+    const Rock& rock,
+    const AngleOf<R>& from,
+    const TrialOf<R>& trial,
+    const TurnSearch<R>& search,
+    TurnedReturn<R>& r
+) {
+  constexpr double nothing = 1e-12, small_step = 1e-7;
+  constexpr int max_iterations = 20;
+  const TurnRange<R> range = turns_to_axes(from);
+  const R per_size = trial.triple_bulk / (real::abs(trial.x) + trial.q + rock.stress_floor);
+  MaskOf<R> open = search.open;
+  TurnedPoint<R> at;
+  at.half_tangent = search.half_tangent;
+  at.e = search.e;
+  R last_length{};
+  for (int i = 0; i < max_iterations; ++i) {
+    close_turned(rock, from, trial, search.compact, at);
+    TurnStep<R> step = newton_step(search, range, from, at);
+    // Past the top of the meridian there is too much compaction, by no matter how much.
+    const MaskOf<R> past_top = search.compact & !(at.e.m.slope > 0.0);
+    const MaskOf<R> irregular = open & (past_top | !step.regular);
+    if (real::any(irregular)) go_safely(search, from, irregular, at, step);
+    const R length = real::abs(step.gain) * per_size + real::abs(step.turn);
+    const MaskOf<R> converged =
+        (length <= small_step) | (length * length * length <= nothing * last_length * last_length);
+    const MaskOf<R> ends = open & step.regular & converged;
+    const R next = at.half_tangent + 0.5 * step.turn * (1.0 + at.half_tangent * at.half_tangent);
+    const R kept = smaller_of(larger_of(next, range.low), range.high);
+    if (real::any(ends)) {
+      select_returned(ends, returned_by(rock, trial, at, step), r.point);
+      r.half_tangent = real::select(ends, kept, r.half_tangent);
+      r.found = r.found | (ends & (at.e.q > 0.0) & (at.over >= 0.0));
+      open = open & !ends;
+      if (!real::any(open)) return;
+    }
+    at.half_tangent = kept;
+    const R gain = within(search.bracket, at.e.gain, R(at.e.gain + step.gain));
+    // What a step leaves that was cut, or is not Newton's, is not known.
+    last_length = real::select(step.regular & (next == kept), length, 0.0);
+    at.e = compression_at(rock, trial, search.capped, gain);
+  }
+}
+
+/// What is known of a return beforehand.
+template <class R>
+struct TurnGuess {
+  R gain;          ///< of evp; infinity: nothing is known
+  R half_tangent;  ///< of the turn
+};
+
+/// The search of a return to the cap or to the limit surface.
+template <class R, class Rock>
+BARRENO_FUNCTION TurnSearch<R> first_search(
+    const Rock& rock,
+    const TrialOf<R>& trial,
+    const ReturnSearch<R>& sides,
+    const MaskOf<R>& open,
+    const MeridianOf<R>& at_trial,
+    const TurnGuess<R>& guess
+) {
+  TurnSearch<R> search;
+  search.open = open;
+  search.capped = sides.capped;
+  search.compact = sides.compact;
+  search.still = none_of<R>();
+  search.bracket = sides.bracket;
+  search.half_tangent = guess.half_tangent;
+  const R start = start_of_return(trial, sides, guess.gain);
+  const MaskOf<R> elsewhere = open & (start != 0.0);
+  search.e = {R{}, trial.x, trial.cap, at_trial};
+  search.e.cap.present = sides.capped;
+  if (!real::any(elsewhere)) return search;
+  const ReturnEquation<R> there = compression_at(rock, trial, sides.capped, start);
+  search.e.gain = real::select(elsewhere, there.gain, search.e.gain);
+  search.e.x = real::select(elsewhere, there.x, search.e.x);
+  search.e.cap = select_points<R>(elsewhere, there.cap, search.e.cap);
+  search.e.m = select_points<R>(elsewhere, there.m, search.e.m);
+  return search;
+}
+
+/// Pores that close altogether, or stay closed: pressure is given, and the turn alone is searched.
+/// @param sides  of the return
+/// @param asked  where it may be so
+template <class R, class Rock>
+BARRENO_FUNCTION void return_closed(
+    const Rock& rock,
+    const AngleOf<R>& from,
+    const TrialOf<R>& trial,
+    const ReturnSearch<R>& sides,
+    const MaskOf<R>& asked,
+    TurnedReturn<R>& r
+) {
+  const MaskOf<R> none = none_of<R>();
+  const MaskOf<R> closes = trial.cap.present;
+  const R gain = real::select(closes, rock.crush.closed() - trial.evp, 0.0);
+  TurnSearch<R> search;
+  search.open = search.still = asked;
+  search.capped = search.compact = none;
+  search.bracket = {gain, gain};
+  search.half_tangent = r.half_tangent;
+  search.e = compression_at(rock, trial, none, gain);
+  r.found = r.found & !asked;
+  solve_turned(rock, from, trial, search, r);
+  const MaskOf<R> found = asked & r.found;
+  if (!real::any(found)) return;
+  // It is so where even the smallest pores are too many, see return_points().
+  TurnedPoint<R> at;
+  at.half_tangent = r.half_tangent;
+  const R least = real::select(closes, sides.last_open, real::larger(sides.last_open, 0.0));
+  at.e = compression_at(rock, trial, found, least);
+  close_turned(rock, from, trial, sides.compact, at);
+  r.found = r.found & !(found & (at.e.f > 0.0));
+}
+
+/// Where the cap has retracted into the way to the limit surface: on to that cap
+/// (return_to_retracted_cap()).
+/// @param caught  where it is so, and the pores are open
+template <class R, class Rock>
+BARRENO_FUNCTION void return_to_turned_cap(
+    const Rock& rock,
+    const AngleOf<R>& from,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& caught,
+    TurnedReturn<R>& r
+) {
+  const CapOf<R>& cap = trial.cap;
+  const R start = (trial.x - cap.kappa) / (trial.triple_bulk + rock.surface.CR * cap.slope);
+  TurnSearch<R> search;
+  search.open = caught;
+  search.capped = caught;
+  search.compact = search.still = none_of<R>();
+  search.bracket = {R{}, (trial.x - cap.X) / trial.triple_bulk};
+  search.half_tangent = r.half_tangent;
+  search.e = compression_at(rock, trial, caught, start);
+  r.found = r.found & !caught;
+  solve_turned(rock, from, trial, search, r);
+}
+
+/// The return over the Lode angle, where Newton's method finds it.
+/// @param at_trial the meridian of triaxial compression at the trial state
+template <class R, class Rock>
+BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
+    const Rock& rock,
+    const AngleOf<R>& from,
+    const TrialOf<R>& trial,
+    const MaskOf<R>& outside,
+    const MeridianOf<R>& at_trial,
+    const TurnGuess<R>& guess
+) {
+  ReturnSearch<R> sides = search_of(rock, trial, at_trial);
+  // The surface is as steep as it is strong.
+  sides.to_vertex = (!sides.capped) & (trial.x - rock.surface.vertex >= from.gamma * sides.reach);
+  const R highest = rock.lode.strongest() * sides.bracket.high;
+  sides.bracket.high = real::select(sides.capped, sides.bracket.high, highest);
+  TurnedReturn<R> r{none_of<R>(), R{}, {trial.x, trial.q, trial.evp, trial.cap, none_of<R>()}};
+  const MaskOf<R> open = outside & (!sides.to_vertex) & (trial.q > 0.0);
+  const TurnSearch<R> search = first_search(rock, trial, sides, open, at_trial, guess);
+  solve_turned(rock, from, trial, search, r);
+  const MaskOf<R> limited = open & !sides.capped;
+  r.found = r.found & (r.point.q > 0.0) & !(limited & (r.point.x >= rock.surface.vertex));
+  const MaskOf<R> to_vertex = outside & sides.to_vertex;
+  r.point.x = real::select(to_vertex, R(R{} + rock.surface.vertex), r.point.x);
+  r.point.q = real::select(to_vertex, 0.0, r.point.q);
+  r.point.evp = real::select(to_vertex, trial.evp + sides.least, r.point.evp);
+  r.found = r.found | to_vertex;
+  if (rock.crush.p3 == 0.0) return r;
+  const MaskOf<R> caught = caught_by_cap(rock, trial, MaskOf<R>(r.found & !sides.capped), r.point);
+  const MaskOf<R> stays_closed = caught & (!to_vertex) & !trial.cap.present;
+  const MaskOf<R> closes = open & sides.compact & (!r.found) & (sides.to_kappa < sides.last_open);
+  const MaskOf<R> closed = stays_closed | closes;
+  if (real::any(closed)) return_closed(rock, from, trial, sides, closed, r);
+  const MaskOf<R> retracted = caught & (!to_vertex) & trial.cap.present;
+  if (real::any(retracted)) return_to_turned_cap(rock, from, trial, retracted, r);
+  r.found = r.found & !(caught & to_vertex);
+  return r;
+}
+
+}  // namespace barreno::arenisca

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/awake_share.hpp"
+
+#include "scene/build_scene.hpp"
+#include "scene/dormant.hpp"
+#include "scene/porous.hpp"
+#include "scene/tile_size.hpp"
+#include "state/body_particles.hpp"
+
+#include <algorithm>
+#include <barreno/models.hpp>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+/// What wakes tiles is far smaller than a wave, and grids carry it ahead of waves: at so many times
+/// their speed in perforation_quick.xml, and in perforation_plane_gimp.xml, where waves decay less.
+double front_per_wave(Mode mode) {
+  return mode == Mode::plane_strain ? 3.0 : 2.0;
+}
+
+bool starts_at_rest(const BodySpec& body) {
+  const auto nothing = [](const Vector& v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; };
+  return nothing(body.velocity) && nothing(body.velocity_wave_number) && body.spin == 0.0 &&
+         body.radial_velocity == 0.0 && !body.motion.prescribed;
+}
+
+/// Speed of waves in a body as it starts.
+double wave_speed(const Scene& scene, const BodySpec& body) {
+  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
+  const double modulus = std::visit(
+      [&](const auto& model) {
+        const auto start = initial_state_of(model, body);
+        return model.longitudinal_modulus(start.stress, start.history, start.volume_ratio);
+      },
+      material.material().model
+  );
+  return std::sqrt(modulus / material.density());
+}
+
+/// So large that the bodies have few particles.
+GridSpec coarse_grid(const Scene& scene) {
+  constexpr double enough = 1e4;
+  GridSpec grid = scene.grid;
+  const double finer = std::max(1.0, particle_estimate(scene) / enough);
+  grid.cell_size *= std::ceil(std::pow(finer, 1.0 / dimensions(grid.mode)));
+  return grid;
+}
+
+struct Impact {
+  double y, time;
+};
+/// Where and when the first slug meets a body on its axis.
+Impact impact_of(const Scene& scene, const GridSpec& grid) {
+  const JetSpec& jet = scene.jet;
+  const JetSlug& slug = jet.slugs.front();
+  const double beside = std::max(slug.radius, grid.cell_size);
+  double way = std::numeric_limits<double>::infinity();
+  for (const BodySpec& body : scene.bodies)
+    for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
+      const double ahead = jet.direction * (p.x[1] - jet.launch_position);
+      if (std::hypot(p.x[0], p.x[2]) < beside && ahead > 0.0) way = std::min(way, ahead);
+    });
+  return {jet.launch_position + jet.direction * way, slug.time + way / slug.velocity};
+}
+
+}  // namespace
+
+double awake_share(const Scene& scene, const BodySpec& body, double dt) {
+  const bool by_jet = scene.jet.present && !scene.jet.slugs.empty() &&
+                      std::all_of(scene.bodies.begin(), scene.bodies.end(), starts_at_rest);
+  if (!by_jet || !scene.step.skip_dormant || !why_all_awake(scene).empty()) return 1.0;
+  const GridSpec grid = coarse_grid(scene);
+  const Impact impact = impact_of(scene, grid);
+  double front = front_per_wave(scene.grid.mode) * wave_speed(scene, body);
+  // Where any motion wakes a tile, the grid carries it by a cell in a step.
+  if (rest_motion(scene) == 0.0) front = std::max(front, scene.grid.cell_size / dt);
+  const double tile = tile_cells(dimensions(scene.grid.mode)) * scene.grid.cell_size;
+  double sum = 0.0, count = 0.0;
+  for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
+    const double distance = std::hypot(p.x[0], p.x[1] - impact.y, p.x[2]);
+    const double arrival = impact.time + std::max(0.0, distance - tile) / front;
+    sum += std::clamp(1.0 - arrival / scene.end_time, 0.0, 1.0);
+    count += 1.0;
+  });
+  return count > 0.0 && std::isfinite(impact.time) ? sum / count : 1.0;
+}
+
+}  // namespace barreno

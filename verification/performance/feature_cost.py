@@ -1,0 +1,253 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every form of Arenisca costs against its error: measures, draws, and writes docs/materials/arenisca_forms_cost.md.
+
+    feature_cost.py BUILD_FOLDER [--stored]
+
+runs barreno_feature_cost of that build over the points in verification/performance (rock_points.csv, dry, and its wet and angled kin); --stored takes the last
+measurement instead (verification/results/feature_cost.csv) and asks for no build. The table of forms in docs/materials/arenisca.md comes
+from the same file (verification/pages.py --write).
+"""
+import argparse
+import csv
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+CARD = "materials/cards/berea_sandstone.xml"
+POINTS = [HERE / f"{kind}rock_points.csv" for kind in ("", "wet_", "angled_", "angled_wet_")]
+TABLE = ROOT / "verification" / "results" / "feature_cost.csv"
+PICTURE = ROOT / "docs" / "pictures" / "arenisca_forms_cost.png"
+PAGE = ROOT / "docs" / "materials" / "arenisca_forms_cost.md"
+DEFAULT = 1e-2  # tolerance of a card
+MOST_WET, MOST_WET_ELASTIC, MOST_RATIO, MOST_SINGLE = 1000.0, 60.0, 1.5, 20000.0  # bars; ns
+COMPARISON = ("bisection", "elastic centre", "plastic", "plastic, arenisca3")
+ANGLES = ("Gudehus", "Willam-Warnke", "Mohr-Coulomb")
+
+WHY_ANGLE = (
+    "The closest point is searched in pressure and Lode angle together: an evaluation of both conditions with their derivatives costs more than "
+    "one of the condition in pressure. Flow leaves the plane of stress and strain increment, so that six components of shear stress are carried "
+    "instead of two, and the angle with its direction is needed at the prediction, where flow begins and in the second pass, which is never left out."
+)
+WHY_SLOWEST = "The time is that of its substeps: so many the tolerance asks for where the increment is large, or where the moduli jump."
+WHY_SLOWEST_ANGLE = "As above; and some returns are not found by Newton's method but turn by turn of the Lode angle, each with a return of its own."
+
+
+def read_table():
+    lines = TABLE.read_text(encoding="utf-8").splitlines()
+    notes = [line[2:] for line in lines if line.startswith("#")]
+    rows = list(csv.DictReader((line for line in lines if not line.startswith("#")), delimiter=";"))
+    words = ("form", "model", "card")
+    return notes, [{k: v if k in words else float(v) for k, v in row.items()} for row in rows]
+
+
+def at_default(rows):
+    """{form: row} at a card's own tolerance."""
+    return {row["form"]: row for row in rows if row["tolerance"] == DEFAULT}
+
+
+def feature_of(form):
+    return form.split(", ", 1)[1]
+
+
+def base_of(form):
+    """The plain form that a feature is compared with."""
+    return form.split(", ", 1)[0] + ", plain"
+
+
+def is_comparison(form):
+    return feature_of(form) in COMPARISON
+
+
+def bars(rows):
+    """[(what, measured, most, unit, why it is missed)]"""
+    found = at_default(rows)
+    wet = found["wet, plain"]
+    out = [
+        ("wet point that flows, in lanes", wet["ns_lanes"], MOST_WET, "ns", "The pores are filled again in every prediction, return and second pass."),
+        ("wet elastic point, in lanes", wet["ns_elastic"], MOST_WET_ELASTIC, "ns", "The fluid's pressure is a root of its own for every point."),
+    ]
+    for base in ("dry", "wet"):
+        for feature in ("scatter", "rate", *ANGLES):
+            ratio = found[f"{base}, {feature}"]["ns_lanes"] / found[f"{base}, plain"]["ns_lanes"]
+            why = WHY_ANGLE if feature in ANGLES else ""
+            out.append((f"{base}, {feature}: to {base}, plain, in lanes", ratio, MOST_RATIO, "times", why))
+    for form, row in found.items():
+        if not is_comparison(form):
+            what = f"{form}: dearest single update, {row['substeps_of_slowest']:.0f} substeps"
+            why = WHY_SLOWEST_ANGLE if feature_of(form) in (*ANGLES, "all") else WHY_SLOWEST
+            out.append((what, row["ns_slowest"], MOST_SINGLE, "ns", why))
+    return out
+
+
+def bar_lines(rows):
+    lines = ["| demand at the default tolerance | measured | at most | |", "|---|---|---|---|"]
+    reasons = {}
+    for what, measured, most, unit, why in bars(rows):
+        missed = measured > most
+        digits = f"{measured:.2f}" if unit == "times" else f"{measured:.0f} {unit}"
+        bar = f"{most:g}" if unit == "times" else f"{most:.0f} {unit}"
+        lines.append(f"| {what} | {digits} | {bar} | {f'missed, by a factor of {measured / most:.2f}' if missed else 'met'} |")
+        if missed and why:
+            reasons.setdefault(why, []).append(what.split(":")[0])
+    if reasons:
+        lines += ["", "Why demands are missed:", ""]
+        lines += [f"- {'; '.join(forms)}: {why}" for why, forms in reasons.items()]
+    return lines
+
+
+def summary_lines(rows):
+    """A line for each form at the default tolerance."""
+    found = at_default(rows)
+    lines = [
+        "| form | added to the card | model | flows, ns in lanes | to plain | one at a time, ns | elastic, ns | dearest update, us |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for form, row in found.items():
+        lanes = "" if is_comparison(form) else f"{row['ns_lanes']:.0f}"
+        lines.append(
+            f"| {form} | {row['card']} | {row['model']} | {lanes} | {row['ns_lanes'] / found[base_of(form)]['ns_lanes']:.2f} | {row['ns_single']:.0f} | "
+            f"{row['ns_elastic']:.1f} | {1e-3 * row['ns_slowest']:.1f} |"
+        )
+    return lines
+
+
+def error_lines(rows):
+    lines = [
+        "| form | tolerance | mean error | 99 % below | largest | substeps | failed | ns | ns in lanes | dearest, us |",
+        "|---|---|---|---|---|---|---|---|---|---|",
+    ]
+    for r in rows:
+        lanes = "" if is_comparison(r["form"]) else f"{r['ns_lanes']:.0f}"
+        lines.append(
+            f"| {r['form']} | {r['tolerance']:g} | {r['mean_error']:.1e} | {r['error_of_99_percent']:.1e} | {r['largest_error']:.1e} | "
+            f"{r['substeps']:.2f} | {r['failed']:.0f} | {r['ns_single']:.0f} | {lanes} | {1e-3 * r['ns_slowest']:.1f} |"
+        )
+    return lines
+
+
+def draw(rows):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(1, 2, figsize=(12, 4.6), layout="constrained", sharey=True)
+    for one, base in zip(axes, ("dry", "wet")):
+        forms = [form for form in dict.fromkeys(row["form"] for row in rows) if form.startswith(base)]
+        for i, form in enumerate(forms):
+            own = [row for row in rows if row["form"] == form and row["mean_error"] > 0.0]
+            line = "x:" if is_comparison(form) else "o-"
+            one.loglog([r["mean_error"] for r in own], [r["ns_lanes"] for r in own], line, ms=4, color=f"C{i % 10}", label=feature_of(form))
+        one.set_title(f"{base} rock")
+        one.set_xlabel("mean error, relative to the effective stress")
+        one.invert_xaxis()
+        one.grid(alpha=0.3)
+        one.legend(fontsize=8)
+    axes[0].set_ylabel("time per point that flows [ns]")
+    figure.savefig(PICTURE, dpi=120)
+    plt.close(figure)
+
+
+def command_of(file):
+    """How a file of points was recorded: in its first line."""
+    with file.open(encoding="utf-8") as lines:
+        return lines.readline().split("sampled by ")[1].strip()
+
+
+def stored_page():
+    return page_text(*read_table())
+
+
+def page_text(notes, rows):
+    recorded = [f"    build/release/verification/{command_of(file)}" for file in POINTS]
+    lines = [
+        "# Arenisca's forms: error against cost",
+        "",
+        "Written by `verification/performance/feature_cost.py build/release`; do not edit by hand. Every form of Arenisca, each feature alone and",
+        "all together, and the forms for comparison, updates rock points of `input_xml/perforation_quick.xml`, dry forms those of the dry deck, wet",
+        "forms those of the deck with water in the pores, and forms with a third invariant those of decks whose rock has one. The points are random",
+        "samples of all steps, and of all updates that flow those with the most substeps, recorded by",
+        "",
+        *recorded,
+        "",
+        *(f"- {note}" for note in notes),
+        "- Errors are those of the stress after one update, relative to the larger of the effective stresses before and after and the strength",
+        "  at zero pressure; against the same update with the smallest tolerance of 1e-8, 1e-7, 1e-6, 1e-5 that needs at most 2000 substeps. Points",
+        "  for which that is above a fifth of the tolerance have no error.",
+        "- Internal variables that were not recorded are those of virgin rock. Points with a third invariant were recorded with Willam-Warnke's; for the",
+        "  other shapes, above all Mohr-Coulomb's with its edges, they are not states of their own runs, which costs substeps and accuracy.",
+        "- Times are for one core, the minimum of several runs: in lanes as in a run, or one point at a time as for a host with a single point. Forms",
+        "  for comparison go one at a time. The dearest update is the largest of the minima of each point that flows.",
+        "- failed: updates that would need more than 2000 substeps; they have no error.",
+        "",
+        "## At the default tolerance",
+        "",
+        *summary_lines(rows),
+        "",
+        *bar_lines(rows),
+        "",
+        "## Over the tolerance",
+        "",
+        "![error against cost of every form](../pictures/arenisca_forms_cost.png)",
+        "",
+        *error_lines(rows),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def span(values, digits):
+    """The values' range in words."""
+    low, high = f"{min(values):.{digits}f}", f"{max(values):.{digits}f}"
+    return low if low == high else f"{low} to {high}"
+
+
+def stored_part():
+    """The table of forms in docs/materials/arenisca.md."""
+    found = at_default(read_table()[1])
+
+    def line(card, form, names):
+        flows = span([found[name]["ns_lanes"] / found["dry, plain"]["ns_lanes"] for name in names], 1)
+        return f"| {card} | {form} | {flows} | {span([found[name]['ns_elastic'] for name in names], 0)} |"
+
+    return [
+        "| card | form | point that flows, to the drained form | elastic point, ns |",
+        "|---|---|---|---|",
+        line("none of the following", "drained", ["dry, plain"]),
+        line("`Weibull modulus`", "scattered", ["dry, scatter"]),
+        line("`T1_rate_dependence`", "rated", ["dry, rate"]),
+        line("`J3_type`", "angled; with rate dependence and scatter too", [f"dry, {one}" for one in (*ANGLES, "all")]),
+        line("`fluid_B0`", "wet", ["wet, plain"]),
+        line("with `Weibull modulus` or `T1_rate_dependence`", "rated wet", ["wet, scatter", "wet, rate"]),
+        line("with `J3_type`", "angled wet; with rate dependence and scatter too", [f"wet, {one}" for one in (*ANGLES, "all")]),
+        line("`Return solver = bisection`", "general", ["dry, bisection"]),
+        line("`fluid_B0`, `Backstress strain = elastic centre` or `plastic`", "general: published", [f"wet, {one}" for one in COMPARISON[1:]]),
+        "",
+        "Measured by `verification/performance/feature_cost.py build/release`, with errors and other tolerances in [arenisca_forms_cost.md](arenisca_forms_cost.md).",
+    ]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", nargs="?", type=pathlib.Path)
+    parser.add_argument("--stored", action="store_true")
+    options = parser.parse_args()
+    if not options.stored:
+        if options.build is None:
+            parser.error("give the build folder, or --stored")
+        program = options.build.resolve() / "verification" / "barreno_feature_cost"
+        if not program.exists():
+            print(f"there is no '{program}'; build the target barreno_feature_cost.", file=sys.stderr)
+            return 2
+        subprocess.run([program, CARD, *POINTS, TABLE], check=True, cwd=ROOT)
+    notes, rows = read_table()
+    draw(rows)
+    PAGE.write_text(page_text(notes, rows), encoding="utf-8")
+    print(PAGE)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
