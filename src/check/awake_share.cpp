@@ -4,6 +4,7 @@
 #include "scene/build_scene.hpp"
 #include "scene/dormant.hpp"
 #include "scene/porous.hpp"
+#include "scene/tile_levels.hpp"
 #include "scene/tile_size.hpp"
 #include "state/body_particles.hpp"
 
@@ -44,7 +45,7 @@ double wave_speed(const Scene& scene, const BodySpec& body) {
 /// So large that the bodies have few particles.
 GridSpec coarse_grid(const Scene& scene) {
   constexpr double enough = 1e4;
-  GridSpec grid = scene.grid;
+  GridSpec grid = uniform_grid(scene.grid, 0);
   const double finer = std::max(1.0, particle_estimate(scene) / enough);
   grid.cell_size *= std::ceil(std::pow(finer, 1.0 / dimensions(grid.mode)));
   return grid;
@@ -83,8 +84,10 @@ double awake_share(const Scene& scene, const BodySpec& body, double dt) {
   for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
     const double distance = std::hypot(p.x[0], p.x[1] - impact.y, p.x[2]);
     const double arrival = impact.time + std::max(0.0, distance - tile) / front;
-    sum += std::clamp(1.0 - arrival / scene.end_time, 0.0, 1.0);
-    count += 1.0;
+    // Of so many particles, where cells are refined.
+    const double parts = std::pow(2.0, dimensions(grid.mode) * level_at(scene.grid, p.x));
+    sum += parts * std::clamp(1.0 - arrival / scene.end_time, 0.0, 1.0);
+    count += parts;
   });
   return count > 0.0 && std::isfinite(impact.time) ? sum / count : 1.0;
 }
