@@ -6,6 +6,7 @@ import checkpoint_cost
 import converge_parts
 import deck_table
 import extremes
+import feature_cost
 import fit_berea
 import front_page
 import off_costs
@@ -13,7 +14,9 @@ import predictions
 import scaling
 import scaling_model
 import solver_cost
+import step_cost
 import trade_page
+import wet_time
 from case_list import RESULTS
 from verification_pages import table
 
@@ -32,6 +35,7 @@ def checkpoint_times():
 
 
 PARTS = {
+    "arenisca_forms": feature_cost.stored_part,
     "berea_fit": fit_berea.stored_part,
     "checkpoint_cost.py": checkpoint_cost.stored_part,
     "checkpoint_times": checkpoint_times,
@@ -45,6 +49,8 @@ PARTS = {
     "pore_cost": pore_cost,
     "scaling.py": scaling.stored_part,
     "scaling_model.py": scaling_model.stored_part,
+    "step_cost.py": step_cost.stored_part,
+    "wet_time.py": wet_time.stored_part,
 }
 
 
@@ -55,4 +61,5 @@ def whole_pages():
         "trade.md": trade_page.page_of(json.loads((RESULTS / "trade.json").read_text())),
         "cost.md": predictions.stored_page(),
         "materials/arenisca_cost.md": solver_cost.stored_page(),
+        "materials/arenisca_forms_cost.md": feature_cost.stored_page(),
     }
