@@ -17,10 +17,10 @@ TEST(SymmetryPlanes, AreFacesOfTheGridThoseAcrossYLast) {
   ASSERT_EQ(planes.count, 2);
   EXPECT_EQ(planes.list[0].axis, 0);
   EXPECT_EQ(planes.list[0].node, 8);
-  EXPECT_TRUE(planes.list[0].is_behind(9));
-  EXPECT_FALSE(planes.list[0].is_behind(8));
+  EXPECT_TRUE(planes.list[0].is_behind(9, 0));
+  EXPECT_FALSE(planes.list[0].is_behind(8, 0));
   EXPECT_EQ(planes.list[1].axis, 1);
-  EXPECT_TRUE(planes.list[1].is_behind(-1));
+  EXPECT_TRUE(planes.list[1].is_behind(-1, 0));
   EXPECT_TRUE(planes.any_axial);
   EXPECT_TRUE(planes.holds(0, 8));
   EXPECT_FALSE(planes.holds(0, 0));
