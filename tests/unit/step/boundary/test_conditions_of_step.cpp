@@ -28,7 +28,7 @@ TEST(ConditionsOfStep, VelocitiesAreThoseOfTheMiddlesOfSteps) {
 TEST(ConditionsOfStep, HomogeneousOnesHoldTheSameNodesAtRest) {
   const NodeConditions of_scene = conditions_of(moving_wall(Mode::plane_strain));
   const NodeConditions zero = homogeneous(conditions_of_step(of_scene, {0.5, 0.25, 7}));
-  EXPECT_TRUE(zero.list[1].holds({5, 16, 0}));
+  EXPECT_TRUE(zero.list[1].holds({5, 16, 0}, 0));
   EXPECT_TRUE(zero.list[1].sets[1]);
   const PrescribedVelocities v = zero.over_step(0.5);
   EXPECT_EQ(v.before[1][1], 0.0);
