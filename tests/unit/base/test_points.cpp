@@ -59,8 +59,8 @@ TEST(Points, DoNotStoreSpareLanes) {
   for (int p = 0; p < 12; ++p) EXPECT_EQ(field(p), p >= 4 && p < 7 ? -1.0 : 10.0 * p) << p;
   store(Lanes{} - 2.0, field.values, 1, 1, lane_count);
   EXPECT_EQ(field(0, 1), 1.0);
-  EXPECT_EQ(field(8, 1), -2.0);
-  EXPECT_EQ(field(9, 1), 91.0);
+  EXPECT_EQ(field(lane_count, 1), -2.0);
+  EXPECT_EQ(field(lane_count + 1, 1), 10.0 * (lane_count + 1) + 1.0);
 }
 
 TEST(Points, DecideLaneByLane) {

@@ -13,6 +13,7 @@
 #include "deck/sections/output_section.hpp"
 #include "deck/sections/pore_flow_section.hpp"
 #include "deck/sections/quasi_static_section.hpp"
+#include "deck/sections/refinement_section.hpp"
 #include "deck/sections/shape_section.hpp"
 #include "deck/sections/step_section.hpp"
 #include "deck/sections/time_section.hpp"
@@ -87,6 +88,7 @@ using All = ::testing::Types<
     HeadSection,
     GridSpec,
     MaterialSection,
+    RefinedRegion,
     ShapeSection,
     BodySpec,
     MotionSpec,
@@ -159,11 +161,12 @@ void add_paths(const input::Section& section, const std::string& path, std::set<
   for (const input::Section& named : section.named) add_paths(named, path + "/*", all);
 }
 
-/// Of a body's entries those of its shape stand in the table of Shapes.
+/// Of the entries of bodies and refined regions those of their shapes stand in the table of Shapes.
 std::string table_path(const std::string& path, const ByFunction& tables) {
-  const std::string bodies = "Bodies/*/";
-  const bool body = path.rfind(bodies, 0) == 0;
-  return body && tables.count(path) == 0 ? "Shapes/*/" + path.substr(bodies.size()) : path;
+  for (const std::string shaped : {"Bodies/*/", "Refinement/*/"})
+    if (path.rfind(shaped, 0) == 0 && tables.count(path) == 0)
+      return "Shapes/*/" + path.substr(shaped.size());
+  return path;
 }
 
 TEST(Sections, EveryEntryOfTheSchemaIsBoundOrReadByANamedFunction) {
