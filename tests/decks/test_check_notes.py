@@ -16,7 +16,7 @@ from runs import DECKS, mpi_environment  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
 # Their jets still fly when they end.
-ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml"}
+ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml", "perforation_refined.xml"}
 EARLY = "ends the run before the jet stops"
 SLUG = "1x5:{{0, {velocity}, {radius}, 0.01, 17600}}"
 SLUGS = ("Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=7000, radius=0.002)}")
