@@ -3,6 +3,7 @@
 #include "barreno/models.hpp"
 #include "barreno/registry.hpp"
 #include "grid/partition.hpp"
+#include "scene/tile_levels.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/balance.hpp"
 #include "step/ranks/place_particles.hpp"
@@ -79,6 +80,13 @@ Scene impact_in_space() {
       200.0, 1500.0, 100.0};
   add_box(scene, "block", {0.0022, 0.0093, 0.0}, {0.0112, 0.0152, 0.0071}, 2);
   add_symmetry(scene, Face::z_lower);
+  return scene;
+}
+
+/// With cells half as wide where they meet, whose particles move on into larger ones.
+Scene impact_on_levels(Scene scene) {
+  const RefinedRegion region{"face", Box{{0.0, 0.014, 0.0}, {0.006, 0.018, 0.004}}, 1};
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, {region});
   return scene;
 }
 
@@ -187,6 +195,9 @@ TEST(SameAnswer, ShuffledParticlesGiveTheSameBitsWithEveryShapeFunction) {
     expect_same_when_shuffled(with_shape(impact(), decltype(shape)::word));
   });
 }
+TEST(SameAnswer, ShuffledParticlesGiveTheSameBitsOnLevels) {
+  expect_same_when_shuffled(impact_on_levels(impact()));
+}
 TEST(SameAnswer, ShuffledParticlesGiveTheSameBitsInRock) {
   expect_same_when_shuffled(impact_on_rock());
 }
@@ -221,6 +232,15 @@ TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithEveryShapeFunction) {
     expect_same_alone(with_shape(impact(), decltype(shape)::word));
     expect_same_alone(with_shape(impact_in_space(), decltype(shape)::word));
   });
+}
+TEST(SameAnswer, AnyRankCountGivesTheSameBitsOnLevelsWithEveryShapeFunction) {
+  for_each_shape([](auto shape) {
+    SCOPED_TRACE(decltype(shape)::word);
+    expect_same_alone(impact_on_levels(with_shape(impact(), decltype(shape)::word)));
+  });
+}
+TEST(SameAnswer, AnyRankCountGivesTheSameBitsOnLevelsInSpace) {
+  expect_same_alone(impact_on_levels(impact_in_space()));
 }
 /// Domains of several cells: patches that reach over more than one tile.
 TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithLargeDomains) {
@@ -283,6 +303,9 @@ void expect_same_when_moved(const Scene& scene) {
 }
 TEST(SameAnswer, AnotherDecompositionGivesTheSameBits) {
   expect_same_when_moved(impact());
+}
+TEST(SameAnswer, AnotherDecompositionGivesTheSameBitsOnLevels) {
+  expect_same_when_moved(impact_on_levels(impact()));
 }
 TEST(SameAnswer, AnotherDecompositionGivesTheSameBitsInSpace) {
   expect_same_when_moved(impact_in_space());
