@@ -17,6 +17,7 @@ std::string conflict_of(const Scene& scene) {
   if (scene.pore_flow.on()) return table_of<PoreFlowSpec>().path;
   if (scene.step.transfer == Transfer::xpic || scene.step.transfer == Transfer::apic)
     return "Step/Transfer = " + word_of(scene.step.transfer);
+  if (scene.step.shape == "linear") return path_of(&StepSpec::shape) + " = linear";
   if (scene.step.return_losses) return path_of(&StepSpec::return_losses);
   return {};
 }
