@@ -36,9 +36,9 @@ std::string box_text(const GridSpec& grid) {
 }
 
 std::string cells_text(const GridSpec& grid) {
-  const std::string largest = format("%g m", grid.cell_size);
-  if (finest_level(grid) == 0) return largest;
-  return largest + format(", refined to %g m", smallest_cell(grid));
+  std::string text = format("%g m", grid.cell_size);
+  if (finest_level(grid) > 0) text += format(", refined to %g m", smallest_cell(grid));
+  return text;
 }
 
 std::string material_lines(const Scene& scene) {

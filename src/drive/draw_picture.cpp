@@ -72,6 +72,7 @@ std::string find_python() {
 /// @param[out] problem  why it could not be started: an errno, or 0
 int run_program(std::vector<std::string> words, std::FILE* in, std::FILE* said, int& problem) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;

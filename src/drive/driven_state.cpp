@@ -20,6 +20,7 @@ std::vector<DrivenState> states_of(const std::vector<DrivenRow>& rows) {
 
 std::vector<DrivenState> states_of(const std::vector<MixedAnswer>& answers) {
   std::vector<DrivenState> states;
+  states.reserve(answers.size());
   for (const MixedAnswer& a : answers) states.push_back({a.time, a.strain, a.stress, a.history});
   return states;
 }

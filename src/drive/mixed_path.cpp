@@ -115,6 +115,15 @@ void take_cell(
   row.by_stress[component] = column >= 6;
 }
 
+std::string gives_neither(const std::string& component) {
+  return "gives neither strain_" + component + " nor stress_" + component +
+         " (a component is controlled by one of them); fill one of the two cells";
+}
+std::string leaves_empty(const std::string& column, const std::string& other) {
+  return "leaves " + column + " empty, and there is no column " + other +
+         " that could control the component instead; write a value, or add that column";
+}
+
 /// A component that has a column is given in every row: nothing is assumed about it.
 void check_taken(
     const MixedRow& row,
@@ -124,16 +133,13 @@ void check_taken(
 ) {
   for (const std::size_t column : columns) {
     if (column >= pore_pressure_column || taken[column % 6]) continue;
-    const std::string name = component_names[column % 6], own = all_columns()[column].name;
+    const std::string name = component_names[column % 6];
     const std::string other = (column < 6 ? "stress_" : "strain_") + name;
     const bool both = std::find(columns.begin(), columns.end(), (column + 6) % 12) != columns.end();
     input::refuse(
         source,
         "line " + std::to_string(row.line),
-        both ? "gives neither strain_" + name + " nor stress_" + name +
-                   " (a component is controlled by one of them); fill one of the two cells"
-             : "leaves " + own + " empty, and there is no column " + other +
-                   " that could control the component instead; write a value, or add that column"
+        both ? gives_neither(name) : leaves_empty(all_columns()[column].name, other)
     );
   }
 }

@@ -23,7 +23,7 @@ std::string text_of(const char* format, double x) {
 namespace {
 
 GridSpec read_grid(const Deck& deck) {
-  const auto grid = read_section<GridSpec>(deck);
+  auto grid = read_section<GridSpec>(deck);
   if (grid.mode == Mode::axisymmetric && grid.lower[0] < 0.0) {
     deck.refuse_value(
         path_of(&GridSpec::lower),

@@ -31,7 +31,7 @@ RefinedRegion read_region(const Deck& deck, const std::string& name, const Scene
 }
 
 RefinedRegion read_path(const Deck& deck, const Scene& scene) {
-  const RefinedRegion path = path_of_jet(scene.grid, scene.jet);
+  RefinedRegion path = path_of_jet(scene.grid, scene.jet);
   if (path.level > max_level) {
     deck.refuse_value(
         path_of(&JetSpec::cells_per_radius),

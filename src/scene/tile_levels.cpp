@@ -10,6 +10,12 @@
 namespace barreno {
 namespace {
 
+/// Of a tile of the box, x fastest.
+std::size_t index_of(const std::array<int, 3>& tiles, const std::array<int, 3>& at) {
+  const auto along = [](int n) { return static_cast<std::size_t>(n); };
+  return (along(at[2]) * along(tiles[1]) + along(at[1])) * along(tiles[0]) + along(at[0]);
+}
+
 /// visit(index of a tile of the box, its place) for all of them.
 template <class Visitor>
 void for_each_box_tile(const std::array<int, 3>& tiles, Visitor&& visit) {
@@ -44,8 +50,7 @@ int level_around(
   for (int z = from[2]; z <= to[2]; ++z)
     for (int y = from[1]; y <= to[1]; ++y)
       for (int x = from[0]; x <= to[0]; ++x)
-        most =
-            std::max<int>(most, level[static_cast<std::size_t>((z * tiles[1] + y) * tiles[0] + x)]);
+        most = std::max<int>(most, level[index_of(tiles, {x, y, z})]);
   return most;
 }
 
@@ -105,8 +110,7 @@ int level_at(const GridSpec& grid, const Vector& x) {
     const double tile = std::floor((x[d] - grid.lower[d]) / tile_size_of(grid));
     at[d] = static_cast<int>(std::clamp(tile, 0.0, tiles[d] - 1.0));
   }
-  return grid
-      .level_of_tile[static_cast<std::size_t>((at[2] * tiles[1] + at[1]) * tiles[0] + at[0])];
+  return grid.level_of_tile[index_of(tiles, at)];
 }
 
 GridSpec uniform_grid(const GridSpec& grid, int level) {

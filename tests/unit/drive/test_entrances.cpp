@@ -215,7 +215,7 @@ std::vector<Recorded> recorded_points(std::size_t count) {
     if (line.rfind("flows,", 0) != 0) continue;
     std::istringstream row(line.substr(6));
     double v[10];
-    char comma;
+    char comma = ',';
     for (double& value : v) row >> value >> comma;
     points.push_back(
         {{{v[0], v[1], v[2], v[3], 0.0, 0.0}, {v[4], v[5]}},

@@ -84,7 +84,9 @@ std::map<std::string, Curve> curves_of(const std::string& table) {
     std::getline(cells, section, ',');
     std::vector<double> values;
     while (std::getline(cells, number, ',')) values.push_back(std::stod(number));
-    Curve& curve = curves[state + " " + section];
+    std::string key = state;
+    key.append(" ").append(section);
+    Curve& curve = curves[key];
     curve.angle.push_back(values[1]);
     curve.I1.push_back(values[2]);
     curve.shear.push_back(values[3]);

@@ -97,7 +97,7 @@ TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
         EXPECT_NEAR(static_cast<double>(refined[i] / uniform[i]), 1.0, 1e-13);
     EXPECT_EQ(count_body_particles(scene.grid, body), std::llround(refined[3]));
     // The share counts areas, and particles belong to one tile each.
-    const double share = static_cast<double>(refined[3] / uniform[3]);
+    const auto share = static_cast<double>(refined[3] / uniform[3]);
     EXPECT_GT(share, 1.5);
     EXPECT_NEAR(refined_share(scene.grid, std::get<Box>(body.shape)) / share, 1.0, 0.2);
   }

@@ -40,7 +40,8 @@ TEST(Directions, AreTurnedByFractionsOfTheSpread) {
   for (int k = 1; k <= Directions<2>::turned; ++k) {
     double out[2];
     directions.find(n, k, out);
-    const double angle = 0.1 * ((k - 1) / 2 + 1);
+    const int turn = (k + 1) / 2;
+    const double angle = 0.1 * turn;
     EXPECT_NEAR(std::atan2(out[1], out[0]), k % 2 == 1 ? angle : -angle, 1e-15);
   }
 }
