@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/awake_share.hpp"
 
+#include "output/depth.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/dormant.hpp"
 #include "scene/porous.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <barreno/models.hpp>
 #include <cmath>
-#include <limits>
 #include <variant>
 
 namespace barreno {
@@ -51,23 +51,6 @@ GridSpec coarse_grid(const Scene& scene) {
   return grid;
 }
 
-struct Impact {
-  double y, time;
-};
-/// Where and when the first slug meets a body on its axis.
-Impact impact_of(const Scene& scene, const GridSpec& grid) {
-  const JetSpec& jet = scene.jet;
-  const JetSlug& slug = jet.slugs.front();
-  const double beside = std::max(slug.radius, grid.cell_size);
-  double way = std::numeric_limits<double>::infinity();
-  for (const BodySpec& body : scene.bodies)
-    for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
-      const double ahead = jet.direction * (p.x[1] - jet.launch_position);
-      if (std::hypot(p.x[0], p.x[2]) < beside && ahead > 0.0) way = std::min(way, ahead);
-    });
-  return {jet.launch_position + jet.direction * way, slug.time + way / slug.velocity};
-}
-
 }  // namespace
 
 double awake_share(const Scene& scene, const BodySpec& body, double dt) {
@@ -75,21 +58,25 @@ double awake_share(const Scene& scene, const BodySpec& body, double dt) {
                       std::all_of(scene.bodies.begin(), scene.bodies.end(), starts_at_rest);
   if (!by_jet || !scene.step.skip_dormant || !why_all_awake(scene).empty()) return 1.0;
   const GridSpec grid = coarse_grid(scene);
-  const Impact impact = impact_of(scene, grid);
+  const JetPath path = jet_path(scene);
+  if (!path.has_target) return 1.0;
+  const JetSlug& first = scene.jet.slugs.front();
+  const double way = path.depth(path.face) - path.depth(scene.jet.launch_position);
+  const double impact = first.time + way / first.velocity;
   double front = front_per_wave(scene.grid.mode) * wave_speed(scene, body);
   // Where any motion wakes a tile, the grid carries it by a cell in a step.
   if (rest_motion(scene) == 0.0) front = std::max(front, scene.grid.cell_size / dt);
   const double tile = tile_cells(dimensions(scene.grid.mode)) * scene.grid.cell_size;
   double sum = 0.0, count = 0.0;
   for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
-    const double distance = std::hypot(p.x[0], p.x[1] - impact.y, p.x[2]);
-    const double arrival = impact.time + std::max(0.0, distance - tile) / front;
+    const double distance = std::hypot(p.x[0], p.x[1] - path.face, p.x[2]);
+    const double arrival = impact + std::max(0.0, distance - tile) / front;
     // Of so many particles, where cells are refined.
     const double parts = std::pow(2.0, dimensions(grid.mode) * level_at(scene.grid, p.x));
     sum += parts * std::clamp(1.0 - arrival / scene.end_time, 0.0, 1.0);
     count += parts;
   });
-  return count > 0.0 && std::isfinite(impact.time) ? sum / count : 1.0;
+  return count > 0.0 ? sum / count : 1.0;
 }
 
 }  // namespace barreno

@@ -63,7 +63,7 @@ RefinedRegion path_of_jet(const GridSpec& grid, const JetSpec& jet) {
     path.lower[across] = std::max(path.lower[across], -path_radius * widest);
     path.upper[across] = std::min(path.upper[across], path_radius * widest);
   }
-  return {"path of the jet", path, static_cast<int>(std::min(halvings, 100.0))};
+  return {path, static_cast<int>(std::min(halvings, 100.0))};
 }
 
 double cell_size_of_path(const Scene& scene) {

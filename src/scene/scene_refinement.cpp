@@ -25,7 +25,6 @@ std::string conflict_of(const Scene& scene) {
 RefinedRegion read_region(const Deck& deck, const std::string& name, const Scene& scene) {
   const std::string path = list_of<RefinedRegion>(name);
   auto region = read_list<RefinedRegion>(deck, path);
-  region.name = name;
   region.shape = read_shape(deck, path, scene.grid.mode);
   return region;
 }

@@ -108,8 +108,7 @@ const SectionTable<MotionSpec>& table_of<MotionSpec>() {
 input::Section bodies_section() {
   Section bodies = section_of<BodySpec>();
   std::vector<Entry>& entries = bodies.named.front().entries;
-  std::vector<Entry> shape = entries_of<ShapeSection>();
-  shape.front() = shape.front().by_default(word_of(ShapeSection{}.word));
+  const std::vector<Entry> shape = shape_entries();
   entries.insert(entries.begin() + 1, shape.begin(), shape.end());
   const std::vector<Entry> motion = entries_of<MotionSpec>();
   entries.insert(entries.end(), motion.begin(), motion.end());

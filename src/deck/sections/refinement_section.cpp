@@ -36,8 +36,7 @@ const SectionTable<RefinedRegion>& table_of<RefinedRegion>() {
 input::Section refinement_section() {
   Section refinement = section_of<RefinedRegion>();
   std::vector<Entry>& entries = refinement.named.front().entries;
-  std::vector<Entry> shape = entries_of<ShapeSection>();
-  shape.front() = shape.front().by_default(word_of(ShapeSection{}.word));
+  const std::vector<Entry> shape = shape_entries();
   entries.insert(entries.begin(), shape.begin(), shape.end());
   return refinement;
 }

@@ -5,13 +5,11 @@
 #include "geometry/shape.hpp"
 
 #include <barreno/input/schema.hpp>
-#include <string>
 
 namespace barreno {
 
 /// A region of the grid whose cells are smaller.
 struct RefinedRegion {
-  std::string name;
   Shape shape;
   int level = 1;  ///< its cells are Cell Size / 2^level wide
 };

@@ -157,4 +157,10 @@ const SectionTable<ShapeSection>& table_of<ShapeSection>() {
   return table;
 }
 
+std::vector<input::Entry> shape_entries() {
+  std::vector<input::Entry> entries = entries_of<ShapeSection>();
+  entries.front() = entries.front().by_default(word_of(ShapeSection{}.word));
+  return entries;
+}
+
 }  // namespace barreno

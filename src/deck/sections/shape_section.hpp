@@ -5,6 +5,7 @@
 #include "deck/words.hpp"
 #include "geometry/shape.hpp"
 
+#include <barreno/input/schema.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,5 +57,8 @@ struct ShapeSection {
 };
 template <>
 const SectionTable<ShapeSection>& table_of<ShapeSection>();
+
+/// The entries of a shape for lists that hold more than that, where Shape may be left out.
+std::vector<input::Entry> shape_entries();
 
 }  // namespace barreno

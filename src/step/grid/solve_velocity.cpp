@@ -232,6 +232,8 @@ struct SolveVelocity {
     const TilePosition at = tile_frame(tile).position;
     const double dt = tile_frame(tile).dt;
     const double share = rule.grid_share(dt);
+    const unsigned char* const taken =
+        at.level > 0 ? &from_parent(tile * patch.size + row) : nullptr;
     NodePlace place{{}, at.level};
     for (int d = 0; d < 3; ++d) place.index[d] = at[d] * patch.tile_cells - patch.reach;
     place.index[1] += y;
@@ -240,7 +242,7 @@ struct SolveVelocity {
     for (int x = 0; x < patch.nodes; ++x, ++place.index[0]) {
       const double* const node = total + x * sum_components;
       double* const out = moved + x * motion_components(dimensions);
-      if (from_parent.extent(0) > 0 && from_parent(tile * patch.size + row + x) != 0) {
+      if (taken != nullptr && taken[x] != 0) {
         take_from_parent(tile, row + x, out);
         continue;
       }

@@ -30,7 +30,7 @@ double tile_of(Mode mode) {
 }
 RefinedRegion corner_region(Mode mode, int level) {
   const double tile = tile_of(mode);
-  return {"corner", Box{{}, {0.5 * tile, 0.5 * tile, 0.5 * tile}}, level};
+  return {Box{{}, {0.5 * tile, 0.5 * tile, 0.5 * tile}}, level};
 }
 
 TEST(TileLevels, NeighboursDifferByOneCornersIncluded) {
@@ -51,7 +51,7 @@ TEST(TileLevels, NeighboursDifferByOneCornersIncluded) {
 TEST(TileLevels, TheFinestOfTwoRegionsCounts) {
   Scene scene = scene_of(Mode::plane_strain);
   const double tile = tile_of(Mode::plane_strain);
-  const RefinedRegion all{"all", Box{{}, {6 * tile, 6 * tile, 0.0}}, 1};
+  const RefinedRegion all{Box{{}, {6 * tile, 6 * tile, 0.0}}, 1};
   scene.grid.level_of_tile =
       find_tile_levels(scene.grid, {corner_region(Mode::plane_strain, 2), all});
   EXPECT_EQ(level_at(scene.grid, {0.0, 0.0, 0.0}), 2);
@@ -61,7 +61,7 @@ TEST(TileLevels, TheFinestOfTwoRegionsCounts) {
 TEST(TileLevels, ARegionThatOnlyTouchesATileLeavesIt) {
   const Scene scene = scene_of(Mode::plane_strain);
   const double tile = tile_of(Mode::plane_strain);
-  const RefinedRegion region{"one", Box{{tile, tile, 0.0}, {2 * tile, 2 * tile, 0.0}}, 1};
+  const RefinedRegion region{Box{{tile, tile, 0.0}, {2 * tile, 2 * tile, 0.0}}, 1};
   const auto levels = find_tile_levels(scene.grid, {region});
   EXPECT_EQ(std::count(levels.begin(), levels.end(), 1), 1);
   EXPECT_EQ(levels[7], 1);
@@ -121,7 +121,7 @@ TEST(JetPath, IsRefinedForTheThinnestSlug) {
   EXPECT_EQ(cell_size_of_path(scene), 0.25e-3);
   EXPECT_EQ(grid_of_jet(scene.grid, jet).cell_size, 0.25e-3);
   // Where only a part of the path is refined, its largest cells count.
-  scene.grid.level_of_tile = find_tile_levels(scene.grid, {{"gun", Box{{}, {8e-3, 8e-3, 0.0}}, 2}});
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, {{Box{{}, {8e-3, 8e-3, 0.0}}, 2}});
   EXPECT_EQ(cell_size_of_path(scene), 1e-3);
 }
 

@@ -30,7 +30,7 @@ using testing::box_scene;
 using testing::start;
 
 void refine(Scene& scene, const Box& box, int level) {
-  scene.grid.level_of_tile = find_tile_levels(scene.grid, {{"region", box, level}});
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, {{box, level}});
 }
 
 /// Bodies are that wide: in space a third of what they are in the plane, to save time.

@@ -85,7 +85,7 @@ Scene impact_in_space() {
 
 /// With cells half as wide where they meet, whose particles move on into larger ones.
 Scene impact_on_levels(Scene scene) {
-  const RefinedRegion region{"face", Box{{0.0, 0.014, 0.0}, {0.006, 0.018, 0.004}}, 1};
+  const RefinedRegion region{Box{{0.0, 0.014, 0.0}, {0.006, 0.018, 0.004}}, 1};
   scene.grid.level_of_tile = find_tile_levels(scene.grid, {region});
   return scene;
 }

@@ -21,8 +21,7 @@ struct TwoTiles {
             Mode::plane_strain, 1.0, {}, {16.0, 8.0, 0.0}, testing::elastic(70e9, 0.3, 2700.0)
         )) {
     testing::add_box(scene, "all", {}, {16.0, 8.0, 0.0}, 2);
-    scene.grid.level_of_tile =
-        find_tile_levels(scene.grid, {{"left", Box{{}, {8.0, 8.0, 0.0}}, 1}});
+    scene.grid.level_of_tile = find_tile_levels(scene.grid, {{Box{{}, {8.0, 8.0, 0.0}}, 1}});
     state = testing::start_alone(scene);
     prepare_step(scene, 1.0, state);
     clear_nodes(state.grid, state.nodes[0]);
