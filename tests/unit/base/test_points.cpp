@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/field.hpp"
 #include "base/launch.hpp"
-#include "base/pack.hpp"
 #include "base/points.hpp"
 #include "base/types.hpp"
 
@@ -68,19 +67,6 @@ TEST(Points, DecideLaneByLane) {
   for (int i = 0; i < lane_count; ++i) EXPECT_EQ(entry(odd, i), i % 2 == 1 ? -1 : 0);
 }
 #endif
-
-TEST(Pack, AddsScalesAndSelectsEntries) {
-  alignas(32) double values[8] = {1, 2, 3, 4, 10, 20, 30, 40};
-  Pack<4>* const packs = as_packs<4>(values);
-  packs[0] += 0.5 * packs[1];
-  EXPECT_EQ(values[0], 6.0);
-  EXPECT_EQ(values[3], 24.0);
-  EXPECT_EQ(values[4], 10.0);
-  const double* const read = values;
-  const Pack<4> turned = select<3, 0, 1, 2>(as_packs<4>(read)[1]);
-  EXPECT_EQ(turned[0], 40.0);
-  EXPECT_EQ(turned[3], 30.0);
-}
 
 struct Doubling {
   ArrayView<double> values;
