@@ -82,7 +82,8 @@ struct BoxTiles {
 struct TileFrame {
   TilePosition position;
   double cell_size = 0.0;  ///< [length]
-  double dt = 0.0;         ///< of the step that is taken [time]
+  double dt = 0.0;         ///< of the step that its particles take [time]
+  double part = 0.0;  ///< what of it its nodes take at once; all of it without Subcycling [time]
 };
 
 /// Cells are stored in square (3D: cubic) tiles, and only tiles that hold particles exist.

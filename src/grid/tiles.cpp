@@ -158,7 +158,7 @@ void enter_tiles(const std::vector<int>& local, const Grid& grid) {
   const auto frame = Kokkos::create_mirror_view(grid.tile_frame);
   for (std::size_t t = 0; t < local.size(); ++t) {
     const TilePosition at = grid.box.position(local[t]);
-    frame(t) = {at, grid.cell_size / (1 << at.level), 0.0};
+    frame(t) = {at, grid.cell_size / (1 << at.level), 0.0, 0.0};
   }
   Kokkos::deep_copy(grid.tile_frame, frame);
   const auto directory = Kokkos::create_mirror_view(grid.directory);
@@ -239,12 +239,21 @@ void activate_tiles(Grid& grid, const std::vector<int>& owned) {
   find_parents(grid);
 }
 
+void set_part_of_steps(const Grid& grid, double dt) {
+  const ArrayView<TileFrame> frame = grid.tile_frame;
+  launch(
+      "set_part_of_steps",
+      RowPolicy(0, grid.active + grid.ghosts),
+      KOKKOS_LAMBDA(const int tile) { frame(tile).part = dt; }
+  );
+}
+
 void set_tile_steps(const Grid& grid, double dt) {
   const ArrayView<TileFrame> frame = grid.tile_frame;
   launch(
       "set_tile_steps",
       RowPolicy(0, grid.active + grid.ghosts),
-      KOKKOS_LAMBDA(const int tile) { frame(tile).dt = dt; }
+      KOKKOS_LAMBDA(const int tile) { frame(tile).dt = frame(tile).part = dt; }
   );
 }
 

@@ -25,4 +25,7 @@ void activate_tiles(Grid& grid, const std::vector<int>& owned);
 /// The step that the tiles take next (TileFrame::dt), those of other ranks included [time].
 void set_tile_steps(const Grid& grid, double dt);
 
+/// What of its step every tile takes at once (TileFrame::part).
+void set_part_of_steps(const Grid& grid, double dt);
+
 }  // namespace barreno

@@ -147,6 +147,7 @@ Scene build_scene(const Deck& deck) {
   add_quasi_static(deck, scene);
   check_returned_losses(deck, scene);
   check_refinement(deck, scene);
+  check_subcycles(deck, scene);
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse(
         table_of<BodySpec>().path,

@@ -17,6 +17,7 @@ void add_bodies(const Deck& deck, Scene& scene);
 void add_refinement(const Deck& deck, Scene& scene);
 /// After all else: refuses what does not work across levels.
 void check_refinement(const Deck& deck, const Scene& scene);
+void check_subcycles(const Deck& deck, const Scene& scene);
 void add_conditions(const Deck& deck, Scene& scene);
 void add_loads(const Deck& deck, Scene& scene);
 void add_confinement(const Deck& deck, Scene& scene);

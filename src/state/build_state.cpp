@@ -154,7 +154,8 @@ Dormancy make_dormancy(const Scene& scene) {
   Dormancy dormancy;
   dormancy.motion = rest_motion(scene);
   dormancy.skip = scene.step.skip_dormant;
-  dormancy.on = why_all_awake(scene).empty() && (dormancy.skip || dormancy.motion > 0.0);
+  const bool used = dormancy.skip || dormancy.motion > 0.0 || scene.step.subcycles > 1;
+  dormancy.on = why_all_awake(scene).empty() && used;
   return dormancy;
 }
 
@@ -369,6 +370,7 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
   state.reactions = reactions_of(scene, state.fields);
   state.pore_flow.on = scene.pore_flow.on();
   state.dormancy = make_dormancy(scene);
+  state.subcycling.most = state.dormancy.on ? scene.step.subcycles : 1;
   state.loads = make_load_table(scene);
   state.conditions = make_node_conditions(scene.conditions, state.grid);
   state.rigid_motions = make_rigid_motions(scene.bodies, state.fields);

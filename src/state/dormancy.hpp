@@ -7,6 +7,9 @@
 
 namespace barreno {
 
+/// Why a step leaves a tile's particles as they are.
+enum Stay : unsigned char { moves, is_dormant_tile, is_in_its_step };
+
 /// Dormant tiles, whose particles a step leaves as they are; all others are awake. Which tiles are
 /// dormant follows from the particles and the motion of the nodes anew in every step, so that it is
 /// the same on any ranks. Arrays by own tile. docs/method.md 9
@@ -17,6 +20,7 @@ struct Dormancy {
   ArrayView<unsigned char> candidate;   ///< its particles have no velocity (9.1)
   ArrayView<unsigned char> motionless;  ///< none of its nodes moves, of candidates (9.2)
   ArrayView<unsigned char> dormant;     ///< both
+  ArrayView<unsigned char> stays;       ///< of Stay: its particles are left as they are
   ArrayView<int> rows;                  ///< its particles
   ArrayView<int>
       summed_rows;  ///< particles that its sums of the last step belong to; 0: sum afresh
@@ -28,6 +32,8 @@ struct Dormancy {
   int skipped_rows = 0;  ///< particles that the last step skipped on this rank
 
   KOKKOS_INLINE_FUNCTION bool is_dormant(int tile) const { return on && dormant(tile) != 0; }
+  /// Dormant, or within its own step (Subcycling).
+  KOKKOS_INLINE_FUNCTION bool is_left(int tile) const { return on && stays(tile) != moves; }
 };
 
 }  // namespace barreno

@@ -32,11 +32,18 @@ KOKKOS_INLINE_FUNCTION std::size_t first_motion(const Patch& patch, int tile) {
          static_cast<std::size_t>(patch.size * motion_components(patch.dimensions));
 }
 
+/// Whether a tile's particles give their sums anew.
+enum SumsKept : unsigned char {
+  sums_afresh,   ///< they do
+  sums_as_were,  ///< those of the step before still hold
+  sums_gaining   ///< its step goes on (Subcycling): momenta follow the motion of the nodes
+};
+
 /// Of one velocity field (scene/velocity_fields.hpp).
 struct Nodes {
   ArrayView<double>
       sums;  ///< own tiles, then ghosts; partial until solve_velocity adds the overlaps
-  ArrayView<unsigned char> sums_kept;  ///< by own tile: 1 if its sums of the step before still hold
+  ArrayView<unsigned char> sums_kept;  ///< by own tile, of SumsKept; empty: none keeps them
   ArrayView<double> motion;            ///< own tiles only
   ArrayView<double> tally;             ///< energy and impulse of each tile over the step, scratch
   ArrayView<double> mirrored;  ///< by own tile: momentum and force along y that its particles gave
@@ -44,7 +51,7 @@ struct Nodes {
   ArrayView<double> impulse;   ///< of contact, in shared tiles (ContactNodes); empty without it
 
   KOKKOS_INLINE_FUNCTION bool keeps_sums(int tile) const {
-    return sums_kept.extent(0) > 0 && sums_kept(tile) != 0;
+    return sums_kept.extent(0) > 0 && sums_kept(tile) != sums_afresh;
   }
 };
 

@@ -152,6 +152,7 @@ int list_moves(const Particles& particles, int left) {
 }  // namespace
 
 void remove_marked_rows(Particles& particles, int marked) {
+  particles.settled_chunks = 0;
   if (marked == 0) return;
   const int count = particles.count;
   const ArrayView<int> order = particles.order;
@@ -184,6 +185,7 @@ void remove_marked_rows(Particles& particles, int marked) {
 }
 
 void permute_rows(Particles& particles) {
+  particles.settled_chunks = 0;
   const RowPolicy rows = range(particles.count);
   const ArrayView<int> order = particles.order;
   const auto permute = [&](const auto& values, const auto& spare) {

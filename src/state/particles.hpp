@@ -101,7 +101,11 @@ struct Particles {
   ArrayView<int> order;                 ///< rows sorted by (key, id)
   ArrayView<int> cell_begin, cell_end;  ///< scratch of the sort
   ArrayView<unsigned char> chunk_part;  ///< ChunkPart of each chunk of rows
-  ArrayView<unsigned char> dormant;     ///< 1 for rows of dormant tiles
+  /// So many chunks from the first on still have the rows, and these the keys, that `chunk_part`
+  /// was found for: those of which the step left all rows as they were need not be looked for
+  /// again.
+  int settled_chunks = 0;
+  ArrayView<unsigned char> dormant;  ///< 1 for rows of dormant tiles
   ArrayView<int> tile_begin;  ///< order[tile_begin[t] .. tile_begin[t+1]) are the rows in tile t
 
   /// Every field that is state: migration, restart, output and the finiteness audit walk this one

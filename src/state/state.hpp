@@ -17,6 +17,7 @@
 #include "state/pore_flow_state.hpp"
 #include "state/reaction.hpp"
 #include "state/rigid_motions.hpp"
+#include "state/subcycling.hpp"
 
 #include <limits>
 #include <vector>
@@ -42,6 +43,7 @@ struct State {
   double stable_step =
       std::numeric_limits<double>::infinity();  ///< of this rank, by the last stress update [time]
   Dormancy dormancy;
+  Subcycling subcycling;
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
   double skipped_steps = 0.0;   ///< of those that were left as they were
   Effort effort;

@@ -11,6 +11,8 @@
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/prepare_step.hpp"
 #include "step/solve_motion.hpp"
+#include "step/subcycle/tile_steps.hpp"
+#include "step/take_parts.hpp"
 #include "step/tally_step.hpp"
 #include "step/transfer/filter_velocity.hpp"
 #include "step/transfer/gather_affine.hpp"
@@ -42,9 +44,14 @@ FilterRule filter_rule(const Scene& scene, const State& state) {
 /// From forces to the velocity of the step, which every order of the step has in the middle.
 void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTally& tally) {
   const SymmetryPlanes symmetry(scene.conditions, state.grid);
-  set_tile_steps(state.grid, dt);
+  start_tile_steps(state.grid, dt, state.subcycling);
   find_dormant_candidates(
-      state.grid, state.particles, state.dormancy, state.nodes.front(), state.effort
+      state.grid,
+      state.particles,
+      state.subcycling,
+      state.dormancy,
+      state.nodes.front(),
+      state.effort
   );  // which may keep their sums
   project_sets(state.grid, state.particles, state.nodes, state.effort);  // m, p, f  (2.1-2.3)
   apply_loads(scene, state);                               // pressures, body force    (2.4)
@@ -103,28 +110,41 @@ void step_usf(const Scene& scene, double& dt, State& state, StepTally& tally, St
   accelerate_and_move_sets(set_update(scene, state), tally);
 }
 
-}  // namespace
-
-StepResult advance(const Scene& scene, double next_time, State& state) {
-  const Region region("advance");
-  const StepStart start = prepare_step(scene, next_time, state);  // cells, ranks, jet; dt
-  double dt = start.dt;
+/// All of a step, or one of the parts of Subcycling, in which all nodes move and the particles of
+/// tiles that end their own steps.
+void take_part(const Scene& scene, double next_time, double& dt, State& state, StepResult& result) {
   StepTally tally;
-  StepResult result;
-  result.interrupt = start.interrupt;
   const auto step = scene.step.order == Order::stress_last            ? step_usl
                     : scene.step.order == Order::modified_stress_last ? step_musl
                                                                       : step_usf;
   step(scene, dt, state, tally, result);
   Clock& clock = state.clock;
   move_rigid_sets(state.rigid_motions, clock.time, state.grid, state.particles, tally);
-  tally_step(tally, state.ledger, state.reactions);  // energy and momentum, term by term
   agree_on_failure(scene.materials, *state.grid.comm, result);
-
-  tally_particle_steps(state.particles, state.dormancy, state.particle_steps, state.skipped_steps);
+  if (goes_on(state.subcycling)) end_or_carry_steps(scene, dt, state, tally, result);
+  tally_step(tally, state.ledger, state.reactions);  // energy and momentum, term by term
+  tally_particle_steps(
+      state.particles, state.dormancy, state.subcycling, state.particle_steps, state.skipped_steps
+  );
   state.stable_step = std::min(tally.stress.stable_step, state.dormancy.stable_step);
   const double left = next_time - clock.time;
-  clock = {dt >= left ? next_time : clock.time + dt, dt, clock.step + 1};
+  clock = {dt >= left ? next_time : clock.time + dt, dt, clock.step};
+}
+
+}  // namespace
+
+StepResult advance(const Scene& scene, double next_time, State& state) {
+  const Region region("advance");
+  const StepStart start = prepare_step(scene, next_time, state);  // cells, ranks, jet; dt
+  StepResult result;
+  result.interrupt = start.interrupt;
+  double dt = start.dt;
+  take_part(scene, next_time, dt, state, result);
+  while (goes_on(state.subcycling)) {
+    prepare_next_part(state);
+    take_part(scene, next_time, dt, state, result);
+  }
+  ++state.clock.step;
   result.not_drained = drain_pore_fluid(scene, dt, state);  // (7)
   return result;
 }

@@ -6,6 +6,7 @@
 #include "step/ranks/balance_load.hpp"
 #include "step/ranks/place_particles.hpp"
 #include "step/stable_step.hpp"
+#include "step/subcycle/plan_subcycles.hpp"
 #include "step/transfer/start_affine.hpp"
 
 #include <algorithm>
@@ -48,6 +49,9 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   const double dt = next_step(scene.step, clock, next_time, with_fluids);
   place_particles(placement, clock.step, grid, sets, ledger, effort);  // ranks, tiles, order
   if (clock.step == 0) start_affine(grid, sets);                       // APIC
+  // The first step settles what materials make of their initial states: together.
+  const double left = clock.step == 0 ? 0.0 : next_time - clock.time;
+  plan_subcycles(scene.step, grid, sets, state.dormancy, dt, left, state.subcycling);
   return {dt, placement.interrupt};
 }
 

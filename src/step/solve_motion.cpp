@@ -6,6 +6,7 @@
 #include "step/boundary/conditions_of_step.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/grid/solve_velocity.hpp"
+#include "step/subcycle/tile_steps.hpp"
 #include "step/transfer/interpolate_motion.hpp"
 
 #include <algorithm>
@@ -52,8 +53,9 @@ GridTally solve_fields(
   for (std::size_t f = 0; f < state.nodes.size(); ++f) {
     if (state.fields.rigid_body[f] >= 0) continue;
     Nodes& nodes = state.nodes[f];
-    GridTally part =
-        solve_velocity(state.grid, rule, {state.contact.shared_tile, state.dormancy}, nodes);
+    GridTally part = solve_velocity(
+        state.grid, rule, {state.contact.shared_tile, state.dormancy, state.subcycling}, nodes
+    );
     apply_symmetry_to_velocities(symmetry, state.grid, rule.grid_share, nodes, part);
     add(part, tally);
   }
@@ -61,27 +63,52 @@ GridTally solve_fields(
   return tally;
 }
 
+/// What the motion of the nodes does to the particles of tiles whose steps end.
+/// @return the largest |D| dt of any particle on any rank [-]
+double move_with_nodes(const Scene& scene, State& state) {
+  find_dormant_tiles(
+      scene.step, state.clock, state.grid, state.particles, state.subcycling, state.dormancy
+  );
+  std::array<double, 1> strain{0.0};
+  const Stopwatch watch;
+  for (Particles& particles : state.particles) {
+    if (particles.rigid) continue;
+    const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
+    const double of_set =
+        interpolate_motion(state.grid, state.dormancy, state.subcycling, nodes, particles);
+    strain[0] = std::max(strain[0], of_set);
+  }
+  state.effort.node_seconds += watch.seconds();
+  max_over_ranks(*state.grid.comm, strain);
+  return strain[0];
+}
+
+/// A smaller step, or a smaller part of one, with which all tiles then end their steps.
+void set_smaller_step(double dt, State& state) {
+  if (state.subcycling.on())
+    set_part_of_steps(state.grid, dt);
+  else
+    set_tile_steps(state.grid, dt);
+  state.subcycling.ends_all = true;
+  state.ledger.retried_steps += 1.0;
+}
+
 }  // namespace
 
 void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally) {
   for (int retry = 0;; ++retry) {
     tally.grid = solve_fields(scene, state.clock, scene.step.damping, state, tally.rigid);
-    find_dormant_tiles(scene.step, state.clock, state.grid, state.particles, state.dormancy);
-    std::array<double, 1> strain{0.0};
-    const Stopwatch watch;
-    for (Particles& particles : state.particles) {
-      if (particles.rigid) continue;
-      const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
-      strain[0] =
-          std::max(strain[0], interpolate_motion(state.grid, state.dormancy, nodes, particles));
-    }
-    state.effort.node_seconds += watch.seconds();
-    max_over_ranks(*state.grid.comm, strain);
-    if (!(strain[0] > scene.step.largest_strain) || retry == max_retries) return;
-    dt *= std::max(0.25, 0.8 * scene.step.largest_strain / strain[0]);
-    set_tile_steps(state.grid, dt);
-    state.ledger.retried_steps += 1.0;
+    end_tile_steps(state.grid, dt, state.nodes.front(), state.subcycling);
+    const double strain = move_with_nodes(scene, state);
+    if (!(strain > scene.step.largest_strain) || retry == max_retries) return;
+    dt *= std::max(0.25, 0.8 * scene.step.largest_strain / strain);
+    set_smaller_step(dt, state);
   }
+}
+
+void move_other_tiles(const Scene& scene, double dt, State& state) {
+  end_other_tile_steps(state.grid, dt, state.nodes.front(), state.subcycling);
+  move_with_nodes(scene, state);
 }
 
 void solve_strain(const Scene& scene, const Clock& clock, State& state) {
@@ -93,7 +120,7 @@ void solve_strain(const Scene& scene, const Clock& clock, State& state) {
     const Nodes& nodes = state.nodes[static_cast<std::size_t>(particles.field)];
     Particles asking = particles;  // views of the same rows, but for the motion of the step
     asking.grid_motion = particles.second_pass_motion;
-    interpolate_motion(state.grid, state.dormancy, nodes, asking);
+    interpolate_motion(state.grid, state.dormancy, state.subcycling, nodes, asking);
   }
   state.effort.node_seconds += watch.seconds();
 }

@@ -15,6 +15,12 @@ namespace barreno {
 /// @post particles.grid_motion and particles.increment; tally.grid and tally.rigid
 void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally);
 
+/// The same for tiles that the part of a step has left within their own steps, which end with it
+/// (Subcycling).
+///
+/// @param dt  of the part [time]
+void move_other_tiles(const Scene& scene, double dt, State& state);
+
 /// The strain alone, from the momenta that the nodes hold without any forces. docs/method.md (2.11)
 ///
 /// @pre  as above, sums without forces (drop_forces)

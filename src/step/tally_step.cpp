@@ -49,13 +49,14 @@ void tally_step(const StepTally& tally, OwnLedger& ledger, std::vector<Reaction>
 void tally_particle_steps(
     const std::vector<Particles>& sets,
     const Dormancy& dormancy,
+    const Subcycling& subcycling,
     double& particle_steps,
     double& skipped_steps
 ) {
   for (const Particles& particles : sets)
     if (!particles.rigid) particle_steps += particles.count;
   particle_steps -= dormancy.skipped_rows;
-  skipped_steps += dormancy.skipped_rows;
+  if (!goes_on(subcycling)) skipped_steps += dormancy.skipped_rows;
 }
 
 }  // namespace barreno

@@ -24,10 +24,12 @@ struct StepTally {
 /// Each term where it arises; see Ledger.
 void tally_step(const StepTally& tally, OwnLedger& ledger, std::vector<Reaction>& reactions);
 
-/// Particles that the step has advanced, and those that it has skipped (Dormancy).
+/// Particles that the step has advanced, or a part of it, and those that all of it has skipped
+/// (Dormancy).
 void tally_particle_steps(
     const std::vector<Particles>& sets,
     const Dormancy& dormancy,
+    const Subcycling& subcycling,
     double& particle_steps,
     double& skipped_steps
 );

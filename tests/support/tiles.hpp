@@ -67,7 +67,7 @@ inline void set_motion(const State& state, const Vector& velocity, const Vector&
 
 /// The step of one tile (TileFrame::dt).
 inline void set_tile_step(const Grid& grid, int tile, double dt) {
-  grid.tile_frame(tile).dt = dt;
+  grid.tile_frame(tile).dt = grid.tile_frame(tile).part = dt;
 }
 
 }  // namespace barreno::testing

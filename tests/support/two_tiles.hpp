@@ -28,7 +28,7 @@ inline State start_in_tiles(const Scene& scene) {
 /// Cell size and step of one tile, which refined tiles and steps of their own will differ in.
 inline void set_frame(const Grid& grid, int tile, double cell_size, double dt) {
   grid.tile_frame(tile).cell_size = cell_size;
-  grid.tile_frame(tile).dt = dt;
+  grid.tile_frame(tile).dt = grid.tile_frame(tile).part = dt;
 }
 
 /// The one row of a tile, of bodies of one particle.

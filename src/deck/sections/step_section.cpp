@@ -149,6 +149,13 @@ Entries<StepSpec> remaining_entries() {
           "particles at rest where no node moves are skipped, where the scene allows it (`barreno "
           "check` says why not)"
       ),
+      defaulted(
+          &StepSpec::subcycles,
+          "Subcycles",
+          between(1, 16),
+          "a power of two: tiles whose particles bear it take steps up to so many times as long as "
+          "the smallest; 1: all take the smallest"
+      ),
       if_given(
           &StepSpec::rest_motion,
           "Rest Motion",

@@ -54,6 +54,7 @@ struct StepSpec {
   double quadratic_viscosity = 2.0;   ///< A2
   double initial_step = 0.0;          ///< 0: the stable step [time]
   double largest_step = 0.0;          ///< 0: no limit [time]
+  int subcycles = 1;                  ///< Subcycling::most
   bool return_losses = false;         ///< losses of a step become heat (scene/heat.hpp)
   bool skip_dormant = true;           ///< tiles at rest (scene/dormant.hpp)
   std::optional<double> rest_motion;  ///< of their nodes in a step; without: rest_motion() [cells]

@@ -87,7 +87,7 @@ struct ApplySymmetryToVelocities {
   ArrayView<double> sums, motion, mirrored;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, MirrorTally& tally) const {
-    const double dt = tile_frame(tile).dt;
+    const double dt = tile_frame(tile).part;
     const double share = grid_share(dt);
     for (int i = 0; i < planes.count; ++i) mirror_tile(planes.list[i], tile, share, tally);
     if (!planes.any_axial) return;

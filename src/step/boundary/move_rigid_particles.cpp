@@ -20,7 +20,8 @@ struct MoveRigidParticles {
     const int begin = particles.tile_begin(tile);
     const int end = particles.tile_begin(tile + 1);
     if (begin == end) return;
-    const auto [position, cell_size, dt] = tile_frame(tile);
+    const double cell_size = tile_frame(tile).cell_size;
+    const double dt = tile_frame(tile).dt;
     double velocity[3];
     motions.over_step(motions.of_field[particles.field], time, dt, velocity);
     double squared = 0.0;

@@ -4,6 +4,7 @@
 #include "grid/grid.hpp"
 #include "state/dormancy.hpp"
 #include "state/nodes.hpp"
+#include "state/subcycling.hpp"
 
 #include <cmath>
 #include <limits>
@@ -21,15 +22,17 @@ struct DormantNodes {
   ArrayView<int> neighbours, parent;
   Patch patch;
   int active;
+  Subcycling subcycling;
 
-  DormantNodes(const Grid& grid, const Dormancy& what, const Nodes& nodes)
+  DormantNodes(const Grid& grid, const Dormancy& what, const Subcycling& parts, const Nodes& nodes)
       : dormancy(what),
         sums_kept(nodes.sums_kept),
         frame(grid.tile_frame),
         neighbours(grid.neighbours),
         parent(grid.parent),
         patch(grid.patch),
-        active(grid.active) {}
+        active(grid.active),
+        subcycling(parts) {}
 
   KOKKOS_INLINE_FUNCTION bool is_candidate(int tile) const {
     return dormancy.on && dormancy.candidate(tile) != 0;
@@ -39,12 +42,14 @@ struct DormantNodes {
   KOKKOS_INLINE_FUNCTION double limit(int tile) const {
     return dormancy.motion * frame(tile).cell_size / frame(tile).dt;
   }
+  /// What of a tile's step its nodes take now.
+  KOKKOS_INLINE_FUNCTION double share(int tile) const { return frame(tile).part / frame(tile).dt; }
 
   /// Of its neighbours. Sums of other ranks may have changed.
   KOKKOS_INLINE_FUNCTION bool all_around_keep_sums(int tile) const {
     for (int k = 0; k < patch.neighbours; ++k) {
       const int other = neighbours(tile * patch.neighbours + k);
-      if (other >= active || (other >= 0 && sums_kept(other) == 0)) return false;
+      if (other >= active || (other >= 0 && sums_kept(other) != sums_as_were)) return false;
     }
     return true;
   }
@@ -53,7 +58,7 @@ struct DormantNodes {
   /// impedance lets it grow less, and a shorter step only lets it shrink. Bounds come of sums and
   /// quotients: a few round-offs more than they are.
   KOKKOS_INLINE_FUNCTION bool stays_motionless(int tile) const {
-    if (!is_candidate(tile) || sums_kept(tile) == 0) return false;
+    if (!is_candidate(tile) || sums_kept(tile) != sums_as_were) return false;
     const double most = dormancy.speed(tile) + frame(tile).dt * dormancy.acceleration(tile);
     if (most * (1.0 + 1e-12) > limit(tile)) return false;
     // Nodes that are taken from the coarser lattice move by the sums around the tile there.
@@ -82,11 +87,12 @@ struct DormantNodes {
         speed = v > speed ? v : speed;
         change = dv > change ? dv : change;
       }
-    const bool motionless = numbers && speed <= limit(tile) && change <= limit(tile);
-    dormancy.motionless(tile) = motionless ? 1 : 0;
+    const bool motionless = numbers && speed <= limit(tile) && change <= share(tile) * limit(tile);
+    const bool so_far = subcycling.starts(tile) || dormancy.motionless(tile) != 0;
+    dormancy.motionless(tile) = motionless && so_far ? 1 : 0;
     const bool bounded = numbers && !prescribed;
     dormancy.speed(tile) = bounded ? speed + change : std::numeric_limits<double>::infinity();
-    dormancy.acceleration(tile) = bounded ? change / frame(tile).dt : 0.0;
+    dormancy.acceleration(tile) = bounded ? change / frame(tile).part : 0.0;
     return motionless && !prescribed;
   }
 };

@@ -22,6 +22,7 @@ void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
     dormancy.candidate = ArrayView<unsigned char>("dormant_candidate", room);
     dormancy.motionless = ArrayView<unsigned char>("motionless", room);
     dormancy.dormant = ArrayView<unsigned char>("dormant", room);
+    dormancy.stays = ArrayView<unsigned char>("stays", room);
     dormancy.rows = ArrayView<int>("rows", room);
     dormancy.summed_rows = ArrayView<int>("summed_rows", room);
     dormancy.speed = ArrayView<double>("node_speed", room);
@@ -55,7 +56,9 @@ struct AxialPlanes {
 
 /// Counts the rows of a set in each tile. A tile is not a candidate if a row moves: if it has a
 /// velocity, or a viscous pressure, which would vanish in the step.
-void look_at_rows(int tiles, const Particles& particles, const Dormancy& dormancy) {
+void look_at_rows(
+    int tiles, const Particles& particles, const Subcycling& subcycling, const Dormancy& dormancy
+) {
   const ArrayView<int> tile_begin = particles.tile_begin, order = particles.order;
   const FieldView velocity = particles.velocity.values;
   const FieldView viscous = particles.viscous_pressure.values;
@@ -64,6 +67,7 @@ void look_at_rows(int tiles, const Particles& particles, const Dormancy& dormanc
       "look_at_rows",
       range(tiles),
       KOKKOS_LAMBDA(const int tile) {
+        if (!subcycling.starts(tile)) return;
         const int begin = tile_begin(tile), end = tile_begin(tile + 1);
         dormancy.rows(tile) += end - begin;
         bool moves = dormancy.candidate(tile) == 0;
@@ -77,14 +81,16 @@ void look_at_rows(int tiles, const Particles& particles, const Dormancy& dormanc
   );
 }
 
-/// Coarser tiles have the rows of the finer ones in them, and rest with them.
-void add_finer_tiles(const Grid& grid, const Dormancy& dormancy) {
+/// Coarser tiles have the rows of the finer ones in them, and rest with them. They begin a step
+/// whenever one of those does.
+void add_finer_tiles(const Grid& grid, const Subcycling& subcycling, const Dormancy& dormancy) {
   const ArrayView<int> parent = grid.parent;
   for (int level = grid.box.levels - 1; level > 0; --level)
     launch(
         "add_finer_tiles",
         RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
         KOKKOS_LAMBDA(const int tile) {
+          if (!subcycling.starts(parent(tile))) return;
           fetch_add(dormancy.rows(parent(tile)), dormancy.rows(tile));
           if (dormancy.candidate(tile) == 0) dormancy.candidate(parent(tile)) = 0;
         }
@@ -92,14 +98,17 @@ void add_finer_tiles(const Grid& grid, const Dormancy& dormancy) {
 }
 
 /// A coarser tile's sums are those of the finer ones in it: they hold where all of theirs do.
-void keep_with_finer_tiles(const Grid& grid, const ArrayView<unsigned char>& sums_kept) {
+void keep_with_finer_tiles(
+    const Grid& grid, const Subcycling& subcycling, const ArrayView<unsigned char>& sums_kept
+) {
   const ArrayView<int> parent = grid.parent;
   for (int level = grid.box.levels - 1; level > 0; --level)
     launch(
         "keep_with_finer_tiles",
         RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
         KOKKOS_LAMBDA(const int tile) {
-          if (sums_kept(tile) == 0) sums_kept(parent(tile)) = 0;
+          if (subcycling.starts(parent(tile)) && sums_kept(tile) != sums_as_were)
+            sums_kept(parent(tile)) = sums_afresh;
         }
     );
 }
@@ -133,9 +142,10 @@ void take_stable_steps(
   );
 }
 
-/// Which rows of which chunks are in dormant tiles.
+/// Which rows of which chunks are in tiles that stay as they are.
 /// @return the rows that are skipped
-int find_chunk_parts(const Patch& patch, const Dormancy& dormancy, const Particles& particles) {
+int find_chunk_parts(const Patch& patch, const Dormancy& dormancy, Particles& particles) {
+  particles.settled_chunks = particles.count / rows_per_chunk;
   int skipped = 0;
   launch_reduction(
       "find_chunk_parts",
@@ -144,16 +154,18 @@ int find_chunk_parts(const Patch& patch, const Dormancy& dormancy, const Particl
         const int begin = chunk * rows_per_chunk;
         const int left = particles.count - begin;
         const int end = begin + (left < rows_per_chunk ? left : rows_per_chunk);
-        int dormant = 0;
+        int stay = 0;
+        bool skips = true;
         for (int p = begin; p < end; ++p) {
-          particles.dormant(p) = dormancy.dormant(tile_of(patch, particles, p));
-          dormant += particles.dormant(p);
+          const unsigned char stays = dormancy.stays(tile_of(patch, particles, p));
+          particles.dormant(p) = stays != moves ? 1 : 0;
+          stay += particles.dormant(p);
+          skips = skips && (stays == is_in_its_step || (stays == is_dormant_tile && dormancy.skip));
         }
-        const bool skips = dormancy.skip && dormant == end - begin;
-        particles.chunk_part(chunk) = skips         ? no_part_of_chunk
-                                      : dormant > 0 ? part_of_chunk
-                                                    : whole_chunk;
-        if (skips) sum += dormant;
+        particles.chunk_part(chunk) = skips      ? no_part_of_chunk
+                                      : stay > 0 ? part_of_chunk
+                                                 : whole_chunk;
+        if (skips) sum += stay;
       },
       skipped
   );
@@ -165,6 +177,7 @@ int find_chunk_parts(const Patch& patch, const Dormancy& dormancy, const Particl
 void find_dormant_candidates(
     const Grid& grid,
     const std::vector<Particles>& sets,
+    const Subcycling& subcycling,
     Dormancy& dormancy,
     Nodes& nodes,
     Effort& effort
@@ -178,25 +191,31 @@ void find_dormant_candidates(
       "clear_candidates",
       range(grid.active),
       KOKKOS_LAMBDA(const int tile) {
+        if (!subcycling.starts(tile)) return;
         of.rows(tile) = 0;
         of.candidate(tile) = 1;
       }
   );
-  for (const Particles& particles : sets) look_at_rows(grid.active, particles, dormancy);
-  add_finer_tiles(grid, dormancy);
+  for (const Particles& particles : sets)
+    look_at_rows(grid.active, particles, subcycling, dormancy);
+  add_finer_tiles(grid, subcycling, dormancy);
   const ArrayView<unsigned char> sums_kept = nodes.sums_kept;
   const AxialPlanes planes(grid);
   launch(
       "find_dormant_candidates",
       range(grid.active),
       KOKKOS_LAMBDA(const int tile) {
+        if (!subcycling.starts(tile)) {
+          sums_kept(tile) = subcycling.gained(tile) != 0 ? sums_gaining : sums_as_were;
+          return;
+        }
         if (of.rows(tile) == 0) of.candidate(tile) = 0;
         const bool kept = of.candidate(tile) != 0 && of.summed_rows(tile) == of.rows(tile) &&
                           !planes.reaches(tile);
-        sums_kept(tile) = kept ? 1 : 0;
+        sums_kept(tile) = kept ? sums_as_were : sums_afresh;
       }
   );
-  keep_with_finer_tiles(grid, sums_kept);
+  keep_with_finer_tiles(grid, subcycling, sums_kept);
   effort.tile_seconds += watch.seconds();
 }
 
@@ -204,7 +223,8 @@ void find_dormant_tiles(
     const StepSpec& step,
     const Clock& clock,
     const Grid& grid,
-    const std::vector<Particles>& sets,
+    std::vector<Particles>& sets,
+    const Subcycling& subcycling,
     Dormancy& dormancy
 ) {
   if (!dormancy.on) return;
@@ -219,7 +239,13 @@ void find_dormant_tiles(
       KOKKOS_LAMBDA(const int tile) {
         const bool dormant = of.candidate(tile) != 0 && of.motionless(tile) != 0;
         of.dormant(tile) = dormant ? 1 : 0;
-        const int rows = dormant && skips ? of.rows(tile) : 0;
+        const bool ends = !subcycling.on() || subcycling.ends(tile) != 0;
+        of.stays(tile) = !ends ? is_in_its_step : dormant ? is_dormant_tile : moves;
+        if (!ends) return;
+        // What a step of several parts has added to the momenta is in no particle of a dormant
+        // tile.
+        const bool as_summed = !subcycling.on() || subcycling.gained(tile) == 0;
+        const int rows = dormant && skips && as_summed ? of.rows(tile) : 0;
         const bool known = rows == 0 || rows == of.summed_rows(tile);
         of.summed_rows(tile) = known ? rows : -rows;  // below 0 until their step is known
         if (!known) of.step(tile) = infinite;
@@ -246,7 +272,7 @@ void find_dormant_tiles(
   if (least_step >= std::numeric_limits<double>::max()) dormancy.stable_step = infinite;
   dormancy.skipped_rows = 0;
   if (first) return;
-  for (const Particles& particles : sets)
+  for (Particles& particles : sets)
     dormancy.skipped_rows += find_chunk_parts(grid.patch, dormancy, particles);
 }
 

@@ -7,6 +7,7 @@
 #include "state/effort.hpp"
 #include "state/nodes.hpp"
 #include "state/particles.hpp"
+#include "state/subcycling.hpp"
 
 #include <vector>
 
@@ -20,21 +21,24 @@ namespace barreno {
 void find_dormant_candidates(
     const Grid& grid,
     const std::vector<Particles>& sets,
+    const Subcycling& subcycling,
     Dormancy& dormancy,
     Nodes& nodes,
     Effort& effort
 );
 
 /// The dormant tiles: candidates none of whose nodes moves by more than Dormancy::motion cells in a
-/// step. Their particles stay as they are. Found before any particle is asked to move.
+/// step. Their particles stay as they are, as do those of tiles within their own steps. Found
+/// before any particle is asked to move.
 ///
 /// @pre Dormancy::motionless is of this step (solve_velocity)
-/// @post Particles::dormant and chunk_part of all sets
+/// @post Particles::dormant, chunk_part and settled_chunks of all sets
 void find_dormant_tiles(
     const StepSpec& step,
     const Clock& clock,
     const Grid& grid,
-    const std::vector<Particles>& sets,
+    std::vector<Particles>& sets,
+    const Subcycling& subcycling,
     Dormancy& dormancy
 );
 

@@ -230,7 +230,7 @@ struct SolveVelocity {
             ? &impulse(first_value(patch, tile, impulses)) + row * impulses
             : nullptr;
     const TilePosition at = tile_frame(tile).position;
-    const double dt = tile_frame(tile).dt;
+    const double dt = tile_frame(tile).part;
     const double share = rule.grid_share(dt);
     const unsigned char* const taken =
         at.level > 0 ? &from_parent(tile * patch.size + row) : nullptr;
@@ -269,9 +269,10 @@ struct SolveVelocity {
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     double part[tally_components][2] = {};
     bool counts_nothing = dormant.stays_motionless(tile);
+    if (dormant.subcycling.on()) dormant.subcycling.solved(tile) = counts_nothing ? 0 : 1;
     if (!counts_nothing) {
-      const NodeScales scales = rule.scales(tile_frame(tile).cell_size, tile_frame(tile).dt);
-      const PrescribedVelocities velocities = rule.conditions.over_step(tile_frame(tile).dt);
+      const NodeScales scales = rule.scales(tile_frame(tile).cell_size, tile_frame(tile).part);
+      const PrescribedVelocities velocities = rule.conditions.over_step(tile_frame(tile).part);
       bool prescribed = false;
       for (int z = 0; z < patch.nodes_along(2); ++z)
         for (int y = 0; y < patch.nodes; ++y)
@@ -344,7 +345,7 @@ GridTally solve_velocity(
         nodes.tally,
         special.shared,
         nodes.impulse,
-        DormantNodes(grid, special.dormancy, nodes)};
+        DormantNodes(grid, special.dormancy, special.subcycling, nodes)};
     for (int level = 0; level < grid.box.levels; ++level)  // finer tiles ask coarser ones
       launch(
           "solve_velocity",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "state/dormancy.hpp"
+#include "state/subcycling.hpp"
 #include "step/boundary/conditions_of_step.hpp"
 #include "step/grid/node_scales.hpp"
 #include "step/grid_share.hpp"
@@ -29,6 +30,7 @@ struct SpecialTiles {
   ArrayView<unsigned char>
       shared;         ///< ContactNodes::shared_tile: there nodes.impulse joins the forces
   Dormancy dormancy;  ///< nodes of dormant tiles are not solved, and count nothing
+  Subcycling subcycling;
 };
 
 /// Add the overlapping parts of neighbouring patches and solve for the velocity of every node, in

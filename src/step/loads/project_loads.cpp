@@ -130,7 +130,7 @@ struct TallyLoads {
   KOKKOS_INLINE_FUNCTION void operator()(int tile, LoadTally& tally) const {
     const Patch& sizes = faces.frame.patch;
     const Particles& particles = faces.particles;
-    const double dt = faces.frame.tile_frame(tile).dt;
+    const double dt = faces.frame.tile_frame(tile).part;
     const double* const patch = &faces.nodes.motion(first_motion(sizes, tile));
     faces.for_each_face(tile, [&](int p, int face, const AppliedLoad& load) {
       const Vector force = face_force<M>(load, particles, p, face);

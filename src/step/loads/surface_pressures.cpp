@@ -154,7 +154,7 @@ struct TallySurfacePressures {
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, SurfaceTally& tally) const {
     const Patch& sizes = pressed.frame.patch;
-    const double dt = pressed.frame.tile_frame(tile).dt;
+    const double dt = pressed.frame.tile_frame(tile).part;
     const double* const motion = &pressed.nodes.motion(first_motion(sizes, tile));
     pressed.for_each(tile, [&](int p, const auto& support) {
       const PressureInside inside = pressed.pressure(p);
@@ -184,7 +184,7 @@ struct GrowCavity {
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, CavityGrowth& growth) const {
     const Patch& sizes = pressed.frame.patch;
-    const double dt = pressed.frame.tile_frame(tile).dt;
+    const double dt = pressed.frame.tile_frame(tile).part;
     const double* const motion = &pressed.nodes.motion(first_motion(sizes, tile));
     pressed.for_each(tile, [&](int p, const auto& support) {
       const PressureInside inside = pressed.unit_pressure(p, load);

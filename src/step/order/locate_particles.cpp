@@ -101,14 +101,25 @@ struct FindKeys {
   }
 };
 
+/// Chunks whose rows have not moved since their keys were found.
+struct SettledRows {
+  int chunks = 0;
+  ArrayView<unsigned char> part;
+
+  KOKKOS_INLINE_FUNCTION bool holds(int chunk) const {
+    return chunk < chunks && part(chunk) == no_part_of_chunk;
+  }
+};
+
 template <class Keys>
-Found find_keys(const Keys& key_of, int first_row, int count) {
+Found find_keys(const Keys& key_of, int first_row, int count, const SettledRows& settled) {
   Found found;
   launch_reduction(
       "find_keys",
       range((count - first_row + rows_per_chunk - 1) / rows_per_chunk),
       KOKKOS_LAMBDA(const int chunk, Found& part) {
         const Keys find = key_of;  // its numbers do not change with what it writes
+        if (settled.holds(chunk)) return;
         const int begin = first_row + chunk * rows_per_chunk;
         const int end = begin + rows_per_chunk < count ? begin + rows_per_chunk : count;
         Found some;
@@ -123,10 +134,11 @@ Found find_keys(const Keys& key_of, int first_row, int count) {
 
 Found find_keys(const Grid& grid, const Particles& particles, int first_row) {
   if (first_row >= particles.count) return {};
+  const SettledRows settled{first_row == 0 ? particles.settled_chunks : 0, particles.chunk_part};
   const auto find = [&](auto dimensions, auto refined) {
     constexpr unsigned D = decltype(dimensions)::value;
     constexpr bool is_refined = decltype(refined)::value;
-    return find_keys(FindKeys<D, is_refined>(grid, particles), first_row, particles.count);
+    return find_keys(FindKeys<D, is_refined>(grid, particles), first_row, particles.count, settled);
   };
   using Plane = std::integral_constant<unsigned, 2>;
   using Space = std::integral_constant<unsigned, 3>;

@@ -161,6 +161,7 @@ struct FindRotation {
 /// Then the strain, in the frame half-way between the old and the new rotation.
 struct UnrotateStrain {
   FieldView increment, rotation, scratch;
+  ArrayView<unsigned char> stays;  ///< 1: left as it is by a step that its chunk takes part in
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
     const SpaceRotation r_n{rotation(p, 0), rotation(p, 1), rotation(p, 2), rotation(p, 3)};
@@ -180,10 +181,12 @@ struct UnrotateStrain {
     increment(p, 3) = strain.xy;
     increment(p, 4) = strain.yz;
     increment(p, 5) = strain.zx;
-    rotation(p, 0) = r.w;
-    rotation(p, 1) = r.x;
-    rotation(p, 2) = r.y;
-    rotation(p, 3) = r.z;
+    // Another Newton step would change it by round-off, with the rows that share its chunk.
+    const bool moves = stays(p) == 0;
+    rotation(p, 0) = moves ? r.w : r_n.w;
+    rotation(p, 1) = moves ? r.x : r_n.x;
+    rotation(p, 2) = moves ? r.y : r_n.y;
+    rotation(p, 3) = moves ? r.z : r_n.z;
   }
 };
 
@@ -204,7 +207,7 @@ void deform(Rows rows, double sign, const Particles& particles) {
       for_each_row(label, rows, TurnOnce{deformation, scratch});
       for_each_row(label, rows, FindRotation{deformation, rotation, scratch});
     }
-    for_each_row(label, rows, UnrotateStrain{increment, rotation, scratch});
+    for_each_row(label, rows, UnrotateStrain{increment, rotation, scratch, particles.dormant});
   } else {
     for_each_row(label, rows, DeformInPlane<M, Short>{increment, deformation, volume, sign});
   }

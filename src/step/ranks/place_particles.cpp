@@ -10,6 +10,11 @@
 namespace barreno {
 namespace {
 
+/// Tiles get other numbers: every particle is looked for again.
+void forget_keys(std::vector<Particles>& sets) {
+  for (Particles& particles : sets) particles.settled_chunks = 0;
+}
+
 /// Marks the tiles that hold rows of a set, by number (BoxTiles).
 void mark_tiles(
     const CellLattice& lattice, const Particles& particles, const ArrayView<unsigned char>& holds
@@ -59,6 +64,7 @@ void place_particles(
   }
   if (agreed.new_tile) {
     activate_tiles(grid, occupied_tiles(grid, sets));
+    forget_keys(sets);
     locate_particles(grid, sets, ledger, effort);
     for (Particles& particles : sets) particles.sorted = false;
   }
@@ -83,6 +89,7 @@ void give_tiles(
   set_owners(owner, grid);
   // No tile is active in the new partition: everybody is looked for afresh.
   activate_tiles(grid, {});
+  forget_keys(sets);
   locate_particles(grid, sets, ledger, effort);
   place_particles({true, true}, step, grid, sets, ledger, effort);
 }

@@ -77,7 +77,49 @@ ParticleTally accelerate_rows(const Kernel& kernel, Rows rows) {
   return tally;
 }
 
+/// Of the rows as they are.
+struct TallyMomentum {
+  FieldView velocity, mass;
+  TallyScales scales;
+  int dimensions, count;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int chunk, ParticleTally& tally) const {
+    double masses[rows_per_chunk];
+    double momentum[rows_per_chunk];
+    double kinetic[rows_per_chunk];
+    const int begin = chunk * rows_per_chunk;
+    const int rows = count - begin < rows_per_chunk ? count - begin : rows_per_chunk;
+    for (int k = 0; k < rows; ++k) {
+      const int p = begin + k;
+      double square = 0.0;
+      for (int d = 0; d < dimensions; ++d) square += velocity(p, d) * velocity(p, d);
+      masses[k] = mass(p, 0);
+      momentum[k] = mass(p, 0) * velocity(p, 1);
+      kinetic[k] = 0.5 * mass(p, 0) * square;
+    }
+    add_chunk(masses, rows, scales.mass, tally.mass);
+    add_chunk(momentum, rows, scales.momentum, tally.momentum);
+    add_chunk(kinetic, rows, scales.energy, tally.kinetic);
+  }
+};
+
 }  // namespace
+
+ParticleTally tally_momentum(const Particles& particles) {
+  ParticleTally tally;
+  launch_reduction(
+      "tally_momentum",
+      range((particles.count + rows_per_chunk - 1) / rows_per_chunk),
+      TallyMomentum{
+          particles.velocity.values,
+          particles.mass.values,
+          particles.tally_scales,
+          particles.velocity.components,
+          particles.count},
+      TallyReducer<ParticleTally>(tally)
+  );
+  return tally;
+}
 
 ParticleTally accelerate_particles(
     const StepSpec& step, const Grid& grid, Rows rows, Particles& particles

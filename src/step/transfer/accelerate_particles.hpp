@@ -29,4 +29,7 @@ ParticleTally accelerate_particles(
     const StepSpec& step, const Grid& grid, Rows rows, Particles& particles
 );
 
+/// Mass, axial momentum and kinetic energy of all particles as they are.
+ParticleTally tally_momentum(const Particles& particles);
+
 }  // namespace barreno

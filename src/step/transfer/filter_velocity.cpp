@@ -88,7 +88,7 @@ struct SmoothResiduals {
     for (const Particles& particles : sets) {
       if (particles.rigid) continue;
       Particles asking = with_residual(particles);
-      interpolate_motion(grid, dormancy, nodes_of(particles), asking);
+      interpolate_motion(grid, dormancy, {}, nodes_of(particles), asking);
     }
   }
 };

@@ -27,16 +27,20 @@ struct InterpolateMotion {
   Particles particles;
   ArrayView<double> motion;
   Dormancy dormancy;
+  Subcycling subcycling;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, double& largest) const {
-    if (dormancy.is_dormant(tile)) return stay(tile);
-    const Motion* const patch = as_packs<components>(&motion(first_motion(frame.patch, tile)));
+    if (dormancy.is_left(tile)) return stay(tile);
+    const bool of_parts = subcycling.on() && subcycling.elapsed(tile) > 0.0;
+    const ArrayView<double>& values = of_parts ? subcycling.whole : motion;
+    const Motion* const patch = as_packs<components>(&values(first_motion(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
       largest = larger(largest, batch(tile, BatchRows(particles.order, k, end), patch));
   }
 
-  /// Rows of a dormant tile move by nothing, as far as they are in a chunk that is updated.
+  /// Rows of a tile that is left as it is move by nothing, as far as they are in a chunk that is
+  /// updated.
   KOKKOS_INLINE_FUNCTION void stay(int tile) const {
     const FieldView grid_motion = particles.grid_motion.values;
     const FieldView increment = particles.increment.values;
@@ -113,7 +117,11 @@ struct InterpolateMotion {
 }  // namespace
 
 double interpolate_motion(
-    const Grid& grid, const Dormancy& dormancy, const Nodes& nodes, Particles& particles
+    const Grid& grid,
+    const Dormancy& dormancy,
+    const Subcycling& subcycling,
+    const Nodes& nodes,
+    Particles& particles
 ) {
   const Region region("interpolate_motion");
   double largest = 0.0;
@@ -122,7 +130,12 @@ double interpolate_motion(
     launch_reduction(
         "interpolate_motion",
         range(grid.active),
-        Kernel{PatchFrame<decltype(mode)::dimensions>(grid), particles, nodes.motion, dormancy},
+        Kernel{
+            PatchFrame<decltype(mode)::dimensions>(grid),
+            particles,
+            nodes.motion,
+            dormancy,
+            subcycling},
         Kokkos::Max<double>(largest)
     );
   });

@@ -80,9 +80,25 @@ TEST(TallyParticleSteps, SkippedParticlesAreCountedApartAndRigidOnesNot) {
   Dormancy dormancy;
   dormancy.skipped_rows = 64;
   double advanced = 1.0, skipped = 2.0;
-  tally_particle_steps(sets, dormancy, advanced, skipped);
+  tally_particle_steps(sets, dormancy, {}, advanced, skipped);
   EXPECT_EQ(advanced, 37.0);
   EXPECT_EQ(skipped, 66.0);
+}
+
+TEST(TallyParticleSteps, AParticleWithinItsOwnStepIsNotSkippedByAllOfIt) {
+  std::vector<Particles> sets(1);
+  sets[0].count = 100;
+  Dormancy dormancy;
+  dormancy.skipped_rows = 64;
+  Subcycling subcycling;
+  subcycling.parts = 2;
+  double advanced = 0.0, skipped = 0.0;
+  tally_particle_steps(sets, dormancy, subcycling, advanced, skipped);
+  EXPECT_EQ(skipped, 0.0);
+  subcycling.part = 1;  // the last: what is skipped is dormant
+  tally_particle_steps(sets, dormancy, subcycling, advanced, skipped);
+  EXPECT_EQ(advanced, 72.0);
+  EXPECT_EQ(skipped, 64.0);
 }
 
 }  // namespace

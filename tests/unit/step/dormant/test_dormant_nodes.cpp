@@ -39,7 +39,7 @@ protected:
     motion[4 * 7 + 1] = velocity;
     motion[4 * 7 + 3] = change;
   }
-  DormantNodes rule() const { return {state.grid, state.dormancy, nodes}; }
+  DormantNodes rule() const { return {state.grid, state.dormancy, state.subcycling, nodes}; }
 
   State state;
   Nodes nodes;

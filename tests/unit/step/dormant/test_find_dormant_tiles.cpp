@@ -34,14 +34,21 @@ State placed(const Scene& scene) {
 
 void find_candidates(State& state) {
   find_dormant_candidates(
-      state.grid, state.particles, state.dormancy, state.nodes.front(), state.effort
+      state.grid,
+      state.particles,
+      state.subcycling,
+      state.dormancy,
+      state.nodes.front(),
+      state.effort
   );
 }
 /// With nodes of which none moves in the first tile, and some in the second.
 void find_tiles(const Scene& scene, State& state, bool second_motionless = false) {
   state.dormancy.motionless(0) = 1;
   state.dormancy.motionless(1) = second_motionless ? 1 : 0;
-  find_dormant_tiles(scene.step, state.clock, state.grid, state.particles, state.dormancy);
+  find_dormant_tiles(
+      scene.step, state.clock, state.grid, state.particles, state.subcycling, state.dormancy
+  );
 }
 
 TEST(FindDormantCandidates, AVelocityOrAViscousPressureKeepsATileAwake) {

@@ -45,7 +45,7 @@ TEST(InterpolateMotion, LinearFieldsAreExactWithTheFrameOfTheTile) {
   Nodes& nodes = state.nodes[0];
   clear_nodes(state.grid, nodes);
   set_linear_motion(state.grid, nodes);
-  const double largest = interpolate_motion(state.grid, {}, nodes, particles);
+  const double largest = interpolate_motion(state.grid, {}, {}, nodes, particles);
   for (int tile = 0; tile < 2; ++tile) {
     const int p = testing::row_in(particles, tile);
     const double factor = tile == 0 ? 0.5 : 0.125 / 0.5;  // dt / h
@@ -71,15 +71,15 @@ TEST(InterpolateMotion, DormantTilesMoveByNothing) {
   for (int tile = 0; tile < 2; ++tile) testing::set_frame(state.grid, tile, 1.0, 0.5);
   Dormancy dormancy;
   dormancy.on = true;
-  dormancy.dormant = ArrayView<unsigned char>("dormant", 2);
-  dormancy.dormant(1) = 1;
+  dormancy.stays = ArrayView<unsigned char>("stays", 2);
+  dormancy.stays(1) = is_dormant_tile;
   Particles& particles = state.particles[0];
   particles.chunk_part(0) = part_of_chunk;
   Nodes& nodes = state.nodes[0];
   clear_nodes(state.grid, nodes);
   set_linear_motion(state.grid, nodes);
   for (int p = 0; p < 2; ++p) particles.grid_motion(p, 0) = 7.0;
-  interpolate_motion(state.grid, dormancy, nodes, particles);
+  interpolate_motion(state.grid, dormancy, {}, nodes, particles);
   EXPECT_EQ(particles.grid_motion(testing::row_in(particles, 0), 0), 1.0 + 3.5 * 0.75);
   EXPECT_EQ(particles.grid_motion(testing::row_in(particles, 1), 0), 0.0);
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/section_table.hpp"
+#include "scene/dormant.hpp"
+#include "scene/scene_parts.hpp"
+#include "shape/shape_facts.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace barreno {
+namespace {
+
+bool is_across_axis(const ConditionSpec& condition) {
+  return condition.kind == ConditionKind::symmetry &&
+         (condition.face == Face::y_lower || condition.face == Face::y_upper);
+}
+
+/// Why all tiles of a scene take one step; empty: they need not. The first reasons are those for
+/// which a step visits all tiles (why_all_awake); particles that take a share of the grid's
+/// velocity, not its change alone, would take the mean of a step of several parts.
+std::string why_one_step(const Scene& scene) {
+  const std::string awake = why_all_awake(scene);
+  if (!awake.empty()) return awake;
+  const StepSpec& step = scene.step;
+  if (step.transfer == Transfer::pic || step.pic_fraction > 0.0)
+    return "particles take a share of the grid's velocity (PIC)";
+  if (step.damping > 0.0) return "damping acts on particles too";
+  if (step.return_losses) return "Return Losses needs the parts of each step";
+  if (follows_deformation(scene))
+    return "the domains of shape function " + step.shape + " limit the step one by one";
+  if (std::any_of(scene.conditions.begin(), scene.conditions.end(), is_across_axis))
+    return "a symmetry plane across y mirrors the nodes' momenta in every step";
+  return {};
+}
+
+}  // namespace
+
+void check_subcycles(const Deck& deck, const Scene& scene) {
+  const int most = scene.step.subcycles;
+  if (most == 1) return;
+  const std::string path = path_of(&StepSpec::subcycles);
+  if ((most & (most - 1)) != 0)
+    deck.refuse_value(path, "is not a power of two; choose 1, 2, 4, 8 or 16");
+  const std::string why = why_one_step(scene);
+  if (!why.empty())
+    deck.refuse_value(path, "must be 1 here: " + why + "; remove it or change that");
+}
+
+}  // namespace barreno

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/take_parts.hpp"
+
+#include "base/gather.hpp"
+#include "step/ranks/place_particles.hpp"
+#include "step/solve_motion.hpp"
+#include "step/stable_step.hpp"
+#include "step/subcycle/find_early_arrivals.hpp"
+#include "step/subcycle/tile_steps.hpp"
+#include "step/update_sets.hpp"
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace barreno {
+namespace {
+
+/// A stable step may fall to this share of the parts' length before all tiles meet to choose a
+/// smaller one: it rises and falls by a few percent all the time.
+constexpr double tolerated_step = 0.9;
+
+bool must_meet(double dt, const State& state, const StepTally& tally, const StepResult& result) {
+  const bool early = find_early_arrivals(state.grid, state.particles, state.subcycling);
+  const bool unstable = tally.stress.stable_step < tolerated_step * dt;
+  std::array<double, 1> meets{early || unstable || result.stopped ? 1.0 : 0.0};
+  max_over_ranks(*state.grid.comm, meets);
+  return meets[0] > 0.0;
+}
+
+/// Those that were not within their steps have been counted with the others of their chunks.
+void tally_all_momentum(const State& state, ParticleTally& moved) {
+  ParticleTally all;
+  for (const Particles& particles : state.particles) add(tally_momentum(particles), all);
+  moved.mass = all.mass;
+  moved.momentum = all.momentum;
+  moved.kinetic = all.kinetic;
+}
+
+}  // namespace
+
+void end_or_carry_steps(
+    const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
+) {
+  if (!must_meet(dt, state, tally, result)) {
+    carry_tile_steps(state.grid, dt, state.nodes.front(), state.dormancy, state.subcycling);
+    return;
+  }
+  move_other_tiles(scene, dt, state);
+  update_sets(set_update(scene, state), tally, result);
+  agree_on_failure(scene.materials, *state.grid.comm, result);
+  tally_all_momentum(state, tally.moved);
+  // Chunks that this left as they are had moved before.
+  for (Particles& particles : state.particles) particles.settled_chunks = 0;
+  state.subcycling.ends_all = true;
+}
+
+void prepare_next_part(State& state) {
+  constexpr double not_asked = std::numeric_limits<double>::infinity();
+  constexpr long between_permutations = 1;
+  Grid& grid = state.grid;
+  ++state.subcycling.part;
+  Placement placement = locate_particles(grid, state.particles, state.ledger, state.effort);
+  agree_on_stable_step(*grid.comm, not_asked, placement);
+  if (placement.new_tile)
+    throw std::logic_error("A particle came into a new tile within a step: find_early_arrivals.");
+  place_particles(
+      placement, between_permutations, grid, state.particles, state.ledger, state.effort
+  );
+}
+
+}  // namespace barreno
