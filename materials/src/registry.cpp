@@ -25,7 +25,7 @@ struct TypeOf {
 };
 
 template <class Model>
-std::vector<Entry> entries_of() {
+std::vector<Entry> parameters_of() {
   std::vector<Entry> entries;
   const auto table = Model::parameter_table();
   for (const auto& p : table.numbers) {
@@ -41,7 +41,7 @@ std::vector<Entry> entries_of() {
 
 template <class Model>
 ModelDescription describe() {
-  return {Model::name, Model::summary, entries_of<Model>(), Model::history_table(), {}};
+  return {Model::name, Model::summary, parameters_of<Model>(), Model::history_table(), {}};
 }
 
 /// True for a model that stands in the list for some parameter sets of another.

@@ -35,7 +35,7 @@ void expect_size(const Hdf5File& file, const std::string& name, const Hdf5Size& 
 template <class T, class Visitor>
 void for_each_row(const Hdf5File& file, const std::string& name, Visitor&& visit) {
   const Hdf5Size all = file.size_of(name);
-  const std::size_t most = rows_per_chunk(all.rows, all.columns);
+  const std::size_t most = rows_of_chunk(all.rows, all.columns);
   for (std::size_t first = 0; first < all.rows; first += most) {
     const std::size_t count = std::min(most, all.rows - first);
     const std::vector<T> values = file.read_rows<T>(name, first, count);

@@ -64,7 +64,7 @@ void Hdf5File::close() {
   if (!fine || !closed) refuse("the disk did not accept all of it");
 }
 
-std::size_t rows_per_chunk(std::size_t rows, std::size_t columns) {
+std::size_t rows_of_chunk(std::size_t rows, std::size_t columns) {
   const auto parts = [](std::size_t all, std::size_t most) { return (all + most - 1) / most; };
   const std::size_t most = chunk_numbers / std::clamp<std::size_t>(columns, 1, chunk_numbers);
   const std::size_t chunks = std::max<std::size_t>(parts(rows, most), 1);
@@ -80,7 +80,7 @@ long long Hdf5File::create_table(
     const std::string& unit
 ) {
   const hsize_t size[2] = {rows, columns};
-  const hsize_t chunk[2] = {rows_per_chunk(rows, columns), std::max<hsize_t>(columns, 1)};
+  const hsize_t chunk[2] = {rows_of_chunk(rows, columns), std::max<hsize_t>(columns, 1)};
   const Hdf5Handle space(H5Screate_simple(2, size, nullptr), H5Sclose);
   const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links.get(), 1);

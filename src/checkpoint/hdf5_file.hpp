@@ -23,7 +23,7 @@ struct Hdf5Table {
 };
 
 /// Rows of a chunk, the unit of checksums, writing and reading: as even as 1 MB of numbers allows.
-std::size_t rows_per_chunk(std::size_t rows, std::size_t columns);
+std::size_t rows_of_chunk(std::size_t rows, std::size_t columns);
 
 /// An HDF5 file of plain tables that one process writes or reads. Every table has the fletcher32
 /// checksum, which HDF5 compares when it reads.
@@ -48,7 +48,7 @@ public:
       const std::string& name, std::size_t rows, std::size_t columns, const std::string& unit
   );
   /// The chunk whose first row is `row`, with its checksum, past HDF5's own copies.
-  /// @param chunk  rows_per_chunk() rows, zeros behind the table's last one, and room for one more
+  /// @param chunk  rows_of_chunk() rows, zeros behind the table's last one, and room for one more
   ///               number, which takes the checksum
   template <class T>
   void write_chunk(const std::string& name, std::size_t row, std::vector<T>& chunk);

@@ -120,7 +120,7 @@ void Hdf5File::check(const std::string& name) const {
   Hdf5Size size;
   const Hdf5Handle table(open_table(name, size.rows, size.columns), H5Dclose);
   const Hdf5Handle type(H5Dget_type(table.get()), H5Tclose);
-  const std::size_t most = rows_per_chunk(size.rows, size.columns);
+  const std::size_t most = rows_of_chunk(size.rows, size.columns);
   std::vector<char> values(most * size.columns * H5Tget_size(type.get()));
   for (std::size_t row = 0; row < size.rows && !values.empty(); row += most)
     read_part(table.get(), type.get(), row, std::min(most, size.rows - row), values.data(), name);

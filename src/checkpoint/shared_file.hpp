@@ -29,7 +29,7 @@ public:
   template <class T, class Visitor>
   void for_each_row(const std::string& name, Visitor&& visit) const {
     const Hdf5Size all = size_of(name);
-    const std::size_t most = rows_per_chunk(all.rows, all.columns);
+    const std::size_t most = rows_of_chunk(all.rows, all.columns);
     for (std::size_t first = 0; first < all.rows; first += most) {
       const Hdf5Size part{std::min(most, all.rows - first), all.columns};
       const std::vector<T> values = read_rows<T>(name, part, first);

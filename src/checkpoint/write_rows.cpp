@@ -9,17 +9,17 @@ namespace barreno {
 namespace {
 
 /// Rows [begin, end) of a table.
-struct Rows {
+struct Span {
   std::size_t begin, end;
 };
 
-Rows common(const Rows& a, const Rows& b) {
+Span common(const Span& a, const Span& b) {
   return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
 }
 
 /// This rank's part of the rows into `values`.
 template <class T>
-void pack(const SharedTable<T>& table, std::size_t own_begin, const Rows& rows, T* values) {
+void pack(const SharedTable<T>& table, std::size_t own_begin, const Span& rows, T* values) {
   table.pack(rows.begin - own_begin, rows.end - rows.begin, values);
 }
 
@@ -29,18 +29,18 @@ void gather_rows(
     const Comm& comm,
     const std::vector<std::size_t>& first,
     const SharedTable<T>& table,
-    const Rows& rows,
+    const Span& rows,
     T* values
 ) {
   const auto rows_of = [&](std::size_t rank) {
     return common(rows, {first[rank], first[rank + 1]});
   };
-  const auto count_of = [&](const Rows& part) {
+  const auto count_of = [&](const Span& part) {
     return static_cast<int>((part.end - part.begin) * table.columns);
   };
   const auto mine = static_cast<std::size_t>(comm.getRank());
   if (!is_root(comm)) {
-    const Rows part = rows_of(mine);
+    const Span part = rows_of(mine);
     if (part.begin >= part.end) return;
     pack(table, first[mine], part, values);
     Teuchos::send<int, T>(comm, count_of(part), values, 0);
@@ -50,7 +50,7 @@ void gather_rows(
   for (auto rank = static_cast<std::size_t>(next - first.begin()) - 1;
        rank + 1 < first.size() && first[rank] < rows.end;
        ++rank) {
-    const Rows part = rows_of(rank);
+    const Span part = rows_of(rank);
     if (part.begin >= part.end) continue;
     T* const place = values + (part.begin - rows.begin) * table.columns;
     if (rank == mine)
@@ -82,10 +82,10 @@ void write_rows(
 ) {
   const std::size_t all = first.back();
   work.run([&] { file->begin_table<T>(table.name, all, table.columns, table.unit); });
-  const std::size_t most = rows_per_chunk(all, table.columns);
+  const std::size_t most = rows_of_chunk(all, table.columns);
   std::vector<T> chunk(most * table.columns + 1);  // the last one for the checksum
   for (std::size_t begin = 0; begin < all; begin += most) {
-    const Rows rows{begin, std::min(begin + most, all)};
+    const Span rows{begin, std::min(begin + most, all)};
     gather_rows(comm, first, table, rows, chunk.data());
     const auto used = static_cast<std::ptrdiff_t>((rows.end - rows.begin) * table.columns);
     std::fill(chunk.begin() + used, chunk.end(), T{});

@@ -35,7 +35,7 @@ Range range_of(const std::vector<Sym3>& bounded, const YieldView& initial) {
   return range;
 }
 
-class Table {
+class YieldTable {
 public:
   void add(
       const char* state, const char* section, double time, double theta, double I1, double shear
@@ -51,7 +51,7 @@ private:
 
 /// Points lie closer at both ends, where the meridian is steep.
 void add_meridian(
-    Table& table,
+    YieldTable& table,
     const char* state,
     const char* section,
     double time,
@@ -70,7 +70,7 @@ void add_meridian(
 }
 
 void add_octahedral(
-    Table& table, const char* state, double time, const YieldView& view, double I1
+    YieldTable& table, const char* state, double time, const YieldView& view, double I1
 ) {
   if (I1 < view.tip || I1 > view.vertex) return;
   const double limit = view.limit(I1);
@@ -114,7 +114,7 @@ std::string yield_table(const Material& material, const std::vector<DrivenState>
   const std::size_t last = states.size() - 1;
   const auto current = view(last), sheared = view(largest);
   const Range shown = range_of(bounded, *initial);
-  Table table;
+  YieldTable table;
   for (const double theta : {third_turn, 0.0}) {
     const char* section = theta > 0.0 ? "compression" : "extension";
     if (theta == 0.0 && initial->gamma(0.0) == 1.0) continue;

@@ -16,9 +16,9 @@ constexpr double sliver = 0.25;
 /// are.
 constexpr double clearly = 1e-9;
 
-using Cell = std::array<long long, 3>;
+using LatticeCell = std::array<long long, 3>;
 
-Box box_of(const Lattice& lattice, const Cell& cell, int dimension) {
+Box box_of(const Lattice& lattice, const LatticeCell& cell, int dimension) {
   Box box;
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
     box.lower[i] = lattice.lower[i] + static_cast<double>(cell[i]) * lattice.size;
@@ -29,13 +29,13 @@ Box box_of(const Lattice& lattice, const Cell& cell, int dimension) {
 
 template <class Visit>
 void for_each_cell(const Lattice& lattice, Visit&& visit) {
-  Cell cell{};
+  LatticeCell cell{};
   for (cell[2] = 0; cell[2] < lattice.count[2]; ++cell[2])
     for (cell[1] = 0; cell[1] < lattice.count[1]; ++cell[1])
       for (cell[0] = 0; cell[0] < lattice.count[0]; ++cell[0]) visit(cell);
 }
 
-long long index_of(const Lattice& lattice, const Cell& cell) {
+long long index_of(const Lattice& lattice, const LatticeCell& cell) {
   return (cell[2] * lattice.count[1] + cell[1]) * lattice.count[0] + cell[0];
 }
 
@@ -44,7 +44,7 @@ class Pieces {
 public:
   Pieces(const Shape& shape, int dimension, const Lattice& lattice)
       : dimension_(dimension), lattice_(lattice) {
-    for_each_cell(lattice, [&](const Cell& cell) {
+    for_each_cell(lattice, [&](const LatticeCell& cell) {
       const Box box = box_of(lattice, cell, dimension);
       Side side = side_of(shape, box, dimension);
       if (side == Side::cut) {
@@ -60,16 +60,16 @@ public:
     join_slivers();
   }
 
-  Side side(const Cell& cell) const {
+  Side side(const LatticeCell& cell) const {
     return sides_[static_cast<std::size_t>(index_of(lattice_, cell))];
   }
-  Piece piece(const Cell& cell) const {
+  Piece piece(const LatticeCell& cell) const {
     if (side(cell) == Side::outside) return {};
     if (side(cell) == Side::inside) return whole(box_of(lattice_, cell, dimension_), dimension_);
     return cut_.at(index_of(lattice_, cell));
   }
   /// What the particle of a cell holds: nothing where its piece went elsewhere.
-  Piece particle(const Cell& cell) const {
+  Piece particle(const LatticeCell& cell) const {
     const long long index = index_of(lattice_, cell);
     if (side(cell) == Side::outside || moved_.count(index) != 0) return {};
     Piece sum = piece(cell);
@@ -81,10 +81,10 @@ public:
 
 private:
   template <class Visit>
-  void for_each_neighbour(const Cell& cell, Visit&& visit) const {
+  void for_each_neighbour(const LatticeCell& cell, Visit&& visit) const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(dimension_); ++i)
       for (const long long step : {-1LL, 1LL}) {
-        Cell next = cell;
+        LatticeCell next = cell;
         next[i] += step;
         if (next[i] >= 0 && next[i] < lattice_.count[i]) visit(next);
       }
@@ -92,12 +92,12 @@ private:
 
   /// The cell whose particle holds a sliver: up through ever fuller neighbours, until one is no
   /// sliver.
-  Cell holder(const Cell& cell) const {
-    Cell found = cell;
+  LatticeCell holder(const LatticeCell& cell) const {
+    LatticeCell found = cell;
     double fullest = piece(cell).measure;
     while (fullest < sliver * cell_measure_) {
-      const Cell from = found;
-      for_each_neighbour(from, [&](const Cell& next) {
+      const LatticeCell from = found;
+      for_each_neighbour(from, [&](const LatticeCell& next) {
         const double other = piece(next).measure;
         if (!(other > fullest + clearly * cell_measure_)) return;
         fullest = other;
@@ -109,9 +109,9 @@ private:
   }
 
   void join_slivers() {
-    for_each_cell(lattice_, [&](const Cell& cell) {
+    for_each_cell(lattice_, [&](const LatticeCell& cell) {
       if (side(cell) != Side::cut) return;
-      const Cell found = holder(cell);
+      const LatticeCell found = holder(cell);
       if (found == cell) return;
       joined_[index_of(lattice_, found)].push_back(index_of(lattice_, cell));
       moved_.insert(index_of(lattice_, cell));
@@ -147,7 +147,7 @@ void for_each_lattice_piece(
     const Shape& shape, int dimension, const Lattice& lattice, const VisitPiece& visit
 ) {
   const Pieces pieces(shape, dimension, lattice);
-  for_each_cell(lattice, [&](const Cell& cell) {
+  for_each_cell(lattice, [&](const LatticeCell& cell) {
     const Piece piece = pieces.particle(cell);
     if (piece.measure > 0.0) visit(cell, piece);
   });
@@ -157,7 +157,7 @@ Filling filling_of(const Shape& shape, int dimension, const Lattice& lattice) {
   const Pieces pieces(shape, dimension, lattice);
   const double cell_measure = std::pow(lattice.size, dimension);
   Filling filling;
-  for_each_cell(lattice, [&](const Cell& cell) {
+  for_each_cell(lattice, [&](const LatticeCell& cell) {
     filling.fullest = std::max(filling.fullest, pieces.piece(cell).measure / cell_measure);
     const Piece piece = pieces.particle(cell);
     if (!(piece.measure > 0.0)) return;
@@ -170,7 +170,7 @@ Filling filling_of(const Shape& shape, int dimension, const Lattice& lattice) {
 bool have_common_points(const Shape& a, const Shape& b, int dimension, const Lattice& lattice) {
   constexpr double gauss = 0.21132486540518713;  // (1 - 1/sqrt(3)) / 2
   bool shared = false;
-  for_each_cell(lattice, [&](const Cell& cell) {
+  for_each_cell(lattice, [&](const LatticeCell& cell) {
     if (shared) return;
     const Box box = box_of(lattice, cell, dimension);
     const Side in_a = side_of(a, box, dimension), in_b = side_of(b, box, dimension);

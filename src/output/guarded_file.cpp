@@ -40,7 +40,7 @@ int create_file(const std::filesystem::path& path, const std::filesystem::path& 
 bool write_all(int handle, const std::string& text) {
   std::size_t done = 0;
   while (done < text.size()) {
-    const ssize_t count = write(handle, text.data() + done, text.size() - done);
+    const ssize_t count = ::write(handle, text.data() + done, text.size() - done);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return false;
     done += static_cast<std::size_t>(count);

@@ -16,7 +16,7 @@ using input::join;
 using Names = std::vector<std::string>;
 
 /// A list of the deck that says a shape.
-struct ShapeList {
+struct GivenShape {
   const Deck& deck;
   std::string path;
   Mode mode;
@@ -24,16 +24,16 @@ struct ShapeList {
 };
 
 template <class T>
-std::string entry_of(const ShapeList& list, T ShapeSection::*member) {
+std::string entry_of(const GivenShape& list, T ShapeSection::*member) {
   return join(list.path, name_of(member));
 }
 template <class T>
-bool is_given(const ShapeList& list, T ShapeSection::*member) {
+bool is_given(const GivenShape& list, T ShapeSection::*member) {
   return list.deck.has(entry_of(list, member));
 }
 template <class T>
 [[noreturn]] void refuse(
-    const ShapeList& list, T ShapeSection::*member, const std::string& problem
+    const GivenShape& list, T ShapeSection::*member, const std::string& problem
 ) {
   list.deck.refuse_value(entry_of(list, member), problem);
 }
@@ -90,7 +90,7 @@ Keys keys_of(ShapeWord word, Mode mode) {
 }
 
 /// Refuse a parameter of another shape, which would be read and do nothing.
-void check_keys(const ShapeList& list) {
+void check_keys(const GivenShape& list) {
   const Keys keys = keys_of(list.said.word, list.mode);
   const auto in = [](const Names& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -112,7 +112,7 @@ void check_keys(const ShapeList& list) {
 }
 
 /// Shapes that a mode cannot have.
-void check_mode(const ShapeList& list) {
+void check_mode(const GivenShape& list) {
   const ShapeWord word = list.said.word;
   if (word == ShapeWord::cone && list.mode == Mode::plane_strain) {
     refuse(
@@ -130,7 +130,7 @@ void check_mode(const ShapeList& list) {
   }
 }
 
-Shape read_box(const ShapeList& list) {
+Shape read_box(const GivenShape& list) {
   const Box box{list.said.lower, list.said.upper};
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(list.mode)); ++i) {
     if (box.upper[i] > box.lower[i]) continue;
@@ -144,7 +144,7 @@ Shape read_box(const ShapeList& list) {
 }
 
 /// The hollow is inside.
-void check_inner_radius(const ShapeList& list) {
+void check_inner_radius(const GivenShape& list) {
   const bool hollow = is_given(list, &ShapeSection::inner_radius);
   if (hollow && !(list.said.inner_radius < list.said.radius)) {
     refuse(
@@ -155,7 +155,7 @@ void check_inner_radius(const ShapeList& list) {
   }
 }
 
-Shape read_ball(const ShapeList& list) {
+Shape read_ball(const GivenShape& list) {
   const Ball ball{list.said.centre, list.said.radius, list.said.inner_radius};
   check_inner_radius(list);
   if (list.mode == Mode::axisymmetric && ball.centre[0] != 0.0) {
@@ -180,7 +180,7 @@ Shape figure_of(const Cone& cone) {
   return figure;
 }
 
-Shape read_round(const ShapeList& list) {
+Shape read_round(const GivenShape& list) {
   if (list.mode == Mode::plane_strain) return read_ball(list);  // a disk
   const ShapeSection& said = list.said;
   const double end_radius = said.word == ShapeWord::cone ? said.end_radius : said.radius;
@@ -220,7 +220,7 @@ std::vector<std::size_t> crossing_edges(const Polygon& polygon) {
   return {};
 }
 
-Shape read_polygon(const ShapeList& list) {
+Shape read_polygon(const GivenShape& list) {
   Polygon polygon;
   for (const std::vector<double>& row : list.said.corners)
     polygon.corners.push_back({row[0], row[1]});
@@ -259,7 +259,7 @@ Shape read_polygon(const ShapeList& list) {
   return polygon;
 }
 
-Shape read_half_space(const ShapeList& list) {
+Shape read_half_space(const GivenShape& list) {
   HalfSpace half{list.said.point, list.said.normal};
   const double length = std::hypot(half.normal[0], half.normal[1], half.normal[2]);
   if (!(length > 0.0))
@@ -278,7 +278,7 @@ constexpr int max_shapes = 1000;
 
 Shape read_any(const Deck& deck, const std::string& path, Mode mode, Reached& reached);
 
-Shape read_combination(const ShapeList& list, Reached& reached) {
+Shape read_combination(const GivenShape& list, Reached& reached) {
   Combination combination;
   if (list.said.word == ShapeWord::difference) combination.operation = Operation::subtract;
   if (list.said.word == ShapeWord::intersection) combination.operation = Operation::intersect;
@@ -319,7 +319,7 @@ Shape read_combination(const ShapeList& list, Reached& reached) {
 }
 
 Shape read_any(const Deck& deck, const std::string& path, Mode mode, Reached& reached) {
-  const ShapeList list{deck, path, mode, read_list<ShapeSection>(deck, path)};
+  const GivenShape list{deck, path, mode, read_list<ShapeSection>(deck, path)};
   check_mode(list);
   check_keys(list);
   switch (list.said.word) {

@@ -102,11 +102,11 @@ inline std::string region(double x, double q, double vertex, const arenisca::Cap
   return q < 0.02 * std::fabs(x) ? "tip of the cap" : "cap";
 }
 
-struct Tally {
+struct TangentTally {
   int checked = 0, at_kinks = 0, jumped = 0;
   double worst = 0.0;
 };
-using Tallies = std::map<std::string, Tally>;
+using Tallies = std::map<std::string, TangentTally>;
 
 /// Compares a model's tangents with differences of another solver's steps: paths of 12 steps from
 /// 1e-4 to 2e-3.
@@ -133,7 +133,7 @@ Tallies compare_tangents(
       EXPECT_FALSE(update_with_tangent(model, increment, stress, history, tangent).failed());
       const double evp_begin = point.history.plastic_volume_strain;
       EXPECT_FALSE(point.apply(strain, time_step).failed());
-      Tally& tally = regions[region_of(point, evp_begin)];
+      TangentTally& tally = regions[region_of(point, evp_begin)];
       const double scale = point.last.longitudinal_modulus;
       if (!expected.same_substeps) {
         ++tally.jumped;

@@ -4,16 +4,17 @@
 
     check_tidy.py BUILD [FILE ...]
 
-Most of clang-tidy's time goes into the headers of the libraries, so files with the same compiler options are looked at
-together, in one translation unit that includes them, but for those that cannot stand together (the same name in
-two unnamed namespaces): they make groups of their own. A group whose text, headers and rules are those of its last clean
-pass is skipped: what passed is kept in BUILD/tidy.
+Most of clang-tidy's time goes into the headers of the libraries, so files are looked at together, in few translation
+units that include them. The same name in two unnamed namespaces cannot stand in one: such files are dealt out to
+different units, and what a first look at the text misses, clang's own errors tell. A unit whose text, headers and rules
+are those of its last clean pass is skipped: what passed is kept in BUILD/tidy.
 """
 import concurrent.futures
 import hashlib
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -21,34 +22,102 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-NOT_COMPILED = "[clang-diagnostic-error"
 SKIPPED = 77  # what ctest counts as skipped
 RULES = ROOT / ".clang-tidy"
-TOGETHER = 40  # files
+TOGETHER = 75  # files, at most
 PRECOMPILED = "cmake_pch.hxx.cxx"  # CMake's own, with which it precompiles headers
+# What a file means does not depend on these; without them files of many targets have the same options. Checked indices
+# are code of the libraries' headers.
+WITHOUT_MEANING = re.compile(
+    r"-(f(PIC|no-omit-frame-pointer|no-sanitize.*|sanitize.*|pch-preprocess)|g\d?|O\d|Winvalid-pch"
+    r"|D(\w+_EXPORTS|KOKKOS_ENABLE_DEBUG_BOUNDS_CHECK|_GLIBCXX_ASSERTIONS))$"
+)
+APART = re.compile(r"^(?:TEST(?:_F|_P)?\((\w+, \w+)\)|int (main)\()", re.MULTILINE)
+UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
+# At the beginning of a line, as clang-format leaves them: types, constants, functions.
+NAMES = re.compile(
+    r"^(?:(?:struct|class|enum|enum class) (\w+)|using (\w+) ="
+    r"|(?!return|using|namespace|#)[\w:]+[\w:<>,&* ]*[ &*](\w+)(?:\[|\{| =|;))",
+    re.MULTILINE,
+)
+FUNCTIONS = re.compile(r"^(?!return|#)[\w:][\w:<>,&*\s]*?[ &*](\w+)\(([^)]*)\)", re.MULTILINE)
+PARAMETER = re.compile(r" ?\w+(?=,|$)")
+CONSTANTS = re.compile(r"^(?:const|constexpr) .*?;", re.MULTILINE | re.DOTALL)
+USED = re.compile(r"^using [\w:]+::(\w+);", re.MULTILINE)
 
 
 def options_of(entry):
-    """Compiler options without the file itself and the precompiled headers, which are another compiler's."""
+    """Compiler options that change what a file means, each with its argument."""
     words = shlex.split(entry["command"])[1:]
-    while "-include" in words:
-        where = words.index("-include")
-        del words[where : where + 2]
-    words = [word for word in words if word not in ("-Winvalid-pch", "-fpch-preprocess")]
-    for option in ("-o", "-c"):
-        where = words.index(option)
-        del words[where : where + 2]
-    return tuple(words)
+    options = []
+    while words:
+        word = words.pop(0)
+        if word in ("-o", "-c", "-include"):
+            words.pop(0)
+        elif word == "-isystem":
+            options.append((word, words.pop(0)))
+        elif not WITHOUT_MEANING.match(word):
+            options.append((word,))
+    return tuple(options)
 
 
-def groups_of(entries):
+def defined(options):
+    return dict(word[0][2:].partition("=")[::2] for word in options if word[0].startswith("-D"))
+
+
+def merged(options):
+    """Files by options, where options that do not contradict each other are taken together."""
+    sets = []
+    for words, files in sorted(options.items(), key=lambda item: -len(item[1])):
+        for known in sets:
+            own, other = defined(known[0]), defined(words)
+            if all(own[name] == other[name] for name in own.keys() & other.keys()):
+                known[0] += tuple(word for word in words if word not in known[0])
+                known[1] |= files
+                break
+        else:
+            sets.append([words, set(files)])
+    return [([part for word in words for part in word], sorted(files)) for words, files in sets]
+
+
+def names_of(file):
+    """What a file may have in an unnamed namespace or as a test: names and signatures; names alone; those it uses."""
+    text = pathlib.Path(file).read_text()
+    own = {test or main for test, main in APART.findall(text)}
+    functions = set()
+    for block in UNNAMED.findall(text):
+        own.update(name for match in NAMES.findall(block) for name in match if name)
+        own.update(name for line in CONSTANTS.findall(block) for name in re.findall(r"(\w+) =", line))
+        functions.update((name, PARAMETER.sub("", " ".join(words.split()))) for name, words in FUNCTIONS.findall(block))
+    names = own | {name for name, _ in functions}
+    return own | functions, names, set(USED.findall(text))
+
+
+def deal(files):
+    """Units of files without names that stand twice. Neighbours stay together: they read the same headers."""
+    count = -(-len(files) // TOGETHER)
+    size = -(-len(files) // count)
+    units = [([], set(), set(), set()) for _ in range(count)]
+    for at, file in enumerate(files):
+        own, names, used = names_of(file)
+        order = sorted(units, key=lambda unit: (unit is not units[at // size], len(unit[0])))
+        fits = [u for u in order if not (own & (u[1] | u[2]) or names & (u[1] | u[3]) or used & u[2])]
+        if not fits:
+            fits = [([], set(), set(), set())]
+            units += fits
+        fits[0][0].append(file)
+        for known, new in zip(fits[0][1:], (own, names, used)):
+            known.update(new)
+    return [unit[0] for unit in units if unit[0]]
+
+
+def units_of(entries):
     by_options = {}
     for entry in entries:
         by_options.setdefault(options_of(entry), set()).add(entry["file"])
-    for options, found in by_options.items():
-        files = sorted(found)
-        for start in range(0, len(files), TOGETHER):
-            yield list(options), files[start : start + TOGETHER]
+    for options, files in merged(by_options):
+        for unit in deal(files):
+            yield options, unit
 
 
 def own_files(options, files):
@@ -65,43 +134,40 @@ def fingerprint(options, files):
     return digest.hexdigest()
 
 
-def tidy(options, path):
+def tidy(options, path, *words):
     # GCC's warnings that clang does not know must not count as findings.
-    command = ["clang-tidy", "--quiet", str(path), "--", *options, "-Wno-unknown-warning-option"]
-    result = subprocess.run(command, capture_output=True, text=True)
+    command = ["clang-tidy", "--quiet", *words, str(path), "--", *options, "-Wno-unknown-warning-option"]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def clashing(options, unit, files):
+    """The files that cannot stand behind those before them: clang's errors are in them. A single check costs little."""
+    result = tidy(options + ["-w", "-ferror-limit=0"], unit, "--checks=-*,bugprone-posix-return")
+    wrong = {line.split(":")[0] for line in result.stdout.splitlines() if ": error: " in line}
+    if not wrong:
+        return []
+    return [file for file in files[1:] if file in wrong] or files[len(files) // 2 :]
+
+
+def findings_of(options, files, folder):
+    """Findings of a unit; an empty text if there are none."""
+    unit, apart = files[0], []
+    if len(files) > 1:
+        unit = folder / (hashlib.sha256(" ".join(options + files).encode()).hexdigest()[:16] + ".cpp")
+        unit.write_text("".join(f'#include "{file}"  // NOLINT\n' for file in files))
+        apart = clashing(options, unit, files)
+    if apart:
+        print("apart: " + ", ".join(pathlib.Path(file).name for file in apart), flush=True)
+        rest = [file for file in files if file not in apart]
+        return findings_of(options, rest, folder) + findings_of(options, apart, folder)
+    result = tidy(options, unit)
     if result.returncode == 0:
         return ""
     return f"clang-tidy ended with {result.returncode}\n{result.stdout}{result.stderr}"
 
 
-def clashing(options, unit, files):
-    """The files that cannot stand behind those before them: the compiler's errors are in them."""
-    result = subprocess.run(["c++", *options, "-fsyntax-only", "-w", str(unit)], capture_output=True, text=True)
-    if result.returncode == 0:
-        return []
-    wrong = {line.split(":")[0] for line in result.stderr.splitlines() if ": error: " in line}
-    found = [file for file in files[1:] if file in wrong]
-    return found or files[len(files) // 2 :]
-
-
-def findings_of(options, files, folder):
-    """Findings of a group; an empty text if there are none. The compiler, which is quicker, says what stands together."""
-    if len(files) == 1:
-        return tidy(options, files[0])
-    unit = folder / (hashlib.sha256(" ".join(options + files).encode()).hexdigest()[:16] + ".cpp")
-    unit.write_text("".join(f'#include "{file}"  // NOLINT\n' for file in files))
-    apart = clashing(options, unit, files)
-    if not apart:
-        findings = tidy(options, unit)
-        if NOT_COMPILED not in findings:
-            return findings
-        apart = files[len(files) // 2 :]
-    rest = [file for file in files if file not in apart]
-    return findings_of(options, rest, folder) + findings_of(options, apart, folder)
-
-
 def check(options, files, folder):
-    """True if the group is clean."""
+    """True if the unit is clean."""
     start = time.time()
     stamp = folder / (hashlib.sha256(" ".join(options + files).encode()).hexdigest()[:16] + ".passed")
     now = fingerprint(options, files)
@@ -127,10 +193,10 @@ def main():
     folder = build / "tidy"
     folder.mkdir(exist_ok=True)
 
+    units = sorted(units_of(entries), key=lambda unit: -len(unit[1]))
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        # the last groups take longest: tests, which share names
-        clean = list(pool.map(lambda group: check(*group, folder), reversed(list(groups_of(entries)))))
-    print(f"{len(entries)} files, {len(clean) - sum(clean)} of {len(clean)} groups with findings")
+        clean = list(pool.map(lambda unit: check(*unit, folder), units))
+    print(f"{len(entries)} files, {len(clean) - sum(clean)} of {len(clean)} units with findings")
     return 0 if all(clean) else 1
 
 

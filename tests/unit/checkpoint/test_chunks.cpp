@@ -92,11 +92,11 @@ protected:
 };
 
 TEST(RowsPerChunk, AreEvenAndOneMegabyteAtMost) {
-  EXPECT_EQ(rows_per_chunk(0, 3), 1U);
-  EXPECT_EQ(rows_per_chunk(7, 0), 7U);
+  EXPECT_EQ(rows_of_chunk(0, 3), 1U);
+  EXPECT_EQ(rows_of_chunk(7, 0), 7U);
   for (const std::size_t columns : {1U, 3U, 9U, 1000U})
     for (const std::size_t rows : {1U, 1000U, 131073U, 524288U, 3000017U}) {
-      const std::size_t chunk = rows_per_chunk(rows, columns);
+      const std::size_t chunk = rows_of_chunk(rows, columns);
       const std::size_t chunks = (rows + chunk - 1) / chunk;
       EXPECT_LE(8 * chunk * columns, 1U << 20U);
       EXPECT_LT(chunks * chunk - rows, chunks) << rows << " rows of " << columns;

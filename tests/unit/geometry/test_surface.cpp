@@ -16,14 +16,14 @@
 namespace barreno {
 namespace {
 
-using Corners = std::array<Vector, 3>;
-using Soup = std::vector<Corners>;
+using Facet = std::array<Vector, 3>;
+using Soup = std::vector<Facet>;
 
 std::string as_text(const Soup& soup) {
   std::ostringstream out;
   out.precision(17);
   out << "solid test\n";
-  for (const Corners& facet : soup) {
+  for (const Facet& facet : soup) {
     out << "facet normal 0 0 0\n outer loop\n";
     for (const Vector& x : facet) out << "  vertex " << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
     out << " endloop\nendfacet\n";
@@ -40,7 +40,7 @@ std::string as_binary(const Soup& soup) {
     out.append(bytes, sizeof value);
   };
   put(static_cast<std::uint32_t>(soup.size()));
-  for (const Corners& facet : soup) {
+  for (const Facet& facet : soup) {
     for (int i = 0; i < 3; ++i) put(0.0F);
     for (const Vector& x : facet)
       for (const double c : x) put(static_cast<float>(c));
@@ -81,18 +81,18 @@ Soup sphere(double radius, int halvings) {
   for (const double a : {-1.0, 1.0})
     for (const double b : {-1.0, 1.0})
       for (const double c : {-1.0, 1.0}) {
-        Corners facet{on({a, 0, 0}), on({0, b, 0}), on({0, 0, c})};
+        Facet facet{on({a, 0, 0}), on({0, b, 0}), on({0, 0, c})};
         if (a * b * c < 0.0) std::swap(facet[0], facet[1]);
         soup.push_back(facet);
       }
   for (int h = 0; h < halvings; ++h) {
     Soup finer;
-    for (const Corners& f : soup) {
+    for (const Facet& f : soup) {
       const auto middle = [&](std::size_t i, std::size_t j) {
         return on({f[i][0] + f[j][0], f[i][1] + f[j][1], f[i][2] + f[j][2]});
       };
       const Vector a = middle(0, 1), b = middle(1, 2), c = middle(2, 0);
-      for (const Corners& part : {Corners{f[0], a, c}, {a, f[1], b}, {c, b, f[2]}, {a, b, c}})
+      for (const Facet& part : {Facet{f[0], a, c}, {a, f[1], b}, {c, b, f[2]}, {a, b, c}})
         finer.push_back(part);
     }
     soup = finer;
@@ -101,7 +101,7 @@ Soup sphere(double radius, int halvings) {
 }
 
 Soup turned(Soup soup) {
-  for (Corners& facet : soup) std::swap(facet[1], facet[2]);
+  for (Facet& facet : soup) std::swap(facet[1], facet[2]);
   return soup;
 }
 Soup joined(Soup soup, const Soup& more) {

@@ -38,14 +38,14 @@ Scene bar(Mode mode, const std::string& shape, bool half) {
   return scene;
 }
 
-using Rows = std::vector<std::vector<double>>;
+using Numbers = std::vector<std::vector<double>>;
 
 /// Rows of the particles beyond the plane, in the order of their places at the start.
-Rows rows_after(const Scene& scene, std::size_t d, double time) {
+Numbers rows_after(const Scene& scene, std::size_t d, double time) {
   State state = testing::start(scene);
-  const Rows first = testing::all_rows(state);
+  const Numbers first = testing::all_rows(state);
   testing::advance_to(scene, time, state);
-  const Rows last = testing::all_rows(state);
+  const Numbers last = testing::all_rows(state);
   EXPECT_EQ(first.size(), last.size());
   const auto place = [&](std::size_t i) {
     const std::vector<double>& row = first[i];
@@ -58,7 +58,7 @@ Rows rows_after(const Scene& scene, std::size_t d, double time) {
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return place(a) < place(b);
   });
-  Rows out;
+  Numbers out;
   for (const std::size_t i : order) out.push_back(last[i]);
   return out;
 }
@@ -66,9 +66,9 @@ Rows rows_after(const Scene& scene, std::size_t d, double time) {
 /// Linear functions leave nodes at a free end with next to no mass, which makes round-off large.
 constexpr double linear_bound = 1e-5;
 
-class SymmetryPlane : public ::testing::TestWithParam<Mode> {};
+class PlaneOfSymmetry : public ::testing::TestWithParam<Mode> {};
 
-TEST_P(SymmetryPlane, IsTheMiddleOfTheWholeBody) {
+TEST_P(PlaneOfSymmetry, IsTheMiddleOfTheWholeBody) {
   const Mode mode = GetParam();
   const std::size_t d = mode == Mode::axisymmetric ? 1 : 0;
   // A quarter of the time in which a wave goes through: half a cell, 60 steps, free ends and all.
@@ -77,8 +77,8 @@ TEST_P(SymmetryPlane, IsTheMiddleOfTheWholeBody) {
   const double size[13] = {h, h, 60.0, 60.0, 1e7, 1e7, 1e7, 1e7, 1.0, h, 60.0, 1e7, 1e7};
   for (const std::string& shape : shape_words()) {
     SCOPED_TRACE(shape);
-    const Rows half = rows_after(bar(mode, shape, true), d, end);
-    const Rows whole = rows_after(bar(mode, shape, false), d, end);
+    const Numbers half = rows_after(bar(mode, shape, true), d, end);
+    const Numbers whole = rows_after(bar(mode, shape, false), d, end);
     ASSERT_EQ(half.size(), whole.size());
     ASSERT_GT(half.size(), 50U);
     double worst = 0.0, stress = 0.0, moved = 0.0;
@@ -94,7 +94,7 @@ TEST_P(SymmetryPlane, IsTheMiddleOfTheWholeBody) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, SymmetryPlane, ::testing::ValuesIn(testing::all_modes));
+INSTANTIATE_TEST_SUITE_P(Modes, PlaneOfSymmetry, ::testing::ValuesIn(testing::all_modes));
 
 }  // namespace
 }  // namespace barreno

@@ -55,14 +55,14 @@ Scene slab(bool whole) {
   return scene;
 }
 
-using Rows = std::vector<std::vector<double>>;
+using Numbers = std::vector<std::vector<double>>;
 
 /// Rows at the end, in the order of their places at the start.
-Rows rows_after(const Scene& scene) {
+Numbers rows_after(const Scene& scene) {
   State state = testing::start(scene);
-  const Rows first = testing::all_rows(state);
+  const Numbers first = testing::all_rows(state);
   testing::advance_to(scene, end, state);
-  const Rows last = testing::all_rows(state);
+  const Numbers last = testing::all_rows(state);
   std::vector<std::size_t> order(first.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto place = [&](std::size_t i) {
@@ -71,12 +71,12 @@ Rows rows_after(const Scene& scene) {
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return place(a) < place(b);
   });
-  Rows sorted;
+  Numbers sorted;
   for (const std::size_t i : order) sorted.push_back(last[i]);
   return sorted;
 }
 
-void expect_same_motion(const Rows& a, const Rows& b) {
+void expect_same_motion(const Numbers& a, const Numbers& b) {
   ASSERT_EQ(a.size(), b.size());
   double fastest = 0.0;
   for (const auto& row : a) fastest = std::max(fastest, -row[3]);
