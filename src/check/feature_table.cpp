@@ -131,6 +131,13 @@ std::vector<Feature> step_features(const Scene& scene) {
        transfer_choice(step, Transfer::apic, "particles carry first moments of the velocity"),
        leave_out_transfer,
        {"project_affine", "gather_affine", "start_affine"}},
+      {"subcycling",
+       {step.subcycles > 1,
+        step.subcycles > 1
+            ? format("tiles take up to %d of the smallest steps at once", step.subcycles)
+            : "Subcycles is 1: all tiles take one step"},
+       [](Scene& without) { without.step.subcycles = 1; },
+       {"plan_subcycles", "end_tile_steps", "carry_tile_steps", "find_early_arrivals"}},
       {"returned losses",
        {step.return_losses,
         step.return_losses ? "losses of a step become heat of metals" : "Return Losses is false"},

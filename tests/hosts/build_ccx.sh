@@ -54,7 +54,7 @@ unpack() {
 }
 
 compile() {
-  local flags="-O1 -w -fopenmp -fallow-argument-mismatch"
+  local flags="-O0 -w -fopenmp -fallow-argument-mismatch"
   local defines='-DARCH="Linux" -DSPOOLES -DARPACK -DMATRIXSTORAGE -DUSE_MT=1 -DCALCULIX_EXTERNAL_BEHAVIOURS_SUPPORT'
   make -C "CalculiX/ccx_$version/src" -j"${JOBS:-$(nproc)}" "ccx_$version" \
     CFLAGS="$flags -I/usr/include/spooles $defines" FFLAGS="$flags" >compile.log 2>&1 || {
