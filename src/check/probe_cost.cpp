@@ -29,7 +29,7 @@ Scene probed_scene(const Scene& scene) {
   probed.grid = uniform_grid(scene.grid, 0);  // a particle costs the same in cells of any size
   probed.pore_flow = {};
   probed.step.skip_dormant = false;  // nearly all is at rest in the first steps
-  probed.step.subcycles = 1;          // of those that are left, each costs the same
+  probed.step.subcycles = 1;         // of those that are left, each costs the same
   const int d = dimensions(scene.grid.mode);
   Scene bodies = probed;
   bodies.jet.slugs.clear();

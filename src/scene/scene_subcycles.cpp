@@ -2,9 +2,9 @@
 #include "deck/section_table.hpp"
 #include "scene/dormant.hpp"
 #include "scene/scene_parts.hpp"
-#include "shape/shape_facts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace barreno {
@@ -13,6 +13,13 @@ namespace {
 bool is_across_axis(const ConditionSpec& condition) {
   return condition.kind == ConditionKind::symmetry &&
          (condition.face == Face::y_lower || condition.face == Face::y_upper);
+}
+
+/// Shape functions whose particles all bear the step of the cells, whatever their deformation.
+bool has_fixed_supports(const std::string& shape) {
+  static const std::array<const char*, 4> words{
+      "linear", "GIMP", "quadratic B-spline", "cubic B-spline"};
+  return std::find(words.begin(), words.end(), shape) != words.end();
 }
 
 /// Why all tiles of a scene take one step; empty: they need not. The first reasons are those for
@@ -26,7 +33,7 @@ std::string why_one_step(const Scene& scene) {
     return "particles take a share of the grid's velocity (PIC)";
   if (step.damping > 0.0) return "damping acts on particles too";
   if (step.return_losses) return "Return Losses needs the parts of each step";
-  if (follows_deformation(scene))
+  if (!has_fixed_supports(step.shape))
     return "the domains of shape function " + step.shape + " limit the step one by one";
   if (std::any_of(scene.conditions.begin(), scene.conditions.end(), is_across_axis))
     return "a symmetry plane across y mirrors the nodes' momenta in every step";
