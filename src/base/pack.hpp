@@ -41,8 +41,7 @@ struct TwoPacks {
 };
 
 template <int N>
-using Pack =
-    std::conditional_t<N == 8 && N != register_doubles, TwoPacks, typename PackOf<N>::type>;
+using Pack = std::conditional_t<(N > register_doubles), TwoPacks, typename PackOf<N>::type>;
 
 template <int A, int B, int C, int D, int E, int F, int G, int H>
 inline TwoPacks select(const TwoPacks& pack) {

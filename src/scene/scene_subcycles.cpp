@@ -26,7 +26,7 @@ bool has_fixed_supports(const std::string& shape) {
 /// which a step visits all tiles (why_all_awake); particles that take a share of the grid's
 /// velocity, not its change alone, would take the mean of a step of several parts.
 std::string why_one_step(const Scene& scene) {
-  const std::string awake = why_all_awake(scene);
+  std::string awake = why_all_awake(scene);
   if (!awake.empty()) return awake;
   const StepSpec& step = scene.step;
   if (step.transfer == Transfer::pic || step.pic_fraction > 0.0)

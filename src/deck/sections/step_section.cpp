@@ -142,7 +142,12 @@ Entries<StepSpec> remaining_entries() {
           dim::time,
           at_least(0.0),
           "limit of every step; 0: none"
-      ),
+      )};
+}
+
+/// Of what tiles need not do in every step.
+Entries<StepSpec> tile_entries() {
+  return {
       defaulted(
           &StepSpec::skip_dormant,
           "Skip Dormant Tiles",
@@ -173,7 +178,12 @@ SectionTable<StepSpec> step_table() {
       "Step",
       "the time step and its numerical choices",
       Presence::defaulted,
-      joined<StepSpec>({support_entries(), limit_entries(), scheme_entries(), remaining_entries()}
+      joined<StepSpec>(
+          {support_entries(),
+           limit_entries(),
+           scheme_entries(),
+           remaining_entries(),
+           tile_entries()}
       )};
 }
 

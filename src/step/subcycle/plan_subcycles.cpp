@@ -186,8 +186,7 @@ void make_rooms(const Grid& grid, Subcycling& subcycling) {
   const auto tiles = static_cast<std::size_t>(grid.active + grid.ghosts);
   if (subcycling.period.extent(0) >= tiles) return;
   const std::size_t room = tiles + tiles / 4;
-  const auto nodes =
-      room * static_cast<std::size_t>(grid.patch.size * motion_components(grid.patch.dimensions));
+  const std::size_t nodes = first_motion(grid.patch, static_cast<int>(room));
   subcycling.period = ArrayView<int>("period", room);
   subcycling.entrants = ArrayView<int>("entrants", room);
   subcycling.ends = ArrayView<unsigned char>("ends", room);
