@@ -183,10 +183,11 @@ void start_periods(
 void make_rooms(const Grid& grid, Subcycling& subcycling) {
   if (subcycling.activation == grid.activations) return;
   subcycling.activation = grid.activations;
-  const auto tiles = static_cast<std::size_t>(grid.active + grid.ghosts);
-  if (subcycling.period.extent(0) >= tiles) return;
-  const std::size_t room = tiles + tiles / 4;
-  const std::size_t nodes = first_motion(grid.patch, static_cast<int>(room));
+  const int tiles = grid.active + grid.ghosts;
+  if (subcycling.period.extent(0) >= static_cast<std::size_t>(tiles)) return;
+  const int with_spare = tiles + tiles / 4;
+  const auto room = static_cast<std::size_t>(with_spare);
+  const std::size_t nodes = first_motion(grid.patch, with_spare);
   subcycling.period = ArrayView<int>("period", room);
   subcycling.entrants = ArrayView<int>("entrants", room);
   subcycling.ends = ArrayView<unsigned char>("ends", room);
