@@ -28,7 +28,7 @@ bool must_meet(double dt, const State& state, const StepTally& tally, const Step
   return meets[0] > 0.0;
 }
 
-/// Those that were not within their steps have been counted with the others of their chunks.
+/// Chunks that took part in both updates were counted in both: the totals are taken afresh.
 void tally_all_momentum(const State& state, ParticleTally& moved) {
   ParticleTally all;
   for (const Particles& particles : state.particles) add(tally_momentum(particles), all);

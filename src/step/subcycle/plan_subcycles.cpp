@@ -31,6 +31,7 @@ KOKKOS_INLINE_FUNCTION int back(int towards) {
   return directions - 1 - towards;
 }
 
+/// Periods of tiles, and where their particles may go before the step is over.
 struct TileReach {
   Patch patch;
   BoxTiles box;

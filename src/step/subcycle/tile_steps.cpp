@@ -24,17 +24,16 @@ struct EndTileStep {
     const int width = motion_components(dimensions);
     const std::size_t first = first_motion(patch, tile);
     const bool gained = subcycling.gained(tile) != 0;
-    // Nodes of tiles that were not solved did not move.
-    const double now = subcycling.solved(tile) != 0 ? 1.0 : 0.0;
+    const bool moved = subcycling.solved(tile) != 0;  // what is not solved is motionless
     for (int node = 0; node < patch.size; ++node) {
       const double* const of_part = &motion(first) + node * width;
       const double* const before = &subcycling.gain(first) + node * width;
       double* const out = &subcycling.whole(first) + node * width;
       for (int d = 0; d < dimensions; ++d) {
-        const double path = (gained ? before[d] : 0.0) + (now != 0.0 ? dt * of_part[d] : 0.0);
+        const double path = (gained ? before[d] : 0.0) + (moved ? dt * of_part[d] : 0.0);
         out[d] = path / whole_step;
         out[dimensions + d] =
-            (gained ? before[dimensions + d] : 0.0) + (now != 0.0 ? of_part[dimensions + d] : 0.0);
+            (gained ? before[dimensions + d] : 0.0) + (moved ? of_part[dimensions + d] : 0.0);
       }
       for (int d = 2 * dimensions; d < width; ++d) out[d] = 0.0;
     }
