@@ -38,7 +38,7 @@ struct TileReach {
   ArrayView<TileFrame> frame;
   ArrayView<unsigned char> level_of_tile;
   ArrayView<int> neighbours, parent, directory, period;
-  ArrayView<int> entrants;  ///< by own tile: the longest period that those beside it permit
+  ArrayView<int> entrants;  ///< by own tile: the least period of tiles whose particles may come in
   ArrayView<double> told;
   bool remembers;  ///< what Dormancy knows is of these tiles
 
@@ -233,8 +233,7 @@ void ask_finer_tiles(const Grid& grid, const TileReach& reach) {
     );
 }
 
-/// The longest period that the tiles beside each tile permit: their own if their particles may come
-/// in, else twice as long, for a shock that comes in makes the tile's stable step shorter.
+/// The least period of particles that may come into each tile from beside it.
 void find_entrants(const Grid& grid, const TileReach& reach) {
   launch(
       "find_entrants",
@@ -245,9 +244,8 @@ void find_entrants(const Grid& grid, const TileReach& reach) {
           if (x * x > 1 || y * y > 1 || z * z > 1) return;
           const int other = reach.neighbours(tile * reach.patch.neighbours + k);
           if (other < 0 || other == tile) return;
-          const int theirs = static_cast<int>(reach.told(other * told_of_tile + told_period));
-          const bool enter = (reach.exits(other) >> back(direction(x, y, z)) & 1U) != 0;
-          const int period = enter ? theirs : 2 * theirs;  // what else comes is a wave
+          if ((reach.exits(other) >> back(direction(x, y, z)) & 1U) == 0) return;
+          const int period = static_cast<int>(reach.told(other * told_of_tile + told_period));
           least = period < least ? period : least;
         });
         reach.entrants(tile) = least;

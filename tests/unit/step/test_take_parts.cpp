@@ -48,7 +48,7 @@ protected:
 TEST_F(TakeParts, StepsGoOnWhileTheStableStepHolds) {
   ASSERT_EQ(state.subcycling.parts, 4);
   ASSERT_EQ(state.subcycling.period(0), 1);
-  ASSERT_EQ(state.subcycling.period(1), 2);
+  ASSERT_EQ(state.subcycling.period(1), 4);
   after_part(0.95 * state.clock.dt);
   EXPECT_TRUE(goes_on(state.subcycling));
   EXPECT_EQ(state.subcycling.elapsed(1), state.clock.dt);
