@@ -42,14 +42,15 @@ void add_row(double dt, std::size_t i, PoreNetwork& network) {
 
 }  // namespace
 
-void link_pore_cells(const Scene& scene, const Grid& grid, double time, PoreNetwork& network) {
+void link_pore_cells(const PorousMedium& medium, PoreNetwork& network) {
   const Region region("link_pore_cells");
   const PoreCells& cells = network.cells;
   network.links.assign(static_cast<std::size_t>(cells.own), {});
+  const std::size_t faces = 2 * static_cast<std::size_t>(medium.grid.patch.dimensions);
   for (std::size_t i = 0; i < network.links.size(); ++i)
     if (cells.cells[i].storage > 0.0)
-      for (std::size_t face = 0; face < 2 * static_cast<std::size_t>(grid.patch.dimensions); ++face)
-        network.links[i][face] = pore_link(scene, grid, cells, time, i, face);
+      for (std::size_t face = 0; face < faces; ++face)
+        network.links[i][face] = pore_link(medium, cells, i, face);
 }
 
 void assemble_system(double dt, PoreNetwork& network) {

@@ -6,7 +6,7 @@
 namespace barreno {
 
 /// Links of all own cells at this time. (7.3)
-void link_pore_cells(const Scene& scene, const Grid& grid, double time, PoreNetwork& network);
+void link_pore_cells(const PorousMedium& medium, PoreNetwork& network);
 
 /// Rows of backward Euler for the change dp of every own cell over dt: (7.2)
 ///

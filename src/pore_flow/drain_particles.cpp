@@ -20,13 +20,15 @@ double evened_share(const PoreCell& cell, double cell_size, double dt) {
 }
 
 /// The pressure of a cell along a line through its centroid after the solve.
-double line_at(const Scene& scene, const PoreNetwork& network, std::size_t i, const Vector& x) {
+double line_at(
+    const Vector& fluid_weight, const PoreNetwork& network, std::size_t i, const Vector& x
+) {
   const PoreCell& cell = network.cells.cells[i];
   double p = cell.pressure + network.change[i];
   for (std::size_t d = 0; d < 3; ++d) {
     if (!(cell.mobility[d] > 0.0)) continue;
-    const double slope = scene.pore_flow.fluid_weight[d] -
-                         network.steepness[i] * network.flux[i][d] / cell.mobility[d];
+    const double slope =
+        fluid_weight[d] - network.steepness[i] * network.flux[i][d] / cell.mobility[d];
     p += slope * (x[d] - cell.centroid[d]);
   }
   return p;
@@ -73,7 +75,7 @@ Outcome drain_point(
 /// The particles of one material.
 template <class Model>
 struct DrainSet {
-  const Scene& scene;
+  const Vector& fluid_weight;
   const PoreNetwork& network;
   const Model& model;
   const MaterialSpec& spec;
@@ -84,7 +86,7 @@ struct DrainSet {
     const double share = network.shares.evened[i];
     const double cell = network.change[i];
     if (share == 0.0) return cell;
-    return cell + share * (line_at(scene, network, i, x) - point.pressure - cell);
+    return cell + share * (line_at(fluid_weight, network, i, x) - point.pressure - cell);
   }
 
   /// The fluid that a particle of own cell i wants, and what it and its cell can spare.
@@ -102,7 +104,7 @@ struct DrainSet {
     const double content = point.fluid_mass / point.mass_per_volume;
     if (network.cells.emptied[i]) change = -content;
     shares.points.back().wanted = change;
-    const double whole = fluid_volume(scene, particles, p, first_porosity);
+    const double whole = fluid_volume(spec, particles.mass(p), first_porosity);
     (change < -content ? shares.lacking : shares.spare)[i] +=
         whole * point.mass_per_volume * std::fabs(content + change);
   }
@@ -126,7 +128,7 @@ struct DrainSet {
       DrainTally& tally
   ) const {
     const PorePoint& point = share.point;
-    const double whole = fluid_volume(scene, particles, p, first_porosity);
+    const double whole = fluid_volume(spec, particles.mass(p), first_porosity);
     tally.fluid_before += whole * point.fluid_mass;
     tally.fluid += whole * point.fluid_mass;
     if (!(point.storage > 0.0)) return;
@@ -151,15 +153,13 @@ struct DrainSet {
 
 /// visit(set, particles, row, own cell) for every particle of rock.
 template <class Visitor>
-void for_each_porous(
-    const Scene& scene, const State& state, const PoreNetwork& network, Visitor&& visit
-) {
-  for (const Particles& particles : state.particles) {
-    const MaterialSpec& spec = scene.materials[static_cast<std::size_t>(particles.material)];
-    visit_porous(scene, particles, [&](const auto& model) {
+void for_each_porous(const PorousMedium& medium, const PoreNetwork& network, Visitor&& visit) {
+  for (const Particles& particles : medium.particles) {
+    const MaterialSpec& spec = medium.material_of(particles);
+    visit_porous(spec, [&](const auto& model) {
       using Model = std::decay_t<decltype(model)>;
-      const DrainSet<Model> set{scene, network, model, spec};
-      for_each_solid_row(state.grid, particles, [&](int p, int key) {
+      const DrainSet<Model> set{medium.flow.fluid_weight, network, model, spec};
+      for_each_solid_row(medium.grid, particles, [&](int p, int key) {
         const int cell = network.cells.index_of_key[static_cast<std::size_t>(key)];
         visit(set, particles, p, static_cast<std::size_t>(cell));
       });
@@ -169,21 +169,21 @@ void for_each_porous(
 
 }  // namespace
 
-DrainTally drain_particles(const Scene& scene, double dt, State& state, PoreNetwork& network) {
+DrainTally drain_particles(const PorousMedium& medium, double dt, PoreNetwork& network) {
   const Region region("drain_particles");
   PoreShares& shares = network.shares;
   shares.points.clear();
   shares.evened.clear();
   for (std::size_t i = 0; i < network.links.size(); ++i)
-    shares.evened.push_back(evened_share(network.cells.cells[i], state.grid.cell_size, dt));
+    shares.evened.push_back(evened_share(network.cells.cells[i], medium.grid.cell_size, dt));
   shares.lacking.assign(network.links.size(), 0.0);
   shares.spare.assign(network.links.size(), 0.0);
-  for_each_porous(scene, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
+  for_each_porous(medium, network, [&](const auto& set, const auto& rock, int p, auto i) {
     set.want(rock, p, i, shares);
   });
   DrainTally tally;
   std::size_t next = 0;
-  for_each_porous(scene, state, network, [&](const auto& set, const auto& rock, int p, auto i) {
+  for_each_porous(medium, network, [&](const auto& set, const auto& rock, int p, auto i) {
     set.drain(rock, p, i, shares.points[next++], shares, tally);
   });
   return tally;

@@ -21,6 +21,6 @@ struct DrainTally {
 /// with p, x means of weight V / M, so that what particles take adds up to what the cell takes.
 /// Without flow nothing changes, bit for bit. No particle gives more than it holds; what its cell
 /// still owes is taken from the others of the cell.
-DrainTally drain_particles(const Scene& scene, double dt, State& state, PoreNetwork& network);
+DrainTally drain_particles(const PorousMedium& medium, double dt, PoreNetwork& network);
 
 }  // namespace barreno

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace barreno {
@@ -16,29 +17,29 @@ namespace {
 
 /// Cells, neighbours and links of now.
 /// @return whether the graph is that of the last solve on every rank
-bool build_network(const Scene& scene, State& state, PoreNetwork& network) {
-  const bool kept = fill_pore_cells(scene, state, network.cells) && network.halo;
+bool build_network(const PorousMedium& medium, PoreNetwork& network) {
+  const bool kept = fill_pore_cells(medium, network.cells) && network.halo;
   std::array<double, 1> changed{kept ? 0.0 : 1.0};
-  max_over_ranks(*state.grid.comm, changed);
-  if (changed[0] > 0.0) network.halo = build_pore_halo(state.grid, network.cells);
+  max_over_ranks(*medium.grid.comm, changed);
+  if (changed[0] > 0.0) network.halo = build_pore_halo(medium.grid, network.cells);
   exchange_pore_cells(*network.halo, network.cells);
-  link_pore_cells(scene, state.grid, state.clock.time, network);
+  link_pore_cells(medium, network);
   return changed[0] == 0.0;
 }
 
-std::string not_converged(const Clock& clock, const SolveReport& report) {
+std::string not_converged(double time, const SolveReport& report) {
   std::ostringstream text;
   text
-      << "The pore pressure at t = " << clock.time << " s was not found: " << report.method
+      << "The pore pressure at t = " << time << " s was not found: " << report.method
       << " left a residual of " << report.residual << " after " << report.iterations
       << " iterations. Raise Belos/Maximum Iterations, choose another preconditioner in Pore Flow, "
          "or solve more often with a smaller Diffusion Number.";
   return text.str();
 }
 
-std::string not_drained(const Clock& clock, double failures) {
+std::string not_drained(double time, double failures) {
   std::ostringstream text;
-  text << "At t = " << clock.time << " s " << failures
+  text << "At t = " << time << " s " << failures
        << " particles could not accept the change in their pore pressure (more fluid would leave "
           "than they hold, or their stress update failed), and their policy is to stop. Set \"Bad "
           "Particles\" to remove or hold, or solve more often with a smaller Diffusion Number.";
@@ -108,8 +109,9 @@ FlowTally tally_flow(double dt, PoreNetwork& network) {
   return tally;
 }
 
-/// Time in which the fastest cell evens out over Diffusion Number cells.
-double drain_interval(const Scene& scene, const State& state, const PoreNetwork& network) {
+/// Time in which the fastest cell evens out over Diffusion Number cells; where nothing flows, the
+/// longest that there is.
+double drain_interval(const PorousMedium& medium, const PoreNetwork& network) {
   std::array<double, 1> fastest{0.0};
   for (int i = 0; i < network.cells.own; ++i) {
     const PoreCell& cell = network.cells.cells[static_cast<std::size_t>(i)];
@@ -117,9 +119,10 @@ double drain_interval(const Scene& scene, const State& state, const PoreNetwork&
     const double mobility = std::max({cell.mobility[0], cell.mobility[1], cell.mobility[2]});
     fastest[0] = std::max(fastest[0], mobility * cell.volume / cell.storage);
   }
-  max_over_ranks(*state.grid.comm, fastest);
-  const double h = state.grid.cell_size;
-  return fastest[0] > 0.0 ? scene.pore_flow.diffusion_number * h * h / fastest[0] : scene.end_time;
+  max_over_ranks(*medium.grid.comm, fastest);
+  const double h = medium.grid.cell_size;
+  if (!(fastest[0] > 0.0)) return std::numeric_limits<double>::max();
+  return medium.flow.diffusion_number * h * h / fastest[0];
 }
 
 bool leaks(const PoreNetwork& network, std::size_t i) {
@@ -149,7 +152,7 @@ bool empties(const PoreNetwork& network, std::size_t i) {
 /// beyond: without this the first would take what the gas alone could, many times the gap, and the
 /// others lose more than they hold (pores of crushed rock close before their pressure is gone).
 /// @return whether they are others than before
-bool fill_or_empty(const Scene& scene, const State& state, PoreNetwork& network) {
+bool fill_or_empty(const PorousMedium& medium, PoreNetwork& network) {
   PoreCells& cells = network.cells;
   std::array<double, 2> others{0.0, 0.0};
   for (std::size_t i = 0; i < cells.filled.size(); ++i) {
@@ -159,11 +162,11 @@ bool fill_or_empty(const Scene& scene, const State& state, PoreNetwork& network)
     cells.filled[i] = filled;
     cells.emptied[i] = emptied;
   }
-  max_over_ranks(*state.grid.comm, others);
+  max_over_ranks(*medium.grid.comm, others);
   if (others[0] > 0.0) {
-    sum_pore_cells(scene, state, cells);
+    sum_pore_cells(medium, cells);
     exchange_pore_cells(*network.halo, cells);
-    link_pore_cells(scene, state.grid, state.clock.time, network);
+    link_pore_cells(medium, network);
   }
   return others[1] > 0.0;
 }
@@ -171,48 +174,48 @@ bool fill_or_empty(const Scene& scene, const State& state, PoreNetwork& network)
 /// The change of pressure in all cells, by Newton's method: the fluid that a cell takes is linear
 /// in the pressure but for where a gap is full and where nothing is left. A cell on the edge of its
 /// gap may go to and fro: the last round keeps the mass as well.
-SolveReport find_change(const Scene& scene, double dt, State& state, PoreNetwork& network) {
+SolveReport find_change(const PorousMedium& medium, double dt, PoreNetwork& network) {
   constexpr int max_rounds = 20;
-  bool same_graph = build_network(scene, state, network);
+  bool same_graph = build_network(medium, network);
   int iterations = 0;
   for (int round = 1;; ++round) {
     assemble_system(dt, network);
     SolveReport report = solve(network.system, same_graph, *network.solver, network.change);
     report.iterations = iterations += report.iterations;
-    if (!report.converged || round == max_rounds || !fill_or_empty(scene, state, network))
-      return report;
+    if (!report.converged || round == max_rounds || !fill_or_empty(medium, network)) return report;
     same_graph = true;
   }
 }
 
 }  // namespace
 
-std::string drain_pore_fluid(const Scene& scene, double dt, State& state) {
-  if (!scene.pore_flow.on()) return {};
+std::string drain_pore_fluid(
+    const PorousMedium& medium, double dt, PoreFlowState& flow, OwnLedger& ledger
+) {
+  if (!medium.flow.on()) return {};
   const Region region("drain_pore_fluid");
-  PoreFlowState& flow = state.pore_flow;
   flow.waiting += dt;
   if (flow.waiting < flow.interval) return {};
   if (!flow.network) {
     flow.network = std::make_shared<PoreNetwork>();
     flow.network->solver = make_linear_solver(
-        state.grid.comm, scene.pore_flow.solver ? *scene.pore_flow.solver : Teuchos::ParameterList()
+        medium.grid.comm, medium.flow.solver ? *medium.flow.solver : Teuchos::ParameterList()
     );
   }
   PoreNetwork& network = *flow.network;
 
-  const SolveReport report = find_change(scene, flow.waiting, state, network);
-  if (!report.converged) return not_converged(state.clock, report);
+  const SolveReport report = find_change(medium, flow.waiting, network);
+  if (!report.converged) return not_converged(medium.time, report);
   exchange_pore_values(*network.halo, network.change);
   const FlowTally moved = tally_flow(flow.waiting, network);
-  const DrainTally drained = drain_particles(scene, flow.waiting, state, network);
+  const DrainTally drained = drain_particles(medium, flow.waiting, network);
 
   std::array<double, 4> sums{moved.inflow, drained.fluid, drained.stops, drained.fluid_before};
-  sum_over_ranks(*state.grid.comm, sums);
-  state.ledger.fluid_work += moved.work;
-  state.ledger.elastic += drained.elastic;
-  state.ledger.plastic += drained.plastic;
-  state.ledger.held += drained.held;
+  sum_over_ranks(*medium.grid.comm, sums);
+  ledger.fluid_work += moved.work;
+  ledger.elastic += drained.elastic;
+  ledger.plastic += drained.plastic;
+  ledger.held += drained.held;
   flow.inflow += sums[0];
   // Only the flow changes the fluid of a particle.
   if (flow.solves == 0)
@@ -222,9 +225,9 @@ std::string drain_pore_fluid(const Scene& scene, double dt, State& state) {
   flow.fluid = sums[1];
   flow.iterations += report.iterations;
   ++flow.solves;
-  flow.interval = drain_interval(scene, state, network);
+  flow.interval = drain_interval(medium, network);
   flow.waiting = 0.0;
-  return sums[2] > 0.0 ? not_drained(state.clock, sums[2]) : std::string();
+  return sums[2] > 0.0 ? not_drained(medium.time, sums[2]) : std::string();
 }
 
 }  // namespace barreno

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
+#include "pore_flow/porous_medium.hpp"
 
 #include <string>
 
@@ -13,6 +13,8 @@ namespace barreno {
 /// @param dt  of the step that has just been made
 /// @return why the fluid could not flow, one sentence, the same on every rank; empty: it could. If
 /// the solver did not converge, everything is as before.
-std::string drain_pore_fluid(const Scene& scene, double dt, State& state);
+std::string drain_pore_fluid(
+    const PorousMedium& medium, double dt, PoreFlowState& flow, OwnLedger& ledger
+);
 
 }  // namespace barreno

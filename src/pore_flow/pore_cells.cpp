@@ -23,18 +23,18 @@ long long id_of_key(const Grid& grid, int key) {
 }
 
 /// Jets flow: what they fill is open to the fluid.
-bool is_solid(const Scene& scene, const Particles& particles) {
-  return !scene.jet.present || particles.material != scene.jet.material;
+bool is_solid(const PorousMedium& medium, const Particles& particles) {
+  return particles.material != medium.jet_material;
 }
 
 /// Cells with something solid get their place in the list, in the order of keys.
-void number_cells(const Scene& scene, const State& state, PoreCells& cells) {
-  const Grid& grid = state.grid;
+void number_cells(const PorousMedium& medium, PoreCells& cells) {
+  const Grid& grid = medium.grid;
   const auto keys =
       static_cast<std::size_t>(grid.active) * static_cast<std::size_t>(grid.patch.cells);
   cells.index_of_key.assign(keys, -1);
-  for (const Particles& particles : state.particles)
-    if (is_solid(scene, particles))
+  for (const Particles& particles : medium.particles)
+    if (is_solid(medium, particles))
       for_each_solid_row(grid, particles, [&](int, int key) {
         cells.index_of_key[static_cast<std::size_t>(key)] = 0;
       });
@@ -91,14 +91,14 @@ void count_point(
   cell.volume += volume;
 }
 
-void count_set(const Scene& scene, const Grid& grid, const Particles& particles, PoreCells& cells) {
-  const PermeabilitySpec& rock =
-      scene.pore_flow.rocks[static_cast<std::size_t>(particles.material)];
-  visit_porous(scene, particles, [&](const auto& model) {
+void count_set(const PorousMedium& medium, const Particles& particles, PoreCells& cells) {
+  const PermeabilitySpec& rock = medium.flow.rocks[static_cast<std::size_t>(particles.material)];
+  const MaterialSpec& material = medium.material_of(particles);
+  visit_porous(material, [&](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
-    const double per_viscosity = 1.0 / scene.pore_flow.viscosity;
+    const double per_viscosity = 1.0 / medium.flow.viscosity;
     const double first = initial_pore_point(model).porosity;
-    for_each_solid_row(grid, particles, [&](int p, int key) {
+    for_each_solid_row(medium.grid, particles, [&](int p, int key) {
       const auto at = MaterialPoint<Model>::read(particles, p);
       const PorePoint point = model.pore_point(at.stress, at.history);
       const double factor =
@@ -106,7 +106,7 @@ void count_set(const Scene& scene, const Grid& grid, const Particles& particles,
       Vector mobility = rock.permeability;
       for (double& m : mobility) m *= factor;
       const int index = cells.index_of_key[static_cast<std::size_t>(key)];
-      const double whole = fluid_volume(scene, particles, p, first);
+      const double whole = fluid_volume(material, particles.mass(p), first);
       const double capacity = whole * point.mass_per_volume;
       PoreCell& cell = cells.cells[static_cast<std::size_t>(index)];
       cell.gap += capacity * point.gap;
@@ -145,26 +145,26 @@ std::array<int, 3> place_of_cell(const Grid& grid, long long id) {
       static_cast<int>(rest / grid.cells[1])};
 }
 
-bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
+bool fill_pore_cells(const PorousMedium& medium, PoreCells& cells) {
   const Region region("fill_pore_cells");
   std::vector<long long> before;
   std::swap(before, cells.ids);
   const int own_before = cells.own;
-  number_cells(scene, state, cells);
+  number_cells(medium, cells);
   const bool same =
       cells.own == own_before && std::equal(cells.ids.begin(), cells.ids.end(), before.begin());
   if (same) cells.ids = std::move(before);  // with the others', which the halo still has
   cells.filled.assign(static_cast<std::size_t>(cells.own), 0);
   cells.emptied.assign(static_cast<std::size_t>(cells.own), 0);
-  sum_pore_cells(scene, state, cells);
+  sum_pore_cells(medium, cells);
   return same;
 }
 
-void sum_pore_cells(const Scene& scene, const State& state, PoreCells& cells) {
+void sum_pore_cells(const PorousMedium& medium, PoreCells& cells) {
   cells.cells.assign(static_cast<std::size_t>(cells.own), PoreCell{});
-  for (const Particles& particles : state.particles) count_set(scene, state.grid, particles, cells);
+  for (const Particles& particles : medium.particles) count_set(medium, particles, cells);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.own); ++i)
-    finish_cell(state.grid, cells.ids[i], cells.cells[i]);
+    finish_cell(medium.grid, cells.ids[i], cells.cells[i]);
 }
 
 }  // namespace barreno

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
+#include "pore_flow/porous_medium.hpp"
 
 #include <array>
 #include <vector>
@@ -42,9 +42,9 @@ std::array<int, 3> place_of_cell(const Grid& grid, long long id);
 /// Find the own cells with solid material and sum up their rock. Rock is what drains (is_drainable)
 /// and has a permeability, or none.
 /// @return whether they are the cells of the last time
-bool fill_pore_cells(const Scene& scene, const State& state, PoreCells& cells);
+bool fill_pore_cells(const PorousMedium& medium, PoreCells& cells);
 
 /// Sum up once more with other cells `filled`.
-void sum_pore_cells(const Scene& scene, const State& state, PoreCells& cells);
+void sum_pore_cells(const PorousMedium& medium, PoreCells& cells);
 
 }  // namespace barreno

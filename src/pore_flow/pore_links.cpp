@@ -30,27 +30,25 @@ HalfLink half_link(const Grid& grid, const PoreCell& cell, std::size_t d, double
 }
 
 /// rho g . (to - from) along axis d: what a column of fluid at rest adds on the way.
-double column(const Scene& scene, std::size_t d, double from, double to) {
-  return scene.pore_flow.fluid_weight[d] * (to - from);
+double column(const PoreFlowSpec& flow, std::size_t d, double from, double to) {
+  return flow.fluid_weight[d] * (to - from);
 }
 
-const PoreConditionSpec* condition_at(const Scene& scene, std::size_t face, bool end_of_grid) {
-  for (const PoreConditionSpec& condition : scene.pore_flow.conditions)
+const PoreConditionSpec* condition_at(
+    const PoreFlowSpec& flow, std::size_t face, bool end_of_grid
+) {
+  for (const PoreConditionSpec& condition : flow.conditions)
     if (end_of_grid ? condition.grid_faces[face] : condition.open_faces[face]) return &condition;
   return nullptr;
 }
 
 /// Where rock ends: at the face of the box, or where it stops in its cell.
 PoreLink link_to_outside(
-    const Scene& scene,
-    const Grid& grid,
-    const PoreCell& cell,
-    double time,
-    std::size_t face,
-    bool end
+    const PorousMedium& medium, const PoreCell& cell, std::size_t face, bool end
 ) {
   PoreLink link;
-  const PoreConditionSpec* const condition = condition_at(scene, face, end);
+  const Grid& grid = medium.grid;
+  const PoreConditionSpec* const condition = condition_at(medium.flow, face, end);
   if (condition == nullptr) return link;
   const std::size_t d = face / 2;
   const double plane = end ? (face % 2 == 0 ? grid.lower[d] : grid.upper[d])
@@ -58,10 +56,10 @@ PoreLink link_to_outside(
   const HalfLink half = half_link(grid, cell, d, plane);
   link.area = half.area;
   if (condition->kind == PoreConditionKind::flux) {
-    link.prescribed_flow = condition->value(time) * half.area;
+    link.prescribed_flow = condition->value(medium.time) * half.area;
   } else if (cell.mobility[d] > 0.0) {
     link.conductance = 1.0 / half.resistance;
-    link.outside = condition->value(time) + column(scene, d, plane, cell.centroid[d]);
+    link.outside = condition->value(medium.time) + column(medium.flow, d, plane, cell.centroid[d]);
   }
   return link;
 }
@@ -69,19 +67,15 @@ PoreLink link_to_outside(
 }  // namespace
 
 PoreLink pore_link(
-    const Scene& scene,
-    const Grid& grid,
-    const PoreCells& cells,
-    double time,
-    std::size_t i,
-    std::size_t face
+    const PorousMedium& medium, const PoreCells& cells, std::size_t i, std::size_t face
 ) {
+  const Grid& grid = medium.grid;
   const PoreCell& cell = cells.cells[i];
   const std::size_t d = face / 2;
   const int at = place_of_cell(grid, cells.ids[i])[d];
   const int next = cells.next[i][face];
   const bool end = face % 2 == 0 ? at == 0 : at == grid.cells[d] - 1;
-  if (next < 0) return link_to_outside(scene, grid, cell, time, face, end);
+  if (next < 0) return link_to_outside(medium, cell, face, end);
   PoreLink link;
   const PoreCell& other = cells.cells[static_cast<std::size_t>(next)];
   if (!(other.storage > 0.0 && cell.mobility[d] > 0.0 && other.mobility[d] > 0.0)) return link;
@@ -91,7 +85,7 @@ PoreLink pore_link(
   link.conductance = 1.0 / (here.resistance + there.resistance);
   link.area = std::min(here.area, there.area);
   link.cell = next;
-  link.outside = column(scene, d, other.centroid[d], cell.centroid[d]);
+  link.outside = column(medium.flow, d, other.centroid[d], cell.centroid[d]);
   return link;
 }
 

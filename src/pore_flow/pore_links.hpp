@@ -22,12 +22,7 @@ struct PoreLink {
 /// The link of own cell i through a face. Two half cells in series, each with the mean cross
 /// section of its rock and the distance from its centroid: exact for layers of any thickness.
 PoreLink pore_link(
-    const Scene& scene,
-    const Grid& grid,
-    const PoreCells& cells,
-    double time,
-    std::size_t i,
-    std::size_t face
+    const PorousMedium& medium, const PoreCells& cells, std::size_t i, std::size_t face
 );
 
 }  // namespace barreno

@@ -1,33 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "pore_flow/porous_medium.hpp"
 #include "scene/porous.hpp"
 #include "state/material_point.hpp"
-#include "state/state.hpp"
 
 #include <type_traits>
 #include <variant>
 
 namespace barreno {
 
-/// visit(model) with the model of a set of porous particles.
+/// visit(model) with the model of a material if it is porous.
 template <class Visitor>
-void visit_porous(const Scene& scene, const Particles& particles, Visitor&& visit) {
+void visit_porous(const MaterialSpec& material, Visitor&& visit) {
   std::visit(
       [&](const auto& model) {
         if constexpr (is_drainable<std::decay_t<decltype(model)>>) visit(model);
       },
-      scene.materials[static_cast<std::size_t>(particles.material)].material().model
+      material.material().model
   );
 }
 
 /// Fluid of a particle that has its initial mass, as volume at the initial density: fluid_mass of
 /// that is what it has. All flow is counted so, which keeps the mass of a fluid that is compressed.
-inline double fluid_volume(
-    const Scene& scene, const Particles& particles, int p, double initial_porosity
-) {
-  const double density = scene.materials[static_cast<std::size_t>(particles.material)].density();
-  return initial_porosity * particles.mass(p) / density;
+inline double fluid_volume(const MaterialSpec& rock, double mass, double initial_porosity) {
+  return initial_porosity * mass / rock.density();
 }
 
 /// visit(row, its cell's number) for the rows of a set, tile by tile in the order of cells and ids;

@@ -45,6 +45,21 @@ KOKKOS_INLINE_FUNCTION Tensor series_of_log(const Tensor& z) {
   return multiply(z, plus(2.0, more));
 }
 
+/// The same in three dimensions, by Z^3 = t Z^2 - s Z + d I (t: trace, s: second invariant, d:
+/// determinant), which leaves a polynomial of second degree.
+KOKKOS_INLINE_FUNCTION SpaceTensor series_of_log(const SpaceTensor& z) {
+  const SpaceTensor z2 = multiply(z, z);
+  const double t = z.xx + z.yy + z.zz;
+  const double s = 0.5 * (t * t - (z2.xx + z2.yy + z2.zz));
+  const double d = determinant(z);
+  // Z^5 = (t (t^2 - 2 s) + d) Z^2 + (s^2 - t^2 s + t d) Z + (t^2 - s) d I
+  const double tt = t * t;
+  const double c2 = 2.0 / 3.0 * t + 0.4 * (t * (tt - 2.0 * s) + d);
+  const double c1 = 2.0 - 2.0 / 3.0 * s + 0.4 * (s * s - tt * s + t * d);
+  const double c0 = d * (2.0 / 3.0 + 0.4 * (tt - s));
+  return plus(c0, plus(scaled(c1, z), scaled(c2, z2)));
+}
+
 /// For small entries, without branches, for the compiler to vectorise. The hoop, or the plane's
 /// normal, only stretches.
 /// @param sign  1 for a gradient at the start, -1 at the end

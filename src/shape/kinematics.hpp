@@ -155,9 +155,13 @@ KOKKOS_INLINE_FUNCTION Sym3 unrotate(const PlaneRotation& r, const Sym3& t) {
 
 /// Largest entry of dt L for which the short series of the exponential are exact to round-off.
 inline constexpr double short_series = 0.1;
+/// The same for shorter series, with the same bits.
+inline constexpr double shorter_series = 3e-3;
 
-/// Whether components [first, last) of dt L of all rows are within that.
-inline bool all_short(const FieldView& increment, Rows rows, int first, int last) {
+/// Whether components [first, last) of dt L of all rows are within that, or another limit.
+inline bool all_short(
+    const FieldView& increment, Rows rows, int first, int last, double limit = short_series
+) {
   int large = 0;
   launch_reduction(
       "all_short",
@@ -169,7 +173,7 @@ inline bool all_short(const FieldView& increment, Rows rows, int first, int last
         int here = 0;
         for (int c = first; c < last; ++c)
           for (int p = begin; p < end; ++p)
-            here |= static_cast<int>(!(std::abs(increment(p, c)) <= short_series));
+            here |= static_cast<int>(!(std::abs(increment(p, c)) <= limit));
         some += here;
       },
       large

@@ -93,8 +93,12 @@ KOKKOS_INLINE_FUNCTION double largest_entry(const SpaceTensor& a) {
 /// and the power series of exp(B) needs scalars only; to B^13 it is exact to round-off. det exp(A)
 /// = exp(tr A) then holds to round-off, which keeps the volume of a particle after many steps.
 /// Without branches, for the compiler to vectorise.
+///
+/// The scalars are summed from their largest term, so that terms below a quarter of the last digit
+/// change no bit: where entries are at most 3e-3, the series to B^7 has the bits of the one to
+/// B^13.
+template <int Order = 13>
 KOKKOS_INLINE_FUNCTION SpaceTensor short_exponential(const SpaceTensor& a) {
-  constexpr int order = 13;
   const double t = (a.xx + a.yy + a.zz) / 3.0;
   const SpaceTensor b{a.xx - t, a.xy, a.xz, a.yx, a.yy - t, a.yz, a.zx, a.zy, a.zz - t};
   const SpaceTensor b2 = multiply(b, b);
@@ -103,7 +107,7 @@ KOKKOS_INLINE_FUNCTION SpaceTensor short_exponential(const SpaceTensor& a) {
   double before = 0.0, now = 0.0, next = 1.0;  // z_(k-1), z_k, z_(k+1) of k = 1
   double c0 = 1.0, c1 = 1.0, c2 = 0.0;         // of the series to k = 1
   double inverse = 1.0;                        // 1 / k!
-  for (int k = 2; k <= order; ++k) {
+  for (int k = 2; k <= Order; ++k) {
     const double after = p * now + q * before;
     before = now;
     now = next;
@@ -174,9 +178,28 @@ KOKKOS_INLINE_FUNCTION SpaceTensor matrix(const SpaceRotation& r) {
       1.0 - 2.0 * (xx + yy)};
 }
 
-/// R t R^T: from the unrotated to the space frame.
-KOKKOS_INLINE_FUNCTION Sym3 rotate(const SpaceRotation& rotation, const Sym3& t) {
-  const SpaceTensor r = matrix(rotation);
+KOKKOS_INLINE_FUNCTION double norm_squared(const SpaceRotation& r) {
+  return r.w * r.w + r.x * r.x + r.y * r.y + r.z * r.z;
+}
+/// |r|^2 times the matrix of the rotation that a quaternion of any length stands for.
+KOKKOS_INLINE_FUNCTION SpaceTensor scaled_matrix(const SpaceRotation& r) {
+  const double ww = r.w * r.w, xx = r.x * r.x, yy = r.y * r.y, zz = r.z * r.z;
+  const double xy = r.x * r.y, xz = r.x * r.z, yz = r.y * r.z;
+  const double wx = r.w * r.x, wy = r.w * r.y, wz = r.w * r.z;
+  return {
+      (ww + xx) - (yy + zz),
+      2.0 * (xy - wz),
+      2.0 * (xz + wy),
+      2.0 * (xy + wz),
+      (ww - xx) + (yy - zz),
+      2.0 * (yz - wx),
+      2.0 * (xz - wy),
+      2.0 * (yz + wx),
+      (ww - xx) - (yy - zz)};
+}
+
+/// R t R^T for the matrix of a rotation, or a multiple of it.
+KOKKOS_INLINE_FUNCTION Sym3 turned(const SpaceTensor& r, const Sym3& t) {
   const SpaceTensor s =
       multiply(r, SpaceTensor{t.xx, t.xy, t.zx, t.xy, t.yy, t.yz, t.zx, t.yz, t.zz});
   return {
@@ -187,15 +210,34 @@ KOKKOS_INLINE_FUNCTION Sym3 rotate(const SpaceRotation& rotation, const Sym3& t)
       s.yx * r.zx + s.yy * r.zy + s.yz * r.zz,
       s.zx * r.xx + s.zy * r.xy + s.zz * r.xz};
 }
+/// R t R^T: from the unrotated to the space frame.
+KOKKOS_INLINE_FUNCTION Sym3 rotate(const SpaceRotation& r, const Sym3& t) {
+  return turned(matrix(r), t);
+}
 /// R^T t R: from the space to the unrotated frame.
 KOKKOS_INLINE_FUNCTION Sym3 unrotate(const SpaceRotation& r, const Sym3& t) {
   return rotate(inverse(r), t);
 }
 
-/// Half-way between two rotations less than half a turn apart.
-KOKKOS_INLINE_FUNCTION SpaceRotation mean_rotation(const SpaceRotation& a, const SpaceRotation& b) {
+/// Half-way between two rotations less than half a turn apart; not of unit length.
+KOKKOS_INLINE_FUNCTION SpaceRotation
+sum_of_rotations(const SpaceRotation& a, const SpaceRotation& b) {
   const double same = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z >= 0.0 ? 1.0 : -1.0;
-  return unit({a.w + same * b.w, a.x + same * b.x, a.y + same * b.y, a.z + same * b.z});
+  return {a.w + same * b.w, a.x + same * b.x, a.y + same * b.y, a.z + same * b.z};
+}
+/// The same with unit length.
+KOKKOS_INLINE_FUNCTION SpaceRotation mean_rotation(const SpaceRotation& a, const SpaceRotation& b) {
+  return unit(sum_of_rotations(a, b));
+}
+/// unrotate() by the mean rotation of a and b, without a root.
+KOKKOS_INLINE_FUNCTION Sym3
+unrotate_between(const SpaceRotation& a, const SpaceRotation& b, const Sym3& t) {
+  const SpaceRotation r = sum_of_rotations(a, b);
+  const double per_square = 1.0 / norm_squared(r);
+  const double s = per_square * per_square;
+  return turned(
+      scaled_matrix(inverse(r)), {s * t.xx, s * t.yy, s * t.zz, s * t.xy, s * t.yz, s * t.zx}
+  );
 }
 
 /// What a rotation near R of F = R U lacks: by the Newton step of max tr(R^T F), with G = R^T F and
@@ -204,12 +246,13 @@ KOKKOS_INLINE_FUNCTION SpaceRotation mean_rotation(const SpaceRotation& a, const
 ///   (tr(S) I - S) w = {Gzy - Gyz, Gxz - Gzx, Gyx - Gxy}
 ///
 /// Errors are cubed by a step, because the third derivative vanishes along w at the solution.
+/// Neither w nor the steps depend on the length of the quaternion.
 struct RotationCorrection {
   double x, y, z;
 };
 KOKKOS_INLINE_FUNCTION RotationCorrection
 rotation_correction(const SpaceTensor& f, const SpaceRotation& near) {
-  const SpaceTensor g = multiply(transpose(matrix(near)), f);
+  const SpaceTensor g = multiply(scaled_matrix(inverse(near)), f);
   const double ax = g.zy - g.yz, ay = g.xz - g.zx, az = g.yx - g.xy;
   const double xx = g.yy + g.zz, yy = g.xx + g.zz, zz = g.xx + g.yy;
   const double xy = -0.5 * (g.xy + g.yx), xz = -0.5 * (g.xz + g.zx), yz = -0.5 * (g.yz + g.zy);
@@ -244,11 +287,11 @@ near_polar_rotation(const SpaceTensor& f, const SpaceRotation& near, double& lef
 }
 
 /// R rotated by the spin of A, the antisymmetric part: R of exp(A) F but for what the stretch of
-/// F makes of the strain of A, and for third order.
+/// F makes of the strain of A, and for third order. Not of unit length: for Newton's method only.
 KOKKOS_INLINE_FUNCTION SpaceRotation rotated_by_spin(const SpaceRotation& r, const SpaceTensor& a) {
-  return unit(multiply(
+  return multiply(
       SpaceRotation{1.0, 0.25 * (a.zy - a.yz), 0.25 * (a.xz - a.zx), 0.25 * (a.yx - a.xy)}, r
-  ));
+  );
 }
 
 /// Of a matrix that is a rotation to a few digits at least: from the largest of the four.

@@ -145,7 +145,8 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
     take_part(scene, next_time, dt, state, result);
   }
   ++state.clock.step;
-  result.not_drained = drain_pore_fluid(scene, dt, state);  // (7)
+  result.not_drained =
+      drain_pore_fluid(porous_medium(scene, state), dt, state.pore_flow, state.ledger);  // (7)
   return result;
 }
 

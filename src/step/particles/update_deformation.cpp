@@ -7,29 +7,33 @@
 namespace barreno {
 namespace {
 
-template <class M, bool Short>
+/// How much dt L may be: anything, or within short_series or shorter_series.
+enum class Size { any, small, tiny };
+
+template <class M, Size S>
 KOKKOS_INLINE_FUNCTION typename M::Tensor generator_of(
     const typename M::Tensor& dt_l, double sign
 ) {
-  if constexpr (Short) return short_generator(dt_l, sign);
+  if constexpr (S != Size::any) return short_generator(dt_l, sign);
   return generator(dt_l, sign);
 }
-template <class M, bool Short>
+template <class M, Size S>
 KOKKOS_INLINE_FUNCTION typename M::Tensor exponential_of(const typename M::Tensor& a) {
-  if constexpr (Short) return short_exponential(a);
+  if constexpr (S == Size::tiny && M::dimensions == 3) return short_exponential<7>(a);
+  if constexpr (S != Size::any) return short_exponential(a);
   return exponential(a);
 }
 
-/// New F, volume and unrotated strain of one row in two dimensions; `Short` for small dt L.
-template <class M, bool Short>
+/// New F, volume and unrotated strain of one row in two dimensions.
+template <class M, Size S>
 struct DeformInPlane {
   FieldView increment, deformation, volume;
   double sign;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
-    const PlaneTensor a = generator_of<M, Short>(load_tensor<M>(increment, p, 0.0), sign);
+    const PlaneTensor a = generator_of<M, S>(load_tensor<M>(increment, p, 0.0), sign);
     const PlaneTensor f_n = load_tensor<M>(deformation, p);
-    const PlaneTensor f = exponential_of<M, Short>(a);
+    const PlaneTensor f = exponential_of<M, S>(a);
     const PlaneTensor f_n1 = multiply(f, f_n);
     const PlaneRotation r_m = mean_polar_rotation(f_n, f_n1);
     const Sym3 strain = unrotate(r_m, {a.xx, a.yy, a.zz, 0.5 * (a.xy + a.yx), 0.0, 0.0});
@@ -66,26 +70,26 @@ KOKKOS_INLINE_FUNCTION SpaceRotation waiting_rotation(const FieldView& scratch, 
 
 /// In three dimensions first the generator, in the place of dt L: loops are small enough to be
 /// vectorised.
-template <bool Short>
+template <Size S>
 struct FindGenerator {
   using M = ThreeDimensional;
   FieldView increment;
   double sign;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
-    store_tensor<M>(generator_of<M, Short>(load_tensor<M>(increment, p, 0.0), sign), increment, p);
+    store_tensor<M>(generator_of<M, S>(load_tensor<M>(increment, p, 0.0), sign), increment, p);
   }
 };
 
 /// Then F, volume and rotation; the strain waits in the space frame.
-template <bool Short>
+template <Size S>
 struct DeformInSpace {
   using M = ThreeDimensional;
   FieldView increment, deformation, rotation, volume, scratch;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
     const SpaceTensor a = load_tensor<M>(increment, p, 0.0);
-    const SpaceTensor f = exponential_of<M, Short>(a);
+    const SpaceTensor f = exponential_of<M, S>(a);
     const SpaceTensor f_n1 = multiply(f, load_tensor<M>(deformation, p));
     const SpaceRotation r_n = load_rotation<M>(deformation, rotation, p);
     double left = 0.0;
@@ -166,8 +170,9 @@ struct UnrotateStrain {
   KOKKOS_INLINE_FUNCTION void operator()(int p) const {
     const SpaceRotation r_n{rotation(p, 0), rotation(p, 1), rotation(p, 2), rotation(p, 3)};
     const SpaceRotation r = waiting_rotation(scratch, p);
-    const Sym3 strain = unrotate(
-        mean_rotation(r_n, r),
+    const Sym3 strain = unrotate_between(
+        r_n,
+        r,
         {increment(p, 0),
          increment(p, 1),
          increment(p, 2),
@@ -190,7 +195,7 @@ struct UnrotateStrain {
   }
 };
 
-template <class M, bool Short>
+template <class M, Size S>
 void deform(Rows rows, double sign, const Particles& particles) {
   const FieldView& increment = particles.increment.values;
   const FieldView& deformation = particles.deformation_gradient.values;
@@ -199,17 +204,15 @@ void deform(Rows rows, double sign, const Particles& particles) {
   if constexpr (M::dimensions == 3) {
     const FieldView& rotation = particles.rotation.values;
     const FieldView& scratch = particles.grid_motion.values;  // what it held has been used
-    for_each_row(label, rows, FindGenerator<Short>{increment, sign});
-    for_each_row(
-        label, rows, DeformInSpace<Short>{increment, deformation, rotation, volume, scratch}
-    );
+    for_each_row(label, rows, FindGenerator<S>{increment, sign});
+    for_each_row(label, rows, DeformInSpace<S>{increment, deformation, rotation, volume, scratch});
     if (!all_found(scratch, rows)) {
       for_each_row(label, rows, TurnOnce{deformation, scratch});
       for_each_row(label, rows, FindRotation{deformation, rotation, scratch});
     }
     for_each_row(label, rows, UnrotateStrain{increment, rotation, scratch, particles.dormant});
   } else {
-    for_each_row(label, rows, DeformInPlane<M, Short>{increment, deformation, volume, sign});
+    for_each_row(label, rows, DeformInPlane<M, S>{increment, deformation, volume, sign});
   }
 }
 
@@ -219,12 +222,17 @@ void update_deformation(Mode mode, Rows rows, Gradient gradient, Particles& part
   const Region region("update_deformation");
   visit_mode(mode, [&](auto kinematics) {
     using M = decltype(kinematics);
-    // The general form takes the short one where that holds, row by row: the answer does not depend
-    // on which rows share a block.
-    if (all_short(particles.increment.values, rows, 0, M::deformation_components))
-      deform<M, true>(rows, sign_of(gradient), particles);
+    const auto within = [&](double limit) {
+      return all_short(particles.increment.values, rows, 0, M::deformation_components, limit);
+    };
+    const double sign = sign_of(gradient);
+    // All forms give a row the same bits: its answer does not depend on which rows share a block.
+    if (M::dimensions == 3 && within(shorter_series))
+      deform<M, Size::tiny>(rows, sign, particles);
+    else if (within(short_series))
+      deform<M, Size::small>(rows, sign, particles);
     else
-      deform<M, false>(rows, sign_of(gradient), particles);
+      deform<M, Size::any>(rows, sign, particles);
   });
 }
 

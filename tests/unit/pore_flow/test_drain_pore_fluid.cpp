@@ -45,6 +45,10 @@ PoreConditionSpec open_on_top() {
 
 constexpr std::size_t pressure = 0;  // of Poroelastic::History
 
+std::string drain(const Scene& scene, double dt, State& state) {
+  return drain_pore_fluid(porous_medium(scene, state), dt, state.pore_flow, state.ledger);
+}
+
 template <class PressureAt>
 void set_pressures(State& state, PressureAt&& at) {
   Particles& rock = state.particles[0];
@@ -88,7 +92,7 @@ TEST(DrainPoreFluid, WithoutPermeabilityChangesNoBit) {
     std::vector<double> pressures(static_cast<std::size_t>(rock.count));
     for (int p = 0; p < rock.count; ++p)
       pressures[static_cast<std::size_t>(p)] = rock.history(p, pressure);
-    drain_pore_fluid(scene, 1.0, state);
+    drain(scene, 1.0, state);
     EXPECT_EQ(state.pore_flow.solves, 1);
     std::size_t k = 0;
     for (int p = 0; p < rock.count; ++p) {
@@ -117,7 +121,7 @@ TEST(DrainPoreFluid, SealedRockKeepsItsFluid) {
     sum_over_ranks(*state.grid.comm, sums);
     const double stress = rock.count > 0 ? rock.stress(0, 0) : 0.0;
     const double first = rock.count > 0 ? rock.history(0, pressure) : 0.0;
-    drain_pore_fluid(scene, 1e5, state);
+    drain(scene, 1e5, state);
     EXPECT_NEAR(fluid(state) / before, 1.0, round_off(state));
     for (int p = 0; p < rock.count; ++p)
       EXPECT_NEAR(rock.history(p, pressure), sums[0] / sums[1], 1.5);  // 0.94 is what that leaves
@@ -132,7 +136,7 @@ TEST(DrainPoreFluid, CountsTheFluidOfRemovedParticles) {
   Scene scene = block_scene(Mode::plane_strain, 4, 1e-12);
   State state = placed(scene);
   set_pressures(state, [](const Vector&) { return 1e6; });
-  drain_pore_fluid(scene, 1e5, state);
+  drain(scene, 1e5, state);
   EXPECT_EQ(state.pore_flow.removed, 0.0);
   Particles& rock = state.particles[0];
   std::array<double, 1> gone{0.0};
@@ -143,7 +147,7 @@ TEST(DrainPoreFluid, CountsTheFluidOfRemovedParticles) {
   }
   sum_over_ranks(*state.grid.comm, gone);
   const double before = state.pore_flow.fluid;
-  drain_pore_fluid(scene, 1e5, state);
+  drain(scene, 1e5, state);
   EXPECT_GT(gone[0], 0.0);
   EXPECT_NEAR(state.pore_flow.removed, gone[0], 1e-13 * before);
   EXPECT_NEAR(state.pore_flow.fluid + state.pore_flow.removed, before, 1e-13 * before);
@@ -169,7 +173,7 @@ TEST(DrainPoreFluid, IsBackwardEulerOfTheLayers) {
         p[j] = (storage / dt * 1e6 + up * above + down * below) / (storage / dt + up + down);
       }
     const double before = fluid(state);
-    drain_pore_fluid(scene, dt, state);
+    drain(scene, dt, state);
     // The mean over a layer's particles, which are on a line through it.
     const Particles& rock = state.particles[0];
     std::array<double, 2 * n> sums{};
@@ -194,7 +198,7 @@ TEST(DrainPoreFluid, NeverOvershoots) {
     set_pressures(state, [](const Vector&) { return 1e6; });
     const double dt = number * storage * 1e-3 / 1e-12;
     scene.pore_flow.diffusion_number = 1e-9;
-    for (int step = 0; step < 20; ++step) drain_pore_fluid(scene, dt, state);
+    for (int step = 0; step < 20; ++step) drain(scene, dt, state);
     const Particles& rock = state.particles[0];
     for (int p = 0; p < rock.count; ++p) {
       EXPECT_LE(rock.history(p, pressure), 1e6 * (1.0 + 1e-3)) << number;
@@ -213,7 +217,7 @@ TEST(DrainPoreFluid, TakesNoMoreThanPoresHold) {
     set_pressures(state, [](const Vector&) { return 3e9; });
     const double before = fluid(state);
     scene.pore_flow.diffusion_number = 1e-9;
-    for (int solve = 0; solve < 40; ++solve) drain_pore_fluid(scene, 0.1, state);
+    for (int solve = 0; solve < 40; ++solve) drain(scene, 0.1, state);
     EXPECT_EQ(state.pore_flow.solves, 40);
     const Particles& rock = state.particles[0];
     std::array<double, 1> least{0.0};
@@ -233,7 +237,7 @@ TEST(DrainPoreFluid, HydrostaticPressureIsRest) {
   State state = placed(scene);
   const auto at_rest = [](const Vector& x) { return 1e4 * (5.0 - x[1]); };
   set_pressures(state, at_rest);
-  drain_pore_fluid(scene, 1e5, state);
+  drain(scene, 1e5, state);
   const Particles& rock = state.particles[0];
   for (int p = 0; p < rock.count; ++p)
     EXPECT_NEAR(rock.history(p, pressure), at_rest(vector_of(rock.position, p)), 1e-4);
