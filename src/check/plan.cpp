@@ -14,6 +14,7 @@
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
 #include "geometry/piece.hpp"
+#include "output/jet/jet_estimate.hpp"
 #include "output/progress.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/tile_levels.hpp"
@@ -123,6 +124,7 @@ void refuse_unreachable_end(const Deck& deck, const Scene& scene) {
 
 std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   std::vector<std::string> notes = deck.notes;
+  notes.insert(notes.end(), scene.left_out.begin(), scene.left_out.end());
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
     if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
@@ -133,20 +135,27 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   return notes;
 }
 
+/// The error of the depth that the cells of a scene let expect; empty without a jet.
+std::string depth_error(const Scene& scene) {
+  if (!scene.jet.present) return {};
+  const DepthDoubt doubt = depth_doubt(scene, scene.end_time);
+  return "; depth " + (doubt.unknown.empty() ? depth_error_text(doubt.error) : "unknown");
+}
+
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
   std::string text =
       "Fidelity (--fidelity NAME chooses what the deck leaves open; errors measured in "
-      "docs/trade.md: depth of a jet after 20 us with cells of its tip's radius, pressures of a "
-      "shock, smooth strains of 0.3)\n";
+      "docs/trade.md: pressures of a shock, smooth strains of 0.3; depth: expected from the cells)\n";
   for (const std::string& name : fidelity_words()) {
     const Scene scene = scene_with(name);
     const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);
     text += format(
-        "  %-22s %s, %.3g particle-steps; errors %s\n",
+        "  %-22s %s, %.3g particle-steps; errors %s%s\n",
         name.c_str(),
         cost_text(cost.seconds).c_str(),
         cost.particle_steps,
-        fidelity_errors(name).c_str()
+        fidelity_errors(name).c_str(),
+        depth_error(scene).c_str()
     );
   }
   return text;

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,8 @@ public:
   const Teuchos::ParameterList& values() const { return values_; }
   /// What the user should know besides errors, a sentence each.
   std::vector<std::string> notes;
+  /// Paths of what a fidelity chose: where it does not work, the scene leaves it out.
+  std::set<std::string> chosen_by_fidelity;
   /// File of the jet table that Jet/Slugs came from; empty without one.
   std::string jet_table;
   /// What the File of a list holds, by the path of the list: "Bodies/Charge".

@@ -28,10 +28,13 @@ struct Choices {
   Order order;
   double courant_fraction;
   int per_cell;         ///< of bodies, per direction
-  int jet_per_cell;     ///< of the jet, whose radius may be less than a cell
+  int jet_per_cell;     ///< of the jet
   double tolerance;     ///< of materials that integrate with a controlled error
   double fields, rows;  ///< instants of the output in a run; 0: first and last
-  const char* errors;   ///< depth of a jet / shock / smooth strains of 0.3, see fidelity_errors()
+  const char* errors;   ///< shock / smooth strains of 0.3, see fidelity_errors()
+  const char* jet_shape;         ///< of decks with a jet
+  double jet_cells_per_radius;   ///< along the jet's path; 0: as the grid is
+  int jet_subcycles;             ///< of decks with a jet
 };
 
 /// One row for each name. The numbers come from the curves of docs/trade.md.
@@ -46,29 +49,38 @@ constexpr Choices fidelities[] = {
      0.1,
      0.0,
      100.0,
-     "8 %, 6 %, 3 %"},
+     "6 %, 3 %",
+     "quadratic B-spline",
+     0.0,
+     4},
     {"balanced",
      "GIMP",
      Transfer::flip,
      Order::stress_last,
      0.8,
      2,
-     4,
+     2,
      0.01,
      20.0,
      500.0,
-     "9 %, 11 %, 3 %"},
+     "11 %, 3 %",
+     "GIMP",
+     2.0,
+     4},
     {"reference",
      "CPDI",
      Transfer::flip,
      Order::stress_last,
      0.8,
      2,
-     4,
+     2,
      0.001,
      50.0,
      2000.0,
-     "11 %, 11 %, 0.6 %"},
+     "11 %, 0.6 %",
+     "GIMP",
+     4.0,
+     4},
 };
 
 const Choices* choices_of(const std::string& name) {
@@ -147,7 +159,12 @@ std::string fidelity_text() {
             name_of(&StepSpec::courant_fraction) + " " + choice_text(c.courant_fraction) + ", " +
             std::to_string(c.per_cell) + " particles per cell and direction, " +
             std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
-            ", errors " + c.errors;
+            "; with a jet " + c.jet_shape + ", " +
+            (c.jet_cells_per_radius > 0.0
+                 ? name_of(&JetSpec::cells_per_radius) + " " + choice_text(c.jet_cells_per_radius) +
+                       ", "
+                 : std::string()) +
+            name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles);
   return text;
 }
 
@@ -170,6 +187,7 @@ void Fidelity::choose(
   if (said && !same(entry, *said, value, units_)) return keep(whole, *said, value);
   if (!said) input::set_value(list, entry.name, value);
   chosen_.push_back(whole + " = " + value);
+  chosen_paths_.insert(whole);
 }
 
 template <class Spec, class T>
@@ -180,12 +198,13 @@ void Fidelity::choose(
   choose(list, path, entry, with_unit(choice_text(value), entry));
 }
 
-void Fidelity::choose_for_step(const XMLObject& list, const std::string& path) {
+void Fidelity::choose_for_step(const XMLObject& list, const std::string& path, bool jet) {
   const Choices& choices = *choices_of(name_);
-  choose(list, path, &StepSpec::shape, std::string(choices.shape));
+  choose(list, path, &StepSpec::shape, std::string(jet ? choices.jet_shape : choices.shape));
   choose(list, path, &StepSpec::transfer, choices.transfer);
   choose(list, path, &StepSpec::order, choices.order);
   choose(list, path, &StepSpec::courant_fraction, choices.courant_fraction);
+  if (jet) choose(list, path, &StepSpec::subcycles, choices.jet_subcycles);
 }
 
 void Fidelity::choose_for_deck(const XMLObject& root) {
@@ -200,7 +219,9 @@ void Fidelity::choose_for_deck(const XMLObject& root) {
     return *input::find_list(root, name);
   };
   const std::string step = table_of<StepSpec>().path, output = table_of<OutputSpec>().path;
-  choose_for_step(add_list(step), step);
+  const std::string jet = table_of<JetSpec>().path;
+  const auto jet_list = input::find_list(root, jet);
+  choose_for_step(add_list(step), step, jet_list.has_value());
   if (const auto bodies = input::find_list(root, table_of<BodySpec>().path))
     for (int i = 0; i < bodies->numChildren(); ++i) {
       const XMLObject& body = bodies->getChild(i);
@@ -208,9 +229,11 @@ void Fidelity::choose_for_deck(const XMLObject& root) {
       const std::string path = list_of<BodySpec>(body.getAttribute("name"));
       choose(body, path, &BodySpec::particles_per_cell, choices->per_cell);
     }
-  const std::string jet = table_of<JetSpec>().path;
-  if (const auto found = input::find_list(root, jet))
-    choose(*found, jet, &JetSpec::particles_per_cell, choices->jet_per_cell);
+  if (jet_list) {
+    choose(*jet_list, jet, &JetSpec::particles_per_cell, choices->jet_per_cell);
+    if (choices->jet_cells_per_radius > 0.0)
+      choose(*jet_list, jet, &JetSpec::cells_per_radius, choices->jet_cells_per_radius);
+  }
   const auto time = end_time(root, units_);
   if (!time) return;
   const XMLObject list = add_list(output);

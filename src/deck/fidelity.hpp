@@ -6,6 +6,7 @@
 #include <barreno/input/schema.hpp>
 #include <barreno/input/units.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace barreno {
 /// docs/trade.md.
 std::vector<std::string> fidelity_words();
 
-/// What errors were measured with a set, in one line for `check`: depth of a jet after 20 us with
-/// cells of its tip's radius, pressures of a shock, smooth strains of 0.3.
+/// What errors were measured with a set, in one line for `check`: pressures of a shock, smooth
+/// strains of 0.3.
 std::string fidelity_errors(const std::string& name);
 
 /// All sets in one line, for the manual.
@@ -45,9 +46,12 @@ public:
 
   /// All choices in force, and where the deck has other words of its own: a sentence each.
   std::vector<std::string> notes() const;
+  /// Paths of the values in force that it would choose itself: a scene that cannot have one of them
+  /// may leave it out.
+  const std::set<std::string>& chosen_paths() const { return chosen_paths_; }
 
 private:
-  void choose_for_step(const Teuchos::XMLObject& list, const std::string& path);
+  void choose_for_step(const Teuchos::XMLObject& list, const std::string& path, bool jet);
   void choose(
       const Teuchos::XMLObject& list,
       const std::string& path,
@@ -64,6 +68,7 @@ private:
   std::string name_;
   input::UnitSystem units_;
   std::vector<std::string> chosen_, kept_;
+  std::set<std::string> chosen_paths_;
 };
 
 }  // namespace barreno

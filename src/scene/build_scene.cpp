@@ -137,7 +137,6 @@ Scene build_scene(const Deck& deck) {
   add_confinement(deck, scene);
   check_pore_pressures(deck, scene);
   add_jet(deck, scene);
-  add_refinement(deck, scene);
   add_body_force(deck, scene);
   check_rigid_bodies(deck, scene);
   add_contacts(deck, scene);
@@ -146,8 +145,9 @@ Scene build_scene(const Deck& deck) {
   scene.output = read_section<OutputSpec>(deck);
   add_quasi_static(deck, scene);
   check_returned_losses(deck, scene);
+  add_refinement(deck, scene);
   check_refinement(deck, scene);
-  check_subcycles(deck, scene);
+  settle_subcycles(deck, scene);
   if (scene.bodies.empty() && !scene.jet.present) {
     deck.refuse(
         table_of<BodySpec>().path,

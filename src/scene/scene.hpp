@@ -66,6 +66,8 @@ struct Scene {
   JetSpec jet;
   BodyForceSpec body_force;
   PoreFlowSpec pore_flow;
+  /// What a fidelity chose and this scene cannot have, a sentence each.
+  std::vector<std::string> left_out;
   QuasiStaticSpec quasi_static;
   StepSpec step;
   double end_time = 0.0;  ///< [time]

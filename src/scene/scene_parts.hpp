@@ -12,12 +12,14 @@ namespace barreno {
 /// part may use what an earlier one built. All throw DeckError.
 
 void add_bodies(const Deck& deck, Scene& scene);
-/// Levels of the grid's tiles; after check_size, which says whether the box can be indexed, and
-/// after the jet, whose path can be refined.
+/// Levels of the grid's tiles; after check_size, which says whether the box can be indexed, after
+/// the jet, whose path can be refined, and after what may not work across levels.
 void add_refinement(const Deck& deck, Scene& scene);
 /// After all else: refuses what does not work across levels.
 void check_refinement(const Deck& deck, const Scene& scene);
-void check_subcycles(const Deck& deck, const Scene& scene);
+/// Refuses several parts of a step where all tiles take one, or leaves them out where a fidelity
+/// chose them.
+void settle_subcycles(const Deck& deck, Scene& scene);
 void add_conditions(const Deck& deck, Scene& scene);
 void add_loads(const Deck& deck, Scene& scene);
 void add_confinement(const Deck& deck, Scene& scene);

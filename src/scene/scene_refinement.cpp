@@ -31,6 +31,8 @@ RefinedRegion read_region(const Deck& deck, const std::string& name, const Scene
 
 RefinedRegion read_path(const Deck& deck, const Scene& scene) {
   RefinedRegion path = path_of_jet(scene.grid, scene.jet);
+  const bool chosen = deck.chosen_by_fidelity.count(path_of(&JetSpec::cells_per_radius)) > 0;
+  if (chosen) path.level = std::min(path.level, max_level);
   if (path.level > max_level) {
     deck.refuse_value(
         path_of(&JetSpec::cells_per_radius),
@@ -40,6 +42,17 @@ RefinedRegion read_path(const Deck& deck, const Scene& scene) {
     );
   }
   return path;
+}
+
+/// A fidelity's refined path is left out where levels do not work.
+bool leaves_path_out(const Deck& deck, Scene& scene) {
+  const std::string path = path_of(&JetSpec::cells_per_radius), conflict = conflict_of(scene);
+  if (conflict.empty() || deck.chosen_by_fidelity.count(path) == 0) return false;
+  scene.left_out.push_back(
+      "The fidelity's " + path + " is left out: " + conflict +
+      " does not work across cells of different sizes yet."
+  );
+  return true;
 }
 
 }  // namespace
@@ -56,7 +69,7 @@ void add_refinement(const Deck& deck, Scene& scene) {
       );
     }
   }
-  if (scene.jet.present && scene.jet.cells_per_radius > 0.0) {
+  if (scene.jet.present && scene.jet.cells_per_radius > 0.0 && !leaves_path_out(deck, scene)) {
     const RefinedRegion path = read_path(deck, scene);
     if (path.level > 0) regions.push_back(path);
   }

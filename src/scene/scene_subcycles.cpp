@@ -42,15 +42,18 @@ std::string why_one_step(const Scene& scene) {
 
 }  // namespace
 
-void check_subcycles(const Deck& deck, const Scene& scene) {
+void settle_subcycles(const Deck& deck, Scene& scene) {
   const int most = scene.step.subcycles;
   if (most == 1) return;
   const std::string path = path_of(&StepSpec::subcycles);
   if ((most & (most - 1)) != 0)
     deck.refuse_value(path, "is not a power of two; choose 1, 2, 4, 8 or 16");
   const std::string why = why_one_step(scene);
-  if (!why.empty())
+  if (why.empty()) return;
+  if (deck.chosen_by_fidelity.count(path) == 0)
     deck.refuse_value(path, "must be 1 here: " + why + "; remove it or change that");
+  scene.step.subcycles = 1;
+  scene.left_out.push_back("The fidelity's " + path + " is left out: " + why + ".");
 }
 
 }  // namespace barreno

@@ -303,6 +303,7 @@ Deck read_deck(
   deck.surface_files = surface_files;
   deck.jet_table = jet_table;
   deck.notes = reading.fidelity.notes();
+  deck.chosen_by_fidelity = reading.fidelity.chosen_paths();
   deck.notes.insert(deck.notes.end(), reading.notes.begin(), reading.notes.end());
   return deck;
 }
