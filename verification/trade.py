@@ -35,31 +35,43 @@ from verify import failures  # noqa: E402
 STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
 FIDELITIES = ("fast", "balanced", "reference")
+JET_WORDS = {"Shape Function": "Step/Shape Function", "cells per radius of the jet": "Jet/Cells Per Radius", "Subcycles": "Step/Subcycles"}
 FINEST_SHAPES = ("default", "quadratic B-spline", "CPDI")  # whose depths are measured with FINEST cells too
 FINEST = 0.5  # mm
 DEPTH_TIME = 20  # us
 
 
-def fidelity_words(barreno, name):
-    """(words of Step and others, particles per cell) of a fidelity, as `check` prints them."""
-    command = [str(barreno), "check", str(DECKS / "perforation_quick.xml"), "--fidelity", name]
+def choices_in(barreno, deck, name):
+    """{path: value} of what a fidelity chooses for a deck, as `check` prints it."""
+    command = [str(barreno), "check", str(DECKS / deck), "--fidelity", name]
     plan = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, check=True).stdout
     line = re.search(rf"Note: Fidelity {name}: (.*)\.\n", plan).group(1)
-    said = dict(part.split(" = ") for part in line.split(", "))
+    return dict(part.split(" = ") for part in line.split(", "))
+
+
+def fidelity_words(barreno, name):
+    """(words of Step and others, particles per cell) of a fidelity, with the cells and steps of the deck."""
+    said, with_jet = choices_in(barreno, "shock_copper.xml", name), choices_in(barreno, "perforation_quick.xml", name)
     out = {path.removeprefix("Step/"): value for path, value in said.items() if path.startswith("Step/")}
-    out["Tolerance"] = said["Materials/Sandstone/Tolerance"]
-    out["Jet"] = said["Jet/Particles Per Cell"]
-    return out, int(said["Bodies/Rock/Particles Per Cell"])
+    out["Tolerance"] = with_jet["Materials/Sandstone/Tolerance"]
+    out["Jet"] = with_jet["Jet/Particles Per Cell"]
+    return out, int(with_jet["Bodies/Rock/Particles Per Cell"])
+
+
+def jet_words(barreno, name):
+    """What it chooses differently, or only, for a deck with a jet."""
+    said = choices_in(barreno, "perforation_quick.xml", name)
+    return {word: said.get(path, "as the deck's") for word, path in JET_WORDS.items()}
 
 
 def said_errors(barreno):
     """(fidelity, problem, level) -> the error that `check` names."""
     command = [str(barreno), "check", str(DECKS / "perforation_quick.xml")]
     plan = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, check=True).stdout
-    where = (("depth", 1.0), ("shock", 0.5), ("box", 32))
+    where = (("shock", 0.5), ("box", 32))
     out = {}
     for name in FIDELITIES:
-        values = re.search(rf"^  {name} .*errors (\S+) %, (\S+) %, (\S+) %$", plan, re.MULTILINE).groups()
+        values = re.search(rf"^  {name} .*errors (\S+) %, (\S+) %; depth .*$", plan, re.MULTILINE).groups()
         out.update({(name, *place): 0.01 * float(value) for place, value in zip(where, values)})
     return out
 
@@ -183,7 +195,8 @@ def judge_depths(points):
 
 def judged(points, tiny, barreno):
     """All that is stored."""
-    data = {"points": points, "chosen": {name: fidelity_words(barreno, name) for name in FIDELITIES}}
+    chosen = {name: fidelity_words(barreno, name) for name in FIDELITIES}
+    data = {"points": points, "chosen": chosen, "with_jet": {name: jet_words(barreno, name) for name in FIDELITIES}}
     if not tiny:
         data["depth"] = judge_depths(points)
     data["checks"] = demands(points, tiny, said_errors(barreno))

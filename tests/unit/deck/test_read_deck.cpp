@@ -240,6 +240,36 @@ TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
   EXPECT_FALSE(notes_say(fast, "The deck's own words"));
 }
 
+TEST_F(ReadDeck, AFidelityChoosesCellsAndStepsForAJet) {
+  const Deck balanced = read("deck.xml", {"Fidelity=balanced", "Step/Subcycles=2"});
+  EXPECT_EQ(balanced.number("Jet/Cells Per Radius"), 2.0);
+  EXPECT_EQ(balanced.integer("Step/Subcycles"), 2);
+  EXPECT_EQ(balanced.chosen_by_fidelity.count("Jet/Cells Per Radius"), 1U);
+  EXPECT_EQ(balanced.chosen_by_fidelity.count("Step/Subcycles"), 0U);
+  const Deck reference = read("deck.xml", {"Fidelity=reference"});
+  EXPECT_EQ(reference.word("Step/Shape Function"), "GIMP");
+  EXPECT_EQ(reference.number("Jet/Cells Per Radius"), 4.0);
+  const Scene scene = build_scene(reference);
+  EXPECT_EQ(scene.step.subcycles, 4);
+  EXPECT_FALSE(scene.grid.level_of_tile.empty());
+  EXPECT_TRUE(scene.left_out.empty());
+}
+
+TEST_F(ReadDeck, WhatAFidelityChoseIsLeftOutWhereItDoesNotWork) {
+  const Scene scene = build_scene(read("deck.xml", {"Fidelity=balanced", "Step/Transfer=XPIC"}));
+  EXPECT_EQ(scene.step.subcycles, 1);
+  EXPECT_TRUE(scene.grid.level_of_tile.empty());
+  ASSERT_EQ(scene.left_out.size(), 2U);
+  EXPECT_EQ(
+      scene.left_out[0],
+      "The fidelity's Jet/Cells Per Radius is left out: Step/Transfer = XPIC does not work across "
+      "cells of different sizes yet."
+  );
+  const std::vector<std::string> own = {
+      "Fidelity=balanced", "Step/Transfer=XPIC", "Step/Subcycles=2"};
+  EXPECT_THROW(build_scene(read("deck.xml", own)), DeckError);
+}
+
 TEST_F(ReadDeck, TheDecksOwnWordsComeBeforeAFidelity) {
   const std::vector<std::string> words = {
       "Fidelity=reference",
