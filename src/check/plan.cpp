@@ -145,7 +145,8 @@ std::string depth_error(const Scene& scene) {
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
   std::string text =
       "Fidelity (--fidelity NAME chooses what the deck leaves open; errors measured in "
-      "docs/trade.md: pressures of a shock, smooth strains of 0.3; depth: expected from the cells)\n";
+      "docs/trade.md: pressures of a shock, smooth strains of 0.3; depth: expected from the "
+      "cells)\n";
   for (const std::string& name : fidelity_words()) {
     const Scene scene = scene_with(name);
     const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);

@@ -27,14 +27,14 @@ struct Choices {
   Transfer transfer;
   Order order;
   double courant_fraction;
-  int per_cell;         ///< of bodies, per direction
-  int jet_per_cell;     ///< of the jet
-  double tolerance;     ///< of materials that integrate with a controlled error
-  double fields, rows;  ///< instants of the output in a run; 0: first and last
-  const char* errors;   ///< shock / smooth strains of 0.3, see fidelity_errors()
-  const char* jet_shape;         ///< of decks with a jet
-  double jet_cells_per_radius;   ///< along the jet's path; 0: as the grid is
-  int jet_subcycles;             ///< of decks with a jet
+  int per_cell;                 ///< of bodies, per direction
+  int jet_per_cell;             ///< of the jet
+  double tolerance;             ///< of materials that integrate with a controlled error
+  double fields, rows;          ///< instants of the output in a run; 0: first and last
+  const char* errors;           ///< shock / smooth strains of 0.3, see fidelity_errors()
+  const char* jet_shape;        ///< of decks with a jet
+  double jet_cells_per_radius;  ///< along the jet's path; 0: as the grid is
+  int jet_subcycles;            ///< of decks with a jet
 };
 
 /// One row for each name. The numbers come from the curves of docs/trade.md.
@@ -160,10 +160,9 @@ std::string fidelity_text() {
             std::to_string(c.per_cell) + " particles per cell and direction, " +
             std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
             "; with a jet " + c.jet_shape + ", " +
-            (c.jet_cells_per_radius > 0.0
-                 ? name_of(&JetSpec::cells_per_radius) + " " + choice_text(c.jet_cells_per_radius) +
-                       ", "
-                 : std::string()) +
+            (c.jet_cells_per_radius > 0.0 ? name_of(&JetSpec::cells_per_radius) + " " +
+                                                choice_text(c.jet_cells_per_radius) + ", "
+                                          : std::string()) +
             name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles);
   return text;
 }

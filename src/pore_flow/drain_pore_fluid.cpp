@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace barreno {
@@ -109,8 +108,8 @@ FlowTally tally_flow(double dt, PoreNetwork& network) {
   return tally;
 }
 
-/// Time in which the fastest cell evens out over Diffusion Number cells; where nothing flows, the
-/// longest that there is.
+/// Time in which the fastest cell evens out over Diffusion Number cells; that of the run where
+/// nothing flows.
 double drain_interval(const PorousMedium& medium, const PoreNetwork& network) {
   std::array<double, 1> fastest{0.0};
   for (int i = 0; i < network.cells.own; ++i) {
@@ -121,7 +120,7 @@ double drain_interval(const PorousMedium& medium, const PoreNetwork& network) {
   }
   max_over_ranks(*medium.grid.comm, fastest);
   const double h = medium.grid.cell_size;
-  if (!(fastest[0] > 0.0)) return std::numeric_limits<double>::max();
+  if (!(fastest[0] > 0.0)) return medium.end_time;
   return medium.flow.diffusion_number * h * h / fastest[0];
 }
 

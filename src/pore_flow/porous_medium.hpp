@@ -14,7 +14,7 @@ struct PorousMedium {
   const Grid& grid;
   const std::vector<Particles>& particles;
   int jet_material = -1;  ///< flows: what it fills is open to the fluid
-  double time = 0.0;
+  double time = 0.0, end_time = 0.0;
 
   const MaterialSpec& material_of(const Particles& set) const {
     return materials[static_cast<std::size_t>(set.material)];
@@ -28,7 +28,8 @@ inline PorousMedium porous_medium(const Scene& scene, const State& state) {
       state.grid,
       state.particles,
       scene.jet.present ? scene.jet.material : -1,
-      state.clock.time};
+      state.clock.time,
+      scene.end_time};
 }
 
 }  // namespace barreno
