@@ -14,12 +14,15 @@ import subprocess
 import sys
 import tempfile
 
-TOOLS = pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"
-sys.path.insert(0, str(TOOLS))
-import report  # noqa: E402
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TOOLS = ROOT / "verification" / "tools"
+sys.path[:0] = [str(TOOLS), str(ROOT / "src" / "python")]
+from barreno_report.build import make_report  # noqa: E402
+from barreno_report.faults import Fault  # noqa: E402
+from barreno_report.numbers import depth_text  # noqa: E402
 from runs import run_deck  # noqa: E402
 
-FILES = ("history.csv", "depth.csv", "summary.json", "particles.e")
+FILES = ("history.csv", "depth.csv", "summary.json", "particles.e", "deck.xml")
 
 
 def cut(share):
@@ -67,6 +70,8 @@ CASES = [
     ("particles.e", cut(0.0), "particles.e cannot be read"),
     ("particles.e", lambda data: b"CDF\x02" + b"\xff" * 200, "particles.e "),
     ("particles.e", cut(0.01), "particles.e "),
+    ("deck.xml", cut(0.5), "deck.xml is truncated or was changed"),
+    ("deck.xml", replaced(b'name="Cell Size" type="double" value="0.002"', b'name="Cell Size" type="double" value="two"'), "truncated or was changed"),
 ]
 
 
@@ -74,8 +79,8 @@ def sentence_of(run):
     """What a report says, "" if it is made; anything but a Fault goes through."""
     try:
         with contextlib.redirect_stdout(io.StringIO()):
-            report.make_report(run)
-    except report.Fault as fault:
+            make_report(run)
+    except Fault as fault:
         return str(fault) or "nothing"
     return ""
 
@@ -138,7 +143,7 @@ def check_links(whole, folder):
     victim = folder / "victim"
     victim.write_text("keep")
     (run / "report").mkdir()
-    for name in ("fields.png", "index.md", ".index.md.tmp.md", ".energy.png.tmp.png"):
+    for name in ("fields.png", "index.md", "index.html", "profile.csv", ".index.md.tmp.md", ".energy.png.tmp.png"):
         (run / "report" / name).symlink_to(victim)
     got = sentence_of(run)
     kept = victim.read_text() == "keep" and not (run / "report" / "index.md").is_symlink()
@@ -161,8 +166,8 @@ DEPTHS = [  # what a summary holds, words of the line
 
 def check_depths(whole):
     """The depth stands with its interval, or with what was measured of its cells; the run's own summary has the latter."""
-    problems = [f"{found}: {report.depth_text(DEPTH, found)}" for found, words in DEPTHS if words not in report.depth_text(DEPTH, found)]
-    report.make_report(whole)
+    problems = [f"{found}: {depth_text(DEPTH, found)}" for found, words in DEPTHS if words not in depth_text(DEPTH, found)]
+    make_report(whole)
     page = (whole / "report" / "index.md").read_text()
     shutil.rmtree(whole / "report")
     wanted = ("at 0.5 cells per jet radius as measured with tungsten jets", "| cells per radius of the jet at impact | 0.5 to 1.1 (tip 0.5, tail 1.1) |")

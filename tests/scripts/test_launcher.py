@@ -104,16 +104,20 @@ def check_locks(machine):
 
 
 def check_report(machine, folder):
-    """Its words are looked at first, and only what it needs is installed."""
+    """Its words are looked at first, and only what it needs is installed; a film is made by the same package."""
     refused(*machine.run("report"), 1, "report takes the folder of one run")
+    refused(*machine.run("report", "--pdf"), 1, "report takes the folder of one run")
     refused(*machine.run("report", folder / "nowhere"), 2, "is not a folder")
-    machine.file("verification/tools/report.py", "import sys; print('reported', sys.argv[1:])")
+    refused(*machine.run("film"), 1, "film takes the folder of one run", "--field pressure")
+    refused(*machine.run("film", folder / "nowhere", "--field", "pressure"), 2, "is not a folder")
+    machine.file("src/python/barreno_report/__main__.py", "import sys; print('made', sys.argv[1:])")
     (folder / "a run").mkdir()
-    result, calls = machine.run("report", folder / "a run")
-    assert result.returncode == 0 and f"reported ['--', '{folder / 'a run'}']" in result.stdout, result.stderr
-    (install,) = [call for call in calls if " install " in call]
-    packages = install.split("--no-install-recommends ")[1].split()
-    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
+    for words in (("report", folder / "a run", "--time", "30 us"), ("film", folder / "a run", "--field", "pressure")):
+        result, calls = machine.run(*words)
+        assert result.returncode == 0 and f"made {list(map(str, words))}" in result.stdout, result.stderr
+        (install,) = [call for call in calls if " install " in call]
+        packages = install.split("--no-install-recommends ")[1].split()
+        assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
 
 
 def check_plot(machine):
@@ -163,10 +167,10 @@ def check_words(machine):
     refused(*machine.run("resume", "run", "--ranks", "9" * 30), 1, "is more than this machine can start")
     refused(*machine.run("run", "deck.xml", "--ranks", "0"), 1, "is not a number of ranks")
     refused(*machine.run("rnu", "deck.xml"), 1, '"rnu" is not a command')
-    for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["test", "-h"], ["drive", "--help"]):
+    for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["film", "-h"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "converge", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "film", "converge", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 

@@ -19,7 +19,12 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
-from report import MICRO, MILLI, PLASTIC_STRAIN, Fields, draw_half, read_csv
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
+from barreno_report.channel import MICRO, MILLI, draw_quads  # noqa: E402
+from barreno_report.fields import PLASTIC_STRAIN  # noqa: E402
+from barreno_report.files import read_csv  # noqa: E402
+from barreno_report.particles import ParticleFile  # noqa: E402
 
 MOST = 1.0  # plastic strain at the end of the colours
 
@@ -33,13 +38,13 @@ def words_of(run):
 
 
 def draw_side(axes, run, mirror):
-    fields = Fields(run / "particles.e")
-    corners = fields.corners / MILLI * np.array([mirror, 1.0])
-    plastic = np.nan_to_num(fields.of_alive(PLASTIC_STRAIN))
-    jet = np.concatenate([np.full(n, b == 0) for b, n in enumerate(fields.sizes)])[fields.alive]
-    shapes = draw_half(axes, corners[~jet], plastic[~jet], "viridis", (0.0, MOST))
+    frame = ParticleFile(run / "particles.e").frame()
+    corners = frame.corners / MILLI * np.array([mirror, 1.0])
+    plastic = np.nan_to_num(frame.of_alive(PLASTIC_STRAIN))
+    jet = frame.block == 0
+    quads = draw_quads(axes, corners[~jet], plastic[~jet], "viridis", (0.0, MOST))
     axes.add_collection(PolyCollection(corners[jet], facecolors="C3", edgecolors="none", antialiased=False))
-    return shapes, fields.time
+    return quads, frame.time
 
 
 def main():

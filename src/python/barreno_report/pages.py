@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sections as Markdown, as one HTML page that needs no network, and as a PDF."""
+
+import base64
+import html
+import textwrap
+
+import matplotlib.pyplot as plt
+from matplotlib.backends.backend_pdf import PdfPages
+
+from barreno_report.faults import on_one_line
+
+STYLE = """body { font: 15px/1.45 sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
+h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc; }
+table { border-collapse: collapse; margin: 1em 0; } td, th { padding: .2em .8em .2em 0; vertical-align: top; text-align: left; border-bottom: 1px solid #eee; }
+figure { margin: 1em 0; } figure img { max-width: 100%; max-height: 60em; } figcaption { color: #555; max-width: 50em; }"""
+LINE, PAGE = 92, 54  # letters and lines of a page of the PDF
+PAPER = (8.27, 11.69)
+
+
+def markdown_cell(text):
+    return on_one_line(text).replace("|", "\\|")
+
+
+def markdown_table(heads, rows):
+    line = lambda cells: "| " + " | ".join(map(markdown_cell, cells)) + " |"  # noqa: E731
+    return [line(heads) if any(heads) else "| " * len(heads) + "|", "|---" * len(heads) + "|", *map(line, rows), ""]
+
+
+def as_markdown(title, sections):
+    lines = [f"# {on_one_line(title)}", ""]
+    for section in sections:
+        lines += [f"## {section.title}", ""] if section.title else []
+        lines += markdown_table(("", ""), section.rows) if section.rows else []
+        lines += [paragraph for words in section.words for paragraph in (words, "")]
+        lines += markdown_table(section.heads, section.table) if section.table else []
+        lines += [line for picture in section.pictures for line in (f"![{picture.caption or picture.name}]({picture.name}.png)", "")]
+    return "\n".join(lines)
+
+
+def html_table(heads, rows):
+    head = "<tr>" + "".join(f"<th>{html.escape(one)}</th>" for one in heads) + "</tr>\n" if any(heads) else ""
+    body = "".join("<tr>" + "".join(f"<td>{html.escape(on_one_line(cell))}</td>" for cell in row) + "</tr>\n" for row in rows)
+    return f"<table>\n{head}{body}</table>"
+
+
+def html_picture(picture, folder):
+    data = base64.b64encode((folder / f"{picture.name}.png").read_bytes()).decode("ascii")
+    caption = html.escape(picture.caption)
+    return f'<figure><img alt="{html.escape(picture.name)}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
+
+
+def as_html(title, sections, folder):
+    """@param folder  of the pictures, which the page takes in"""
+    name = html.escape(on_one_line(title))
+    parts = [f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{name}</title><style>\n{STYLE}\n</style></head><body>\n<h1>{name}</h1>']
+    for section in sections:
+        parts += [f"<h2>{html.escape(section.title)}</h2>"] if section.title else []
+        parts += [html_table(("", ""), section.rows)] if section.rows else []
+        parts += [f"<p>{html.escape(words)}</p>" for words in section.words]
+        parts += [html_table(section.heads, section.table)] if section.table else []
+        parts += [html_picture(picture, folder) for picture in section.pictures]
+    return "\n".join([*parts, "</body></html>\n"])
+
+
+def text_lines(title, sections):
+    """Lines of the PDF's pages of text."""
+    lines = [*textwrap.wrap(on_one_line(title), LINE), ""]
+    for section in sections:
+        lines += ["", section.title, "-" * len(section.title)] if section.title else []
+        for name, value in section.rows:
+            lines += textwrap.wrap(f"{name}: {on_one_line(value)}", LINE, subsequent_indent="    ")
+        for words in section.words:
+            lines += ["", *textwrap.wrap(words, LINE)]
+        if section.table:
+            widths = [max(len(str(row[i])) for row in [section.heads, *section.table]) for i in range(len(section.heads))]
+            lines += ["", *("  ".join(str(cell).rjust(width) for cell, width in zip(row, widths)) for row in [section.heads, *section.table])]
+    return lines
+
+
+def write_pdf(file, title, sections):
+    """Pages of text, then a page for every picture, in its own size."""
+    lines = text_lines(title, sections)
+    with PdfPages(file, metadata={"Title": on_one_line(title), "CreationDate": None}) as pdf:
+        for begin in range(0, len(lines), PAGE):
+            page = plt.figure(figsize=PAPER)
+            page.text(0.08, 0.95, "\n".join(lines[begin : begin + PAGE]).replace("$", r"\$"), va="top", family="monospace", fontsize=8.5, linespacing=1.35)
+            pdf.savefig(page)
+            plt.close(page)
+        for section in sections:
+            for picture in section.pictures:
+                pdf.savefig(picture.figure, bbox_inches="tight", dpi=200)

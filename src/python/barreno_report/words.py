@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Words of the commands report and film."""
+
+import argparse
+import pathlib
+import re
+
+from barreno_report.faults import FILE, Refusal
+
+TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9, "": 1.0}
+EXAMPLES = {
+    "report": 'write for example barreno report runs/perforation-1 --left pressure --right plastic_volume_strain --time "30 us"',
+    "film": "write for example barreno film runs/perforation-1 --field pressure",
+}
+
+
+class Words(argparse.ArgumentParser):
+    """@param command  report or film"""
+
+    def __init__(self, command, **more):
+        self.command = command
+        super().__init__(prog=f"barreno {command}", allow_abbrev=False, **more)
+
+    def error(self, message):
+        raise Refusal(f"{message}; {EXAMPLES[self.command]} (docs/report.md).")
+
+
+def report_parser():
+    parser = Words("report", description="Pictures and numbers of a run: RUN/report/index.html (docs/report.md).")
+    parser.add_argument("run", metavar="RUN", help="run folder")
+    parser.add_argument("--left", default="", metavar="FIELD", help="field at the left of the axis (default pressure)")
+    parser.add_argument("--right", default="", metavar="FIELD", help="field at the right (default equivalent_plastic_strain)")
+    parser.add_argument("--time", default="", metavar="TIME", help='of the pictures of particles, for example "30 us": the nearest that particles.e has (default: the last)')
+    parser.add_argument("--pdf", action="store_true", help="report.pdf too")
+    return parser
+
+
+def film_parser():
+    parser = Words("film", description="Particles in the colours of a field, from the start to the end of a run (docs/report.md).")
+    parser.add_argument("run", metavar="RUN", help="run folder")
+    parser.add_argument("--field", required=True, metavar="FIELD", help="field at both sides of the axis")
+    parser.add_argument("--right", default="", metavar="FIELD", help="another field at the right")
+    parser.add_argument("--out", default="", metavar="FILE", help=".gif (default RUN/report/FIELD.gif), .png (animated) or, with ffmpeg installed, .mp4")
+    parser.add_argument("--per-second", type=float, default=6.0, metavar="N", help="pictures per second (default 6)")
+    return parser
+
+
+def time_of(option, text):
+    """In s; None for no text."""
+    if not text:
+        return None
+    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*([a-zµ]*)\s*", text)
+    try:
+        return float(found.group(1)) * TIME_UNITS[found.group(2)]
+    except (AttributeError, KeyError, ValueError):
+        raise Refusal(f'{option} "{text.strip()}" is not a time; write for example {option} "30 us".') from None
+
+
+def check_folder(text):
+    folder = pathlib.Path(text)
+    if not folder.is_dir():
+        raise Refusal(f"'{text}' is not a folder (report and film read what a run wrote into it); check the path.", FILE)
+    return folder
