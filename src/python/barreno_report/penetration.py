@@ -21,8 +21,8 @@ def window_of(time):
 def smooth_rate(time, depth, window):
     """Slope of the line of least squares through the rows within half a window of each row: jet material in pieces gets to the bottom
     in blows, and the speed of the deepest piece says nothing of the hole."""
-    first = np.searchsorted(time, time - 0.5 * window)
-    last = np.searchsorted(time, time + 0.5 * window, side="right")
+    half = 0.5 * window * (1.0 + 1e-9)  # a row at the very end of a window is in it, whatever the round-off
+    first, last = np.searchsorted(time, time - half), np.searchsorted(time, time + half)
     scale = time[-1] - time[0] or 1.0
     sums = lambda values: (lambda total: total[last] - total[first])(np.concatenate([[0.0], np.cumsum(values)]))  # noqa: E731
     t = (time - time[0]) / scale

@@ -1,0 +1,187 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""`barreno report` and `barreno film` on short runs: the page, the hole profile against depth.csv, plain points, refined cells, three dimensions,
+a film by ffmpeg, and the script for ParaView, whose names VTK's reader must know.
+
+    test_report_pages.py BARRENO
+"""
+import ast
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import types
+import unittest.mock
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python")]
+from barreno_report import hole as holes  # noqa: E402
+from barreno_report.deck import read_deck  # noqa: E402
+from barreno_report.files import read_csv  # noqa: E402
+from barreno_report.particles import ParticleFile  # noqa: E402
+from barreno_report.penetration import volumes_of  # noqa: E402
+from runs import run_deck  # noqa: E402
+
+SHORT = {"Time/End Time": "8 us", "Output/Field Interval": "4 us", "Output/Checkpoint Wall Interval": "0 s"}
+
+
+def command(*words, code=0, path=None):
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "src" / "python"), **({"PATH": f"{path}:{os.environ['PATH']}"} if path else {})}
+    result = subprocess.run([sys.executable, "-m", "barreno_report", *map(str, words)], env=environment, capture_output=True, text=True, timeout=300, check=False)
+    assert result.returncode == code, f"{words}: exit {result.returncode}\n{result.stdout}{result.stderr}"
+    return result.stdout if code == 0 else result.stderr
+
+
+def check_page(run):
+    command("report", run, "--right", "plastic_volume_strain", "--pdf")
+    page = (run / "report" / "index.html").read_text()
+    for words in ("data:image/png;base64,", "entrance diameter", "Kozeny", "error from the cells", "remainder of the ledger", "Strength at the tip", "of the jet&#x27;s table has been launched"):
+        assert words in page, f"the page lacks {words}"
+    assert (run / "report" / "report.pdf").stat().st_size > 50_000
+    lines = (run / "report" / "profile.csv").read_text().splitlines()
+    assert lines[1] == "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall" and len(lines) > 20, lines[:2]
+
+
+def check_radius(run):
+    """Half way down, the wall is in the cell that depth.csv names, or beside it; the hole is as long as the channel to a cell."""
+    table, file, deck = read_csv(run / "depth.csv"), ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
+    hole = holes.measure_hole(file.frame(), deck, holes.face_of(table, file, deck))
+    radius = hole.radius_at(0.5 * table["channel_depth"][-1])
+    assert abs(radius - table["channel_radius_mid"][-1]) <= hole.cell, (radius, table["channel_radius_mid"][-1])
+    assert abs(hole.length - table["channel_depth"][-1]) <= hole.cell and hole.face == 0.0, (hole.length, table["channel_depth"][-1])
+    return hole
+
+
+def check_jet_mass(run):
+    """Masses from the shapes of young jet material add up to those of the slugs launched so far."""
+    file, deck = ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
+    frame, slugs = file.frame(1), deck.slugs()
+    mass = (frame.of_alive(["density"]) * volumes_of(frame, deck))[holes.jet_particles(frame, deck)].sum()
+    launched = (np.pi * slugs[:, 2] ** 2 * slugs[:, 3] * slugs[:, 4])[slugs[:, 0] <= frame.time].sum()
+    assert 0.8 * launched < mass < 1.05 * launched, (mass, launched)
+
+
+def constants_of(script):
+    """{name: value} of the constants that the script begins with."""
+    tree = ast.parse(script.read_text())
+    return {node.targets[0].id: ast.literal_eval(node.value) for node in tree.body if isinstance(node, ast.Assign) and node.targets[0].id.isupper() and node.targets[0].id != "HERE"}
+
+
+def check_names(script):
+    """Blocks and arrays of the script are those that VTK's Exodus reader finds in the file that it names."""
+    from vtkmodules.vtkIOExodus import vtkExodusIIReader
+
+    found = constants_of(script)
+    reader = vtkExodusIIReader()
+    reader.SetFileName(str(script.parent / found["FILES"][0]))
+    reader.UpdateInformation()
+    blocks = [reader.GetElementBlockArrayName(i) for i in range(reader.GetNumberOfElementBlockArrays())]
+    arrays = [reader.GetElementResultArrayName(i) for i in range(reader.GetNumberOfElementResultArrays())]
+    assert found["BLOCKS"] == blocks, (found["BLOCKS"], blocks)
+    for array in ("status", "volume_ratio", found["LEFT"][0], found["RIGHT"][0]):
+        assert array in arrays, f"VTK knows no {array}: {arrays}"
+
+
+class Proxies(types.ModuleType):
+    """In the place of paraview.simple: notes what a script makes."""
+
+    def __init__(self):
+        super().__init__("paraview.simple")
+        self.made = []
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return lambda *_, **words: self.made.append((name, words)) or unittest.mock.MagicMock(CameraFocalPoint=[0, 0, 0], CameraPosition=[0, 0, 1])
+
+
+def made_by(script, *words):
+    """What the script asks of ParaView, which is not there: names of its functions, in their order."""
+    simple = Proxies()
+    with unittest.mock.patch.dict(sys.modules, {"paraview": types.ModuleType("paraview"), "paraview.simple": simple}), unittest.mock.patch.object(sys, "argv", [str(script), *words]):
+        exec(compile(script.read_text(), str(script), "exec"), {"__file__": str(script), "__name__": "__main__"})
+    return [name for name, _ in simple.made]
+
+
+def check_script(run):
+    script = run / "report" / "paraview" / "view.py"
+    check_names(script)
+    made = made_by(script, "--save", "a.png")
+    assert made.count("Show") == 2 and made.count("Transform") == 1 and "Glyph" not in made and made[-1] == "SaveScreenshot", made
+    assert "Glyph" in made_by(script, "--glyphs", "--save", "a.png")
+    command("report", run, "--left", "velocity_x", "--right", "speed", "--time", "4 us")
+    check_names(script)
+    assert abs(constants_of(script)["TIME"] - 4e-6) < 1e-7 and "CreateView" in made_by(script, "--save", "a.png")
+
+
+def check_film(run, folder):
+    """MP4 goes through ffmpeg, here one that keeps what it is given; without it there is a sentence."""
+    bin_folder = folder / "bin"
+    bin_folder.mkdir()
+    said = command("film", run, "--field", "pressure", "--out", folder / "a.mp4", code=2, path=None) if not any((pathlib.Path(p) / "ffmpeg").exists() for p in os.environ["PATH"].split(":")) else "needs ffmpeg"
+    assert "needs ffmpeg" in said, said
+    (bin_folder / "ffmpeg").write_text('#!/bin/sh\nfor last; do :; done\ncat >"$last"\n')
+    (bin_folder / "ffmpeg").chmod(0o755)
+    command("film", run, "--field", "pressure", "--out", folder / "a.mp4", path=bin_folder)
+    assert (folder / "a.mp4").stat().st_size > 3 * 100_000, "three pictures without compression"
+    said = command("film", run, "--field", "pore_pressure", code=1)
+    assert '--field "pore_pressure" is not a field of this run' in said, said
+    assert "pressure.gif" in command("film", run, "--field", "pressure")
+
+
+def check_points(barreno, folder):
+    """Plain points have a report too, with the size of particles from the file."""
+    run = run_deck(barreno, "perforation_quick.xml", {**SHORT, "Output/Particle Glyph": "point"}, folder=folder / "points")
+    command("report", run.folder)
+    check_radius(run.folder)
+    script = run.folder / "report" / "paraview" / "view.py"
+    check_names(script)
+    found = constants_of(script)
+    assert found["POINTS"] and 2e-4 < found["SIZE"] < 1.1e-3 and "Glyph" in made_by(script, "--save", "a.png"), found
+
+
+def check_refined(barreno, folder, coarse):
+    """The hole is measured in the cells along the path."""
+    run = run_deck(barreno, "perforation_quick.xml", {**SHORT, "Time/End Time": "4 us", "Jet/Cells Per Radius": "1"}, folder=folder / "refined")
+    command("report", run.folder)
+    assert check_radius(run.folder).cell == 0.5 * coarse.cell
+
+
+def check_space(barreno, folder):
+    run = run_deck(barreno, "perforation_3d.xml", {"Time/End Time": "3 us", "Output/Field Interval": "3 us", "Output/Checkpoint Wall Interval": "0 s"}, folder=folder / "space")
+    command("report", run.folder)
+    check_radius(run.folder)
+    check_names(run.folder / "report" / "paraview" / "view.py")
+    assert "in the plane of the picture" in (run.folder / "report" / "index.md").read_text()
+
+
+def check_without_jet(barreno, folder):
+    """A run that has no jet has a channel picture and its energies."""
+    run = run_deck(barreno, "bar_wave.xml", {}, folder=folder / "bar")
+    command("report", run.folder, "--left", "velocity_x")
+    marked = (run.folder / "report" / "index.md").read_text()
+    assert "## Energy" in marked and "## Hole" not in marked and not (run.folder / "report" / "profile.csv").exists(), marked
+
+
+def main():
+    barreno = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        run = run_deck(barreno, "perforation_quick.xml", SHORT, folder=folder / "quick")
+        check_page(run.folder)
+        coarse = check_radius(run.folder)
+        check_jet_mass(run.folder)
+        check_script(run.folder)
+        check_film(run.folder, folder)
+        check_points(barreno, folder)
+        check_refined(barreno, folder, coarse)
+        check_space(barreno, folder)
+        check_without_jet(barreno, folder)
+    print("reports and films of short runs are as their page says")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,199 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Parts of a report on runs that were laid by hand: rate of the depth, spent jet, strength, fields and their ranges, pages, films, and the
+sentence of every refusal."""
+import contextlib
+import io
+import pathlib
+import re
+import sys
+import tempfile
+
+import numpy as np
+from PIL import Image
+
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
+from barreno_report import command, fields, numbers, penetration  # noqa: E402
+from barreno_report.deck import read_deck  # noqa: E402
+from barreno_report.outline import without_gaps  # noqa: E402
+from barreno_report.particles import ParticleFile, areas_of  # noqa: E402
+from barreno_report.strength import strength_of  # noqa: E402
+from synthetic_run import CELL, jet, lattice, rock, write_run  # noqa: E402
+
+RADIUS = 3.37 * CELL
+
+
+def holed_rock(e=-0.05):
+    block = rock(np.concatenate([lattice(RADIUS, RADIUS + 12 * CELL, 0.0, 20 * CELL), lattice(0.0, 15 * CELL, 20 * CELL, 30 * CELL)]), e=e)
+    block.fields["pressure"] = 1e8 + 1e9 * block.start.mean(axis=1)[:, 0]
+    return block
+
+
+def jet_in_pieces():
+    """Four pieces of one mass, of which one is faster than the hole grows, two are slower, and one has stopped."""
+    centres = np.repeat([[0.25 * CELL, 1.0 * CELL]], 4, axis=0) + CELL * np.arange(4)[:, None] * [0.0, 4.0]
+    return jet(centres, np.array([7000.0, 1000.0, 900.0, 10.0]))
+
+
+def shared(folder):
+    return write_run(folder / "run", [jet_in_pieces(), holed_rock()])
+
+
+def check_rate():
+    """A straight line with blows on it has the slope of the line; a parabola its own in the middle of a window."""
+    time = np.linspace(0.0, 1e-4, 201)
+    blows = 2e-4 * np.sin(2.0 * np.pi * time / 1e-6)
+    rate = penetration.smooth_rate(time, 2000.0 * time + blows, 1e-5)
+    assert np.abs(rate[20:-20] - 2000.0).max() < 60.0, rate
+    rate = penetration.smooth_rate(time, 1e7 * time**2, 1e-5)
+    assert np.allclose(rate[12:-12], 2e7 * time[12:-12], rtol=1e-6), rate
+    assert penetration.window_of(time) == 5e-6 and penetration.window_of(time[:3]) > time[2], penetration.window_of(time[:3])
+
+
+def check_shares(run):
+    file, deck = ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
+    ((time, spent, stopped),) = penetration.jet_shares(file, deck, lambda _: 2000.0)
+    assert time == 1e-5 and abs(spent - 0.75) < 1e-12 and abs(stopped - 0.25) < 1e-12, (spent, stopped)
+    assert penetration.launched_share(deck, 0.5e-6) == 0.5 and penetration.launched_share(deck, 2e-6) == 1.0
+
+
+def check_strength(run):
+    """The surface at its vertex, under low pressure, on the cap and beyond."""
+    card = strength_of(read_deck(run / "deck.xml"), "Sandstone")
+    assert strength_of(read_deck(run / "deck.xml"), "Tungsten") is None
+    p, q = card.curve(0.0, 1e9)
+    assert abs(p[0] + 9.36e6 / 3.0) < 1.0 and abs(q[0]) < 1.0 and abs(p[-1] - 1.2244e9 / 3.0) < 1.0 and abs(q[-1]) < 1.0, (p[[0, -1]], q[[0, -1]])
+    x = -3.0 * 1e8
+    a2 = (0.549 - 0.0724) / (128.5e6 - 0.0724 * 9.36e6)
+    by_hand = 128.5e6 - (128.5e6 - 0.0724 * 9.36e6) * np.exp(a2 * (x - 9.36e6)) - 0.0724 * x
+    assert abs(np.interp(1e8, p, q) - by_hand) < 1e-3 * by_hand, (np.interp(1e8, p, q), by_hand)
+    assert card.hydrostatic_strength(-0.2231) == -np.inf and card.hydrostatic_strength(-0.1) < -1.2244e9 < card.hydrostatic_strength(0.1) < 0.0
+
+
+def check_fields(run):
+    file, deck = ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
+    known = fields.known_fields(file, deck)
+    assert {"speed", "porosity", "pressure"} <= set(known) and "status" not in known, known
+    frame = file.frame()
+    speed, strain = fields.values_of(frame, deck, "speed"), fields.values_of(frame, deck, "equivalent_plastic_strain")
+    assert speed.max() == 7000.0 and not np.isnan(strain).any() and np.isnan(fields.values_of(frame, deck, "plastic_volume_strain")[:4]).all()
+    areas = np.ones(1000)
+    assert fields.range_of(np.r_[np.linspace(0, 1, 999), 1e9], areas, fields.look_of("pressure"))[1] < 1.0
+    low, high = fields.range_of(np.linspace(-1.0, 3.0, 1000), areas, fields.look_of("velocity_x"))
+    assert low == -high and 2.8 < high < 3.0, (low, high)
+    assert fields.range_of(np.full(3, np.nan), np.ones(3), fields.look_of("pressure")) == (0.0, 1.0)
+
+
+def check_points(folder):
+    """Plain points are squares of the size that the file gives, grown as their volume has."""
+    block = rock(lattice(0.0, 4 * CELL, 0.0, 4 * CELL), ratio=1.21)
+    block.start = block.end = block.start.mean(axis=1)[:, None, :]
+    block.radius = np.full(len(block.start), 0.25 * CELL)
+    shapes, of = ParticleFile(write_run(folder / "points", [block]) / "particles.e").frame().shapes
+    assert len(of) == 64 and np.allclose(areas_of(shapes), 1.21 * (0.5 * CELL) ** 2, rtol=1e-9), areas_of(shapes)
+
+
+def check_outline():
+    """Gaps of a pixel are closed, corners stay; a crumb is taken away as a gap of what is around it."""
+    mask = np.zeros((20, 20), bool)
+    mask[4:16, 4:16] = True
+    split = mask.copy()
+    split[:, 10] = False
+    assert (without_gaps(split, 2) == mask).all()
+    crumb = mask.copy()
+    crumb[1:3, 17:19] = True
+    assert (~without_gaps(~crumb, 2) == mask).all()
+
+
+def check_interval():
+    error = {"value": -0.2, "low": -0.25, "high": -0.2}
+    assert numbers.depth_interval(0.08, {"depth_error": error})[:2] == (0.08 / 0.8, 0.08 / 0.75)
+    study = {"low": 0.07, "high": 0.09}
+    assert numbers.depth_interval(0.08, {"depth_error": error, "convergence": study})[:2] == (0.07, 0.09) and numbers.depth_interval(0.08, {}) is None
+
+
+def said(*words, code=0):
+    """What the command prints, on either stream."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        found = command.main([str(word) for word in words])
+    assert found == code, f"{words}: exit {found}, {err.getvalue()}"
+    return err.getvalue() if code else out.getvalue()
+
+
+def check_page(run):
+    """One page with its pictures inside, as text that came from a title; the same numbers in both forms."""
+    printed = said("report", run, "--left", "pressure", "--right", "plastic_volume_strain", "--time", "10 us", "--pdf")
+    page, marked = ((run / "report" / name).read_text() for name in ("index.html", "index.md"))
+    assert str(run / "report" / "index.html") in printed and "By &lt;hand&gt;" in page and "# By <hand>" in marked, printed
+    pictures = sorted(file.stem for file in (run / "report").glob("*.png"))
+    assert pictures == ["depth", "energy", "fields", "hole", "strength", "tip"], pictures
+    assert page.count('src="data:image/png;base64,') == len(pictures) and all(f"({name}.png)" in marked for name in pictures)
+    assert not re.search(r'(src|href)="(?!data:)', page) and "http" not in page.replace("http-equiv", ""), "the page needs something else"
+    for words in ("numerically lost: 10 % of the energy put in (stress integration -4 %, transfer -6 %); remainder of the ledger: +0.001 %", "slower along its flight than the hole grows"):
+        assert words in page.lower() and words in marked.lower(), words
+    assert (run / "report" / "report.pdf").read_bytes()[:5] == b"%PDF-" and not list((run / "report").glob(".*"))
+    profile = np.genfromtxt(run / "report" / "profile.csv", delimiter=",", names=True, skip_header=1)
+    inner = (profile["depth"] > CELL) & (profile["depth"] < 18 * CELL)
+    assert np.abs(profile["radius"][inner] - RADIUS).max() < 0.1 * CELL, profile["radius"]
+
+
+def check_film(run):
+    for name, kind in (("film.gif", "GIF"), ("film.png", "PNG")):
+        said("film", run, "--field", "pressure", "--right", "speed", "--out", run / name)
+        with Image.open(run / name) as film:
+            assert film.format == kind and film.n_frames == 2, (film.format, film.n_frames)
+
+
+REFUSED = [  # words, exit code, part of the sentence
+    ((), 1, "the first word is report or film"),
+    (("report",), 1, "the following arguments are required: RUN; write for example barreno report"),
+    (("report", "nowhere"), 2, "'nowhere' is not a folder"),
+    (("report", "RUN", "--left", "pressur"), 1, '--left "pressur" is not a field of this run, which has density, equivalent_plastic_strain, plastic_strain'),
+    (("report", "RUN", "--left", "pressur"), 1, "did you mean pressure?"),
+    (("report", "RUN", "--right", "Plastic Volume"), 1, "did you mean plastic_volume_strain?"),
+    (("report", "RUN", "--right", "xyzzy"), 1, "choose one of these."),
+    (("report", "RUN", "--time", "soon"), 1, '--time "soon" is not a time; write for example --time "30 us"'),
+    (("report", "RUN", "--time", "3 weeks"), 1, '--time "3 weeks" is not a time'),
+    (("report", "RUN", "--time", "30 us"), 1, "--time 30 us is not in the run's particles.e (0 to 10 us)"),
+    (("report", "RUN", "--colour"), 1, "unrecognized arguments: --colour"),
+    (("film", "RUN"), 1, "the following arguments are required: --field; write for example barreno film"),
+    (("film", "RUN", "--field", "spede"), 1, "did you mean speed?"),
+    (("film", "RUN", "--field", "speed", "--right", "spede"), 1, '--right "spede" is not a field'),
+    (("film", "RUN", "--field", "speed", "--out", "a.avi"), 1, '--out "a.avi" is no film that can be written'),
+    (("film", "RUN", "--field", "speed", "--out", "no/where/a.gif"), 2, "is not a folder; make it first"),
+    (("film", "RUN", "--field", "speed", "--per-second", "0"), 1, "--per-second 0 is not a number of pictures from 0.1 to 60"),
+]  # fmt: skip
+
+
+def check_refusals(run, folder):
+    empty = folder / "empty"
+    empty.mkdir()
+    before = sorted(run.rglob("*"))
+    for words, code, sentence in REFUSED:
+        found = said(*(run if word == "RUN" else word for word in words), code=code)
+        assert found.startswith("barreno: ") and found.count("\n") == 1 and sentence in found, f"{words}: {found}"
+    for name in ("report", "film"):
+        found = said(name, empty, *(["--field", "speed"] if name == "film" else []), code=2)
+        assert found == f"barreno: cannot report on '{empty}' (it contains no history.csv; give the folder of a run).\n", found
+    assert sorted(run.rglob("*")) == before, "a refusal leaves files"
+
+
+def main():
+    check_rate()
+    check_outline()
+    check_interval()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        run = shared(folder)
+        for check in (check_shares, check_strength, check_fields):
+            check(run)
+        check_points(folder)
+        check_refusals(run, folder)
+        check_page(run)
+        check_film(run)
+    print("the parts of a report are what they say")
+
+
+if __name__ == "__main__":
+    main()
