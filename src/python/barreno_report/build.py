@@ -21,6 +21,7 @@ class Wishes:
     left: str = ""
     right: str = ""
     time: float = None  # [s]; the last one
+    depths: list = dataclasses.field(default_factory=list)  # of rings around the hole [m]; three in rock
     pdf: bool = False
 
 
@@ -60,7 +61,7 @@ def make_report(folder, wishes=None):
         target = run.folder / "report"
         make_folder(target)
         try:
-            sections = all_sections(run, fields, wishes.time, target)
+            sections = all_sections(run, fields, wishes.time, wishes.depths, target)
             with reading(run.folder / "summary.json"):
                 title = on_one_line(run.summary.get("title") or run.folder.resolve().name)
             write_pages(title, sections, target, wishes.pdf)

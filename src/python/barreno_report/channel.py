@@ -105,7 +105,7 @@ def set_limits(axes, frame, deck, box=None):
 
 
 def draw_bar(figure, axes, quads, label, side, shrink=0.6):
-    bar = figure.colorbar(quads, ax=axes, location=side, label=label, shrink=shrink, pad=0.02, extend="both", aspect=30)
+    bar = figure.colorbar(quads, ax=axes, location=side, label=label, shrink=shrink, pad=0.06 if side == "left" else 0.02, extend="both", aspect=30)
     bar.solids.set_edgecolor("face")
     return bar
 

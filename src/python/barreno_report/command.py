@@ -15,13 +15,13 @@ from barreno_report.files import make_folder  # noqa: E402
 from barreno_report.film import check_out, write_film  # noqa: E402
 from barreno_report.progress import Progress  # noqa: E402
 from barreno_report.run import opened  # noqa: E402
-from barreno_report.words import check_folder, film_parser, report_parser, time_of  # noqa: E402
+from barreno_report.words import check_folder, depths_of, film_parser, report_parser, time_of  # noqa: E402
 
 
 def report(words):
     options = report_parser().parse_args(words)
     folder = check_folder(options.run)
-    page = make_report(folder, Wishes(options.left, options.right, time_of("--time", options.time), options.pdf))
+    page = make_report(folder, Wishes(options.left, options.right, time_of("--time", options.time), depths_of("--depths", options.depths), options.pdf))
     beside = ["report.pdf"] * options.pdf + ["profile.csv"] * (page.parent / "profile.csv").exists()
     print(f"{page} (one file with its pictures); beside it index.md, the pictures, {', '.join([*beside, 'paraview/view.py'])}")
 

@@ -8,19 +8,32 @@ MICRO = 1e-6
 KEPT = ("kinetic", "elastic", "plastic", "viscous", "friction", "removed_kinetic", "damped")
 
 
-def energy_figure(table, summary):
-    time = table["time"] / MICRO
-    energy = summary.get("balances", {}).get("energy", {})
-    # Terms that a deck has nothing of are left out of the legend.
+def parts_of(table):
+    """[(name, values)] of what the energy went into; terms that a deck has nothing of are left out."""
     kept = [name for name in KEPT if name in ("kinetic", "elastic", "plastic") or np.any(table.get(name, 0.0))]
-    # Lost between particles and grid, and by stress integration: drawn as the loss that it is.
-    numerical = -(table["transfer"] + table["stress_integration"])
-    parts = [table[name] for name in kept] + [numerical]
+    # Lost between particles and grid, and by stress integration: a loss, so that all parts add up to what was put in.
+    return [*((name.replace("_", " "), table[name]) for name in kept), ("numerical loss", -(table["transfer"] + table["stress_integration"]))]
+
+
+def put_in(table, summary):
+    """Energy at the start, of the jet, and work of the boundary and of body forces."""
+    energy = summary.get("balances", {}).get("energy", {})
     start = energy.get("initial_kinetic", table["kinetic"][0]) + energy.get("prestress", 0.0)
-    put_in = start + table["launched_kinetic"] + table["boundary_work"] + table.get("body_work", 0.0)
+    return start + table["launched_kinetic"] + table["boundary_work"] + table.get("body_work", 0.0)
+
+
+def energy_terms(table, summary):
+    """Rows: every term at the end and its share of what was put in."""
+    total = float(put_in(table, summary)[-1])
+    share = lambda value: f", {100.0 * value / total:.3g} %" if total else ""  # noqa: E731
+    return [("put in", f"{total:.5g} J"), *((name, f"{values[-1]:.5g} J{share(values[-1])}") for name, values in parts_of(table))]
+
+
+def energy_figure(table, summary):
+    time, parts = table["time"] / MICRO, parts_of(table)
     figure, axes = plt.subplots(2, 1, figsize=(8, 7), sharex=True, height_ratios=(3, 1), layout="constrained")
-    axes[0].stackplot(time, np.clip(parts, 0.0, None), labels=[name.replace("_", " ") for name in kept] + ["numerical loss"], alpha=0.85)
-    axes[0].plot(time, put_in, "k--", label="put in")
+    axes[0].stackplot(time, np.clip([values for _, values in parts], 0.0, None), labels=[name for name, _ in parts], alpha=0.85)
+    axes[0].plot(time, put_in(table, summary), "k--", label="put in")
     axes[0].set_ylabel("energy [J]")
     axes[0].legend(loc="upper left", fontsize=8)
     axes[1].plot(time, 100.0 * table["energy_error"], "k")

@@ -33,7 +33,8 @@ class Hole:
 
     @property
     def length(self):
-        return self.open_rows * self.cell / ROWS
+        """Half-way between the last open row and the next, which is closed [m]."""
+        return (self.open_rows + 0.5) * self.cell / ROWS if self.open_rows else 0.0
 
     @property
     def entrance_diameter(self):
@@ -43,7 +44,9 @@ class Hole:
     def volume(self):
         """Of a round hole [m3], or of a slot per thickness [m2]."""
         r = self.radius[: self.open_rows]
-        return float(np.sum(2.0 * r if self.plane else np.pi * r**2)) * self.cell / ROWS
+        areas = 2.0 * r if self.plane else np.pi * r**2
+        # A row stands for what is around it; above the first one there is another half of a row.
+        return float(np.sum(areas) + 0.5 * np.sum(areas[:1])) * self.cell / ROWS
 
     def radius_at(self, depth):
         return float(np.interp(depth, self.depth, self.radius))

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from barreno_report.faults import Refusal
 from barreno_report.files import write_text
 from barreno_report.hole import face_of, measure_hole
 from barreno_report.hole_picture import hole_figure
@@ -80,13 +81,25 @@ def mark_at(table, time):
     return (0.5 * at("channel_depth"), at("channel_radius_mid")) if at("channel_depth") > 0.0 else None
 
 
-def hole_section(frame, deck, table, folder):
-    """@param table  depth.csv; @param folder  where profile.csv is written"""
+def depths_in_rock(rock, hole, wanted):
+    """The wanted depths, or three where none is wanted; none without rock. @raises Refusal  for one that is beside the hole in rock"""
+    if not len(rock):
+        return []
+    top = float(rock.depth.min())
+    for depth in wanted:
+        if not top <= depth <= hole.length:
+            raise Refusal(f"--depths has {depth / MILLI:g} mm, where there is no hole in rock ({top / MILLI:.1f} to {hole.length / MILLI:.1f} mm); choose depths in between.")
+    return wanted or chosen_depths(rock, hole)
+
+
+def hole_section(frame, deck, table, wanted, folder):
+    """@param table  depth.csv; @param wanted  depths of rings, none: three; @param folder  where profile.csv is written"""
     hole = measure_hole(frame, deck, face_of(table, frame.file, deck))
     if hole.open_rows == 0:
         return Section("Hole", words=["There is no hole in the target yet."])
     mark, rock = mark_at(table, frame.time), Rock(frame, deck, hole.face)
-    zones, rings = ([], []) if not len(rock) else (zones_of(rock, hole), [rings_at(rock, hole, depth) for depth in chosen_depths(rock, hole)])
+    rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(rock, hole, wanted)]
+    zones = zones_of(rock, hole) if len(rock) else []
     write_text(folder / "profile.csv", profile_text(hole, rock))
     section = Section("Hole", hole_rows(hole, mark) + (rock_rows(rock) if len(rock) else []), [WALL])
     if rings:

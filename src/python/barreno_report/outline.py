@@ -52,6 +52,8 @@ def draw_outline(axes, shapes, mirror, axis, crumbs=True, **line):
     mask = without_gaps(covered(shapes, box, counts), 2)
     if not crumbs:
         mask = ~without_gaps(~mask, 2)
+    if not mask.any():
+        return
     rows, columns = mask.shape
     x = box[0] + (np.arange(columns) + 0.5) * (box[1] - box[0]) / columns
     y = box[2] + (np.arange(rows) + 0.5) * (box[3] - box[2]) / rows

@@ -14,7 +14,7 @@ STYLE = """body { font: 15px/1.45 sans-serif; color: #222; max-width: 62em; marg
 h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc; }
 table { border-collapse: collapse; margin: 1em 0; } td, th { padding: .2em .8em .2em 0; vertical-align: top; text-align: left; border-bottom: 1px solid #eee; }
 figure { margin: 1em 0; } figure img { max-width: 100%; max-height: 60em; } figcaption { color: #555; max-width: 50em; }"""
-LINE, PAGE = 92, 54  # letters and lines of a page of the PDF
+LINE, PAGE = 92, 69  # letters and lines of a page of the PDF
 PAPER = (8.27, 11.69)
 
 
@@ -63,18 +63,27 @@ def as_html(title, sections, folder):
     return "\n".join([*parts, "</body></html>\n"])
 
 
+def table_text(heads, rows):
+    """Lines of a table, its heads one word under the other so that it fits the page."""
+    words = [head.split() for head in heads]
+    high = max(map(len, words))
+    above = [["" if line < high - len(one) else one[line - high + len(one)] for one in words] for line in range(high)]
+    widths = [max(len(str(row[i])) for row in [*above, *rows]) for i in range(len(heads))]
+    return ["  ".join(str(cell).rjust(width) for cell, width in zip(row, widths)) for row in [*above, *rows]]
+
+
 def text_lines(title, sections):
     """Lines of the PDF's pages of text."""
-    lines = [*textwrap.wrap(on_one_line(title), LINE), ""]
+    lines = [*textwrap.wrap(on_one_line(title), LINE)]
     for section in sections:
-        lines += ["", section.title, "-" * len(section.title)] if section.title else []
+        if section.rows or section.words or section.table:
+            lines += ["", "", section.title, "-" * len(section.title)] if section.title else [""]
         for name, value in section.rows:
             lines += textwrap.wrap(f"{name}: {on_one_line(value)}", LINE, subsequent_indent="    ")
         for words in section.words:
             lines += ["", *textwrap.wrap(words, LINE)]
         if section.table:
-            widths = [max(len(str(row[i])) for row in [section.heads, *section.table]) for i in range(len(section.heads))]
-            lines += ["", *("  ".join(str(cell).rjust(width) for cell, width in zip(row, widths)) for row in [section.heads, *section.table])]
+            lines += ["", *table_text(section.heads, section.table)]
     return lines
 
 

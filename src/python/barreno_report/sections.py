@@ -5,7 +5,7 @@ import numpy as np
 
 from barreno_report.channel import draw_channel
 from barreno_report.depth_picture import depth_figure
-from barreno_report.energy_picture import energy_figure
+from barreno_report.energy_picture import energy_figure, energy_terms
 from barreno_report.files import reading
 from barreno_report.hole import cell_along_path, face_of
 from barreno_report.hole_section import hole_section
@@ -107,10 +107,10 @@ def energy_section(run):
     table = run.history_table()
     with reading(run.folder / "history.csv"):
         figure = energy_figure(table, run.summary)
-        remainder = float(table["energy_error"][-1])
+        rows, remainder = energy_terms(table, run.summary), float(table["energy_error"][-1])
     with reading(run.folder / "summary.json"):
         words = ledger_words(run.summary, remainder)
-    return Section("Energy", words=words, pictures=[Picture("energy", figure, "Energy by term, and the remainder of the ledger.")])
+    return Section("Energy", rows, words, pictures=[Picture("energy", figure, "Energy by term, and the remainder of the ledger.")])
 
 
 def summary_section(run, table):
@@ -125,17 +125,21 @@ def phases_section(run):
     return [Section("Phases", rows)] if rows else []
 
 
-def particle_sections(run, fields, time, table, folder):
+def particle_sections(run, fields, time, depths, table, folder):
     with run.particles_read():
         frame = run.frame(time)
         sections = [channel_section(run, frame, fields, table)]
         if table is not None and tip_of(run, table, frame):
-            sections += [hole_section(frame, run.deck, table, folder), strength_section(run, frame, table)]
+            sections += [hole_section(frame, run.deck, table, depths, folder), strength_section(run, frame, table)]
     return [section for section in sections if section]
 
 
-def all_sections(run, fields, time, folder):
-    """In their order on the page. @param time  of the pictures of particles, None: the last"""
+def all_sections(run, fields, time, depths, folder):
+    """In their order on the page.
+
+    @param time    of the pictures of particles, None: the last
+    @param depths  of rings around the hole, none: three in rock
+    """
     table = run.depth_table()
     # What costs least comes first: a file that is damaged shows early.
     summary, energy, phases = summary_section(run, table), energy_section(run), phases_section(run)
@@ -143,4 +147,5 @@ def all_sections(run, fields, time, folder):
     if table is not None:
         with reading(run.folder / "depth.csv"):
             depth = [depth_section(run, table)]
-    return [summary, *particle_sections(run, fields, time, table, folder), *depth, energy, *phases]
+    channel, *around = particle_sections(run, fields, time, depths, table, folder)
+    return [summary, channel, *depth, *around, energy, *phases]

@@ -7,6 +7,7 @@ import re
 
 from barreno_report.faults import FILE, Refusal
 
+LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "in": 0.0254}
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9, "": 1.0}
 EXAMPLES = {
     "report": 'write for example barreno report runs/perforation-1 --left pressure --right plastic_volume_strain --time "30 us"',
@@ -31,6 +32,7 @@ def report_parser():
     parser.add_argument("--left", default="", metavar="FIELD", help="field at the left of the axis (default pressure)")
     parser.add_argument("--right", default="", metavar="FIELD", help="field at the right (default equivalent_plastic_strain)")
     parser.add_argument("--time", default="", metavar="TIME", help='of the pictures of particles, for example "30 us": the nearest that particles.e has (default: the last)')
+    parser.add_argument("--depths", default="", metavar="LIST", help='below the outer face, of porosity against radius: "30 mm, 60 mm" (default: three in rock)')
     parser.add_argument("--pdf", action="store_true", help="report.pdf too")
     return parser
 
@@ -45,15 +47,28 @@ def film_parser():
     return parser
 
 
+def quantity_of(text, units):
+    """A number with a unit in SI. @raises ValueError"""
+    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*([a-zµ]*)\s*", text)
+    if not found or found.group(2) not in units:
+        raise ValueError(text)
+    return float(found.group(1)) * units[found.group(2)]
+
+
 def time_of(option, text):
     """In s; None for no text."""
-    if not text:
-        return None
-    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*([a-zµ]*)\s*", text)
     try:
-        return float(found.group(1)) * TIME_UNITS[found.group(2)]
-    except (AttributeError, KeyError, ValueError):
+        return quantity_of(text, TIME_UNITS) if text else None
+    except ValueError:
         raise Refusal(f'{option} "{text.strip()}" is not a time; write for example {option} "30 us".') from None
+
+
+def depths_of(option, text):
+    """In m, in their order; none for no text."""
+    try:
+        return sorted(quantity_of(part, LENGTH_UNITS) for part in text.split(",")) if text else []
+    except ValueError as error:
+        raise Refusal(f'{option} has "{str(error).strip()}", which is not a length; write for example {option} "30 mm, 60 mm".') from None
 
 
 def check_folder(text):

@@ -123,13 +123,14 @@ def said(*words, code=0):
 
 def check_page(run):
     """One page with its pictures inside, as text that came from a title; the same numbers in both forms."""
-    printed = said("report", run, "--left", "pressure", "--right", "plastic_volume_strain", "--time", "10 us", "--pdf")
+    printed = said("report", run, "--left", "pressure", "--right", "plastic_volume_strain", "--time", "10 us", "--depths", "5 mm, 1 cm", "--pdf")
     page, marked = ((run / "report" / name).read_text() for name in ("index.html", "index.md"))
     assert str(run / "report" / "index.html") in printed and "By &lt;hand&gt;" in page and "# By <hand>" in marked, printed
     pictures = sorted(file.stem for file in (run / "report").glob("*.png"))
     assert pictures == ["depth", "energy", "fields", "hole", "strength", "tip"], pictures
     assert page.count('src="data:image/png;base64,') == len(pictures) and all(f"({name}.png)" in marked for name in pictures)
     assert not re.search(r'(src|href)="(?!data:)', page) and "http" not in page.replace("http-equiv", ""), "the page needs something else"
+    assert "<td>5.0</td>" in page and "<td>10.0</td>" in page and "<td>plastic</td><td>20 J, 20 %</td>" in page, page[:3000]
     for words in ("numerically lost: 10 % of the energy put in (stress integration -4 %, transfer -6 %); remainder of the ledger: +0.001 %", "slower along its flight than the hole grows"):
         assert words in page.lower() and words in marked.lower(), words
     assert (run / "report" / "report.pdf").read_bytes()[:5] == b"%PDF-" and not list((run / "report").glob(".*"))
@@ -156,6 +157,8 @@ REFUSED = [  # words, exit code, part of the sentence
     (("report", "RUN", "--time", "soon"), 1, '--time "soon" is not a time; write for example --time "30 us"'),
     (("report", "RUN", "--time", "3 weeks"), 1, '--time "3 weeks" is not a time'),
     (("report", "RUN", "--time", "30 us"), 1, "--time 30 us is not in the run's particles.e (0 to 10 us)"),
+    (("report", "RUN", "--depths", "5 mm, deep"), 1, '--depths has "deep", which is not a length; write for example --depths "30 mm, 60 mm"'),
+    (("report", "RUN", "--depths", "5"), 1, '--depths has "5", which is not a length'),
     (("report", "RUN", "--colour"), 1, "unrecognized arguments: --colour"),
     (("film", "RUN"), 1, "the following arguments are required: --field; write for example barreno film"),
     (("film", "RUN", "--field", "spede"), 1, "did you mean speed?"),
@@ -177,6 +180,9 @@ def check_refusals(run, folder):
         found = said(name, empty, *(["--field", "speed"] if name == "film" else []), code=2)
         assert found == f"barreno: cannot report on '{empty}' (it contains no history.csv; give the folder of a run).\n", found
     assert sorted(run.rglob("*")) == before, "a refusal leaves files"
+    found = said("report", run, "--depths", "40 mm", code=1)
+    assert "--depths has 40 mm, where there is no hole in rock (0.2 to 19.8 mm); choose depths in between." in found, found
+    assert not list((run / "report").iterdir()), "a refusal leaves files"
 
 
 def main():
