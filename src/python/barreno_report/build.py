@@ -32,7 +32,7 @@ def fields_of(run, wishes):
     for option, name in (("--left", wishes.left), ("--right", wishes.right)):
         if name:
             check_field(option, name, known)
-    strain = next((name for name in PLASTIC_STRAIN if name in known), "pressure")
+    strain = next((name for name in PLASTIC_STRAIN if name in known), "shear_stress")
     return wishes.left or "pressure", wishes.right or strain
 
 

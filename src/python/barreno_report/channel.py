@@ -13,9 +13,11 @@ from barreno_report.outline import draw_outline
 from barreno_report.particles import areas_of
 
 MILLI, MICRO = 1e-3, 1e-6
-WITHOUT = "0.82"  # colour of a material that does not carry the field
+WITHOUT = "0.75"  # colour of a material that does not carry the field
+VOID = "#e3ebf1"  # unlike the ends and the middles of the colours
 WHOLE, CLOSE = 98.5, 96.0  # percent of the area that the colours tell apart, of all and of a part
 JET = "#d62728"
+BAR, BAR_GAP = 0.22, 0.95  # inches: a bar of colours, and room for the numbers and the name of an axis beside it
 BODY_LINES = ("black", "#7a3b00", "#005f73", "#5a189a", "#386641")
 
 
@@ -90,6 +92,7 @@ def draw_outlines(axes, frame, deck, mirrors, width=0.8):
 
 def set_up(axes, deck):
     axes.set_aspect("equal")
+    axes.set_facecolor(VOID)
     axes.set_xlabel("r [mm]" if deck.mode == "axisymmetric" else "x [mm]")
     axes.set_ylabel("y [mm]")
 
@@ -104,22 +107,30 @@ def set_limits(axes, frame, deck, box=None):
         axes.invert_yaxis()
 
 
-def draw_bar(figure, axes, quads, label, side, shrink=0.6):
-    bar = figure.colorbar(quads, ax=axes, location=side, label=label, shrink=shrink, pad=0.06 if side == "left" else 0.02, extend="both", aspect=30)
+def draw_bar(figure, axes, quads, label, side, wide):
+    """A bar of colours at a side of axes that are so many inches wide."""
+    at = -(BAR_GAP + BAR) / wide if side == "left" else 1.0 + 0.5 * BAR / wide
+    place = axes.inset_axes([at, 0.2, BAR / wide, 0.6])
+    bar = figure.colorbar(quads, cax=place, label=label, extend="both")
+    place.yaxis.set_ticks_position(side)
+    place.yaxis.set_label_position(side)
     bar.solids.set_edgecolor("face")
-    return bar
 
 
 def size_of(frame, mirrored, box=None, tall=9.0):
-    """Inches of the figure, from the shape of what is drawn."""
+    """Inches of what is drawn: width of a panel, height."""
     shapes, _ = frame.shapes
     span = np.ptp(shapes.reshape(-1, 2), axis=0) if box is None else np.abs([box[1] - box[0], box[3] - box[2]])
     width, height = span[0] * (2.0 if mirrored and box is None else 1.0), max(span[1], 1e-12)
     wide = tall * width / height
     if wide > 13.0:
         wide, tall = 13.0, max(13.0 * height / width, 2.0)
-    panels = 1 if mirrored else 2
-    return panels * max(wide, 2.5) + 2.7, tall + 0.6
+    return max(wide, 2.5), tall
+
+
+def time_text(time):
+    unit, scale = next(((unit, scale) for unit, scale in (("s", 1.0), ("ms", 1e-3)) if abs(time) >= 0.9999 * scale), ("µs", MICRO))
+    return f"t = {time / scale:.4g} {unit}"
 
 
 def draw_channel(frame, deck, left, right, box=None, limits=(None, None), edges=False, title=""):
@@ -129,13 +140,15 @@ def draw_channel(frame, deck, left, right, box=None, limits=(None, None), edges=
     @param limits  of the colours at the left and at the right, in the picture's units
     """
     mirrored = deck.mirrored()
-    figure, grid = plt.subplots(1, 1 if mirrored else 2, figsize=size_of(frame, mirrored, box), squeeze=False, layout="constrained")
+    wide, tall = size_of(frame, mirrored, box)
+    count = 1 if mirrored else 2
+    figure, grid = plt.subplots(1, count, figsize=(count * wide + 2.7, tall + 0.6), squeeze=False, layout="constrained")
     panels = [grid[0, 0], grid[0, -1]]
     halves = (Half(left, -1.0 if mirrored else 1.0, limits[0]), Half(right, 1.0, limits[1]))
     for axes, half, side in zip(panels, halves, ("left", "right")):
         quads, label = draw_half(axes, frame, deck, half, box, edges)
         if side == "right" or not mirrored or left != right:  # one bar serves two equal halves
-            draw_bar(figure, axes, quads, label, side)
+            draw_bar(figure, axes, quads, label, side, wide)
     legend = []
     for axes in {id(one): one for one in panels}.values():
         set_up(axes, deck)
@@ -144,7 +157,7 @@ def draw_channel(frame, deck, left, right, box=None, limits=(None, None), edges=
     if mirrored:
         panels[0].axvline(0.0, color="k", lw=0.5, ls=(0, (8, 4)))
     if legend:
-        drop = 0.55 / (figure.get_size_inches()[1] - 0.6)  # half an inch below the axes, whatever their height
+        drop = 0.55 / tall  # half an inch below the axes, whatever their height
         panels[0].legend(handles=legend, loc="upper center", bbox_to_anchor=(0.5, -drop), ncols=min(len(legend), 3), fontsize=9, frameon=False)
-    panels[0].set_title(f"{title}t = {frame.time / MICRO:.4g} µs")
+    panels[0].set_title(title + time_text(frame.time))
     return figure

@@ -56,7 +56,7 @@ def known_fields(file, deck):
 def check_field(option, name, known):
     if name in known:
         return
-    near = difflib.get_close_matches(name.lower().replace(" ", "_"), known, 1, 0.5)
+    near = difflib.get_close_matches(name.lower().replace(" ", "_"), known, 1, 0.6)
     hint = f"did you mean {near[0]}?" if near else "choose one of these."
     raise Refusal(f'{option} "{name}" is not a field of this run, which has {", ".join(sorted(known))}; {hint}')
 

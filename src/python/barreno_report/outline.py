@@ -14,7 +14,7 @@ def covered(shapes, box, pixels):
     axes = figure.add_axes([0.0, 0.0, 1.0, 1.0])
     axes.set(xlim=(box[0], box[1]), ylim=(box[2], box[3]))
     axes.axis("off")
-    axes.add_collection(PolyCollection(shapes, facecolors="k", edgecolors="none", linewidths=0, antialiased=False))
+    axes.add_collection(PolyCollection(shapes, facecolors="k", edgecolors="none", linewidths=0, snap=False))
     figure.canvas.draw()
     dark = np.asarray(figure.canvas.buffer_rgba())[::-1, :, 0] < 128
     plt.close(figure)
@@ -45,13 +45,13 @@ def draw_outline(axes, shapes, mirror, axis, crumbs=True, **line):
         return
     size = float(np.median(np.ptp(shapes[:, :, 0], axis=1)))
     lower, upper = shapes.min(axis=(0, 1)), shapes.max(axis=(0, 1))
-    pixel = max(size / 4.0, float((upper - lower).max()) / MOST_PIXELS, 1e-12)
+    pixel = max(size / 6.0, float((upper - lower).max()) / MOST_PIXELS, 1e-12)
     counts = np.maximum(np.ceil((upper - lower) / pixel).astype(int), 2) + 8
     left = 0.0 if axis else lower[0] - 4 * pixel
     box = (left, left + counts[0] * pixel, lower[1] - 4 * pixel, lower[1] - 4 * pixel + counts[1] * pixel)
-    mask = without_gaps(covered(shapes, box, counts), 2)
+    mask = without_gaps(covered(shapes, box, counts), 3)
     if not crumbs:
-        mask = ~without_gaps(~mask, 2)
+        mask = ~without_gaps(~mask, 3)
     if not mask.any():
         return
     rows, columns = mask.shape

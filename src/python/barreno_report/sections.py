@@ -6,6 +6,7 @@ import numpy as np
 from barreno_report.channel import draw_channel
 from barreno_report.depth_picture import depth_figure
 from barreno_report.energy_picture import energy_figure, energy_terms
+from barreno_report.fields import known_fields
 from barreno_report.files import reading
 from barreno_report.hole import cell_along_path, face_of
 from barreno_report.hole_section import hole_section
@@ -43,8 +44,9 @@ def channel_section(run, frame, fields, table):
         figure = draw_channel(frame, deck, *fields, box=tip_box(tip, deck), edges=True)
         section.pictures.append(Picture("tip", figure, "The same near the tip, where the size of particles shows the size of cells."))
     if "pore_pressure" in frame.names:
-        figure = draw_channel(frame, deck, "pore_pressure", "porosity")
-        section.pictures.append(Picture("pore_fluid", figure, "Pressure of the pore fluid, and pore volume over volume."))
+        beside = "porosity" if "porosity" in known_fields(run.file, deck) else "pressure"
+        figure = draw_channel(frame, deck, "pore_pressure", beside)
+        section.pictures.append(Picture("pore_fluid", figure, f"Pressure of the pore fluid, and {'pore volume over volume' if beside == 'porosity' else 'mean stress of rock and fluid'}."))
     return section
 
 
