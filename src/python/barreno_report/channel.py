@@ -130,7 +130,7 @@ def size_of(frame, mirrored, box=None, tall=9.0):
 
 def time_text(time):
     unit, scale = next(((unit, scale) for unit, scale in (("s", 1.0), ("ms", 1e-3)) if abs(time) >= 0.9999 * scale), ("µs", MICRO))
-    return f"t = {time / scale:.4g} {unit}"
+    return f"{time / scale:.4g} {unit}"
 
 
 def draw_channel(frame, deck, left, right, box=None, limits=(None, None), edges=False, title=""):
@@ -159,5 +159,5 @@ def draw_channel(frame, deck, left, right, box=None, limits=(None, None), edges=
     if legend:
         drop = 0.55 / tall  # half an inch below the axes, whatever their height
         panels[0].legend(handles=legend, loc="upper center", bbox_to_anchor=(0.5, -drop), ncols=min(len(legend), 3), fontsize=9, frameon=False)
-    panels[0].set_title(title + time_text(frame.time))
+    panels[0].set_title(f"{title}t = {time_text(frame.time)}")
     return figure

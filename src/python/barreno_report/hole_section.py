@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from barreno_report.channel import time_text
 from barreno_report.faults import Refusal
 from barreno_report.files import write_text
 from barreno_report.hole import face_of, measure_hole
@@ -15,11 +16,12 @@ MILLI = 1e-3
 COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall"
 
 
-def hole_rows(hole, mark):
+def hole_rows(hole, mark, time):
     per = "mm2 per thickness" if hole.plane else "cm3"
     scale = MILLI**2 if hole.plane else 1e-6
     across = "width" if hole.plane else "diameter"
     rows = [
+        ("time", time_text(time)),
         ("length of the hole", f"{hole.length / MILLI:.1f} mm below the outer face, to where it is closed"),
         (f"entrance {across}", f"{hole.entrance_diameter / MILLI:.2f} mm, half a cell below the outer face"),
         ("volume", f"{hole.volume / scale:.3g} {per}"),
@@ -101,7 +103,7 @@ def hole_section(frame, deck, table, wanted, folder):
     rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(rock, hole, wanted)]
     zones = zones_of(rock, hole) if len(rock) else []
     write_text(folder / "profile.csv", profile_text(hole, rock))
-    section = Section("Hole", hole_rows(hole, mark) + (rock_rows(rock) if len(rock) else []), [WALL])
+    section = Section("Hole", hole_rows(hole, mark, frame.time) + (rock_rows(rock) if len(rock) else []), [WALL])
     if rings:
         section.heads, section.table = ring_table(rings)
         section.words.append(ROCK)

@@ -68,9 +68,10 @@ def jet_shares(file, deck, rate_at):
         frame = file.frame(step)
         jet = np.flatnonzero(frame.alive)[jet_particles(frame, deck)]
         new = jet[np.isnan(mass[jet])]
-        whole = np.full(file.elements, np.nan)
-        whole[frame.alive] = volumes_of(frame, deck)
-        mass[new] = (frame.variable("density") * whole)[new]
+        if len(new):
+            whole = np.full(file.elements, np.nan)
+            whole[frame.alive] = volumes_of(frame, deck)
+            mass[new] = (frame.variable("density") * whole)[new]
         speed = deck.direction * frame.variable("velocity_y")[jet]
         total = float(mass[jet].sum())
         if total > 0.0:

@@ -30,6 +30,8 @@ def tip_of(run, table, frame):
 def tip_box(tip, deck):
     """(x, x, y, y) in mm."""
     _, y, cell = tip
+    # Where cells along the path are refined, some of the larger ones beside it are seen too.
+    cell = min(max(cell, deck.number("Grid/Cell Size", cell)), 2.5 * cell)
     near, far = y - deck.direction * BEHIND * cell, y + deck.direction * AHEAD * cell
     return tuple(value / MILLI for value in (-BESIDE * cell, BESIDE * cell, min(near, far), max(near, far)))
 
