@@ -26,30 +26,38 @@ class Hole:
     plane: bool  # a slot in plane strain instead of a round hole
 
     @property
+    def first_row(self):
+        """The first row that has a whole wall: at its rim a crater may be as wide as the target, and the next row is cut by the rim."""
+        first = int(np.argmax(np.isfinite(self.radius)))
+        return min(first + 1, len(self.radius) - 1) if first > 0 else 0
+
+    @property
     def open_rows(self):
-        """Rows from the face to where the hole is closed."""
-        closed = np.flatnonzero(self.radius < CLOSED * self.cell)
-        return int(closed[0]) if len(closed) else len(self.radius)
+        """Rows from the face to where the hole is closed or leaves the target."""
+        walled = np.isfinite(self.radius)
+        ended = (self.radius < CLOSED * self.cell) | (~walled & (np.arange(len(walled)) > self.first_row)) | ~walled.any()
+        return int(np.argmax(ended)) if ended.any() else len(walled)
 
     @property
     def length(self):
-        """Half-way between the last open row and the next, which is closed [m]."""
+        """Half-way between the last open row and the next [m]."""
         return (self.open_rows + 0.5) * self.cell / ROWS if self.open_rows else 0.0
 
     @property
     def entrance_diameter(self):
-        return 2.0 * float(self.radius[0]) if self.open_rows else 0.0
+        return 2.0 * float(self.radius[self.first_row]) if self.open_rows else 0.0
 
     @property
     def volume(self):
         """Of a round hole [m3], or of a slot per thickness [m2]."""
-        r = self.radius[: self.open_rows]
+        r = np.where(np.isfinite(self.radius), self.radius, 0.0)[: self.open_rows]
         areas = 2.0 * r if self.plane else np.pi * r**2
         # A row stands for what is around it; above the first one there is another half of a row.
         return float(np.sum(areas) + 0.5 * np.sum(areas[:1])) * self.cell / ROWS
 
     def radius_at(self, depth):
-        return float(np.interp(depth, self.depth, self.radius))
+        walled = np.isfinite(self.radius) & (np.arange(len(self.radius)) >= self.first_row)
+        return float(np.interp(depth, self.depth[walled], self.radius[walled]))
 
 
 def crossings(shapes, lines):

@@ -22,8 +22,8 @@ def hole_rows(hole, mark, time):
     across = "width" if hole.plane else "diameter"
     rows = [
         ("time", time_text(time)),
-        ("length of the hole", f"{hole.length / MILLI:.1f} mm below the outer face, to where it is closed"),
-        (f"entrance {across}", f"{hole.entrance_diameter / MILLI:.2f} mm, half a cell below the outer face"),
+        ("length of the hole", f"{hole.length / MILLI:.1f} mm below the outer face, to where it is closed or leaves the target"),
+        (f"entrance {across}", f"{hole.entrance_diameter / MILLI:.2f} mm, in the first row with a wall, {hole.depth[hole.first_row] / MILLI:.2g} mm below the outer face"),
         ("volume", f"{hole.volume / scale:.3g} {per}"),
     ]
     if mark:

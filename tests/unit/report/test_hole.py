@@ -97,6 +97,15 @@ def check_closed(folder):
     assert hole.open_rows == 0 and hole.length == hole.volume == hole.entrance_diameter == 0.0, hole
 
 
+def check_through(folder):
+    """A hole that leaves the target at its back, and whose crater has eaten all of the first cell."""
+    radius = 3.37 * CELL
+    hole, _, _ = measured(folder / "through", [rock(lattice(radius, radius + WIDTH, CELL, LENGTH))])
+    assert abs(hole.length - LENGTH) < CELL and worst(hole, lambda y: radius, 2.0) < TENTH, (hole.length, hole.radius)
+    assert abs(hole.volume / (np.pi * radius**2 * 19.0 * CELL) - 1.0) < 0.05 and abs(hole.entrance_diameter - 2.0 * radius) < 2.0 * TENTH, (hole.volume, hole.entrance_diameter)
+    assert abs(hole.radius_at(0.0) - radius) < TENTH
+
+
 def check_zones(folder):
     """Two rings of crushed rock, then one that is dilated: porosity, permeability and skin by hand."""
     radius, e, virgin = 3.25 * CELL, -0.1, 1.0 - np.exp(-0.2231)
@@ -123,7 +132,7 @@ def check_porosity():
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_zones):
+        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_zones):
             check(folder)
     check_porosity()
     print("holes and their zones are measured as they were laid")
