@@ -87,6 +87,7 @@ def main():
         out_holds_a_result=["good.xml", "--out", "a_result"],
         missing_deck=["nowhere.xml"],
         bad_override=["good.xml", "--set", "Time/End Tim=1 us"],
+        override_of_misspelt_list=["good.xml", "--set", "Bodies/Blok/Upper={4 mm, 4 mm}"],
         override_without_value=["good.xml", "--set", "Time/End Time"],
         unknown_fidelity=["good.xml", "--fidelity", "quick"],
         fidelity_without_word=["good.xml", "--fidelity"],

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <barreno/find_card.hpp>
+#include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
 
@@ -268,6 +269,69 @@ void check_version(const ParameterList& values, const std::string& source) {
   );
 }
 
+/// A list that an assignment makes beside those of the deck, one of which has nearly its name.
+struct NewList {
+  std::string assignment, path, nearest;
+};
+
+std::vector<std::string> lists_in(const XMLObject& list) {
+  std::vector<std::string> names;
+  for (int i = 0; i < list.numChildren(); ++i) {
+    const XMLObject& child = list.getChild(i);
+    if (child.getTag() == "ParameterList" && child.hasAttribute("name"))
+      names.push_back(child.getAttribute("name"));
+  }
+  return names;
+}
+
+/// None at the top of the deck, where all names are known.
+std::optional<NewList> new_list(const XMLObject& root, const std::string& assignment) {
+  const std::string path = assignment.substr(0, assignment.find('='));
+  XMLObject list = root;
+  std::size_t begin = 0;
+  for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', begin)) {
+    const std::string name = path.substr(begin, end - begin);
+    const auto inner = input::find_list(list, name);
+    if (!inner && begin == 0) return std::nullopt;
+    if (!inner) {
+      const std::string nearest = input::nearest_name(name, lists_in(list));
+      if (nearest.empty()) return std::nullopt;
+      return NewList{assignment, path.substr(0, end), nearest};
+    }
+    list = *inner;
+    begin = end + 1;
+  }
+  return std::nullopt;
+}
+
+/// What is wrong with a list that an assignment made is most likely its name.
+void refuse_new_list(const std::vector<NewList>& made, const std::string& said) {
+  for (const NewList& one : made) {
+    const std::string named = ": " + one.path;
+    if (said.find(named + "/") == std::string::npos && said.find(named + " ") == std::string::npos)
+      continue;
+    throw DeckError(
+        "--set " + input::shown(one.assignment) + " names a list that the deck does not have (" +
+        one.path + ", and a new one needs more than this); did you mean '" + one.nearest + "'?"
+    );
+  }
+}
+
+ParameterList read_values(
+    const XMLObject& root, Reading& reading, const std::vector<NewList>& made
+) {
+  try {
+    ParameterList values = input::scan_list(root, deck_schema(), "", reading.source);
+    check_version(values, reading.source.name);
+    values.set(name_of(&HeadSection::units), HeadSection{}.units);
+    read_materials(root, reading, values);
+    return values;
+  } catch (const InputError& error) {
+    refuse_new_list(made, error.what());
+    throw;
+  }
+}
+
 }  // namespace
 
 Deck read_deck(
@@ -280,7 +344,11 @@ Deck read_deck(
   const std::filesystem::path path(file);
   const std::string name = path.filename().string();
   XMLObject root = input::parse_xml(text, name);
-  for (const std::string& assignment : overrides) root = input::override_value(root, assignment);
+  std::vector<NewList> made;
+  for (const std::string& assignment : overrides) {
+    if (const auto one = new_list(root, assignment)) made.push_back(*one);
+    root = input::override_value(root, assignment);
+  }
   const input::UnitSystem units = input::units_of(root, name);
   Reading reading{
       {name, units},
@@ -290,10 +358,7 @@ Deck read_deck(
       {}};
   reading.fidelity.choose_for_deck(root);
 
-  ParameterList values = input::scan_list(root, deck_schema(), "", reading.source);
-  check_version(values, name);
-  values.set(name_of(&HeadSection::units), HeadSection{}.units);
-  read_materials(root, reading, values);
+  ParameterList values = read_values(root, reading, made);
   read_solver_lists(root, name, values);
   const std::string jet_table = include_jet_table(reading, values);
   std::vector<SurfaceFile> surface_files;
