@@ -15,9 +15,9 @@ import numpy as np
 
 TESTS = pathlib.Path(__file__).resolve().parents[1]
 TOOLS = TESTS.parent / "verification" / "tools"
-sys.path[:0] = [str(TOOLS)]
+sys.path[:0] = [str(TOOLS), str(TESTS.parent / "src" / "python")]
 
-from join_exodus import files_of, join  # noqa: E402
+from barreno_runs.join_exodus import files_of, join  # noqa: E402
 from netCDF4 import Dataset  # noqa: E402
 from resumed import at_previous, different_fields, lines_of, must_work, program, stopped_run  # noqa: E402
 from runs import DECKS, mpi_environment  # noqa: E402

@@ -24,8 +24,8 @@ import sys
 import numpy as np
 from netCDF4 import Dataset, chartostring
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from join_exodus import as_one_file  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
+from barreno_runs.join_exodus import as_one_file  # noqa: E402
 
 KINDS = ("relative", "absolute", "combined", "ignore")
 

@@ -9,9 +9,12 @@ import sys
 
 from barreno_converge import levels as level_runs
 from barreno_converge import order, report
-from barreno_converge.faults import FILE, Fault
-from barreno_converge.program import Program, default_binary
-from barreno_converge.quantity import Quantity, read_summary
+from barreno_converge.quantity import Quantity
+from barreno_runs.effective_deck import value_in
+from barreno_runs.faults import FILE, Fault
+from barreno_runs.program import as_set, found_program
+from barreno_runs.run_folder import read_summary
+from barreno_runs.tables import make_folder, place
 
 EXAMPLE = "write for example barreno converge input_xml/perforation_quick.xml --levels 3"
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "": 1.0}
@@ -73,15 +76,8 @@ def out_folder(options):
     return pathlib.Path(options.out) if options.out else pathlib.Path("runs") / f"{pathlib.Path(options.deck).stem}-converge"
 
 
-def make_folder(folder):
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise Fault(f"--out {folder} cannot be made ({error.strerror}); name another folder.", FILE) from None
-
-
 def check_quantity(name, deck):
-    if name == "depth" and level_runs.value_in(deck, "Jet/Material") is None:
+    if name == "depth" and value_in(deck, "Jet/Material") is None:
         raise Fault('--quantity depth needs a jet, and the deck has none; name a column of history.csv or a number of summary.json, for example --quantity kinetic.')
 
 
@@ -120,8 +116,8 @@ def stem_of(name):
 
 def write(options, levels, quantity, rows, out):
     stem = stem_of(quantity.name)
-    report.place(out / f"{stem}.csv", report.as_csv(quantity.name, levels, rows))
-    report.place(out / f"{stem}.json", report.as_json(options.deck, quantity.name, levels, rows, options.formal_order))
+    place(out / f"{stem}.csv", report.as_csv(quantity.name, levels, rows))
+    place(out / f"{stem}.json", report.as_json(options.deck, quantity.name, levels, rows, options.formal_order))
     series = [quantity.series(level.folder) for level in levels]
 
     def draw(aside):
@@ -129,7 +125,7 @@ def write(options, levels, quantity, rows, out):
 
         draw(aside, quantity.name, levels, series, rows)
 
-    report.place(out / f"{stem}.png", draw)
+    place(out / f"{stem}.png", draw)
     if quantity.name == "depth":
         report.note_in_summaries(levels, rows[-1][2], out / f"{stem}.json")
 
@@ -137,14 +133,11 @@ def write(options, levels, quantity, rows, out):
 def run(words):
     options = parse(words)
     check_words(options)
-    binary = default_binary()
-    if not binary:
-        raise Fault("the program barreno is not found; name it in BARRENO_PROGRAM, or use ./barreno converge of the source tree.", FILE)
-    program = Program(binary, options.ranks)
+    program = found_program("converge", options.ranks)
     settings = [*options.settings, *([f"Fidelity={options.fidelity}"] if options.fidelity else [])]
-    base = program.effective_deck([options.deck, *level_runs.as_set(settings)])
+    base = program.effective_deck([options.deck, *as_set(settings)])
     check_quantity(options.quantity, base)
-    size, end = (float(level_runs.value_in(base, path)) for path in ("Grid/Cell Size", "Time/End Time"))
+    size, end = (float(value_in(base, path)) for path in ("Grid/Cell Size", "Time/End Time"))
     times = times_of(options.times, end)
     if times[-1] < end:
         times.append(end)

@@ -1,45 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The number that is followed: a column of a run's tables at some times, or a number of summary.json at its end."""
 
-import csv
 import difflib
-import json
 import pathlib
 
-import numpy as np
-
-from barreno_converge.faults import FILE, Fault
+from barreno_runs.faults import Fault
+from barreno_runs.run_folder import numbers_of, read_summary, read_table
 
 TABLES = ("depth.csv", "history.csv", "radii.csv", "cavities.csv")
-
-
-def read_table(file):
-    """Columns of a CSV file as arrays; a line that was cut off is left out."""
-    with open(file, newline="", encoding="utf-8") as stream:
-        rows = list(csv.reader(line for line in stream if line.strip() and not line.startswith("#")))
-    whole = [row for row in rows[1:] if len(row) == len(rows[0])]
-    values = np.array([[float(cell) for cell in row] for row in whole], float).reshape(len(whole), len(rows[0]))
-    return {name: values[:, i] for i, name in enumerate(rows[0])}
-
-
-def numbers_of(tree, path=""):
-    """{dotted path: number} of a JSON object."""
-    found = {}
-    for name, value in tree.items():
-        whole = f"{path}.{name}" if path else name
-        if isinstance(value, dict):
-            found.update(numbers_of(value, whole))
-        elif isinstance(value, (int, float)) and not isinstance(value, bool):
-            found[whole] = float(value)
-    return found
-
-
-def read_summary(folder):
-    file = pathlib.Path(folder) / "summary.json"
-    try:
-        return json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise Fault(f"{file} cannot be read ({error}); remove the folder, so that the run is made again.", FILE) from None
 
 
 class Quantity:
@@ -78,6 +46,8 @@ class Quantity:
     def at(self, folder, times):
         """Values at times, between rows on a straight line; of a number of the summary at the end alone."""
         if self.table:
+            import numpy as np  # slow to load, and help does without
+
             return [float(value) for value in np.interp(times, *self.series(folder))]
         found = numbers_of(read_summary(folder)).get(self.path)
         if found is None:

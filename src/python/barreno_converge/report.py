@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What comes back: lines of the screen, converge.csv, converge.json, a picture, and the interval in the summaries of the runs."""
 
-import contextlib
 import csv
 import io
 import json
@@ -9,34 +8,13 @@ import math
 import os
 
 from barreno_converge import order
-from barreno_converge.faults import FILE, Fault
-from barreno_converge.quantity import read_summary
+from barreno_runs.run_folder import read_summary
+from barreno_runs.tables import aligned, number, place
 
 METHOD = (
     "Grid Convergence Index of the three smallest cells, with the observed order and a safety factor of 1.25, or where the observed order is above "
     "the formal one with that and a factor of 3 (Roache, J. Fluids Eng. 116, 405, 1994; Celik et al., J. Fluids Eng. 130, 078001, 2008)"
 )
-
-
-def place(file, content):
-    """Written aside and renamed: complete or absent."""
-    aside = file.with_name(f".{file.name}.tmp")
-    try:
-        with contextlib.suppress(FileNotFoundError):
-            aside.unlink()
-        if callable(content):
-            content(aside)
-        else:
-            aside.write_text(content, encoding="utf-8")
-        os.replace(aside, file)
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            aside.unlink()
-        raise Fault(f"{file} cannot be written ({error.strerror}).", FILE) from None
-
-
-def number(value, digits=6):
-    return "-" if value is None else f"{value:.{digits}g}"
 
 
 def interval_text(verdict):
@@ -52,9 +30,7 @@ def table(name, levels, rows):
     body = []
     for time, values, verdict in rows:
         body.append([number(time, 4), *(number(value) for value in values), number(verdict.order, 3), number(verdict.limit), interval_text(verdict)])
-    widths = [max(len(row[i]) for row in [heads, *body]) for i in range(len(heads))]
-    line = lambda row: "  ".join(cell.rjust(width) for cell, width in zip(row, widths))  # noqa: E731
-    return "\n".join([f"{name} with cells of", line(heads), *map(line, body)])
+    return "\n".join([f"{name} with cells of", *aligned([heads, *body])])
 
 
 def remarks(rows, formal):

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a run folder holds (docs/output.md)."""
+
+import csv
+import json
+import pathlib
+import re
+
+from barreno_runs.faults import FILE, Fault
+from barreno_runs.program import body_of
+
+
+def read_summary(folder):
+    file = pathlib.Path(folder) / "summary.json"
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+        if not isinstance(found, dict):
+            raise ValueError("it is not a JSON object")
+    except (OSError, ValueError) as error:
+        raise Fault(f"{file} cannot be read ({error}); remove the folder, so that the run is made again.", FILE) from None
+    return found
+
+
+def read_table(file):
+    """Columns of a CSV file as arrays; a line that was cut off is left out."""
+    import numpy as np  # slow to load, and help does without
+
+    try:
+        with open(file, newline="", encoding="utf-8") as stream:
+            rows = list(csv.reader(line for line in stream if line.strip() and not line.startswith("#")))
+        whole = [row for row in rows[1:] if len(row) == len(rows[0])]
+        values = np.array([[float(cell) for cell in row] for row in whole], float).reshape(len(whole), len(rows[0]))
+    except (OSError, LookupError, ValueError, csv.Error) as error:
+        raise Fault(f"{file} cannot be read as a table of numbers ({error}); make the run again.", FILE) from None
+    return {name: values[:, i] for i, name in enumerate(rows[0])}
+
+
+def scalars_of(tree, path=""):
+    """{dotted path: text, number or truth} of a JSON object."""
+    found = {}
+    for name, value in tree.items():
+        whole = f"{path}.{name}" if path else name
+        if isinstance(value, dict):
+            found.update(scalars_of(value, whole))
+        elif isinstance(value, (int, float, str)):
+            found[whole] = value
+    return found
+
+
+def numbers_of(tree):
+    """{dotted path: number} of a JSON object."""
+    return {path: float(value) for path, value in scalars_of(tree).items() if isinstance(value, (int, float)) and not isinstance(value, bool)}
+
+
+def deck_in(folder):
+    """The effective deck of a run, without the comment that names its file; None where there is none."""
+    try:
+        return body_of((folder / "deck.xml").read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+def state_of(folder):
+    """(finished, version) as a run says; (False, "") of one that was killed."""
+    try:
+        summary = read_summary(folder)
+    except Fault:
+        return False, ""
+    return summary.get("finished") is True, summary.get("version", "")
+
+
+def progress_of(folder):
+    """Share of a run that is done, as the last line of progress in its run.log has it."""
+    try:
+        with open(folder / "run.log", "rb") as stream:
+            stream.seek(0, 2)
+            stream.seek(max(0, stream.tell() - 4096))
+            found = re.findall(rb"^ *(\d+) %  t ", stream.read(), re.MULTILINE)
+    except OSError:
+        return 0.0
+    return min(1.0, int(found[-1]) / 100.0) if found else 0.0
