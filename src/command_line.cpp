@@ -26,6 +26,7 @@ const char* const other_words =
     "barreno COMMAND --help describes a command in detail. In the source tree ./barreno also has\n"
     "report FOLDER (pictures and numbers of a run), converge DECK (order and interval of its "
     "depth),\n"
+    "sweep DECK (several values of its parameters), compare RUN RUN (runs side by side),\n"
     "fit DATA (a card from laboratory tests) and test.\n\n";
 
 /// Options of CLI11 back to what this code knows of them.
@@ -71,7 +72,11 @@ void add_commands(CLI::App& program, Known& known) {
 
 /// What the launcher alone has, and the operand of each.
 constexpr std::pair<const char*, const char*> source_commands[] = {
-    {"report", "FOLDER"}, {"converge", "DECK"}, {"fit", "DATA... --out CARD.xml"}};
+    {"report", "FOLDER"},
+    {"converge", "DECK"},
+    {"sweep", "DECK --vary \"LIST/NAME=VALUE,VALUE\""},
+    {"compare", "RUN RUN"},
+    {"fit", "DATA... --out CARD.xml"}};
 
 bool is_source_command(const std::string& word) {
   return std::any_of(

@@ -147,6 +147,31 @@ def check_converge(machine, folder):
     assert re.search(r"'--ranks', '[1-9][0-9]*'\]", result.stdout), result.stdout
 
 
+def check_sweep(machine, folder):
+    """As converge, with one rank per run unless told otherwise, the cores, and how it was called."""
+    refused(*machine.run("sweep"), 1, "sweep takes a deck")
+    refused(*machine.run("sweep", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
+    machine.file("src/python/barreno_sweep/__main__.py", "import os, sys; print('swept', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'], os.environ['BARRENO_COMMAND'])")
+    (folder / "a deck.xml").write_text("")
+    result, calls = machine.run("sweep", folder / "a deck.xml", "--vary", "A/B C=1,2 mm")
+    assert result.returncode == 0 and f"swept ['{folder / 'a deck.xml'}', '--vary', 'A/B C=1,2 mm']" in result.stdout, result.stderr
+    assert re.search(r"a tree/build/release/src/barreno [1-9][0-9]* .*a tree/barreno sweep$", result.stdout.strip()), result.stdout
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
+
+
+def check_compare(machine, folder):
+    """Nothing is built to look at runs; its own help needs no packages either."""
+    refused(*machine.run("compare"), 1, "compare takes the folders of two runs or more")
+    refused(*machine.run("compare", folder / "a run"), 1, "compare takes the folders of two runs or more")
+    machine.file("src/python/barreno_compare/__main__.py", "import sys; print('compared', sys.argv[1:])")
+    result, calls = machine.run("compare", folder / "a run", folder / "b")
+    assert result.returncode == 0 and f"compared ['{folder / 'a run'}', '{folder / 'b'}']" in result.stdout, result.stderr
+    assert not any(call.startswith(("cmake", "ninja")) for call in calls), calls
+    result, calls = machine.run("compare", "--help")
+    assert result.returncode == 0 and result.stdout == "compared ['--help']\n" and not calls, result.stdout
+
+
 def check_fit(machine, folder):
     """Files that are missing are said before anything is installed; then the packages of a fit, the build, the program."""
     refused(*machine.run("fit"), 1, "fit takes the files of tests")
@@ -170,7 +195,7 @@ def check_words(machine):
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["film", "-h"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "film", "converge", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "film", "converge", "sweep", "compare", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 
@@ -193,7 +218,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_fit, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

@@ -121,6 +121,8 @@ TEST(CommandLine, RefusesWhatItDoesNotKnowWithTheNearestName) {
       {{"rnu", "--help"}, "\"rnu\" is not a command"},
       {{"report", "x"}, "report is a command of the source tree"},
       {{"converge", "x"}, "write there ./barreno converge DECK."},
+      {{"sweep", "x"}, "write there ./barreno sweep DECK --vary"},
+      {{"compare", "x"}, "write there ./barreno compare RUN RUN."},
       {{"run", "deck.xml", "--overwrit"},
        "--overwrit is not an option of this command; did you mean '--overwrite'?"},
       {{"check", "deck.xml", "--until", "1 s"}, "--until is not an option of this command"},
