@@ -161,7 +161,7 @@ def check_time_left(folder):
     assert compute.time_left([10.0], [], 4, 2) == 20.0
     assert compute.time_left([10.0], [Passed(0.5, 10.0), Passed(0.0, None)], 1, 2) == 12.5
     assert compute.time_left([1.0], [Passed(0.1, 100.0)], 0, 8) == 90.0
-    assert [compute.duration(x) for x in (3.21, 600.0, 9000.0)] == ["3.21 s", "10 min", "2.5 h"]
+    assert [compute.duration(x) for x in (3.21, 99.4, 600.0, 9000.0, 1e6)] == ["3.2 s", "99 s", "10 min", "2.5 h", "278 h"]
     (folder / "run.log").write_text("  0 %  t 0 s  step 0\n 37 %  t 1 s  step 9\nwarning: 3 % of it\n")
     assert run_folder.progress_of(folder) == 0.37 and run_folder.progress_of(folder / "x") == 0.0
 

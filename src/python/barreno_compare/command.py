@@ -8,7 +8,7 @@ import re
 import sys
 
 from barreno_compare.differences import against, as_csv, deck_differences, decks_as_csv, quantities_of, shortened
-from barreno_runs.faults import FILE, Fault
+from barreno_runs.faults import FILE, Fault, exit_code
 from barreno_runs.results import finished_row, write_results
 from barreno_runs.run_folder import deck_in
 from barreno_runs.tables import aligned, make_folder, number, place
@@ -122,10 +122,4 @@ def run(words):
 
 
 def main(words=None):
-    try:
-        return run(sys.argv[1:] if words is None else words)
-    except Fault as fault:
-        print(f"barreno: {fault}", file=sys.stderr)
-        return fault.code
-    except KeyboardInterrupt:
-        return 130
+    return exit_code(run, sys.argv[1:] if words is None else words)

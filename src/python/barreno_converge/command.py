@@ -11,7 +11,7 @@ from barreno_converge import levels as level_runs
 from barreno_converge import order, report
 from barreno_converge.quantity import Quantity
 from barreno_runs.effective_deck import value_in
-from barreno_runs.faults import FILE, Fault
+from barreno_runs.faults import FILE, Fault, exit_code
 from barreno_runs.program import as_set, found_program
 from barreno_runs.run_folder import read_summary
 from barreno_runs.tables import make_folder, place
@@ -167,10 +167,4 @@ def run(words):
 
 
 def main(words=None):
-    try:
-        return run(sys.argv[1:] if words is None else words)
-    except Fault as fault:
-        print(f"barreno: {fault}", file=sys.stderr)
-        return fault.code
-    except KeyboardInterrupt:
-        return 130
+    return exit_code(run, sys.argv[1:] if words is None else words)

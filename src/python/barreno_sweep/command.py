@@ -3,7 +3,7 @@
 
 import sys
 
-from barreno_runs.faults import FILE, Fault
+from barreno_runs.faults import FILE, Fault, exit_code
 from barreno_runs.program import as_set, found_program
 from barreno_runs.results import list_of
 from barreno_runs.run_folder import deck_in, read_summary
@@ -116,10 +116,4 @@ def run(words):
 
 
 def main(words=None):
-    try:
-        return run(sys.argv[1:] if words is None else words)
-    except Fault as fault:
-        print(f"barreno: {fault}", file=sys.stderr)
-        return fault.code
-    except KeyboardInterrupt:
-        return 130
+    return exit_code(run, sys.argv[1:] if words is None else words)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The runs side by side, and what is said of them meanwhile."""
 
+import shutil
 import sys
 import time
 
@@ -14,9 +15,9 @@ KNOWN_SHARE = 0.02  # of a run, from which on its time can be told
 
 
 def duration(seconds):
-    if seconds < 100.0:
-        return f"{seconds:.3g} s"
-    return f"{seconds / 60.0:.3g} min" if seconds < 6000.0 else f"{seconds / 3600.0:.3g} h"
+    """With two digits, which is as much as can be known of time left."""
+    value, unit = (seconds, "s") if seconds < 100.0 else (seconds / 60.0, "min") if seconds < 6000.0 else (seconds / 3600.0, "h")
+    return f"{value:.2g} {unit}" if value < 10.0 else f"{value:.0f} {unit}"
 
 
 class Clock:
@@ -75,7 +76,7 @@ class Watch:
     def tick(self, clocks, left):
         text = f"{self.ended} of {self.total} ended, {len(clocks)} running ({', '.join(f'{100.0 * clock.share:.0f} %' for clock in clocks[:8])}){left_words(left)}"
         if self.terminal:
-            print(f"\r\033[K{text}", end="", flush=True)
+            print(f"\r\033[K{text[: shutil.get_terminal_size().columns - 1]}", end="", flush=True)
         elif time.monotonic() - self.last > SILENCE:
             self.line(text)
 
