@@ -16,6 +16,7 @@ struct Subcycling {
   int parts = 1;          ///< of the step that is taken
   int part = 0;           ///< which of them is taken now
   bool ends_all = false;  ///< all tiles end their steps with this part
+  bool strays = false;    ///< particles must come to other tiles before the next part
   ArrayView<int> period;  ///< parts of a tile's own step; also of ghosts
   ArrayView<unsigned char> ends;    ///< its particles take their step with this part
   ArrayView<unsigned char> solved;  ///< its nodes were asked for in this part (solve_velocity)

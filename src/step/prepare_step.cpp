@@ -41,8 +41,9 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   std::vector<Particles>& sets = state.particles;
   OwnLedger& ledger = state.ledger;
   Effort& effort = state.effort;
-  balance_load(clock, grid, sets, ledger, effort, state.sharing);      // tiles to ranks by cost
-  launch_slugs(scene, state);                                          // whose time has come
+  balance_load(clock, grid, sets, ledger, effort, state.sharing);  // tiles to ranks by cost
+  launch_slugs(scene, state);                                      // whose time has come
+  if (state.subcycling.on()) forget_keys(sets);  // parts of the last step kept some
   Placement placement = locate_particles(grid, sets, ledger, effort);  // cells; lost are tallied
   const double stable = agree_on_stable_step(*grid.comm, state.stable_step, placement);
   const double with_fluids = stable_step_with_fluids(state.cavities, grid.smallest_cell(), stable);

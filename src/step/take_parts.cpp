@@ -11,7 +11,6 @@
 
 #include <array>
 #include <limits>
-#include <stdexcept>
 
 namespace barreno {
 namespace {
@@ -20,12 +19,15 @@ namespace {
 /// smaller one: it rises and falls by a few percent all the time.
 constexpr double tolerated_step = 0.9;
 
-bool must_meet(double dt, const State& state, const StepTally& tally, const StepResult& result) {
-  const bool early = find_early_arrivals(state.grid, state.particles, state.subcycling);
+/// Also whether particles stray, which a step that goes on has to see to.
+bool must_meet(double dt, const StepTally& tally, const StepResult& result, State& state) {
+  const Arrivals arrivals = find_early_arrivals(state.grid, state.particles, state.subcycling);
   const bool unstable = tally.stress.stable_step < tolerated_step * dt;
-  std::array<double, 1> meets{early || unstable || result.stopped ? 1.0 : 0.0};
-  max_over_ranks(*state.grid.comm, meets);
-  return meets[0] > 0.0;
+  std::array<double, 2> flags{
+      arrivals.early || unstable || result.stopped ? 1.0 : 0.0, arrivals.strays ? 1.0 : 0.0};
+  max_over_ranks(*state.grid.comm, flags);
+  state.subcycling.strays = flags[1] > 0.0;
+  return flags[0] > 0.0;
 }
 
 /// Chunks that took part in both updates were counted in both: the totals are taken afresh.
@@ -42,7 +44,7 @@ void tally_all_momentum(const State& state, ParticleTally& moved) {
 void end_or_carry_steps(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
 ) {
-  if (!must_meet(dt, state, tally, result)) {
+  if (!must_meet(dt, tally, result, state)) {
     carry_tile_steps(state.grid, dt, state.nodes.front(), state.dormancy, state.subcycling);
     return;
   }
@@ -60,10 +62,9 @@ void prepare_next_part(State& state) {
   constexpr long between_permutations = 1;
   Grid& grid = state.grid;
   ++state.subcycling.part;
-  Placement placement = locate_particles(grid, state.particles, state.ledger, state.effort);
+  if (!state.subcycling.strays) return;
+  Placement placement = place_strays(grid, state.subcycling, state.particles, state.ledger);
   agree_on_stable_step(*grid.comm, not_asked, placement);
-  if (placement.new_tile)
-    throw std::logic_error("A particle came into a new tile within a step: find_early_arrivals.");
   place_particles(
       placement, between_permutations, grid, state.particles, state.ledger, state.effort
   );

@@ -15,7 +15,8 @@ void end_or_carry_steps(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
 );
 
-/// Before the next part: every particle gets its cell, its rank and its place in the order.
+/// Before the next part: particles that are too far from their tiles get others, their ranks and
+/// their places in the order (StrayRule).
 void prepare_next_part(State& state);
 
 }  // namespace barreno

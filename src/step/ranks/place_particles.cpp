@@ -10,11 +10,6 @@
 namespace barreno {
 namespace {
 
-/// Tiles get other numbers: every particle is looked for again.
-void forget_keys(std::vector<Particles>& sets) {
-  for (Particles& particles : sets) particles.settled_chunks = 0;
-}
-
 /// Marks the tiles that hold rows of a set, by number (BoxTiles).
 void mark_tiles(
     const CellLattice& lattice, const Particles& particles, const ArrayView<unsigned char>& holds
@@ -48,6 +43,10 @@ std::vector<int> occupied_tiles(const Grid& grid, const std::vector<Particles>& 
 }
 
 }  // namespace
+
+void forget_keys(std::vector<Particles>& sets) {
+  for (Particles& particles : sets) particles.settled_chunks = 0;
+}
 
 void place_particles(
     const Placement& agreed,

@@ -11,6 +11,9 @@ namespace barreno {
 /// locality.
 inline constexpr long steps_per_permutation = 50;
 
+/// Every particle is looked for again, as where tiles get other numbers.
+void forget_keys(std::vector<Particles>& sets);
+
 /// Bring every particle to the rank that owns its tile, activate the tiles that hold particles, and
 /// sort the rows by (tile, cell, id). Collective if anything moved between ranks or a tile is new.
 ///

@@ -3,21 +3,47 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
+#include "base/row_sum.hpp"
 #include "base/rows.hpp"
 #include "state/row_frames.hpp"
+#include "step/order/remove_lost.hpp"
+#include "step/subcycle/stray_rule.hpp"
 
 namespace barreno {
 namespace {
 
-struct IsEarly {
+/// Rows that a part has moved.
+struct Found {
+  int lost = 0, strays = 0, early = 0;
+};
+KOKKOS_INLINE_FUNCTION void add(const Found& from, Found& to) {
+  to.lost += from.lost;
+  to.strays += from.strays;
+  to.early += from.early;
+}
+
+struct LookAtRow {
   CellLattice lattice;
   RowFrames frames;
+  StrayRule rule;
   FieldView position;
   ArrayView<Fault> fault;
   ArrayView<int> directory;
   ArrayView<unsigned char> level_of_tile;
   Subcycling subcycling;
   double lower[3], upper[3];
+
+  LookAtRow(const Grid& grid, const Particles& particles, const Subcycling& of_step)
+      : lattice(grid),
+        frames(grid, particles),
+        rule(grid, particles),
+        position(particles.position.values),
+        fault(particles.fault),
+        directory(grid.directory),
+        level_of_tile(grid.level_of_tile),
+        subcycling(of_step),
+        lower{grid.lower[0], grid.lower[1], grid.lower[2]},
+        upper{grid.upper[0], grid.upper[1], grid.upper[2]} {}
 
   /// Those that have left the grid or failed are removed before they come anywhere.
   KOKKOS_INLINE_FUNCTION bool is_lost(int p) const {
@@ -26,10 +52,13 @@ struct IsEarly {
       inside = inside && position(p, d) >= lower[d] && position(p, d) < upper[d];
     return !inside;
   }
-  KOKKOS_INLINE_FUNCTION bool operator()(int p) const {
-    const int from = frames.tile(p);
-    if (subcycling.ends(from) == 0 || is_lost(p)) return false;
-    const Cell cell = lattice.cell_at(position, p);
+  KOKKOS_INLINE_FUNCTION bool has_moved(int p) const {
+    return subcycling.ends(frames.tile(p)) != 0;
+  }
+  KOKKOS_INLINE_FUNCTION bool is_stray(int p) const {
+    return rule.is_stray(p, frames.tile_frame(frames.tile(p)));
+  }
+  KOKKOS_INLINE_FUNCTION bool is_early(const Cell& cell, int from) const {
     // Of another rank's finer tiles it is not known here which are active.
     if (level_of_tile.extent(0) > 0 &&
         level_of_tile(cell.box_tile) > frames.tile_frame(from).position.level)
@@ -37,39 +66,81 @@ struct IsEarly {
     const int to = directory(cell.tile);
     return to != from && (to < 0 || (subcycling.part + 1) % subcycling.period(to) != 0);
   }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p, Found& found) const {
+    if (!has_moved(p)) return;
+    if (is_lost(p)) {
+      ++found.lost;
+    } else if (is_stray(p)) {
+      ++found.strays;
+      found.early += is_early(lattice.cell_at(position, p), frames.tile(p)) ? 1 : 0;
+    }
+  }
 };
+
+Found look_at_rows(const Grid& grid, const Particles& particles, const Subcycling& subcycling) {
+  const LookAtRow look(grid, particles, subcycling);
+  const ArrayView<unsigned char> chunk_part = particles.chunk_part;
+  Found found;
+  launch_reduction(
+      "find_early_arrivals",
+      range(particles.count),
+      KOKKOS_LAMBDA(const int p, Found& sum) {
+        if (chunk_part(p / rows_per_chunk) != no_part_of_chunk) look(p, sum);
+      },
+      TallyReducer<Found>(found)
+  );
+  return found;
+}
+
+/// @return how many of them are in tiles of other ranks
+int find_keys_of_strays(
+    const Grid& grid, const Subcycling& subcycling, const Particles& particles
+) {
+  const LookAtRow look(grid, particles, subcycling);
+  const ArrayView<CellKey> key = particles.key;
+  const int active = grid.active, cells = grid.patch.cells;
+  int left = 0;
+  launch_reduction(
+      "find_keys_of_strays",
+      range(particles.count),
+      KOKKOS_LAMBDA(const int p, int& sum) {
+        if (!look.has_moved(p) || !look.is_stray(p)) return;
+        const Cell cell = look.lattice.cell_at(look.position, p);
+        const int tile = look.directory(cell.tile);
+        const bool here = tile >= 0 && tile < active;
+        key(p) = here ? CellKey{tile * cells + cell.inside} : CellKey::unplaced;
+        sum += here ? 0 : 1;
+      },
+      left
+  );
+  return left;
+}
 
 }  // namespace
 
-bool find_early_arrivals(
+Arrivals find_early_arrivals(
     const Grid& grid, const std::vector<Particles>& sets, const Subcycling& subcycling
 ) {
   const Region region("find_early_arrivals");
-  int early = 0;
-  for (const Particles& particles : sets) {
-    const IsEarly is_early{
-        CellLattice(grid),
-        RowFrames(grid, particles),
-        particles.position.values,
-        particles.fault,
-        grid.directory,
-        grid.level_of_tile,
-        subcycling,
-        {grid.lower[0], grid.lower[1], grid.lower[2]},
-        {grid.upper[0], grid.upper[1], grid.upper[2]}};
-    const ArrayView<unsigned char> chunk_part = particles.chunk_part;
-    int found = 0;
-    launch_reduction(
-        "find_early_arrivals",
-        range(particles.count),
-        KOKKOS_LAMBDA(const int p, int& sum) {
-          if (chunk_part(p / rows_per_chunk) != no_part_of_chunk) sum += is_early(p) ? 1 : 0;
-        },
-        found
-    );
-    early += found;
+  Found all;
+  for (const Particles& particles : sets) add(look_at_rows(grid, particles, subcycling), all);
+  return {all.lost + all.strays > 0, all.early > 0};
+}
+
+Placement place_strays(
+    const Grid& grid, const Subcycling& subcycling, std::vector<Particles>& sets, OwnLedger& ledger
+) {
+  const Region region("place_strays");
+  Placement placement;
+  for (Particles& particles : sets) {
+    const Found found = look_at_rows(grid, particles, subcycling);
+    if (found.lost > 0) remove_lost(grid, particles, ledger);
+    if (found.strays == 0) continue;
+    if (find_keys_of_strays(grid, subcycling, particles) > 0) placement.someone_left = true;
+    particles.sorted = false;
   }
-  return early > 0;
+  return placement;
 }
 
 }  // namespace barreno

@@ -7,6 +7,7 @@
 #include "grid/halo.hpp"
 #include "state/nodes.hpp"
 #include "state/step_rule.hpp"
+#include "step/subcycle/stray_rule.hpp"
 
 #include <array>
 #include <cmath>
@@ -103,18 +104,17 @@ struct FindTileSteps {
   StepRule rule;
   Particles particles;
   Dormancy dormancy;
-  double lower[3];
+  StrayRule stray;
   double part, step;  ///< of a part, of all parts [time]
 
   KOKKOS_INLINE_FUNCTION unsigned exits_of(int p, const TileFrame& of) const {
     int way[3] = {};
     for (int d = 0; d < reach.patch.dimensions; ++d) {
       const double path = path_margin * step * particles.velocity(p, d);
-      const double from_lower = (particles.position(p, d) - lower[d]) / of.cell_size -
-                                of.position[d] * reach.patch.tile_cells;
-      const double to = from_lower + path / of.cell_size;
-      way[d] = to >= reach.patch.tile_cells ? 1 : to < 0.0 ? -1 : 0;
+      const double to = stray.cells_along(d, p, of) + path / of.cell_size;
+      way[d] = stray.side_of(to, d, p, of);
     }
+    if ((way[0] | way[1] | way[2]) == 0) return 0;
     unsigned out = 0;
     for (int k = 1; k < 8; ++k) {
       const int x = (k & 1) != 0 ? way[0] : 0;
@@ -314,14 +314,7 @@ void plan_subcycles(
     launch(
         "find_tile_steps",
         range(grid.active),
-        FindTileSteps{
-            reach,
-            rule,
-            particles,
-            dormancy,
-            {grid.lower[0], grid.lower[1], grid.lower[2]},
-            dt,
-            parts * dt}
+        FindTileSteps{reach, rule, particles, dormancy, StrayRule(grid, particles), dt, parts * dt}
     );
   }
   for (std::array<double, 1> shorter{1.0}; shorter[0] > 0.0;) {

@@ -61,11 +61,12 @@ TEST_F(TakeParts, AllTilesMeetWhereTheStableStepHasFallen) {
   EXPECT_EQ(state.grid.tile_frame(1).dt, state.clock.dt);
 }
 
-TEST_F(TakeParts, TheNextPartFindsParticlesWhereTheyHaveComeTo) {
+TEST_F(TakeParts, TheNextPartFindsStraysWhereTheyHaveComeTo) {
   Particles& stiff = state.particles[0];
   const int p = stiff.order(0);
   stiff.position(p, 1) = 8.5;
-  stiff.settled_chunks = 0;
+  state.subcycling.ends(0) = 1;
+  state.subcycling.strays = true;
   prepare_next_part(state);
   EXPECT_EQ(state.subcycling.part, 1);
   EXPECT_EQ(RowFrames(state.grid, stiff).tile(p), 1);

@@ -33,26 +33,62 @@ protected:
     return scene;
   }
   /// Of a particle of the first tile, which goes to a place.
-  bool is_early(double x, double y) {
+  Arrivals arrivals(double x, double y) {
     Particles& particles = state.particles[0];
     const int p = particles.order(0);
     particles.position(p, 0) = x;
     particles.position(p, 1) = y;
     return find_early_arrivals(state.grid, state.particles, state.subcycling);
   }
+  int tile_of_first() const {
+    const Particles& particles = state.particles[0];
+    return index_of(particles.key(particles.order(0))) / state.grid.patch.cells;
+  }
   State state;
 };
 
 TEST_F(EarlyArrivals, AreThoseInATileWithinItsOwnStep) {
-  EXPECT_FALSE(is_early(7.9, 4.0));
-  EXPECT_TRUE(is_early(8.1, 4.0));
+  EXPECT_FALSE(arrivals(7.9, 4.0).early);
+  EXPECT_TRUE(arrivals(8.3, 4.0).early);
   state.subcycling.part = 1;  // with which both steps end
-  EXPECT_FALSE(is_early(8.1, 4.0));
+  EXPECT_FALSE(arrivals(8.3, 4.0).early);
 }
 
 TEST_F(EarlyArrivals, AreThoseWhereNoTileIsButNotThoseThatHaveLeftTheGrid) {
-  EXPECT_TRUE(is_early(4.0, 8.1));
-  EXPECT_FALSE(is_early(-0.1, 4.0));
+  EXPECT_TRUE(arrivals(4.0, 8.3).early);
+  EXPECT_FALSE(arrivals(-0.1, 4.0).early);
+  EXPECT_TRUE(arrivals(-0.1, 4.0).strays);
+}
+
+/// Particles are half a cell wide: a quarter of a cell beyond its tile one still gives to nodes of
+/// the tile's patch alone.
+TEST_F(EarlyArrivals, AreNoneNearTheirTile) {
+  const Arrivals near = arrivals(8.2, 4.0);
+  EXPECT_FALSE(near.strays);
+  EXPECT_FALSE(near.early);
+  state.grid.shape = "CPDI";  // whose domains may reach further
+  EXPECT_TRUE(arrivals(8.2, 4.0).early);
+}
+
+TEST_F(EarlyArrivals, OnlyStraysGetOtherTiles) {
+  state.subcycling.period(1) = 1;
+  arrivals(8.2, 4.0);
+  EXPECT_FALSE(
+      place_strays(state.grid, state.subcycling, state.particles, state.ledger).someone_left
+  );
+  EXPECT_EQ(tile_of_first(), 0);
+  EXPECT_TRUE(state.particles[0].sorted);
+  arrivals(8.3, 4.0);
+  place_strays(state.grid, state.subcycling, state.particles, state.ledger);
+  EXPECT_EQ(tile_of_first(), 1);
+  EXPECT_FALSE(state.particles[0].sorted);
+}
+
+TEST_F(EarlyArrivals, WhatIsLostIsTakenOut) {
+  const int count = state.particles[0].count;
+  arrivals(-0.1, 4.0);
+  place_strays(state.grid, state.subcycling, state.particles, state.ledger);
+  EXPECT_EQ(state.particles[0].count, count - 1);
 }
 
 }  // namespace

@@ -73,7 +73,10 @@ TEST(PlanSubcycles, ATileFollowsThoseWhoseParticlesMayComeIntoIt) {
   stiff.velocity(last, 1) = 0.01 / dt;
   plan(scene, dt, forever, state);
   EXPECT_EQ(state.subcycling.period(1), 4);
-  stiff.velocity(last, 0) = 0.04 / dt;  // 0.25 of a cell away, in eight parts 0.32
+  stiff.velocity(last, 0) = 0.04 / dt;  // 0.25 of a cell away, in eight parts 0.32: it stays near
+  plan(scene, dt, forever, state);
+  EXPECT_EQ(state.subcycling.period(1), 4);
+  stiff.velocity(last, 0) = 0.05 / dt;
   plan(scene, dt, forever, state);
   EXPECT_EQ(state.subcycling.period(0), 1);
   EXPECT_EQ(state.subcycling.period(1), 1);

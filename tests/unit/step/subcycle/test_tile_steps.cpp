@@ -58,7 +58,7 @@ TEST_F(TileSteps, ATileThatGoesOnKeepsItsMomentaInStepWithItsNodes) {
   EXPECT_EQ(sums[2], 6.0 + 3.0 * 0.25);
 }
 
-TEST_F(TileSteps, AStepOfSeveralPartsHasTheirMeanVelocityAndTheSumOfTheirChanges) {
+TEST_F(TileSteps, AStepOfSeveralPartsHasTheSumsOfTheirPathsAndChanges) {
   start(0.5);
   testing::set_motion(state, {0.0, 2.25, 0.0}, {0.0, 0.25, 0.0});
   end(0.5);
@@ -70,8 +70,22 @@ TEST_F(TileSteps, AStepOfSeveralPartsHasTheirMeanVelocityAndTheSumOfTheirChanges
   EXPECT_EQ(state.subcycling.ends(1), 1);
   EXPECT_EQ(state.grid.tile_frame(1).dt, 0.75);
   EXPECT_EQ(state.grid.tile_frame(0).dt, 0.25);
-  EXPECT_DOUBLE_EQ(whole()[1], (2.25 * 0.5 + 3.0 * 0.25) / 0.75);
+  EXPECT_DOUBLE_EQ(whole()[1], (2.25 * 0.5 + 3.0 * 0.25 + 0.5 * 0.5 * 1.0) / 0.75);
   EXPECT_EQ(whole()[3], 1.0);
+}
+
+/// Under a force that stays the same: with the velocity after it.
+TEST_F(TileSteps, AStepOfEqualPartsGoesAsFarAsOneOfThatLength) {
+  start(0.5);
+  testing::set_motion(state, {0.0, 2.25, 0.0}, {0.0, 0.25, 0.0});
+  end(0.5);
+  carry(0.5);
+  state.subcycling.part = 1;
+  start(0.5);
+  testing::set_motion(state, {0.0, 2.5, 0.0}, {0.0, 0.25, 0.0});
+  end(0.5);
+  EXPECT_DOUBLE_EQ(whole()[1], 2.5);
+  EXPECT_EQ(whole()[3], 0.5);
 }
 
 TEST_F(TileSteps, AllTilesMayEndTheirStepsWithAnyPart) {
