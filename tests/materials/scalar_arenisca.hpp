@@ -121,7 +121,7 @@ attempt_substep(const Rock& rock, const PointState& n, double dv, const Sym3& de
   const Prediction p = predict(rock, step, n.evp);
   if (rock.surface.contains(p.x, p.J2, cap, count)) return accept_elastic(rock, step, p);
   const ScalarAttempt a = flow_plastically(rock, step, p, count);
-  if (std::fabs(n.evp) > Elasticity::at_jump || !Elasticity::dilated(a.end.evp)) return a;
+  if (!is_at_jump(rock, n.evp) || !Elasticity::dilated(a.end.evp)) return a;
   return begin_to_dilate(rock, step, p, count);
 }
 
@@ -132,6 +132,28 @@ BARRENO_FUNCTION double smallest_fraction(const Sym3& strain) {
   const double size = norm(strain);
   return size * fraction > smallest_strain ? smallest_strain / size : fraction;
 }
+
+/// Attempts at one substep that went beyond the jump of the moduli.
+struct Crossings {
+  int count = 0;
+  double fraction = 0.0, end = 0.0;  ///< of the last one
+
+  /// The part of an attempt that ends at the jump; 1 where it does not go beyond it.
+  BARRENO_FUNCTION double way(const Rock& rock, double begin, double end_now, double now) {
+    if (is_at_jump(rock, begin)) return 1.0;
+    double part = rock.elasticity.way_to_jump(begin, end_now);
+    if (part == 1.0) return part;
+    // Where proportion has failed several times: the line through both ends.
+    if (count >= 4 && fraction > now && std::fabs(end) > std::fabs(end_now)) {
+      const double secant = 1.0 - (fraction / now - 1.0) * end_now / (end - end_now);
+      if (secant > 0.0) part = secant;
+    }
+    ++count;
+    fraction = now;
+    end = end_now;
+    return part;
+  }
+};
 
 /// Integrates a step in error-controlled substeps.
 /// @param[in,out] state  stress and history; meaningful only when the outcome is ok
@@ -146,17 +168,19 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
   if (step_elastically(rock, state, volume, shape, outcome, count)) return outcome;
   outcome.substeps = 0;
   double done = 0.0, fraction = 1.0;
+  Crossings crossings;
   for (int i = 0; i < max_attempts; ++i) {
     const bool last = done + fraction >= 1.0;
     if (last) fraction = 1.0 - done;
     const ScalarAttempt a =
         attempt_substep(rock, state, fraction * volume, fraction * shape, count);
     if (!std::isfinite(a.error)) break;
-    const double way = rock.elasticity.way_to_jump(state.evp, a.end.evp);
+    const double way = crossings.way(rock, state.evp, a.end.evp, fraction);
     if (way < 1.0 && fraction > smallest_fraction(strain)) {
       fraction *= way;
       continue;
     }
+    crossings = {};
     if (a.error > a.allowed && fraction > smallest_fraction(strain)) {
       fraction *= step_factor(a);
       continue;

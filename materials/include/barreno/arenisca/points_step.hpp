@@ -90,6 +90,7 @@ template <class R>
 struct VerdictOf {
   MaskOf<R> takes;
   MaskOf<R> gives_up;  ///< no root or not finite, however short the substep
+  MaskOf<R> crosses;   ///< goes beyond the jump of the moduli
   R factor;            ///< of the next substep
 };
 /// Every point chooses its own substeps, and whether a second pass is worth it.
@@ -169,10 +170,12 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   const MeridianOf<R> m = meridian_at(rock.surface, p.x, step.cap);
   const MaskOf<R> inside = contained(rock.surface, p.x, seen_J2(p), step.cap, m);
   const MaskOf<R> flows = asked & !inside;
-  AttemptOf<R, Law> a = flow_points(rock, flows, step, p, m, choose);
-  constexpr double at_jump = Elasticity::at_jump;
-  const MaskOf<R> jumps = flows & (real::abs(n.evp) <= at_jump) & (a.end.evp > at_jump);
-  if (real::any(jumps)) begin_to_dilate(rock, jumps, step, p, choose, a);
+  AttemptOf<R, Law> a{};
+  if (real::any(flows)) {
+    a = flow_points(rock, flows, step, p, m, choose);
+    const MaskOf<R> jumps = flows & is_at_jump(rock, n.evp) & Elasticity::dilated(a.end.evp);
+    if (real::any(jumps)) begin_to_dilate(rock, jumps, step, p, choose, a);
+  }
   a.elastic = inside;
   if (!real::any(asked & inside)) return a;
   const ModuliOf<R> moduli =
@@ -224,6 +227,8 @@ struct StepOf : FluidOfStep<R, Law::wet>,
   R done{}, fraction = R{} + 1.0;
   R elastic_work{}, plastic_work{}, modulus{};
   R substeps{};                      ///< taken so far
+  R crossings{};                     ///< attempts at a substep that went beyond the moduli's jump
+  R crossed_fraction{}, crossed_evp{};  ///< the last of them, and where it ended
   MaskOf<R> active;                  ///< still under way
   MaskOf<R> refused = none_of<R>();  ///< no substep is short enough
 };
@@ -300,6 +305,24 @@ BARRENO_FUNCTION void take_substeps(
   }
 }
 
+/// The part of a substep that ends at the jump of the moduli. Flow in proportion to strain tells it;
+/// where that has failed several times, since the flow has begun off the surface or in the middle
+/// of the substep, the line through the ends of the last two attempts.
+/// @param end  plastic volume strain, beyond the jump
+template <class R, class Law>
+BARRENO_FUNCTION R way_to_jump(const StepOf<R, Law>& step, const R& fraction, const R& end) {
+  constexpr double several = 4.0;
+  const R begin = step.state.evp;
+  const R in_proportion = begin / real::select(begin != end, begin - end, 1.0);
+  const MaskOf<R> known = (step.crossings >= several) & (step.crossed_fraction > fraction) &
+                          (real::abs(step.crossed_evp) > real::abs(end));
+  if (!real::any(known)) return in_proportion;
+  const R longer = real::select(known, step.crossed_fraction / fraction - 1.0, 0.0);
+  const R rise = real::select(known, step.crossed_evp - end, 1.0);
+  const R secant = 1.0 - longer * end / rise;
+  return real::select(known & (secant > 0.0), secant, in_proportion);
+}
+
 template <class R, class Law>
 BARRENO_FUNCTION VerdictOf<R> verdict_on(
     const Law& rock, const StepOf<R, Law>& step, const R& fraction, const AttemptOf<R, Law>& a
@@ -308,14 +331,26 @@ BARRENO_FUNCTION VerdictOf<R> verdict_on(
   const R begin = step.state.evp, end = a.end.evp;
   const MaskOf<R> divisible = fraction > step.smallest;
   const MaskOf<R> lost = a.refused | !real::is_finite(a.error);
-  const MaskOf<R> crosses = divisible & (!lost) & rock.elasticity.crosses_jump(begin, end);
+  const MaskOf<R> crosses = divisible & (!lost) & (!is_at_jump(rock, begin)) &
+                            rock.elasticity.crosses_jump(begin, end);
   const MaskOf<R> fails = lost | ((a.error > a.allowed) & divisible);
-  const R to_jump = begin / real::select(crosses, begin - end, 1.0);
   const R factor = real::select(lost, much_shorter, step_factor_of(a));
   return {
       MaskOf<R>(!(crosses | fails)),
       MaskOf<R>(lost & !divisible),
-      real::select(crosses, to_jump, factor)};
+      crosses,
+      real::any(crosses) ? R(real::select(crosses, way_to_jump(step, fraction, end), factor))
+                         : factor};
+}
+
+/// What later attempts of the same substep are told.
+template <class R, class Law>
+BARRENO_FUNCTION void note_crossing(
+    const MaskOf<R>& crosses, const R& fraction, const R& end, StepOf<R, Law>& step
+) {
+  step.crossings = real::select(crosses, step.crossings + 1.0, 0.0);
+  step.crossed_fraction = real::select(crosses, fraction, step.crossed_fraction);
+  step.crossed_evp = real::select(crosses, end, step.crossed_evp);
 }
 
 /// One attempt of every active point, and what follows from it.
@@ -330,6 +365,7 @@ BARRENO_FUNCTION void advance_step(const Law& law, StepOf<R, Law>& step, Choice 
   step.refused = step.refused | (step.active & verdict.gives_up);
   step.active = step.active & !verdict.gives_up;
   const MaskOf<R> takes = step.active & verdict.takes;
+  note_crossing(verdict.crosses, fraction, a.end.evp, step);
   take_substeps(law, takes, fraction, a, step);
   step.active = step.active & !(takes & last);
   if (!real::any(step.active)) return;

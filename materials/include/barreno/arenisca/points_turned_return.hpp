@@ -356,8 +356,10 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   sides.bracket.high = real::select(sides.capped, sides.bracket.high, highest);
   TurnedReturn<R> r{none_of<R>(), R{}, {trial.x, trial.q, trial.evp, trial.cap, none_of<R>()}};
   const MaskOf<R> open = outside & (!sides.to_vertex) & (trial.q > 0.0);
-  const TurnSearch<R> search = first_search(rock, trial, sides, open, at_trial, guess);
-  solve_turned(rock, from, trial, search, r);
+  if (real::any(open)) {
+    const TurnSearch<R> search = first_search(rock, trial, sides, open, at_trial, guess);
+    solve_turned(rock, from, trial, search, r);
+  }
   const MaskOf<R> limited = open & !sides.capped;
   r.found = r.found & (r.point.q > 0.0) & !(limited & (r.point.x >= rock.surface.vertex));
   const MaskOf<R> to_vertex = outside & sides.to_vertex;

@@ -38,9 +38,19 @@ struct Rock {
   double stress_floor;      ///< below this the local error is measured against it [stress]
   bool bisection;           ///< the paper's return instead of the fast one
   double resolution = 0.0;  ///< of the bisections; 0: the last bit. Benchmarks set it
+  /// Compacted by less than this, rock counts as at the jump of its moduli: the stress that such a
+  /// strain is worth is a hundredth of the smallest allowed error.
+  double jump_width = Elasticity::at_jump;
 
   BARRENO_FUNCTION Cap cap_at(double evp) const { return cap_of(*this, evp); }
 };
+
+/// Not dilated, and compacted by nothing that counts (Rock::jump_width): flow that dilates crosses
+/// the jump of the moduli where it begins.
+template <class R, class Law>
+BARRENO_FUNCTION MaskOf<R> is_at_jump(const Law& rock, const R& evp) {
+  return (evp >= -rock.jump_width) & !Elasticity::dilated(evp);
+}
 
 /// Bulk moduli of what fills a volume of saturated rock [stress].
 struct Constituents {

@@ -148,6 +148,12 @@ inline arenisca::Rock Arenisca::make_rock(const Parameters& p) {
   constexpr double small_strain = 1e-4;
   rock.stress_floor = std::fmax(small_strain * p.B0, rock.surface.limit(0.0));
   rock.bisection = p.return_solver == 1;
+  constexpr double negligible = 0.01;
+  const double smallest_error = rock.tolerance * rock.stress_floor;
+  rock.jump_width = std::fmax(
+      arenisca::Elasticity::at_jump,
+      negligible * smallest_error / (3.0 * rock.elasticity.upper_bound().bulk)
+  );
   return rock;
 }
 
