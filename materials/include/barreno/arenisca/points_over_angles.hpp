@@ -151,7 +151,7 @@ using GuessIn = std::conditional_t<Law::angled, TurnGuess<R>, R>;
 template <class R, class Law>
 BARRENO_FUNCTION GuessIn<R, Law> no_guess() {
   if constexpr (Law::angled)
-    return {R{} + HUGE_VAL, R{}};
+    return {R{} + HUGE_VAL, R{}, rough_turn};
   else
     return R{} + HUGE_VAL;
 }
@@ -165,7 +165,10 @@ BARRENO_FUNCTION GuessIn<R, Law> guess_from(
     const R along = dot(end, p.angle.along), across = dot(end, p.angle.across);
     const R size = real::sqrt(R(along * along + across * across));
     const MaskOf<R> ahead = along > 0.0;
-    return {gain, real::select(ahead, across / real::select(ahead, size + along, 1.0), 0.0)};
+    return {
+        gain,
+        real::select(ahead, across / real::select(ahead, size + along, 1.0), 0.0),
+        exact_turn};
   } else {
     return gain;
   }

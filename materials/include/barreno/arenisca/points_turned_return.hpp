@@ -102,6 +102,11 @@ BARRENO_FUNCTION TurnRange<R> turns_to_axes(const AngleOf<R>& from) {
   return {-from.sine / (1.0 + from.cosine), up_sine / (1.0 + up_cosine)};
 }
 
+/// Where a search ends: relative to stress and turn, a step that is small, and what may be left.
+struct TurnAccuracy {
+  double small_step, nothing;
+};
+constexpr TurnAccuracy rough_turn{1e-4, 1e-7}, exact_turn{1e-7, 1e-12};
 /// Which closest point is searched, and from where.
 template <class R>
 struct TurnSearch {
@@ -109,6 +114,7 @@ struct TurnSearch {
   MaskOf<R> capped, compact;  ///< see return_equation()
   MaskOf<R> still;            ///< where the gain is given, and the turn alone is searched
   GainBracket<R> bracket;
+  TurnAccuracy accuracy;
   R half_tangent;
   ReturnEquation<R> e;  ///< gain and meridian of triaxial compression to begin with
 };
@@ -206,7 +212,7 @@ BARRENO_FUNCTION void solve_turned(
     const TurnSearch<R>& search,
     TurnedReturn<R>& r
 ) {
-  constexpr double nothing = 1e-12, small_step = 1e-7;
+  const double nothing = search.accuracy.nothing, small_step = search.accuracy.small_step;
   constexpr int max_iterations = 20;
   const TurnRange<R> range = turns_to_axes(from);
   const R per_size = trial.triple_bulk / (real::abs(trial.x) + trial.q + rock.stress_floor);
@@ -248,6 +254,7 @@ template <class R>
 struct TurnGuess {
   R gain;          ///< of evp; infinity: nothing is known
   R half_tangent;  ///< of the turn
+  TurnAccuracy accuracy;
 };
 
 /// The search of a return to the cap or to the limit surface.
@@ -266,6 +273,7 @@ BARRENO_FUNCTION TurnSearch<R> first_search(
   search.compact = sides.compact;
   search.still = none_of<R>();
   search.bracket = sides.bracket;
+  search.accuracy = guess.accuracy;
   search.half_tangent = guess.half_tangent;
   const R start = start_of_return(trial, sides, guess.gain);
   const MaskOf<R> elsewhere = open & (start != 0.0);
@@ -290,6 +298,7 @@ BARRENO_FUNCTION void return_closed(
     const TrialOf<R>& trial,
     const ReturnSearch<R>& sides,
     const MaskOf<R>& asked,
+    const TurnAccuracy& accuracy,
     TurnedReturn<R>& r
 ) {
   const MaskOf<R> none = none_of<R>();
@@ -297,6 +306,7 @@ BARRENO_FUNCTION void return_closed(
   const R gain = real::select(closes, rock.crush.closed() - trial.evp, 0.0);
   TurnSearch<R> search;
   search.open = search.still = asked;
+  search.accuracy = accuracy;
   search.capped = search.compact = none;
   search.bracket = {gain, gain};
   search.half_tangent = r.half_tangent;
@@ -323,12 +333,14 @@ BARRENO_FUNCTION void return_to_turned_cap(
     const AngleOf<R>& from,
     const TrialOf<R>& trial,
     const MaskOf<R>& caught,
+    const TurnAccuracy& accuracy,
     TurnedReturn<R>& r
 ) {
   const CapOf<R>& cap = trial.cap;
   const R start = (trial.x - cap.kappa) / (trial.triple_bulk + rock.surface.CR * cap.slope);
   TurnSearch<R> search;
   search.open = caught;
+  search.accuracy = accuracy;
   search.capped = caught;
   search.compact = search.still = none_of<R>();
   search.bracket = {R{}, (trial.x - cap.X) / trial.triple_bulk};
@@ -372,9 +384,9 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   const MaskOf<R> stays_closed = caught & (!to_vertex) & !trial.cap.present;
   const MaskOf<R> closes = open & sides.compact & (!r.found) & (sides.to_kappa < sides.last_open);
   const MaskOf<R> closed = stays_closed | closes;
-  if (real::any(closed)) return_closed(rock, from, trial, sides, closed, r);
+  if (real::any(closed)) return_closed(rock, from, trial, sides, closed, guess.accuracy, r);
   const MaskOf<R> retracted = caught & (!to_vertex) & trial.cap.present;
-  if (real::any(retracted)) return_to_turned_cap(rock, from, trial, retracted, r);
+  if (real::any(retracted)) return_to_turned_cap(rock, from, trial, retracted, guess.accuracy, r);
   r.found = r.found & !(caught & to_vertex);
   return r;
 }
