@@ -269,7 +269,8 @@ BARRENO_FUNCTION TurnSearch<R> first_search(
 ) {
   TurnSearch<R> search;
   search.open = open;
-  search.capped = sides.capped;
+  // Dilation retracts the cap, maybe into the way: the equation with the cap holds on either side.
+  search.capped = trial.cap.present;
   search.compact = sides.compact;
   search.still = none_of<R>();
   search.bracket = sides.bracket;
@@ -278,9 +279,9 @@ BARRENO_FUNCTION TurnSearch<R> first_search(
   const R start = start_of_return(trial, sides, guess.gain);
   const MaskOf<R> elsewhere = open & (start != 0.0);
   search.e = {R{}, trial.x, trial.cap, at_trial};
-  search.e.cap.present = sides.capped;
+  search.e.cap.present = search.capped;
   if (!real::any(elsewhere)) return search;
-  const ReturnEquation<R> there = compression_at(rock, trial, sides.capped, start);
+  const ReturnEquation<R> there = compression_at(rock, trial, search.capped, start);
   search.e.gain = real::select(elsewhere, there.gain, search.e.gain);
   search.e.x = real::select(elsewhere, there.x, search.e.x);
   search.e.cap = select_points<R>(elsewhere, there.cap, search.e.cap);
@@ -380,14 +381,14 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   r.point.evp = real::select(to_vertex, trial.evp + sides.least, r.point.evp);
   r.found = r.found | to_vertex;
   if (rock.crush.p3 == 0.0) return r;
-  const MaskOf<R> caught = caught_by_cap(rock, trial, MaskOf<R>(r.found & !sides.capped), r.point);
-  const MaskOf<R> stays_closed = caught & (!to_vertex) & !trial.cap.present;
+  const MaskOf<R> limited_and_closed = r.found & !(sides.capped | trial.cap.present);
+  const MaskOf<R> caught = caught_by_cap(rock, trial, limited_and_closed, r.point);
+  const MaskOf<R> stays_closed = caught & !to_vertex;
   const MaskOf<R> closes = open & sides.compact & (!r.found) & (sides.to_kappa < sides.last_open);
   const MaskOf<R> closed = stays_closed | closes;
   if (real::any(closed)) return_closed(rock, from, trial, sides, closed, guess.accuracy, r);
-  const MaskOf<R> retracted = caught & (!to_vertex) & trial.cap.present;
-  if (real::any(retracted)) return_to_turned_cap(rock, from, trial, retracted, guess.accuracy, r);
-  r.found = r.found & !(caught & to_vertex);
+  const MaskOf<R> vertex_caught = caught_by_cap(rock, trial, to_vertex, r.point);
+  r.found = r.found & !vertex_caught;
   return r;
 }
 
