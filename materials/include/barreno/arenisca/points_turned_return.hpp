@@ -290,14 +290,12 @@ BARRENO_FUNCTION TurnSearch<R> first_search(
 }
 
 /// Pores that close altogether, or stay closed: pressure is given, and the turn alone is searched.
-/// @param sides  of the return
 /// @param asked  where it may be so
 template <class R, class Rock>
 BARRENO_FUNCTION void return_closed(
     const Rock& rock,
     const AngleOf<R>& from,
     const TrialOf<R>& trial,
-    const ReturnSearch<R>& sides,
     const MaskOf<R>& asked,
     const TurnAccuracy& accuracy,
     TurnedReturn<R>& r
@@ -314,41 +312,36 @@ BARRENO_FUNCTION void return_closed(
   search.e = compression_at(rock, trial, none, gain);
   r.found = r.found & !asked;
   solve_turned(rock, from, trial, search, r);
-  const MaskOf<R> found = asked & r.found;
-  if (!real::any(found)) return;
-  // It is so where even the smallest pores are too many, see return_points().
+}
+
+/// Pores are closed where even the smallest ones are too many, see return_points().
+/// @param found  closed so far
+/// @param[in,out] r  not found where pores open
+template <class R, class Rock>
+BARRENO_FUNCTION void keep_closed(
+    const Rock& rock,
+    const AngleOf<R>& from,
+    const TrialOf<R>& trial,
+    const ReturnSearch<R>& sides,
+    const MaskOf<R>& found,
+    TurnedReturn<R>& r
+) {
   TurnedPoint<R> at;
   at.half_tangent = r.half_tangent;
-  const R least = real::select(closes, sides.last_open, real::larger(sides.last_open, 0.0));
+  const R least = real::select(trial.cap.present, sides.last_open, real::larger(sides.last_open, 0.0));
   at.e = compression_at(rock, trial, found, least);
   close_turned(rock, from, trial, sides.compact, at);
   r.found = r.found & !(found & (at.e.f > 0.0));
 }
 
-/// Where the cap has retracted into the way to the limit surface: on to that cap
-/// (return_to_retracted_cap()).
-/// @param caught  where it is so, and the pores are open
+/// Closed pores that stay so, to be seen without a return: whatever dilation opens, the cap's branch
+/// point is nearer than the trial state.
 template <class R, class Rock>
-BARRENO_FUNCTION void return_to_turned_cap(
-    const Rock& rock,
-    const AngleOf<R>& from,
-    const TrialOf<R>& trial,
-    const MaskOf<R>& caught,
-    const TurnAccuracy& accuracy,
-    TurnedReturn<R>& r
-) {
-  const CapOf<R>& cap = trial.cap;
-  const R start = (trial.x - cap.kappa) / (trial.triple_bulk + rock.surface.CR * cap.slope);
-  TurnSearch<R> search;
-  search.open = caught;
-  search.accuracy = accuracy;
-  search.capped = caught;
-  search.compact = search.still = none_of<R>();
-  search.bracket = {R{}, (trial.x - cap.X) / trial.triple_bulk};
-  search.half_tangent = r.half_tangent;
-  search.e = compression_at(rock, trial, caught, start);
-  r.found = r.found & !caught;
-  solve_turned(rock, from, trial, search, r);
+BARRENO_FUNCTION MaskOf<R> stays_shut(const Rock& rock, const TrialOf<R>& trial) {
+  if (rock.crush.p3 == 0.0) return none_of<R>();
+  const MaskOf<R> shut = (!trial.cap.present) & (trial.evp <= rock.crush.last_open());
+  if (!real::any(shut)) return shut;
+  return shut & (trial.x < cap_of(rock, R(R{} + rock.crush.last_open())).kappa);
 }
 
 /// The return over the Lode angle, where Newton's method finds it.
@@ -369,8 +362,11 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   sides.bracket.high = real::select(sides.capped, sides.bracket.high, highest);
   TurnedReturn<R> r{none_of<R>(), R{}, {trial.x, trial.q, trial.evp, trial.cap, none_of<R>()}};
   const MaskOf<R> open = outside & (!sides.to_vertex) & (trial.q > 0.0);
+  const MaskOf<R> shut = open & stays_shut(rock, trial);
   if (real::any(open)) {
-    const TurnSearch<R> search = first_search(rock, trial, sides, open, at_trial, guess);
+    TurnSearch<R> search = first_search(rock, trial, sides, open, at_trial, guess);
+    search.still = shut;
+    search.e.gain = real::select(shut, 0.0, search.e.gain);
     solve_turned(rock, from, trial, search, r);
   }
   const MaskOf<R> limited = open & !sides.capped;
@@ -381,12 +377,14 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   r.point.evp = real::select(to_vertex, trial.evp + sides.least, r.point.evp);
   r.found = r.found | to_vertex;
   if (rock.crush.p3 == 0.0) return r;
-  const MaskOf<R> limited_and_closed = r.found & !(sides.capped | trial.cap.present);
+  const MaskOf<R> limited_and_closed = r.found & !(sides.capped | trial.cap.present | shut);
   const MaskOf<R> caught = caught_by_cap(rock, trial, limited_and_closed, r.point);
   const MaskOf<R> stays_closed = caught & !to_vertex;
   const MaskOf<R> closes = open & sides.compact & (!r.found) & (sides.to_kappa < sides.last_open);
   const MaskOf<R> closed = stays_closed | closes;
-  if (real::any(closed)) return_closed(rock, from, trial, sides, closed, guess.accuracy, r);
+  if (real::any(closed)) return_closed(rock, from, trial, closed, guess.accuracy, r);
+  const MaskOf<R> doubtful = r.found & (closed | shut);
+  if (real::any(doubtful)) keep_closed(rock, from, trial, sides, doubtful, r);
   const MaskOf<R> vertex_caught = caught_by_cap(rock, trial, to_vertex, r.point);
   r.found = r.found & !vertex_caught;
   return r;
