@@ -46,10 +46,15 @@ struct LodeValueOf {
   R gamma, slope;
 };
 
+/// 1/Gamma from the cosine of 3 theta.
+template <class R>
+BARRENO_FUNCTION R gudehus_inverse(double psi, const R& c) {
+  return 0.5 * ((1.0 - c) + (1.0 + c) * (1.0 / psi));
+}
 template <class R>
 BARRENO_FUNCTION LodeValueOf<R> gudehus_at(double psi, const R& cosine, const R& sine) {
   const R c = cosine * (4.0 * cosine * cosine - 3.0), s = sine * (3.0 - 4.0 * sine * sine);
-  const R u = 0.5 * ((1.0 - c) + (1.0 + c) * (1.0 / psi));
+  const R u = gudehus_inverse(psi, c);
   const R slope = 1.5 * s * (1.0 - 1.0 / psi);
   return {1.0 / u, -slope / (u * u)};
 }

@@ -65,6 +65,7 @@ BARRENO_FUNCTION R triple_cosine(const DeviatorOf<R>& s, const R& q) {
 template <class R>
 BARRENO_FUNCTION R strength_at(const Lode& lode, const DeviatorOf<R>& s, const R& q) {
   const R cosine_3 = triple_cosine(s, q);
+  if (lode.active() && lode.kind == Lode::gudehus) return 1.0 / gudehus_inverse(lode.psi, cosine_3);
   const R sine_3 = real::sqrt(R((1.0 - cosine_3) * (1.0 + cosine_3)));
   R cosine{}, sine{};
   divide_angle_by_3(cosine_3, sine_3, cosine, sine);

@@ -149,9 +149,9 @@ struct ReturnedShear {
 template <class R, class Law>
 using GuessIn = std::conditional_t<Law::angled, TurnGuess<R>, R>;
 template <class R, class Law>
-BARRENO_FUNCTION GuessIn<R, Law> no_guess() {
+BARRENO_FUNCTION GuessIn<R, Law> no_guess(const RockOf<R, Law>& rock) {
   if constexpr (Law::angled)
-    return {R{} + HUGE_VAL, R{}, rough_turn};
+    return {R{} + HUGE_VAL, R{}, rough_turn(rock.tolerance)};
   else
     return R{} + HUGE_VAL;
 }
@@ -159,7 +159,9 @@ BARRENO_FUNCTION GuessIn<R, Law> no_guess() {
 /// @param p  the prediction, with the angle that the return starts from
 template <class R, class Law>
 BARRENO_FUNCTION GuessIn<R, Law> guess_from(
-    const PredictionOf<R, Law>& p, const ShearIn<R, Law>& end, const R& gain
+    const RockOf<R, Law>& rock,
+    const PredictionOf<R, Law>& p,
+    const ShearIn<R, Law>& end, const R& gain
 ) {
   if constexpr (Law::angled) {
     const R along = dot(end, p.angle.along), across = dot(end, p.angle.across);
@@ -168,7 +170,7 @@ BARRENO_FUNCTION GuessIn<R, Law> guess_from(
     return {
         gain,
         real::select(ahead, across / real::select(ahead, size + along, 1.0), 0.0),
-        exact_turn};
+        exact_turn(rock.tolerance)};
   } else {
     return gain;
   }

@@ -106,7 +106,15 @@ BARRENO_FUNCTION TurnRange<R> turns_to_axes(const AngleOf<R>& from) {
 struct TurnAccuracy {
   double small_step, nothing;
 };
-constexpr TurnAccuracy rough_turn{1e-4, 1e-7}, exact_turn{1e-7, 1e-12};
+/// Of a return that a second one follows: what it leaves is some thousandth of the tolerance.
+BARRENO_FUNCTION TurnAccuracy rough_turn(double tolerance) {
+  return {1e-2 * std::sqrt(tolerance), 1e-5 * tolerance};
+}
+/// Of the last return: errors fall with the square of the step, and leave a ten-thousandth of the
+/// tolerance at most.
+BARRENO_FUNCTION TurnAccuracy exact_turn(double tolerance) {
+  return {1e-2 * std::sqrt(tolerance), 1e-10 * tolerance};
+}
 /// Which closest point is searched, and from where.
 template <class R>
 struct TurnSearch {
