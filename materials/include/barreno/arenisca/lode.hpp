@@ -75,6 +75,16 @@ BARRENO_FUNCTION LodeValueOf<R> willam_warnke_at(double psi, const R& c, const R
   const R value = top / bottom;
   return {value, (-2.0 * k * s + n * root_slope + value * 8.0 * k * c * s) / bottom};
 }
+/// The straight line of Mohr-Coulomb's section in the octahedral plane: its foot, by angle, and its
+/// distance from the axis over the strength in triaxial compression.
+struct LodeLine {
+  double cosine, sine, foot;
+};
+BARRENO_FUNCTION LodeLine line_of(const Lode& lode) {
+  const double a = 1.0 / lode.psi, b = (2.0 - 1.0 / lode.psi) / std::sqrt(3.0);
+  const double foot = 1.0 / std::hypot(a, b);
+  return {a * foot, b * foot, foot};
+}
 /// A straight line in the octahedral plane.
 template <class R>
 BARRENO_FUNCTION LodeValueOf<R> mohr_coulomb_at(double psi, const R& c, const R& s) {

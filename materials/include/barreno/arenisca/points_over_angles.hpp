@@ -151,7 +151,7 @@ using GuessIn = std::conditional_t<Law::angled, TurnGuess<R>, R>;
 template <class R, class Law>
 BARRENO_FUNCTION GuessIn<R, Law> no_guess(const RockOf<R, Law>& rock) {
   if constexpr (Law::angled)
-    return {R{} + HUGE_VAL, R{}, rough_turn(rock.tolerance)};
+    return {R{} + HUGE_VAL, R{}, false, rough_turn(rock.tolerance)};
   else
     return R{} + HUGE_VAL;
 }
@@ -170,6 +170,7 @@ BARRENO_FUNCTION GuessIn<R, Law> guess_from(
     return {
         gain,
         real::select(ahead, across / real::select(ahead, size + along, 1.0), 0.0),
+        true,
         exact_turn(rock.tolerance)};
   } else {
     return gain;

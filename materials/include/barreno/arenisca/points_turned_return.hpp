@@ -169,15 +169,19 @@ BARRENO_FUNCTION TurnStep<R> newton_step(
 /// Where that leads elsewhere: half way to the end of the bracket on the side of the solution, and
 /// a turn with a slope that is positive for sure.
 /// @param irregular  where it is asked for
+/// @param[in,out] bracket  between such places
 template <class R>
 BARRENO_FUNCTION void go_safely(
-    const TurnSearch<R>& search,
     const AngleOf<R>& from,
     const MaskOf<R>& irregular,
     const TurnedPoint<R>& at,
+    GainBracket<R>& bracket,
     TurnStep<R>& step
 ) {
-  const R end = real::select(at.e.f > 0.0, search.bracket.high, search.bracket.low);
+  const MaskOf<R> below = at.e.f > 0.0;
+  bracket.low = real::select(irregular & below, at.e.gain, bracket.low);
+  bracket.high = real::select(irregular & !below, at.e.gain, bracket.high);
+  const R end = real::select(below, bracket.high, bracket.low);
   const R size = at.over + at.e.q * (1.0 + at.bend * at.bend);
   const MaskOf<R> turns = from.turnable & (size > 0.0);
   const R turn = real::select(turns, -at.miss / real::select(turns, size, 1.0), 0.0);
@@ -225,6 +229,7 @@ BARRENO_FUNCTION void solve_turned(
   const TurnRange<R> range = turns_to_axes(from);
   const R per_size = trial.triple_bulk / (real::abs(trial.x) + trial.q + rock.stress_floor);
   MaskOf<R> open = search.open;
+  GainBracket<R> between = search.bracket;
   TurnedPoint<R> at;
   at.half_tangent = search.half_tangent;
   at.e = search.e;
@@ -235,7 +240,7 @@ BARRENO_FUNCTION void solve_turned(
     // Past the top of the meridian there is too much compaction, by no matter how much.
     const MaskOf<R> past_top = search.compact & !(at.e.m.slope > 0.0);
     const MaskOf<R> irregular = open & (past_top | !step.regular);
-    if (real::any(irregular)) go_safely(search, from, irregular, at, step);
+    if (real::any(irregular)) go_safely(from, irregular, at, between, step);
     const R length = real::abs(step.gain) * per_size + real::abs(step.turn);
     const MaskOf<R> converged =
         (length <= small_step) | (length * length * length <= nothing * last_length * last_length);
@@ -262,8 +267,30 @@ template <class R>
 struct TurnGuess {
   R gain;          ///< of evp; infinity: nothing is known
   R half_tangent;  ///< of the turn
+  bool known;      ///< whether any of both is
   TurnAccuracy accuracy;
 };
+
+/// Where the strength is a straight line in the octahedral plane, the turn to its closest point at
+/// the trial state's pressure; axes are in the way where the surface has edges.
+/// @param strength  of triaxial compression at that pressure [stress]
+template <class R>
+BARRENO_FUNCTION R turn_to_line(
+    const Lode& lode, const AngleOf<R>& from, const R& q, const R& strength
+) {
+  const LodeLine line = line_of(lode);
+  // The line's foot, seen from the trial state.
+  const R cosine = line.cosine * from.cosine + line.sine * from.sine;
+  const R sine = line.sine * from.cosine - line.cosine * from.sine;
+  const R foot = smaller_of(R(line.foot * strength), R(q * cosine));
+  const R along = foot * cosine + q * sine * sine;
+  const R across = sine * (foot - q * cosine);
+  const R size = along + real::sqrt(R(along * along + across * across));
+  const MaskOf<R> ahead = size > 0.0;
+  const R half_tangent = real::select(ahead, across / real::select(ahead, size, 1.0), 0.0);
+  const TurnRange<R> range = turns_to_axes(from);
+  return smaller_of(larger_of(half_tangent, range.low), range.high);
+}
 
 /// The search of a return to the cap or to the limit surface.
 template <class R, class Rock>
@@ -373,6 +400,12 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   const MaskOf<R> shut = open & stays_shut(rock, trial);
   if (real::any(open)) {
     TurnSearch<R> search = first_search(rock, trial, sides, open, at_trial, guess);
+    if (rock.lode.kind == Lode::mohr_coulomb && !guess.known) {
+      const R factor = real::sqrt(real::larger(at_trial.cap_squared, 0.0));
+      const R turn =
+          turn_to_line(rock.lode, from, trial.q, real::larger(R(at_trial.limit * factor), 0.0));
+      search.half_tangent = real::select(from.turnable, turn, 0.0);
+    }
     search.still = shut;
     search.e.gain = real::select(shut, 0.0, search.e.gain);
     solve_turned(rock, from, trial, search, r);
