@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every form of Arenisca costs against its error, over updates recorded from perforations:
 //
-//   barreno_feature_cost CARD DRY WET ANGLED ANGLED_WET [CSV]
+//   barreno_feature_cost CARD DRY WET ANGLED ANGLED_WET GUDEHUS GUDEHUS_WET MOHR MOHR_WET [CSV]
 //
 // for dry, wet, scattering, rate-dependent rock, with each third invariant, and for the forms for
 // comparison; over the tolerance. DRY and the others are files of points; those with a third
-// invariant update points that were recorded with one (Willam-Warnke).
+// invariant update points that were recorded with the same one (ANGLED: Willam-Warnke).
 #include "rock_forms.hpp"
 #include "rock_points.hpp"
 
@@ -278,13 +278,24 @@ bool are_enough(const PointsFile& f) {
   return false;
 }
 
+/// The place of a form's points among the files: each shape of the third invariant has its own.
+std::size_t file_of(const RockForm& form) {
+  const std::size_t wet = form.wet ? 1 : 0;
+  for (const CardValue& value : form.values) {
+    if (std::string(value.name) != "J3_type") continue;
+    const std::string shape = value.word;
+    return wet + (shape == "Gudehus" ? 4 : shape == "Mohr-Coulomb" ? 6 : 2);
+  }
+  return wet;
+}
+
 int run(const std::string& card, std::vector<PointsFile>& files, const char* csv) {
   for (PointsFile& f : files) {
     f.points = read_rock_points(f.file);
     if (!are_enough(f)) return 2;
   }
   const auto points_of_row = [&](const Row& row) -> const RecordedPoints& {
-    return files[(row.form.wet ? 1U : 0U) + (is_angled(row.form) ? 2U : 0U)].points;
+    return files[file_of(row.form)].points;
   };
   std::vector<Row> rows = rows_to_measure();
   // In rounds, so that what else the machine does meets all forms alike.
@@ -313,19 +324,26 @@ int run(const std::string& card, std::vector<PointsFile>& files, const char* csv
 }  // namespace barreno
 
 int main(int argc, char** argv) {
-  if (argc < 6) {
-    std::cerr
-        << "barreno_feature_cost needs a card of dry rock and four files of points: dry, wet, "
-           "and both with a third invariant.\n";
+  const std::vector<const char*> names = {
+      "dry",
+      "wet",
+      "angled",
+      "angled wet",
+      "Gudehus",
+      "Gudehus wet",
+      "Mohr-Coulomb",
+      "Mohr-Coulomb wet"};
+  const int first = 2, end = first + static_cast<int>(names.size());
+  if (argc < end) {
+    std::cerr << "barreno_feature_cost needs a card of dry rock and eight files of points: dry and "
+                 "wet, and both with Willam-Warnke, Gudehus and Mohr-Coulomb.\n";
     return 1;
   }
-  std::vector<barreno::PointsFile> files = {
-      {"dry", argv[2], {}},
-      {"wet", argv[3], {}},
-      {"angled", argv[4], {}},
-      {"angled wet", argv[5], {}}};
+  std::vector<barreno::PointsFile> files;
+  for (int i = first; i < end; ++i)
+    files.push_back({names[static_cast<std::size_t>(i - first)], argv[i], {}});
   try {
-    return barreno::run(argv[1], files, argc > 6 ? argv[6] : nullptr);
+    return barreno::run(argv[1], files, argc > end ? argv[end] : nullptr);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 2;

@@ -4,7 +4,7 @@
 
     feature_cost.py BUILD_FOLDER [--stored]
 
-runs barreno_feature_cost of that build over the points in verification/performance (rock_points.csv, dry, and its wet and angled kin); --stored takes the last
+runs barreno_feature_cost of that build over the points in verification/performance (rock_points.csv, dry, and its wet and angled kin, each shape of the third invariant its own); --stored takes the last
 measurement instead (verification/results/feature_cost.csv) and asks for no build. The table of forms in docs/materials/arenisca.md comes
 from the same file (verification/pages.py --write).
 """
@@ -17,7 +17,8 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 CARD = "materials/cards/berea_sandstone.xml"
-POINTS = [HERE / f"{kind}rock_points.csv" for kind in ("", "wet_", "angled_", "angled_wet_")]
+KINDS = ("", "wet_", "angled_", "angled_wet_", "gudehus_", "gudehus_wet_", "mohr_coulomb_", "mohr_coulomb_wet_")
+POINTS = [HERE / f"{kind}rock_points.csv" for kind in KINDS]
 TABLE = ROOT / "verification" / "results" / "feature_cost.csv"
 PICTURE = ROOT / "docs" / "pictures" / "arenisca_forms_cost.png"
 PAGE = ROOT / "docs" / "materials" / "arenisca_forms_cost.md"
@@ -31,8 +32,14 @@ WHY_ANGLE = (
     "one of the condition in pressure. Flow leaves the plane of stress and strain increment, so that six components of shear stress are carried "
     "instead of two, and the angle with its direction is needed at the prediction, where flow begins and in the second pass, which is never left out."
 )
-WHY_SLOWEST = "The time is that of its substeps: so many the tolerance asks for where the increment is large, or where the moduli jump."
-WHY_SLOWEST_ANGLE = "As above; and some returns are not found by Newton's method but turn by turn of the Lode angle, each with a return of its own."
+WHY_SLOWEST = (
+    "The time is that of its substeps, which go one after the other however many lanes are free: so many the tolerance asks for where the "
+    "increment is of the order of 1e-2 and the direction of flow turns, and up to as many again are tried and found too long."
+)
+WHY_SLOWEST_ANGLE = (
+    "As above, at twice the time of each; and where closed pores open some returns are not found by Newton's method but turn by turn of the "
+    "Lode angle, each with a return of its own."
+)
 
 
 def read_table():
@@ -168,7 +175,7 @@ def page_text(notes, rows):
         "",
         "Written by `verification/performance/feature_cost.py build/release`; do not edit by hand. Every form of Arenisca, each feature alone and",
         "all together, and the forms for comparison, updates rock points of `input_xml/perforation_quick.xml`, dry forms those of the dry deck, wet",
-        "forms those of the deck with water in the pores, and forms with a third invariant those of decks whose rock has one. The points are random",
+        "forms those of the deck with water in the pores, and forms with a third invariant those of decks whose rock has the same. The points are random",
         "samples of all steps, and of all updates that flow those with the most substeps, recorded by",
         "",
         *recorded,
@@ -177,8 +184,8 @@ def page_text(notes, rows):
         "- Errors are those of the stress after one update, relative to the larger of the effective stresses before and after and the strength",
         "  at zero pressure; against the same update with the smallest tolerance of 1e-8, 1e-7, 1e-6, 1e-5 that needs at most 2000 substeps. Points",
         "  for which that is above a fifth of the tolerance have no error.",
-        "- Internal variables that were not recorded are those of virgin rock. Points with a third invariant were recorded with Willam-Warnke's; for the",
-        "  other shapes, above all Mohr-Coulomb's with its edges, they are not states of their own runs, which costs substeps and accuracy.",
+        "- Internal variables that were not recorded are those of virgin rock. Each shape of the third invariant updates points of its own run: states",
+        "  of another shape's lie off the surface, which costs crossings, substeps and accuracy that no run has.",
         "- Times are for one core, the minimum of several runs: in lanes as in a run, or one point at a time as for a host with a single point. Forms",
         "  for comparison go one at a time. The dearest update is the largest of the minima of each point that flows.",
         "- failed: updates that would need more than 2000 substeps; they have no error.",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rock_forms.hpp"
 
-#include <algorithm>
 #include <barreno/registry.hpp>
 #include <cstdio>
 #include <fstream>
@@ -70,12 +69,6 @@ Material make_form(const std::string& card, const RockForm& form, double toleran
   }
   list.set("Tolerance", tolerance);
   return make_material(form.name, list, card);
-}
-
-bool is_angled(const RockForm& form) {
-  return std::any_of(form.values.begin(), form.values.end(), [](const CardValue& value) {
-    return std::string(value.name) == "J3_type";
-  });
 }
 
 std::string words_of(const RockForm& form) {

@@ -32,9 +32,6 @@ std::vector<RockForm> rock_forms();
 /// @throws FileError, InputError
 Material make_form(const std::string& card, const RockForm& form, double tolerance);
 
-/// Whether its strength depends on the third invariant.
-bool is_angled(const RockForm& form);
-
 /// What was added, as a reader of cards would write it.
 std::string words_of(const RockForm& form);
 

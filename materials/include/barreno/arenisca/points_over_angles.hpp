@@ -149,7 +149,7 @@ struct ReturnedShear {
 template <class R, class Law>
 using GuessIn = std::conditional_t<Law::angled, TurnGuess<R>, R>;
 template <class R, class Law>
-BARRENO_FUNCTION GuessIn<R, Law> no_guess(const RockOf<R, Law>& rock) {
+BARRENO_FUNCTION GuessIn<R, Law> no_guess([[maybe_unused]] const RockOf<R, Law>& rock) {
   if constexpr (Law::angled)
     return {R{} + HUGE_VAL, R{}, false, rough_turn(rock.tolerance)};
   else
@@ -159,9 +159,10 @@ BARRENO_FUNCTION GuessIn<R, Law> no_guess(const RockOf<R, Law>& rock) {
 /// @param p  the prediction, with the angle that the return starts from
 template <class R, class Law>
 BARRENO_FUNCTION GuessIn<R, Law> guess_from(
-    const RockOf<R, Law>& rock,
+    [[maybe_unused]] const RockOf<R, Law>& rock,
     const PredictionOf<R, Law>& p,
-    const ShearIn<R, Law>& end, const R& gain
+    const ShearIn<R, Law>& end,
+    const R& gain
 ) {
   if constexpr (Law::angled) {
     const R along = dot(end, p.angle.along), across = dot(end, p.angle.across);

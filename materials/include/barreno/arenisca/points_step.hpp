@@ -226,11 +226,11 @@ struct StepOf : FluidOfStep<R, Law::wet>,
   R smallest;  ///< fraction below which a substep is taken as it is
   R done{}, fraction = R{} + 1.0;
   R elastic_work{}, plastic_work{}, modulus{};
-  R substeps{};                      ///< taken so far
-  R crossings{};                     ///< attempts at a substep that went beyond the moduli's jump
+  R substeps{};   ///< taken so far
+  R crossings{};  ///< attempts at a substep that went beyond the moduli's jump
   R crossed_fraction{}, crossed_evp{};  ///< the last of them, and where it ended
-  MaskOf<R> active;                  ///< still under way
-  MaskOf<R> refused = none_of<R>();  ///< no substep is short enough
+  MaskOf<R> active;                     ///< still under way
+  MaskOf<R> refused = none_of<R>();     ///< no substep is short enough
 };
 
 /// Adds what a substep that flows leaves of an elastic one, by its mean moduli; nothing where it is
@@ -305,9 +305,9 @@ BARRENO_FUNCTION void take_substeps(
   }
 }
 
-/// The part of a substep that ends at the jump of the moduli. Flow in proportion to strain tells it;
-/// where that has failed several times, since the flow has begun off the surface or in the middle
-/// of the substep, the line through the ends of the last two attempts.
+/// The part of a substep that ends at the jump of the moduli. Flow in proportion to strain tells
+/// it; where that has failed several times, since the flow has begun off the surface or in the
+/// middle of the substep, the line through the ends of the last two attempts.
 /// @param end  plastic volume strain, beyond the jump
 template <class R, class Law>
 BARRENO_FUNCTION R way_to_jump(const StepOf<R, Law>& step, const R& fraction, const R& end) {
@@ -331,8 +331,8 @@ BARRENO_FUNCTION VerdictOf<R> verdict_on(
   const R begin = step.state.evp, end = a.end.evp;
   const MaskOf<R> divisible = fraction > step.smallest;
   const MaskOf<R> lost = a.refused | !real::is_finite(a.error);
-  const MaskOf<R> crosses = divisible & (!lost) & (!is_at_jump(rock, begin)) &
-                            rock.elasticity.crosses_jump(begin, end);
+  const MaskOf<R> crosses =
+      divisible & (!lost) & (!is_at_jump(rock, begin)) & rock.elasticity.crosses_jump(begin, end);
   const MaskOf<R> fails = lost | ((a.error > a.allowed) & divisible);
   const R factor = real::select(lost, much_shorter, step_factor_of(a));
   return {

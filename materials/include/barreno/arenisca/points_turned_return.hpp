@@ -106,15 +106,22 @@ BARRENO_FUNCTION TurnRange<R> turns_to_axes(const AngleOf<R>& from) {
 struct TurnAccuracy {
   double small_step, nothing;
 };
-/// Of a return that a second one follows: what it leaves is some thousandth of the tolerance.
+/// Errors fall with the square of a step. Loose tolerances do not loosen them further: a step's
+/// order and its tangent show below its error.
+BARRENO_FUNCTION double finer_steps(double tolerance) {
+  constexpr double loose = 1e-2;
+  return std::sqrt(smaller(tolerance / loose, 1.0));
+}
+/// Of a return that a second one follows.
 BARRENO_FUNCTION TurnAccuracy rough_turn(double tolerance) {
-  return {1e-2 * std::sqrt(tolerance), 1e-5 * tolerance};
+  const double finer = finer_steps(tolerance);
+  return {1e-3 * finer, 1e-5 * finer * finer};
 }
-/// Of the last return: errors fall with the square of the step, and leave a ten-thousandth of the
-/// tolerance at most.
+/// Of the last return.
 BARRENO_FUNCTION TurnAccuracy exact_turn(double tolerance) {
-  return {1e-2 * std::sqrt(tolerance), 1e-10 * tolerance};
+  return {1e-4 * finer_steps(tolerance), 1e-12};
 }
+
 /// Which closest point is searched, and from where.
 template <class R>
 struct TurnSearch {
@@ -275,9 +282,8 @@ struct TurnGuess {
 /// the trial state's pressure; axes are in the way where the surface has edges.
 /// @param strength  of triaxial compression at that pressure [stress]
 template <class R>
-BARRENO_FUNCTION R turn_to_line(
-    const Lode& lode, const AngleOf<R>& from, const R& q, const R& strength
-) {
+BARRENO_FUNCTION R
+turn_to_line(const Lode& lode, const AngleOf<R>& from, const R& q, const R& strength) {
   const LodeLine line = line_of(lode);
   // The line's foot, seen from the trial state.
   const R cosine = line.cosine * from.cosine + line.sine * from.sine;
@@ -363,14 +369,15 @@ BARRENO_FUNCTION void keep_closed(
 ) {
   TurnedPoint<R> at;
   at.half_tangent = r.half_tangent;
-  const R least = real::select(trial.cap.present, sides.last_open, real::larger(sides.last_open, 0.0));
+  const R least =
+      real::select(trial.cap.present, sides.last_open, real::larger(sides.last_open, 0.0));
   at.e = compression_at(rock, trial, found, least);
   close_turned(rock, from, trial, sides.compact, at);
   r.found = r.found & !(found & (at.e.f > 0.0));
 }
 
-/// Closed pores that stay so, to be seen without a return: whatever dilation opens, the cap's branch
-/// point is nearer than the trial state.
+/// Closed pores that stay so, to be seen without a return: whatever dilation opens, the cap's
+/// branch point is nearer than the trial state.
 template <class R, class Rock>
 BARRENO_FUNCTION MaskOf<R> stays_shut(const Rock& rock, const TrialOf<R>& trial) {
   if (rock.crush.p3 == 0.0) return none_of<R>();
