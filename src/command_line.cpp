@@ -73,6 +73,7 @@ void add_commands(CLI::App& program, Known& known) {
 /// What the launcher alone has, and the operand of each.
 constexpr std::pair<const char*, const char*> source_commands[] = {
     {"report", "FOLDER"},
+    {"film", "FOLDER --field FIELD"},
     {"converge", "DECK"},
     {"sweep", "DECK --vary \"LIST/NAME=VALUE,VALUE\""},
     {"compare", "RUN RUN"},

@@ -7,7 +7,7 @@ FILE is particles.e, which then stands for particles.e.N.0 and so on beside it, 
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from barreno_report.exodus_sets import as_one_file, files_of, join  # noqa: E402, F401
 
 
