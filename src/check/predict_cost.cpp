@@ -141,6 +141,7 @@ Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks) {
   const double awake = 1.0 - skipped / prediction.particle_steps;
   if (probe.particles > 0.0)
     prediction.nanoseconds = 1e9 * probe.seconds / probe.particles * grown * awake;
+  if (scene.jet.present && scene.step.subcycles > 1) prediction.nanoseconds *= subcycled_time;
   const double computed = prediction.nanoseconds * prediction.particle_steps;
   prediction.seconds = 1e-9 * (computed + written_nanoseconds(scene, prediction)) / ranks;
   // Every rank holds the program and its libraries; the probe was on this one alone.
