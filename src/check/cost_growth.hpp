@@ -27,8 +27,9 @@ constexpr double growth_of_domains = 1.6;
 /// taylor_bar_3d.xml.
 constexpr double growth_of_rotations = 1.8;
 
-/// Processor time of a perforation with steps of several lengths over that with one for all, between
-/// those of cells of the jet's radius (0.66) and of half of it along the path (0.56): perforation.xml.
+/// Processor time of a perforation with steps of several lengths over that with one for all,
+/// between those of cells of the jet's radius (0.66) and of half of it along the path (0.56):
+/// perforation.xml.
 constexpr double subcycled_time = 0.6;
 
 /// Of a particle in an instant of particles.e, and in a row of history.csv [ns]:

@@ -50,7 +50,7 @@ constexpr Choices fidelities[] = {
      0.0,
      100.0,
      "6 %, 3 %",
-     "quadratic B-spline",
+     "GIMP",
      0.0,
      4},
     {"balanced",

@@ -230,13 +230,13 @@ bool notes_say(const Deck& deck, const std::string& text) {
 TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
   const Deck plain = read("deck.xml"), fast = read("deck.xml", {"Fidelity=fast"});
   EXPECT_EQ(plain.word("Step/Shape Function"), "GIMP");
-  EXPECT_EQ(fast.word("Step/Shape Function"), "quadratic B-spline");
+  EXPECT_EQ(fast.word("Step/Shape Function"), "GIMP");  // as it has a jet
   EXPECT_EQ(fast.number("Step/Courant Fraction"), 0.9);
   EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 2);
   EXPECT_EQ(fast.number("Output/Field Interval"), 0.0);
   EXPECT_EQ(fast.number("Output/History Interval"), 4e-7);  // a hundredth of 40 us
   EXPECT_TRUE(plain.notes.empty());
-  EXPECT_TRUE(notes_say(fast, "Step/Shape Function = quadratic B-spline, "));
+  EXPECT_TRUE(notes_say(fast, "Step/Shape Function = GIMP, "));
   EXPECT_FALSE(notes_say(fast, "The deck's own words"));
 }
 
