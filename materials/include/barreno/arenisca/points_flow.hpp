@@ -341,7 +341,7 @@ BARRENO_FUNCTION void refine_points(
   if constexpr (Law::angled) seen = J2 / (p.angle.gamma * p.angle.gamma);
   const MaskOf<R> outside = asked & !contained(rock.surface, moved_x, seen, cap, m);
   auto [r, end] = return_shear(
-      rock, p, moved, trial, outside, m, guess_from<R, Law>(rock, p, a.end.s, R(a.end.evp - evp))
+      rock, p, moved, trial, outside, m, guess_from<R, Law>(p, a.end.s, R(a.end.evp - evp))
   );
   r.x = real::select(outside, r.x, moved_x);
   r.q = real::select(outside, r.q, q);
@@ -374,7 +374,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
   const StateOf<R, Law>& n = step.n;
   const R metric = metric_of(rock, p);
   const TrialOf<R> trial{p.x, p.q, metric, stiffness_of_return(rock, p), n.evp, step.cap};
-  const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess<R, Law>(rock));
+  const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess<R, Law>());
   FlowStartOf<R, Law> f = flow_start_of(rock, flows, step, p, metric);
   if (rock.crush.p3 > 0.0) {
     // Rock without open pores that keeps them closed flows along its shear stress, not along the

@@ -149,9 +149,9 @@ struct ReturnedShear {
 template <class R, class Law>
 using GuessIn = std::conditional_t<Law::angled, TurnGuess<R>, R>;
 template <class R, class Law>
-BARRENO_FUNCTION GuessIn<R, Law> no_guess([[maybe_unused]] const RockOf<R, Law>& rock) {
+BARRENO_FUNCTION GuessIn<R, Law> no_guess() {
   if constexpr (Law::angled)
-    return {R{} + HUGE_VAL, R{}, false, rough_turn(rock.tolerance)};
+    return {R{} + HUGE_VAL, R{}, false, rough_turn};
   else
     return R{} + HUGE_VAL;
 }
@@ -159,10 +159,7 @@ BARRENO_FUNCTION GuessIn<R, Law> no_guess([[maybe_unused]] const RockOf<R, Law>&
 /// @param p  the prediction, with the angle that the return starts from
 template <class R, class Law>
 BARRENO_FUNCTION GuessIn<R, Law> guess_from(
-    [[maybe_unused]] const RockOf<R, Law>& rock,
-    const PredictionOf<R, Law>& p,
-    const ShearIn<R, Law>& end,
-    const R& gain
+    const PredictionOf<R, Law>& p, const ShearIn<R, Law>& end, const R& gain
 ) {
   if constexpr (Law::angled) {
     const R along = dot(end, p.angle.along), across = dot(end, p.angle.across);
@@ -172,7 +169,7 @@ BARRENO_FUNCTION GuessIn<R, Law> guess_from(
         gain,
         real::select(ahead, across / real::select(ahead, size + along, 1.0), 0.0),
         true,
-        exact_turn(rock.tolerance)};
+        exact_turn};
   } else {
     return gain;
   }

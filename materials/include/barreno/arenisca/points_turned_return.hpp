@@ -102,25 +102,14 @@ BARRENO_FUNCTION TurnRange<R> turns_to_axes(const AngleOf<R>& from) {
   return {-from.sine / (1.0 + from.cosine), up_sine / (1.0 + up_cosine)};
 }
 
-/// Where a search ends: relative to stress and turn, a step that is small, and what may be left.
+/// Where a search ends: relative to stress and turn, a step that is small and what may be left; or
+/// a step that is this part of the one before.
 struct TurnAccuracy {
-  double small_step, nothing;
+  double small_step, nothing, part;
 };
-/// Errors fall with the square of a step. Loose tolerances do not loosen them further: a step's
-/// order and its tangent show below its error.
-BARRENO_FUNCTION double finer_steps(double tolerance) {
-  constexpr double loose = 1e-2;
-  return std::sqrt(smaller(tolerance / loose, 1.0));
-}
-/// Of a return that a second one follows.
-BARRENO_FUNCTION TurnAccuracy rough_turn(double tolerance) {
-  const double finer = finer_steps(tolerance);
-  return {1e-3 * finer, 1e-5 * finer * finer};
-}
-/// Of the last return.
-BARRENO_FUNCTION TurnAccuracy exact_turn(double tolerance) {
-  return {1e-4 * finer_steps(tolerance), 1e-12};
-}
+/// Of a return that a second one follows, and of the last one. What they leave falls with the
+/// increment at least as fast as the step's own error, so that its order and its tangent remain.
+constexpr TurnAccuracy rough_turn{1e-7, 1e-12, 0.05}, exact_turn{1e-7, 1e-12, 1e-3};
 
 /// Which closest point is searched, and from where.
 template <class R>
@@ -249,8 +238,9 @@ BARRENO_FUNCTION void solve_turned(
     const MaskOf<R> irregular = open & (past_top | !step.regular);
     if (real::any(irregular)) go_safely(from, irregular, at, between, step);
     const R length = real::abs(step.gain) * per_size + real::abs(step.turn);
-    const MaskOf<R> converged =
-        (length <= small_step) | (length * length * length <= nothing * last_length * last_length);
+    const MaskOf<R> converged = (length <= small_step) |
+                                (length <= search.accuracy.part * last_length) |
+                                (length * length * length <= nothing * last_length * last_length);
     const MaskOf<R> ends = open & step.regular & converged;
     const R next = at.half_tangent + 0.5 * step.turn * (1.0 + at.half_tangent * at.half_tangent);
     const R kept = smaller_of(larger_of(next, range.low), range.high);
