@@ -33,6 +33,7 @@ struct Choices {
   double fields, rows;          ///< instants of the output in a run; 0: first and last
   const char* errors;           ///< shock / smooth strains of 0.3, see fidelity_errors()
   const char* jet_shape;        ///< of decks with a jet
+  double jet_courant_fraction;  ///< of decks with a jet: that of Subcycles
   double jet_cells_per_radius;  ///< along the jet's path; 0: as the grid is
   int jet_subcycles;            ///< of decks with a jet
 };
@@ -45,12 +46,13 @@ constexpr Choices fidelities[] = {
      Order::stress_last,
      0.9,
      2,
-     2,
+     4,
      0.1,
      0.0,
      100.0,
      "6 %, 3 %",
      "GIMP",
+     0.8,
      0.0,
      4},
     {"balanced",
@@ -65,6 +67,7 @@ constexpr Choices fidelities[] = {
      500.0,
      "11 %, 3 %",
      "GIMP",
+     0.8,
      2.0,
      4},
     {"reference",
@@ -79,6 +82,7 @@ constexpr Choices fidelities[] = {
      2000.0,
      "11 %, 0.6 %",
      "GIMP",
+     0.8,
      4.0,
      4},
 };
@@ -159,7 +163,8 @@ std::string fidelity_text() {
             name_of(&StepSpec::courant_fraction) + " " + choice_text(c.courant_fraction) + ", " +
             std::to_string(c.per_cell) + " particles per cell and direction, " +
             std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
-            "; with a jet " + c.jet_shape + ", " +
+            "; with a jet " + c.jet_shape + ", " + name_of(&StepSpec::courant_fraction) + " " +
+            choice_text(c.jet_courant_fraction) + ", " +
             (c.jet_cells_per_radius > 0.0 ? name_of(&JetSpec::cells_per_radius) + " " +
                                                 choice_text(c.jet_cells_per_radius) + ", "
                                           : std::string()) +
@@ -202,7 +207,12 @@ void Fidelity::choose_for_step(const XMLObject& list, const std::string& path, b
   choose(list, path, &StepSpec::shape, std::string(jet ? choices.jet_shape : choices.shape));
   choose(list, path, &StepSpec::transfer, choices.transfer);
   choose(list, path, &StepSpec::order, choices.order);
-  choose(list, path, &StepSpec::courant_fraction, choices.courant_fraction);
+  choose(
+      list,
+      path,
+      &StepSpec::courant_fraction,
+      jet ? choices.jet_courant_fraction : choices.courant_fraction
+  );
   if (jet) choose(list, path, &StepSpec::subcycles, choices.jet_subcycles);
 }
 

@@ -231,8 +231,8 @@ TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
   const Deck plain = read("deck.xml"), fast = read("deck.xml", {"Fidelity=fast"});
   EXPECT_EQ(plain.word("Step/Shape Function"), "GIMP");
   EXPECT_EQ(fast.word("Step/Shape Function"), "GIMP");  // as it has a jet
-  EXPECT_EQ(fast.number("Step/Courant Fraction"), 0.9);
-  EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 2);
+  EXPECT_EQ(fast.number("Step/Courant Fraction"), 0.8);
+  EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 4);
   EXPECT_EQ(fast.number("Output/Field Interval"), 0.0);
   EXPECT_EQ(fast.number("Output/History Interval"), 4e-7);  // a hundredth of 40 us
   EXPECT_TRUE(plain.notes.empty());
