@@ -7,7 +7,10 @@
 
 namespace barreno {
 
-/// Values from every rank to every rank in one call. Collective.
+/// Values from every rank to every rank in one call. Collective. Messages go to those ranks alone
+/// that get something, and nobody is told how many to expect: sends are synchronous, and a barrier
+/// that does not block ends when all have been received. (T. Hoefler, C. Siebert, A. Lumsdaine,
+/// Scalable communication protocols for dynamic sparse data exchange, PPoPP 2010)
 ///
 /// @param send    those for rank 0, then those for rank 1, and so on
 /// @param counts  how many of them each rank gets

@@ -139,6 +139,14 @@ int MPI_Isend(
   note_open(*request, comm, false);
   return error;
 }
+int MPI_Issend(
+    const void* data, int n, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request* request
+) {
+  note_send(comm, to);
+  const int error = PMPI_Issend(data, n, type, to, tag, comm, request);
+  note_open(*request, comm, false);
+  return error;
+}
 int MPI_Irecv(
     void* data, int n, MPI_Datatype type, int from, int tag, MPI_Comm comm, MPI_Request* request
 ) {
@@ -210,6 +218,17 @@ int MPI_Test(MPI_Request* request, int* done, MPI_Status* status) {
   const int error = PMPI_Test(request, done, &own);
   if (*done != 0) note_completed(before, own);
   if (status != MPI_STATUS_IGNORE && *done != 0) *status = own;
+  return error;
+}
+
+int MPI_Testall(int count, MPI_Request* requests, int* done, MPI_Status* statuses) {
+  const std::vector<MPI_Request> before(requests, requests + count);
+  std::vector<MPI_Status> own(static_cast<std::size_t>(count));
+  const int error = PMPI_Testall(count, requests, done, own.data());
+  for (std::size_t i = 0; i < own.size() && *done != 0; ++i) {
+    note_completed(before[i], own[i]);
+    if (statuses != MPI_STATUSES_IGNORE) statuses[i] = own[i];
+  }
   return error;
 }
 
