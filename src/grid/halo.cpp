@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid/halo.hpp"
 
+#include "base/launch.hpp"
 #include "base/region.hpp"
 
 #include <Teuchos_OrdinalTraits.hpp>
@@ -9,7 +10,7 @@
 #include <Tpetra_Map.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 namespace barreno {
 namespace {
@@ -36,13 +37,32 @@ std::vector<GlobalTile> touching_tiles(const Grid& grid, const std::vector<int>&
   return touching;
 }
 
+ArrayView<int> copy_of(const Teuchos::ArrayView<const int>& values) {
+  ArrayView<int> copy("tiles", static_cast<std::size_t>(values.size()));
+  const auto host = Kokkos::create_mirror_view(copy);
+  std::copy(values.begin(), values.end(), host.data());
+  Kokkos::deep_copy(copy, host);
+  return copy;
+}
+
 }  // namespace
 
 struct HaloPlan {
   Teuchos::RCP<const TileMap> owned, ghosts;
   Teuchos::RCP<const TileImport> import;
-  Teuchos::Array<double> outgoing, incoming;  ///< kept: the step allocates nothing
+  ArrayView<int> sent, received;         ///< local tiles, in the order of the messages
+  ArrayView<double> outgoing, incoming;  ///< kept: the step allocates nothing
 };
+
+namespace {
+
+/// The first `size` entries of a buffer that grows as it must.
+ArrayView<double> room_in(ArrayView<double>& buffer, std::size_t size) {
+  if (buffer.extent(0) < size) buffer = ArrayView<double>("halo", size);
+  return Kokkos::subview(buffer, std::make_pair(std::size_t{0}, size));
+}
+
+}  // namespace
 
 std::vector<int> build_halo(Grid& grid, const std::vector<int>& owned) {
   grid.halo.reset();
@@ -65,6 +85,8 @@ std::vector<int> build_halo(Grid& grid, const std::vector<int>& owned) {
 
   plan->ghosts = Teuchos::rcp(new TileMap(invalid, ghosts(), 0, grid.comm));
   plan->import = Teuchos::rcp(new TileImport(plan->owned, plan->ghosts));
+  plan->sent = copy_of(plan->import->getExportLIDs());
+  plan->received = copy_of(plan->import->getRemoteLIDs());
   grid.halo = plan;
   return {ghosts.begin(), ghosts.end()};
 }
@@ -73,27 +95,31 @@ void exchange_halo(const Grid& grid, const ArrayView<double>& sums, int width) {
   if (!grid.halo) return;
   const Region region("exchange_halo");
   HaloPlan& plan = *grid.halo;
-  const auto exports = plan.import->getExportLIDs();
-  const auto remotes = plan.import->getRemoteLIDs();
-  const auto bytes = static_cast<std::size_t>(width) * sizeof(double);
   const auto row = static_cast<std::size_t>(width);
-  plan.outgoing.resize(exports.size() * width);
-  plan.incoming.resize(remotes.size() * width);
-  for (Teuchos_Ordinal i = 0; i < exports.size(); ++i)
-    std::memcpy(
-        plan.outgoing.getRawPtr() + i * width,
-        sums.data() + static_cast<std::size_t>(exports[i]) * row,
-        bytes
-    );
-  plan.import->getDistributor().doPostsAndWaits(
-      plan.outgoing().getConst(), static_cast<std::size_t>(width), plan.incoming()
+  const ArrayView<int> sent = plan.sent, received = plan.received;
+  const ArrayView<double> outgoing = room_in(plan.outgoing, sent.extent(0) * row);
+  const ArrayView<double> incoming = room_in(plan.incoming, received.extent(0) * row);
+  const std::size_t first_ghost = static_cast<std::size_t>(grid.active) * row;
+  launch(
+      "pack_halo",
+      range(static_cast<int>(sent.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const double* const from = &sums(static_cast<std::size_t>(sent(i)) * row);
+        double* const to = &outgoing(static_cast<std::size_t>(i) * row);
+        for (std::size_t c = 0; c < row; ++c) to[c] = from[c];
+      }
   );
-  for (Teuchos_Ordinal i = 0; i < remotes.size(); ++i)
-    std::memcpy(
-        sums.data() + static_cast<std::size_t>(grid.active + remotes[i]) * row,
-        plan.incoming.getRawPtr() + i * width,
-        bytes
-    );
+  const ArrayView<const double> packed = outgoing;
+  plan.import->getDistributor().doPostsAndWaits(packed, row, incoming);
+  launch(
+      "unpack_halo",
+      range(static_cast<int>(received.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const double* const from = &incoming(static_cast<std::size_t>(i) * row);
+        double* const to = &sums(first_ghost + static_cast<std::size_t>(received(i)) * row);
+        for (std::size_t c = 0; c < row; ++c) to[c] = from[c];
+      }
+  );
 }
 
 }  // namespace barreno
