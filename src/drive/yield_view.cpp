@@ -89,6 +89,10 @@ std::optional<YieldView> view_for(
   if constexpr (std::is_same_v<Model, JohnsonCook>) {
     const auto h_before = history_from<Model>(before.history);
     return view_of_metal(model, now.stress, h, h_before, now.time - before.time);
+  } else if constexpr (std::is_same_v<Model, Expanded<JohnsonCook>>) {
+    const auto h_before = history_from<Model>(before.history);
+    const double dt = now.time - before.time;
+    return view_of_metal(model.metal(), now.stress, h.metal, h_before.metal, dt);
   } else if constexpr (std::is_same_v<Model, GeneralArenisca>) {
     return view_of_general(model.rock(), now.stress, h);
   } else if constexpr (std::is_same_v<P, AreniscaParameters>) {

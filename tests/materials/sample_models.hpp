@@ -104,6 +104,15 @@ struct Sample<JohnsonCook> {
   }
 };
 
+template <>
+struct Sample<Expanded<JohnsonCook>> : Sample<JohnsonCook> {
+  static JohnsonCook::Parameters parameters() {
+    JohnsonCook::Parameters p = Sample<JohnsonCook>::parameters();
+    p.expansion_strain = 1;
+    return p;
+  }
+};
+
 /// The demonstration set of design/arenisca.md: plausible, not fitted.
 template <>
 struct Sample<Arenisca> {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/models/arenisca.hpp"
+#include "barreno/models/expanded.hpp"
 #include "barreno/models/featured_arenisca.hpp"
 #include "barreno/models/general_arenisca.hpp"
 #include "barreno/models/johnson_cook.hpp"
@@ -27,6 +28,7 @@ using AnyModel = std::variant<
     Poroelastic,
     NeoHookean,
     JohnsonCook,
+    Expanded<JohnsonCook>,
     Arenisca,
     ScatteredArenisca,
     WetArenisca,

@@ -5,6 +5,7 @@
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
 #include "scene/heat.hpp"
+#include "scene/voids.hpp"
 #include "state/bad_particle.hpp"
 #include "state/row_frames.hpp"
 #include "state/step_rule.hpp"
@@ -141,6 +142,9 @@ struct UpdateStress {
         mean_volume * (0.5 * contract(begun.old_stress + update.stress, increment.strain) -
                        increment.viscous_pressure * trace(increment.strain));
     R elastic_work = reference_volume * outcome.elastic_work;
+    // Voids close and open without work, in a part of the step that the model alone knows.
+    if constexpr (holds_voids<Model>)
+      stress_work = elastic_work + reference_volume * outcome.plastic_work + viscous;
     auto history = update.history;
     if constexpr (keeps_heat<Model>) {
       if (particles.heat.components > 0) {  // the particle gets what the grid took from it

@@ -66,6 +66,7 @@ struct JohnsonCook {
     double taylor_quinney = 0.9;
     double spall_stress = 0.0;
     double d1 = 0.0, d2 = 0.0, d3 = 0.0, d4 = 0.0, d5 = 0.0;
+    int expansion_strain = 0;  ///< 1: as Expanded<JohnsonCook>
   };
   template <class R>
   struct HistoryOf {
@@ -174,6 +175,13 @@ struct JohnsonCook {
          {strength_entries(), heat_and_pressure_entries(), damage_entries()}) {
       table.numbers.insert(table.numbers.end(), entries.begin(), entries.end());
     }
+    table.choices = {
+        {&Parameters::expansion_strain,
+         "Expansion Strain",
+         {"off", "on"},
+         0,
+         "on: the metal may have voids, those of a porous body, of a continuous jet or of spall, "
+         "which close at zero stress and without plastic work before the metal bears load"}};
     return table;
   }
   static std::vector<HistoryField> history_table() {
@@ -272,6 +280,20 @@ struct JohnsonCook {
     const R heat = gain - (history.internal_energy - before.internal_energy);
     history.internal_energy += heat;
     history.temperature += heat * (1.0 / p_.specific_heat);
+  }
+
+  /// Solid over mean density above which a shock from rest leaves voids, or this metal less dense
+  /// than at reference: with the heat U^2/2, p = a(eta) / (1 - Gamma0 (alpha - 1 + eta) / 2).
+  double largest_porous_expansion() const { return 1.0 + 2.0 / eos_.gamma; }
+  /// Of a broken point that bears nothing: ln of its volume over that at no pressure [-]; of any
+  /// other 0.
+  template <class R>
+  BARRENO_FUNCTION R
+  opening(const R& volume_ratio, const Sym3Of<R>& stress, const HistoryOf<R>& history) const {
+    const MaskOf<R> open = (history.damage >= 1.0) & (trace(stress) >= 0.0);
+    if (!real::any(open)) return R{};
+    const R excess = volume_ratio / (1.0 - eos_.relaxed_compression(history.internal_energy));
+    return real::log(R(real::select(open & (excess > 1.0), excess, 1.0)));
   }
 
   const Parameters& parameters() const { return p_; }

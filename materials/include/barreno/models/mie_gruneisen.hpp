@@ -58,6 +58,19 @@ struct MieGruneisen {
     return reference(eta).pressure + gamma * density * energy;
   }
 
+  /// eta at which the pressure is 0 with this specific internal energy [-]: exact where the metal
+  /// is expanded, a(eta) = K eta; by two steps of Newton's method where e < 0, which is small.
+  template <class R>
+  BARRENO_FUNCTION R relaxed_compression(const R& energy) const {
+    const R thermal = gamma * density * energy;
+    R eta = thermal * (-1.0 / bulk_modulus());
+    for (int i = 0; i < 2; ++i) {
+      const auto at = reference(eta);
+      eta = eta - (at.pressure + thermal) / at.derivative;
+    }
+    return eta;
+  }
+
   /// Isentropic bulk modulus -V (dP/dV)_s = rho c^2 with the current density rho [stress]. It
   /// follows from de = -P dV / m on an isentrope; it may become negative in strong tension.
   template <class R>

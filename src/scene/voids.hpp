@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+namespace barreno {
+
+/// Models whose points may have voids: expanded_state(solid over mean density)
+/// (barreno/models/expanded.hpp).
+template <class Model, class = void>
+inline constexpr bool holds_voids = false;
+template <class Model>
+inline constexpr bool
+    holds_voids<Model, std::void_t<decltype(std::declval<const Model&>().expanded_state(1.0))>> =
+        true;
+
+}  // namespace barreno
