@@ -274,7 +274,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   if (o.fields_step != state.clock.step && !o.gave_up) o.fields->write(scene, state);
   if (o.rows_step != state.clock.step && !o.gave_up) o.write_rows(scene, state);
   if (!o.gave_up) o.fields->close(*o.comm);
-  RunSummary summary = summarise(state, seconds(), cpu_seconds() - o.cpu_start);
+  RunSummary summary = summarise(scene, state, seconds(), cpu_seconds() - o.cpu_start);
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   RootWork work(*o.comm);
   work.run([&] {

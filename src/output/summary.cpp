@@ -176,6 +176,7 @@ void put_jet(Json& json, const Scene& scene, const State& state, const Ledger& l
     one["table"] = number(expected);
     one["difference"] = number(expected != 0.0 ? launched / expected - 1.0 : launched);
   };
+  jet["kind"] = word_of(scene.jet.kind);
   jet["table_file"] = as_utf8(scene.jet.table_file);
   jet["direction"] = number(scene.jet.direction);
   jet["slugs"] = scene.jet.slugs.size();
@@ -197,9 +198,29 @@ void put_removed(Json& json, const Ledger& l) {
   }
 }
 
+/// Single particles whose motion is that of no continuum, by material, and the bounds.
+void put_anomalies(Json& json, const Scene& scene, const std::vector<Anomalies>& anomalies) {
+  Json& all = json["kinematic_anomalies"];
+  const double input = largest_input_speed(scene);
+  all["stretch_bound"] = number(anomalous_stretch);
+  all["speed_bound"] =
+      number(input > 0.0 ? anomalous_speed * input : std::numeric_limits<double>::quiet_NaN());
+  Json& materials = all["materials"] = Json::object();
+  for (std::size_t m = 0; m < anomalies.size(); ++m) {
+    Json& one = materials[as_utf8(scene.materials[m].name())];
+    one["stretched"] = number(anomalies[m].stretched);
+    one["ejected"] = number(anomalies[m].ejected);
+    one["clipped"] = number(anomalies[m].clipped);
+    one["largest_stretch"] = number(anomalies[m].largest_stretch);
+    one["largest_speed"] = number(anomalies[m].largest_speed);
+  }
+}
+
 }  // namespace
 
-RunSummary summarise(const State& state, double wall_seconds, double cpu_seconds) {
+RunSummary summarise(
+    const Scene& scene, const State& state, double wall_seconds, double cpu_seconds
+) {
   const Comm& comm = *state.grid.comm;
   RunSummary summary;
   summary.ranks = comm.getSize();
@@ -218,6 +239,7 @@ RunSummary summarise(const State& state, double wall_seconds, double cpu_seconds
   summary.cpu_seconds = sums[3];
   summary.largest_rank_peak_bytes = largest[0];
   summary.phases = collect_phases(comm);
+  summary.anomalies = count_anomalies(scene, state);
   return summary;
 }
 
@@ -254,6 +276,7 @@ std::string summary_text(
   json["held_particles"] = number(totals.ledger.held);
   json["unloaded_particles"] = number(totals.ledger.unloaded);
   json["clipped_particles"] = number(totals.ledger.clipped);
+  put_anomalies(json, scene, summary.anomalies);
   json["retried_steps"] = number(totals.ledger.retried_steps);
   Json& warnings = json["warnings"] = Json::object();
   for (const auto& [kind, count] : summary.warnings) warnings[as_utf8(kind)] = count;

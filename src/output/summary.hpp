@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "output/anomalies.hpp"
 #include "output/depth.hpp"
 #include "output/history_writer.hpp"
 #include "output/output.hpp"
@@ -25,12 +26,15 @@ struct RunSummary {
   double peak_resident_bytes = 0.0;  ///< sum of the ranks' peaks
   double largest_rank_peak_bytes = 0.0;
   std::vector<PhaseSummary> phases;
+  std::vector<Anomalies> anomalies;  ///< by material
   std::map<std::string, long> warnings;
 };
 
-/// Collects memory and phases over the ranks. Collective.
+/// Collects memory, phases and kinematic anomalies over the ranks. Collective.
 /// @param cpu_seconds  of this rank
-RunSummary summarise(const State& state, double wall_seconds, double cpu_seconds);
+RunSummary summarise(
+    const Scene& scene, const State& state, double wall_seconds, double cpu_seconds
+);
 
 /// The text of summary.json.
 std::string summary_text(

@@ -21,7 +21,7 @@ TEST(Summary, ComparesTheLaunchedJetWithItsTable) {
   synthetic::move_to(scene, state, 2.5e-6);
   RunTotals totals = sum_totals(state);
   totals.ledger.launched_mass = 1.5 * jet_table_totals(scene, 3).mass;
-  const RunSummary summary = summarise(state, 2.0, 1.5);
+  const RunSummary summary = summarise(scene, state, 2.0, 1.5);
   EXPECT_GT(summary.bytes_per_particle, 100.0);
   EXPECT_GE(summary.peak_resident_bytes, summary.largest_rank_peak_bytes);
   const std::string text = summary_text(
@@ -42,6 +42,36 @@ TEST(Summary, ComparesTheLaunchedJetWithItsTable) {
         "\"mode\": \"axisymmetric\"",
         "\"wall_seconds\": 2"})
     EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+}
+
+/// A needle and a fast particle, of two; all bounds are in the file.
+TEST(Summary, CountsKinematicAnomalies) {
+  const Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  State state = synthetic::make_state(scene, comm);
+  synthetic::move_to(scene, state, 2.5e-6);
+  const double input = largest_input_speed(scene);
+  EXPECT_EQ(input, scene.jet.slugs.front().velocity);
+  const auto of = static_cast<std::size_t>(scene.bodies.front().material);
+  const std::vector<Anomalies> before = count_anomalies(scene, state);
+  Particles& particles = state.particles[of];
+  ASSERT_GE(particles.count, 2);
+  particles.deformation_gradient(0, 3) = 1.5 * anomalous_stretch;
+  particles.velocity(1, 1) = 1.01 * anomalous_speed * input;
+  const std::vector<Anomalies> after = count_anomalies(scene, state);
+  EXPECT_EQ(after[of].stretched, before[of].stretched + comm->getSize());
+  EXPECT_EQ(after[of].ejected, before[of].ejected + comm->getSize());
+  EXPECT_DOUBLE_EQ(after[of].largest_stretch, 1.5 * anomalous_stretch);
+  EXPECT_DOUBLE_EQ(after[of].largest_speed, 1.01 * anomalous_speed * input);
+  particles.body(0) |= debris_bit;
+  EXPECT_EQ(count_anomalies(scene, state)[of].stretched, before[of].stretched);
+  RunSummary summary;
+  summary.anomalies = after;
+  const std::string text = summary_text(
+      scene, state, {"out", "deck.xml", "", "1.0", {}}, sum_totals(state), {}, summary, {}
+  );
+  for (const char* word : {"\"kinematic_anomalies\"", "\"stretch_bound\": 20", "\"stretched\": 1"})
+    EXPECT_NE(text.find(word), std::string::npos) << word;
 }
 
 TEST(Summary, CountsAreWholeAndWhatIsNoNumberIsNull) {
