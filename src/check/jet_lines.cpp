@@ -3,6 +3,7 @@
 
 #include "check/format.hpp"
 #include "output/jet/jet_estimate.hpp"
+#include "scene/jet_kinds.hpp"
 
 #include <algorithm>
 
@@ -39,6 +40,38 @@ std::string slug_line(const Scene& scene) {
          cells_text(slug_cells(scene, &JetSlug::length), "length") + "\n";
 }
 
+/// Expansion beyond which the heat of a shock alone keeps the metal from its own density.
+std::string porous_words(const MaterialSpec& material, double least_filled) {
+  const double most = material.largest_porous_expansion();
+  if (1.0 / least_filled < most) return {};
+  return format(
+      "; slugs with an expansion above 1 + 2 / Gruneisen = %.3g close, but stay below the metal's "
+      "density behind a strong shock",
+      most
+  );
+}
+
+std::string kind_line(const Scene& scene) {
+  const JetSpec& jet = scene.jet;
+  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(jet.material)];
+  const JetVoids voids = jet_voids(jet.table.empty() ? jet.slugs : jet.table, material.density());
+  const std::string filled = format(
+      "metal fills %.3g of the jet's length, at least %.3g of a slug's",
+      voids.filled,
+      voids.least_filled
+  );
+  const std::string kind = "Kind      " + word_of(jet.kind) + ": ";
+  if (jet.kind == JetKind::discrete)
+    return kind + filled + ", the rest are gaps, as after break-up (docs/jets.md)\n";
+  const bool thin = jet.kind == JetKind::thinned;
+  return kind + filled + (thin ? ", so the radius is smaller" : ", the rest are voids in it") +
+         format(
+             "; hydrodynamic depth %.3g times that of the discrete jet",
+             thin ? voids.thinned_depth : voids.continuous_depth
+         ) +
+         (thin ? std::string() : porous_words(material, voids.least_filled)) + "\n";
+}
+
 std::string depth_line(const Scene& scene) {
   if (estimate_jet(scene, scene.end_time).thinnest == 0.0) return {};
   return "Depth     error from the cells to expect at the end " +
@@ -48,7 +81,8 @@ std::string depth_line(const Scene& scene) {
 }  // namespace
 
 std::string jet_lines(const Scene& scene) {
-  return scene.jet.present ? slug_line(scene) + depth_line(scene) : std::string();
+  return scene.jet.present ? slug_line(scene) + kind_line(scene) + depth_line(scene)
+                           : std::string();
 }
 
 }  // namespace barreno

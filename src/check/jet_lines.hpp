@@ -7,8 +7,8 @@
 
 namespace barreno {
 
-/// Lines of the plan on the jet: cells per radius and per length of its slugs, depth by the end of
-/// the run and its error. Empty without a jet.
+/// Lines of the plan on the jet: cells per radius and per length of its slugs, its kind, depth by
+/// the end of the run and its error. Empty without a jet.
 std::string jet_lines(const Scene& scene);
 
 }  // namespace barreno

@@ -86,12 +86,12 @@ GridSpec grid_of_jet(const GridSpec& grid, const JetSpec& jet) {
   return uniform_grid(grid, level_at(grid, {0.0, jet.launch_position, 0.0}));
 }
 
-std::vector<JetSlug> discrete_slugs(
+std::vector<JetSlug> table_slugs(
     const std::vector<std::vector<double>>& rows, double material_density, std::string& problem
 ) {
   std::vector<JetSlug> slugs;
   for (const auto& row : rows) {
-    JetSlug slug{row[0], row[1], row[2], row[3], row[4]};
+    const JetSlug slug{row[0], row[1], row[2], row[3], row[4]};
     const std::string number = std::to_string(slugs.size() + 1);
     const std::string wrong = problem_of(slug, material_density);
     if (!wrong.empty()) {
@@ -105,8 +105,6 @@ std::vector<JetSlug> discrete_slugs(
                 " s (launch times must not decrease); sort the rows by time";
       return {};
     }
-    slug.length *= slug.density / material_density;
-    slug.density = material_density;
     slugs.push_back(slug);
   }
   return slugs;

@@ -21,11 +21,10 @@ RefinedRegion path_of_jet(const GridSpec& grid, const JetSpec& jet);
 /// how well the jet is resolved [length].
 double cell_size_of_path(const Scene& scene);
 
-/// A discrete jet from a jet table's rows {time, velocity, radius, length, density}: a density
-/// below the material's means void, which becomes length, so that every slug has the material's
-/// density and its own mass.
+/// The rows {time, velocity, radius, length, density} of a jet table, checked. A density below the
+/// material's means void; what becomes of it is the jet's kind (scene/jet_kinds.hpp).
 /// @param[out] problem  empty, or what is wrong with the table, for a sentence
-std::vector<JetSlug> discrete_slugs(
+std::vector<JetSlug> table_slugs(
     const std::vector<std::vector<double>>& rows, double material_density, std::string& problem
 );
 

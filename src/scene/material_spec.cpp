@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/scene.hpp"
+#include "scene/voids.hpp"
 
 #include <barreno/models.hpp>
 #include <barreno/pore_point.hpp>
+#include <limits>
 #include <type_traits>
 #include <variant>
 
@@ -28,6 +30,25 @@ std::vector<HistoryField> MaterialSpec::history_table() const {
 bool MaterialSpec::is_porous() const {
   return std::visit(
       [](const auto& model) { return is_drainable<std::decay_t<decltype(model)>>; },
+      material_->model
+  );
+}
+
+bool MaterialSpec::holds_voids() const {
+  return std::visit(
+      [](const auto& model) { return barreno::holds_voids<std::decay_t<decltype(model)>>; },
+      material_->model
+  );
+}
+
+double MaterialSpec::largest_porous_expansion() const {
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (barreno::holds_voids<std::decay_t<decltype(model)>>)
+          return model.metal().largest_porous_expansion();
+        else
+          return std::numeric_limits<double>::infinity();
+      },
       material_->model
   );
 }

@@ -39,7 +39,11 @@ public:
   std::string model_name() const;
   std::vector<HistoryField> history_table() const;  ///< of the model's internal variables
   bool is_porous() const;                           ///< it has a fluid that can drain
-  double density() const { return density_; }       ///< at reference [mass/length^3]
+  bool holds_voids() const;                         ///< it may be expanded (scene/voids.hpp)
+  /// Of a metal that holds voids: solid over mean density above which heat alone keeps a shock from
+  /// compressing it beyond its own density; infinite of others.
+  double largest_porous_expansion() const;
+  double density() const { return density_; }  ///< at reference [mass/length^3]
   void scale_density(double factor);
 
   BadParticlePolicy bad_particles;

@@ -150,6 +150,37 @@ void check_pore_pressures(const Deck& deck, const Scene& scene) {
   }
 }
 
+void check_expansions(const Deck& deck, const Scene& scene) {
+  for (const BodySpec& body : scene.bodies) {
+    if (body.expansion == 1.0) continue;
+    const std::string entry = path_of(&BodySpec::expansion, body.name);
+    const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
+    if (!material.holds_voids())
+      deck.refuse_value(
+          entry,
+          "needs a metal that may have voids, which '" + material.name() +
+              "' is not (only Johnson-Cook with Expansion Strain = \"on\" is); set that in "
+              "Materials, or remove Expansion"
+      );
+    const double most = std::min(material.largest_porous_expansion(), scene.step.largest_expansion);
+    if (body.expansion >= most)
+      deck.refuse_value(
+          entry,
+          "is not below " + input::exact_text(most) +
+              " (from 1 + 2 / Gruneisen on no shock brings "
+              "the metal to its density, from Step/Largest Expansion on a particle is rubble); "
+              "give "
+              "solid over mean density"
+      );
+    if (body.initial_pressure != 0.0)
+      deck.refuse_value(
+          entry,
+          "cannot be combined with a Confinement of the body (voids close at no pressure); remove "
+          "one of the two"
+      );
+  }
+}
+
 void add_bodies(const Deck& deck, Scene& scene) {
   check_shapes(deck, scene.grid.mode);
   for (const std::string& name : deck.lists(table_of<BodySpec>().path))

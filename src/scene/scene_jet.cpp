@@ -2,6 +2,7 @@
 #include "deck/section_table.hpp"
 #include "scene/geometry.hpp"
 #include "scene/jet.hpp"
+#include "scene/jet_kinds.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
@@ -25,7 +26,39 @@ Box launch_box(const JetSpec& jet, const GridSpec& grid) {
   return box;
 }
 
+const MaterialSpec& material_of_jet(const Scene& scene) {
+  return scene.materials[static_cast<std::size_t>(scene.jet.material)];
+}
+
+void check_kind(const Deck& deck, const Scene& scene) {
+  if (scene.jet.kind != JetKind::continuous || material_of_jet(scene).holds_voids()) return;
+  const std::string& name = material_of_jet(scene).name();
+  deck.refuse_value(
+      path_of(&JetSpec::kind),
+      "needs a material that may have voids, which '" + name +
+          "' may not (they are its Expansion Strain); write Materials/" + name +
+          "/Expansion Strain = on, if it is Johnson-Cook, or take another kind"
+  );
+}
+
 }  // namespace
+
+void check_jet_expansion(const Deck& deck, const Scene& scene) {
+  const JetSpec& jet = scene.jet;
+  if (!jet.present || jet.kind != JetKind::continuous) return;
+  const double density = material_of_jet(scene).density();
+  for (std::size_t s = 0; s < jet.slugs.size(); ++s) {
+    const double expansion = density / jet.slugs[s].density;
+    if (expansion < scene.step.largest_expansion) continue;
+    deck.refuse_value(
+        path_of(&JetSpec::kind),
+        "gives slug " + std::to_string(s + 1) + " an expansion of " + text_of("%.4g", expansion) +
+            " (solid over mean density; from Step/Largest Expansion = " +
+            text_of("%.4g", scene.step.largest_expansion) +
+            " on a particle counts as rubble); raise that, or take another kind"
+    );
+  }
+}
 
 void add_jet(const Deck& deck, Scene& scene) {
   const std::string slugs = path_of(&JetSpec::slugs);
@@ -36,9 +69,12 @@ void add_jet(const Deck& deck, Scene& scene) {
   jet.table_file = deck.jet_table;
   const std::string rows_path = jet.table_file.empty() ? slugs : path_of(&JetSpec::table_file);
   std::string problem;
-  const double density = scene.materials[static_cast<std::size_t>(jet.material)].density();
-  jet.slugs = discrete_slugs(deck.rows(slugs), density, problem);
+  const double density = material_of_jet(scene).density();
+  jet.table = table_slugs(deck.rows(slugs), density, problem);
+  if (problem.empty()) problem = problem_of_kind(jet.table, jet.kind, density);
   if (!problem.empty()) deck.refuse_value(rows_path, problem);
+  check_kind(deck, scene);
+  jet.slugs = slugs_of_kind(jet.table, jet.kind, scene.grid.mode, density);
 
   const Box place = launch_box(jet, scene.grid);
   const bool space = scene.grid.mode == Mode::three_dimensional;

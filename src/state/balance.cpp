@@ -136,8 +136,9 @@ double section_inside(const JetSlug& slug, const GridSpec& grid) {
 
 JetTotals jet_table_totals(const Scene& scene, std::size_t slugs) {
   JetTotals totals;
-  for (std::size_t s = 0; s < std::min(slugs, scene.jet.slugs.size()); ++s) {
-    const JetSlug& slug = scene.jet.slugs[s];
+  const std::vector<JetSlug>& rows = scene.jet.table.empty() ? scene.jet.slugs : scene.jet.table;
+  for (std::size_t s = 0; s < std::min(slugs, rows.size()); ++s) {
+    const JetSlug& slug = rows[s];
     const double section = section_inside(slug, scene.grid);
     const double mass = slug.density * section * slug.length;
     totals.mass += mass;

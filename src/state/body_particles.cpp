@@ -135,9 +135,11 @@ SlugLattice slug_lattice(const Scene& scene) {
   return {grid_of_jet(scene.grid, scene.jet), scene.jet, scene.materials[m].density()};
 }
 
-/// Layers of a slug along its axis, which is as long as its mass is at the material's own density.
+/// Layers of a slug along its axis, which is as long as its mass is at the material's own density,
+/// or in a continuous jet as long as it is.
 Division divide_length(const SlugLattice& lattice, const JetSlug& slug) {
-  const double length = slug.length * slug.density / lattice.density;
+  const bool whole = lattice.jet.kind == JetKind::continuous;
+  const double length = whole ? slug.length : slug.length * slug.density / lattice.density;
   return divide(-0.5 * length, 0.5 * length, lattice.size(), lattice.grid.cell_size);
 }
 

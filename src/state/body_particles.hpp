@@ -32,8 +32,8 @@ void for_each_body_particle(
 long long count_body_particles(const GridSpec& grid, const BodySpec& body);
 
 /// Divide a slug of the jet evenly: a slug thinner than a particle becomes one, so that mass,
-/// momentum and energy are exact. Density below the material's own shortens a discrete slug. The
-/// slug's centre is at y = 0.
+/// momentum and energy are exact. Density below the material's own shortens a slug, but not
+/// in a continuous jet. The slug's centre is at y = 0.
 ///
 /// In plane strain with x = 0 at the lower edge of the grid the half x > 0 is made, else the whole
 /// width. In three dimensions a slug is round: pieces of its disk in the squares of the grid's

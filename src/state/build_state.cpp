@@ -9,6 +9,7 @@
 #include "scene/body_force.hpp"
 #include "scene/dormant.hpp"
 #include "scene/porous.hpp"
+#include "scene/voids.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/isolated_courant.hpp"
 #include "state/surface_share.hpp"
@@ -161,13 +162,34 @@ Dormancy make_dormancy(const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+template <class Model, class Start>
+StartPoint start_point_of(const Model& /*model*/, const Start& start) {
+  const double* const h = history_values<Model>(start.history);
+  return {start.stress, {h, h + Model::history_count}, start.volume_ratio};
+}
+
+}  // namespace
+
 StartPoint start_point(const MaterialSpec& material, const BodySpec* body) {
   return std::visit(
       [&](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
-        const auto start = body ? initial_state_of(model, *body) : model.initial_state(0.0);
-        const double* const h = history_values<Model>(start.history);
-        return StartPoint{start.stress, {h, h + Model::history_count}, start.volume_ratio};
+        return start_point_of(
+            model, body ? initial_state_of(model, *body) : model.initial_state(0.0)
+        );
+      },
+      material.material().model
+  );
+}
+
+StartPoint expanded_start_point(const MaterialSpec& material, double expansion) {
+  return std::visit(
+      [&](const auto& model) {
+        if constexpr (holds_voids<std::decay_t<decltype(model)>>)
+          return start_point_of(model, model.expanded_state(expansion));
+        else
+          return start_point_of(model, model.initial_state(0.0));
       },
       material.material().model
   );

@@ -25,6 +25,10 @@ struct StartPoint {
 /// @param body  whose pressures the point is under; null: none
 StartPoint start_point(const MaterialSpec& material, const BodySpec* body);
 
+/// The same of a metal with voids, without pressure: solid over mean density is `expansion`.
+/// @pre  the material holds voids, or expansion is 1
+StartPoint expanded_start_point(const MaterialSpec& material, double expansion);
+
 /// Add particles to the set of their material, unplaced; counts nothing in the ledger.
 /// @param body  of all: index into Scene::bodies, or their number for the jet
 /// @return row of the first

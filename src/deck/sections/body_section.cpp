@@ -38,6 +38,14 @@ SectionTable<BodySpec> body_table() {
            "material, which in Arenisca rises under the confinement as if undrained"
        ),
        if_given(
+           &BodySpec::expansion,
+           "Expansion",
+           dim::none,
+           at_least(1.0),
+           "solid over mean density at the start: a porous metal, whose material needs Expansion "
+           "Strain; 1 without it"
+       ),
+       if_given(
            &BodySpec::spin,
            "Spin",
            dim::rate,

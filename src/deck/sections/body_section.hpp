@@ -28,6 +28,7 @@ struct BodySpec {
   int particles_per_cell = 2;     ///< per direction
   Vector velocity{};              ///< [length/time]
   double initial_pressure = 0.0;  ///< the body starts in equilibrium under this pressure [stress]
+  double expansion = 1.0;  ///< solid over mean density at the start, of materials with voids [-]
   std::optional<double> pore_pressure;  ///< at the start; without: as its material has it [stress]
   /// Initial velocity v = amplitude * sin(wave_number . x): the standing wave of the bar tests.
   Vector velocity_wave_number{};  ///< all zero: uniform velocity [1/length]

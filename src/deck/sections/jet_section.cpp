@@ -22,7 +22,7 @@ SectionTable<JetSpec> jet_table() {
            file("Table", "CSV file: time,velocity,radius,length,density, a row per slug").if_given()
        ),
        read_by(
-           "discrete_slugs",
+           "table_slugs",
            &JetSpec::slugs,
            table(
                "Slugs",
@@ -30,6 +30,15 @@ SectionTable<JetSpec> jet_table() {
                "the same rows in the deck itself, in place of Table"
            )
                .if_given()
+       ),
+       defaulted(
+           &JetSpec::kind,
+           "Kind",
+           "what becomes of the voids of the table, which are densities below the material's and "
+           "room between slugs: discrete: gaps between slugs of full density, of a jet that has "
+           "broken up; thinned: slugs touch, with full density and a smaller radius, of a solid "
+           "liner before break-up; continuous: slugs touch, with the mean density, and voids are "
+           "an expansion strain of the material, of a powder liner (docs/jets.md)"
        ),
        needed(
            &JetSpec::launch_position, "Launch Position", dim::length, any(), "y of the launch plane"

@@ -2,11 +2,22 @@
 #pragma once
 
 #include "deck/section_of.hpp"
+#include "deck/words.hpp"
 
 #include <string>
 #include <vector>
 
 namespace barreno {
+
+/// What becomes of the voids that a table's slugs leave: gaps between pieces, a thinner jet, or
+/// voids in its material (docs/jets.md).
+enum class JetKind { discrete, thinned, continuous };
+inline Words<JetKind> words_of(JetKind /*of*/) {
+  return {
+      {"discrete", JetKind::discrete},
+      {"thinned", JetKind::thinned},
+      {"continuous", JetKind::continuous}};
+}
 
 struct JetSlug {
   double time = 0.0;                  ///< its centre crosses the launch plane [time]
@@ -19,7 +30,10 @@ struct JetSpec {
   bool present = false;
   int material = 0;  ///< index into Scene::materials
   std::string table_file;
-  std::vector<JetSlug> slugs;     ///< launch times do not decrease
+  JetKind kind = JetKind::discrete;
+  /// The rows as the deck gives them, which the launched slugs are compared with; empty: `slugs`.
+  std::vector<JetSlug> table;
+  std::vector<JetSlug> slugs;     ///< as they are launched; launch times do not decrease
   double launch_position = 0.0;   ///< coordinate of the launch plane along y [length]
   double direction = 1.0;         ///< +1 or -1 along y
   int particles_per_cell = 4;     ///< per direction

@@ -108,6 +108,7 @@ DepthError measured_depth_error(double cells_per_radius, double depth_over_radiu
 std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius) {
   if (scene.grid.mode == Mode::plane_strain) return "it was measured with round jets only";
   if (scene.grid.mode == Mode::three_dimensional) return "it was measured in axisymmetry only";
+  if (scene.jet.kind != JetKind::discrete) return "it was measured with discrete jets only";
   if (scene.step.transfer != Transfer::flip || scene.step.pic_fraction > 0.0)
     return "it was measured with Transfer FLIP only";
   const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));

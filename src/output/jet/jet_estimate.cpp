@@ -3,6 +3,7 @@
 
 #include "output/depth.hpp"
 #include "scene/jet.hpp"
+#include "scene/jet_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ public:
         bottom.time += (layer.near - bottom.place) / slug.velocity;
         bottom.place = layer.near;
       }
-      const double k = std::sqrt(density_of(layer) / slug.density);
+      const double k = std::sqrt(density_of(layer) / digging_density_of(slug));
       const double consumption = slug.velocity * k / (1.0 + k);
       const double through = (layer.far - bottom.place) * k;
       const double used =
@@ -55,6 +56,12 @@ public:
 private:
   double density_of(const PathLayer& layer) const {
     return scene_.materials[static_cast<std::size_t>(scene_.bodies[layer.body].material)].density();
+  }
+
+  double digging_density_of(const JetSlug& slug) const {
+    const JetSpec& jet = scene_.jet;
+    const double own = scene_.materials[static_cast<std::size_t>(jet.material)].density();
+    return digging_density(jet.kind, slug, own);
   }
 
   const Scene& scene_;

@@ -5,6 +5,8 @@
 #include "base/row_sum.hpp"
 #include "state/build_state.hpp"
 
+#include <algorithm>
+
 namespace barreno {
 namespace {
 
@@ -36,6 +38,12 @@ std::vector<NewParticle> cut_slug(
     if (grid.holds(particle.x) && owner_of(grid, particle.x) == me) made.push_back(particle);
   });
   return made;
+}
+
+/// A point of a slug before it moves: of a continuous jet with the voids of the slug's density.
+StartPoint start_of(const JetSpec& jet, const JetSlug& slug, const MaterialSpec& material) {
+  if (jet.kind != JetKind::continuous) return start_point(material, nullptr);
+  return expanded_start_point(material, std::max(1.0, material.density() / slug.density));
 }
 
 struct LaunchTally {
@@ -82,12 +90,12 @@ int launch_jet(
   if (next_slug == jet.slugs.size()) return first_row;
   const Region region("launch_jet");
   if (jet.slugs[next_slug].time > time) return first_row;
-  const StartPoint start = start_point(material, nullptr);
   for (; next_slug < jet.slugs.size() && jet.slugs[next_slug].time <= time; ++next_slug) {
     const ParticleId first_id = launched.slug_ids[next_slug];
+    const JetSlug& slug = jet.slugs[next_slug];
     const std::vector<NewParticle> made =
-        cut_slug(jet, jet.slugs[next_slug], material.density(), first_id, grid, time);
-    add_particles(material, made, launched.body, start, particles);
+        cut_slug(jet, slug, material.density(), first_id, grid, time);
+    add_particles(material, made, launched.body, start_of(jet, slug, material), particles);
   }
   tally_launched(particles, first_row, ledger);
   return first_row;

@@ -9,6 +9,7 @@
 #include "output/jet/depth_error.hpp"
 #include "output/jet/depth_error_table.hpp"
 #include "output/jet/jet_estimate.hpp"
+#include "scene/jet_kinds.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -231,6 +232,45 @@ TEST(JetLines, SayCellsOfTipAndTailAndTheErrorToExpect) {
   EXPECT_TRUE(says(jet_lines(coarse), "unknown: it was measured with 0.5 to 4 cells"));
   coarse.jet.present = false;
   EXPECT_EQ(jet_lines(coarse), "");
+}
+
+TEST(JetLines, SayTheKindAndWhatFollows) {
+  Scene scene = main_job();
+  scene.jet.table = scene.jet.slugs;
+  const char* const filled = "metal fills 0.463 of the jet's length, at least 0.166 of a slug's";
+  EXPECT_TRUE(
+      says(jet_lines(scene), std::string("Kind      discrete: ") + filled + ", the rest are")
+  );
+  const auto text_of_kind = [&](JetKind kind) {
+    scene.jet.kind = kind;
+    scene.jet.slugs = slugs_of_kind(scene.jet.table, kind, scene.grid.mode, jet_density);
+    return jet_lines(scene);
+  };
+  const std::string thinned = text_of_kind(JetKind::thinned);
+  EXPECT_TRUE(says(thinned, std::string("Kind      thinned: ") + filled)) << thinned;
+  EXPECT_TRUE(says(thinned, "depth 2.16 times that of the discrete jet")) << thinned;
+  EXPECT_TRUE(says(thinned, "unknown: it was measured with discrete jets only")) << thinned;
+  const std::string continuous = text_of_kind(JetKind::continuous);
+  EXPECT_TRUE(says(continuous, "depth 1.72 times that of the discrete jet")) << continuous;
+}
+
+/// A whole jet digs on where the discrete one has gaps.
+TEST(JetEstimate, FollowsTheHydrodynamicRuleOfTheKinds) {
+  std::vector<JetSlug> table;
+  for (int s = 0; s < 4; ++s) {
+    table.push_back(slug(2e-6 * s, 1000.0, 2e-3, 2e-3));
+    table.back().density = jet_density / 2.0;
+  }
+  const auto depth_of = [&](JetKind kind) {
+    Scene scene = jet_scene(slugs_of_kind(table, kind, Mode::axisymmetric, jet_density));
+    scene.jet.kind = kind;
+    return estimate_jet(scene, 1.0).depth;
+  };
+  const double discrete = depth_of(JetKind::discrete), thinned = depth_of(JetKind::thinned);
+  // Of two layers the rule holds in the first.
+  ASSERT_LT(thinned, border - face);
+  EXPECT_NEAR(thinned / discrete, 2.0, 1e-12);
+  EXPECT_NEAR(depth_of(JetKind::continuous) / discrete, std::sqrt(3.0), 1e-12);
 }
 
 TEST(JetNote, NamesAJetThatMissesOrOnlyGrazes) {

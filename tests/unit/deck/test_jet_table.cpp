@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "deck/files/jet_table.hpp"
 #include "scene/jet.hpp"
+#include "scene/jet_kinds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,19 +59,20 @@ TEST(JetTable, RefusalsNameTheLine) {
 
 TEST(DiscreteSlugs, VoidBecomesLength) {
   std::string problem;
-  const auto slugs = discrete_slugs({{0.0, 1000.0, 1e-3, 2e-3, 4400.0}}, 17600.0, problem);
+  const auto table = table_slugs({{0.0, 1000.0, 1e-3, 2e-3, 4400.0}}, 17600.0, problem);
   ASSERT_EQ(problem, "");
+  const auto slugs = slugs_of_kind(table, JetKind::discrete, Mode::axisymmetric, 17600.0);
   EXPECT_DOUBLE_EQ(slugs[0].length, 0.5e-3);
   EXPECT_DOUBLE_EQ(slugs[0].density, 17600.0);
 }
 
-TEST(DiscreteSlugs, RulesOfATable) {
+TEST(TableSlugs, RulesOfATable) {
   std::string problem;
-  discrete_slugs({{1e-6, 1, 1, 1, 1}, {0.5e-6, 1, 1, 1, 1}}, 1.0, problem);
+  table_slugs({{1e-6, 1, 1, 1, 1}, {0.5e-6, 1, 1, 1, 1}}, 1.0, problem);
   EXPECT_NE(problem.find("launches slug 2"), std::string::npos);
-  discrete_slugs({{0, 1, 1, 1, 2}}, 1.0, problem);
+  table_slugs({{0, 1, 1, 1, 2}}, 1.0, problem);
   EXPECT_NE(problem.find("a density of 2"), std::string::npos);
-  discrete_slugs({{-1, 1, 1, 1, 1}}, 1.0, problem);
+  table_slugs({{-1, 1, 1, 1, 1}}, 1.0, problem);
   EXPECT_NE(problem.find("a launch time"), std::string::npos);
 }
 

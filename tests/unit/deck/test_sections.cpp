@@ -192,7 +192,7 @@ TEST(Sections, EveryEntryOfTheSchemaIsBoundOrReadByANamedFunction) {
       {"Contact/*/Material", "pair_at"},
       {"Contact/*/Other Material", "pair_at"},
       {"Jet/Material", "material_at"},
-      {"Jet/Slugs", "discrete_slugs"},
+      {"Jet/Slugs", "table_slugs"},
       {"Jet/Table", "include_jet_table"},
       {"Loads/*/Body", "body_named"},
       {"Loads/*/Faces", "read_faces"},

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The particles of a slug: how many, where, how heavy and how fast.
+#include "scene/jet_kinds.hpp"
+#include "state/balance.hpp"
 #include "step/jet/launch_jet.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
+
+#include <barreno/models.hpp>
+#include <cmath>
+#include <variant>
 
 namespace barreno {
 namespace {
@@ -87,6 +93,63 @@ TEST(LaunchJet, WhatIsBeyondTheGridIsNotLaunched) {
   launch(scene, 0.5, state);
   EXPECT_EQ(state.particles[0].count, 4 + 2);  // of rows at y = 15, 16 and 17 the first
   EXPECT_EQ(state.ledger.launched_mass, 2000.0);
+}
+
+/// Copper with voids, two slugs of half the density that follow each other.
+Scene kind_scene(JetKind kind, Mode mode) {
+  JetSpec jet;
+  jet.present = true;
+  jet.kind = kind;
+  jet.launch_position = 5e-3;
+  jet.particles_per_cell = 2;
+  const Material copper = testing::copper().material();
+  JohnsonCook::Parameters porous = std::get<JohnsonCook>(copper.model).parameters();
+  porous.expansion_strain = 1;
+  Scene scene = testing::box_scene(
+      mode,
+      1e-3,
+      {0.0, 0.0},
+      {16e-3, 16e-3},
+      Material{"copper", copper.density, Expanded<JohnsonCook>(porous, copper.density)}
+  );
+  jet.table = {
+      {1e-6, 2000.0, 3e-3, 2e-3, 0.5 * copper.density},
+      {2e-6, 1900.0, 2.5e-3, 1.9e-3, 0.5 * copper.density}};
+  jet.slugs = slugs_of_kind(jet.table, kind, mode, copper.density);
+  scene.jet = jet;
+  return scene;
+}
+
+/// What is launched is what the table says, whatever becomes of its voids.
+TEST(LaunchJet, EveryKindLaunchesTheTablesMassMomentumAndEnergy) {
+  for (const Mode mode : {Mode::axisymmetric, Mode::plane_strain})
+    for (const JetKind kind : {JetKind::discrete, JetKind::thinned, JetKind::continuous}) {
+      const Scene scene = kind_scene(kind, mode);
+      State state = testing::start_alone(scene);
+      launch(scene, 2.5e-6, state);
+      const JetTotals table = jet_table_totals(scene, 2);
+      const OwnLedger& ledger = state.ledger;
+      EXPECT_NEAR(double(ledger.launched_mass) / table.mass, 1.0, 1e-12) << word_of(kind);
+      EXPECT_NEAR(double(ledger.launched_momentum) / table.momentum, 1.0, 1e-12) << word_of(kind);
+      EXPECT_NEAR(double(ledger.launched_kinetic) / table.kinetic, 1.0, 1e-12) << word_of(kind);
+      const Particles& particles = state.particles[0];
+      const int last = Expanded<JohnsonCook>::history_count - 1;
+      for (int p = 0; p < particles.count; ++p) {
+        const double expansion = kind == JetKind::continuous ? 2.0 : 1.0;
+        const double own = scene.materials[0].density() * particles.volume(p) / particles.mass(p);
+        EXPECT_NEAR(own, expansion, 1e-12);
+        EXPECT_NEAR(particles.history(p, last), std::log(expansion), 1e-12);
+        EXPECT_EQ(particles.stress(p, 1), 0.0);
+        // The sound speed of a step is the solid's.
+        EXPECT_NEAR(
+            particles.longitudinal_modulus(p) * expansion,
+            std::get<Expanded<JohnsonCook>>(scene.materials[0].material().model)
+                .metal()
+                .longitudinal_modulus(Sym3{}, {0.0, 294.0, 0.0, 0.0}, 1.0),
+            1.0
+        );
+      }
+    }
 }
 
 }  // namespace
