@@ -144,6 +144,21 @@ class MoveJet(unittest.TestCase):
             self.assertIn(words, sentence)
             self.assertTrue(sentence.startswith("move_jet.py: "), sentence)
 
+    def test_the_generator_audits_every_kind(self):
+        """make_jet.py: what it prints is the shipped table, and the three kinds carry the same."""
+        printed = {}
+        for kind in ("discrete", "thinned", "continuous"):
+            done = subprocess.run([sys.executable, JETS / "make_jet.py", kind], capture_output=True, text=True, check=True)
+            printed[kind] = done.stdout
+        self.assertEqual(printed["discrete"], (JETS / "tungsten_154.csv").read_text(encoding="utf-8"))
+        rows = {kind: move_jet.read_table(io.StringIO(text), kind) for kind, text in printed.items()}
+        for kind in ("thinned", "continuous"):
+            for found, expected in zip(move_jet.totals(rows[kind]), move_jet.totals(rows["discrete"])):
+                self.assertAlmostEqual(found / expected, 1.0, delta=1e-8)  # nine digits of a table
+            self.assertTrue(all(row[5] > 0.999 for row in move_jet.with_filled_part(rows[kind])[1:-1]))
+        bad = subprocess.run([sys.executable, JETS / "make_jet.py", "solid"], capture_output=True, text=True)
+        self.assertEqual((bad.returncode, "is no kind of a jet" in bad.stderr), (1, True))
+
     def test_what_it_prints_is_a_table(self):
         done = subprocess.run(
             [sys.executable, JETS / "move_jet.py", JETS / "tungsten_154.csv", "--by", "0.05"], capture_output=True, text=True, check=True
