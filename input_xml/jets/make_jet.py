@@ -54,11 +54,10 @@ def slugs_of_kind(rows, kind):
     for (time, velocity, radius, length, density), before, behind in zip(rows, steps[:1] + steps, steps + steps[-1:]):
         whole = 0.5 * velocity * (before + behind)
         filled = length / whole
-        middle = time + 0.25 * (behind - before)
         if kind == "thinned":
-            result.append((middle, velocity, radius * math.sqrt(filled), whole, density))
+            result.append((time, velocity, radius * math.sqrt(filled), whole, density))
         else:
-            result.append((middle, velocity, radius, whole, density * filled))
+            result.append((time, velocity, radius, whole, density * filled))
     return result
 
 

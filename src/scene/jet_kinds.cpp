@@ -43,7 +43,6 @@ std::vector<JetSlug> touching_slugs(const std::vector<JetSlug>& table) {
     const double before =
         i == 0 ? table[1].time - table[0].time : table[i].time - table[i - 1].time;
     const double after = i + 1 == count ? before : table[i + 1].time - table[i].time;
-    slugs[i].time += 0.25 * (after - before);  // the middle of its passage
     slugs[i].length = 0.5 * (before + after) * table[i].velocity;
     slugs[i].density = table[i].density * table[i].length / slugs[i].length;
   }

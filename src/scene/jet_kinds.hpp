@@ -12,9 +12,9 @@ namespace barreno {
 /// kinetic energy, slug by slug. docs/jets.md
 
 /// The rows of a table with the lengths at which neighbours touch when they cross the launch plane:
-/// row i passes it from (t_i-1 + t_i) / 2 to (t_i + t_i+1) / 2, the first and the last in the
-/// interval next to them, so that length = velocity * duration. Mass is kept: the density is the
-/// mean one. A single row stays as it is.
+/// velocity times duration, from half-way between row i - 1 and i to half-way between i and i + 1;
+/// the first and the last last as long as the interval next to them. Mass is kept: the density is
+/// the mean one. Rows that touch, and a single one, stay as they are.
 std::vector<JetSlug> touching_slugs(const std::vector<JetSlug>& table);
 
 /// The slugs that are launched.
