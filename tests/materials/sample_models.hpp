@@ -59,6 +59,26 @@ struct Sample<Poroelastic> {
   }
 };
 
+/// Composition B, as in materials/cards/comp_b.xml, that bears a pressure before it burns.
+template <>
+struct Sample<JwlExplosive> {
+  static constexpr double density = 1717.0, elastic = 1e-3, plastic = 2e-2, pressure = 68.95e6;
+  static JwlExplosive::Parameters parameters() {
+    return {7980.0, 524.23e9, 7.678e9, 4.2, 1.1, 0.34, 8.5e9, 14e9, 2.5};
+  }
+  static std::vector<std::pair<JwlExplosive::Parameters, std::string>> contradictions() {
+    std::vector<std::pair<JwlExplosive::Parameters, std::string>> list(
+        3, {parameters(), "Detonation Speed"}
+    );
+    list[0].first.detonation_speed = 7890.0;  // 1.1 % too slow
+    list[1].first.r1 = 4.3;
+    list[2].first.a = 0.0;
+    list[2].first.b = -800e9;
+    list[2].second = "Energy";
+    return list;
+  }
+};
+
 template <>
 struct Sample<NeoHookean> {
   static constexpr double density = 1000.0, elastic = 1e-3, plastic = 2e-2, pressure = 0.5e6;

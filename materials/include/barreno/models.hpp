@@ -6,6 +6,7 @@
 #include "barreno/models/featured_arenisca.hpp"
 #include "barreno/models/general_arenisca.hpp"
 #include "barreno/models/johnson_cook.hpp"
+#include "barreno/models/jwl_explosive.hpp"
 #include "barreno/models/linear_elastic.hpp"
 #include "barreno/models/neo_hookean.hpp"
 #include "barreno/models/poroelastic.hpp"
@@ -26,6 +27,7 @@ namespace barreno {
 using AnyModel = std::variant<
     LinearElastic,
     Poroelastic,
+    JwlExplosive,
     NeoHookean,
     JohnsonCook,
     Expanded<JohnsonCook>,
