@@ -5,6 +5,7 @@
 #include "deck/sections/body_force_section.hpp"
 #include "deck/sections/body_section.hpp"
 #include "deck/sections/contact_section.hpp"
+#include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
 #include "deck/sections/jet_section.hpp"
@@ -38,6 +39,7 @@ input::Section build_schema() {
       section_of<PressureLoadSpec>(),
       section_of<ConfinementSection>(),
       section_of<JetSpec>(),
+      detonation_section(),
       section_of<BodyForceSpec>(),
       section_of<ContactSpec>(),
       pore_flow_section(),

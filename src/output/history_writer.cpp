@@ -52,7 +52,7 @@ HistoryWriter::HistoryWriter(
       "body_work,damped,stress_integration,transfer,removed_kinetic,energy_error,mass_error,"
       "momentum_error";
   for (const char* cause : removal_names) header += std::string(",removed_") + cause;
-  header += ",held,retried,friction,rigid_impulse,clipped,remembered";
+  header += ",held,retried,friction,rigid_impulse,clipped,remembered,explosive";
   for (const std::string& column : pore_flow_columns(scene)) header += "," + column;
   const std::vector<std::string> columns = reaction_columns(scene);
   for (const std::string& column : columns) header += "," + column;
@@ -66,7 +66,7 @@ HistoryWriter::HistoryWriter(
         "strain: per "
         "m of thickness; errors relative; removed, held, clipped (at Largest Domain, now): "
         "particles; retried: steps; remembered: kinetic energy that APIC's particles hold beside "
-        "kinetic" +
+        "kinetic; explosive: energy that explosives gave, their viscous heat taken off" +
         (scene.pore_flow.on() ? std::string(pore_flow_note) : std::string()) +
         (columns.empty() ? std::string() : note_on_reactions(scene))
     );
@@ -101,7 +101,8 @@ void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals&
       momentum_balance(l).error()};
   for (const RemovalTally& tally : l.removed) row.push_back(tally.count);
   row.insert(
-      row.end(), {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered}
+      row.end(),
+      {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered, l.explosive}
   );
   row.insert(row.end(), totals.pore_flow.begin(), totals.pore_flow.end());
   const bool first = before_.reactions.empty();

@@ -162,6 +162,7 @@ void put_balances(Json& json, const Ledger& l) {
   energy["fluid_work"] = number(l.fluid_work);
   energy["damped"] = number(l.damped);
   energy["prestress"] = number(l.prestress);
+  energy["explosive"] = number(l.explosive);
   put_balance(energy, energy_balance(l));
   energy["stress_integration_share"] = number(numerical_energy(l).stress_integration);
   energy["transfer_share"] = number(numerical_energy(l).transfer);

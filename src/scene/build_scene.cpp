@@ -57,15 +57,18 @@ GridSpec read_grid(const Deck& deck) {
 Material material_in(const Deck& deck, const std::string& name) {
   const std::string path = list_of<MaterialSection>(name);
   Teuchos::ParameterList list = deck.list(path);
-  // The deck's own word, which no model knows.
+  // The deck's own words, which no model knows.
   list.remove(name_of(&MaterialSection::bad_particles));
+  list.remove(name_of(&MaterialSection::largest_expansion), false);
   return make_material(name, list, deck.name(), path);
 }
 
 void add_materials(const Deck& deck, Scene& scene) {
   for (const std::string& name : deck.lists(table_of<MaterialSection>().path)) {
     const auto said = read_list<MaterialSection>(deck, list_of<MaterialSection>(name));
-    scene.materials.emplace_back(material_in(deck, name), said.bad_particles);
+    MaterialSpec& material =
+        scene.materials.emplace_back(material_in(deck, name), said.bad_particles);
+    if (said.largest_expansion) material.largest_expansion = said.largest_expansion;
   }
 }
 
@@ -137,6 +140,7 @@ Scene build_scene(const Deck& deck) {
   add_confinement(deck, scene);
   check_pore_pressures(deck, scene);
   add_jet(deck, scene);
+  add_detonation(deck, scene);
   add_body_force(deck, scene);
   check_rigid_bodies(deck, scene);
   add_contacts(deck, scene);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scene/burning.hpp"
 #include "scene/scene.hpp"
 #include "scene/voids.hpp"
 
@@ -13,7 +14,13 @@ namespace barreno {
 MaterialSpec::MaterialSpec(const Material& material, BadParticlePolicy policy)
     : bad_particles(policy),
       density_(material.density),
-      material_(std::make_shared<const Material>(material)) {}
+      material_(std::make_shared<const Material>(material)) {
+  const double own = std::visit(
+      [](const auto& model) { return own_largest_expansion<std::decay_t<decltype(model)>>; },
+      material.model
+  );
+  if (own > 0.0) largest_expansion = own;
+}
 
 const std::string& MaterialSpec::name() const {
   return material_->name;
@@ -53,10 +60,24 @@ double MaterialSpec::largest_porous_expansion() const {
   );
 }
 
+std::optional<double> MaterialSpec::detonation_speed() const {
+  return std::visit(
+      [](const auto& model) {
+        std::optional<double> speed;
+        if constexpr (burns_by_program<std::decay_t<decltype(model)>>)
+          speed = model.parameters().detonation_speed;
+        return speed;
+      },
+      material_->model
+  );
+}
+
 void MaterialSpec::scale_density(double factor) {
   Material scaled = *material_;
   scaled.density *= factor;
+  const std::optional<double> expansion = largest_expansion;
   *this = MaterialSpec(scaled, bad_particles);
+  largest_expansion = expansion;
 }
 
 }  // namespace barreno

@@ -4,6 +4,7 @@
 #include "deck/sections/body_force_section.hpp"
 #include "deck/sections/body_section.hpp"
 #include "deck/sections/contact_section.hpp"
+#include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/load_sections.hpp"
@@ -15,6 +16,7 @@
 
 #include <barreno/describe.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,10 +45,14 @@ public:
   /// Of a metal that holds voids: solid over mean density above which heat alone keeps a shock from
   /// compressing it beyond its own density; infinite of others.
   double largest_porous_expansion() const;
+  /// Speed with which an explosive burns; without: it is none [length/time]
+  std::optional<double> detonation_speed() const;
   double density() const { return density_; }  ///< at reference [mass/length^3]
   void scale_density(double factor);
 
   BadParticlePolicy bad_particles;
+  /// V / V_ref beyond which a particle counts as bad; without: that of the step [-]
+  std::optional<double> largest_expansion;
 
 private:
   double density_;  ///< the material's, for those who do not include it
@@ -67,6 +73,7 @@ struct Scene {
   std::vector<ConditionSpec> conditions;
   std::vector<PressureLoadSpec> loads;
   std::vector<ContactSpec> contacts;
+  DetonationSpec detonation;
   JetSpec jet;
   BodyForceSpec body_force;
   PoreFlowSpec pore_flow;

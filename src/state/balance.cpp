@@ -72,8 +72,8 @@ double Balance::error() const {
 namespace {
 
 double energy_put_in(const Ledger& l) {
-  return l.initial_kinetic + l.launched_kinetic + l.prestress + std::abs(l.boundary_work) +
-         std::abs(l.body_work);
+  return l.initial_kinetic + l.launched_kinetic + l.prestress + std::abs(l.explosive) +
+         std::abs(l.boundary_work) + std::abs(l.body_work);
 }
 double energy_moved(const Ledger& l) {
   return std::max({std::abs(l.fluid_work), std::abs(l.transfer), std::abs(l.stress_integration)});
@@ -91,7 +91,7 @@ Balance momentum_balance(const Ledger& l) {
                         l.load_impulse + l.body_impulse + l.damping_impulse + l.rigid_impulse;
   // Net momenta may cancel (a standing wave, a load across y): the roots are what the same energy
   // carries one way.
-  const double work = std::abs(l.boundary_work) + std::abs(l.body_work);
+  const double work = std::abs(l.explosive) + std::abs(l.boundary_work) + std::abs(l.body_work);
   const double scale = std::sqrt(2.0 * l.initial_mass * l.initial_kinetic) +
                        std::sqrt(2.0 * l.launched_mass * l.launched_kinetic) +
                        std::sqrt(2.0 * l.initial_mass * work) + std::abs(l.condition_impulse) +
@@ -107,8 +107,8 @@ Balance momentum_balance(const Ledger& l) {
 Balance energy_balance(const Ledger& l) {
   const double found = l.kinetic + l.elastic + l.plastic + l.viscous + l.friction + l.damped +
                        total_removed(l).kinetic;
-  const double put_in =
-      l.initial_kinetic + l.launched_kinetic + l.prestress + l.boundary_work + l.body_work;
+  const double put_in = l.initial_kinetic + l.launched_kinetic + l.prestress + l.explosive +
+                        l.boundary_work + l.body_work;
   return {
       found - put_in - l.fluid_work - l.transfer - l.stress_integration,
       energy_put_in(l),

@@ -39,7 +39,7 @@ Balance mass_balance(const Ledger& ledger);
 Balance momentum_balance(const Ledger& ledger);
 
 /// The remainder of the identity at `Ledger`, relative to initial_kinetic + launched + prestress +
-/// |boundary_work| + |body_work|, or to the largest of |fluid_work|, |transfer| and
+/// |explosive| + |boundary_work| + |body_work|, or to the largest of |fluid_work|, |transfer| and
 /// |stress_integration|.
 Balance energy_balance(const Ledger& ledger);
 

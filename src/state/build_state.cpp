@@ -8,6 +8,7 @@
 #include "grid/tiles.hpp"
 #include "scene/body_force.hpp"
 #include "scene/dormant.hpp"
+#include "scene/lighting.hpp"
 #include "scene/porous.hpp"
 #include "scene/voids.hpp"
 #include "shape/visit_kernels.hpp"
@@ -335,6 +336,21 @@ std::vector<Reaction> reactions_of(const Scene& scene, const VelocityFields& fie
 /// Particles that are added at once: enough for a kernel, few beside those of a run.
 constexpr std::size_t particles_at_once = 4096;
 
+/// When the detonation comes to a particle of an explosive body.
+/// @throws NumericalError  where it never does
+void put_lighting_time(const Scene& scene, const BodySpec& body, int p, Particles& particles) {
+  if (!particles.burn_columns.burns()) return;
+  const double time =
+      lighting_time(scene.detonation, scene.grid.mode, vector_of(particles.position, p));
+  if (!std::isfinite(time))
+    throw NumericalError(
+        "Bodies/" + body.name +
+        " has a part thinner than a cell that the detonation does not reach around obstacles. Make "
+        "cells smaller, or write Detonation/Lighting = straight."
+    );
+  particles.history(p, particles.burn_columns.lighting) = time;
+}
+
 /// What the scene lays on the particles of a body, row by row of what was made.
 void put_loads(
     const Scene& scene,
@@ -349,6 +365,7 @@ void put_loads(
       particles.loaded_faces(p) =
           loaded_face_bits(scene, static_cast<int>(b), made[k].loaded_sides);
     put_shares(scene, scene.bodies[b], p, particles);
+    put_lighting_time(scene, scene.bodies[b], p, particles);
     put_velocity_gradient(scene, scene.bodies[b], made[k], p, particles);
   }
 }

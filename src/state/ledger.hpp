@@ -24,8 +24,9 @@ using RemovalTally = RemovalTallyOf<double>;
 /// difference. Sums since t = 0 unless said otherwise.
 ///
 ///   kinetic + elastic + plastic + viscous + friction + damped + removed
-///     = initial_kinetic + launched + prestress + boundary_work + body_work + fluid_work + transfer
-///     + stress_integration + remainder
+///     = initial_kinetic + launched + prestress + explosive + boundary_work + body_work +
+///     fluid_work
+///     + transfer + stress_integration + remainder
 ///
 /// `elastic` keeps what later removed particles had stored; `removed` is their kinetic energy.
 template <class Number>
@@ -39,6 +40,7 @@ struct LedgerTerms {
   Number elastic{};             ///< prestress plus recoverable work since then
   Number plastic{};             ///< dissipated work of the materials
   Number viscous{};             ///< work of the artificial viscosity
+  Number explosive{};           ///< sum V_ref (E0 - E) of explosives, in no other term
   Number friction{};            ///< dissipated by surfaces that slide on each other
   Number boundary_work{};       ///< of loads, moving conditions and rigid bodies on the material
   Number fluid_work{};          ///< that pore fluid brings into the rock where it flows in

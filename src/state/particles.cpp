@@ -3,6 +3,7 @@
 
 #include "base/rows.hpp"
 #include "scene/body_force.hpp"
+#include "scene/burning.hpp"
 #include "scene/heat.hpp"
 #include "shape/shape_facts.hpp"
 #include "state/surface_share.hpp"
@@ -16,6 +17,19 @@ namespace {
 
 int history_components(const AnyModel& model) {
   return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::history_count; }, model);
+}
+
+BurnColumns burn_columns_of(const AnyModel& any) {
+  return std::visit(
+      [](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        BurnColumns columns;
+        if constexpr (burns_by_program<Model>)
+          columns = {Model::lighting_column, Model::burn_column};
+        return columns;
+      },
+      any
+  );
 }
 
 template <class View>
@@ -81,6 +95,7 @@ Particles make_particles(const Scene& scene, int material) {
   p.half_size = {"half_size", dim::length, d, {}};
   p.viscous_pressure = {"viscous_pressure", dim::stress, 1, {}};
   p.longitudinal_modulus = {"longitudinal_modulus", dim::stress, 1, {}};
+  p.burn_columns = burn_columns_of(m.model);
   p.history = {"history", dim::none, history_components(m.model), {}};
   p.reference_position = {
       "reference_position",

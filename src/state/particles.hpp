@@ -44,6 +44,12 @@ KOKKOS_INLINE_FUNCTION int index_of(CellKey key) {
 /// then: what is left of the step has the particle in its tile.
 enum class Fault : unsigned char { none, failed, expanded, inverted };
 
+/// Columns of an explosive's history that hold lighting time and burnt fraction; -1 of others.
+struct BurnColumns {
+  int lighting = -1, burn = -1;
+  KOKKOS_INLINE_FUNCTION bool burns() const { return lighting >= 0; }
+};
+
 /// All particles of one material: structure of arrays, `count` rows used of `capacity`.
 /// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
 /// particles has one order, whatever their history or rank count.
@@ -56,7 +62,8 @@ struct Particles {
   double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set
   double isolated_courant = 1.0;  ///< of isolated_courant()
   TallyScales tally_scales;       ///< of tally_scales()
-  bool sorted = false;            ///< order and tile_begin belong to the present rows and tiles
+  BurnColumns burn_columns;
+  bool sorted = false;  ///< order and tile_begin belong to the present rows and tiles
 
   ArrayView<ParticleId> id;  ///< unique over the run; files sort by it
   ArrayView<int> body;  ///< index into Scene::bodies, or its size for the jet; debris_bit: debris

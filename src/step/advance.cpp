@@ -51,7 +51,8 @@ void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTa
       state.subcycling,
       state.dormancy,
       state.nodes.front(),
-      state.effort
+      state.effort,
+      state.clock.time + (state.subcycling.most + 1) * dt
   );  // which may keep their sums
   project_sets(state.grid, state.particles, state.nodes, state.effort);  // m, p, f  (2.1-2.3)
   apply_loads(scene, state);                               // pressures, body force    (2.4)
@@ -85,15 +86,18 @@ void strain_again(const Scene& scene, const Clock& clock, double dt, State& stat
 /// Stress last (USL): strain from v'.
 void step_usl(const Scene& scene, double& dt, State& state, StepTally& tally, StepResult& result) {
   solve_momentum_balance(scene, dt, state, tally);
-  update_sets(set_update(scene, state), tally, result);  // v, x, F, sigma (2.7-2.9)
+  update_sets(
+      set_update(scene, state.clock.time + dt, state), tally, result
+  );  // v, x, F, sigma (2.7-2.9)
 }
 
 /// Modified stress last (MUSL): strain from the new velocities of particles, weights as before.
 void step_musl(const Scene& scene, double& dt, State& state, StepTally& tally, StepResult& result) {
   solve_momentum_balance(scene, dt, state, tally);
-  accelerate_sets(set_update(scene, state), tally);
+  const double end = state.clock.time + dt;
+  accelerate_sets(set_update(scene, end, state), tally);
   strain_again(scene, state.clock, dt, state);
-  move_and_strain_sets(set_update(scene, state), tally, result);
+  move_and_strain_sets(set_update(scene, end, state), tally, result);
 }
 
 /// Stress first (USF): the strain of the last step is found where the particles have come to. The
@@ -102,12 +106,12 @@ void step_usf(const Scene& scene, double& dt, State& state, StepTally& tally, St
   const Clock& clock = state.clock;
   if (clock.dt > 0.0) {
     strain_again(scene, {clock.time - clock.dt, clock.dt, clock.step - 1}, clock.dt, state);
-    strain_sets(set_update(scene, state), tally, result);
+    strain_sets(set_update(scene, clock.time, state), tally, result);
   } else {
     tally.stress.stable_step = state.stable_step;
   }
   solve_momentum_balance(scene, dt, state, tally);
-  accelerate_and_move_sets(set_update(scene, state), tally);
+  accelerate_and_move_sets(set_update(scene, state.clock.time + dt, state), tally);
 }
 
 /// All of a step, or one of the parts of Subcycling, in which all nodes move and the particles of

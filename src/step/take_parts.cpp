@@ -49,7 +49,7 @@ void end_or_carry_steps(
     return;
   }
   move_other_tiles(scene, dt, state);
-  update_sets(set_update(scene, state), tally, result);
+  update_sets(set_update(scene, state.clock.time + dt, state), tally, result);
   agree_on_failure(scene.materials, *state.grid.comm, result);
   tally_all_momentum(state, tally.moved);
   // Chunks that this left as they are had moved before.

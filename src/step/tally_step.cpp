@@ -36,6 +36,7 @@ void tally_step(const StepTally& tally, OwnLedger& ledger, std::vector<Reaction>
   ledger.elastic += stress.elastic;
   ledger.plastic += stress.plastic;
   ledger.viscous += stress.viscous;
+  ledger.explosive += stress.explosive;
   ledger.stress_integration += grid.force_work;
   ledger.stress_integration += grid.damped;
   ledger.stress_integration -= grid.absorbed;

@@ -67,7 +67,7 @@ void strain_after(
     StepTally& tally,
     StepResult& result
 ) {
-  const auto& [materials, step, grid, dormancy, sets, ledger, effort] = update;
+  const auto& [materials, step, grid, dormancy, sets, ledger, effort, end] = update;
   double clipped = 0.0;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     if (sets[s].rigid) continue;
@@ -76,7 +76,7 @@ void strain_after(
     for_each_set_block(update, s, [&](Rows rows, Particles& particles) {
       first(rows, particles);
       update_deformation(update.grid.mode, rows, gradient, particles);
-      add(update_stress(material, update.step, update.grid, rows, particles), set);
+      add(update_stress(material, update.step, update.grid, update.end, rows, particles), set);
     });
     add(tally_domains(step, material.bad_particles, grid, sets[s]), set, clipped);
     apply_policy(material.bad_particles, sets[s].material, set, ledger, result);
@@ -88,7 +88,7 @@ void strain_after(
 
 }  // namespace
 
-SetUpdate set_update(const Scene& scene, State& state) {
+SetUpdate set_update(const Scene& scene, double end, State& state) {
   return {
       scene.materials,
       scene.step,
@@ -96,7 +96,8 @@ SetUpdate set_update(const Scene& scene, State& state) {
       state.dormancy,
       state.particles,
       state.ledger,
-      state.effort};
+      state.effort,
+      end};
 }
 
 void update_sets(const SetUpdate& update, StepTally& tally, StepResult& result) {

@@ -16,8 +16,9 @@ struct SetUpdate {
   std::vector<Particles>& sets;
   OwnLedger& ledger;  ///< its `held` and `clipped`
   Effort& effort;
+  double end;  ///< of the step [time]
 };
-SetUpdate set_update(const Scene& scene, State& state);
+SetUpdate set_update(const Scene& scene, double end, State& state);
 
 /// What is done to all particles that forces move, block after block (base/rows.hpp): each function
 /// takes the verbs that its order of the step has neighbours. docs/method.md (2.7-2.9)

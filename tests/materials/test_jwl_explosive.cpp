@@ -150,10 +150,12 @@ TEST(JwlExplosive, BurnsAcrossItsWidthAndNeverBack) {
   EXPECT_NEAR(burnt_at(2e-6 + 0.25 * whole), 0.25, 1e-12);
   EXPECT_NEAR(burnt_at(2e-6 + 0.20 * whole), 0.25, 1e-12);  // a coarser cell, say
   EXPECT_EQ(burnt_at(2e-6 + 1.5 * whole), 1.0);
-  EXPECT_FALSE(JwlExplosive::burns(1.0, history));
-  history.burn = 0.5;
-  EXPECT_TRUE(JwlExplosive::burns(3e-6, history));
-  EXPECT_FALSE(JwlExplosive::burns(2e-6, history));
+}
+
+TEST(JwlExplosive, NamesTheColumnsOfItsProgram) {
+  const auto table = JwlExplosive::history_table();
+  EXPECT_STREQ(table[JwlExplosive::lighting_column].name, "lighting_time");
+  EXPECT_STREQ(table[JwlExplosive::burn_column].name, "burn");
 }
 
 /// What a point gives while it burns and expands is what its energy loses, viscous heat included.

@@ -30,6 +30,14 @@ SectionTable<MaterialSection> material_table() {
            "Bad Particles",
            "what happens to a particle whose update fails, that expands too far or is inverted; "
            "one that leaves the grid is always removed"
+       ),
+       if_given(
+           &MaterialSection::largest_expansion,
+           "Largest Expansion",
+           dim::none,
+           above(1.0),
+           "V / V_ref beyond which a particle of this material counts as bad; without it 100 for "
+           "explosives, else that of Step"
        )},
       "one material: a card, a model with its parameters, or a card with single values overridden"};
 }

@@ -24,6 +24,7 @@ inline Words<BadParticlePolicy> words_of(BadParticlePolicy /*of*/) {
 struct MaterialSection {
   std::optional<std::string> card;  ///< its file
   BadParticlePolicy bad_particles = BadParticlePolicy::remove;
+  std::optional<double> largest_expansion;  ///< V / V_ref; without: the model's or the step's
 };
 template <>
 const SectionTable<MaterialSection>& table_of<MaterialSection>();

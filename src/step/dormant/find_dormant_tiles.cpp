@@ -55,10 +55,16 @@ struct AxialPlanes {
 };
 
 /// Counts the rows of a set in each tile. A tile is not a candidate if a row moves: if it has a
-/// velocity, or a viscous pressure, which would vanish in the step.
+/// velocity, or a viscous pressure, which would vanish in the step, or burns until `horizon`.
 void look_at_rows(
-    int tiles, const Particles& particles, const Subcycling& subcycling, const Dormancy& dormancy
+    int tiles,
+    const Particles& particles,
+    const Subcycling& subcycling,
+    const Dormancy& dormancy,
+    double horizon
 ) {
+  const FieldView history = particles.history.values;
+  const BurnColumns columns = particles.burn_columns;
   const ArrayView<int> tile_begin = particles.tile_begin, order = particles.order;
   const FieldView velocity = particles.velocity.values;
   const FieldView viscous = particles.viscous_pressure.values;
@@ -75,6 +81,9 @@ void look_at_rows(
           const int p = order(k);
           moves = viscous(p, 0) != 0.0;
           for (int d = 0; d < dimensions; ++d) moves = moves || velocity(p, d) != 0.0;
+          if (columns.burns())
+            moves =
+                moves || (history(p, columns.lighting) < horizon && history(p, columns.burn) < 1.0);
         }
         if (moves) dormancy.candidate(tile) = 0;
       }
@@ -180,7 +189,8 @@ void find_dormant_candidates(
     const Subcycling& subcycling,
     Dormancy& dormancy,
     Nodes& nodes,
-    Effort& effort
+    Effort& effort,
+    double horizon
 ) {
   if (!dormancy.on) return;
   const Region region("find_dormant_candidates");
@@ -197,7 +207,7 @@ void find_dormant_candidates(
       }
   );
   for (const Particles& particles : sets)
-    look_at_rows(grid.active, particles, subcycling, dormancy);
+    look_at_rows(grid.active, particles, subcycling, dormancy, horizon);
   add_finer_tiles(grid, subcycling, dormancy);
   const ArrayView<unsigned char> sums_kept = nodes.sums_kept;
   const AxialPlanes planes(grid);

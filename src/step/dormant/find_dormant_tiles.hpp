@@ -17,6 +17,9 @@ namespace barreno {
 /// sums of the step before (Nodes::sums_kept): their particles have not changed since.
 /// docs/method.md 9
 ///
+/// @param horizon  what the detonation reaches until then is awake: the end of the longest step
+/// that
+///                 a tile may begin now [time]
 /// @pre the particles are in their tiles (place_particles)
 void find_dormant_candidates(
     const Grid& grid,
@@ -24,7 +27,8 @@ void find_dormant_candidates(
     const Subcycling& subcycling,
     Dormancy& dormancy,
     Nodes& nodes,
-    Effort& effort
+    Effort& effort,
+    double horizon
 );
 
 /// The dormant tiles: candidates none of whose nodes moves by more than Dormancy::motion cells in a

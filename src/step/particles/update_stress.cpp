@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
+#include "scene/burning.hpp"
 #include "scene/heat.hpp"
 #include "scene/voids.hpp"
 #include "state/bad_particle.hpp"
@@ -31,6 +32,7 @@ struct UpdateStress {
   BadParticlePolicy policy;
   double reference_density;
   double largest_expansion;
+  double end_time;  ///< of the step
   RowFrames frames;
 
   /// Sums over the lanes' own rows.
@@ -106,10 +108,14 @@ struct UpdateStress {
     begun.density = begun.mass / begun.volume;
     begun.rate = trace(increment.strain) * (1.0 / frame.dt);
     begun.q = rule.viscous_pressure(begun.cell_size, begun.density, begun.old_modulus, begun.rate);
+    update.history = group.get_history(particles.history);
+    if constexpr (burns_by_program<Model>) {
+      model.burn(end_time, begun.cell_size, update.history);
+      begun.q = real::select(update.history.burn > 0.0, begun.q, 0.0);
+    }
     increment.viscous_pressure = 0.5 * (begun.old_q + begun.q);
     begun.old_stress = group.get_tensor(particles.stress, components);
     update.stress = begun.old_stress;
-    update.history = group.get_history(particles.history);
     return update;
   }
 
@@ -159,9 +165,13 @@ struct UpdateStress {
     const auto enter = [&](const R& energy, RowSum<R>& sum, ReproducibleSum& beyond) {
       sum.add(real::select(good, energy, 0.0), scales, beyond);
     };
-    enter(elastic_work, tally.elastic, sums.elastic);
-    enter(reference_volume * outcome.plastic_work, tally.plastic, sums.plastic);
-    enter(viscous, tally.viscous, sums.viscous);
+    if constexpr (burns_by_program<Model>) {
+      enter(-elastic_work - viscous, tally.elastic, sums.explosive);
+    } else {
+      enter(elastic_work, tally.elastic, sums.elastic);
+      enter(reference_volume * outcome.plastic_work, tally.plastic, sums.plastic);
+      enter(viscous, tally.viscous, sums.viscous);
+    }
     enter(stress_work, tally.stress_work, sums.stress_work);
     R speed_squared{};
     for (int d = 0; d < particles.velocity.components; ++d) {
@@ -234,7 +244,7 @@ struct UpdateStress {
       update_in_parts(rows, tally, sums);
     else
       update_groups(rows, tally, sums);
-    tally.elastic.add_to(sums.elastic);
+    tally.elastic.add_to(burns_by_program<Model> ? sums.explosive : sums.elastic);
     tally.plastic.add_to(sums.plastic);
     tally.viscous.add_to(sums.viscous);
     tally.stress_work.add_to(sums.stress_work);
@@ -263,6 +273,7 @@ StressTally update_stress(
     const MaterialSpec& spec,
     const StepSpec& step,
     const Grid& grid,
+    double end,
     Rows rows,
     Particles& particles
 ) {
@@ -278,7 +289,8 @@ StressTally update_stress(
             StepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
             spec.bad_particles,
             spec.density(),
-            step.largest_expansion,
+            spec.largest_expansion.value_or(step.largest_expansion),
+            end,
             RowFrames(grid, particles)};
         // A model that packs its yielding points needs many of them at once.
         constexpr int together = updates_in_parts<Model, typename RealFor<Model>::type>

@@ -15,6 +15,7 @@ namespace barreno {
 /// of one set.
 struct StressTally {
   ReproducibleSum elastic, plastic, viscous;  ///< of the materials [energy]
+  ReproducibleSum explosive;  ///< what explosives gave, which enter none of these [energy]
   ReproducibleSum
       stress_work;  ///< trapezoid of (sigma - q I) : d_eps V, the particles' view of the same work
   double stable_step = std::numeric_limits<double>::infinity();  ///< smallest of the set [time]
@@ -27,6 +28,7 @@ KOKKOS_INLINE_FUNCTION void add(const StressTally& part, StressTally& sum) {
   sum.elastic += part.elastic;
   sum.plastic += part.plastic;
   sum.viscous += part.viscous;
+  sum.explosive += part.explosive;
   sum.stress_work += part.stress_work;
   sum.stable_step = std::fmin(sum.stable_step, part.stable_step);
   sum.failures += part.failures;
@@ -42,11 +44,15 @@ KOKKOS_INLINE_FUNCTION void add(const StressTally& part, StressTally& sum) {
 /// rubble that no continuum describes, and counts as failed. The material's particle policy marks
 /// it for removal or holds it stress-free.
 ///
+/// An explosive burns first, and has no viscosity where nothing has burnt.
+///
+/// @param end  of the step [time]
 /// @pre particles.increment holds the strain increment and the old volume (update_deformation)
 StressTally update_stress(
     const MaterialSpec& spec,
     const StepSpec& step,
     const Grid& grid,
+    double end,
     Rows rows,
     Particles& particles
 );

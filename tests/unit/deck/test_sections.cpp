@@ -5,6 +5,7 @@
 #include "deck/sections/body_force_section.hpp"
 #include "deck/sections/body_section.hpp"
 #include "deck/sections/contact_section.hpp"
+#include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
 #include "deck/sections/jet_section.hpp"
@@ -96,6 +97,8 @@ using All = ::testing::Types<
     PressureLoadSpec,
     ConfinementSection,
     JetSpec,
+    DetonationSpec,
+    DetonatorSpec,
     BodyForceSpec,
     ContactSpec,
     PoreFlowSpec,

@@ -123,6 +123,7 @@ struct JwlExplosive {
   };
   using History = HistoryOf<double>;
   static constexpr int history_count = 3;
+  static constexpr int lighting_column = 0, burn_column = 1;  ///< of the history
   /// Products expand far more than solids before a step need not follow them [-]; the pressure on
   /// the isentrope of Comp B is 2 MPa there.
   static constexpr double largest_expansion = 100.0;
@@ -221,10 +222,6 @@ struct JwlExplosive {
     constexpr double least = 1e-4;
     history.burn = real::select((lit >= least) & (lit > history.burn), lit, history.burn);
   }
-  /// Whether a point at rest burns in a step that ends at `time`.
-  BARRENO_FUNCTION static bool burns(double time, const History& history) {
-    return time > history.lighting_time && history.burn < 1.0;
-  }
 
   /// @param[in]     increment dt, volume ratios and viscous pressure of the step
   /// @param[in,out] stress    unrotated Cauchy stress, an isotropic one [stress]
@@ -263,9 +260,9 @@ struct JwlExplosive {
     const R p = real::larger(R(fixed + slope * known / implicit), 0.0);
     const R elastic_work = -0.5 * (p_n + p) * change;
     const R energy = begin + elastic_work - increment.viscous_pressure * change;
-    // One sum for all: it is finite only if every term is.
-    const auto& e = increment.strain;
-    const R sum = e.xx + e.yy + e.zz + e.xy + e.yz + e.zx + stress.xx + stress.yy + stress.zz +
+    // One sum for all: it is finite only if every term is. The strain is not used, but a strain
+    // that is no motion is refused.
+    const R sum = contract(increment.strain, increment.strain) + stress.xx + stress.yy + stress.zz +
                   stress.xy + stress.yz + stress.zx + increment.dt + p + energy + v + history.burn +
                   history.lighting_time;
     const MaskOf<R> sound = real::is_finite(sum) & (increment.dt >= 0.0) &
@@ -332,5 +329,12 @@ private:
   JwlProducts eos_;
   double inverse_density_;  ///< 1 / rho0: energy per mass from energy per reference volume
 };
+
+/// Neither the solid nor its products resist shear [stress].
+inline double shear_modulus(
+    const JwlExplosive& /*model*/, const Sym3& /*stress*/, const JwlExplosive::History& /*h*/
+) {
+  return 0.0;
+}
 
 }  // namespace barreno

@@ -39,7 +39,8 @@ void find_candidates(State& state) {
       state.subcycling,
       state.dormancy,
       state.nodes.front(),
-      state.effort
+      state.effort,
+      state.clock.time
   );
 }
 /// With nodes of which none moves in the first tile, and some in the second.

@@ -32,7 +32,7 @@ void set_increment(Particles& particles, double xx, double yy, double xy) {
 StressTally update(const Scene& scene, State& state) {
   Particles& particles = state.particles[0];
   return update_stress(
-      scene.materials[0], scene.step, state.grid, testing::all_rows_of(particles), particles
+      scene.materials[0], scene.step, state.grid, 0.0, testing::all_rows_of(particles), particles
   );
 }
 
