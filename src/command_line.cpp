@@ -23,11 +23,12 @@ const char* const exit_codes =
     "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, 3 numerical failure, 4 internal,\n"
     "128 + the number of the signal that ended the run.";
 const char* const other_words =
-    "barreno COMMAND --help describes a command in detail. In the source tree ./barreno also has\n"
-    "report FOLDER (pictures and numbers of a run), converge DECK (order and interval of its "
-    "depth),\n"
-    "sweep DECK (several values of its parameters), compare RUN RUN (runs side by side),\n"
-    "fit DATA (a card from laboratory tests) and test.\n\n";
+    "barreno COMMAND --help describes a command in detail. ./barreno of the source tree and "
+    "barreno of\n"
+    "an installation also have report FOLDER (pictures and numbers of a run), converge DECK "
+    "(order\n"
+    "and interval of its depth), sweep DECK (several values of its parameters), compare RUN RUN\n"
+    "(runs side by side) and fit DATA (a card from laboratory tests).\n\n";
 
 /// Options of CLI11 back to what this code knows of them.
 using Known = std::map<const CLI::Option*, const OptionPage*>;
@@ -95,7 +96,9 @@ bool is_option(const std::string& word) {
   for (const auto& [name, operand] : source_commands) {
     if (word != name) continue;
     std::string sentence = word;
-    sentence += " is a command of the source tree (it draws with Python); write there ./barreno ";
+    sentence +=
+        " is a command of ./barreno in the source tree and of an installed barreno, not of this "
+        "program alone; write ./barreno ";
     throw DeckError(sentence.append(word).append(" ").append(operand).append("."));
   }
   std::vector<std::string> names;

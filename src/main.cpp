@@ -64,7 +64,8 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       BARRENO_VERSION,
       notes_of(deck, scene),
       prediction,
-      deck.surface_files};
+      deck.surface_files,
+      build_facts()};
   catch_signals();  // before this nothing is lost
   Output output(scene, state, description);
   output.write_if_due(scene, state);
@@ -99,7 +100,7 @@ int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
     case Command::run:
       return run_deck(options, comm);
     case Command::resume:
-      return resume(options.deck_file, options.overrides, comm);
+      return resume(options.deck_file, options.overrides, build_facts(), comm);
     case Command::check:
       return check_deck(options, comm);
     case Command::drive: {

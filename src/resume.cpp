@@ -68,6 +68,7 @@ std::unique_ptr<FolderLock> lock_if_there(const Comm& comm, const std::filesyste
 int resume(
     const std::filesystem::path& folder,
     const std::vector<std::string>& overrides,
+    const BuildFacts& build,
     const Teuchos::RCP<const Comm>& comm
 ) {
   const std::unique_ptr<FolderLock> lock = lock_if_there(*comm, folder);
@@ -87,7 +88,7 @@ int resume(
       to_text(number_of(checkpoint.numbers, "step"))
   );
   const std::string text = overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
-  const RunDescription description{folder, file, text, BARRENO_VERSION, notes};
+  const RunDescription description{folder, file, text, BARRENO_VERSION, notes, {}, {}, build};
   RunNumbers position = checkpoint.output;
   position["time"] = checkpoint.numbers.at("time");
   catch_signals();

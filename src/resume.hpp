@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/gather.hpp"
+#include "output/output.hpp"
 
 #include <Teuchos_RCP.hpp>
 
@@ -14,6 +15,7 @@ namespace barreno {
 /// Goes on with the run of a folder from its last whole checkpoint, to its end time or the one that
 /// `overrides` assign; its files are continued. Collective.
 ///
+/// @param build  of this program, for summary.json
 /// @return the exit code
 /// @throws DeckError if the deck is not that of the checkpoint, or the run is at its end
 /// @throws FileError if there is no whole checkpoint, or other files of the run are not as it left
@@ -21,6 +23,7 @@ namespace barreno {
 int resume(
     const std::filesystem::path& folder,
     const std::vector<std::string>& overrides,
+    const BuildFacts& build,
     const Teuchos::RCP<const Comm>& comm
 );
 

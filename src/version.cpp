@@ -23,13 +23,25 @@ std::string mpi_version() {
 
 }  // namespace
 
-std::string version_text() {
+BuildFacts build_facts() {
   const int kokkos = KOKKOS_VERSION;
-  return std::string("barreno ") + BARRENO_VERSION + "\n" + "commit      " + BARRENO_COMMIT + "\n" +
-         "compiler    " + BARRENO_COMPILER + "\n" + "Trilinos    " + TRILINOS_VERSION_STRING +
-         "\n" + "Kokkos      " + std::to_string(kokkos / 10000) + "." +
-         std::to_string(kokkos / 100 % 100) + "." + std::to_string(kokkos % 100) + ", " +
-         Kokkos::DefaultExecutionSpace::name() + "\n" + "MPI         " + mpi_version() + "\n";
+  const std::string number = std::to_string(kokkos / 10000) + "." +
+                             std::to_string(kokkos / 100 % 100) + "." +
+                             std::to_string(kokkos % 100);
+  return {
+      {"commit", BARRENO_COMMIT},
+      {"compiler", BARRENO_COMPILER},
+      {"Trilinos", TRILINOS_VERSION_STRING},
+      {"Kokkos", number + ", " + Kokkos::DefaultExecutionSpace::name()},
+      {"MPI", mpi_version()}};
+}
+
+std::string version_text() {
+  constexpr std::size_t width = 12;
+  std::string text = std::string("barreno ") + BARRENO_VERSION + "\n";
+  for (const auto& [name, value] : build_facts())
+    text += name + std::string(width - name.size(), ' ') + value + "\n";
+  return text;
 }
 
 }  // namespace barreno

@@ -7,6 +7,7 @@
 #include <barreno/input/scan_xml.hpp>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -62,8 +63,10 @@ std::string find_script() {
   return {};
 }
 
-/// The distribution's own, which has its packages; another one only where that is missing.
+/// The one that the user names, or the distribution's own, which has its packages; another one only
+/// where that is missing.
 std::string find_python() {
+  if (const char* const named = std::getenv("BARRENO_PYTHON")) return named;
   const char* const own = "/usr/bin/python3";
   return access(own, X_OK) == 0 ? own : "python3";
 }

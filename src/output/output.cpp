@@ -75,6 +75,14 @@ bool has_reader() {
   return said != nullptr && std::string(said) == "1";
 }
 
+/// The records of particles.e: the deck, then what computed it.
+std::vector<std::string> information_of(const RunDescription& run) {
+  std::vector<std::string> lines = lines_of(run.deck_text);
+  for (const auto& [name, value] : run.build)
+    lines.push_back("<!-- " + name + ": " + value + " -->");
+  return lines;
+}
+
 Output::Parts::Parts(
     const Scene& scene,
     const State& state,
@@ -119,7 +127,7 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
       state,
       run.folder / "particles.e",
       run.version,
-      lines_of(run.deck_text),
+      information_of(run),
       KeptFields{static_cast<int>(kept("fields_kept")), static_cast<int>(kept("fields_files"))}
   );
   PreviousRow before;

@@ -10,9 +10,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace barreno {
+
+/// Name and value of what the program was built from: commit, compiler, libraries.
+using BuildFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// What the output must know beside scene and state.
 struct RunDescription {
@@ -23,6 +27,7 @@ struct RunDescription {
   std::vector<std::string> notes;       ///< further lines for the first block on the screen
   Prediction prediction{};              ///< of its cost
   std::vector<SurfaceFile> surfaces{};  ///< that deck.xml names, to be copied beside it
+  BuildFacts build{};                   ///< of the program, see build_facts
 };
 
 /// How a run ended.

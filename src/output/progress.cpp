@@ -8,6 +8,7 @@
 #include <barreno/input/scan_xml.hpp>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 namespace barreno {
@@ -241,12 +242,22 @@ std::vector<std::string> scene_lines(
   return lines;
 }
 
+namespace {
+
+/// The command as the user has it: of an installation, which says so, or of the source tree.
+std::string command_name() {
+  const char* const name = std::getenv("BARRENO_NAME");
+  return name != nullptr && std::string(name) == "barreno" ? "barreno" : "./barreno";
+}
+
+}  // namespace
+
 std::string next_command(const RunDescription& run, const RunVerdict& verdict) {
-  const std::string folder = shell_word(run.folder.string());
-  if (!verdict.may_be_resumed) return "./barreno report " + folder;
+  const std::string folder = shell_word(run.folder.string()), command = command_name();
+  if (!verdict.may_be_resumed) return command + " report " + folder;
   for (const char* name : {"checkpoint.h5", "checkpoint_previous.h5"})
-    if (std::filesystem::exists(run.folder / name)) return "./barreno resume " + folder;
-  return "./barreno run " + shell_word(run.deck_name) + " --out " + folder + " --overwrite";
+    if (std::filesystem::exists(run.folder / name)) return command + " resume " + folder;
+  return command + " run " + shell_word(run.deck_name) + " --out " + folder + " --overwrite";
 }
 
 std::vector<std::string> result_lines(

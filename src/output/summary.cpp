@@ -257,6 +257,7 @@ std::string summary_text(
   json["deck"] = as_utf8(run.deck_name);
   json["title"] = as_utf8(scene.title);
   json["version"] = as_utf8(run.version);
+  for (const auto& [name, value] : run.build) json["build"][name] = as_utf8(value);
   json["mode"] = word_of(scene.grid.mode);
   json["finished"] = verdict.finished;
   json["reason"] = as_utf8(verdict.reason);

@@ -5,6 +5,7 @@ and rooms stay small, third-party headers stay in their folders, what is built i
 in a test."""
 import pathlib
 import re
+import subprocess
 import sys
 
 import tested_headers
@@ -30,6 +31,16 @@ ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "nlohmann": {"output"},
 }
 LONGEST = 500
+# Of the top folder, so that none is forgotten there: what these are, README.md and docs/architecture.md say.
+TOP_LEVEL = {".ci", ".clang-format", ".clang-tidy", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md",
+             "LICENSE", "README.md", "barreno", "cmake", "docs", "input_xml", "materials", "packaging", "src", "tests", "verification"}  # fmt: skip
+VERSIONED = {  # file -> how it says the version
+    "CMakeLists.txt": r"project\(barreno VERSION (\S+)",
+    "materials/CMakeLists.txt": r"project\(barreno_materials VERSION (\S+)",
+    "CITATION.cff": r"(?m)^version: (\S+)",
+    "CHANGELOG.md": r"(?m)^## (\S+)",
+    "packaging/spack/package.py": r"sanity_version = \"(\S+)\"",
+}
 problems = []
 
 
@@ -95,6 +106,27 @@ def check_tests():
             problems.extend(f"src/{name}: no test includes it" for name in headers if name not in tested)
 
 
+def in_top_folder():
+    """Names that the repository has there, without what users leave; of a copy without its history, those of the list."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=False)
+    names = {line.split("/")[0] for line in listed.stdout.splitlines()} if listed.returncode == 0 else TOP_LEVEL
+    return {name for name in names if (ROOT / name).exists()}
+
+
+def check_top_level():
+    there = in_top_folder()
+    problems.extend(f"{name}: not in the list of the top folder (TOP_LEVEL of this script)" for name in sorted(there - TOP_LEVEL))
+    problems.extend(f"{name}: missing from the top folder" for name in sorted(TOP_LEVEL - there))
+
+
+def check_versions():
+    """One version everywhere; the newest in CHANGELOG.md stands first."""
+    found = {name: re.search(pattern, (ROOT / name).read_text()) for name, pattern in VERSIONED.items() if (ROOT / name).exists()}
+    said = {name: match.group(1) if match else "none" for name, match in found.items()}
+    if len(set(said.values())) > 1:
+        problems.append("versions differ: " + ", ".join(f"{name} says {version}" for name, version in said.items()))
+
+
 def main():
     sources = sorted((ROOT / "src").rglob("*.[ch]pp"))
     listed = (ROOT / "src" / "CMakeLists.txt").read_text()
@@ -111,6 +143,8 @@ def main():
     check_rooms(ROOT / "src" / "step")
     check_folders()
     check_tests()
+    check_top_level()
+    check_versions()
     print("\n".join(problems) or "layout is as docs/architecture.md says")
     return 1 if problems else 0
 

@@ -14,7 +14,7 @@ FILE = re.compile(rf"(?:^|(?<= ))((?:{'|'.join(FOLDERS)})/[\w./-]+\.(?:py|md|xml
 
 
 def pages():
-    return [ROOT / "README.md", *(file for folder in FOLDERS for file in sorted((ROOT / folder).rglob("*.md")))]
+    return [*sorted(ROOT.glob("*.md")), *(file for folder in FOLDERS for file in sorted((ROOT / folder).rglob("*.md")))]
 
 
 def anchors(file):

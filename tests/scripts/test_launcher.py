@@ -28,6 +28,7 @@ exit 0""",
     "cmake": "exit 0",
     "ninja": '[[ $* == *" -n "* ]] && echo "ninja: work to do"; exit 0',
     "mpirun": "exit 0",
+    "ctest": "exit 0",
 }
 
 
@@ -38,7 +39,9 @@ class Machine:
         self.tree, self.notes, bin_folder = folder / "a tree", folder / "notes", folder / "bin"
         for made in (self.tree, self.notes, bin_folder):
             made.mkdir()
-        shutil.copy(ROOT / "barreno", self.tree)
+        (self.tree / "src").mkdir()
+        for name in ("barreno", "src/commands.sh"):
+            shutil.copy(ROOT / name, self.tree / name)
         for name, does in PROGRAMS.items():
             file = bin_folder / name
             file.write_text(f'#!/usr/bin/env bash\nnotes="{self.notes}"\necho "{name} $*" >>"$notes/calls"\n{does}\n')
@@ -61,11 +64,11 @@ class Machine:
         self.file("build/release/build.ninja", "")
         self.file("build/release/src/barreno", '#!/bin/sh\necho "program $*"\n', executable=True)
 
-    def run(self, *words):
+    def run(self, *words, **more):
         """What it says, and the calls that it made."""
         (self.notes / "calls").write_text("")
         command = [str(self.tree / "barreno"), *map(str, words)]
-        result = subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=60, check=False)
+        result = subprocess.run(command, env={**self.environment, **more}, capture_output=True, text=True, timeout=60, check=False)
         return result, (self.notes / "calls").read_text().splitlines()
 
 
@@ -199,6 +202,27 @@ def check_words(machine):
         assert not missing, f"{words}: the help lacks {missing}"
 
 
+def check_tests(machine):
+    """A user's tests leave out what .ci/run adds, and its packages."""
+    for more, left_out in (({}, "slow|style|sanitized|hosts"), ({"BARRENO_ALL_TESTS": "1"}, "slow")):
+        result, calls = machine.run("test", "-R", "deck", **more)
+        assert result.returncode == 0, result.stderr
+        (tests,) = [call for call in calls if call.startswith("ctest")]
+        assert f" -LE {left_out} " in tests and tests.endswith(" -R deck"), tests
+        packages = [call for call in calls if " install " in call][0].split()
+        assert ("clang-tidy" in packages) == ("gfortran" in packages) == bool(more) and "libgtest-dev" in packages, packages
+        assert any("-DBARRENO_TESTS=ON" in call for call in calls) and any(call.endswith("build/release all") for call in calls), calls
+
+
+def check_batch_job(machine):
+    """In a job of Slurm or PBS the ranks are those of the job."""
+    machine.built()
+    for more, ranks in (({"SLURM_NTASKS": "48"}, 48), ({"PBS_NODEFILE": str(machine.notes / "nodes")}, 3)):
+        machine.note("nodes", "a\na\nb\n")
+        result, calls = machine.run("run", "deck.xml", **more)
+        assert result.returncode == 0 and any(call.startswith(f"mpirun --quiet -n {ranks} ") for call in calls), f"{calls}: {result.stderr}"
+
+
 def check_install(machine, build):
     """What a launcher's build makes is all that cmake --install takes from the build folder."""
     machine.built()
@@ -218,7 +242,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, lambda m, f: check_words(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

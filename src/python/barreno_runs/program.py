@@ -2,6 +2,7 @@
 """The program barreno, as a command starts it."""
 
 import os
+import pathlib
 import re
 import shutil
 import signal
@@ -92,7 +93,9 @@ def as_set(settings):
 
 
 def default_binary():
-    return os.environ.get("BARRENO_PROGRAM") or shutil.which("barreno")
+    """The one that is named, that of the installation that this file is part of, or the first on the path."""
+    installed = pathlib.Path(__file__).resolve().parents[4] / "libexec" / "barreno" / "barreno"
+    return os.environ.get("BARRENO_PROGRAM") or (str(installed) if installed.is_file() else shutil.which("barreno"))
 
 
 def found_program(command, ranks):
