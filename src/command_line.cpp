@@ -28,7 +28,7 @@ const char* const other_words =
     "an installation also have report FOLDER (pictures and numbers of a run), converge DECK "
     "(order\n"
     "and interval of its depth), sweep DECK (several values of its parameters), compare RUN RUN\n"
-    "(runs side by side) and fit DATA (a card from laboratory tests).\n\n";
+    "(runs side by side), fit DATA (a card from laboratory tests) and import-ups FILE.\n\n";
 
 /// Options of CLI11 back to what this code knows of them.
 using Known = std::map<const CLI::Option*, const OptionPage*>;
@@ -78,7 +78,8 @@ constexpr std::pair<const char*, const char*> source_commands[] = {
     {"converge", "DECK"},
     {"sweep", "DECK --vary \"LIST/NAME=VALUE,VALUE\""},
     {"compare", "RUN RUN"},
-    {"fit", "DATA... --out CARD.xml"}};
+    {"fit", "DATA... --out CARD.xml"},
+    {"import-ups", "FILE.ups --out DECK.xml"}};
 
 bool is_source_command(const std::string& word) {
   return std::any_of(

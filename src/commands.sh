@@ -13,7 +13,7 @@
 plot_packages=(python3 python3-numpy python3-matplotlib)
 report_packages=("${plot_packages[@]}" python3-netcdf4)
 fit_packages=("${plot_packages[@]}" python3-scipy)
-commands=(run resume check report film converge sweep compare drive fit describe)
+commands=(run resume check report film converge sweep compare drive fit import-ups describe)
 
 usage() {
   sed "s|^barreno |$name |" <<'TEXT'
@@ -35,6 +35,7 @@ barreno drive --material CARD --path PATH --out OUT [--steps-per-row N] [--every
                 [--set PARAMETER=value]   one material point along a path of deformation, strain or stress
 barreno fit DATA... --out CARD [--start CARD] [--fix NAME=value]... [--bounds NAME=low,high]...
                                   a card of Arenisca from laboratory tests, with ranges and a picture
+barreno import-ups FILE [--out DECK] [--units NAME] [--card "MATERIAL=CARD"]   an input of Uintah as a deck (docs/import.md)
 barreno describe [SECTION]        the deck reference
 barreno --version                 of the code, its compiler and its libraries
 TEXT
@@ -177,6 +178,7 @@ help_of() {  # command
   local package=barreno_$1 words=(--help) page
   case $1 in
     report | film) package=barreno_report words=("$1" --help) ;;
+    import-ups) package=barreno_import ;;
     converge | sweep | compare | fit) ;;
     *) package="" ;;
   esac
@@ -201,7 +203,7 @@ demand_deck() {  # command, example, and the words behind the command
   fi
 }
 
-is_python_command() { [[ ${1-} =~ ^(report|film|converge|sweep|compare|fit)$ ]]; }
+is_python_command() { [[ ${1-} =~ ^(report|film|converge|sweep|compare|fit|import-ups)$ ]]; }
 
 carry_out() {  # the words of the command line
   local word example
@@ -277,6 +279,21 @@ carry_out() {  # the words of the command line
       prepare OFF
       export BARRENO_LIBRARY=$library
       start_python barreno_fit "$@"
+      ;;
+    import-ups)
+      shift
+      if (($# == 0)) || [[ $1 == -* ]]; then
+        say "import-ups takes an input file of Uintah, before its options; write for example $name import-ups penetration.ups --out penetration.xml."
+        exit 1
+      fi
+      if [[ ! -f $1 ]]; then
+        say "$1 does not exist (needed as the input of Uintah); check the path."
+        exit 2
+      fi
+      need_packages python3
+      prepare OFF
+      export BARRENO_PROGRAM=$binary
+      start_python barreno_import "$@"
       ;;
     check | drive | describe | --version)
       prepare OFF

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/build_facts.hpp"
 #include "base/gather.hpp"
-#include "output/output.hpp"
 
 #include <Teuchos_RCP.hpp>
 

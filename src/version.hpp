@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/output.hpp"
+#include "base/build_facts.hpp"
 
 #include <string>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/build_facts.hpp"
 #include "base/run_numbers.hpp"
 #include "deck/deck.hpp"
 #include "output/prediction.hpp"
@@ -10,13 +11,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace barreno {
-
-/// Name and value of what the program was built from: commit, compiler, libraries.
-using BuildFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// What the output must know beside scene and state.
 struct RunDescription {

@@ -15,7 +15,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
-COMMANDS = ("run", "resume", "check", "report", "film", "converge", "sweep", "compare", "drive", "fit", "describe")
+COMMANDS = ("run", "resume", "check", "report", "film", "converge", "sweep", "compare", "drive", "fit", "import-ups", "describe")
 FILES = ("libexec/barreno/barreno", "include/barreno_material.h", "share/barreno/commands.sh", "share/barreno/cards/berea_sandstone.xml",
          "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno_report/__main__.py",
          "share/barreno/python/barreno_fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/doc/barreno/LICENSE",
@@ -94,6 +94,8 @@ def check_runs(here):
     assert (here.folder / "one" / "report" / "index.html").is_file()
     here.barreno("compare", "one", "two", "--out", "compared")
     assert (here.folder / "compared" / "compare.json").is_file()
+    here.barreno("import-ups", ROOT / "tests/decks/ups/projectile.ups")
+    assert (here.folder / "projectile.xml").is_file()
     path = here.deck("paths/uniaxial_berea.csv")
     here.barreno("drive", "--material", "berea_sandstone", "--path", path, "--out", "answer.csv", "--plot", "answer.png")
     assert (here.folder / "answer.png").is_file()

@@ -189,6 +189,17 @@ def check_fit(machine, folder):
     assert any(call.startswith("ninja") and "BARRENO" in call for call in calls), calls
 
 
+def check_import(machine, folder):
+    """Python alone, and the program that checks the deck."""
+    refused(*machine.run("import-ups"), 1, "import-ups takes an input file of Uintah")
+    refused(*machine.run("import-ups", folder / "nowhere.ups"), 2, "nowhere.ups does not exist")
+    machine.file("src/python/barreno_import/__main__.py", "import os, sys; print('imported', sys.argv[1:], os.environ['BARRENO_PROGRAM'])")
+    (folder / "an input.ups").write_text("")
+    result, calls = machine.run("import-ups", folder / "an input.ups", "--out", "deck.xml")
+    assert result.returncode == 0 and f"imported ['{folder / 'an input.ups'}', '--out', 'deck.xml']" in result.stdout, result.stderr
+    assert [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1] == "python3", calls
+
+
 def check_words(machine):
     """What cannot be is said before anything is installed or built."""
     refused(*machine.run("run", "deck.xml", "--ranks", "100000000"), 1, "--ranks 100000000 is more than this machine can start")
@@ -198,7 +209,7 @@ def check_words(machine):
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["film", "-h"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "film", "converge", "sweep", "compare", "fit", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "film", "converge", "sweep", "compare", "fit", "import-ups", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 
@@ -242,7 +253,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, check_import, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

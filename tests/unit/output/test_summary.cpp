@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/build_facts.hpp"
 #include "output/summary.hpp"
 #include "state/balance.hpp"
 #include "synthetic_run.hpp"
@@ -24,17 +25,20 @@ TEST(Summary, ComparesTheLaunchedJetWithItsTable) {
   const RunSummary summary = summarise(scene, state, 2.0, 1.5);
   EXPECT_GT(summary.bytes_per_particle, 100.0);
   EXPECT_GE(summary.peak_resident_bytes, summary.largest_rank_peak_bytes);
+  const BuildFacts build = {{"commit", "b6d2"}, {"MPI", "Open MPI v4"}};
   const std::string text = summary_text(
       scene,
       state,
-      {"out", "deck.xml", "", "1.0", {}},
+      {"out", "deck.xml", "", "1.0", {}, {}, {}, build},
       totals,
       {},
       summary,
       {false, "a \"reason\"", 3}
   );
   for (const char* word :
-       {"\"slugs_launched\": 3",
+       {"\"commit\": \"b6d2\"",
+        "\"MPI\": \"Open MPI v4\"",
+        "\"slugs_launched\": 3",
         "\"difference\": 0.5",
         "\"reason\": \"a \\\"reason\\\"\"",
         "\"exit_code\": 3",

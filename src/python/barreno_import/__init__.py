@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Inputs of other codes as decks: barreno import-ups."""

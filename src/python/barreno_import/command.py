@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command: its words, the order of its work, what it says."""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+
+from barreno_import.bodies import read_contents
+from barreno_import.deck import deck_text, table
+from barreno_import.flags import gravity_of, output_of, step_of, time_of
+from barreno_import.interactions import read_contact, read_loads
+from barreno_import.jet import read_jet
+from barreno_import.space import grid_of, read_conditions, read_space
+from barreno_import.ups import read_ups
+from barreno_runs.faults import FILE, Fault, exit_code
+from barreno_runs.program import default_binary
+from barreno_runs.tables import place
+
+EXAMPLE = "write for example barreno import-ups penetration.ups --out penetration.xml"
+SCHEMA = 1  # of decks
+
+
+class Words(argparse.ArgumentParser):
+    def error(self, message):
+        raise Fault(f"{message}; {EXAMPLE} (docs/import.md).")
+
+
+class Notes:
+    """What does not carry over, a sentence each, once."""
+
+    def __init__(self):
+        self.sentences = []
+
+    def add(self, sentence):
+        if sentence not in self.sentences:
+            self.sentences.append(sentence)
+
+
+def parse(words):
+    parser = Words(
+        prog="barreno import-ups",
+        allow_abbrev=False,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="An input of Uintah's MPM (.ups) as a deck, and what of it cannot carry over (docs/import.md).",
+        epilog="Example:\n  barreno import-ups penetration.ups --out penetration.xml\n\nExit codes: 0 the deck is written and valid, 1 bad input, or a deck that barreno check refuses, 2 file.",
+    )
+    parser.add_argument("file", metavar="FILE", help="input file of Uintah")
+    parser.add_argument("--out", metavar="DECK", help="deck to write (default: FILE's name with .xml, in the working folder)")
+    parser.add_argument("--units", default="SI", metavar="NAME", help="units of the file's numbers: SI (default), or those of length, time and mass, such as mm-us-g")
+    parser.add_argument("--card", action="append", default=[], metavar='"MATERIAL=CARD"', help="a card of Barreno instead of a material of the file, as often as needed")
+    parser.add_argument("--overwrite", action="store_true", help="replace a deck that is there")
+    return parser.parse_args(words)
+
+
+def cards_of(options):
+    cards = dict(word.split("=", 1) for word in options.card if "=" in word)
+    for word in options.card:
+        if "=" not in word or not all(part.strip() for part in word.split("=", 1)):
+            raise Fault(f'--card "{word}" is not MATERIAL=CARD; write for example --card "Sandstone=berea_sandstone".')
+    return {name.strip(): card.strip() for name, card in cards.items()}
+
+
+def out_of(options):
+    out = pathlib.Path(options.out) if options.out else pathlib.Path(pathlib.Path(options.file).stem + ".xml")
+    if out.exists() and not options.overwrite:
+        raise Fault(f"{out} exists already; name another deck with --out, or add --overwrite.", FILE)
+    return out
+
+
+def convert(root, folder, units, cards, notes):
+    """@return the entries of the deck"""
+    space = read_space(root, notes)
+    contents = read_contents(root, space, cards, notes)
+    jet = read_jet(root, folder, contents, space, notes)
+    if jet:
+        jet["Slugs"] = table(jet["Slugs"])
+    time = time_of(root)
+    title = root.find("Meta").text("title", default="") or "Imported from Uintah"
+    return {
+        "Schema Version": SCHEMA, "Title": " ".join(title.split()), "Units": units, "Grid": grid_of(space), "Materials": contents.materials, "Shapes": contents.shapes,
+        "Bodies": contents.bodies, "Conditions": read_conditions(root, space, notes), "Loads": read_loads(root, contents, space, notes), "Jet": jet,
+        "Body Force": gravity_of(root, space), "Contact": read_contact(root, contents, notes), "Step": step_of(root, notes), "Time": time,
+        "Output": output_of(root, time["End Time"], notes),
+    }  # fmt: skip
+
+
+def check(deck):
+    """What `barreno check` says of it: the deck is sound, or a sentence."""
+    binary = default_binary()
+    if not binary:
+        raise Fault(f"{deck} is written but not checked (the program barreno is not found); name it in BARRENO_PROGRAM.", FILE)
+    try:
+        result = subprocess.run([binary, "check", str(deck)], capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise Fault(f"{deck} is written but not checked (the program {binary} cannot be started: {error.strerror}); name it in BARRENO_PROGRAM.", FILE) from None
+    if result.returncode:
+        said = result.stderr.strip().removeprefix("barreno: ") or "it cannot be checked."
+        raise Fault(f"{deck} is written, but barreno check refuses it: {said}", result.returncode)
+    return result.stdout
+
+
+def run(words):
+    options = parse(words)
+    cards, out, notes = cards_of(options), out_of(options), Notes()
+    root = read_ups(options.file)
+    entries = convert(root, pathlib.Path(options.file).resolve().parent, options.units, cards, notes)
+    name = pathlib.Path(options.file).name
+    head = [f"From {name}, an input of Uintah, by barreno import-ups (docs/import.md). What did not carry over:", *notes.sentences]
+    place(out, deck_text(entries, head if notes.sentences else head[:1]))
+    for sentence in notes.sentences:
+        print(f"  - {sentence}")
+    print(f"{len(notes.sentences)} remarks; the deck is {out}")
+    print(next((line for line in check(out).splitlines() if "valid" in line), ""))
+    return 0
+
+
+def main(words=None):
+    return exit_code(run, sys.argv[1:] if words is None else words)
