@@ -100,37 +100,36 @@ def check_axisymmetry(folder):
     assert "Foam is left out" not in text and deck.value("Materials/Foam/Card") == "berea_sandstone" and numbers(deck.value("Bodies/foam/Lower")) == [0.0, -4.0], text
 
 
-def changed(folder, old, new, source="projectile.ups"):
-    """A copy of an input, with its files beside it, in which one text is another."""
+def changed(folder, pairs, source="projectile.ups"):
+    """A copy of an input, with its files beside it, in which texts are others."""
     text = (UPS / source).read_text()
-    assert old in text, old
+    for old, new, *_ in pairs:
+        assert old in text, old
+        text = text.replace(old, new, 1)
     for name in ("data", "jet_insertions.dat"):
         if not (folder / name).exists():
             (folder / name).symlink_to(UPS / name)
     path = folder / "changed.ups"
-    path.write_text(text.replace(old, new, 1))
+    path.write_text(text)
     return path
 
 
 def check_variants(folder):
     """Plane strain, other pieces, other models: the deck is valid, and remarks name what changed."""
     out = folder / "variant.xml"
-    for old, new, *sentences in (
+    pairs = (
         ("<interpolator>cpdi<", "<interpolator>cpti<", "The interpolator cpti has no counterpart"),
-        ('<constitutive_model type="Arenisca3">', '<constitutive_model type="Arenisca3"><WeibullDist/>'),
-        ("<fluid_B0>0.0<", "<fluid_B0>2.2e9<", "the pore fluid keeps the published form"),
         ("<BETA_nonassociativity>1.0<", "<BETA_nonassociativity>1.5<", "BETA_nonassociativity = 1.5 is above 1"),
         ("<type>friction</type>", "<type>approach</type>", "Contact approach becomes sticking"),
         ('<Face side="y-">', '<Face circle="y-">', "A condition on a part of a face"),
         ("<bulk_modulus>1.64e11<", "<bulk_modulus>1.2e11<", "bulk_modulus = 1.2e+11 is left out"),
-        ("<cylinder label=\"rock\">", "<ellipsoid label=\"rock\"/><cylinder label=\"rock\">", "The body rock of Sandstone is left out"),
-        ('<Box label="1">', '<Box label="1"><extraCells>[1,1,1]</extraCells>'),
+        ('<cylinder label="rock">', '<ellipsoid label="rock"/><cylinder label="rock">', "The body rock of Sandstone is left out"),
         ("<initTime>0.0<", "<initTime>1e-6<", "initTime is left out"),
         ("<DoExplicitHeatConduction>false", "<DoExplicitHeatConduction>true", "Conduction of heat is left out"),
-    ):  # fmt: skip
-        text = imported(changed(folder, old, new), "--out", out, "--overwrite")
-        said(text, *sentences)
-    plane = changed(folder, "<axisymmetric>true<", "<axisymmetric>false<", "jet.ups")
+    )
+    said(imported(changed(folder, pairs), "--out", out, "--overwrite"), *(sentence for _, _, sentence in pairs))
+    said(imported(changed(folder, [("<fluid_B0>0.0<", "<fluid_B0>2.2e9<")]), "--out", out, "--overwrite"), "the pore fluid keeps the published form")
+    plane = changed(folder, [("<axisymmetric>true<", "<axisymmetric>false<")], "jet.ups")
     text = imported(plane, "--out", out, "--overwrite", "--units", "mm-us-g")
     said(text, "The particles that jet_insertions.dat inserts are left out", "The load <pressure> of PhysicalBC is left out")
     assert Deck(out).value("Grid/Mode") == "plane strain"
@@ -144,10 +143,9 @@ def check_refusals(folder):
         ("<PEAKI1>5.0e6</PEAKI1>", "", 1, "PEAKI1", "barreno check refuses it"),
         ("<m>0.55</m>", "", 1, "has no <m>"),
         ("data/iron.xml", "data/brass.xml", 2, "brass.xml does not exist"),
-        ("<Level>", "<Lvl>", 1, "is not XML"),
         ("-800.0", "-8e9", 1, "barreno check refuses it"),
     ):
-        text = imported(changed(folder, old, new), "--out", folder / "refused.xml", "--overwrite", code=code)
+        text = imported(changed(folder, [(old, new)]), "--out", folder / "refused.xml", "--overwrite", code=code)
         assert len(text.splitlines()) == 1 and text.startswith("barreno: ") and all(word in text for word in words), text
     good = UPS / "projectile.ups"
     (folder / "there.xml").write_text("keep")
