@@ -9,9 +9,12 @@ import json
 import os
 import pathlib
 import re
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
@@ -101,6 +104,57 @@ def check_runs(here):
     assert (here.folder / "answer.png").is_file()
 
 
+def job_script(here, system):
+    """The one of docs/cluster.md, in a folder with its deck, and a batch system that notes how it is called."""
+    page = (ROOT / "docs" / "cluster.md").read_text()
+    block = re.search(rf"<!-- {system} -->(.*?)<!-- end of {system} -->", page, re.DOTALL).group(1)
+    script = here.folder / f"perforation.{system}"
+    script.write_text("".join(line.removeprefix("    ") + "\n" for line in block.strip("\n").splitlines()))
+    tools = here.folder / "batch system"
+    tools.mkdir(exist_ok=True)
+    for name in ("scontrol", "qsub"):
+        (tools / name).write_text(f'#!/bin/sh\necho "{name} $*" >>"{here.folder}/asked"\n')
+        (tools / name).chmod(0o755)
+    (here.folder / "asked").write_text("")
+    if not (here.folder / "jets").exists():
+        (here.folder / "jets").symlink_to(here.deck("jets"))
+    return script, {"PATH": f"{tools}:{here.environment['PATH']}"}
+
+
+def write_deck(here, end):
+    text = re.sub(r'(name="End Time" type="string" value=)"[^"]*"', rf'\1"{end}"', here.deck("perforation_quick.xml").read_text())
+    (here.folder / "perforation.xml").write_text(text)
+
+
+def check_slurm(here):
+    """USR1 to the script, as Slurm sends it: checkpoint, requeue; the job that comes then finishes the run."""
+    script, more = job_script(here, "slurm")
+    write_deck(here, "8 us")
+    more |= {"SLURM_NTASKS": "2", "SLURM_JOB_ID": "77", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+    job = subprocess.Popen(["bash", script], cwd=here.folder, env={**here.environment, **more}, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    history = here.folder / "runs/perforation/history.csv"
+    while job.poll() is None and not (history.exists() and len(history.read_text().splitlines()) > 10):
+        time.sleep(0.01)
+    job.send_signal(signal.SIGUSR1)
+    said = job.communicate(timeout=200)[1]
+    assert job.returncode == 138 and (here.folder / "asked").read_text() == "scontrol requeue 77\n", f"exit {job.returncode}: {said}"
+    here.call("bash", script, **more)
+    summary = json.loads((here.folder / "runs/perforation/summary.json").read_text())
+    assert summary["finished"] and summary["ranks"] == 2, summary
+    assert (here.folder / "asked").read_text() == "scontrol requeue 77\n" and "resumed from" in (here.folder / "runs/perforation/run.log").read_text()
+
+
+def check_pbs(here):
+    """The time of a job is over before the run is: the next is asked for."""
+    script, more = job_script(here, "pbs")
+    write_deck(here, "400 us")
+    (here.folder / "nodes").write_text("node\n")
+    more |= {"PBS_NODEFILE": str(here.folder / "nodes"), "PBS_O_WORKDIR": str(here.folder), "BARRENO_JOB_TIME": "2s"}
+    shutil.rmtree(here.folder / "runs/perforation")
+    here.call("bash", script, code=138, **more)
+    assert (here.folder / "asked").read_text() == f"qsub {here.folder}/perforation.pbs\n"
+
+
 def check_python(here):
     """Modules that Python lacks are named, once."""
     bare = here.folder / "bare python"
@@ -131,7 +185,7 @@ def main():
     cmake, build = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     with tempfile.TemporaryDirectory() as name:
         here = install(cmake, build, pathlib.Path(name).resolve())
-        for check in (check_words, check_runs, check_python, check_manual):
+        for check in (check_words, check_runs, check_slurm, check_pbs, check_python, check_manual):
             check(here)
     print("the installation does what the source tree does")
 
