@@ -40,7 +40,7 @@ std::string version_text() {
   constexpr std::size_t width = 12;
   std::string text = std::string("barreno ") + BARRENO_VERSION + "\n";
   for (const auto& [name, value] : build_facts())
-    text += name + std::string(width - name.size(), ' ') + value + "\n";
+    text.append(name).append(width - name.size(), ' ').append(value).append("\n");
   return text;
 }
 
