@@ -201,8 +201,8 @@ CommandPage describe_page() {
       Command::describe,
       "describe",
       "The deck reference: every section, parameter, unit, bound and default.",
-      "SECTION",
-      "a section of the deck or a material model; default: an overview",
+      "NAME",
+      "a section of the deck, a material model, or a parameter; default: an overview",
       false,
       {{"--markdown",
         nullptr,
@@ -210,7 +210,9 @@ CommandPage describe_page() {
         "everything, as in docs/deck.md",
         [](Options& options, const std::string&) { options.markdown = true; }}},
       "barreno describe Grid\n"
-      "barreno describe Arenisca"};
+      "barreno describe \"Pore Flow/Rocks\"\n"
+      "barreno describe Arenisca\n"
+      "barreno describe Permeability"};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "deck/deck_schema.hpp"
+#include "deck/describe_words.hpp"
 
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
@@ -116,18 +117,72 @@ constexpr const char* how_to_write =
     "converted wherever a dimension is declared. Arrays are written \"{0 mm, -20 mm}\".\n";
 
 void write_overview(std::ostream& out) {
-  const Section& deck = deck_schema();
   out << how_to_write << "\nAt the top of the deck:\n";
-  for (const Entry& entry : deck.entries) write_entry(entry, out);
+  for (const Entry& entry : deck_schema().entries) write_entry(entry, out);
   out << "\nSections:\n";
-  for (const Section& section : deck.sections) {
-    out << "  " << section.name << ": " << section.meaning << presence_text(section) << "\n";
+  for (const PlacedSection& placed : placed_sections()) {
+    if (placed.section->name == "*") continue;
+    out << "  " << placed.path << ": " << placed.section->meaning << presence_text(*placed.section)
+        << "\n";
   }
   out << "\nModels:\n";
   for (const ModelDescription& model : describe_models()) {
     out << "  " << model.name << ": " << model.summary << '\n';
   }
-  out << "\nbarreno describe SECTION or MODEL prints its table.\n";
+  out << "\nbarreno describe NAME prints the table of a section or model, and what any parameter "
+         "means:\nbarreno describe Grid, \"Pore Flow/Rocks\", Arenisca, Kozeny-Carman. The files "
+         "of "
+         "a run: docs/output.md.\n";
+}
+
+/// What a name means in a deck: tables of sections, and single parameters.
+void write_in_deck(const std::string& asked, std::ostream& out) {
+  const auto write_entries = [&](const Section& section, const std::string& path) {
+    for (const Entry& entry : section.entries) {
+      if (!is_meant(asked, input::join(path, entry.name))) continue;
+      out << (path.empty() ? "at the top of the deck" : path) << '\n';
+      write_entry(entry, out);
+    }
+  };
+  const std::vector<PlacedSection> sections = placed_sections();
+  for (const PlacedSection& placed : sections)
+    if (is_meant(asked, placed.path)) write_section(*placed.section, placed.path, out);
+  write_entries(deck_schema(), "");
+  for (const PlacedSection& placed : sections) write_entries(*placed.section, placed.path);
+}
+
+/// What it means in a card or as a history variable of a model.
+void write_in_model(const ModelDescription& model, const std::string& asked, std::ostream& out) {
+  if (model.name == asked) write_model(model, out);
+  for (const Entry& entry : card_section(model).entries) {
+    if (entry.name != asked) continue;
+    out << "Model \"" << model.name << "\"\n";
+    write_entry(entry, out);
+  }
+  for (const auto& fields : {model.history, model.more_history})
+    for (const HistoryField& field : fields) {
+      if (field.name != asked) continue;
+      out << "Model \"" << model.name << "\", history of every particle\n";
+      write_history(field, out);
+    }
+}
+
+/// The nearest of all names, or those of sections and models where none is near.
+std::string suggest_word(const std::string& asked) {
+  std::vector<std::string> main, all;
+  for (const Section& section : deck_schema().sections) main.push_back(section.name);
+  for (const PlacedSection& placed : placed_sections()) {
+    all.push_back(placed.path);
+    for (const Entry& entry : placed.section->entries) all.push_back(entry.name);
+  }
+  for (const Entry& entry : deck_schema().entries) all.push_back(entry.name);
+  for (const ModelDescription& model : describe_models()) {
+    main.push_back(model.name);
+    for (const Entry& entry : card_section(model).entries) all.push_back(entry.name);
+  }
+  all.insert(all.begin(), main.begin(), main.end());
+  const bool near = !input::nearest_name(asked, all).empty();
+  return input::suggest_name(asked, near ? all : main);
 }
 
 std::string cell(const std::string& text) {
@@ -177,25 +232,20 @@ std::string with_commas(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string describe_text(const std::string& section) {
+std::string describe_text(const std::string& name) {
   std::ostringstream out;
-  std::vector<std::string> known;
-  if (section.empty()) {
+  if (name.empty()) {
     write_overview(out);
     return out.str();
   }
-  for (const Section& part : deck_schema().sections) {
-    known.push_back(part.name);
-    if (part.name == section) write_section(part, part.name, out);
-  }
-  for (const ModelDescription& model : describe_models()) {
-    known.push_back(model.name);
-    if (model.name == section) write_model(model, out);
-  }
+  write_in_deck(name, out);
+  for (const ModelDescription& model : describe_models()) write_in_model(model, name, out);
   if (out.str().empty()) {
     throw DeckError(
-        "describe " + input::shown(section) + " names neither a section nor a model; " +
-        input::suggest_name(section, known)
+        "describe " + input::shown(name) +
+        " is neither a section, nor a model, nor a parameter (docs/output.md defines the columns "
+        "and fields of a run's files); " +
+        suggest_word(name)
     );
   }
   return out.str();

@@ -7,9 +7,11 @@
 namespace barreno {
 
 /// The deck reference out of the tables that validate, as plain text for the screen.
-/// @param section  "" for the overview; else a section of the deck ("Grid") or a model ("Arenisca")
-/// @throws DeckError  for an unknown section, with the nearest name
-std::string describe_text(const std::string& section);
+/// @param name  "" for the overview; else a section of the deck ("Grid", "Pore Flow/Rocks"), a
+///              model ("Arenisca"), or a parameter or history variable ("Permeability"), all
+///              places of which are described
+/// @throws DeckError  for an unknown name, with the nearest one
+std::string describe_text(const std::string& name);
 
 /// The whole reference as Markdown: docs/deck.md.
 std::string describe_markdown();
