@@ -36,7 +36,7 @@ barreno drive --material CARD --path PATH --out OUT [--steps-per-row N] [--every
 barreno fit DATA... --out CARD [--start CARD] [--fix NAME=value]... [--bounds NAME=low,high]...
                                   a card of Arenisca from laboratory tests, with ranges and a picture
 barreno import-ups FILE [--out DECK] [--units NAME] [--card "MATERIAL=CARD"]   an input of Uintah as a deck (docs/import.md)
-barreno describe [SECTION]        the deck reference
+barreno describe [NAME]           the deck reference: a section, a model or a parameter
 barreno --version                 of the code, its compiler and its libraries
 TEXT
 }

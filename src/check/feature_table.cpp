@@ -204,8 +204,9 @@ std::vector<Feature> scene_features(const Scene& scene) {
 
 std::string feature_table(const Scene& scene, const Probe& probe) {
   std::string text =
-      "Features                     bytes   time  (per particle, saved without the feature; share "
-      "of the first steps in its own functions)\n";
+      "Features                     bytes   time  (bytes per particle that a feature needs; share "
+      "of "
+      "the first steps that its functions take)\n";
   for (const auto& features : {scene_features(scene), step_features(scene)})
     for (const Feature& feature : features) text += row(scene, probe, feature);
   return text;

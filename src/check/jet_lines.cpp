@@ -74,7 +74,7 @@ std::string kind_line(const Scene& scene) {
 
 std::string depth_line(const Scene& scene) {
   if (estimate_jet(scene, scene.end_time).thinnest == 0.0) return {};
-  return "Depth     error from the cells to expect at the end " +
+  return "Depth     expected error at the end from the size of the cells: " +
          depth_doubt_text(depth_doubt(scene, scene.end_time)) + "\n";
 }
 

@@ -68,13 +68,13 @@ std::string early_end_note(const Scene& scene) {
   const JetEstimate whole = estimate_jet(scene, std::numeric_limits<double>::infinity());
   return format(
              "Time/End Time = %g s ends the run before the jet stops (%.0f %% of its mass and "
-             "%.0f %% of its energy are not yet consumed then, by a hydrodynamic estimate), ",
+             "%.0f %% of its energy are left by then, according to a hydrodynamic estimate), ",
              scene.end_time,
              100.0 * estimate.mass_left,
              100.0 * estimate.energy_left
          ) +
          format(
-             "so the depth will not be the final one; for that choose an End Time of about %.2g "
+             "so the depth will not be the final one; for that, choose an End Time of about %.2g "
              "s%s",
              whole.time,
              whole.passed ? ", when the jet comes out of the back of the target" : ""

@@ -83,7 +83,7 @@ std::string body_lines(const Scene& scene) {
 
 std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
   return format(
-      "Cost      %s %s of computing on %d rank%s, %.0f ns per particle-step of one core\n",
+      "Cost      %s %s of computing on %d rank%s, %.0f ns per particle-step on one core\n",
       dormancy_choice(scene).on ? "at most" : "about",  // dormant tiles take none
       cost_text(cost.seconds).c_str(),
       ranks,
@@ -139,19 +139,19 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
 std::string depth_error(const Scene& scene) {
   if (!scene.jet.present) return {};
   const DepthDoubt doubt = depth_doubt(scene, scene.end_time);
-  return "; depth " + (doubt.unknown.empty() ? depth_error_text(doubt.error) : "unknown");
+  return ", depth " + (doubt.unknown.empty() ? depth_error_text(doubt.error) : "unknown");
 }
 
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
   std::string text =
-      "Fidelity (--fidelity NAME chooses what the deck leaves open; errors measured in "
-      "docs/trade.md: pressures of a shock, smooth strains of 0.3; depth: expected from the "
-      "cells)\n";
+      "Fidelity  (--fidelity NAME chooses what the deck leaves open. Errors measured in "
+      "docs/trade.md: pressures of a shock, smooth strains of 0.3; depth: expected from the size "
+      "of the cells)\n";
   for (const std::string& name : fidelity_words()) {
     const Scene scene = scene_with(name);
     const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);
     text += format(
-        "  %-22s %s, %.3g particle-steps; errors %s%s\n",
+        "  %-22s %s, %.3g particle-steps; errors: %s%s\n",
         name.c_str(),
         cost_text(cost.seconds).c_str(),
         cost.particle_steps,
@@ -176,7 +176,7 @@ std::string plan_text(
       cells_text(scene.grid).c_str()
   );
   text += format(
-      "Particles %.0f, including the whole jet; about %.0f MB in total\n",
+      "Particles %.0f, including the whole jet; about %.0f MB of memory\n",
       particles,
       cost.bytes * 1e-6
   );

@@ -150,7 +150,8 @@ namespace {
 std::string transfer_text(const StepSpec& step) {
   if (step.transfer == Transfer::xpic) return "XPIC(" + std::to_string(step.xpic_order) + ")";
   if (step.transfer == Transfer::apic) return "APIC";
-  return format("FLIP with %.3g PIC", step.pic_fraction);
+  if (step.pic_fraction == 0.0) return "FLIP";
+  return format("FLIP with a PIC Fraction of %.3g", step.pic_fraction);
 }
 
 std::string grid_text(const GridSpec& grid) {
@@ -190,8 +191,8 @@ std::string modelled_text(const Scene& scene) {
   return "explicit dynamics, " + scene.step.shape + ", " + transfer_text(scene.step) + ", " +
          word_of(scene.step.order) + ", artificial viscosity, " +
          (scene.pore_flow.on() ? "pore fluid flow, " : "") +
-         std::to_string(scene.conditions.size()) + " conditions, " +
-         std::to_string(scene.loads.size()) + " loads";
+         counted(static_cast<double>(scene.conditions.size()), "conditions") + ", " +
+         counted(static_cast<double>(scene.loads.size()), "loads");
 }
 
 std::string left_out_text(const Scene& scene) {
@@ -225,7 +226,7 @@ std::vector<std::string> scene_lines(
     lines.push_back("  body       " + body_text(scene, body));
   if (scene.jet.present) lines.push_back("  jet        " + jet_text(scene));
   lines.push_back("  modelled   " + modelled_text(scene));
-  lines.push_back("  not        " + left_out_text(scene));
+  lines.push_back("  left out   " + left_out_text(scene));
   if (scene.quasi_static.on()) lines.push_back("  slow       " + slow_text(scene));
   for (const std::string& note : run.notes) lines.push_back("  note       " + note);
   const char* const plural = ranks == 1 ? "" : "s";

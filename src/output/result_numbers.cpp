@@ -27,20 +27,20 @@ std::vector<std::string> result_numbers(
     );
   if (scene.jet.present && penetration.met)
     lines.push_back(
-        "its error from the cells: " +
+        "error of the depth from the size of the cells: " +
         depth_doubt_text(depth_doubt(scene, totals.time, penetration.depth))
     );
   const Ledger& ledger = totals.ledger;
   const NumericalEnergy energy = numerical_energy(ledger);
   lines.push_back(number_line(
-      "numerical energy error of the method, added (+) or lost (-): %+.2g %% of the energy put in "
+      "energy that the method itself has added (+) or lost (-): %+.2g %% of the energy put in "
       "(stress integration %+.2g %%, transfer between particles and grid %+.2g %%)",
       100.0 * energy.sum(),
       100.0 * energy.stress_integration,
       100.0 * energy.transfer
   ));
   lines.push_back(number_line(
-      "balances, including these errors, close to: energy %+.2e, mass %+.1e, axial momentum %+.1e",
+      "what the balances then leave over: energy %+.2e, mass %+.1e, axial momentum %+.1e",
       energy_balance(ledger).error(),
       mass_balance(ledger).error(),
       momentum_balance(ledger).error()
@@ -50,9 +50,9 @@ std::vector<std::string> result_numbers(
       number_line(", %.0f held", ledger.held)
   );
   lines.push_back(
-      duration_text(summary.wall_seconds) +
+      "took " + duration_text(summary.wall_seconds) +
       number_line(
-          ", %.0f ns per particle-step, %.0f MB at most",
+          ", %.0f ns per particle-step, at most %.0f MB",
           totals.particle_steps > 0.0 ? 1e9 * summary.wall_seconds / totals.particle_steps : 0.0,
           1e-6 * summary.peak_resident_bytes
       )
@@ -69,7 +69,7 @@ std::vector<std::string> result_numbers(
     );
   if (totals.skipped_steps > 0.0)
     lines.push_back(number_line(
-        "%.0f %% of all particle-steps were skipped: in dormant tiles",
+        "%.0f %% of all particle-steps were skipped, in dormant tiles",
         100.0 * totals.skipped_steps / (totals.skipped_steps + totals.particle_steps)
     ));
   return lines;

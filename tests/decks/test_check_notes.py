@@ -64,9 +64,9 @@ def check_plan():
     """Cells of the slugs and the error that was measured with them."""
     plan = barreno("check", QUICK)
     assert "at impact 0.5 to 1.1 cells per radius (tip 0.5, tail 1.1), 0.151 to 0.503 cells per length" in plan, plan
-    assert "error from the cells to expect at the end -25 % (-33 to -16 %), at 0.5 cells per jet radius" in plan, plan
+    assert "expected error at the end from the size of the cells: -25 % (-33 to -16 %) at 0.5 cells per jet radius" in plan, plan
     unknown = barreno("check", QUICK, "--set", "Step/Transfer=APIC")
-    assert "to expect at the end unknown: it was measured with Transfer FLIP only" in unknown, unknown
+    assert "at the end from the size of the cells: unknown (it was measured with Transfer FLIP only" in unknown, unknown
 
 
 def check_run(folder):
@@ -76,7 +76,7 @@ def check_run(folder):
     log = (folder / "run" / "run.log").read_text()
     for text in (said, log):
         assert text.count("do not touch in the path of the jet") == 1 and text.count(EARLY) == 1, text
-        assert "its error from the cells: -33 % (-33 to -16 %), at 0.5 cells per jet radius" in text, text
+        assert "error of the depth from the size of the cells: -33 % (-33 to -16 %) at 0.5 cells per jet radius" in text, text
     found = json.loads((folder / "run" / "summary.json").read_text())["penetration"]
     assert found["cells_per_radius"] == {"tip": 0.5, "tail": found["cells_per_radius"]["tail"], "least": 0.5, "most": found["cells_per_radius"]["most"]}, found
     error = found["depth_error"]

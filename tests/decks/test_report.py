@@ -155,9 +155,9 @@ DEPTH = {"depth": 0.0234}
 ERROR = {"value": -0.074, "low": -0.15, "high": -0.03, "cells_per_radius": 1.0, "source": "measured"}
 STUDY = {"cells": [5e-4, 1e-3, 2e-3], "low": 0.021, "high": 0.026, "extrapolated": 0.025}
 DEPTHS = [  # what a summary holds, words of the line
-    ({"depth_error": ERROR}, "23.40 mm; error from the cells -7 % (-15 to -3 %), at 1 cell per jet radius as measured"),
+    ({"depth_error": ERROR}, "23.40 mm; error from the size of the cells -7 % (-15 to -3 %) at 1 cell per jet radius, as measured"),
     ({"depth_error": {**ERROR, "cells_per_radius": 0.5}}, "at 0.5 cells per jet radius"),
-    ({"depth_error": {"unknown": "of plane jets nothing was measured"}}, "23.40 mm; error from the cells unknown: of plane jets"),
+    ({"depth_error": {"unknown": "of plane jets nothing was measured"}}, "23.40 mm; error from the size of the cells unknown (of plane jets"),
     ({"convergence": STUDY}, "23.40 mm; 21.0 to 26.0 mm by cells of 2, 1, 0.5 mm (grid convergence index)"),
     ({"convergence": {**STUDY, "extrapolated": None}}, "(spread, without an order)"),
     ({}, "23.40 mm"),
@@ -170,7 +170,7 @@ def check_depths(whole):
     make_report(whole)
     page = (whole / "report" / "index.md").read_text()
     shutil.rmtree(whole / "report")
-    wanted = ("at 0.5 cells per jet radius as measured with tungsten jets", "| cells per radius of the jet at impact | 0.5 to 1.1 (tip 0.5, tail 1.1) |")
+    wanted = ("at 0.5 cells per jet radius, as measured with tungsten jets", "| cells per radius of the jet at impact | 0.5 to 1.1 (tip 0.5, tail 1.1) |")
     return problems + [f"the page lacks: {words}" for words in wanted if words not in page]
 
 

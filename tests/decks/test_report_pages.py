@@ -38,7 +38,7 @@ def command(*words, code=0, path=None):
 def check_page(run):
     command("report", run, "--right", "plastic_volume_strain", "--pdf")
     page = (run / "report" / "index.html").read_text()
-    for words in ("data:image/png;base64,", "entrance diameter", "Kozeny", "error from the cells", "remainder of the ledger", "Strength at the tip", "of the jet&#x27;s table has been launched"):
+    for words in ("data:image/png;base64,", "entrance diameter", "Kozeny", "error from the size of the cells", "remainder of the ledger", "Strength at the tip", "of the jet&#x27;s table has been launched"):
         assert words in page, f"the page lacks {words}"
     assert (run / "report" / "report.pdf").stat().st_size > 50_000
     lines = (run / "report" / "profile.csv").read_text().splitlines()

@@ -135,13 +135,13 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
 }
 
 std::string depth_doubt_text(const DepthDoubt& doubt) {
-  if (!doubt.unknown.empty()) return "unknown: " + doubt.unknown;
+  if (!doubt.unknown.empty()) return "unknown (" + doubt.unknown + ")";
   char cells[96];
   const bool one = std::abs(doubt.cells_per_radius - 1.0) < 0.005;
   std::snprintf(
       cells,
       sizeof cells,
-      ", at %.2g cell%s per jet radius as ",
+      " at %.2g cell%s per jet radius, as ",
       doubt.cells_per_radius,
       one ? "" : "s"
   );

@@ -50,8 +50,8 @@ def ring_table(rings):
 
 
 WALL = (
-    "The wall is where the target's particles, with their deformed shapes, cover half of a window one cell wide and high. For a sharp wall that is its place "
-    "to less than a tenth of a cell; debris that flies clear of it by half a cell does not move it. profile.csv has the radius in rows of half a cell."
+    "The wall is where the target's particles, with their deformed shapes, cover half of a window one cell wide and high. A sharp wall is "
+    "found to less than a tenth of a cell; debris that is half a cell away from it makes no difference. profile.csv has the radius in rows of half a cell."
 )
 ROCK = (
     "Porosity is what crushing and dilation have left, phi = 1 - (1 - phi_0) exp(-e) with the plastic volume strain e, averaged over rings one cell wide and four "

@@ -22,9 +22,9 @@ def depth_text(depth, penetration):
         what = "grid convergence index" if study["extrapolated"] is not None else "spread, without an order"
         text += f"; {study['low'] / MILLI:.1f} to {study['high'] / MILLI:.1f} mm by cells of {cells} mm ({what})"
     if "value" in error:
-        text += f"; error from the cells {error_text(error)}, at {count_text(error['cells_per_radius'])} per jet radius as {error['source']}"
+        text += f"; error from the size of the cells {error_text(error)} at {count_text(error['cells_per_radius'])} per jet radius, as {error['source']}"
     elif "unknown" in error:
-        text += f"; error from the cells unknown: {error['unknown']}"
+        text += f"; error from the size of the cells unknown ({error['unknown']})"
     return text
 
 
@@ -71,7 +71,7 @@ def energy_rows(summary):
         return []
     return [
         (
-            "numerical energy error of the method, added (+) or lost (-)",
+            "energy that the method itself has added (+) or lost (-)",
             f"{sum(shares):+.2g} % of the energy put in (stress integration {shares[0]:+.2g} %, transfer between particles and grid {shares[1]:+.2g} %)",
         )
     ]
@@ -95,6 +95,6 @@ def run_rows(summary, history, depth):
     rows += [("time", f"{history['time'] / MICRO:.4g} µs"), ("steps", f"{history['step']:.0f}"), ("particles", f"{history['particles']:.0f}")]
     rows += depth_rows(summary, depth) + energy_rows(summary)
     errors = (history[f"{name}_error"] for name in ("energy", "mass", "momentum"))
-    rows.append(("balances, including these errors, close to", "energy {:+.2e}, mass {:+.1e}, axial momentum {:+.1e}".format(*errors)))
+    rows.append(("what the balances then leave over", "energy {:+.2e}, mass {:+.1e}, axial momentum {:+.1e}".format(*errors)))
     removed = sum(value for name, value in history.items() if name.startswith("removed_")) - history["removed_kinetic"]
     return rows + [("particles removed", f"{removed:.0f}"), ("held", f"{history['held']:.0f}")] + cost_rows(summary)

@@ -39,7 +39,7 @@ def tip_box(tip, deck):
 def channel_section(run, frame, fields, table):
     """Fields on both sides of the axis, whole and near the tip; the pore fluid where there is one."""
     deck = run.deck
-    caption = "Particles in their deformed shapes; a material without the field is grey. The colours leave out the extreme 1.5 % of the area at each end."
+    caption = "Particles in their deformed shapes. A material without the field is grey. The colour scale leaves out the extreme 1.5 % of the area at each end."
     section = Section("Channel", pictures=[Picture("fields", draw_channel(frame, deck, *fields), caption)])
     tip = tip_of(run, table, frame)
     if tip and deck.mirrored():
@@ -71,7 +71,7 @@ def depth_section(run, table):
     shares = []
     if len(time):
         section.rows.append(("rate of the depth at the end", f"{rate[-1]:.0f} m/s, by least squares over the last {0.5 * window / MICRO:.3g} µs"))
-        section.words.append(f"The rate is the slope of the depth over windows of {window / MICRO:.3g} µs; the speed of the deepest piece of the jet, which depth.csv also has, is not that of the hole.")
+        section.words.append(f"The rate is the slope of the depth over windows of {window / MICRO:.3g} µs; the speed of the deepest piece of the jet (tip_velocity in depth.csv) is not that of the hole.")
         with run.particles_read():
             shares = jet_shares(run.file, run.deck, lambda when: float(np.interp(when, time, rate)))
     if shares:

@@ -229,7 +229,7 @@ TEST(JetLines, SayCellsOfTipAndTailAndTheErrorToExpect) {
   coarse.grid.cell_size = 2e-3;
   EXPECT_TRUE(says(jet_lines(coarse), "(-33 to -16 %), at 0.5 cells per jet radius"));
   coarse.grid.cell_size = 4e-3;
-  EXPECT_TRUE(says(jet_lines(coarse), "unknown: it was measured with 0.5 to 4 cells"));
+  EXPECT_TRUE(says(jet_lines(coarse), "unknown (it was measured with 0.5 to 4 cells"));
   coarse.jet.present = false;
   EXPECT_EQ(jet_lines(coarse), "");
 }

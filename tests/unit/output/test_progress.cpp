@@ -84,7 +84,7 @@ TEST(Progress, TheEndNamesTheEnergyThatTheMethodTook) {
       ),
       std::string::npos
   ) << text;
-  EXPECT_NE(text.find("close to: energy +0.00e+00"), std::string::npos) << text;
+  EXPECT_NE(text.find("leave over: energy +0.00e+00"), std::string::npos) << text;
 }
 
 TEST(Progress, FirstAndLastBlocksNameWhatAUserLooksFor) {
