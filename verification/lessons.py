@@ -29,9 +29,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 GUIDE = ROOT / "docs" / "guide"
 SHORT = '--set "Time/End Time=1 us" --ranks 1'
-HELD = " ".join(f"--fix {name}" for name in ("FSLOPE=0.549", "CR=0.593", "B0=6.74e9", "B1=28.6e9", "B2=264e6", "p0_crush_curve=-1.2244e9", "p1_crush_curve=5.95e-10", "PEAKI1=9.36e6"))
+HELD = " ".join(f"--fix {name}" for name in ("PEAKI1=9.36e6", "FSLOPE=0.549", "STREN=128.5e6", "CR=0.593", "B1=28.6e9", "B2=264e6", "p0_crush_curve=-1.2244e9", "p1_crush_curve=5.95e-10"))
 # Words that the reduced form adds to a command of ./barreno; the last of two values counts.
-REDUCED = {"run": SHORT, "converge": f"{SHORT} --levels 2", "sweep": SHORT, "fit": HELD}
+REDUCED = {"run": SHORT, "resume": '--until "1.2 us" --ranks 1', "converge": f"{SHORT} --levels 2", "sweep": SHORT, "fit": HELD}
 # They read what a reduced command has written.
 READS_RUNS = ("report", "film", "compare", "drive")
 NOTE = re.compile(r"<!-- (exit|needs|lines|picture): (.*) -->$")
@@ -122,6 +122,8 @@ class Shell:
             (home / "ccx").mkdir()
             (home / "ccx" / "ccx").symlink_to(ccx)
         self.fresh = {name: value for name, value in os.environ.items() if not name.startswith("BARRENO_") and name != "PYTHONPATH"}
+        # Matplotlib's list of fonts takes seconds to make anew.
+        self.fresh.setdefault("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache"))
         self.fresh.update(HOME=str(home), PATH=f"{folder / 'bin'}:{os.environ['PATH']}", OMP_NUM_THREADS="1", PYTHONDONTWRITEBYTECODE="1")
         self.begin()
 

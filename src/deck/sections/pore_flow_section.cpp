@@ -23,13 +23,15 @@ SectionTable<PermeabilitySpec> rock_table() {
                "Permeability",
                dim::area,
                at_least(0.0),
-               "one number, or one along each axis; 0: no flow"
+               "k in Darcy's law, flow = -(k / Viscosity) grad p (1 darcy is 9.87e-13 m2): one "
+               "number, or one along each axis; 0: no flow"
            )
        ),
        defaulted(
            &PermeabilitySpec::kozeny_carman,
            "Kozeny-Carman",
-           "permeability times (phi/phi0)^3 ((1-phi0)/(1-phi))^2"
+           "true: the permeability follows the porosity phi that deformation leaves: "
+           "Permeability times (phi/phi0)^3 ((1-phi0)/(1-phi))^2, phi0 the initial one"
        )},
       "permeability of one material, whose model must have a fluid that can drain"};
 }
@@ -44,11 +46,16 @@ SectionTable<PoreConditionSpec> flow_condition_table() {
            "Kind",
            "drained: the fluid outside has this Pressure; flux: fluid flows in at this Flux"
        ),
-       if_given(&PoreConditionSpec::grid_faces, "Grid Faces", "faces of the grid box"),
+       if_given(
+           &PoreConditionSpec::grid_faces,
+           "Grid Faces",
+           "where rock touches these faces of the grid box"
+       ),
        if_given(
            &PoreConditionSpec::open_faces,
            "Open Faces",
-           "where rock faces, to this side, a cell without solid: outer surfaces, and the channel "
+           "surfaces of the rock that look to these sides, wherever they are: between a cell of "
+           "rock and one without solid, so outer surfaces, and the wall of the channel "
            "as a jet opens it"
        ),
        read_by<PoreConditionSpec>(
@@ -70,7 +77,12 @@ SectionTable<PoreConditionSpec> flow_condition_table() {
        read_by(
            "read_flux",
            &PoreConditionSpec::value,
-           number("Flux", dim::velocity, any(), "volume per area and time, negative: out")
+           number(
+               "Flux",
+               dim::velocity,
+               any(),
+               "volume of fluid per area and time; negative: out of the rock"
+           )
                .if_given()
        )},
       "one condition"};
