@@ -86,10 +86,13 @@ void check_reproducible_sums(const Hdf5File& file, const std::string& name, std:
 void check_sums(const Hdf5File& file, const State& state) {
   check_reproducible_sums(file, "ledger/terms", terms_of(state.ledger).size());
   check_reproducible_sums(file, "ledger/reactions", 3 * state.reactions.size());
-  const std::string name = "ledger/particle_steps";
-  for_each_value<double>(file, name, 2, [&](std::size_t row, double steps) {
-    if (!(steps >= 0.0 && std::isfinite(steps))) refuse_value(name, row, steps);
-  });
+  const auto check_counts = [&](const std::string& name, std::size_t rows) {
+    for_each_value<double>(file, name, rows, [&](std::size_t row, double steps) {
+      if (!(steps >= 0.0 && std::isfinite(steps))) refuse_value(name, row, steps);
+    });
+  };
+  check_counts("ledger/particle_steps", 2);
+  check_counts("ledger/step_shares", values_of(state.step_shares).size());
 }
 
 /// Ids that particles of a material may have: its bodies', and those of slugs that were launched.

@@ -129,6 +129,8 @@ void read_sums(const SharedFile& file, State& state) {
   const auto steps = file.read<double>("ledger/particle_steps");
   state.particle_steps = is_root(comm) ? steps[0] : 0.0;
   state.skipped_steps = is_root(comm) ? steps[1] : 0.0;
+  const auto shares = shares_of(file.read<double>("ledger/step_shares"));
+  if (is_root(comm)) state.step_shares = shares;
   state.stable_step = file.read<double>("run/stable_step").at(0);
 }
 

@@ -114,12 +114,15 @@ void write_sums(
   const Hdf5Table<long long> impulses = whole_table(comm, impulses_of(state));
   std::vector<double> steps{state.particle_steps, state.skipped_steps};
   sum_over_ranks(comm, steps);
+  std::vector<double> shares = values_of(state.step_shares);
+  sum_over_ranks(comm, shares);
   std::array<double, 1> stable{state.stable_step};
   min_over_ranks(comm, stable);
   work.run([&] {
     file->write("ledger/terms", terms);
     file->write("ledger/reactions", impulses);
     file->write("ledger/particle_steps", one_column(steps), "");
+    file->write("ledger/step_shares", one_column(shares), "");
     file->write("run/stable_step", one_column(std::vector<double>{stable[0]}), "s");
   });
 }

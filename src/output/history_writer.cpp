@@ -18,6 +18,9 @@ RunTotals sum_totals(const State& state) {
   totals.particles = counts[0];
   totals.particle_steps = counts[1];
   totals.skipped_steps = counts[2];
+  std::vector<double> shares = values_of(state.step_shares);
+  sum_over_ranks(comm, shares);
+  totals.step_shares = shares_of(shares);
   totals.time = state.clock.time;
   totals.reactions = reaction_impulses(state);
   totals.pore_flow = pore_flow_values(state, totals.ledger);

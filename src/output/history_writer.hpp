@@ -16,6 +16,7 @@ struct RunTotals {
   double particles = 0.0;
   double particle_steps = 0.0;    ///< advanced
   double skipped_steps = 0.0;     ///< left as they were
+  StepShares step_shares;         ///< of particle_steps
   double time = 0.0;              ///< [time]
   std::vector<double> pore_flow;  ///< see pore_flow_values
   std::vector<double> reactions;  ///< impulses on rigid bodies, see reaction_impulses

@@ -3,6 +3,7 @@
 
 #include "output/jet/jet_estimate.hpp"
 #include "output/progress.hpp"
+#include "output/share_numbers.hpp"
 #include "output/text_file.hpp"
 #include "state/balance.hpp"
 
@@ -72,6 +73,10 @@ std::vector<std::string> result_numbers(
         "%.0f %% of all particle-steps were skipped, in dormant tiles",
         100.0 * totals.skipped_steps / (totals.skipped_steps + totals.particle_steps)
     ));
+  const auto cells = shares_by_cell_size(scene.grid.cell_size, totals.step_shares);
+  if (!cells.empty()) lines.push_back("particle-steps by cell size: " + share_text(cells));
+  const auto lengths = shares_by_step_length(totals.step_shares);
+  if (!lengths.empty()) lines.push_back("particle-steps by length of step: " + share_text(lengths));
   return lines;
 }
 

@@ -5,6 +5,7 @@
 #include "base/region.hpp"
 #include "base/utf8.hpp"
 #include "output/jet/jet_estimate.hpp"
+#include "output/share_numbers.hpp"
 #include "state/balance.hpp"
 
 #include <cmath>
@@ -70,6 +71,14 @@ void put_cost(Json& json, const RunSummary& summary, const RunTotals& totals) {
     one["calls"] = phase.calls;
     one["ns_per_particle_step"] = number(steps > 0.0 ? 1e9 * phase.mean_seconds / steps : 0.0);
   }
+}
+
+/// Where cells or steps are of several sizes.
+void put_step_shares(Json& json, double cell_size, const StepShares& shares) {
+  for (const auto& [name, share] : shares_by_cell_size(cell_size, shares))
+    json["particle_steps_by_cell_size"][name] = number(share);
+  for (const auto& [name, share] : shares_by_step_length(shares))
+    json["particle_steps_by_step_length"][name] = number(share);
 }
 
 /// What was expected before the run, beside what came.
@@ -270,6 +279,7 @@ std::string summary_text(
   json["particles"] = number(totals.particles);
   json["steps"] = state.clock.step;
   put_cost(json, summary, totals);
+  put_step_shares(json, scene.grid.cell_size, totals.step_shares);
   put_prediction(json, run, summary);
   if (scene.jet.present) put_penetration(json, scene, state.clock.time, penetration);
   put_balances(json, totals.ledger);

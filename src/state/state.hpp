@@ -17,6 +17,7 @@
 #include "state/pore_flow_state.hpp"
 #include "state/reaction.hpp"
 #include "state/rigid_motions.hpp"
+#include "state/step_shares.hpp"
 #include "state/subcycling.hpp"
 
 #include <limits>
@@ -46,6 +47,7 @@ struct State {
   Subcycling subcycling;
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
   double skipped_steps = 0.0;   ///< of those that were left as they were
+  StepShares step_shares;       ///< of particle_steps
   Effort effort;
   LoadBalance sharing;
 };

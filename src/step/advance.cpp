@@ -130,6 +130,9 @@ void take_part(const Scene& scene, double next_time, double& dt, State& state, S
   tally_particle_steps(
       state.particles, state.dormancy, state.subcycling, state.particle_steps, state.skipped_steps
   );
+  tally_step_shares(
+      state.grid, state.particles, state.dormancy, state.subcycling, state.step_shares
+  );
   state.stable_step = std::min(tally.stress.stable_step, state.dormancy.stable_step);
   const double left = next_time - clock.time;
   clock = {dt >= left ? next_time : clock.time + dt, dt, clock.step};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/tally_step.hpp"
 
+#include "base/launch.hpp"
+#include "base/row_sum.hpp"
+
 namespace barreno {
 
 void tally_step(const StepTally& tally, OwnLedger& ledger, std::vector<Reaction>& reactions) {
@@ -58,6 +61,38 @@ void tally_particle_steps(
     if (!particles.rigid) particle_steps += particles.count;
   particle_steps -= dormancy.skipped_rows;
   if (!goes_on(subcycling)) skipped_steps += dormancy.skipped_rows;
+}
+
+void tally_step_shares(
+    const Grid& grid,
+    const std::vector<Particles>& sets,
+    const Dormancy& dormancy,
+    const Subcycling& subcycling,
+    StepShares& shares
+) {
+  if (!grid.is_refined() && subcycling.most == 1) return;
+  const ArrayView<TileFrame> frame = grid.tile_frame;
+  for (const Particles& particles : sets) {
+    if (particles.rigid) continue;
+    const ArrayView<int> begin = particles.tile_begin;
+    StepShares of_set;
+    launch_reduction(
+        "tally_step_shares",
+        range(grid.active),
+        KOKKOS_LAMBDA(const int t, StepShares& sum) {
+          if (dormancy.is_dormant(t) || (subcycling.on() && !subcycling.is_over(t))) return;
+          const double rows = begin(t + 1) - begin(t);
+          int length = 0;
+          while (subcycling.on() && length + 1 < step_lengths && 2 << length <= subcycling.period(t)
+          )
+            ++length;
+          sum.of_level[frame(t).position.level] += rows;
+          sum.of_length[length] += rows;
+        },
+        TallyReducer<StepShares>(of_set)
+    );
+    add(of_set, shares);
+  }
 }
 
 }  // namespace barreno

@@ -34,4 +34,13 @@ void tally_particle_steps(
     double& skipped_steps
 );
 
+/// The same particles by the cells and by the step of their tiles, where these differ at all.
+void tally_step_shares(
+    const Grid& grid,
+    const std::vector<Particles>& sets,
+    const Dormancy& dormancy,
+    const Subcycling& subcycling,
+    StepShares& shares
+);
+
 }  // namespace barreno

@@ -14,7 +14,7 @@ TABLES = ("history.csv", "depth.csv", "radii.csv", "cavities.csv")
 # Of a checkpoint: who had what, and how the work was shared, which follows measured times.
 OF_THE_RANKS = ("run/ranks", "grid/owner", "rank_counts", "output/fields_files")
 # Particles that rested in one run may be stepped over in another, with the same answer; seconds are those of the clock.
-OF_THE_WORK = ("ledger/particle_steps", "output/seconds")
+OF_THE_WORK = ("ledger/particle_steps", "ledger/step_shares", "output/seconds")
 
 
 def numbers_of(file):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/build_facts.hpp"
+#include "output/share_numbers.hpp"
 #include "output/summary.hpp"
 #include "state/balance.hpp"
 #include "synthetic_run.hpp"
@@ -76,6 +77,28 @@ TEST(Summary, CountsKinematicAnomalies) {
   );
   for (const char* word : {"\"kinematic_anomalies\"", "\"stretch_bound\": 20", "\"stretched\": 1"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
+}
+
+TEST(Summary, SaysWhichCellsAndStepsTheWorkWentTo) {
+  StepShares shares;
+  EXPECT_TRUE(shares_by_cell_size(1e-3, shares).empty());
+  EXPECT_TRUE(shares_by_step_length(shares).empty());
+  shares.of_level[0] = 10.0;
+  shares.of_level[2] = 30.0;
+  shares.of_length[0] = 40.0;
+  EXPECT_EQ(share_text(shares_by_cell_size(1e-3, shares)), "1 mm 25 %, 0.25 mm 75 %");
+  EXPECT_TRUE(shares_by_step_length(shares).empty()) << "all steps are of one length";
+  shares.of_length[3] = 120.0;
+  EXPECT_EQ(share_text(shares_by_step_length(shares)), "1 part 25 %, 8 parts 75 %");
+
+  const Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const State state = synthetic::make_state(scene, comm);
+  RunTotals totals = sum_totals(state);
+  totals.step_shares = shares_of(values_of(shares));
+  const std::string text =
+      summary_text(scene, state, {"out", "deck.xml", "", "1.0", {}}, totals, {}, {}, {});
+  EXPECT_NE(text.find("\"8 parts\": 0.75"), std::string::npos) << text;
 }
 
 TEST(Summary, CountsAreWholeAndWhatIsNoNumberIsNull) {

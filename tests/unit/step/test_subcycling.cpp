@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace barreno {
 namespace {
@@ -55,6 +56,17 @@ double particle_steps(const State& state) {
   return sum[0];
 }
 
+/// How the particle-steps of all ranks distribute.
+StepShares step_shares(const State& state) {
+  std::vector<double> sums = values_of(state.step_shares);
+  sum_over_ranks(*state.grid.comm, sums);
+  return shares_of(sums);
+}
+template <std::size_t n>
+double sum_of(const double (&counts)[n]) {
+  return std::accumulate(counts, counts + n, 0.0);
+}
+
 /// Root mean square of the difference of axial velocities.
 double velocity_difference(const State& one, const State& other) {
   const auto a = all_rows(one), b = all_rows(other);
@@ -95,6 +107,15 @@ TEST_P(SubcyclingOf, ACollisionOnLevelsKeepsItsBalancesToo) {
   expect_balances(subcycled);
   EXPECT_LT(particle_steps(subcycled), 0.75 * particle_steps(one_step));
   EXPECT_LT(velocity_difference(one_step, subcycled), 0.01 * 120.0);
+
+  // Tiles are counted whole, and a chunk of rows that reaches into a tile that rests is computed.
+  const StepShares shares = step_shares(subcycled);
+  EXPECT_EQ(sum_of(shares.of_level), sum_of(shares.of_length));
+  EXPECT_LE(sum_of(shares.of_level), particle_steps(subcycled));
+  EXPECT_GT(sum_of(shares.of_level), 0.5 * particle_steps(subcycled));
+  EXPECT_GT(shares.of_level[0], 0.0);
+  EXPECT_GT(shares.of_level[1], shares.of_level[0]);
+  EXPECT_GT(shares.of_length[1] + shares.of_length[2] + shares.of_length[3], 0.0);
 }
 
 /// No force arises between tiles of different steps, and each goes as far as its neighbour.
