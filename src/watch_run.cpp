@@ -81,8 +81,8 @@ struct Energies {
 Energies sum_energies(const State& state) {
   const Ledger l = sum_over_ranks(*state.grid.comm, state.ledger);
   const double supplied = l.initial_kinetic + l.launched_kinetic + l.prestress +
-                          std::abs(l.explosive) + std::abs(l.boundary_work) + std::abs(l.body_work) +
-                          std::abs(l.fluid_work);
+                          std::abs(l.explosive) + std::abs(l.boundary_work) +
+                          std::abs(l.body_work) + std::abs(l.fluid_work);
   return {l.kinetic, l.elastic, supplied};
 }
 

@@ -75,7 +75,9 @@ TEST(Summary, CountsKinematicAnomalies) {
   const std::string text = summary_text(
       scene, state, {"out", "deck.xml", "", "1.0", {}}, sum_totals(state), {}, summary, {}
   );
-  for (const char* word : {"\"kinematic_anomalies\"", "\"stretch_bound\": 20", "\"stretched\": 1"})
+  const std::string stretched =
+      "\"stretched\": " + std::to_string(static_cast<int>(after[of].stretched));
+  for (const char* word : {"\"kinematic_anomalies\"", "\"stretch_bound\": 20", stretched.c_str()})
     EXPECT_NE(text.find(word), std::string::npos) << word;
 }
 
