@@ -223,11 +223,11 @@ TEST(JetLines, SayCellsOfTipAndTailAndTheErrorToExpect) {
            {90e-6, "-14 %"}}) {
     Scene shorter = main_job();
     shorter.end_time = time;
-    EXPECT_TRUE(says(jet_lines(shorter), "at the end " + error + " (")) << jet_lines(shorter);
+    EXPECT_TRUE(says(jet_lines(shorter), "the cells: " + error + " (")) << jet_lines(shorter);
   }
   Scene coarse = main_job();
   coarse.grid.cell_size = 2e-3;
-  EXPECT_TRUE(says(jet_lines(coarse), "(-33 to -16 %), at 0.5 cells per jet radius"));
+  EXPECT_TRUE(says(jet_lines(coarse), "(-33 to -16 %) at 0.5 cells per jet radius"));
   coarse.grid.cell_size = 4e-3;
   EXPECT_TRUE(says(jet_lines(coarse), "unknown (it was measured with 0.5 to 4 cells"));
   coarse.jet.present = false;
@@ -249,7 +249,7 @@ TEST(JetLines, SayTheKindAndWhatFollows) {
   const std::string thinned = text_of_kind(JetKind::thinned);
   EXPECT_TRUE(says(thinned, std::string("Kind      thinned: ") + filled)) << thinned;
   EXPECT_TRUE(says(thinned, "depth 2.16 times that of the discrete jet")) << thinned;
-  EXPECT_TRUE(says(thinned, "unknown: it was measured with discrete jets only")) << thinned;
+  EXPECT_TRUE(says(thinned, "unknown (it was measured with discrete jets only)")) << thinned;
   const std::string continuous = text_of_kind(JetKind::continuous);
   EXPECT_TRUE(says(continuous, "depth 1.72 times that of the discrete jet")) << continuous;
 }
