@@ -60,6 +60,7 @@ Material material_in(const Deck& deck, const std::string& name) {
   // The deck's own words, which no model knows.
   list.remove(name_of(&MaterialSection::bad_particles));
   list.remove(name_of(&MaterialSection::largest_expansion), false);
+  list.remove(name_of(&MaterialSection::volume_relaxation), false);
   return make_material(name, list, deck.name(), path);
 }
 
@@ -69,6 +70,7 @@ void add_materials(const Deck& deck, Scene& scene) {
     MaterialSpec& material =
         scene.materials.emplace_back(material_in(deck, name), said.bad_particles);
     if (said.largest_expansion) material.largest_expansion = said.largest_expansion;
+    material.volume_relaxation = said.volume_relaxation;
   }
 }
 

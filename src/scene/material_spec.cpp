@@ -76,8 +76,10 @@ void MaterialSpec::scale_density(double factor) {
   Material scaled = *material_;
   scaled.density *= factor;
   const std::optional<double> expansion = largest_expansion;
+  const double relaxation = volume_relaxation;
   *this = MaterialSpec(scaled, bad_particles);
   largest_expansion = expansion;
+  volume_relaxation = relaxation;
 }
 
 }  // namespace barreno

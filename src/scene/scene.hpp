@@ -53,6 +53,8 @@ public:
   BadParticlePolicy bad_particles;
   /// V / V_ref beyond which a particle counts as bad; without: that of the step [-]
   std::optional<double> largest_expansion;
+  /// Of particles of one cell towards its mean volume ratio, per shear strain [-]
+  double volume_relaxation = 0.0;
 
 private:
   double density_;  ///< the material's, for those who do not include it

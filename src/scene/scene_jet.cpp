@@ -41,6 +41,21 @@ void check_kind(const Deck& deck, const Scene& scene) {
   );
 }
 
+/// Slugs tear and collide: their particles have no volume in common.
+void check_relaxation(const Deck& deck, const Scene& scene) {
+  const MaterialSpec& material = material_of_jet(scene);
+  if (material.volume_relaxation == 0.0) return;
+  const std::string path =
+      "Materials/" + material.name() + "/" + name_of(&MaterialSection::volume_relaxation);
+  deck.refuse_value(
+      path,
+      "is of the jet's material, whose slugs tear and collide, so that the particles of a cell "
+      "have "
+      "no volume ratio in common; remove it, or give the bodies that need it a material of their "
+      "own"
+  );
+}
+
 }  // namespace
 
 void check_jet_expansion(const Deck& deck, const Scene& scene) {
@@ -74,6 +89,7 @@ void add_jet(const Deck& deck, Scene& scene) {
   if (problem.empty()) problem = problem_of_kind(jet.table, jet.kind, density);
   if (!problem.empty()) deck.refuse_value(rows_path, problem);
   check_kind(deck, scene);
+  check_relaxation(deck, scene);
   jet.slugs = slugs_of_kind(jet.table, jet.kind, scene.grid.mode, density);
 
   const Box place = launch_box(jet, scene.grid);

@@ -6,6 +6,7 @@
 #include "step/boundary/conditions_of_step.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/grid/solve_velocity.hpp"
+#include "step/particles/relax_volumes.hpp"
 #include "step/subcycle/tile_steps.hpp"
 #include "step/transfer/interpolate_motion.hpp"
 
@@ -63,6 +64,12 @@ GridTally solve_fields(
   return tally;
 }
 
+void relax(const Scene& scene, const State& state, const Particles& particles) {
+  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(particles.material)];
+  const double rate = material.volume_relaxation, density = material.density();
+  relax_volumes(state.grid, state.dormancy, rate, density, particles);
+}
+
 /// What the motion of the nodes does to the particles of tiles whose steps end.
 /// @return the largest |D| dt of any particle on any rank [-]
 double move_with_nodes(const Scene& scene, State& state) {
@@ -77,6 +84,7 @@ double move_with_nodes(const Scene& scene, State& state) {
     const double of_set =
         interpolate_motion(state.grid, state.dormancy, state.subcycling, nodes, particles);
     strain[0] = std::max(strain[0], of_set);
+    relax(scene, state, particles);
   }
   state.effort.node_seconds += watch.seconds();
   max_over_ranks(*state.grid.comm, strain);
@@ -121,6 +129,7 @@ void solve_strain(const Scene& scene, const Clock& clock, State& state) {
     Particles asking = particles;  // views of the same rows, but for the motion of the step
     asking.grid_motion = particles.second_pass_motion;
     interpolate_motion(state.grid, state.dormancy, state.subcycling, nodes, asking);
+    relax(scene, state, particles);
   }
   state.effort.node_seconds += watch.seconds();
 }

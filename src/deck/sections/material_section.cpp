@@ -38,6 +38,15 @@ SectionTable<MaterialSection> material_table() {
            above(1.0),
            "V / V_ref beyond which a particle of this material counts as bad; without it 100 for "
            "explosives, else that of Step"
+       ),
+       defaulted(
+           &MaterialSection::volume_relaxation,
+           "Volume Relaxation",
+           dim::none,
+           between(0.0, 100.0),
+           "rate, per shear strain, at which the particles of a cell that flow take on its mean "
+           "volume ratio: smooths pressures that alternate from particle to particle in metal "
+           "that has flown; 30 for a casing, 0: off"
        )},
       "one material: a card, a model with its parameters, or a card with single values overridden"};
 }
