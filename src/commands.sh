@@ -30,7 +30,7 @@ barreno converge DECK [--quantity NAME] [--times "10 us, 20 us"] [--levels 3] [-
 barreno sweep DECK --vary "LIST/NAME=VALUE,VALUE UNIT"... [--sample grid|list|latin] [--samples N] [--jobs N]
                 [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N] [--submit slurm] [--collect]
                                   several values of parameters, runs side by side: table, curves, channels (docs/sweep.md)
-barreno compare RUN RUN... [--out FOLDER]   the same of runs at hand: what their decks and results differ in
+barreno compare RUN RUN... [--out FOLDER]   the same for runs at hand: how their decks and results differ
 barreno drive --material CARD --path PATH --out OUT [--steps-per-row N] [--every-step] [--plot PNG]
                 [--set PARAMETER=value]   one material point along a path of deformation, strain or stress
 barreno fit DATA... --out CARD [--start CARD] [--fix NAME=value]... [--bounds NAME=low,high]...

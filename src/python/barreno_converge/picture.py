@@ -7,6 +7,12 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 
+def label_of(name):
+    """The quantity with its unit."""
+    length = name.split(".")[-1] in ("depth", "channel_depth", "channel_radius_mid") or name.endswith("_radius")
+    return f"{name} [m]" if length else f"{name} [SI]"
+
+
 def draw_over_time(axes, name, levels, series, rows):
     for level, (time, values) in reversed(list(zip(levels, series))):
         axes.plot(1e6 * time, values, lw=1.2, label=f"cells of {1e3 * level.cells:.4g} mm")
@@ -14,7 +20,7 @@ def draw_over_time(axes, name, levels, series, rows):
         label = {} if i else {"label": "interval"}
         axes.errorbar(1e6 * time, verdict.value, [[verdict.value - verdict.low], [verdict.high - verdict.value]], fmt="none", ecolor="k", capsize=4, **label)
     axes.set_xlabel("time [µs]")
-    axes.set_ylabel(f"{name} [SI]")
+    axes.set_ylabel(label_of(name))
     axes.legend(fontsize=8)
     axes.grid(alpha=0.3)
 
@@ -31,7 +37,7 @@ def draw_over_cells(axes, name, levels, row):
     axes.set_xlim(left=-0.05 * max(cells))
     axes.set_xlabel("cell size [mm]")
     axes.set_title(f"at {1e6 * time:.4g} µs", fontsize=10)
-    axes.set_ylabel(f"{name} [SI]")
+    axes.set_ylabel(label_of(name))
     axes.legend(fontsize=8)
     axes.grid(alpha=0.3)
 
