@@ -169,20 +169,20 @@ void write_in_model(const ModelDescription& model, const std::string& asked, std
 
 /// The nearest of all names, or those of sections and models where none is near.
 std::string suggest_word(const std::string& asked) {
-  std::vector<std::string> main, all;
-  for (const Section& section : deck_schema().sections) main.push_back(section.name);
+  std::vector<std::string> tables, all;
+  for (const Section& section : deck_schema().sections) tables.push_back(section.name);
   for (const PlacedSection& placed : placed_sections()) {
     all.push_back(placed.path);
     for (const Entry& entry : placed.section->entries) all.push_back(entry.name);
   }
   for (const Entry& entry : deck_schema().entries) all.push_back(entry.name);
   for (const ModelDescription& model : describe_models()) {
-    main.push_back(model.name);
+    tables.push_back(model.name);
     for (const Entry& entry : card_section(model).entries) all.push_back(entry.name);
   }
-  all.insert(all.begin(), main.begin(), main.end());
+  all.insert(all.begin(), tables.begin(), tables.end());
   const bool near = !input::nearest_name(asked, all).empty();
-  return input::suggest_name(asked, near ? all : main);
+  return input::suggest_name(asked, near ? all : tables);
 }
 
 std::string cell(const std::string& text) {
