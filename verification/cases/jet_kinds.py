@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One jet as discrete, thinned and continuous: depths in a target without strength against the hydrodynamic rule, and the main job."""
+import math
+
+from case import Result
+from penetration import depth_at
+from runs import run_deck
+
+KINDS = ("discrete", "continuous", "thinned")
+ALPHA = 1.5  # of copper_two_thirds.csv: full over mean density
+RULE = {"discrete": 1.0, "continuous": math.sqrt(2.0 * ALPHA - 1.0), "thinned": ALPHA}
+TIMES = (10, 20, 30, 50)  # of the main job [us]
+
+
+def anomalies(run):
+    """Particles stretched, ejected, clipped, of all materials, and those that were removed."""
+    counts = run.summary["kinematic_anomalies"]["materials"].values()
+    removed = sum(cause["count"] for cause in run.summary["removed_particles"].values())
+    return [sum(one[word] for one in counts) for word in ("stretched", "ejected", "clipped")] + [removed]
+
+
+def launched_error(run):
+    """Greatest difference of launched mass, momentum and energy to the table's."""
+    return max(abs(run.summary["jet"][word]["difference"]) for word in ("mass", "momentum", "kinetic"))
+
+
+def row_of(name, kind, h, run, depths):
+    return [name, kind, h, *depths, *anomalies(run)]
+
+
+def without_strength(barreno, result, h):
+    """Depths of the three kinds [mm] when all of the jet has been consumed."""
+    depths = {}
+    for kind in KINDS:
+        run = run_deck(barreno, "jet_import_kinds.xml", {"Jet/Kind": kind, "Grid/Cell Size": f"{h} mm"})
+        depths[kind] = 1e3 * run.summary["penetration"]["depth"]
+        result.rows.append(row_of("without strength", kind, h, run, [depths[kind]] + [1e3 * depth_at(run, 1e-6 * t) for t in (10, 20, 30)] + [""]))
+        result.demand(f"{kind}, {h:g} mm: launched over the table's mass, momentum and energy, less 1", launched_error(run), 1e-9)
+        result.demand(f"{kind}, {h:g} mm: ledger remainder", abs(run.summary["balances"]["energy"]["error"]), 1e-3)
+    for kind in KINDS[1:]:
+        ratio = depths[kind] / depths["discrete"]
+        result.demand(f"{kind} over discrete, {h:g} mm: depth ratio against the rule's {RULE[kind]:.3f}", abs(ratio / RULE[kind] - 1.0), 0.1)
+    ratio = depths["thinned"] / depths["continuous"]
+    rule = RULE["thinned"] / RULE["continuous"]
+    result.demand(f"thinned over continuous, {h:g} mm: depth ratio against the rule's {rule:.3f}", abs(ratio / rule - 1.0), 0.1)
+
+
+def main_job(barreno, result):
+    """perforation.xml to 50 us in the three kinds."""
+    for kind in KINDS:
+        run = run_deck(
+            barreno,
+            "perforation.xml",
+            {"Jet/Kind": kind, "Materials/Tungsten/Expansion Strain": "on", "Time/End Time": "50 us", "Output/Field Interval": "50 us"},
+        )
+        depths = [1e3 * run.summary["penetration"]["depth"]] + [1e3 * depth_at(run, 1e-6 * t) for t in TIMES[:3]] + [1e3 * depth_at(run, 50e-6)]
+        result.rows.append(row_of("main job", kind, 1.0, run, depths))
+        result.demand(f"main job, {kind}: launched over the table's mass, momentum and energy, less 1", launched_error(run), 1e-9)
+        result.demand(f"main job, {kind}: ledger remainder", abs(run.summary["balances"]["energy"]["error"]), 1e-3)
+
+
+def run(barreno, full):
+    result = Result(
+        "Kinds of a jet",
+        "The voids of one jet table as gaps, as a smaller radius and as an expansion strain: the same mass, momentum and energy, and "
+        "depths as the hydrodynamic rule has them.",
+        "Hydrodynamic depths, discrete : continuous : thinned = 1 : sqrt(2 alpha - 1) : alpha, alpha = full over mean density (docs/jets.md).",
+        ["job", "kind", "cell [mm]", "final depth [mm]", "depth at 10 us [mm]", "depth at 20 us [mm]", "depth at 30 us [mm]",
+         "depth at 50 us [mm]", "particles stretched", "ejected", "clipped", "removed"],
+        [],
+    )  # fmt: skip
+    for h in (1.0, 0.5) if full else (1.0,):
+        without_strength(barreno, result, h)
+    if full:
+        main_job(barreno, result)
+    return result
