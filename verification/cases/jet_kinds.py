@@ -9,7 +9,14 @@ from runs import run_deck
 KINDS = ("discrete", "continuous", "thinned")
 ALPHA = 1.5  # of copper_two_thirds.csv: full over mean density
 RULE = {"discrete": 1.0, "continuous": math.sqrt(2.0 * ALPHA - 1.0), "thinned": ALPHA}
+LENGTH = 72.0  # of the whole jet [mm]
 TIMES = (10, 20, 30, 50)  # of the main job [us]
+
+
+def hydrodynamic_depth(kind):
+    """Over the length of the whole jet, into a target of the metal's density: sqrt(rho_j / rho_t), and sqrt(2 alpha - 1) / alpha of a
+    continuous jet."""
+    return RULE[kind] / ALPHA
 
 
 def anomalies(run):
@@ -37,22 +44,22 @@ def without_strength(barreno, result, h):
         result.rows.append(row_of("without strength", kind, h, run, [depths[kind]] + [1e3 * depth_at(run, 1e-6 * t) for t in (10, 20, 30)] + [""]))
         result.demand(f"{kind}, {h:g} mm: launched over the table's mass, momentum and energy, less 1", launched_error(run), 1e-9)
         result.demand(f"{kind}, {h:g} mm: ledger remainder", abs(run.summary["balances"]["energy"]["error"]), 1e-3)
-    for kind in KINDS[1:]:
-        ratio = depths[kind] / depths["discrete"]
-        result.demand(f"{kind} over discrete, {h:g} mm: depth ratio against the rule's {RULE[kind]:.3f}", abs(ratio / RULE[kind] - 1.0), 0.1)
-    ratio = depths["thinned"] / depths["continuous"]
-    rule = RULE["thinned"] / RULE["continuous"]
-    result.demand(f"thinned over continuous, {h:g} mm: depth ratio against the rule's {rule:.3f}", abs(ratio / rule - 1.0), 0.1)
+    for kind in KINDS[1:]:  # whole jets: what the rule gives for a target of the jet's own density
+        exact = LENGTH * hydrodynamic_depth(kind)
+        result.demand(f"{kind}, {h:g} mm: depth against the hydrodynamic {exact:.1f} mm", abs(depths[kind] / exact - 1.0), 0.1)
+    ratio, rule = depths["thinned"] / depths["continuous"], RULE["thinned"] / RULE["continuous"]
+    result.demand(f"thinned over continuous, {h:g} mm: depth ratio against the rule's {rule:.3f}", abs(ratio / rule - 1.0), 0.05)
+    ratio = depths["continuous"] / depths["discrete"]
+    result.demand(f"continuous over discrete, {h:g} mm: depth ratio against the rule's {RULE['continuous']:.3f}", abs(ratio / RULE["continuous"] - 1.0), 0.1)
 
 
 def main_job(barreno, result):
     """perforation.xml to 50 us in the three kinds."""
     for kind in KINDS:
-        run = run_deck(
-            barreno,
-            "perforation.xml",
-            {"Jet/Kind": kind, "Materials/Tungsten/Expansion Strain": "on", "Time/End Time": "50 us", "Output/Field Interval": "50 us"},
-        )
+        settings = {"Jet/Kind": kind, "Time/End Time": "50 us", "Output/Field Interval": "50 us"}
+        if kind == "continuous":
+            settings["Materials/Tungsten/Expansion Strain"] = "on"
+        run = run_deck(barreno, "perforation.xml", settings)
         depths = [1e3 * run.summary["penetration"]["depth"]] + [1e3 * depth_at(run, 1e-6 * t) for t in TIMES[:3]] + [1e3 * depth_at(run, 50e-6)]
         result.rows.append(row_of("main job", kind, 1.0, run, depths))
         result.demand(f"main job, {kind}: launched over the table's mass, momentum and energy, less 1", launched_error(run), 1e-9)
@@ -73,4 +80,10 @@ def run(barreno, full):
         without_strength(barreno, result, h)
     if full:
         main_job(barreno, result)
+    result.notes = (
+        "A target without strength does not stop: its hole goes on growing in the gaps of the discrete jet, which digs deeper than the rule, and "
+        "would with longer slugs, too. The rule of the discrete jet holds where the target comes to rest in the gaps. The two whole kinds "
+        "are those of the rule. In the main job, whose rock has strength, all kinds carry the same momentum and energy; the particles counted are those of "
+        "kinematic_anomalies in summary.json at the end, and those that have been removed."
+    )
     return result
