@@ -54,6 +54,7 @@ std::vector<JetSlug> slugs_of_kind(
 ) {
   if (kind == JetKind::discrete) {
     std::vector<JetSlug> slugs;
+    slugs.reserve(table.size());
     for (const JetSlug& row : table) slugs.push_back(with_gap(row, material_density));
     return slugs;
   }

@@ -76,8 +76,7 @@ def run(barreno, full):
          "depth at 50 us [mm]", "particles stretched", "ejected", "clipped", "removed"],
         [],
     )  # fmt: skip
-    for h in (1.0, 0.5) if full else (1.0,):
-        without_strength(barreno, result, h)
+    without_strength(barreno, result, 1.0)
     if full:
         main_job(barreno, result)
     result.notes = (
