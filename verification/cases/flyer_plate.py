@@ -36,7 +36,7 @@ def run(barreno, full):
         [],
     )  # fmt: skip
     for ratio in (0.5, 1.0, 2.0):
-        for h in (0.5, 0.25) if full else (0.5,):
+        for h in (0.5, 0.25) if full else (0.25,):
             finished = run_deck(barreno, "flyer_plate.xml", settings(ratio, h))
             errors = []
             for instant in INSTANTS:
