@@ -162,10 +162,24 @@ std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene
   return text;
 }
 
+namespace {
+
+/// At the start, and of the whole jet.
+double all_particles(const Scene& scene) {
+  double sum = 0.0;
+  for (const BodySpec& body : scene.bodies)
+    sum += static_cast<double>(count_body_particles(scene.grid, body));
+  for (const JetSlug& slug : scene.jet.slugs)
+    sum += static_cast<double>(count_slug_particles(scene, slug));
+  return sum;
+}
+
+}  // namespace
+
 std::string plan_text(
     const Scene& scene, const Probe& probe, int ranks, const std::vector<std::string>& notes
 ) {
-  const double particles = static_cast<double>(first_ids(scene).back() - 1);
+  const double particles = all_particles(scene);
   const Prediction cost = predict_cost(scene, probe, ranks);
   std::string text = scene.title.empty() ? std::string("The deck is valid.\n")
                                          : scene.title + "\nThe deck is valid.\n";

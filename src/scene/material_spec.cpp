@@ -72,6 +72,28 @@ std::optional<double> MaterialSpec::detonation_speed() const {
   );
 }
 
+int MaterialSpec::splits() const {
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (divides_particles<std::decay_t<decltype(model)>>)
+          return static_cast<int>(model.parameters().splits);
+        return 0;
+      },
+      material_->model
+  );
+}
+
+int MaterialSpec::splits_column() const {
+  return std::visit(
+      [](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        if constexpr (divides_particles<Model>) return Model::splits_column;
+        return -1;
+      },
+      material_->model
+  );
+}
+
 void MaterialSpec::scale_density(double factor) {
   Material scaled = *material_;
   scaled.density *= factor;

@@ -48,6 +48,9 @@ public:
   /// Speed with which an explosive burns; without: it is none [length/time]
   std::optional<double> detonation_speed() const;
   double density() const { return density_; }  ///< at reference [mass/length^3]
+  /// How often a particle may be divided, and the column of its history that counts it; 0: never.
+  int splits() const;
+  int splits_column() const;
   void scale_density(double factor);
 
   BadParticlePolicy bad_particles;

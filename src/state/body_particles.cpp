@@ -316,10 +316,16 @@ long long count_slug_particles(const Scene& scene, const JetSlug& slug) {
   return pieces * divide_length(lattice, slug).count;
 }
 
+ParticleId ids_of_particle(const Scene& scene, const BodySpec& body) {
+  return ParticleId{1} << scene.materials[static_cast<std::size_t>(body.material)].splits();
+}
+
 std::vector<ParticleId> first_ids(const Scene& scene) {
   std::vector<ParticleId> first{1};
   for (const BodySpec& body : scene.bodies)
-    first.push_back(first.back() + count_body_particles(scene.grid, body));
+    first.push_back(
+        first.back() + ids_of_particle(scene, body) * count_body_particles(scene.grid, body)
+    );
   for (const JetSlug& slug : scene.jet.slugs)
     first.push_back(first.back() + count_slug_particles(scene, slug));
   return first;
@@ -358,6 +364,8 @@ double smallest_half_size(const Scene& scene, int material) {
         }
     );
   }
+  // What is divided becomes so small along one axis.
+  smallest /= 1 << scene.materials[static_cast<std::size_t>(material)].splits();
   if (!scene.jet.present || scene.jet.material != material) return smallest;
   const SlugLattice lattice = slug_lattice(scene);
   h = lattice.grid.cell_size;

@@ -50,6 +50,10 @@ void for_each_slug_particle(
 );
 long long count_slug_particles(const Scene& scene, const JetSlug& slug);
 
+/// Ids that a body keeps for every particle that it starts with: one for each part that it may be
+/// divided into.
+ParticleId ids_of_particle(const Scene& scene, const BodySpec& body);
+
 /// First id of every body, then of every slug of the jet, then one past the last.
 std::vector<ParticleId> first_ids(const Scene& scene);
 

@@ -377,6 +377,7 @@ void fill_body(const Scene& scene, std::size_t b, ParticleId first_id, State& st
   const double energy = initial_energy(scene, body);
   const StartPoint start = start_point(material, &body);
   Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
+  const ParticleId ids = ids_of_particle(scene, body);
   const int first_row = particles.count;
   std::vector<NewParticle> made;
   const auto add = [&] {
@@ -387,6 +388,7 @@ void fill_body(const Scene& scene, std::size_t b, ParticleId first_id, State& st
   for_each_body_particle(scene.grid, body, first_id, [&](NewParticle particle) {
     if (owner_of(state.grid, particle.x) != state.grid.comm->getRank()) return;
     particle.velocity = start_velocity(scene, body, particle.x);
+    particle.id = first_id + (particle.id - first_id) * ids;
     made.push_back(particle);
     if (made.size() == particles_at_once) add();
   });

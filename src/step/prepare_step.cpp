@@ -3,6 +3,7 @@
 
 #include "step/jet/launch_jet.hpp"
 #include "step/loads/load_pressures.hpp"
+#include "step/order/split_particles.hpp"
 #include "step/ranks/balance_load.hpp"
 #include "step/ranks/place_particles.hpp"
 #include "step/stable_step.hpp"
@@ -33,6 +34,14 @@ void launch_slugs(const Scene& scene, State& state) {
   );
 }
 
+/// Particles of materials that are to be divided.
+void split_sets(const Scene& scene, State& state) {
+  for (Particles& particles : state.particles) {
+    const MaterialSpec& material = scene.materials[static_cast<std::size_t>(particles.material)];
+    split_particles(material.splits(), material.splits_column(), state.grid, particles);
+  }
+}
+
 }  // namespace
 
 StepStart prepare_step(const Scene& scene, double next_time, State& state) {
@@ -43,6 +52,7 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   Effort& effort = state.effort;
   balance_load(clock, grid, sets, ledger, effort, state.sharing);  // tiles to ranks by cost
   launch_slugs(scene, state);                                      // whose time has come
+  split_sets(scene, state);                                        // what is wider than a cell
   if (state.subcycling.on()) forget_keys(sets);  // parts of the last step kept some
   Placement placement = locate_particles(grid, sets, ledger, effort);  // cells; lost are tallied
   const double stable = agree_on_stable_step(*grid.comm, state.stable_step, placement);

@@ -16,12 +16,13 @@ def velocity(x, t):
     return np.where(behind, 0.25 * SPEED * (2.0 * x / (SPEED * t) - 1.0), 0.0)
 
 
-def settings(h):
+def settings(h, returned):
     return {
         "Grid/Cell Size": f"{h} mm",
         "Grid/Upper": f"{{52 mm, {h} mm}}",
         "Bodies/Charge/Upper": f"{{50 mm, {h} mm}}",
         "Output/Field Interval": "1 us",
+        "Step/Return Losses": returned,
     }
 
 
@@ -39,8 +40,8 @@ def front(particles):
     return x[last] + (x[last + 1] - x[last]) * (p[last] - 0.5 * PRESSURE) / (p[last] - p[last + 1])
 
 
-def measure(barreno, h):
-    finished = run_deck(barreno, "detonation.xml", settings(h))
+def measure(barreno, h, returned="true"):
+    finished = run_deck(barreno, "detonation.xml", settings(h, returned))
     early, late = finished.particles(3), finished.particles(-1)
     t = late["time"]
     speed = (front(late) - front(early)) / (t - early["time"])
@@ -63,7 +64,7 @@ def run(barreno, full):
         f"Chapman-Jouguet p = rho0 D^2 / 4 = {PRESSURE:.6g} Pa for gamma = 3; u = D (2 x / (D t) - 1) / 4 for D t / 2 < x < D t; nearer to the "
         f"wall u = 0 and p = 8/27 of that, {PLATEAU:.6g} Pa. Error of the wave: integral of |u - exact| over the integral of u.",
         ["cell [mm]", "front speed error", "plateau pressure error", "wave error", "peak pressure over Chapman-Jouguet",
-         "energy ledger remainder"],
+         "energy ledger remainder", "plateau pressure error, losses kept out", "wave error, losses kept out", "peak pressure, losses kept out"],
         [],
     )  # fmt: skip
     levels = (0.5, 0.25, 0.125, 0.0625) if full else (0.5, 0.25)
@@ -71,7 +72,8 @@ def run(barreno, full):
     for h in levels:
         found = measure(barreno, h)
         waves.append(found[2])
-        result.rows.append([h, *found])
+        _, *without, _ = measure(barreno, h, "false")
+        result.rows.append([h, *found, *without])
         result.demand(f"front speed, {h} mm", abs(found[0]), 0.005)
         result.demand(f"pressure of the plateau, {h} mm", abs(found[1]), 0.02)
         result.demand(f"energy ledger remainder, {h} mm", abs(found[4]), 1e-3)
@@ -79,6 +81,8 @@ def run(barreno, full):
     result.demand("order of the wave", order([waves[0], waves[-1]], ratio=levels[0] / levels[-1])[0], 0.75, at_least=True)
     result.notes = (
         "The front is as many cells wide as Burn Width says, 2.5, and its middle lies half of that behind the time of lighting: an error of "
-        "first order. The peak approaches the Chapman-Jouguet pressure from below."
+        "first order. What each step loses in stress_integration and transfer is returned as heat (Return Losses): a detonation of prescribed speed is "
+        "tangent to its Hugoniot, so that its pressure errs by the root of what is lost, and the losses do not decrease with the cells. Without that the "
+        "peak stays below the Chapman-Jouguet pressure."
     )
     return result

@@ -19,7 +19,7 @@ def put_in(table, summary):
     """Energy at the start, of the jet, and work of the boundary and of body forces."""
     energy = summary.get("balances", {}).get("energy", {})
     start = energy.get("initial_kinetic", table["kinetic"][0]) + energy.get("prestress", 0.0)
-    return start + table["launched_kinetic"] + table["boundary_work"] + table.get("body_work", 0.0)
+    return start + table["launched_kinetic"] + table["boundary_work"] + table.get("body_work", 0.0) + table.get("explosive", 0.0)
 
 
 def energy_terms(table, summary):

@@ -114,16 +114,18 @@ struct JwlExplosive {
     double a = 0.0, b = 0.0, r1 = 1.0, r2 = 1.0, omega = 0.0, energy = 0.0;
     double unreacted_modulus = 0.0;
     double burn_width = 2.5;
+    double splits = 0.0;
   };
   template <class R>
   struct HistoryOf {
     R lighting_time{};
     R burn{};
     R internal_energy{};
+    R splits{};
   };
   using History = HistoryOf<double>;
-  static constexpr int history_count = 3;
-  static constexpr int lighting_column = 0, burn_column = 1;  ///< of the history
+  static constexpr int history_count = 4;
+  static constexpr int lighting_column = 0, burn_column = 1, splits_column = 3;  ///< of the history
   /// Products expand far more than solids before a step need not follow them [-]; the pressure on
   /// the isentrope of Comp B is 2 MPa there.
   static constexpr double largest_expansion = 100.0;
@@ -163,6 +165,16 @@ struct JwlExplosive {
              at_least(1.0),
              2.5,
              "width of the front in cells, over which the pressure rises"
+         ),
+         optional(
+             &P::splits,
+             "Splits",
+             dim::none,
+             between(0.0, 8.0),
+             0.0,
+             "how often a particle wider than a cell is divided in two, a whole number; files keep "
+             "a "
+             "place for all of its 2^Splits parts"
          )},
         {}};
   }
@@ -172,7 +184,8 @@ struct JwlExplosive {
         {"burn", dimension::none, "fraction that has burnt"},
         {"internal_energy",
          dimension::specific_energy,
-         "specific internal energy, Energy / Density at the start"}};
+         "specific internal energy, Energy / Density at the start"},
+        {"splits", dimension::none, "how often the particle was divided in two"}};
   }
 
   /// Rules across parameters; an empty text means that the set is sound.
@@ -180,7 +193,10 @@ struct JwlExplosive {
     std::ostringstream text;
     const auto state = products_of(p, density).chapman_jouguet();
     constexpr double accepted = 0.01;
-    if (!state.found) {
+    if (p.splits != std::floor(p.splits)) {
+      text << "Splits = " << p.splits
+           << " is not a whole number (a particle is divided once or not); round it.";
+    } else if (!state.found) {
       text << "Energy = " << p.energy
            << " gives no detonation with A, B, R1, R2, Omega and Density (no state of the equation "
               "of state meets the Chapman-Jouguet condition); check the units of all.";
@@ -196,7 +212,7 @@ struct JwlExplosive {
   JwlExplosive(const Parameters& p, double density)
       : p_(p), eos_(products_of(p, density)), inverse_density_(1.0 / density) {}
 
-  History initial_history() const { return {0.0, 0.0, p_.energy * inverse_density_}; }
+  History initial_history() const { return {0.0, 0.0, p_.energy * inverse_density_, 0.0}; }
 
   /// Stress, history and density of an unlit point at rest under hydrostatic pressure.
   InitialStateOf<Sym3, History> initial_state(double pressure) const {
