@@ -20,7 +20,7 @@ def settings(h):
         "Grid/Cell Size": f"{h} mm",
         "Grid/Upper": f"{{40 mm, {h} mm}}",
         "Bodies/Charge/Upper": f"{{10 mm, {h} mm}}",
-        "Bodies/Piston/Upper": f"{{0 mm, {h} mm}}",
+        "Bodies/Piston/Upper": f"{{-0.004 mm, {h} mm}}",
     }
 
 
