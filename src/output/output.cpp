@@ -79,7 +79,7 @@ bool has_reader() {
 std::vector<std::string> information_of(const RunDescription& run) {
   std::vector<std::string> lines = lines_of(run.deck_text);
   for (const auto& [name, value] : run.build)
-    lines.push_back("<!-- " + name + ": " + value + " -->");
+    lines.push_back(std::string("<!-- ").append(name).append(": ").append(value).append(" -->"));
   return lines;
 }
 

@@ -254,11 +254,14 @@ std::string command_name() {
 }  // namespace
 
 std::string next_command(const RunDescription& run, const RunVerdict& verdict) {
-  const std::string folder = shell_word(run.folder.string()), command = command_name();
-  if (!verdict.may_be_resumed) return command + " report " + folder;
+  const std::string folder = shell_word(run.folder.string());
+  std::string command = command_name();
+  if (!verdict.may_be_resumed) return command.append(" report ").append(folder);
   for (const char* name : {"checkpoint.h5", "checkpoint_previous.h5"})
-    if (std::filesystem::exists(run.folder / name)) return command + " resume " + folder;
-  return command + " run " + shell_word(run.deck_name) + " --out " + folder + " --overwrite";
+    if (std::filesystem::exists(run.folder / name))
+      return command.append(" resume ").append(folder);
+  command.append(" run ").append(shell_word(run.deck_name));
+  return command.append(" --out ").append(folder).append(" --overwrite");
 }
 
 std::vector<std::string> result_lines(

@@ -73,7 +73,8 @@ def main():
         prefix = (scratch / "first").rename(scratch / "moved")
         for file in ("include/barreno_material.h", "share/barreno/cards/berea_sandstone.xml", "share/barreno/hosts/abaqus_entry.c"):
             assert (prefix / file).is_file(), f"{file} is not installed"
-        assert list(prefix.glob("lib*/**/libBARRENO.so")), "libBARRENO.so is not installed"
+        for library in ("libBARRENO.so", "libBarrenoMGIS.so"):
+            assert list(prefix.glob(f"lib*/**/{library}")), f"{library} is not installed"
 
         outside = scratch / "build"
         said = run(cmake, "-S", HERE, "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
