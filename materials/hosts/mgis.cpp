@@ -110,8 +110,8 @@ Point point_of(const DataView& data, int components, bool prediction, int variab
 void put_stiffness(const Point& point, int components, double* stiffness) {
   for (int i = 0; i < components; ++i) {
     for (int j = 0; j < components; ++j) {
-      const auto at = static_cast<std::size_t>(6 * i + j);
-      stiffness[components * i + j] = kelvin(i) * kelvin(j) * point.tangent[at];
+      const double* const row = point.tangent.data() + 6 * i;
+      stiffness[components * i + j] = kelvin(i) * kelvin(j) * row[j];
     }
   }
 }
