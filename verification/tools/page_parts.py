@@ -10,6 +10,7 @@ import feature_cost
 import fit_berea
 import front_page
 import off_costs
+import paper_parts
 import predictions
 import scaling
 import scaling_model
@@ -51,6 +52,7 @@ PARTS = {
     "scaling_model.py": scaling_model.stored_part,
     "step_cost.py": step_cost.stored_part,
     "wet_time.py": wet_time.stored_part,
+    **paper_parts.PARTS,
 }
 
 

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Figure 6: the channel in plane strain with GIMP, CPDI and B-splines, and which is nearest to its limit."""
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+from paper_figures.lab import Table, least, most
+from paper_figures.shots import draw_channels, measured
+
+TABLES = ("paper_6",)
+DECK = "plane.xml"
+SHAPES = ("GIMP", "CPDI", "quadratic B-spline", "cubic B-spline")
+CELLS = {"quick": (4.0, 2.0), "default": (2.0, 1.0, 0.5), "fine": (2.0, 1.0, 0.5, 0.25)}  # mm; the jet's half thickness is 2.0 to 2.1 mm
+SHOWN = SHAPES[:3]
+
+
+def measure(lab):
+    cells, shapes = CELLS[lab.form], SHAPES[:2] if lab.form == "quick" else SHAPES
+    asked = [(shape, h) for h in cells for shape in shapes]
+    runs = [(DECK, {"Grid/Cell Size": f"{h:g} mm", "Step/Shape Function": shape}, f"plane-{shape.replace(' ', '-')}-{h:g}") for shape, h in asked]
+    folders, rows = lab.runs(runs), []
+    for (shape, h), folder in zip(asked, folders):
+        shot = measured(folder)
+        # A slot: its area per thickness stands where the volume of a round hole would.
+        rows.append([shape, h, shot.depth, shot.volume])
+    table = Table(f"Figure 6: input_xml/paper/{DECK}, plane strain; depth and area of the half of the slot that is computed twice, at 30 us", ["shape function", "cells [mm]", "depth [mm]", "slot [cm2]"], [[*row[:3], row[3] * 0.01] for row in rows])
+    if lab.form != "quick":
+        shown = min(cells)
+        channels = [(f"{shape}: {row[2]:.1f} mm", folder) for (shape, h), row, folder in zip(asked, rows, folders) if h == shown and shape in SHOWN]
+        draw_channels(lab.picture("paper_6"), channels, ("pressure", "equivalent_plastic_strain"), ((0.0, 1500.0), (0.0, 2.0)), (20.0, -10.0, 46.0), f"plane strain, cells of {shown:g} mm: depth at 30 µs")
+        draw_convergence(lab.picture("paper_6_convergence"), table)
+    return {"paper_6": table}
+
+
+def by_cells(table, shape):
+    """(cells, depths) from coarse to fine."""
+    h, depth = (table.column(name, **{"shape function": shape}) for name in ("cells [mm]", "depth [mm]"))
+    order = np.argsort(-h)
+    return h[order], depth[order]
+
+
+def limit_of(h, depth):
+    """(limit, order) through the three finest levels, each half as wide as the one before (Richardson); nan where they do not converge."""
+    coarse, middle, fine = depth[-3:]
+    ratio = (middle - coarse) / (fine - middle) if fine != middle else math.nan
+    if not ratio > 1.0:
+        return math.nan, math.nan
+    return fine + (fine - middle) / (ratio - 1.0), math.log2(ratio)
+
+
+def draw_convergence(file, table):
+    figure, axes = plt.subplots(figsize=(6.5, 4.2), layout="constrained")
+    for i, shape in enumerate(SHAPES):
+        h, depth = by_cells(table, shape)
+        axes.plot(h, depth, "o-", color=f"C{i}", label=shape)
+        limit, order = limit_of(h, depth)
+        if math.isfinite(limit):
+            axes.plot([0.0, h[-1]], [limit, depth[-1]], ":", color=f"C{i}")
+            axes.plot(0.0, limit, "x", color=f"C{i}", ms=8)
+    axes.set(xlabel="cells [mm] (cross: limit of three levels)", ylabel="depth at 30 µs [mm]", xlim=(-0.08, None))
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=9)
+    figure.savefig(file, dpi=110)
+    plt.close(figure)
+
+
+def trends(tables):
+    table = tables["paper_6"]
+    shapes = list(dict.fromkeys(table.column("shape function")))
+    finest, coarse = {}, {}
+    for shape in shapes:
+        h, depth = by_cells(table, shape)
+        finest[shape], coarse[shape] = depth[-1], depth[0]
+    out = [least("6: GIMP and CPDI differ with the coarsest cells, relative", abs(coarse["GIMP"] / coarse["CPDI"] - 1.0), 0.01)]
+    if len(shapes) > 2:
+        values = list(finest.values())
+        between = max(values) / min(values) - 1.0
+        out.append(most("6: depths of all shape functions with the finest cells differ by, relative", between, max(coarse.values()) / min(coarse.values()) - 1.0))
+    return out

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Marked parts of docs/paper.md: tables and trends of the figures, from verification/results/paper_*.csv."""
+import math
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / name) for name in ("", "oracles", "cases")] + [str(HERE.parents[1] / "src" / "python")]
+from paper_figures import FIGURES, figure  # noqa: E402
+from paper_figures.lab import RESULTS, read_table  # noqa: E402
+from verification_pages import table  # noqa: E402
+
+# Columns that tell runs apart, and how many digits behind the point the others have.
+LONG = {"paper_3_curve", "paper_4", "paper_5", "paper_5_paths"}  # drawn, not tabulated
+
+
+def cell(value):
+    if isinstance(value, str):
+        return value
+    return "" if math.isnan(value) else f"{value:.4g}"
+
+
+def stored(number):
+    return {name: read_table(RESULTS / f"{name}.csv") for name in figure(number).TABLES}
+
+
+def part(number):
+    """Remark and table of every short results file of a figure, then its trends."""
+    lines, tables = [], stored(number)
+    for name, found in tables.items():
+        if name in LONG:
+            lines += [found.remark.replace(f"Figure {number}: ", "") + f" (`verification/results/{name}.csv`)", ""]
+        else:
+            shown = [[cell(value) for value in row] for row in found.rows]
+            lines += [found.remark.replace(f"Figure {number}: ", "") + ":", "", *table(found.columns, shown), ""]
+    rows = [[trend.what.split(": ", 1)[1], f"{trend.value:.4g}", f"{'at least' if trend.at_least else 'at most'} {trend.limit:.4g}", "holds" if trend.holds else "**does not hold**"] for trend in figure(number).trends(tables)]
+    return [*lines, *table(["trend", "measured", "must be", "verdict"], rows)]
+
+
+PARTS = {f"paper_{number}": (lambda number=number: part(number)) for number in FIGURES}
