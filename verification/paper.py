@@ -6,6 +6,7 @@
     paper.py BARRENO --only 7           one figure, as often as needed
     paper.py BARRENO --fine             the same with two cells per jet radius along the whole path, or cells half as wide
     paper.py BARRENO --quick --only 9   coarse and short: only whether the trend holds; nothing is kept
+    paper.py BARRENO --again            all runs and pictures as for the page, but nothing is kept
     paper.py --check                    the trends of the results that are there
 
 --runs FOLDER keeps the runs and takes those that are already there. Exit code 1 if a trend does not hold.
@@ -22,7 +23,7 @@ matplotlib.use("Agg")
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE / "oracles"), str(HERE / "cases"), str(HERE), str(HERE.parent / "src" / "python")]
 from paper_figures import FIGURES, figure  # noqa: E402
-from paper_figures.lab import RESULTS, Lab, read_table, write_table  # noqa: E402
+from paper_figures.lab import RESULTS, Lab, cost_of, read_table, write_cost, write_table  # noqa: E402
 
 
 def stored(number):
@@ -41,11 +42,12 @@ def make(lab, number):
     """Runs, draws and writes a figure. @return whether its trends hold"""
     print(f"figure {number}", flush=True)
     began = time.monotonic()
-    module = figure(number)
+    module, lab.used = figure(number), []
     tables = module.measure(lab)
-    if lab.form != "quick":
+    if lab.keep:
         for name, table in tables.items():
             write_table(RESULTS / f"{name}.csv", table)
+        write_cost(number, cost_of(lab.used))
     good = judge(module.trends(tables))
     print(f"  {time.monotonic() - began:.0f} s", flush=True)
     return good
@@ -56,7 +58,7 @@ def arguments():
     parser.add_argument("barreno", nargs="?", type=pathlib.Path)
     parser.add_argument("--only", metavar="FIGURE", type=int, action="append", choices=FIGURES)
     form = parser.add_mutually_exclusive_group()
-    for name in ("quick", "fine", "check"):
+    for name in ("quick", "again", "fine", "check"):
         form.add_argument(f"--{name}", action="store_true")
     parser.add_argument("--runs", metavar="FOLDER", type=pathlib.Path)
     options = parser.parse_args()
@@ -70,9 +72,9 @@ def main():
     numbers = options.only or FIGURES
     if options.check:
         return 0 if all([judge(figure(number).trends(stored(number))) for number in numbers]) else 1
-    lab = Lab(options.barreno, "quick" if options.quick else "fine" if options.fine else "default", options.runs)
+    lab = Lab(options.barreno, "quick" if options.quick else "fine" if options.fine else "default", options.runs, not (options.quick or options.again))
     good = all([make(lab, number) for number in numbers])
-    if lab.form != "quick":
+    if lab.keep:
         from pages import write_pages
 
         write_pages()

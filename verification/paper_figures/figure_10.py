@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 from paper_figures.lab import Table, least, most
-from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of
+from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of, sound
 
 TABLES = ("paper_10",)
 MODULI, SEEDS = (1.0, 2.0, 4.0), (1, 2, 3)
@@ -19,7 +19,8 @@ NONE, SCALE = "no variation", "scale only"
 def weibull(modulus, factor, cells, seed=0, scatter="random"):
     """Settings under which particles are `factor` times as strong as the card on average, for any modulus: a particle's cube is half a cell wide."""
     volume = (0.5e-3 * cells) ** 3 * factor**modulus
-    return {f"{ROCK}/Weibull modulus": f"{modulus:g}", f"{ROCK}/Weibull reference volume": f"{volume:.6g} m3", f"{ROCK}/Weibull seed": str(seed), f"{ROCK}/Weibull scatter": scatter}
+    words = {"modulus": f"{modulus:g}", "reference volume": f"{volume:.6g} m3", "seed": str(seed), "scatter": scatter}
+    return {f"{ROCK}/Weibull {name}": value for name, value in words.items()}
 
 
 def cases(form):
@@ -43,19 +44,19 @@ def measure(lab):
     rows = []
     for (rock, what, seed, _), folder in zip(asked, folders):
         shot = measured(folder)
-        rows.append([rock, what, float(seed), shot.early, shot.depth, shot.volume])
+        rows.append([rock, what, float(seed), shot.early, shot.depth, shot.volume, shot.lost])
     remark = f"Figure 10: input_xml/paper/{DECK}, cells of {cells:g} mm, {CONFINEMENT:g} MPa of confinement; depth: the greatest of 100 us"
-    table = Table(remark, ["rock", "variation", "seed", "depth at 30 us [mm]", "depth [mm]", "hole [cm3]"], rows)
+    table = Table(remark, ["rock", "variation", "seed", "depth at 30 us [mm]", "depth [mm]", "hole [cm3]", "numerical energy"], rows)
     if lab.form != "quick":
         draw_pictures(lab, table, asked, folders)
     return {"paper_10": table}
 
 
 def draw_pictures(lab, table, asked, folders):
-    for rock, name, box in (("cohesive", "paper_10", (24.0, -8.0, 74.0)),):
-        first = [i for i, (r, _, seed, _) in enumerate(asked) if r == rock and seed <= SEEDS[0]]
-        channels = [(f"{asked[i][1]}: {table.rows[i][4]:.1f} mm", folders[i]) for i in first]
-        draw_channels(lab.picture(name), channels, ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2)), box, f"{rock} rock, Weibull's modulus falling in scatter from left to right: depth")
+    first = [i for i, (rock, _, seed, _) in enumerate(asked) if rock == "cohesive" and seed <= SEEDS[0]]
+    channels = [(f"{asked[i][1]}: {table.rows[i][4]:.1f} mm", folders[i]) for i in first]
+    fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2))
+    draw_channels(lab.picture("paper_10"), channels, fields, limits, (24.0, -8.0, 74.0), "cohesive rock, scatter falling from left to right: depth")
     draw_depths(lab.picture("paper_10_depth"), table)
 
 
@@ -94,4 +95,4 @@ def trends(tables):
             least("10: cohesive rock: that fall in all over the largest difference of seeds", (falling[0] - falling[-1]) / max(spread, 1e-9), 2.0),
             most("10: Berea: depths of all moduli and of scale only differ by, relative (against the paper: no increase)", max(berea) / min(berea) - 1.0, 0.01),
         ]
-    return out
+    return [*out, sound(table, 10)]

@@ -69,9 +69,12 @@ def measure(lab):
     cut = np.unique(np.append(np.linspace(0, len(answer["pressure"]) - 1, 100).astype(int), top))
     curve = [["load" if i <= top else "unload", answer["pressure"][i] / MEGA, 100.0 * answer["strain"][i], 100.0 * answer["plastic"][i]] for i in cut]
     draw(lab.picture("paper_3"), answer, rows, porosity)
+    columns = ["quantity", "pressure [MPa]", "datum", "card", "uncertainty [%]", "known"]
+    remark = "Figure 3: data of the fit (verification/fits/berea) and the card's answer along input_xml/paper/hydrostat.csv"
+    of_curve = ["leg", "pressure [MPa]", "volume strain [%]", "plastic volume strain [%]"]
     return {
-        "paper_3": Table("Figure 3: data of the fit (verification/fits/berea) and the card's answer along input_xml/paper/hydrostat.csv", ["quantity", "pressure [MPa]", "datum", "card", "uncertainty [%]", "known"], rows),
-        "paper_3_curve": Table("Figure 3: the card along input_xml/paper/hydrostat.csv, compression positive", ["leg", "pressure [MPa]", "volume strain [%]", "plastic volume strain [%]"], curve),
+        "paper_3": Table(remark, columns, rows),
+        "paper_3_curve": Table("Figure 3: the card along input_xml/paper/hydrostat.csv, compression positive", of_curve, curve),
     }
 
 
@@ -106,7 +109,8 @@ def draw_curve(axes, answer, rows):
             axes.errorbar(at, datum, yerr=0.01 * uncertainty * datum, fmt="g^", capsize=3, label="data: onset of crushing")
         if quantity.startswith("bulk") and np.isfinite(rows[0][3]) and pressure <= 60:
             at, half = np.interp(pressure * MEGA, loading[0], loading[1]), 0.006
-            axes.plot(100.0 * np.array([at - half, at + half]), pressure + datum * 1e3 * np.array([-half, half]), "g-", lw=2.5, alpha=0.7, label="data: slopes, bulk moduli below 60 MPa" if pressure == 10 else None)
+            ends, label = np.array([-half, half]), "data: slopes, bulk moduli to 60 MPa" if pressure == 10 else None
+            axes.plot(100.0 * (at + ends), pressure + datum * 1e3 * ends, "g-", lw=2.5, alpha=0.7, label=label)
     axes.set(xlabel="volume strain [%], compression positive", ylabel="pressure [MPa]", title="Hydrostatic load and unload of the Berea card", xlim=(-0.5, None), ylim=(-50.0, None))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9, loc="upper left")

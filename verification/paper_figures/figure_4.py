@@ -73,7 +73,12 @@ def draw_surfaces(axes, plastic, pore):
     """Meridians in total stress: of the virgin rock, hardened by the crushing alone, and moved by the pore pressure."""
     card = {name: float(value) for name, value in parameters(CURVE, UNDRAINED).items()}
     strength = Strength(lambda name: card.get(name, 0.5 if name == "CR" else 0.0))
-    for e, shift, style, name in ((0.0, 0.0, {"color": "0.45"}, "before"), (plastic, 0.0, {"color": "C3", "ls": ":"}, "crushed, without the pore pressure"), (plastic, pore, {"color": "C3"}, f"after loading to {-100.0 * DEEPEST:.0f} %")):
+    states = (
+        (0.0, 0.0, {"color": "0.45"}, "before"),
+        (plastic, 0.0, {"color": "C3", "ls": ":"}, "crushed, without the pore pressure"),
+        (plastic, pore, {"color": "C3"}, f"after loading to {-100.0 * DEEPEST:.0f} %"),
+    )
+    for e, shift, style, name in states:
         p, q = strength.curve(e, np.inf)
         axes.plot((p + shift) / MEGA, q / MEGA, lw=1.8, label=name, **style)
     low = axes.get_ylim()[1]

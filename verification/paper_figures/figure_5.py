@@ -117,9 +117,10 @@ def measure(lab):
     path_rows = [[distance, float(t / MICRO), *map(float, stress)] for distance, (times, found) in lines.items() for t, stress in zip(times, found)]
     cells = lab.of_form("2", "0.5", "0.25")
     remark = f"Figure 5: input_xml/paper/{DECK}, cells of {cells} mm; share of the volume of rock within {NEAR:g} mm of the tip under sqrt(J2) > {SHEARED:g} MPa, over all times"
+    of_paths = ["distance [mm]", "time [us]", "axial [MPa]", "radial [MPa]", "hoop [MPa]"]
     return {
         "paper_5": Table(remark, ["from [degrees]", "to [degrees]", "share"], rows),
-        "paper_5_paths": Table(f"Figure 5: principal stresses of particles at a depth of {DEPTH:g} mm, compression positive", ["distance [mm]", "time [us]", "axial [MPa]", "radial [MPa]", "hoop [MPa]"], path_rows),
+        "paper_5_paths": Table(f"Figure 5: principal stresses of particles at a depth of {DEPTH:g} mm, compression positive", of_paths, path_rows),
     }
 
 
@@ -190,7 +191,8 @@ def radius_of(plastic, most):
 def draw_octahedral(axes, lines):
     turn = np.linspace(0.0, 2.0 * np.pi, 200)
     highest = max(float(stress.mean(axis=1).max()) for _, stress in lines.values())
-    for radius, style, label in ((radius_of(0.0, 1e4), "k-", "virgin rock, widest section"), (radius_of(-np.inf, highest), "k--", f"pores closed, at {highest:.2g} MPa" if highest < 1000 else f"pores closed, at {highest / 1000.0:.2g} GPa")):
+    closed = f"pores closed, at {1e-3 * highest:.2g} GPa"
+    for radius, style, label in ((radius_of(0.0, 1e4), "k-", "virgin rock, widest section"), (radius_of(-np.inf, highest), "k--", closed)):
         axes.plot(radius * np.cos(turn), radius * np.sin(turn), style, lw=1.2, label=label)
     for (distance, (_, stress)), colour in zip(lines.items(), COLOURS):
         axes.plot(stress @ ACROSS, stress @ UP, "-", color=colour, lw=1.2, marker=".", ms=3, label=f"particle from r = {distance:g} mm")

@@ -23,11 +23,13 @@ def measure(lab):
         shot = measured(folder)
         # A slot: its area per thickness stands where the volume of a round hole would.
         rows.append([shape, h, shot.depth, shot.volume])
-    table = Table(f"Figure 6: input_xml/paper/{DECK}, plane strain; depth and area of the half of the slot that is computed twice, at 30 us", ["shape function", "cells [mm]", "depth [mm]", "slot [cm2]"], [[*row[:3], row[3] * 0.01] for row in rows])
+    columns = ["shape function", "cells [mm]", "depth [mm]", "slot [cm2]"]
+    table = Table(f"Figure 6: input_xml/paper/{DECK}, plane strain; depth and area of the slot at 30 us", columns, [[*row[:3], 0.01 * row[3]] for row in rows])
     if lab.form != "quick":
         shown = min(cells)
         channels = [(f"{shape}: {row[2]:.1f} mm", folder) for (shape, h), row, folder in zip(asked, rows, folders) if h == shown and shape in SHOWN]
-        draw_channels(lab.picture("paper_6"), channels, ("pressure", "equivalent_plastic_strain"), ((0.0, 1500.0), (0.0, 2.0)), (20.0, -10.0, 46.0), f"plane strain, cells of {shown:g} mm: depth at 30 µs")
+        fields, limits = ("pressure", "equivalent_plastic_strain"), ((0.0, 1500.0), (0.0, 2.0))
+        draw_channels(lab.picture("paper_6"), channels, fields, limits, (20.0, -10.0, 46.0), f"plane strain, cells of {shown:g} mm: depth at 30 µs")
         draw_convergence(lab.picture("paper_6_convergence"), table)
     return {"paper_6": table}
 

@@ -6,17 +6,17 @@ import matplotlib.pyplot as plt
 import numpy as np
 from paper_figures import cracks
 from paper_figures.lab import Table, least, most
-from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of
+from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of, sound
 
 TABLES = ("paper_7", "paper_7_cracks")
 PRESSURES = (0.0, 17.0, 34.0, 69.0, 138.0)  # MPa
-CONVERGED_AT = (0.0, 138.0)
+CONVERGED_AT, QUICK = (34.0, 138.0), (0.0, 138.0)
 
 
 def wanted(form):
     """[(confinement, cells)]"""
     if form == "quick":
-        return [(pressure, CELLS[form]) for pressure in CONVERGED_AT]
+        return [(pressure, CELLS[form]) for pressure in QUICK]
     own = CELLS[form]
     others = sorted({2.0, 1.0, 0.5} - {own}, reverse=True)
     return [(pressure, own) for pressure in PRESSURES] + [(pressure, cells) for cells in others for pressure in CONVERGED_AT]
@@ -32,11 +32,13 @@ def measure(lab):
     rows = []
     for (pressure, cells), folder in zip(asked, folders):
         shot = measured(folder)
-        rows.append([pressure, cells, shot.early, shot.depth, shot.growth, shot.volume, shot.radius])
-    table = Table(f"Figure 7: input_xml/paper/{DECK}; depth: the greatest of 100 us", ["confinement [MPa]", "cells [mm]", "depth at 30 us [mm]", "depth [mm]", "growth in the last 20 us", "hole [cm3]", "mean radius [mm]"], rows)
+        rows.append([pressure, cells, shot.early, shot.depth, shot.growth, shot.volume, shot.radius, shot.lost])
+    columns = ["confinement [MPa]", "cells [mm]", "depth at 30 us [mm]", "depth [mm]", "growth in the last 20 us", "hole [cm3]", "mean radius [mm]", "numerical energy"]
+    table = Table(f"Figure 7: input_xml/paper/{DECK}; depth: the greatest of 100 us", columns, rows)
     if lab.form != "quick":
         main = [(f"{p:g} MPa: {row[3]:.1f} mm", folder) for (p, cells), row, folder in zip(asked, rows, folders) if cells == CELLS[lab.form]]
-        draw_channels(lab.picture("paper_7"), main, ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2)), (22.0, -8.0, 60.0), "confining pressure: depth")
+        fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2))
+        draw_channels(lab.picture("paper_7"), main, fields, limits, (22.0, -8.0, 60.0), "confining pressure: depth")
         draw_depths(lab.picture("paper_7_depth"), table)
     return {"paper_7": table, "paper_7_cracks": cracks.measure(lab)}
 
@@ -63,4 +65,5 @@ def trends(tables):
         out.append(least(f"7: cells of {cells:g} mm: depth falls from each confining pressure to the next, by so many mm", min(steps), 0.1))
         out.append(most(f"7: cells of {cells:g} mm: depth at the highest confining pressure over that at none", depth[order][-1] / depth[order][0], 0.98))
     out.append(most("7: shots are over: growth of the depth in the last 20 us", table.column("growth in the last 20 us").max(), 0.01))
+    out.append(sound(table, 7))
     return out + cracks.trends(tables["paper_7_cracks"])

@@ -93,24 +93,25 @@ def read_table(file):
 
 
 class Lab:
-    """The program and where results go. Of the quick form nothing is kept.
+    """The program and where results go.
 
     @param form    one of FORMS: cells and times of the runs
     @param folder  of the runs; a temporary one without it
+    @param keep    whether pictures and results become those of docs/paper.md
     """
 
-    def __init__(self, barreno, form="default", folder=None):
-        self.barreno, self.form = pathlib.Path(barreno).resolve(), form
+    def __init__(self, barreno, form="default", folder=None, keep=True):
+        self.barreno, self.form, self.keep = pathlib.Path(barreno).resolve(), form, keep
         self.scratch = tempfile.TemporaryDirectory(prefix="paper-")
         self.folder = pathlib.Path(folder).resolve() if folder else pathlib.Path(self.scratch.name)
         self.library = self.barreno.parents[1] / "materials" / "libBARRENO.so"
-        self.done = {}
+        self.done, self.used = {}, []
 
     def of_form(self, quick, default, fine=None):
         return {"quick": quick, "default": default, "fine": default if fine is None else fine}[self.form]
 
     def picture(self, name):
-        return (PICTURES if self.form != "quick" else self.folder) / f"{name}.png"
+        return (PICTURES if self.keep else self.folder) / f"{name}.png"
 
     def program(self, *words):
         """What the program prints; its error is an error here."""
@@ -123,7 +124,7 @@ class Lab:
         """Folder of a run of a deck of input_xml/paper, made once."""
         key = (deck, tuple(settings.items()))
         if key not in self.done:
-            folder = self.folder / name
+            folder = self.folder / (name if self.form == "default" else f"{self.form}-{name}")
             began = time.monotonic()
             words = [word for path, value in settings.items() for word in ("--set", f"{path}={value}")]
             if not self.is_there(folder, key):
@@ -131,6 +132,7 @@ class Lab:
                 (folder / "asked.json").write_text(json.dumps(key))
             self.done[key] = folder
             print(f"  {name}: {time.monotonic() - began:.1f} s", flush=True)
+        self.used.append(self.done[key])
         return self.done[key]
 
     def runs(self, asked):
@@ -142,7 +144,21 @@ class Lab:
         """Whether an earlier call with the same --folder has made this run."""
         file = folder / "asked.json"
         made_from = [self.barreno, PAPER / key[0], *PAPER.glob("*.csv"), *(ROOT / "materials" / "cards").iterdir(), *(DECKS / "jets").iterdir()]
-        return file.exists() and json.loads(file.read_text()) == json.loads(json.dumps(key)) and file.stat().st_mtime > max(one.stat().st_mtime for one in made_from)
+        changed = max(one.stat().st_mtime for one in made_from)
+        return file.exists() and json.loads(file.read_text()) == json.loads(json.dumps(key)) and file.stat().st_mtime > changed
+
+
+def cost_of(folders):
+    """[runs, their processor time in s]"""
+    return [float(len(set(folders))), sum(summary_of(folder)["cpu_seconds"] for folder in set(folders))]
+
+
+def write_cost(number, cost):
+    """A figure's row of paper_time.csv."""
+    file = RESULTS / "paper_time.csv"
+    rows = [row for row in read_table(file).rows if row[0] != number] if file.exists() else []
+    table = Table("Processor time of the runs of each figure of docs/paper.md, a core each; pictures take seconds more", ["figure", "runs", "processor time [s]"], sorted([*rows, [float(number), *cost]]))
+    write_table(file, table)
 
 
 def summary_of(folder):

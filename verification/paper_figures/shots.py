@@ -9,7 +9,7 @@ import numpy as np
 from barreno_report.channel import Half, draw_half, draw_outlines, set_up
 from barreno_report.hole import face_of, measure_hole
 from barreno_report.run import Run
-from paper_figures.lab import MICRO, MILLI, summary_of
+from paper_figures.lab import MICRO, MILLI, most, summary_of
 
 DECK = "penetration.xml"
 CELLS = {"quick": 2.0, "default": 1.0, "fine": 0.5}  # mm; the jet's radius is 2.0 to 2.2 mm
@@ -23,6 +23,7 @@ class Shot:
     growth: float  # of the depth in the last SETTLED us, over the depth
     volume: float  # of the hole [cm3]
     radius: float  # of the hole, mean over its length by volume [mm]
+    lost: float  # numerical energy error over the energy put in, stress integration and transfer together
 
 
 def settings_of(cells, confinement, more=None):
@@ -35,11 +36,19 @@ def measured(folder):
         run = Run(folder, stack)
         table, frame = run.depth_table(), run.frame()
         hole = measure_hole(frame, run.deck, face_of(table, run.file, run.deck))
+        energy = run.summary["balances"]["energy"]
     time, depth = table["time"], table["depth"] / MILLI
     greatest = float(depth.max())
     before = float(depth[time <= time[-1] - SETTLED * MICRO].max())
     length = max(hole.length, 1e-9)
-    return Shot(greatest, float(np.interp(30.0 * MICRO, time, depth)), greatest / before - 1.0, hole.volume * 1e6, float(np.sqrt(hole.volume / (np.pi * length))) / MILLI)
+    radius = float(np.sqrt(hole.volume / (np.pi * length))) / MILLI
+    lost = energy["stress_integration_share"] + energy["transfer_share"]
+    return Shot(greatest, float(np.interp(30.0 * MICRO, time, depth)), greatest / before - 1.0, hole.volume * 1e6, radius, lost)
+
+
+def sound(table, number):
+    """A run that has become unstable shows in its energy; its depth means nothing."""
+    return most(f"{number}: energy that the method adds or loses, over what was put in", np.abs(table.column("numerical energy")).max(), 0.12)
 
 
 def end_of(folder):

@@ -10,7 +10,6 @@ from paper_figures import FIGURES, figure  # noqa: E402
 from paper_figures.lab import RESULTS, read_table  # noqa: E402
 from verification_pages import table  # noqa: E402
 
-# Columns that tell runs apart, and how many digits behind the point the others have.
 LONG = {"paper_3_curve", "paper_4", "paper_5", "paper_5_paths"}  # drawn, not tabulated
 
 
@@ -33,8 +32,19 @@ def part(number):
         else:
             shown = [[cell(value) for value in row] for row in found.rows]
             lines += [found.remark.replace(f"Figure {number}: ", "") + ":", "", *table(found.columns, shown), ""]
-    rows = [[trend.what.split(": ", 1)[1], f"{trend.value:.4g}", f"{'at least' if trend.at_least else 'at most'} {trend.limit:.4g}", "holds" if trend.holds else "**does not hold**"] for trend in figure(number).trends(tables)]
-    return [*lines, *table(["trend", "measured", "must be", "verdict"], rows)]
+    return [*lines, *table(["trend", "measured", "must be", "verdict"], [row_of(trend) for trend in figure(number).trends(tables)])]
 
 
-PARTS = {f"paper_{number}": (lambda number=number: part(number)) for number in FIGURES}
+def row_of(trend):
+    bound = f"{'at least' if trend.at_least else 'at most'} {trend.limit:.4g}"
+    return [trend.what.split(": ", 1)[1], f"{trend.value:.4g}", bound, "holds" if trend.holds else "**does not hold**"]
+
+
+def time():
+    found = read_table(RESULTS / "paper_time.csv")
+    total = sum(row[2] for row in found.rows)
+    rows = [[f"{row[0]:.0f}", f"{row[1]:.0f}", f"{row[2]:.0f}"] for row in found.rows]
+    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {total / 120.0:.0f} minutes."]
+
+
+PARTS = {"paper_time": time} | {f"paper_{number}": (lambda number=number: part(number)) for number in FIGURES}

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What docs/paper.md rests on: trends fail when they must, tables read back as written, stresses and the Lode angle are what they are called."""
+import math
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "verification" / name) for name in ("", "tools", "oracles", "cases")] + [str(ROOT / "src" / "python")]
+
+from paper_figures import FIGURES, figure  # noqa: E402
+from paper_figures.figure_5 import colour_of, continuous  # noqa: E402
+from paper_figures.figure_6 import limit_of  # noqa: E402
+from paper_figures.lab import Table, least, most, read_table, write_table  # noqa: E402
+from paper_figures.surface import lode_angle, pressure_and_shear, principal, revolved  # noqa: E402
+
+
+class Trends(unittest.TestCase):
+    def test_limits(self):
+        self.assertTrue(least("a", 2.0, 1.0).holds)
+        self.assertTrue(most("a", 1.0, 1.0).holds)
+        self.assertFalse(least("a", 0.5, 1.0).holds)
+        self.assertFalse(most("a", 1.5, 1.0).holds)
+        for value in (math.nan, math.inf, -math.inf):
+            self.assertFalse(least("a", value, 1.0).holds)
+            self.assertFalse(most("a", value, 1.0).holds)
+
+    def test_a_reversed_result_fails(self):
+        """Each figure whose rows are runs: with the depths in the opposite order its trend is not found."""
+        for number in (7, 8, 9, 10):
+            tables = {name: read_table(ROOT / "verification" / "results" / f"{name}.csv") for name in figure(number).TABLES}
+            self.assertTrue(all(trend.holds for trend in figure(number).trends(tables)), number)
+            main = tables[f"paper_{number}"]
+            at = next(i for i, column in enumerate(main.columns) if column.startswith("depth") and "30 us" not in column)
+            depths = [row[at] for row in main.rows]
+            for row, depth in zip(main.rows, reversed(depths)):
+                row[at] = depth
+            self.assertFalse(all(trend.holds for trend in figure(number).trends(tables)), number)
+
+    def test_every_figure_has_its_results(self):
+        for number in FIGURES:
+            for name in figure(number).TABLES:
+                self.assertTrue((ROOT / "verification" / "results" / f"{name}.csv").exists(), name)
+
+
+class Tables(unittest.TestCase):
+    def test_round_trip(self):
+        table = Table("Figure 0: a\nb", ["word", "number"], [["a, b", 1.5], ["c", math.nan]])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "table.csv"
+            write_table(file, table)
+            found = read_table(file)
+        self.assertEqual((found.remark, found.columns, found.rows[0]), (table.remark, table.columns, table.rows[0]))
+        self.assertTrue(math.isnan(found.value("number", word="c")))
+        with self.assertRaises(LookupError):
+            found.value("number", word="d")
+
+
+class Stresses(unittest.TestCase):
+    def test_lode_angle(self):
+        cases = {0.0: (-3.0, -1.0, -1.0, 0.0), 30.0: (-3.0, -2.0, -1.0, 0.0), 60.0: (-3.0, -1.0, -3.0, 0.0)}
+        for angle, stress in cases.items():
+            self.assertAlmostEqual(float(lode_angle(principal(*map(np.array, stress)))), angle, places=9)
+
+    def test_principal_stresses_do_not_depend_on_the_axes(self):
+        turned = principal(np.array(-2.0), np.array(-2.0), np.array(-1.0), np.array(1.0))
+        np.testing.assert_allclose(turned, [3.0, 1.0, 1.0])
+        mean, shear = pressure_and_shear(turned)
+        self.assertAlmostEqual(float(mean), 5.0 / 3.0)
+        self.assertAlmostEqual(float(shear), 2.0 / math.sqrt(3.0))
+
+    def test_a_path_keeps_its_axes_while_the_largest_stress_changes(self):
+        radial, axial = np.array([-1e6, -2e6, -3e6]), np.array([-3e6, -2.5e6, -1e6])
+        found = continuous((radial, axial, np.full(3, -1e6), np.zeros(3)))
+        np.testing.assert_allclose(found[:, 0], [3.0, 2.5, 1.0])
+        np.testing.assert_allclose(found[:, 1], [1.0, 2.0, 3.0])
+
+    def test_the_revolved_surface_has_the_meridian(self):
+        p, q = np.array([0.0, 100.0]), np.array([10.0, 50.0])
+        points = np.moveaxis(np.array(revolved(p, q, 7)), 0, -1)
+        mean, shear = pressure_and_shear(points)
+        np.testing.assert_allclose(mean, np.repeat(p[:, None], 7, axis=1), atol=1e-9)
+        np.testing.assert_allclose(shear, np.repeat(q[:, None], 7, axis=1))
+
+    def test_colours(self):
+        np.testing.assert_allclose(colour_of(np.array(0.0), np.array(0.0)), [1.0, 1.0, 1.0])
+        self.assertLess(colour_of(np.array(-1.0), np.array(0.0))[2], 0.5)  # tension is yellow
+        self.assertLess(colour_of(np.array(3000.0), np.array(0.0))[0], colour_of(np.array(100.0), np.array(0.0))[0])
+
+
+class Limits(unittest.TestCase):
+    def test_limit_of_three_levels(self):
+        h = np.array([2.0, 1.0, 0.5])
+        limit, order = limit_of(h, 40.0 + 3.0 * h**1.5)
+        self.assertAlmostEqual(limit, 40.0)
+        self.assertAlmostEqual(order, 1.5)
+        self.assertTrue(math.isnan(limit_of(h, np.array([1.0, 2.0, 1.5]))[0]))
+
+
+if __name__ == "__main__":
+    unittest.main()
