@@ -98,7 +98,8 @@ class Limits(unittest.TestCase):
         limit, order = limit_of(h, 40.0 + 3.0 * h**1.5)
         self.assertAlmostEqual(limit, 40.0)
         self.assertAlmostEqual(order, 1.5)
-        self.assertTrue(math.isnan(limit_of(h, np.array([1.0, 2.0, 1.5]))[0]))
+        for slow in (np.array([1.0, 2.0, 1.5]), 40.0 - 3.0 * h**0.5, np.array([1.0, 2.0])):
+            self.assertTrue(math.isnan(limit_of(h, slow)[0]))
 
 
 if __name__ == "__main__":

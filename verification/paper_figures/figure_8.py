@@ -9,6 +9,7 @@ TABLES = ("paper_8",)
 WATER = {"Materials/Sandstone/fluid_B0": "2.25 GPa", "Materials/Sandstone/Density": "2320 kg/m3"}  # pores full: 0.20 of 1000 kg/m3 more
 DRY = None  # pore pressure of drained rock: none, whatever happens
 EFFECTIVE = 34.0  # MPa
+DEPTHS = ("depth at 30 us [mm]", "depth [mm]")
 # (confinement, initial pore pressure) in MPa
 UNLOADED = [(0.0, DRY), (0.0, 0.0)]
 EQUAL_EFFECTIVE = [(34.0, 0.0), (69.0, 35.0), (103.0, 69.0)]
@@ -44,45 +45,48 @@ def measure(lab):
     return {"paper_8": table}
 
 
-def depth_of(table, confinement, pore):
+def depth_of(table, confinement, pore, column="depth [mm]"):
     rows = [row for row in table.rows if row[1] == confinement and (np.isnan(row[2]) if pore is DRY else row[2] == pore) and row[0] in ("drained", "undrained")]
-    return rows[0][4]
+    return rows[0][table.columns.index(column)]
 
 
 def draw_depths(file, table):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10.0, 4.2), layout="constrained", sharey=True)
-    panels = (
-        (left, EQUAL_EFFECTIVE, f"equal effective stress, {EFFECTIVE:g} MPa"),
-        (right, EQUAL_CONFINEMENT[1:], f"equal confining pressure, {EQUAL_CONFINEMENT[0][0]:g} MPa"),
-    )
-    for axes, pairs, title in panels:
-        depths = [depth_of(table, *pair) for pair in pairs]
-        axes.plot([pore for _, pore in pairs], depths, "o-", label="undrained")
-        for (confinement, pore), depth in zip(pairs, depths):
-            axes.annotate(f"confinement {confinement:g} MPa", (pore, depth), (0, 9), textcoords="offset points", ha="center", fontsize=8)
-        axes.set(xlabel="initial pore pressure [MPa]", title=title, xlim=(-12.0, 82.0))
-        axes.grid(alpha=0.3)
-    dry = depth_of(table, *EQUAL_CONFINEMENT[0])
-    right.axhline(dry, color="0.4", ls="--", label="drained")
-    right.legend(fontsize=9, loc="center right")
-    left.set_ylabel("depth [mm]")
-    every = [row[4] for row in table.rows]
-    left.set_ylim(min(every) - 1.0, max(every) + 1.5)
+    figure, panels = plt.subplots(2, 2, figsize=(10.0, 6.6), layout="constrained", sharey="row", sharex=True)
+    titles = (f"equal effective stress, {EFFECTIVE:g} MPa", f"equal confining pressure, {EQUAL_CONFINEMENT[0][0]:g} MPa")
+    for row, column, when in zip(panels, DEPTHS, ("after 30 µs", "greatest")):
+        for axes, pairs in zip(row, (EQUAL_EFFECTIVE, EQUAL_CONFINEMENT[1:])):
+            depths = [depth_of(table, *pair, column) for pair in pairs]
+            axes.plot([pore for _, pore in pairs], depths, "o-", label="undrained")
+            for (confinement, pore), depth in zip(pairs, depths):
+                axes.annotate(f"confinement {confinement:g} MPa", (pore, depth), (0, 9), textcoords="offset points", ha="center", fontsize=8)
+            axes.grid(alpha=0.3)
+        row[1].axhline(depth_of(table, *EQUAL_CONFINEMENT[0], column), color="0.4", ls="--", label="drained")
+        row[0].set_ylabel(f"{when}: depth [mm]")
+        low, high = row[1].get_ylim()
+        row[1].set_ylim(low - 0.05 * (high - low), high + 0.15 * (high - low))
+    for axes, title in zip(panels[0], titles):
+        axes.set(title=title, xlim=(-14.0, 84.0))
+    for axes in panels[1]:
+        axes.set_xlabel("initial pore pressure [MPa]")
+    panels[1, 1].legend(fontsize=9, loc="center right")
     figure.savefig(file, dpi=110)
     plt.close(figure)
 
 
 def trends(tables):
     table = tables["paper_8"]
-    out = [least("8: undrained over drained depth without confinement and initial pore pressure", depth_of(table, *UNLOADED[1]) / depth_of(table, *UNLOADED[0]), 1.01)]
+    out = [least(f"8: undrained over drained {column.removesuffix(' [mm]')} without confinement and initial pore pressure", ratio_of(table, UNLOADED, column), 1.005) for column in DEPTHS]
     if len(table.rows) > len(UNLOADED):
-        alike = [depth_of(table, *pair) for pair in EQUAL_EFFECTIVE]
-        rising = [depth_of(table, *pair) for pair in EQUAL_CONFINEMENT]
-        heavy = table.value("depth [mm]", rock="drained, as heavy as undrained")
-        out += [
-            most("8: depths at equal effective stress differ by, relative", max(alike) / min(alike) - 1.0, 0.03),
-            least("8: at equal confinement the depth grows from drained rock to each higher pore pressure, by so many mm", np.diff(rising).min(), 0.1),
-            least("8: at equal confinement, depth with the highest pore pressure over that with none", rising[-1] / rising[1], 1.01),
-            most("8: the mass of the fluid alone: depth of heavier over lighter drained rock", heavy / depth_of(table, *UNLOADED[0]), 1.0),
-        ]
+        heavy = table.value(DEPTHS[0], rock="drained, as heavy as undrained")
+        out.append(most("8: the mass of the fluid alone: depth at 30 us of heavier over lighter drained rock", heavy / depth_of(table, *UNLOADED[0], DEPTHS[0]), 1.0))
+        for column, spread, step in zip(DEPTHS, (0.01, 0.03), (0.05, 0.1)):
+            alike, rising = ([depth_of(table, *pair, column) for pair in pairs] for pairs in (EQUAL_EFFECTIVE, EQUAL_CONFINEMENT))
+            name = column.removesuffix(" [mm]")
+            out.append(most(f"8: at equal effective stress: {name}, largest over smallest less 1", max(alike) / min(alike) - 1.0, spread))
+            out.append(least(f"8: at equal confinement: {name} grows from drained rock to each higher pore pressure, by so many mm", np.diff(rising).min(), step))
     return [*out, sound(table, 8)]
+
+
+def ratio_of(table, pairs, column):
+    """Depth of the second over that of the first."""
+    return depth_of(table, *pairs[1], column) / depth_of(table, *pairs[0], column)
