@@ -137,7 +137,7 @@ TEST(JwlExplosive, ExpansionFollowsTheIsentropeAtSecondOrder) {
 }
 
 TEST(JwlExplosive, BurnsAcrossItsWidthAndNeverBack) {
-  const JwlExplosive model = sample_model<JwlExplosive>();
+  const auto model = sample_model<JwlExplosive>();
   const double cell = 1e-3, speed = model.parameters().detonation_speed;
   const double whole = model.parameters().burn_width * cell / speed;  // time to burn [s]
   JwlExplosive::History history{2e-6, 0.0, 0.0};
@@ -160,7 +160,7 @@ TEST(JwlExplosive, NamesTheColumnsOfItsProgram) {
 
 /// What a point gives while it burns and expands is what its energy loses, viscous heat included.
 TEST(JwlExplosive, EnergyIsTheWorkOfThePoint) {
-  const JwlExplosive model = sample_model<JwlExplosive>();
+  const auto model = sample_model<JwlExplosive>();
   const double density = Sample<JwlExplosive>::density;
   Sym3 stress{};
   JwlExplosive::History history = model.initial_history();
