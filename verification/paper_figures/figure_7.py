@@ -3,12 +3,15 @@
 import matplotlib.pyplot as plt
 import numpy as np
 from paper_figures import cracks
+from paper_figures.figure_3 import CARD
 from paper_figures.lab import Table, least, most
 from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of, sound
+from paper_figures.surface import card_numbers
 
-TABLES = ("paper_7", "paper_7_cracks")
+TABLES = ("paper_7", "paper_7_strength", "paper_7_cracks")
 PRESSURES = (0.0, 17.0, 34.0, 69.0, 138.0)  # MPa
 DEPTHS = ("depth at 30 us [mm]", "depth [mm]")
+STRENGTHS, UNCONFINED = (0.5, 1.0, 2.0), 56.0  # factors of the card; MPa, of the card (docs/materials/berea_fit.md)
 NOISE = 0.5  # mm: final depths differ by as much between seeds of figure 10
 CONVERGED_AT, QUICK = (34.0, 138.0), (0.0, 138.0)
 
@@ -18,8 +21,7 @@ def wanted(form):
     if form == "quick":
         return [(pressure, CELLS[form]) for pressure in QUICK]
     own = CELLS[form]
-    coarser = [(pressure, 2.0 * own) for pressure in CONVERGED_AT]
-    return [(pressure, own) for pressure in PRESSURES] + coarser + [(CONVERGED_AT[-1], 0.5 * own)]
+    return [(pressure, own) for pressure in PRESSURES] + [(pressure, factor * own) for factor in (2.0, 0.5) for pressure in CONVERGED_AT]
 
 
 def name_of(pressure, cells):
@@ -40,7 +42,25 @@ def measure(lab):
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2))
         draw_channels(lab.picture("paper_7"), main, fields, limits, (22.0, -8.0, 60.0), "confining pressure: depth")
         draw_depths(lab.picture("paper_7_depth"), table)
-    return {"paper_7": table, "paper_7_cracks": cracks.measure(lab)}
+    return {"paper_7": table, "paper_7_strength": strengths(lab), "paper_7_cracks": cracks.measure(lab)}
+
+
+def strengths(lab):
+    """Shots at no confinement into rock of several strengths: PEAKI1 and STREN in proportion, and with them the strength in every test without the cap."""
+    card, cells, rows = card_numbers(CARD), max(CELLS[lab.form], 2.0), []
+    factors = STRENGTHS if lab.form != "quick" else STRENGTHS[1:2]
+    words = [{} if f == 1.0 else {f"Materials/Sandstone/{name}": f"{f * card[name]:g}" for name in ("PEAKI1", "STREN")} for f in factors]
+    folders = lab.runs([(DECK, settings_of(cells, 0.0, more), f"strength-{f:g}") for f, more in zip(factors, words)])
+    for factor, folder in zip(factors, folders):
+        shot = measured(folder)
+        rows.append([factor * UNCONFINED, shot.early, shot.depth, shot.lost])
+    remark = f"Figure 7: input_xml/paper/{DECK}, cells of {cells:g} mm, no confinement; the card's PEAKI1 and STREN times {', '.join(f'{f:g}' for f in factors)}"
+    return Table(remark, ["unconfined strength [MPa]", *DEPTHS, "numerical energy"], rows)
+
+
+def slope(x, depth):
+    """Of the logarithm of the depth."""
+    return float(np.polyfit(x, np.log(depth), 1)[0])
 
 
 def draw_depths(file, table):
@@ -54,6 +74,22 @@ def draw_depths(file, table):
     panels[0].legend(fontsize=9, loc="lower left")
     figure.savefig(file, dpi=110)
     plt.close(figure)
+
+
+def experiments(table, strength):
+    """Signs that laboratory shots have."""
+    cells = table.rows[0][1]
+    pressure, depth = (table.column(name, **{"cells [mm]": cells}) for name in ("confinement [MPa]", "depth [mm]"))
+    return [
+        most("7: slope of ln(depth) against the effective confining pressure, per MPa (experiments: negative)", slope(pressure, depth), -2e-4),
+        most("7: slope of ln(depth) against the unconfined strength, per MPa (experiments: negative)", slope(strength.column("unconfined strength [MPa]"), strength.column("depth [mm]")), -1e-3),
+        sound(strength, 7, "strengths: "),
+    ]
+
+
+def fall_of(table, cells):
+    low, high = (table.value("depth [mm]", **{"cells [mm]": cells, "confinement [MPa]": pressure}) for pressure in CONVERGED_AT)
+    return high / low
 
 
 def trends(tables):
@@ -70,6 +106,14 @@ def trends(tables):
             least(f"7: cells of {cells:g} mm: the greatest depth falls likewise, or rises by less than the noise, in mm", steps[1].min(), -NOISE),
             most(f"7: cells of {cells:g} mm: greatest depth at the highest confining pressure over that at the lowest", final[order][-1] / final[order][0], 0.98),
         ]
-    out.append(most("7: shots are nearly over: growth of the depth in the last 20 us", table.column("growth in the last 20 us").max(), 0.03))
+    own = table.rows[0][1]
+    growth = table.column("growth in the last 20 us", **{"cells [mm]": own}).max()
+    out.append(most(f"7: cells of {own:g} mm: shots are nearly over: growth of the depth in the last 20 us", growth, 0.03))
+    falls = [fall_of(table, cells) for cells in set(table.column("cells [mm]")) if cells in table.column("cells [mm]", **{"confinement [MPa]": CONVERGED_AT[0]})]
+    if len(falls) > 1:
+        out.append(most("7: the greatest depth at 138 MPa over that at 34 MPa differs between cell sizes by", max(falls) - min(falls), 0.02))
     out.append(sound(table, 7))
+    strength = tables["paper_7_strength"]
+    if len(strength.rows) > 1:
+        out += experiments(table, strength)
     return out + cracks.trends(tables["paper_7_cracks"])

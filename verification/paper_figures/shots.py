@@ -46,9 +46,9 @@ def measured(folder):
     return Shot(greatest, float(np.interp(30.0 * MICRO, time, depth)), greatest / before - 1.0, hole.volume * 1e6, radius, lost)
 
 
-def sound(table, number):
+def sound(table, number, of=""):
     """A run that has become unstable shows in its energy; its depth means nothing."""
-    return most(f"{number}: energy that the method adds or loses, over what was put in", np.abs(table.column("numerical energy")).max(), 0.12)
+    return most(f"{number}: {of}energy that the method adds or loses, over what was put in", np.abs(table.column("numerical energy")).max(), 0.12)
 
 
 def end_of(folder):
