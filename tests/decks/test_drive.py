@@ -278,7 +278,10 @@ def check_cards(barreno, folder):
             yield f"{card.name}: {len(rows)} rows of {count}, header {header}, screen {result.stdout}"
         if not all(len(row) == len(header) and all(map(math.isfinite, row)) for row in rows):
             yield f"{card.name}: a row is not whole"
-        if not rows[20][10] < -1e8:
+        if "JWL Explosive" in card.read_text():  # of which nothing has burnt
+            if any(rows[20][10:16]):
+                yield f"{card.name}: an unlit explosive bears stress: {rows[20]}"
+        elif not rows[20][10] < -1e8:
             yield f"{card.name}: no stress at 10 % of shortening: {rows[20]}"
 
 

@@ -160,8 +160,8 @@ TEST(JwlExplosive, NamesTheColumnsOfItsProgram) {
 
 /// What a point gives while it burns and expands is what its energy loses, viscous heat included.
 TEST(JwlExplosive, EnergyIsTheWorkOfThePoint) {
-  const auto model = sample_model<JwlExplosive>();
-  const double density = Sample<JwlExplosive>::density;
+  const JwlExplosive model = explosive_of("comp_b");
+  const double density = model.products().density;
   Sym3 stress{};
   JwlExplosive::History history = model.initial_history();
   const double begin = history.internal_energy;
