@@ -70,7 +70,7 @@ void add_materials(const Deck& deck, Scene& scene) {
     MaterialSpec& material =
         scene.materials.emplace_back(material_in(deck, name), said.bad_particles);
     if (said.largest_expansion) material.largest_expansion = said.largest_expansion;
-    material.volume_relaxation = said.volume_relaxation;
+    material.volume_relaxation = said.volume_relaxation.value_or(0.0);
   }
 }
 

@@ -39,14 +39,14 @@ SectionTable<MaterialSection> material_table() {
            "V / V_ref beyond which a particle of this material counts as bad; without it 100 for "
            "explosives, else that of Step"
        ),
-       defaulted(
+       if_given(
            &MaterialSection::volume_relaxation,
            "Volume Relaxation",
            dim::none,
            between(0.0, 100.0),
            "rate, per shear strain, at which the particles of a cell that flow take on its mean "
            "volume ratio: smooths pressures that alternate from particle to particle in metal "
-           "that has flown; 30 for a casing, 0: off"
+           "that has flown; 30 for a casing, without it 0"
        )},
       "one material: a card, a model with its parameters, or a card with single values overridden"};
 }

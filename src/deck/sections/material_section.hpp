@@ -25,7 +25,7 @@ struct MaterialSection {
   std::optional<std::string> card;  ///< its file
   BadParticlePolicy bad_particles = BadParticlePolicy::remove;
   std::optional<double> largest_expansion;  ///< V / V_ref; without: the model's or the step's
-  double volume_relaxation = 0.0;           ///< of particles of one cell, per shear strain [-]
+  std::optional<double> volume_relaxation;  ///< of a cell's particles, per shear strain [-]
 };
 template <>
 const SectionTable<MaterialSection>& table_of<MaterialSection>();
