@@ -71,7 +71,7 @@ def said_errors(barreno):
     where = (("shock", 0.5), ("box", 32))
     out = {}
     for name in FIDELITIES:
-        values = re.search(rf"^  {name} .*errors (\S+) %, (\S+) %; depth .*$", plan, re.MULTILINE).groups()
+        values = re.search(rf"^  {name} .*errors: (\S+) %, (\S+) %, depth .*$", plan, re.MULTILINE).groups()
         out.update({(name, *place): 0.01 * float(value) for place, value in zip(where, values)})
     return out
 
