@@ -3,6 +3,7 @@
 
 #include "state/body_particles.hpp"
 
+#include <algorithm>
 #include <barreno/tangent.hpp>
 #include <sstream>
 #include <variant>
@@ -11,6 +12,7 @@ namespace barreno {
 namespace {
 
 constexpr double stiffest = 100.0;  ///< K / G
+constexpr double most_said = 1e12;  ///< larger ratios are not told apart
 
 /// K / G at the start; 0 of what has no shear stiffness and cannot lock.
 double bulk_over_shear(const Material& material) {
@@ -33,7 +35,8 @@ std::string locking_note(const Scene& scene, int material) {
   const bool spline = scene.step.shape.find("B-spline") != std::string::npos;
   if (ratio <= stiffest || spline || smallest_half_size(scene, material) >= 0.5) return {};
   std::ostringstream text;
-  text << "material '" << rock.name << "' is nearly incompressible (K = " << ratio
+  text << "material '" << rock.name << "' is nearly incompressible (K "
+       << (ratio < most_said ? "= " : "above ") << std::min(ratio, most_said)
        << " G) and will respond too stiffly, through volumetric locking, with " << scene.step.shape
        << " and more than one particle per cell; take Particles Per Cell 1 or Shape Function "
           "quadratic B-spline";

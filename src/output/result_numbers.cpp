@@ -8,6 +8,22 @@
 #include "state/balance.hpp"
 
 namespace barreno {
+namespace {
+
+/// Where the particle-steps went, and which were spared.
+void add_work_lines(const Scene& scene, const RunTotals& totals, std::vector<std::string>& lines) {
+  if (totals.skipped_steps > 0.0)
+    lines.push_back(number_line(
+        "%.0f %% of all particle-steps were skipped, in dormant tiles",
+        100.0 * totals.skipped_steps / (totals.skipped_steps + totals.particle_steps)
+    ));
+  const auto cells = shares_by_cell_size(scene.grid.cell_size, totals.step_shares);
+  if (!cells.empty()) lines.push_back("particle-steps by cell size: " + share_text(cells));
+  const auto lengths = shares_by_step_length(totals.step_shares);
+  if (!lengths.empty()) lines.push_back("particle-steps by length of step: " + share_text(lengths));
+}
+
+}  // namespace
 
 std::vector<std::string> result_numbers(
     const Scene& scene,
@@ -68,15 +84,7 @@ std::vector<std::string> result_numbers(
             totals.particle_steps
         )
     );
-  if (totals.skipped_steps > 0.0)
-    lines.push_back(number_line(
-        "%.0f %% of all particle-steps were skipped, in dormant tiles",
-        100.0 * totals.skipped_steps / (totals.skipped_steps + totals.particle_steps)
-    ));
-  const auto cells = shares_by_cell_size(scene.grid.cell_size, totals.step_shares);
-  if (!cells.empty()) lines.push_back("particle-steps by cell size: " + share_text(cells));
-  const auto lengths = shares_by_step_length(totals.step_shares);
-  if (!lengths.empty()) lines.push_back("particle-steps by length of step: " + share_text(lengths));
+  add_work_lines(scene, totals, lines);
   return lines;
 }
 
