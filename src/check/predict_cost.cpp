@@ -45,10 +45,7 @@ double body_speed(const Scene& scene, int material) {
   for (const BodySpec& body : scene.bodies)
     if (body.material == material)
       speed = std::max(
-          speed,
-          std::hypot(body.velocity[0], body.velocity[1], body.velocity[2]) *
-                  wave_share(scene, body) +
-              std::abs(body.radial_velocity)
+          speed, length_of(body.velocity) * wave_share(scene, body) + std::abs(body.radial_velocity)
       );
   return speed;
 }

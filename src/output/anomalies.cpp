@@ -4,24 +4,14 @@
 #include "base/gather.hpp"
 #include "base/launch.hpp"
 #include "base/row_sum.hpp"
+#include "scene/input_speeds.hpp"
 #include "shape/kinematics.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace barreno {
 namespace {
-
-double length_of(const Vector& v) {
-  return std::hypot(v[0], v[1], v[2]);
-}
-
-double largest_factor(const Table& factor) {
-  double largest = 0.0;
-  for (const double value : factor.value) largest = std::max(largest, std::abs(value));
-  return largest;
-}
 
 template <class M>
 struct CountAnomalies {
@@ -60,25 +50,6 @@ Anomalies count(const Particles& particles, Mode mode, double speed_bound) {
 }
 
 }  // namespace
-
-double largest_input_speed(const Scene& scene) {
-  double largest = 0.0;
-  for (const BodySpec& body : scene.bodies) {
-    double own = length_of(body.velocity) + std::abs(body.radial_velocity);
-    if (body.spin != 0.0)
-      own += std::abs(body.spin) * std::hypot(
-                                       scene.grid.upper[0] - scene.grid.lower[0],
-                                       scene.grid.upper[1] - scene.grid.lower[1]
-                                   );
-    if (body.motion.prescribed)
-      own = std::max(own, length_of(body.motion.velocity) * largest_factor(body.motion.factor));
-    largest = std::max(largest, own);
-  }
-  for (const JetSlug& slug : scene.jet.slugs) largest = std::max(largest, slug.velocity);
-  for (const ConditionSpec& face : scene.conditions)
-    largest = std::max(largest, length_of(face.velocity) * largest_factor(face.factor));
-  return largest;
-}
 
 std::vector<Anomalies> count_anomalies(const Scene& scene, const State& state) {
   const double input = largest_input_speed(scene);

@@ -35,10 +35,6 @@ KOKKOS_INLINE_FUNCTION void add(const Anomalies& part, Anomalies& sum) {
       part.largest_speed > sum.largest_speed ? part.largest_speed : sum.largest_speed;
 }
 
-/// Largest speed that bodies, jet, moving faces and rigid bodies bring into the scene; 0 where all
-/// motion comes from forces, and then nothing counts as ejected [length/time].
-double largest_input_speed(const Scene& scene);
-
 /// By material; held debris is left out. Collective, the same on every rank.
 std::vector<Anomalies> count_anomalies(const Scene& scene, const State& state);
 

@@ -6,6 +6,7 @@
 #include "base/utf8.hpp"
 #include "output/jet/jet_estimate.hpp"
 #include "output/share_numbers.hpp"
+#include "scene/input_speeds.hpp"
 #include "state/balance.hpp"
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "base/numbers.hpp"
 #include "deck/section_table.hpp"
 #include "scene/geometry.hpp"
+#include "scene/input_speeds.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
@@ -12,15 +13,6 @@
 namespace barreno {
 namespace {
 
-double length_of(const Vector& v) {
-  return std::hypot(v[0], v[1], v[2]);
-}
-double largest_of(const Table& table) {
-  double largest = 0.0;
-  for (const double value : table.value) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 void check_speed(const Deck& deck, const std::string& path, double speed) {
   if (speed < speed_of_light) return;
   deck.refuse_value(
@@ -28,17 +20,6 @@ void check_speed(const Deck& deck, const std::string& path, double speed) {
       "means " + text_of("%.6g", speed) + " m/s, which is not below the speed of light (" +
           text_of("%.6g", speed_of_light) + " m/s); look for a wrong unit"
   );
-}
-
-/// What a body spins with at its corners, at most.
-double rim_speed(const BodySpec& body, const GridSpec& grid) {
-  if (body.spin == 0.0) return 0.0;
-  const Box box = box_around(body.shape, grid);
-  return std::abs(body.spin) * std::hypot(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
-}
-
-double body_speed(const BodySpec& body, const GridSpec& grid) {
-  return length_of(body.velocity) + std::abs(body.radial_velocity) + rim_speed(body, grid);
 }
 
 void check_speeds(const Deck& deck, const Scene& scene) {
@@ -49,19 +30,11 @@ void check_speeds(const Deck& deck, const Scene& scene) {
     );
     check_speed(deck, path_of(&BodySpec::spin, body.name), rim_speed(body, scene.grid));
     if (body.motion.prescribed)
-      check_speed(
-          deck,
-          path_of(&MotionSpec::velocity, body.name),
-          length_of(body.motion.velocity) * largest_of(body.motion.factor)
-      );
+      check_speed(deck, path_of(&MotionSpec::velocity, body.name), motion_speed(body.motion));
   }
   for (const ConditionSpec& condition : scene.conditions)
     if (condition.kind == ConditionKind::prescribed_velocity)
-      check_speed(
-          deck,
-          path_of(&ConditionSpec::velocity, condition.name),
-          length_of(condition.velocity) * largest_of(condition.factor)
-      );
+      check_speed(deck, path_of(&ConditionSpec::velocity, condition.name), face_speed(condition));
 }
 
 /// Sums of mass and energy hold numbers from 6e-61 to 5e39 (ReproducibleSum); within these limits

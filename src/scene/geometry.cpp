@@ -8,10 +8,6 @@
 namespace barreno {
 namespace {
 
-double distance(const Vector& a, const Vector& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Exact tests of boxes and balls; what is closer than the tolerance touches.
 bool overlap(const Box& a, const Box& b, std::size_t dimension, double tolerance) {
   for (std::size_t i = 0; i < dimension; ++i) {

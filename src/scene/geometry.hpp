@@ -5,6 +5,7 @@
 #include "scene/scene.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace barreno {
 
@@ -15,6 +16,14 @@ struct FaceList {
   const Face* begin() const { return face.data(); }
   const Face* end() const { return face.data() + count; }
 };
+
+/// Euclidean norm.
+inline double length_of(const Vector& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+inline double distance(const Vector& a, const Vector& b) {
+  return length_of({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+}
 
 /// Faces of the grid that go through a ball's centre or hold a cone's line: only the part inside is
 /// filled.

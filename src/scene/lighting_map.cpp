@@ -17,10 +17,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double distance(const Vector& a, const Vector& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// visit(cell) for a cell and those around it.
 template <class Index, class Visit>
 void for_each_around(const Index& own, std::size_t dimension, Visit&& visit) {

@@ -122,7 +122,7 @@ void settle_normal(const Deck& deck, DetonatorSpec& detonator) {
   const std::string path = path_of(&DetonatorSpec::normal, detonator.name);
   if (!deck.has(path)) return;
   Vector& n = detonator.normal;
-  const double length = std::hypot(n[0], n[1], n[2]);
+  const double length = length_of(n);
   if (length == 0.0)
     deck.refuse_value(path, "has no direction (all its components are 0); give it one");
   for (double& component : n) component /= length;

@@ -261,7 +261,7 @@ Shape read_polygon(const GivenShape& list) {
 
 Shape read_half_space(const GivenShape& list) {
   HalfSpace half{list.said.point, list.said.normal};
-  const double length = std::hypot(half.normal[0], half.normal[1], half.normal[2]);
+  const double length = length_of(half.normal);
   if (!(length > 0.0))
     refuse(list, &ShapeSection::normal, "is zero (it has no direction); give a nonzero vector");
   for (double& component : half.normal) component /= length;

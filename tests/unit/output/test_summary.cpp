@@ -2,6 +2,7 @@
 #include "base/build_facts.hpp"
 #include "output/share_numbers.hpp"
 #include "output/summary.hpp"
+#include "scene/input_speeds.hpp"
 #include "state/balance.hpp"
 #include "synthetic_run.hpp"
 

@@ -2,7 +2,9 @@
 #include "deck/sections/pore_flow_section.hpp"
 #include "deck/table.hpp"
 #include "scene/dormant.hpp"
+#include "scene/geometry.hpp"
 #include "scene/heat.hpp"
+#include "scene/input_speeds.hpp"
 #include "scene/porous.hpp"
 #include "scene/quasi_static_spec.hpp"
 #include "scene/velocity_fields.hpp"
@@ -34,6 +36,29 @@ TEST(Table, IsLinearBetweenItsTimesAndConstantOutside) {
   EXPECT_EQ(table(3.5), 0.0);
   EXPECT_EQ(table(9.0), -20.0);
   EXPECT_EQ(Table{}(5.0), 0.0);
+}
+
+TEST(InputSpeeds, AreThoseOfBodiesFacesAndSpin) {
+  Scene scene = scene_of(1);
+  EXPECT_EQ(largest_input_speed(scene), 0.0);
+  BodySpec& body = scene.bodies.emplace_back();
+  body.shape = Box{low, high};
+  body.velocity = {3.0, -4.0, 0.0};
+  body.radial_velocity = -1.0;
+  EXPECT_DOUBLE_EQ(body_speed(body, scene.grid), 6.0);
+  body.spin = -2.0;  // of a square of 1 m, whatever the size of the grid
+  EXPECT_DOUBLE_EQ(rim_speed(body, scene.grid), 2.0 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(largest_input_speed(scene), 6.0 + 2.0 * std::sqrt(2.0));
+  ConditionSpec face;
+  face.velocity = {0.0, 2.0, 0.0};
+  face.factor = {{0.0, 1.0}, {1.0, -10.0}};
+  scene.conditions.push_back(face);
+  EXPECT_DOUBLE_EQ(face_speed(face), 20.0);
+  EXPECT_DOUBLE_EQ(largest_input_speed(scene), 20.0);
+}
+
+TEST(Distance, IsEuclidean) {
+  EXPECT_DOUBLE_EQ(distance({1.0, 2.0, 3.0}, {3.0, 5.0, 9.0}), 7.0);
 }
 
 TEST(DormantTiles, NeedForcesThatStayTheSame) {
