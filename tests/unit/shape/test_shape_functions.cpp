@@ -200,6 +200,38 @@ TYPED_TEST(ShapeFunctionContract, FacesBalanceAUniformStress) {
          "to be balanced";
 }
 
+/// A load drives a node with S_face^2 / S: bounded, or a node with next to no mass would be torn
+/// off with the particle's strain.
+TYPED_TEST(ShapeFunctionContract, FacesDriveNodesWithinReason) {
+  using M = typename TypeParam::Mode;
+  using S = typename TypeParam::Shape;
+  const Patch patch = make_patch(M::dimensions, testing::reach);
+  double worst = 0.0, least_sum = 1.0;
+  for_each_case<TypeParam>([&](const ShapeCase& c) {
+    if (!testing::has_own_faces<M, S>(c)) return;
+    std::vector<double> mass(static_cast<std::size_t>(patch.size), 0.0);
+    S::template support<M>(c.particle)
+        .for_each_node(patch, [&](int slot, double s, const auto&, double) {
+          mass[static_cast<std::size_t>(slot)] += s;
+        });
+    for (int face = 0; face < 2 * M::dimensions; ++face) {
+      std::vector<double> of_face(mass.size(), 0.0);
+      S::template face_support<M>(c.particle, face)
+          .for_each_node(patch, [&](int slot, double s, const auto&, double) {
+            of_face[static_cast<std::size_t>(slot)] += s;
+          });
+      double sum = 0.0;
+      for (std::size_t i = 0; i < mass.size(); ++i) {
+        sum += of_face[i];
+        if (of_face[i] > 0.0) worst = std::max(worst, of_face[i] * of_face[i] / mass[i]);
+      }
+      least_sum = std::min(least_sum, sum);
+    }
+  });
+  EXPECT_LT(worst, 64.0) << "of the weight 1";
+  EXPECT_NEAR(least_sum, 1.0, 1e-12);
+}
+
 /// Domains that leave the limit are counted, others are not.
 TYPED_TEST(ShapeFunctionContract, CountsClippedDomains) {
   using M = typename TypeParam::Mode;
