@@ -4,6 +4,7 @@
 #include "deck/describe_deck.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/body_section.hpp"
+#include "deck/sections/grid_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/output_section.hpp"
 #include "deck/sections/step_section.hpp"
@@ -34,7 +35,8 @@ struct Choices {
   const char* errors;           ///< shock / smooth strains of 0.3, see fidelity_errors()
   const char* jet_shape;        ///< of decks with a jet
   double jet_courant_fraction;  ///< of decks with a jet: that of Subcycles
-  double jet_cells_per_radius;  ///< along the jet's path; 0: as the grid is
+  double jet_cells_per_radius;  ///< along the jet's path
+  bool refines_given_cells;     ///< along the path, also where the deck gives Grid/Cell Size
   int jet_subcycles;            ///< of decks with a jet
 };
 
@@ -46,14 +48,15 @@ constexpr Choices fidelities[] = {
      Order::stress_last,
      0.9,
      2,
-     4,
+     2,
      0.1,
      0.0,
      100.0,
      "6 %, 3 %",
      "GIMP",
      0.8,
-     0.0,
+     1.4,
+     false,
      4},
     {"balanced",
      "GIMP",
@@ -69,6 +72,7 @@ constexpr Choices fidelities[] = {
      "GIMP",
      0.8,
      2.0,
+     true,
      4},
     {"reference",
      "CPDI",
@@ -84,6 +88,7 @@ constexpr Choices fidelities[] = {
      "GIMP",
      0.8,
      4.0,
+     true,
      4},
 };
 
@@ -114,6 +119,11 @@ std::optional<double> end_time(const XMLObject& root, const input::UnitSystem& u
   if (!text) return {};
   const Teuchos::ParameterList list = value_of(entry, *text, units);
   return list.isParameter(entry.name) ? std::optional(list.get<double>(entry.name)) : std::nullopt;
+}
+
+bool gives_cell_size(const XMLObject& root) {
+  const auto grid = input::find_list(root, table_of<GridSpec>().path);
+  return grid && input::find_text(*grid, name_of(&GridSpec::cell_size)).has_value();
 }
 
 double interval(double time, double instants) {
@@ -164,10 +174,9 @@ std::string fidelity_text() {
             std::to_string(c.per_cell) + " particles per cell and direction, " +
             std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
             "; with a jet " + c.jet_shape + ", " + name_of(&StepSpec::courant_fraction) + " " +
-            choice_text(c.jet_courant_fraction) + ", " +
-            (c.jet_cells_per_radius > 0.0 ? name_of(&JetSpec::cells_per_radius) + " " +
-                                                choice_text(c.jet_cells_per_radius) + ", "
-                                          : std::string()) +
+            choice_text(c.jet_courant_fraction) + ", " + name_of(&JetSpec::cells_per_radius) + " " +
+            choice_text(c.jet_cells_per_radius) +
+            (c.refines_given_cells ? ", " : " where Grid/Cell Size is left open, ") +
             name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles);
   return text;
 }
@@ -240,7 +249,7 @@ void Fidelity::choose_for_deck(const XMLObject& root) {
     }
   if (jet_list) {
     choose(*jet_list, jet, &JetSpec::particles_per_cell, choices->jet_per_cell);
-    if (choices->jet_cells_per_radius > 0.0)
+    if (choices->refines_given_cells || !gives_cell_size(root))
       choose(*jet_list, jet, &JetSpec::cells_per_radius, choices->jet_cells_per_radius);
   }
   const auto time = end_time(root, units_);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deck/cells_of_jet.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/refinement_section.hpp"
 #include "scene/jet.hpp"
@@ -10,17 +11,6 @@
 
 namespace barreno {
 namespace {
-
-/// What does not work across cells of different sizes yet, as the deck calls it; empty: all does.
-std::string conflict_of(const Scene& scene) {
-  if (!scene.contacts.empty()) return table_of<ContactSpec>().path;
-  if (scene.pore_flow.on()) return table_of<PoreFlowSpec>().path;
-  if (scene.step.transfer == Transfer::xpic || scene.step.transfer == Transfer::apic)
-    return "Step/Transfer = " + word_of(scene.step.transfer);
-  if (scene.step.shape == "linear") return path_of(&StepSpec::shape) + " = linear";
-  if (scene.step.return_losses) return path_of(&StepSpec::return_losses);
-  return {};
-}
 
 RefinedRegion read_region(const Deck& deck, const std::string& name, const Scene& scene) {
   const std::string path = list_of<RefinedRegion>(name);
@@ -46,7 +36,8 @@ RefinedRegion read_path(const Deck& deck, const Scene& scene) {
 
 /// A fidelity's refined path is left out where levels do not work.
 bool leaves_path_out(const Deck& deck, Scene& scene) {
-  const std::string path = path_of(&JetSpec::cells_per_radius), conflict = conflict_of(scene);
+  const std::string path = path_of(&JetSpec::cells_per_radius),
+                    conflict = conflict_with_levels(deck);
   if (conflict.empty() || deck.chosen_by_fidelity.count(path) == 0) return false;
   scene.left_out.push_back(
       "The fidelity's " + path + " is left out: " + conflict +
@@ -78,7 +69,7 @@ void add_refinement(const Deck& deck, Scene& scene) {
 
 void check_refinement(const Deck& deck, const Scene& scene) {
   if (scene.grid.level_of_tile.empty()) return;
-  const std::string conflict = conflict_of(scene);
+  const std::string conflict = conflict_with_levels(deck);
   if (conflict.empty()) return;
   const bool by_region = !deck.lists(table_of<RefinedRegion>().path).empty();
   deck.refuse(

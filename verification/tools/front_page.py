@@ -22,9 +22,17 @@ def exponent(value):
     return f"{abs(value):.0e}".replace("e-0", "e-")
 
 
+def fidelity_row(name, cells, job):
+    return (
+        f"| with `--fidelity {name}`, {cells} cells per radius along the jet's path ([docs/verification/fidelities.md](docs/verification/fidelities.md)): depth at 50 and 90 us, "
+        f"greatest difference to cells of {REFERENCE:g} mm everywhere until then, processor time | {job['depth at 50 us [mm]']:.0f} and {job['depth at 90 us [mm]']:.0f} mm; "
+        f"{100 * job['greatest error of the depth']:.1f} %; {job['processor time [s]']:.0f} s |"
+    )
+
+
 def figures():
     job, runs = results("decks")["perforation.xml"], rows_of("perforation")
-    balanced = rows_of("fidelities")["balanced"]
+    jobs = rows_of("fidelities")
     whole, cells = runs["perforation.xml, 1 ranks"], [runs[f"{h} mm"] for h in ("2.0", "1.0", "0.5")]
     depths = [run["depth at 50 us [mm]"] for run in cells]
     errors = [100.0 * (depth / depth_of(REFERENCE, 50) - 1.0) for depth in depths]
@@ -43,9 +51,7 @@ def figures():
         f"| its depth at 50, 90 and 120 us | {whole['depth at 50 us [mm]']:.0f}, {whole['depth at 90 us [mm]']:.0f} and {whole['final depth [mm]']:.0f} mm |",
         f"| its depth at 50 us with cells of 2, 1 and 0.5 mm, and the error against cells of {REFERENCE:g} mm ([docs/trade.md](docs/trade.md#perforation-depth-at-20-us-axisymmetric-small-target)) | "
         f"{depths[0]:.0f}, {depths[1]:.0f} and {depths[2]:.0f} mm; {errors[0]:.0f}, {errors[1]:.0f} and {errors[2] + 0.0:.1f} % |",
-        f"| with `--fidelity balanced`, two cells per radius along the jet's path ([docs/verification/fidelities.md](docs/verification/fidelities.md)): depth at 50 and 90 us, "
-        f"greatest difference to cells of {REFERENCE:g} mm everywhere until then, processor time | {balanced['depth at 50 us [mm]']:.0f} and {balanced['depth at 90 us [mm]']:.0f} mm; "
-        f"{100 * balanced['greatest error of the depth']:.1f} %; {balanced['processor time [s]']:.0f} s |",
+        *(fidelity_row(name, cells, jobs[name]) for name, cells in (("fast", "1.4"), ("balanced", "two"))),
         f"| stress update of one rock point: yielding; elastic ([docs/materials/arenisca_cost.md](docs/materials/arenisca_cost.md)) | {1e-3 * point['ns_lanes']:.2g} us; {elastic} |",
     ]  # fmt: skip
 

@@ -3,6 +3,7 @@
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
+#include "deck/cells_of_jet.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/files/assumptions_of.hpp"
@@ -12,6 +13,7 @@
 #include "deck/files/read_surface.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/body_section.hpp"
+#include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/material_section.hpp"
@@ -23,6 +25,7 @@
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>
+#include <optional>
 
 namespace barreno {
 namespace {
@@ -317,6 +320,20 @@ void refuse_new_list(const std::vector<NewList>& made, const std::string& said) 
   }
 }
 
+/// A deck with a jet may leave Grid/Cell Size open. @return what to say of it then
+std::optional<std::string> settle_cell_size(
+    const Reading& reading, const XMLObject& root, ParameterList& values
+) {
+  ParameterList& grid = values.sublist(table_of<GridSpec>().path);
+  const std::string& cell_size = name_of(&GridSpec::cell_size);
+  if (grid.isParameter(cell_size)) return {};
+  Deck open(reading.source.name, values, root);
+  open.chosen_by_fidelity = reading.fidelity.chosen_paths();
+  const JetCells cells = cells_of_jet(open);
+  grid.set(cell_size, cells.size);
+  return cells.note;
+}
+
 ParameterList read_values(
     const XMLObject& root, Reading& reading, const std::vector<NewList>& made
 ) {
@@ -363,11 +380,13 @@ Deck read_deck(
   const std::string jet_table = include_jet_table(reading, values);
   std::vector<SurfaceFile> surface_files;
   const auto surfaces = read_surfaces(reading, values, surface_files);
+  std::vector<std::string> notes = reading.fidelity.notes();
+  if (const auto note = settle_cell_size(reading, root, values)) notes.push_back(*note);
   Deck deck(name, values, root);
   deck.surfaces = surfaces;
   deck.surface_files = surface_files;
   deck.jet_table = jet_table;
-  deck.notes = reading.fidelity.notes();
+  deck.notes = notes;
   deck.chosen_by_fidelity = reading.fidelity.chosen_paths();
   deck.notes.insert(deck.notes.end(), reading.notes.begin(), reading.notes.end());
   return deck;

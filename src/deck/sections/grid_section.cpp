@@ -29,12 +29,15 @@ SectionTable<GridSpec> grid_table() {
            any(),
            "upper corner, a whole number of cells away"
        ),
-       needed(
+       if_given(
            &GridSpec::cell_size,
            "Cell Size",
            dim::length,
            above(0.0),
-           "edge of the square or cubic cells"
+           "edge of the square or cubic cells; without it a deck with a Jet takes the radius of "
+           "its "
+           "thinnest slug, or with Cells Per Radius a size of one to two radii that becomes that "
+           "fine along the path, in either case one that divides the box"
        )}};
 }
 

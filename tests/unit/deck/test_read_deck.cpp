@@ -232,7 +232,8 @@ TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
   EXPECT_EQ(plain.word("Step/Shape Function"), "GIMP");
   EXPECT_EQ(fast.word("Step/Shape Function"), "GIMP");  // as it has a jet
   EXPECT_EQ(fast.number("Step/Courant Fraction"), 0.8);
-  EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 4);
+  EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 2);
+  EXPECT_EQ(fast.number("Jet/Cells Per Radius"), 0.0);  // the deck gives Cell Size
   EXPECT_EQ(fast.number("Output/Field Interval"), 0.0);
   EXPECT_EQ(fast.number("Output/History Interval"), 4e-7);  // a hundredth of 40 us
   EXPECT_TRUE(plain.notes.empty());
@@ -253,6 +254,25 @@ TEST_F(ReadDeck, AFidelityChoosesCellsAndStepsForAJet) {
   EXPECT_EQ(scene.step.subcycles, 4);
   EXPECT_FALSE(scene.grid.level_of_tile.empty());
   EXPECT_TRUE(scene.left_out.empty());
+}
+
+/// The thinnest slug has a radius of 1 mm, the box is 20 mm by 60 mm.
+TEST_F(ReadDeck, CellsFollowTheJetWhereTheDeckLeavesThemOpen) {
+  const std::string open = "Grid/Cell Size=";
+  const Deck plain = read("deck.xml", {open});
+  EXPECT_DOUBLE_EQ(plain.number("Grid/Cell Size"), 1e-3);
+  EXPECT_TRUE(notes_say(plain, "Grid/Cell Size = 0.001 m follows from the jet (1 cell in the"));
+  const Deck fast = read("deck.xml", {open, "Fidelity=fast"});
+  EXPECT_DOUBLE_EQ(fast.number("Jet/Cells Per Radius"), 1.4);
+  EXPECT_DOUBLE_EQ(fast.number("Grid/Cell Size"), 2e-3 / 1.4);  // one level: 1.4 in a radius
+  EXPECT_DOUBLE_EQ(read("deck.xml", {open, "Fidelity=reference"}).number("Grid/Cell Size"), 1e-3);
+  const std::vector<std::string> many = {open, "Jet/Cells Per Radius=40"};
+  EXPECT_DOUBLE_EQ(read("deck.xml", many).number("Grid/Cell Size"), 0.4e-3);  // at most four levels
+  const std::vector<std::string> no_path = {open, "Fidelity=fast", "Step/Transfer=XPIC"};
+  EXPECT_DOUBLE_EQ(read("deck.xml", no_path).number("Grid/Cell Size"), 1e-3);
+  const std::vector<std::string> taller = {open, "Grid/Upper={20, 40.5}"};
+  EXPECT_DOUBLE_EQ(read("deck.xml", taller).number("Grid/Cell Size"), 0.5e-3);  // divides both
+  EXPECT_THROW(read("deck.xml", {open, "Grid/Upper={20, 40.01}"}), DeckError);
 }
 
 TEST_F(ReadDeck, WhatAFidelityChoseIsLeftOutWhereItDoesNotWork) {
