@@ -4,6 +4,7 @@
 #include "output/depth.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/dormant.hpp"
+#include "scene/geometry.hpp"
 #include "scene/porous.hpp"
 #include "scene/tile_levels.hpp"
 #include "scene/tile_size.hpp"
@@ -51,32 +52,81 @@ GridSpec coarse_grid(const Scene& scene) {
   return grid;
 }
 
+/// When the front that wakes tiles arrives at a place of a body; 0: all are awake from the start.
+class Arrival {
+public:
+  Arrival(const Scene& scene, const BodySpec& body, double dt) {
+    const bool by_jet = scene.jet.present && !scene.jet.slugs.empty() &&
+                        std::all_of(scene.bodies.begin(), scene.bodies.end(), starts_at_rest);
+    if (!by_jet || !scene.step.skip_dormant || !why_all_awake(scene).empty()) return;
+    const JetPath path = jet_path(scene);
+    if (!path.has_target) return;
+    const JetSlug& first = scene.jet.slugs.front();
+    const double way = path.depth(path.face) - path.depth(scene.jet.launch_position);
+    impact_ = first.time + way / first.velocity;
+    face_ = path.face;
+    front_ = front_per_wave(scene.grid.mode) * wave_speed(scene, body);
+    // Where any motion wakes a tile, the grid carries it by a cell in a step.
+    if (rest_motion(scene) == 0.0) front_ = std::max(front_, scene.grid.cell_size / dt);
+    tile_ = tile_cells(dimensions(scene.grid.mode)) * scene.grid.cell_size;
+  }
+
+  bool is_always() const { return front_ == 0.0; }
+  double at(const Vector& x) const {
+    if (is_always()) return 0.0;
+    return impact_ + std::max(0.0, length_of({x[0], x[1] - face_, x[2]}) - tile_) / front_;
+  }
+
+private:
+  double impact_ = 0.0, face_ = 0.0, front_ = 0.0, tile_ = 0.0;
+};
+
+/// visit(level, particles of the run, part of the time that they are awake) for few places that
+/// stand for all of a body.
+template <class Visit>
+void for_each_part(const Scene& scene, const BodySpec& body, double dt, Visit&& visit) {
+  const Arrival arrival(scene, body, dt);
+  const GridSpec grid = coarse_grid(scene);
+  const int axes = dimensions(grid.mode);
+  for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
+    const int level = level_at(scene.grid, p.x);
+    const double awake = std::clamp(1.0 - arrival.at(p.x) / scene.end_time, 0.0, 1.0);
+    visit(level, std::pow(2.0, axes * level), awake);
+  });
+}
+
 }  // namespace
 
 double awake_share(const Scene& scene, const BodySpec& body, double dt) {
-  const bool by_jet = scene.jet.present && !scene.jet.slugs.empty() &&
-                      std::all_of(scene.bodies.begin(), scene.bodies.end(), starts_at_rest);
-  if (!by_jet || !scene.step.skip_dormant || !why_all_awake(scene).empty()) return 1.0;
-  const GridSpec grid = coarse_grid(scene);
-  const JetPath path = jet_path(scene);
-  if (!path.has_target) return 1.0;
-  const JetSlug& first = scene.jet.slugs.front();
-  const double way = path.depth(path.face) - path.depth(scene.jet.launch_position);
-  const double impact = first.time + way / first.velocity;
-  double front = front_per_wave(scene.grid.mode) * wave_speed(scene, body);
-  // Where any motion wakes a tile, the grid carries it by a cell in a step.
-  if (rest_motion(scene) == 0.0) front = std::max(front, scene.grid.cell_size / dt);
-  const double tile = tile_cells(dimensions(scene.grid.mode)) * scene.grid.cell_size;
+  if (Arrival(scene, body, dt).is_always()) return 1.0;
   double sum = 0.0, count = 0.0;
-  for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
-    const double distance = std::hypot(p.x[0], p.x[1] - path.face, p.x[2]);
-    const double arrival = impact + std::max(0.0, distance - tile) / front;
-    // Of so many particles, where cells are refined.
-    const double parts = std::pow(2.0, dimensions(grid.mode) * level_at(scene.grid, p.x));
-    sum += parts * std::clamp(1.0 - arrival / scene.end_time, 0.0, 1.0);
-    count += parts;
+  for_each_part(scene, body, dt, [&](int, double particles, double awake) {
+    sum += particles * awake;
+    count += particles;
   });
   return count > 0.0 ? sum / count : 1.0;
+}
+
+std::vector<double> steps_by_level(const Scene& scene, double dt) {
+  if (scene.grid.level_of_tile.empty()) return {};
+  std::vector<double> steps(static_cast<std::size_t>(finest_level(scene.grid)) + 1, 0.0);
+  double all = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    std::vector<double> of_body(steps.size(), 0.0);
+    double particles = 0.0;
+    for_each_part(scene, body, dt, [&](int level, double count, double awake) {
+      of_body[static_cast<std::size_t>(level)] += count * awake;
+      particles += count;
+    });
+    if (particles == 0.0) continue;
+    const double scale = static_cast<double>(count_body_particles(scene.grid, body)) / particles;
+    for (std::size_t l = 0; l < steps.size(); ++l) {
+      steps[l] += scale * of_body[l];
+      all += scale * of_body[l];
+    }
+  }
+  for (double& share : steps) share /= all > 0.0 ? all : 1.0;
+  return steps;
 }
 
 }  // namespace barreno

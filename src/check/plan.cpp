@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/plan.hpp"
 
+#include "check/awake_share.hpp"
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
 #include "check/format.hpp"
@@ -79,6 +80,48 @@ std::string body_lines(const Scene& scene) {
     );
   }
   return text;
+}
+
+/// Which materials set the step.
+std::string step_line(const Scene& scene) {
+  if (scene.materials.size() < 2) return {};
+  const std::vector<double> steps = stable_steps_of_materials(scene, true);
+  std::vector<std::size_t> order(steps.size());
+  for (std::size_t m = 0; m < order.size(); ++m) order[m] = m;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return steps[a] < steps[b];
+  });
+  std::string text = format(
+      "Step      set by %s in cells of %g m",
+      scene.materials[order.front()].name().c_str(),
+      smallest_cell(scene.grid)
+  );
+  for (std::size_t i = 1; i < order.size(); ++i)
+    text += format(
+        "%s%s%s %.2g",
+        i == 1 ? "; " : ", ",
+        scene.materials[order[i]].name().c_str(),
+        i == 1 ? " could take" : "",
+        steps[order[i]] / steps[order.front()]
+    );
+  return text + " times that\n";
+}
+
+/// Particle-steps of bodies by the size of their cells.
+std::string share_line(const Scene& scene, const Prediction& cost) {
+  const std::vector<double> shares = steps_by_level(scene, scene.end_time / cost.steps);
+  std::string text;
+  for (std::size_t l = shares.size(); l-- > 0;)
+    text += format(
+        "%s%.0f %% in cells of %g m",
+        text.empty() ? "Shares    particle-steps of the bodies: " : ", ",
+        100.0 * shares[l],
+        uniform_grid(scene.grid, static_cast<int>(l)).cell_size
+    );
+  if (text.empty()) return text;
+  return text + (scene.step.subcycles > 1 ? " (with one step for all; Subcycles take fewer in "
+                                            "tiles that bear longer ones)\n"
+                                          : "\n");
 }
 
 std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
@@ -202,7 +245,8 @@ std::string plan_text(
       cost.steps < 1e9 ? std::round(cost.steps) : cost.steps,
       cost.particle_steps
   );
-  text += cost_line(scene, cost, ranks) + jet_lines(scene);
+  text +=
+      cost_line(scene, cost, ranks) + step_line(scene) + share_line(scene, cost) + jet_lines(scene);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);
   for (const std::string& note : notes) text += "Note: " + note + "\n";

@@ -75,8 +75,8 @@ double written_nanoseconds(const Scene& scene, const Prediction& prediction) {
 
 }  // namespace
 
-double stable_step_of_scene(const Scene& scene, bool viscous) {
-  double step = std::numeric_limits<double>::infinity();
+std::vector<double> stable_steps_of_materials(const Scene& scene, bool viscous) {
+  std::vector<double> steps;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const int index = static_cast<int>(m);
     const Material& material = scene.materials[m].material();
@@ -97,11 +97,17 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
     const StepRule rule(
         scene.step, scene.grid.mode, courant, isolated_courant(scene, static_cast<int>(m))
     );
-    step = std::min(
-        step, rule.stable_step(cell_size, material.density, modulus, rate, std::max(slow, jet))
+    steps.push_back(
+        rule.stable_step(cell_size, material.density, modulus, rate, std::max(slow, jet))
     );
   }
-  return step;
+  return steps;
+}
+
+double stable_step_of_scene(const Scene& scene, bool viscous) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double step : stable_steps_of_materials(scene, viscous)) least = std::min(least, step);
+  return least;
 }
 
 double growth_of(const Scene& scene, const std::string& verb) {

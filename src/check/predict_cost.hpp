@@ -6,6 +6,7 @@
 #include "scene/scene.hpp"
 
 #include <string>
+#include <vector>
 
 namespace barreno {
 
@@ -13,6 +14,8 @@ namespace barreno {
 /// [time].
 /// @param viscous  with the artificial viscosity that compression brings
 double stable_step_of_scene(const Scene& scene, bool viscous);
+/// The same of each material in the smallest cells.
+std::vector<double> stable_steps_of_materials(const Scene& scene, bool viscous);
 
 /// What a run will cost on a number of ranks: particle-steps by the stable step and by the launch
 /// of each slug, times what the probe's particles took, times what flow will add to their

@@ -49,8 +49,9 @@ def notes_of(text):
 def check_shipped_decks():
     for deck in sorted(DECKS.glob("*.xml")):
         notes = notes_of(barreno("check", deck))
-        early = [note for note in notes if EARLY in note]
-        assert len(early) == (deck.name in ENDS_EARLY) and notes == early, f"{deck.name}: {notes}"
+        early, cells = ([note for note in notes if words in note] for words in (EARLY, "Grid/Cell Size = "))
+        assert len(early) == (deck.name in ENDS_EARLY) and notes == cells + early, f"{deck.name}: {notes}"
+        assert len(cells) == ('"Cell Size"' not in deck.read_text()), f"{deck.name}: {notes}"
 
 
 def check_mistakes():

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/awake_share.hpp"
+#include "scene/tile_levels.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -48,6 +49,20 @@ TEST(AwakeShare, IsAllWhereABodyMovesOrNothingIsSkipped) {
   scene.bodies[0].velocity = {};
   scene.jet.present = false;
   EXPECT_EQ(awake_share(scene, scene.bodies[0], 1e-6), 1.0);
+}
+
+TEST(StepsByLevel, AreParticlesTimesTheTimeThatTheyAreAwake) {
+  Scene scene = bar_and_jet(1.0);  // all are awake nearly always
+  EXPECT_TRUE(steps_by_level(scene, 1e-6).empty());
+  // The lower half of the bar in cells of half the size: four times as many particles.
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, {{Box{{0, -0.1, 0}, {0.2, 10, 0}}, 1}});
+  const std::vector<double> all = steps_by_level(scene, 1e-6);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_NEAR(all[0], 0.2, 0.01);
+  EXPECT_NEAR(all[1], 0.8, 0.01);
+  // The front has only come as far as to the border.
+  scene.end_time = 10.0 / (3.0 * std::sqrt(young / density));
+  EXPECT_NEAR(steps_by_level(scene, 1e-6)[1], 1.0, 0.01);
 }
 
 }  // namespace
