@@ -234,6 +234,34 @@ TEST(JohnsonCookLanes, NoLaneDependsOnAnother) {
   }
 }
 
+/// Elastic points in lanes, some of them with strain or stress that is no number.
+TEST(LinearElasticLanes, GiveWhatSinglePointsGive) {
+  const LinearElastic model({50e9, 30e9}, 2700.0);
+  const std::vector<CopperPoint> points = draw_points(8000);
+  std::size_t refused = 0;
+  for (std::size_t first = 0; first < points.size(); first += lane_count) {
+    std::array<std::size_t, lane_count> of{};
+    for (std::size_t i = 0; i < of.size(); ++i) of[i] = first + i;
+    LanePoints lanes = gather(points, of);
+    LinearElastic::HistoryOf<Lanes> none;
+    const auto outcome = model.update_points(lanes.increment, lanes.stress, none);
+    for (int i = 0; i < lane_count; ++i) {
+      const CopperPoint& p = points[first + static_cast<std::size_t>(i)];
+      Sym3 stress = p.stress;
+      LinearElastic::History no_history;
+      const Outcome one = model.update(p.increment, stress, no_history);
+      ASSERT_EQ(outcome.sound[i] != 0, !one.failed());
+      EXPECT_LT(away(lanes.stress.xx[i], stress.xx, 1e8), 1e-14);
+      EXPECT_LT(away(lanes.stress.zx[i], stress.zx, 1e8), 1e-14);
+      refused += static_cast<std::size_t>(one.failed());
+      if (one.failed()) continue;
+      EXPECT_LT(away(outcome.elastic_work[i], one.elastic_work, 1e3), 1e-12);
+      EXPECT_EQ(outcome.longitudinal_modulus[i], one.longitudinal_modulus);
+    }
+  }
+  EXPECT_GT(refused, points.size() / 200);
+}
+
 #endif
 
 }  // namespace

@@ -19,3 +19,11 @@
 #else
 #define BARRENO_ALIKE inline
 #endif
+
+/// BARRENO_FLAT marks a long point function whose parts must stand within it: points in lanes that
+/// go through a call leave all of their registers in memory.
+#if defined(__CUDACC__) || defined(__HIP__) || !defined(__GNUC__)
+#define BARRENO_FLAT BARRENO_FUNCTION
+#else
+#define BARRENO_FLAT __attribute__((flatten)) BARRENO_FUNCTION
+#endif

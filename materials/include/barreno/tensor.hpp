@@ -79,8 +79,9 @@ BARRENO_FUNCTION double determinant(const Sym3& s) {
   return s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.zx) +
          s.zx * (s.xy * s.yz - s.yy * s.zx);
 }
-BARRENO_FUNCTION bool is_finite(const Sym3& s) {
-  return std::isfinite(s.xx + s.yy + s.zz + s.xy + s.yz + s.zx);
+template <class R>
+BARRENO_FUNCTION MaskOf<R> is_finite(const Sym3Of<R>& s) {
+  return real::is_finite(R(s.xx + s.yy + s.zz + s.xy + s.yz + s.zx));
 }
 
 }  // namespace barreno

@@ -14,6 +14,8 @@ namespace barreno {
 namespace {
 
 constexpr int tally_components = 13;
+/// So many are more than nothing at a node with forces of its particles alone (is_plain).
+constexpr int plain_components = 3;
 /// Of each the two parts of add_split.
 constexpr int tally_values = 2 * tally_components;
 
@@ -211,6 +213,11 @@ struct SolveVelocity {
     return out;
   }
 
+  /// Whether neither drag nor impedance acts at a node.
+  KOKKOS_INLINE_FUNCTION bool is_plain(const double* node) const {
+    return rule.damping == 0.0 && node[impedance_component] == 0.0;
+  }
+
   /// @return whether a condition acts on one of its nodes
   KOKKOS_INLINE_FUNCTION bool solve_row(
       int tile,
@@ -260,7 +267,9 @@ struct SolveVelocity {
       tally_node(dt, node[0], solved.force, solved.drag, solved.resisted, v, own);
       if (of_contact != nullptr) tally_contact(of_contact, v, own);
       own[12] = share * own[5];
-      for (int i = 0; i < tally_components; ++i)
+      for (int i = 0; i < plain_components; ++i) add_split(own[i], scales.energy, part[i]);
+      if (of_contact == nullptr && !solved.prescribed && is_plain(node)) continue;
+      for (int i = plain_components; i < tally_components; ++i)
         add_split(own[i], is_impulse(i) ? scales.impulse : scales.energy, part[i]);
     }
     return prescribed;

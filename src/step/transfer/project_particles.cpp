@@ -26,7 +26,7 @@ struct ContributionsInPlane {
   enum { mass, momentum_x, momentum_y, force_xx, force_xy, force_yy, force_hoop, nothing };
   alignas(sizeof(Sums)) double value[sum_components];
 
-  KOKKOS_INLINE_FUNCTION void find(const Particles& particles, int p) {
+  KOKKOS_FORCEINLINE_FUNCTION void find(const Particles& particles, int p) {
     const Sym3 stress = space_stress<M>(particles, p);
     const double q = particles.viscous_pressure(p);
     const double volume = particles.volume(p);
@@ -68,7 +68,7 @@ struct Contributions<ThreeDimensional> {
   alignas(sizeof(Sums)) double value[sum_components];
   double more[sum_components];
 
-  KOKKOS_INLINE_FUNCTION void find(const Particles& particles, int p) {
+  KOKKOS_FORCEINLINE_FUNCTION void find(const Particles& particles, int p) {
     const Sym3 stress = space_stress<ThreeDimensional>(particles, p);
     const double q = particles.viscous_pressure(p);
     const double volume = particles.volume(p);
@@ -104,6 +104,16 @@ struct Contributions<ThreeDimensional> {
   }
 };
 
+template <class M>
+struct FindContributions {
+  const Particles& particles;
+  Contributions<M> (&contributions)[rows_per_batch];
+
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k, int row) const {
+    contributions[k].find(particles, row);
+  }
+};
+
 template <class M, class S>
 struct ProjectParticles {
   PatchFrame<M::dimensions> frame;
@@ -122,8 +132,7 @@ struct ProjectParticles {
     SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
     Contributions<M> contributions[rows_per_batch];
-    BARRENO_IVDEP
-    for (int k = 0; k < rows_per_batch; ++k) contributions[k].find(particles, rows.row[k]);
+    for_each_row_of(rows, FindContributions<M>{particles, contributions});
     for (int k = 0; k < rows.count; ++k)
       contributions[k].add_to(patch, frame.patch, supports.get(k));
   }

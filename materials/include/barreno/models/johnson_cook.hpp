@@ -312,6 +312,22 @@ private:
     MaskOf<R> broken;      ///< at the start
     R elastic_work{}, plastic_work{};
   };
+  /// An update between its parts.
+  template <class R>
+  struct Trial {
+    Step<R> step;
+    HistoryOf<R> end;
+    Sym3Of<R> strain, s_n, s;  ///< deviators: increment, at the start, trial or at the end
+    R p_n, squares_n;          ///< at the start: pressure, s_n : s_n
+    R implicit, known;         ///< of the energy at the end (start_update)
+    MieGruneisen::ReferenceOf<R> reference;
+    R limit;  ///< equivalent stress a broken point can hold, if any is
+    MaskOf<R> solved, may_flow;
+    bool flows;  ///< whether any point may
+    JohnsonCookFlow::ProblemOf<R> problem;
+    JohnsonCookFlow::SearchOf<R> search;
+    Return<R> flow;
+  };
 
   static bool has_damage(const Parameters& p) {
     return p.d1 != 0.0 || p.d2 != 0.0 || p.d3 != 0.0 || p.d4 != 0.0 || p.d5 != 0.0;
@@ -329,13 +345,12 @@ private:
     constexpr double floor_fraction = 0.01;
     const R isentropic =
         eos_.isentropic_modulus(R(1.0 - volume_ratio), reference_derivative, pressure);
+    const R closed = real::larger(isentropic, floor_fraction * bulk);
+    const MaskOf<R> open = broken & (pressure <= 0.0);
+    if (!real::any(open)) return shear_part + closed;
     // An open broken point bears nothing; the modulus it will have when it closes keeps the step
     // safe.
-    const R closing = bulk * real::smaller(volume_ratio, 1.0);
-    return shear_part +
-           real::select(
-               broken & (pressure <= 0.0), closing, real::larger(isentropic, floor_fraction * bulk)
-           );
+    return shear_part + real::select(open, bulk * real::smaller(volume_ratio, 1.0), closed);
   }
   BARRENO_FUNCTION static Outcome failure(Status status) {
     Outcome outcome;
@@ -347,13 +362,24 @@ private:
       const IncrementOf<Sym3Of<R>>& i, const Sym3Of<R>& stress, const HistoryOf<R>& h
   ) const;
   template <class R>
-  BARRENO_FUNCTION MaskOf<R> return_deviator(
-      const Sym3Of<R>& s_n,
-      const R& limit,
-      Step<R>& step,
-      HistoryOf<R>& end,
-      Sym3Of<R>& s,
-      Return<R>& flow
+  BARRENO_FUNCTION void start_update(
+      const IncrementOf<Sym3Of<R>>& increment,
+      const Sym3Of<R>& stress,
+      const HistoryOf<R>& history,
+      Trial<R>& trial
+  ) const;
+  template <class R>
+  BARRENO_FUNCTION void try_elastic(const R& ratio, Trial<R>& trial) const;
+  template <class R>
+  BARRENO_FUNCTION R broken_limit(const R& ratio, const Trial<R>& trial) const;
+  template <class R>
+  BARRENO_FUNCTION void return_deviator(Trial<R>& trial) const;
+  template <class R>
+  BARRENO_FUNCTION PointsOutcome<R> finish_update(
+      const IncrementOf<Sym3Of<R>>& increment,
+      Trial<R>& trial,
+      Sym3Of<R>& stress,
+      HistoryOf<R>& history
   ) const;
   template <class R>
   BARRENO_FUNCTION R release(const R& limit, Sym3Of<R>& s, R& plastic_strain) const;

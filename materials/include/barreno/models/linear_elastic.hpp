@@ -21,7 +21,9 @@ struct LinearElastic {
   struct Parameters {
     double bulk_modulus, shear_modulus;
   };
-  struct History {};
+  template <class R>
+  struct HistoryOf {};
+  using History = HistoryOf<double>;
   static constexpr int history_count = 0;
 
   static ParameterTable<Parameters> parameter_table() {
@@ -59,25 +61,36 @@ struct LinearElastic {
 
   /// @param[in]     increment strain, dt and volume ratios of the step
   /// @param[in,out] stress    unrotated Cauchy stress [stress]
-  BARRENO_FUNCTION Outcome update(const Increment& increment, Sym3& stress, History& /*h*/) const {
-    const Sym3 old = stress;
-    const double volume_strain = trace(increment.strain);
-    const Sym3 end = old +
-                     isotropic((p_.bulk_modulus - 2.0 / 3.0 * p_.shear_modulus) * volume_strain) +
-                     (2.0 * p_.shear_modulus) * increment.strain;
+  /// @return bad_input where strain, stress or volume ratios are not finite; nothing changes then
+  BARRENO_FUNCTION Outcome
+  update(const Increment& increment, Sym3& stress, History& history) const {
+    const PointsOutcome<double> points = update_points(increment, stress, history);
     Outcome outcome;
-    const double mean_ratio = 0.5 * (increment.volume_ratio_begin + increment.volume_ratio_end);
-    outcome.elastic_work = 0.5 * mean_ratio * contract(old + end, increment.strain);
-    outcome.longitudinal_modulus = longitudinal_modulus();
-    // Finite work means that strain, stresses and volume ratios are finite; otherwise nothing
-    // changes.
-    if (!std::isfinite(outcome.elastic_work) || !is_finite(end)) {
-      outcome = Outcome{};
+    if (!points.sound) {
       outcome.status = Status::bad_input;
       return outcome;
     }
-    stress = end;
+    outcome.elastic_work = points.elastic_work;
+    outcome.longitudinal_modulus = points.longitudinal_modulus;
     return outcome;
+  }
+
+  /// update() of one point or of several at once (real.hpp).
+  template <class R>
+  BARRENO_FUNCTION PointsOutcome<R> update_points(
+      const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& /*h*/
+  ) const {
+    const R volume_strain = trace(increment.strain);
+    const Sym3Of<R> end =
+        stress + isotropic(R((p_.bulk_modulus - 2.0 / 3.0 * p_.shear_modulus) * volume_strain)) +
+        (2.0 * p_.shear_modulus) * increment.strain;
+    const R mean_ratio = 0.5 * (increment.volume_ratio_begin + increment.volume_ratio_end);
+    const R work = 0.5 * mean_ratio * contract(stress + end, increment.strain);
+    // Finite work means that strain, stresses and volume ratios are finite: every component of the
+    // stress enters it, unless its strain is zero.
+    const MaskOf<R> sound = real::is_finite(work) & is_finite(end);
+    stress = select_points(sound, end, stress);
+    return {sound, work, R{}, R{} + longitudinal_modulus()};
   }
 
   /// K + 4G/3, the modulus of plane waves [stress].
