@@ -55,9 +55,9 @@ decltype(auto) visit_mode(Mode mode, F&& f) {
 }
 
 /// The tensor of a row of F or of dt L; `missing` is the hoop entry of plane strain, 1 and 0.
-template <class M>
+template <class M, class Columns>
 KOKKOS_INLINE_FUNCTION typename M::Tensor load_tensor(
-    const FieldView& v, int p, double missing = 1.0
+    const Columns& v, int p, double missing = 1.0
 ) {
   if constexpr (M::dimensions == 3)
     return {v(p, 0), v(p, 1), v(p, 2), v(p, 3), v(p, 4), v(p, 5), v(p, 6), v(p, 7), v(p, 8)};
@@ -112,9 +112,10 @@ KOKKOS_INLINE_FUNCTION PlaneRotation polar_rotation(const PlaneTensor& f) {
 }
 
 /// R of a particle. The plane's follows from F; in three dimensions it is kept beside F.
-template <class M>
+/// @param deformation,rotation  FieldView, or BatchColumns with p in the batch
+template <class M, class Columns, class OtherColumns>
 KOKKOS_INLINE_FUNCTION auto load_rotation(
-    const FieldView& deformation, const FieldView& rotation, int p
+    const Columns& deformation, const OtherColumns& rotation, int p
 ) {
   if constexpr (M::dimensions == 3)
     return SpaceRotation{rotation(p, 0), rotation(p, 1), rotation(p, 2), rotation(p, 3)};

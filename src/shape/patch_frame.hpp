@@ -81,9 +81,10 @@ struct PatchFrame {
   }
 
   /// The geometry of row p for shape function S.
-  template <class S>
+  /// @param fields  ShapeFields, or ShapeColumns with p in the batch
+  template <class S, class Fields>
   KOKKOS_FORCEINLINE_FUNCTION ParticleGeometry
-  geometry(const First& first, const ShapeFields& fields, int p) const {
+  geometry(const First& first, const Fields& fields, int p) const {
     ParticleGeometry out;
     for (int d = 0; d < dimensions; ++d) {
       out.x[d] = (fields.position(p, d) - lower[d]) * first.per_cell - first.node[d];
@@ -107,8 +108,9 @@ struct PatchFrame {
   }
 
   /// Diagonal of U = R^T F.
+  template <class Columns>
   KOKKOS_FORCEINLINE_FUNCTION static void find_stretches(
-      const FieldView& rotation, int p, ParticleGeometry& particle
+      const Columns& rotation, int p, ParticleGeometry& particle
   ) {
     const auto& f = particle.f;
     if constexpr (dimensions == 3) {

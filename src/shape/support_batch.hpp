@@ -28,20 +28,56 @@ struct BatchRows {
   }
 };
 
-/// visit(k, row) for every row of a batch, in loops that the compiler vectorises. Rows that are
-/// neighbours have a loop of their own: their values come as whole vectors, those of other rows one
-/// by one, which takes longer than what is computed of them.
-template <class Visit>
-KOKKOS_FORCEINLINE_FUNCTION void for_each_row_of(const BatchRows& rows, const Visit& visit) {
-  if (rows.neighbours) {
-    const int first = rows.row[0];
-    BARRENO_IVDEP
-    for (int k = 0; k < rows_per_batch; ++k) visit(k, first + k);
-  } else {
-    BARRENO_IVDEP
-    for (int k = 0; k < rows_per_batch; ++k) visit(k, rows.row[k]);
+/// The first N components of a field for the rows of a batch, the k-th of each.
+///
+/// Rows that are neighbours are read where they are, as whole vectors. Others are collected one by
+/// one before, which takes longer than what is computed of them. What is computed has one loop for
+/// both: its bits do not depend on the rows, which ranks and restarts change, as those of two loops
+/// would.
+template <unsigned N>
+struct BatchColumns {
+  const double* column[N];
+  alignas(64) double collected[N][rows_per_batch];
+
+  BatchColumns() = default;
+  BatchColumns(const BatchColumns&) = delete;  // columns may be its own
+
+  template <class Columns>
+  KOKKOS_INLINE_FUNCTION void load(const Columns& field, const BatchRows& rows) {
+    for (int c = 0; c < static_cast<int>(N); ++c) {
+      if (rows.neighbours) {
+        column[c] = &field(rows.row[0], c);
+      } else {
+        for (int k = 0; k < rows_per_batch; ++k) collected[c][k] = field(rows.row[k], c);
+        column[c] = collected[c];
+      }
+    }
   }
-}
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int k, int c = 0) const { return column[c][k]; }
+};
+template <>
+struct BatchColumns<0> {
+  template <class Columns>
+  KOKKOS_INLINE_FUNCTION void load(const Columns&, const BatchRows&) {}
+};
+
+/// What shape function S reads of the particles of a batch.
+template <class M, class S>
+struct ShapeColumns {
+  static constexpr unsigned dimensions = M::dimensions;
+  static constexpr bool turns =
+      S::follows_deformation && S::form == ParticleForm::box && dimensions == 3;
+  BatchColumns<dimensions> position, half_size;
+  BatchColumns<S::follows_deformation ? dimensions * dimensions : 0> deformation;
+  BatchColumns<turns ? 4 : 0> rotation;
+
+  KOKKOS_INLINE_FUNCTION ShapeColumns(const ShapeFields& fields, const BatchRows& rows) {
+    position.load(fields.position, rows);
+    half_size.load(fields.half_size, rows);
+    deformation.load(fields.deformation, rows);
+    rotation.load(fields.rotation, rows);
+  }
+};
 
 /// Nodes and weights of a batch, one array per weight.
 template <class Support>
@@ -65,19 +101,6 @@ struct SupportBatch {
   }
 };
 
-/// Puts the support of a row into its batch.
-template <class M, class S>
-struct PutSupport {
-  const PatchFrame<M::dimensions>& frame;
-  typename PatchFrame<M::dimensions>::First first;
-  const ShapeFields& fields;
-  SupportBatch<typename S::template Support<M>>& out;
-
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k, int row) const {
-    out.put(k, S::template support<M>(frame.template geometry<S>(first, fields, row)));
-  }
-};
-
 /// Supports of the rows of a batch, all in one tile.
 template <class M, class S>
 KOKKOS_INLINE_FUNCTION void find_supports(
@@ -87,7 +110,11 @@ KOKKOS_INLINE_FUNCTION void find_supports(
     const ShapeFields& fields,
     SupportBatch<typename S::template Support<M>>& out
 ) {
-  for_each_row_of(rows, PutSupport<M, S>{frame, frame.first(tile), fields, out});
+  const auto first = frame.first(tile);
+  const ShapeColumns<M, S> columns(fields, rows);
+  BARRENO_IVDEP
+  for (int k = 0; k < rows_per_batch; ++k)
+    out.put(k, S::template support<M>(frame.template geometry<S>(first, columns, k)));
 }
 
 }  // namespace barreno

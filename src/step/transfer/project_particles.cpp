@@ -15,6 +15,28 @@ namespace {
 
 using Sums = Pack<sum_components>;
 
+/// What the particles of a batch give to the grid.
+template <class M>
+struct GivenColumns {
+  static constexpr unsigned dimensions = M::dimensions;
+  static constexpr bool space = dimensions == 3;
+  BatchColumns<space ? 6 : 4> stress;
+  BatchColumns<space ? 0 : M::hoop ? 5 : 4> deformation;  ///< of which the rotation in the plane follows
+  BatchColumns<space ? 4 : 0> rotation;
+  BatchColumns<1> viscous_pressure, volume, mass;
+  BatchColumns<dimensions> velocity;
+
+  KOKKOS_INLINE_FUNCTION GivenColumns(const Particles& particles, const BatchRows& rows) {
+    stress.load(particles.stress, rows);
+    deformation.load(particles.deformation_gradient, rows);
+    rotation.load(particles.rotation, rows);
+    viscous_pressure.load(particles.viscous_pressure, rows);
+    volume.load(particles.volume, rows);
+    mass.load(particles.mass, rows);
+    velocity.load(particles.velocity, rows);
+  }
+};
+
 /// Contributions of one particle to its nodes: S times mass and momentum, and the resultants of its
 /// stress, -V (sigma - q I), times the gradients of S.
 template <class M>
@@ -26,8 +48,9 @@ struct ContributionsInPlane {
   enum { mass, momentum_x, momentum_y, force_xx, force_xy, force_yy, force_hoop, nothing };
   alignas(sizeof(Sums)) double value[sum_components];
 
-  KOKKOS_FORCEINLINE_FUNCTION void find(const Particles& particles, int p) {
-    const Sym3 stress = space_stress<M>(particles, p);
+  KOKKOS_FORCEINLINE_FUNCTION void find(const GivenColumns<M>& particles, int p) {
+    const Sym3 stress =
+        rotated_stress<M>(particles.stress, particles.deformation, particles.rotation, p);
     const double q = particles.viscous_pressure(p);
     const double volume = particles.volume(p);
     const double m = particles.mass(p);
@@ -68,8 +91,10 @@ struct Contributions<ThreeDimensional> {
   alignas(sizeof(Sums)) double value[sum_components];
   double more[sum_components];
 
-  KOKKOS_FORCEINLINE_FUNCTION void find(const Particles& particles, int p) {
-    const Sym3 stress = space_stress<ThreeDimensional>(particles, p);
+  KOKKOS_FORCEINLINE_FUNCTION void find(const GivenColumns<ThreeDimensional>& particles, int p) {
+    const Sym3 stress = rotated_stress<ThreeDimensional>(
+        particles.stress, particles.deformation, particles.rotation, p
+    );
     const double q = particles.viscous_pressure(p);
     const double volume = particles.volume(p);
     const double m = particles.mass(p);
@@ -104,16 +129,6 @@ struct Contributions<ThreeDimensional> {
   }
 };
 
-template <class M>
-struct FindContributions {
-  const Particles& particles;
-  Contributions<M> (&contributions)[rows_per_batch];
-
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(int k, int row) const {
-    contributions[k].find(particles, row);
-  }
-};
-
 template <class M, class S>
 struct ProjectParticles {
   PatchFrame<M::dimensions> frame;
@@ -132,7 +147,9 @@ struct ProjectParticles {
     SupportBatch<typename S::template Support<M>> supports;
     find_supports<M, S>(frame, tile, rows, shape_fields(particles), supports);
     Contributions<M> contributions[rows_per_batch];
-    for_each_row_of(rows, FindContributions<M>{particles, contributions});
+    const GivenColumns<M> given(particles, rows);
+    BARRENO_IVDEP
+    for (int k = 0; k < rows_per_batch; ++k) contributions[k].find(given, k);
     for (int k = 0; k < rows.count; ++k)
       contributions[k].add_to(patch, frame.patch, supports.get(k));
   }

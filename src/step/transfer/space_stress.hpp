@@ -6,23 +6,24 @@
 
 namespace barreno {
 
-/// Cauchy stress of a row in the space frame, R sigma R^T; without its artificial viscosity.
+/// R sigma R^T of row p of columns with unrotated stress, F and R (load_rotation).
+template <class M, class Stress, class Deformation, class Rotation>
+KOKKOS_FORCEINLINE_FUNCTION Sym3 rotated_stress(
+    const Stress& stress, const Deformation& deformation, const Rotation& rotation, int p
+) {
+  Sym3 unrotated{stress(p, 0), stress(p, 1), stress(p, 2), stress(p, 3), 0.0, 0.0};
+  if constexpr (M::dimensions == 3) {
+    unrotated.yz = stress(p, 4);
+    unrotated.zx = stress(p, 5);
+  }
+  return rotate(load_rotation<M>(deformation, rotation, p), unrotated);
+}
+
+/// Cauchy stress of a row in the space frame; without its artificial viscosity.
 template <class M>
 KOKKOS_INLINE_FUNCTION Sym3 space_stress(const Particles& particles, int p) {
-  Sym3 unrotated{
-      particles.stress(p, 0),
-      particles.stress(p, 1),
-      particles.stress(p, 2),
-      particles.stress(p, 3),
-      0.0,
-      0.0};
-  if constexpr (M::dimensions == 3) {
-    unrotated.yz = particles.stress(p, 4);
-    unrotated.zx = particles.stress(p, 5);
-  }
-  return rotate(
-      load_rotation<M>(particles.deformation_gradient.values, particles.rotation.values, p),
-      unrotated
+  return rotated_stress<M>(
+      particles.stress, particles.deformation_gradient.values, particles.rotation.values, p
   );
 }
 

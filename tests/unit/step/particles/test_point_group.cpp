@@ -48,7 +48,8 @@ TEST(PointGroup, AFailedPointKeepsItsHistory) {
 }
 
 #if BARRENO_HAS_LANES
-static_assert(std::is_same_v<RealFor<LinearElastic>::type, double>);
+static_assert(std::is_same_v<RealFor<NeoHookean>::type, double>);
+static_assert(std::is_same_v<RealFor<LinearElastic>::type, Lanes>);
 static_assert(std::is_same_v<RealFor<JohnsonCook>::type, Lanes>);
 static_assert(updates_in_parts<Arenisca, Lanes> && !updates_in_parts<Arenisca, double>);
 static_assert(!updates_in_parts<JohnsonCook, Lanes>);
