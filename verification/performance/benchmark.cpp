@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cost of a step, phase by phase, beside the memory bandwidth of the same process.
 #include "base/region.hpp"
+#include "metal_points.hpp"
 #include "rock_points.hpp"
 #include "shape_costs.hpp"
 #include "step_cost.hpp"
@@ -57,6 +58,7 @@ void print_costs(int steps) {
   const double triad = measure_triad();
   std::printf("triad %.1f GB/s\n", triad * 1e-9);
   print_cost_of_rock();
+  print_cost_of_metal();
   const Scene scene = copper_cylinder(1.0);
   const Cost cost = time_steps(scene, steps);
   std::printf(
