@@ -51,8 +51,8 @@ void print_cost_of_metal() {
   const MaterialSpec copper = testing::copper();
   const auto& model = std::get<JohnsonCook>(copper.material().model);
   std::mt19937_64 engine(1);
-  std::vector<Group> start;
-  for (int g = 0; g < groups; ++g) start.push_back(drawn_group(model, engine));
+  std::vector<Group> start(groups);
+  for (Group& group : start) group = drawn_group(model, engine);
   for (int step = 0; step < first_steps; ++step)
     for (Group& group : start) {
       update(model, group);

@@ -126,8 +126,7 @@ struct UpdateStress {
     const auto& increment = update.increment;
     const PointsOutcome<R>& outcome = update.outcome;
     const Mask living = alive(group);
-    const Mask stays = living & dormant(group);
-    const Mask here = living & (!stays);
+    const Mask here = living & (!dormant(group));
     const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
     // Not every model checks its input: motion that is not finite fails here.
     const Mask sound = outcome.sound & (increment.volume_ratio_end > 0.0);
@@ -139,11 +138,8 @@ struct UpdateStress {
     group.put(real::select(good, begun.q, begun.old_q), particles.viscous_pressure);
     const R modulus = real::select(good, outcome.longitudinal_modulus, begun.old_modulus);
     group.put(modulus, particles.longitudinal_modulus);
-    const Mask bad = here & !good;
-    if (real::any(bad)) {
-      treat_failures(group, expanded, Fault::expanded, sums);
-      treat_failures(group, bad & (!expanded), Fault::failed, sums);
-    }
+    treat_failures(group, expanded, Fault::expanded, sums);
+    treat_failures(group, here & (!expanded) & (!sound), Fault::failed, sums);
 
     const R reference_volume = begun.mass * (1.0 / reference_density);
     const R mean_volume = 0.5 * (begun.old_volume + begun.volume);
@@ -185,7 +181,7 @@ struct UpdateStress {
     const R step = rule.stable_step(
         begun.cell_size, begun.density, modulus, begun.rate, real::sqrt(speed_squared)
     );
-    limit_step(good | stays, step, tally);
+    limit_step(good | (living & (!here)), step, tally);
   }
 
   KOKKOS_INLINE_FUNCTION static void limit_step(const Mask& good, const R& step, Tally& tally) {

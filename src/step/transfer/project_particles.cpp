@@ -20,8 +20,9 @@ template <class M>
 struct GivenColumns {
   static constexpr unsigned dimensions = M::dimensions;
   static constexpr bool space = dimensions == 3;
+  static constexpr unsigned in_plane = M::hoop ? 5 : 4;  ///< components of F
   BatchColumns<space ? 6 : 4> stress;
-  BatchColumns<space ? 0 : M::hoop ? 5 : 4> deformation;  ///< of which the rotation in the plane follows
+  BatchColumns<space ? 0 : in_plane> deformation;  ///< of which the rotation in the plane follows
   BatchColumns<space ? 4 : 0> rotation;
   BatchColumns<1> viscous_pressure, volume, mass;
   BatchColumns<dimensions> velocity;
