@@ -2,6 +2,7 @@
 #include "checkpoint/find_checkpoint.hpp"
 
 #include "base/error.hpp"
+#include "base/rank_work.hpp"
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_checkpoint.hpp"
 #include "deck/section_table.hpp"
@@ -124,6 +125,24 @@ bool may_differ(const std::string& a, const std::string& b) {
   return false;
 }
 
+/// Every rank opens the file that rank 0 has, before it may get another name.
+void open_on_all(const Comm& comm, Checkpoint& found) {
+  std::string seal;
+  if (is_root(comm)) seal = seal_text(found.file);
+  seal = broadcast_from_root(comm, seal);
+  RankWork work(comm);
+  work.run([&] {
+    if (is_root(comm)) return;
+    found.open = std::make_shared<Hdf5File>(found.file, Hdf5File::Mode::read);
+    if (seal_text(found.file) == seal) return;
+    throw FileError(
+        "cannot resume from '" + found.file.string() + "' (rank " + std::to_string(comm.getRank()) +
+        " sees another file of that name than rank 0); put the folder where every node sees it."
+    );
+  });
+  work.agree();
+}
+
 }  // namespace
 
 Checkpoint find_checkpoint(const Comm& comm, const fs::path& folder) {
@@ -135,6 +154,7 @@ Checkpoint find_checkpoint(const Comm& comm, const fs::path& folder) {
   found.deck_text = broadcast_from_root(comm, found.deck_text);
   found.numbers = share(comm, found.numbers);
   found.output = share(comm, found.output);
+  open_on_all(comm, found);
   return found;
 }
 

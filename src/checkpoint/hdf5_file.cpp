@@ -2,21 +2,16 @@
 #include "checkpoint/hdf5_file.hpp"
 
 #include "base/error.hpp"
-#include "checkpoint/fletcher32.hpp"
 #include "checkpoint/hdf5_handle.hpp"
 #include "output/guarded_file.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <fcntl.h>
 
 namespace barreno {
 namespace {
 
 /// Numbers of a chunk: with all that is done to it, it stays in a core's cache.
 constexpr std::size_t chunk_numbers = 1 << 17;
-/// Written bytes that are worth to be handed to the disk.
-constexpr std::size_t flush_bytes = 1 << 23;
 
 bool put_unit(hid_t table, const std::string& unit) {
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -73,11 +68,7 @@ std::size_t rows_of_chunk(std::size_t rows, std::size_t columns) {
 
 /// @return the table's handle
 long long Hdf5File::create_table(
-    const std::string& name,
-    std::size_t rows,
-    std::size_t columns,
-    long long type,
-    const std::string& unit
+    const std::string& name, std::size_t rows, std::size_t columns, long long type, bool in_chunks
 ) {
   const hsize_t size[2] = {rows, columns};
   const hsize_t chunk[2] = {rows_of_chunk(rows, columns), std::max<hsize_t>(columns, 1)};
@@ -86,15 +77,17 @@ long long Hdf5File::create_table(
   H5Pset_create_intermediate_group(links.get(), 1);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.get(), false);
-  if (rows * columns > 0) {
+  if (rows * columns > 0 && in_chunks) {
     H5Pset_chunk(creation.get(), 2, chunk);
     H5Pset_fletcher32(creation.get());
+  } else {
+    H5Pset_alloc_time(creation.get(), H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);
   }
   const hid_t table =
       H5Dcreate2(file_, name.c_str(), type, space.get(), links.get(), creation.get(), H5P_DEFAULT);
-  if (table >= 0 && (unit.empty() || put_unit(table, unit))) return table;
-  if (table >= 0) H5Dclose(table);
-  refuse(name);
+  if (table < 0) refuse(name);
+  return table;
 }
 
 void Hdf5File::put(
@@ -105,50 +98,28 @@ void Hdf5File::put(
     const void* values,
     const std::string& unit
 ) {
-  const Hdf5Handle table(create_table(name, rows, columns, type, unit), H5Dclose);
+  const Hdf5Handle table(create_table(name, rows, columns, type, true), H5Dclose);
+  if (!unit.empty() && !put_unit(table.get(), unit)) refuse(name);
   if (rows * columns > 0 && H5Dwrite(table.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
     refuse(name);
 }
 
 template <class T>
-void Hdf5File::begin_table(
+unsigned long long Hdf5File::lay_out(
     const std::string& name, std::size_t rows, std::size_t columns, const std::string& unit
 ) {
   const long long type = std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LLONG;
-  const Hdf5Handle table(create_table(name, rows, columns, type, unit), H5Dclose);
+  const Hdf5Handle table(create_table(name, rows, columns, type, false), H5Dclose);
+  if (!unit.empty() && !put_unit(table.get(), unit)) refuse(name);
+  if (rows * columns == 0) return 0;
+  const haddr_t place = H5Dget_offset(table.get());  // from the file's first byte
+  if (place == HADDR_UNDEF) refuse(name);
+  return place;
 }
-template void
-Hdf5File::begin_table<double>(const std::string&, std::size_t, std::size_t, const std::string&);
-template void
-Hdf5File::begin_table<long long>(const std::string&, std::size_t, std::size_t, const std::string&);
-
-template <class T>
-void Hdf5File::write_chunk(const std::string& name, std::size_t row, std::vector<T>& chunk) {
-  const std::size_t bytes = (chunk.size() - 1) * sizeof(T);
-  const std::uint32_t checksum = fletcher32(chunk.data(), bytes);
-  std::memcpy(&chunk.back(), &checksum, sizeof checksum);
-  const hsize_t place[2] = {row, 0};
-  const Hdf5Handle table(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (table.failed() ||
-      H5Dwrite_chunk(table.get(), H5P_DEFAULT, 0, place, bytes + sizeof checksum, chunk.data()) < 0)
-    refuse(name);
-  unflushed_ += bytes;
-  if (unflushed_ >= flush_bytes) begin_flush();
-}
-template void Hdf5File::write_chunk<double>(const std::string&, std::size_t, std::vector<double>&);
-template void
-Hdf5File::write_chunk<long long>(const std::string&, std::size_t, std::vector<long long>&);
-
-/// The disk takes what is written while more is gathered. This keeps nothing safe (fsync in
-/// seal_checkpoint does, and has less to wait for), so nothing is lost where it cannot be had.
-void Hdf5File::begin_flush() {
-  unflushed_ = 0;
-#ifdef SYNC_FILE_RANGE_WRITE
-  void* file = nullptr;
-  if (H5Fget_vfd_handle(file_, H5P_DEFAULT, &file) >= 0 && file != nullptr)
-    sync_file_range(*static_cast<int*>(file), 0, 0, SYNC_FILE_RANGE_WRITE);
-#endif
-}
+template unsigned long long
+Hdf5File::lay_out<double>(const std::string&, std::size_t, std::size_t, const std::string&);
+template unsigned long long
+Hdf5File::lay_out<long long>(const std::string&, std::size_t, std::size_t, const std::string&);
 
 void Hdf5File::write(
     const std::string& name, const Hdf5Table<double>& table, const std::string& unit

@@ -25,8 +25,8 @@ struct Hdf5Table {
 /// Rows of a chunk, the unit of checksums, writing and reading: as even as 1 MB of numbers allows.
 std::size_t rows_of_chunk(std::size_t rows, std::size_t columns);
 
-/// An HDF5 file of plain tables that one process writes or reads. Every table has the fletcher32
-/// checksum, which HDF5 compares when it reads.
+/// An HDF5 file of plain tables that one process writes or reads. Tables that it
+/// writes have the fletcher32 checksum, which HDF5 compares when it reads.
 ///
 /// Every function throws FileError with the path and the table's name if it fails.
 class Hdf5File {
@@ -42,16 +42,12 @@ public:
   void write(const std::string& name, const Hdf5Table<long long>& table);
   void write(const std::string& name, const std::string& text);
 
-  /// A table of double or long long that write_chunk() fills.
+  /// Makes room for a table of double or long long in one piece, without a checksum; its rows are
+  /// written once this file is closed (RowFile). @return where in the file they begin, in bytes
   template <class T>
-  void begin_table(
+  unsigned long long lay_out(
       const std::string& name, std::size_t rows, std::size_t columns, const std::string& unit
   );
-  /// The chunk whose first row is `row`, with its checksum, past HDF5's own copies.
-  /// @param chunk  rows_of_chunk() rows, zeros behind the table's last one, and room for one more
-  ///               number, which takes the checksum
-  template <class T>
-  void write_chunk(const std::string& name, std::size_t row, std::vector<T>& chunk);
 
   Hdf5Table<double> read(const std::string& name) const;
   Hdf5Table<long long> read_integers(const std::string& name) const;
@@ -88,11 +84,7 @@ private:
       const std::string& name
   ) const;
   long long create_table(
-      const std::string& name,
-      std::size_t rows,
-      std::size_t columns,
-      long long type,
-      const std::string& unit
+      const std::string& name, std::size_t rows, std::size_t columns, long long type, bool in_chunks
   );
   void put(
       const std::string& name,
@@ -102,12 +94,10 @@ private:
       const void* values,
       const std::string& unit
   );
-  void begin_flush();
 
   std::filesystem::path path_;
   bool writes_;
-  long long file_ = -1;        ///< HDF5's handle
-  std::size_t unflushed_ = 0;  ///< bytes of chunks since begin_flush()
+  long long file_ = -1;  ///< HDF5's handle
 };
 
 }  // namespace barreno

@@ -2,8 +2,10 @@
 #include "checkpoint/read_checkpoint.hpp"
 
 #include "base/gather.hpp"
+#include "base/rank_work.hpp"
 #include "base/region.hpp"
 #include "checkpoint/checkpoint_contents.hpp"
+#include "checkpoint/own_rows.hpp"
 #include "checkpoint/shared_file.hpp"
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
@@ -16,60 +18,36 @@
 namespace barreno {
 namespace {
 
-/// visit(r, x) for the position of every particle of a material.
-template <class Visitor>
-void for_each_position(
-    const State& state, const Particles& particles, const SharedFile& file, Visitor&& visit
-) {
-  const auto columns = static_cast<std::size_t>(particles.position.components);
-  file.for_each_row<double>(
-      particle_group(particles) + "position",
-      [&](std::size_t row, const double* values) {
-        Vector x{};
-        std::copy_n(values, columns, x.data());
-        visit(row, x, state.grid.holds(x));
-      }
-  );
+Vector position_of(const Particles& particles, const double* values) {
+  Vector x{};
+  std::copy_n(values, static_cast<std::size_t>(particles.position.components), x.data());
+  return x;
 }
 
-/// The rows of a material that belong to this rank, ascending.
+/// The rows of a material that belong to this rank, ascending. Collective.
 std::vector<std::size_t> own_rows(
-    const State& state, const Particles& particles, const SharedFile& file, bool same_ranks
+    const State& state, const Particles& particles, const SharedFile& shared, const Hdf5File& file
 ) {
   const Comm& comm = *state.grid.comm;
-  const auto rank = static_cast<std::size_t>(comm.getRank());
-  std::vector<std::size_t> rows;
-  if (same_ranks) {
-    const auto counts = file.read<long long>(particle_group(particles) + "rank_counts");
+  const std::string group = particle_group(particles);
+  const auto counts = shared.read<long long>(group + "rank_counts");
+  if (counts.size() == static_cast<std::size_t>(comm.getSize())) {
     const auto begin = std::accumulate(counts.begin(), counts.begin() + comm.getRank(), 0LL);
-    rows.resize(static_cast<std::size_t>(counts[rank]));
+    std::vector<std::size_t> rows(
+        static_cast<std::size_t>(counts[static_cast<std::size_t>(comm.getRank())])
+    );
     std::iota(rows.begin(), rows.end(), static_cast<std::size_t>(begin));
     return rows;
   }
-  for_each_position(state, particles, file, [&](std::size_t row, const Vector& x, bool inside) {
+  return rows_by_owner(comm, file, group + "position", [&](const double* values) {
+    const Vector x = position_of(particles, values);
     // One that has just left the grid is counted and removed by whoever has it.
-    const int owner = inside ? owner_of(state.grid, x) : 0;
-    if (owner == comm.getRank()) rows.push_back(row);
-  });
-  return rows;
-}
-
-/// visit(p, values) for the rows of a table that become this rank's particles p.
-template <class T, class Visitor>
-void for_own_rows(
-    const std::vector<std::size_t>& rows,
-    const SharedFile& file,
-    const std::string& name,
-    Visitor&& visit
-) {
-  std::size_t p = 0;
-  file.for_each_row<T>(name, [&](std::size_t row, const T* values) {
-    if (p < rows.size() && rows[p] == row) visit(static_cast<int>(p++), values);
+    return state.grid.holds(x) ? owner_of(state.grid, x) : 0;
   });
 }
 
 void read_particles(
-    const std::vector<std::size_t>& rows, const SharedFile& file, Particles& particles
+    const std::vector<std::size_t>& rows, const Hdf5File& file, Particles& particles
 ) {
   const std::string group = particle_group(particles);
   reserve(particles, static_cast<int>(rows.size()));
@@ -93,20 +71,38 @@ void read_particles(
   });
 }
 
-/// Tiles as the ranks had them, or shared by the particles that are in them.
-void share_tiles(const SharedFile& file, bool same_ranks, State& state) {
+/// Particles in each tile of the box, each rank counting its part of the rows. Collective.
+std::vector<double> count_particles(const State& state, const Hdf5File& file) {
+  const Comm& comm = *state.grid.comm;
+  std::vector<double> counts(state.grid.owner.size(), 0.0);
+  RankWork work(comm);
+  work.run([&] {
+    for (const Particles& particles : state.particles) {
+      const std::string name = particle_group(particles) + "position";
+      for_part_of_rows(comm, file, name, [&](std::size_t, const double* values) {
+        const Vector x = position_of(particles, values);
+        if (!state.grid.holds(x)) return;
+        counts[static_cast<std::size_t>(cell_of(state.grid, x).box_tile)] += 1.0;
+      });
+    }
+  });
+  work.agree();
+  sum_over_ranks(comm, counts);  // whole numbers: in any order the same
+  return counts;
+}
+
+/// Tiles as the ranks had them, or shared by the particles that are in them. Collective.
+void share_tiles(const SharedFile& shared, const Hdf5File& file, bool same_ranks, State& state) {
   Grid& grid = state.grid;
   if (same_ranks) {
-    const auto owner = file.read<long long>("grid/owner");
+    const auto owner = shared.read<long long>("grid/owner");
     set_owners({owner.begin(), owner.end()}, grid);
     return;
   }
-  std::vector<TileCost> counts(grid.owner.size());
-  for (const Particles& particles : state.particles)
-    for_each_position(state, particles, file, [&](std::size_t, const Vector& x, bool inside) {
-      if (inside) counts[static_cast<std::size_t>(cell_of(grid, x).box_tile)].particles += 1.0;
-    });
-  set_owners(bisect_tiles(grid.tiles, counts, grid.comm->getSize()), grid);
+  const std::vector<double> counts = count_particles(state, file);
+  std::vector<TileCost> costs(counts.size());
+  for (std::size_t t = 0; t < counts.size(); ++t) costs[t].particles = counts[t];
+  set_owners(bisect_tiles(grid.tiles, costs, grid.comm->getSize()), grid);
 }
 
 /// Rank 0 takes what all have given.
@@ -143,9 +139,13 @@ void read_checkpoint(const Checkpoint& checkpoint, State& state) {
   const auto wrote = static_cast<int>(checkpoint.numbers.at("ranks").at(0));
   const bool same_ranks = wrote == comm.getSize();
   read_sums(file, state);
-  share_tiles(file, same_ranks, state);
-  for (Particles& particles : state.particles)
-    read_particles(own_rows(state, particles, file, same_ranks), file, particles);
+  share_tiles(file, *checkpoint.open, same_ranks, state);
+  RankWork work(comm);
+  for (Particles& particles : state.particles) {
+    const std::vector<std::size_t> rows = own_rows(state, particles, file, *checkpoint.open);
+    work.run([&] { read_particles(rows, *checkpoint.open, particles); });
+  }
+  work.agree();
   for_each_number(state, [&](const char* name, auto& value) {
     value = static_cast<std::decay_t<decltype(value)>>(checkpoint.numbers.at(name).at(0));
   });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/gather.hpp"
+
 #include <filesystem>
 #include <string>
 
@@ -9,6 +11,9 @@ namespace barreno {
 /// Writes length and CRC-32 of all bytes behind the user block into it, and brings the file to the
 /// disk (fsync). @throws FileError
 void seal_checkpoint(const std::filesystem::path& path);
+/// The same, where every rank reads an equal part of the file. Collective. @throws FileError on
+/// every rank
+void seal_checkpoint(const Comm& comm, const std::filesystem::path& path);
 
 /// A file whose length and digest were compared with its seal, kept open: who reads it later can
 /// make sure that it is this file, and not one that has taken its name since.
@@ -26,6 +31,9 @@ private:
   int file_;
   std::string fault_;
 };
+
+/// The first bytes of a file, where its seal stands; empty if it cannot be read.
+std::string seal_text(const std::filesystem::path& path);
 
 /// Brings the names in a folder to the disk.
 void sync_folder(const std::filesystem::path& folder);

@@ -3,12 +3,15 @@
 
 #include "base/error.hpp"
 #include "base/gather.hpp"
+#include "base/rank_work.hpp"
 #include "base/region.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_rows.hpp"
 #include "state/balance.hpp"
 #include "step/order/remove_lost.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 #include <array>
@@ -55,31 +58,18 @@ void pack_rows(const Field& field, std::size_t first, std::size_t count, double*
   }
 }
 
-/// One material: ids, bodies and every field of the one list, with its unit.
-void write_particles(
-    const Comm& comm,
-    const Grid& grid,
-    const Particles& particles,
-    RootWork& work,
-    std::unique_ptr<Hdf5File>& file
-) {
+/// visit(table) for ids, bodies and every field of a material's one list, with its unit.
+template <class Visitor>
+void for_each_table(const Grid& grid, const Particles& particles, Visitor&& visit) {
   const std::string group = particle_group(particles);
-  const std::vector<std::size_t> first = first_rows(comm, particles.count);
-  const auto put = [&](const auto& table) { write_rows(comm, first, table, work, file); };
-  work.run([&] {
-    std::vector<long long> counts;
-    for (std::size_t r = 1; r < first.size(); ++r)
-      counts.push_back(static_cast<long long>(first[r] - first[r - 1]));
-    file->write(group + "rank_counts", one_column(std::move(counts)));
-  });
-  put(SharedTable<long long>{group + "id", "", 1, whole_numbers(particles.id)});
-  put(SharedTable<long long>{group + "body", "", 1, whole_numbers(particles.body)});
+  visit(SharedTable<long long>{group + "id", "", 1, whole_numbers(particles.id)});
+  visit(SharedTable<long long>{group + "body", "", 1, whole_numbers(particles.body)});
   const RemovalRule rule(grid, particles);
   const auto cause = [&](std::size_t p) { return rule.cause_of(static_cast<int>(p)); };
-  put(SharedTable<long long>{group + "removal", "", 1, whole_numbers(cause)});
+  visit(SharedTable<long long>{group + "removal", "", 1, whole_numbers(cause)});
   particles.for_each_field([&](const Field& field) {
     if (field.components == 0) return;
-    put(SharedTable<double>{
+    visit(SharedTable<double>{
         group + field.name,
         input::si_unit_of(field.dimension),
         static_cast<std::size_t>(field.components),
@@ -87,6 +77,37 @@ void write_particles(
           pack_rows(field, begin, count, values);
         }});
   });
+}
+
+template <class T>
+unsigned long long lay_out(const SharedTable<T>& table, std::size_t rows, Hdf5File& file) {
+  return file.lay_out<T>(table.name, rows, table.columns, table.unit);
+}
+
+/// Room for the tables of one material. @return where each of them begins
+std::vector<long long> lay_out_particles(
+    const Grid& grid,
+    const Particles& particles,
+    const std::vector<std::size_t>& first,
+    Hdf5File& file
+) {
+  std::vector<long long> counts, places;
+  for (std::size_t r = 1; r < first.size(); ++r)
+    counts.push_back(static_cast<long long>(first[r] - first[r - 1]));
+  file.write(particle_group(particles) + "rank_counts", one_column(std::move(counts)));
+  for_each_table(grid, particles, [&](const auto& table) {
+    places.push_back(static_cast<long long>(lay_out(table, first.back(), file)));
+  });
+  return places;
+}
+
+/// The same on every rank.
+std::vector<long long> shared(const Comm& comm, std::vector<long long> values) {
+  auto count = static_cast<int>(values.size());
+  Teuchos::broadcast<int, int>(comm, 0, 1, &count);
+  values.resize(static_cast<std::size_t>(count));
+  if (count > 0) Teuchos::broadcast<int, long long>(comm, 0, count, values.data());
+  return values;
 }
 
 /// Of all ranks; the order does not matter for reproducible sums.
@@ -141,23 +162,17 @@ RunNumbers numbers_of(const State& state) {
   return numbers;
 }
 
-/// Reads all tables, which compares their checksums with what is in the file.
+/// Reads the tables that rank 0 wrote, which compares their checksums with what is in the file.
 void read_back(const fs::path& path) {
-  const Region region("read_checkpoint_back");
   const Hdf5File file(path, Hdf5File::Mode::read);
+  const auto check = [&](const std::string& group, const std::string& name) {
+    file.check(std::string(group).append("/").append(name));
+  };
   for (const std::string group : {"run", "ledger", "output", "grid"})
-    for (const std::string& name : file.names(group)) {
-      std::string table = group;
-      table += "/" + name;
-      file.check(table);
-    }
+    for (const std::string& name : file.names(group)) check(group, name);
   file.check("deck");
   for (const std::string& material : file.names("particles"))
-    for (const std::string& field : file.names("particles/" + material)) {
-      std::string table = "particles/" + material;
-      table += "/" + field;
-      file.check(table);
-    }
+    check("particles/" + material, "rank_counts");
 }
 
 void refuse_full_disk(const fs::path& folder, double bytes) {
@@ -198,6 +213,84 @@ void close_aside(int file) {
   }
 }
 
+/// Which rows of each material are whose, and where its tables begin in the file.
+struct CheckpointLayout {
+  std::vector<std::vector<std::size_t>> first;  ///< by material; first_rows()
+  std::vector<long long> places;                ///< by material, then for_each_table()
+};
+
+/// What rank 0 alone has or knows.
+void write_run(
+    const std::string& deck_text, const RunNumbers& output, const State& state, Hdf5File& file
+) {
+  const Grid& grid = state.grid;
+  file.write("deck", deck_text);
+  file.write("run/version", one_column(std::vector<double>{checkpoint_version}), "");
+  file.write("run/ranks", one_column(std::vector<double>{1.0 * grid.comm->getSize()}), "");
+  write_numbers(numbers_of(state), "run/", file);
+  write_numbers(output, "output/", file);
+  file.write(
+      "grid/owner", one_column(std::vector<long long>(grid.owner.begin(), grid.owner.end()))
+  );
+}
+
+/// Rank 0 writes the file but for the rows of particles. Collective. @throws FileError on every
+/// rank
+CheckpointLayout lay_out(
+    const fs::path& aside,
+    const std::string& deck_text,
+    const RunNumbers& output,
+    const State& state
+) {
+  const Comm& comm = *state.grid.comm;
+  const double bytes = estimate(state);
+  CheckpointLayout layout;
+  for (const Particles& particles : state.particles)
+    layout.first.push_back(first_rows(comm, particles.count));
+  RootWork work(comm);
+  std::unique_ptr<Hdf5File> file;
+  work.run([&] {
+    refuse_full_disk(aside.parent_path(), bytes);
+    file = std::make_unique<Hdf5File>(aside, Hdf5File::Mode::create);
+    write_run(deck_text, output, state, *file);
+  });
+  write_sums(comm, state, work, file);
+  work.run([&] {
+    for (std::size_t m = 0; m < state.particles.size(); ++m)
+      for (const long long place :
+           lay_out_particles(state.grid, state.particles[m], layout.first[m], *file))
+        layout.places.push_back(place);
+    file->close();
+  });
+  file.reset();
+  work.agree();
+  layout.places = shared(comm, std::move(layout.places));
+  return layout;
+}
+
+/// Every rank writes its rows, reads them back and brings them to the disk. Collective.
+/// @throws FileError on every rank
+void write_particles(const fs::path& aside, const CheckpointLayout& layout, const State& state) {
+  const Comm& comm = *state.grid.comm;
+  const auto rank = static_cast<std::size_t>(comm.getRank());
+  RankWork work(comm);
+  work.run([&] {
+    RowFile rows(aside);
+    auto place = layout.places.begin();
+    for (std::size_t m = 0; m < state.particles.size(); ++m) {
+      const RowSpan own{layout.first[m][rank], layout.first[m][rank + 1]};
+      for_each_table(state.grid, state.particles[m], [&](const auto& table) {
+        write_rows(table, static_cast<unsigned long long>(*place++), own, rows);
+      });
+    }
+    const Region region("read_checkpoint_back");
+    rows.read_back();
+    if (is_root(comm)) read_back(aside);
+    rows.sync();
+  });
+  work.agree();
+}
+
 }  // namespace
 
 void rename_checkpoint(const fs::path& folder) {
@@ -226,33 +319,12 @@ void write_checkpoint(
   const Region region("write_checkpoint");
   const Comm& comm = *state.grid.comm;
   const fs::path aside = folder / checkpoint_temporary_name;
-  const double bytes = estimate(state);
-  RootWork work(comm);
-  std::unique_ptr<Hdf5File> file;
-  work.run([&] {
-    refuse_full_disk(folder, bytes);
-    file = std::make_unique<Hdf5File>(aside, Hdf5File::Mode::create);
-    file->write("deck", deck_text);
-    file->write("run/version", one_column(std::vector<double>{checkpoint_version}), "");
-    file->write("run/ranks", one_column(std::vector<double>{1.0 * comm.getSize()}), "");
-    write_numbers(numbers_of(state), "run/", *file);
-    write_numbers(output, "output/", *file);
-    file->write(
-        "grid/owner",
-        one_column(std::vector<long long>(state.grid.owner.begin(), state.grid.owner.end()))
-    );
-  });
-  write_sums(comm, state, work, file);
-  for (const Particles& particles : state.particles)
-    write_particles(comm, state.grid, particles, work, file);
-  work.run([&] {
-    file->close();
-    read_back(aside);
-    seal_checkpoint(aside);
-    rename_checkpoint(folder);
-  });
-  file.reset();
   try {
+    const CheckpointLayout layout = lay_out(aside, deck_text, output, state);
+    write_particles(aside, layout, state);
+    seal_checkpoint(comm, aside);
+    RootWork work(comm);
+    work.run([&] { rename_checkpoint(folder); });
     work.agree();
   } catch (const FileError&) {
     std::error_code ignored;

@@ -19,7 +19,7 @@ inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5"
 /// the disk, and only then renamed: whatever happens, one whole checkpoint remains.
 ///
 /// Rows are written as they are stored, rank after rank, so that the same number of ranks goes on
-/// with the same rows. Rank 0 writes what the others send, chunk by chunk (write_rows());
+/// with the same rows. Rank 0 lays the file out, every rank writes its own rows (write_rows());
 /// docs/checkpoints.md has the file's contents. Collective. @throws FileError on every rank
 ///
 /// @param deck_text  the effective deck

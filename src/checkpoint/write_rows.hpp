@@ -2,10 +2,9 @@
 #pragma once
 
 #include "base/gather.hpp"
-#include "checkpoint/hdf5_file.hpp"
+#include "checkpoint/row_file.hpp"
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,18 +22,19 @@ struct SharedTable {
   std::function<void(std::size_t, std::size_t, T*)> pack;
 };
 
-/// Writes a table chunk by chunk: every rank packs and sends its rows of a chunk, rank 0 writes
-/// them while the others pack their next ones, and no rank holds more than a chunk. Collective,
-/// also where the root's work has failed.
+/// Rows [begin, end) of a table.
+struct RowSpan {
+  std::size_t begin = 0, end = 0;
+};
+
+/// Writes this rank's rows of a table, which no other rank knows of; no more than 1 MB of them are
+/// packed at a time. @throws FileError
 /// @tparam T  double or long long
-/// @param first  first_rows()
+/// @param place  where the table begins in the file (Hdf5File::lay_out)
+/// @param own    this rank's rows
 template <class T>
 void write_rows(
-    const Comm& comm,
-    const std::vector<std::size_t>& first,
-    const SharedTable<T>& table,
-    RootWork& work,
-    const std::unique_ptr<Hdf5File>& file
+    const SharedTable<T>& table, unsigned long long place, const RowSpan& own, RowFile& file
 );
 
 }  // namespace barreno
