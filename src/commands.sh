@@ -13,7 +13,7 @@
 plot_packages=(python3 python3-numpy python3-matplotlib)
 report_packages=("${plot_packages[@]}" python3-netcdf4)
 fit_packages=("${plot_packages[@]}" python3-scipy)
-commands=(run resume check report film converge sweep compare drive fit import-ups describe)
+commands=(run resume check report film join converge sweep compare drive fit import-ups describe)
 
 usage() {
   sed "s|^barreno |$name |" <<'TEXT'
@@ -25,6 +25,7 @@ barreno check DECK [--set ...] [--fidelity ...] [--ranks N]   validate a deck, p
 barreno report FOLDER [--left FIELD] [--right FIELD] [--time "30 us"] [--depths "30 mm, 60 mm"] [--pdf]
                                   pictures and numbers of a run, one page: FOLDER/report/index.html (docs/report.md)
 barreno film FOLDER --field FIELD [--right FIELD] [--out FILE.gif|.png|.mp4]   particles from the start to the end
+barreno join FOLDER OUT           particles that every rank wrote into its own file (particles.e.N.0 ...) as one file OUT
 barreno converge DECK [--quantity NAME] [--times "10 us, 20 us"] [--levels 3] [--refine 2] [--out FOLDER]
                 [--set ...] [--fidelity ...] [--ranks N]   cells of several sizes: order, limit, interval (docs/converge.md)
 barreno sweep DECK --vary "LIST/NAME=VALUE,VALUE UNIT"... [--sample grid|list|latin] [--samples N] [--jobs N]
@@ -179,6 +180,7 @@ help_of() {  # command
   case $1 in
     report | film) package=barreno_report words=("$1" --help) ;;
     import-ups) package=barreno_import ;;
+    join) package=barreno_runs.join_exodus ;;
     converge | sweep | compare | fit) ;;
     *) package="" ;;
   esac
@@ -203,7 +205,7 @@ demand_deck() {  # command, example, and the words behind the command
   fi
 }
 
-is_python_command() { [[ ${1-} =~ ^(report|film|converge|sweep|compare|fit|import-ups)$ ]]; }
+is_python_command() { [[ ${1-} =~ ^(report|film|join|converge|sweep|compare|fit|import-ups)$ ]]; }
 
 carry_out() {  # the words of the command line
   local word example
@@ -231,6 +233,15 @@ carry_out() {  # the words of the command line
       fi
       need_packages "${report_packages[@]}"
       start_python barreno_report "$@"
+      ;;
+    join)
+      shift
+      if [[ $# != 2 || $1 == -* ]]; then
+        say "join takes the folder of one run and the file to write; write for example $name join runs/perforation-1 particles.e."
+        exit 1
+      fi
+      need_packages python3 python3-numpy python3-netcdf4
+      start_python barreno_runs.join_exodus "$@"
       ;;
     converge)
       shift

@@ -17,7 +17,7 @@ TESTS = pathlib.Path(__file__).resolve().parents[1]
 TOOLS = TESTS.parent / "verification" / "tools"
 sys.path[:0] = [str(TOOLS), str(TESTS.parent / "src" / "python")]
 
-from barreno_runs.join_exodus import files_of, join  # noqa: E402
+from barreno_runs.join_exodus import files_of, join_set  # noqa: E402
 from netCDF4 import Dataset  # noqa: E402
 from resumed import at_previous, different_fields, lines_of, must_work, program, stopped_run  # noqa: E402
 from runs import DECKS, mpi_environment  # noqa: E402
@@ -42,7 +42,14 @@ def check_same(one, folder, ranks):
     assert set_names(folder) == [f"particles.e.{ranks}.{r}" for r in range(ranks)], set_names(folder)
     whole = folder / "joined"
     whole.mkdir()
-    join(files_of(folder / "particles.e"), whole / "particles.e")
+    join_set(folder, whole / "particles.e")
+    assert set_names(whole) == ["particles.e"], set_names(whole)  # and nothing aside
+    for what, words in ((folder, "exists; choose another name"), (one, "is a single file"), (whole.parent / "joined" / "none", "neither")):
+        try:
+            join_set(what, whole / "particles.e")
+            raise AssertionError(f"{what} was joined")
+        except OSError as error:
+            assert words in str(error), error
     different = different_fields(one, whole)
     assert not different, f"{folder.name}: {different} differ from the one file"
     with Dataset(one / "particles.e") as a, Dataset(whole / "particles.e") as b:

@@ -18,7 +18,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
-COMMANDS = ("run", "resume", "check", "report", "film", "converge", "sweep", "compare", "drive", "fit", "import-ups", "describe")
+COMMANDS = ("run", "resume", "check", "report", "film", "join", "converge", "sweep", "compare", "drive", "fit", "import-ups", "describe")
 FILES = ("libexec/barreno/barreno", "include/barreno_material.h", "share/barreno/commands.sh", "share/barreno/cards/berea_sandstone.xml",
          "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno_report/__main__.py",
          "share/barreno/python/barreno_fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/doc/barreno/LICENSE",

@@ -201,6 +201,16 @@ def check_import(machine, folder):
     assert [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1] == "python3", calls
 
 
+def check_join(machine, folder):
+    """Of a folder without a set one sentence; of its words the same."""
+    refused(*machine.run("join"), 1, "join takes the folder of one run and the file to write")
+    machine.file("src/python/barreno_runs/join_exodus.py", "import sys; print('joined', sys.argv[1:])")
+    result, calls = machine.run("join", folder / "a run", "one.e")
+    assert result.returncode == 0 and f"joined ['{folder / 'a run'}', 'one.e']" in result.stdout, result.stderr
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == ["python3", "python3-netcdf4", "python3-numpy"], packages
+
+
 def check_words(machine):
     """What cannot be is said before anything is installed or built."""
     refused(*machine.run("run", "deck.xml", "--ranks", "100000000"), 1, "--ranks 100000000 is more than this machine can start")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What checkpoints cost: checkpoint_cost.py BARRENO [--ranks N] [--quick] [--document].
 
-Runs the block of scaling_decks.py with a checkpoint every few steps. Writing (gathering and HDF5, then seal, fsync and rename) and
+Runs the block of scaling_decks.py with a checkpoint every few steps. Writing (HDF5 and rows, then seal, fsync and rename) and
 reading back are timers of the code, `write_checkpoint` less `read_checkpoint_back`, and the latter. The disk's own bandwidth is that of as many
 bytes written to a new file in the same folder and brought to the disk (fsync) by one process, right after the run: like a checkpoint they go
 through the system's memory, and the time ends when the disk has them. A part of a checkpoint may reach the disk while it is read back, so
@@ -69,8 +69,8 @@ def page(found, ranks):
         f"mean of {found['writes']:.0f} checkpoints.", "",
         "| | seconds | MB/s | relative to the disk |", "|---|---|---|---|",
         f"| the disk: the same number of bytes, fsync included (median of 5) | {found['raw']:.2f} | {size / found['raw']:.0f} | 1 |",
-        f"| write: gather, HDF5 with checksums, seal, fsync, rename | {found['write']:.2f} | {size / found['write']:.0f} | {found['raw'] / found['write']:.2f} (required: {LEAST_BANDWIDTH}) |",
-        f"| verify: read back, compare checksums | {found['verify']:.2f} | {size / found['verify']:.0f} | |",
+        f"| write: lay out, rows by every rank, seal, fsync, rename | {found['write']:.2f} | {size / found['write']:.0f} | {found['raw'] / found['write']:.2f} (required: {LEAST_BANDWIDTH}) |",
+        f"| verify: read back, compare CRC-32s | {found['verify']:.2f} | {size / found['verify']:.0f} | |",
         f"| both; {100 * both / DEFAULT_INTERVAL:.2f} % of the {DEFAULT_INTERVAL:.0f} s between two by default (required: {100 * MOST_SHARE:.0f} %) | {both:.2f} | {size / both:.0f} | {found['raw'] / both:.2f} |",
     ]  # fmt: skip
 

@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A set of files (Particle Files = "one per rank") as one: join_exodus.py FILE OUT writes OUT.
+"""A set of files (Particle Files = "one per rank") as one: barreno join SET OUT writes OUT.
 
-FILE is particles.e, which then stands for particles.e.N.0 and so on beside it, or any file of the set.
+SET is the folder of a run, its particles.e, which then stands for particles.e.N.0 and so on, or any file of the set. What has the name OUT
+stays as it is: then nothing is written.
 """
+import os
 import pathlib
 import sys
 
@@ -11,13 +13,33 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from barreno_report.exodus_sets import as_one_file, files_of, join  # noqa: E402, F401
 
 
+def join_set(name, out):
+    """Written under another name first, so that a full disk or Ctrl-C leaves no half file called OUT."""
+    path = pathlib.Path(name)
+    files = files_of(path / "particles.e" if path.is_dir() else path)
+    out = pathlib.Path(out)
+    if len(files) == 1:
+        raise OSError(f"'{files[0]}' is a single file; nothing is to be joined")
+    if out.exists() or out.is_symlink():
+        raise OSError(f"'{out}' exists; choose another name")
+    aside = out.with_name(out.name + ".tmp")
+    try:
+        join(files, aside)
+        os.replace(aside, out)
+    finally:
+        aside.unlink(missing_ok=True)
+
+
 def main():
+    if sys.argv[1:] in (["-h"], ["--help"]):
+        print(__doc__)
+        return 0
     if len(sys.argv) != 3:
         print(__doc__, file=sys.stderr)
         return 1
     try:
-        join(files_of(sys.argv[1]), sys.argv[2])
-    except OSError as error:
+        join_set(*sys.argv[1:])
+    except (OSError, RuntimeError) as error:  # netCDF reports a full disk with the latter
         print(f"cannot join '{sys.argv[1]}' ({error}).", file=sys.stderr)
         return 2
     return 0
