@@ -16,6 +16,7 @@
 #include "resume.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
+#include "scene/jet/jet_monitor.hpp"
 #include "state/build_state.hpp"
 #include "version.hpp"
 
@@ -65,7 +66,8 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       notes_of(deck, scene),
       prediction,
       deck.surface_files,
-      build_facts()};
+      build_facts(),
+      jet_monitor_of(deck, scene)};
   catch_signals();  // before this nothing is lost
   Output output(scene, state, description);
   output.write_if_due(scene, state);

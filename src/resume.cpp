@@ -13,6 +13,7 @@
 #include "output/text_file.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
+#include "scene/jet/jet_monitor.hpp"
 #include "state/build_state.hpp"
 
 #include <array>
@@ -88,7 +89,8 @@ int resume(
       to_text(number_of(checkpoint.numbers, "step"))
   );
   const std::string text = overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
-  const RunDescription description{folder, file, text, BARRENO_VERSION, notes, {}, {}, build};
+  const RunDescription description{
+      folder, file, text, BARRENO_VERSION, notes, {}, {}, build, jet_monitor_of(deck, scene)};
   RunNumbers position = checkpoint.output;
   position["time"] = checkpoint.numbers.at("time");
   catch_signals();

@@ -8,6 +8,7 @@
 #include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
+#include "deck/sections/jet_monitor_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/load_sections.hpp"
 #include "deck/sections/material_section.hpp"
@@ -39,6 +40,7 @@ input::Section build_schema() {
       section_of<PressureLoadSpec>(),
       section_of<ConfinementSection>(),
       section_of<JetSpec>(),
+      section_of<JetMonitorSpec>(),
       detonation_section(),
       section_of<BodyForceSpec>(),
       section_of<ContactSpec>(),

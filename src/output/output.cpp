@@ -9,6 +9,7 @@
 #include "output/depth.hpp"
 #include "output/exodus_writer.hpp"
 #include "output/history_writer.hpp"
+#include "output/jet/jet_monitor.hpp"
 #include "output/progress.hpp"
 #include "output/radii.hpp"
 #include "output/result_numbers.hpp"
@@ -47,6 +48,7 @@ struct Output::Parts {
   bool rows_due(const Clock& clock) const;
   RunNumbers position() const;
   void show_progress(const State& state);
+  JetAudit write_jet_table() const;
 
   RunDescription run;
   Teuchos::RCP<const Comm> comm;
@@ -57,6 +59,7 @@ struct Output::Parts {
   std::unique_ptr<DepthWriter> depth;        ///< scenes with a jet only
   std::unique_ptr<RadiiWriter> radii;        ///< scenes with hollow balls only
   std::unique_ptr<CavitiesWriter> cavities;  ///< scenes with a pore fluid only
+  JetMonitor monitor;                        ///< decks with a Jet Monitor only
   Schedule field_schedule, history_schedule, progress_schedule;
   RunTotals totals;  ///< of the last row
   Ledger watched;    ///< tallies that were warned about
@@ -92,6 +95,7 @@ Output::Parts::Parts(
     : run(description),
       comm(state.grid.comm),
       end_time(scene.end_time),
+      monitor(run.monitor, position),
       field_schedule(scene.output.field_interval),
       history_schedule(scene.output.history_interval),
       progress_schedule(0.01 * scene.end_time) {
@@ -183,6 +187,16 @@ void Output::Parts::show_progress(const State& state) {
   );
 }
 
+/// On the root.
+JetAudit Output::Parts::write_jet_table() const {
+  const std::vector<JetSlug> slugs = jet_slugs(monitor.spec(), monitor.crossings());
+  if (!gave_up)
+    write_whole_file(run.folder / "jet_table.csv", jet_table_text(monitor.spec(), slugs));
+  JetAudit audit = audit_jet(monitor.spec(), monitor.crossings(), slugs);
+  audit.mass_beyond = monitor.mass_beyond();
+  return audit;
+}
+
 Output::Output(
     const Scene& scene, const State& state, const RunDescription& run, const RunNumbers& position
 )
@@ -192,6 +206,7 @@ Output::~Output() = default;
 void Output::write_if_due(const Scene& scene, const State& state) {
   Parts& o = *parts_;
   const Clock& clock = state.clock;
+  o.monitor.watch_if_due(state);
   const bool fields_due = o.fields_step < 0 || o.field_schedule.due(clock.time);
   const bool rows_due = o.rows_due(clock);
   const bool progress_due = o.progress_schedule.due(clock.time);
@@ -243,6 +258,8 @@ RunNumbers Output::Parts::position() const {
 RunNumbers Output::position() const {
   RunNumbers position = parts_->whole;
   position["seconds"] = {seconds()};
+  // It has looked at every state so far.
+  position.merge(parts_->monitor.numbers());
   return position;
 }
 
@@ -282,6 +299,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   if (o.fields_step != state.clock.step && !o.gave_up) o.fields->write(scene, state);
   if (o.rows_step != state.clock.step && !o.gave_up) o.write_rows(scene, state);
   if (!o.gave_up) o.fields->close(*o.comm);
+  if (o.monitor.on() && verdict.finished) o.monitor.watch(state);
   RunSummary summary = summarise(scene, state, seconds(), cpu_seconds() - o.cpu_start);
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   RootWork work(*o.comm);
@@ -290,6 +308,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
     o.show_progress(state);
     o.progress->list_warnings();
     summary.warnings = o.progress->warnings();
+    if (o.monitor.on()) summary.formed_jet = o.write_jet_table();
     write_summary(
         o.run.folder,
         summary_text(scene, state, o.run, o.totals, penetration, summary, verdict),

@@ -4,6 +4,7 @@
 #include "base/build_facts.hpp"
 #include "base/run_numbers.hpp"
 #include "deck/deck.hpp"
+#include "deck/sections/jet_monitor_section.hpp"
 #include "output/prediction.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
@@ -25,6 +26,7 @@ struct RunDescription {
   Prediction prediction{};              ///< of its cost
   std::vector<SurfaceFile> surfaces{};  ///< that deck.xml names, to be copied beside it
   BuildFacts build{};                   ///< of the program, see build_facts
+  JetMonitorSpec monitor{};             ///< not present() without a Jet Monitor
 };
 
 /// How a run ended.

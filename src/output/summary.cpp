@@ -197,6 +197,28 @@ void put_jet(Json& json, const Scene& scene, const State& state, const Ledger& l
   compare("kinetic", l.launched_kinetic, table.kinetic);
 }
 
+void put_sums(Json& json, const JetSums& sums) {
+  json["count"] = number(sums.count);
+  json["mass"] = number(sums.mass);
+  json["momentum"] = number(sums.momentum);
+  json["kinetic"] = number(sums.kinetic);
+}
+
+/// What crossed the plane of a Jet Monitor beside what its table says.
+void put_formed_jet(Json& json, const JetMonitorSpec& monitor, const JetAudit& audit) {
+  Json& jet = json["formed_jet"];
+  jet["position"] = number(monitor.position);
+  jet["direction"] = number(monitor.direction);
+  put_sums(jet["crossed"], audit.crossed);
+  put_sums(jet["table"], audit.table);
+  put_sums(jet["slow"], audit.slow);
+  put_sums(jet["wide"], audit.wide);
+  jet["lateral_kinetic"] = number(audit.lateral);
+  jet["slice_loss"] = number(audit.slice_loss);
+  jet["largest_void"] = number(audit.largest_void);
+  jet["mass_beyond"] = number(audit.mass_beyond);
+}
+
 void put_removed(Json& json, const Ledger& l) {
   Json& removed = json["removed_particles"];
   for (int cause = 0; cause < removal_causes; ++cause) {
@@ -285,6 +307,7 @@ std::string summary_text(
   if (scene.jet.present) put_penetration(json, scene, state.clock.time, penetration);
   put_balances(json, totals.ledger);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
+  if (summary.formed_jet) put_formed_jet(json, run.monitor, *summary.formed_jet);
   put_removed(json, totals.ledger);
   json["held_particles"] = number(totals.ledger.held);
   json["unloaded_particles"] = number(totals.ledger.unloaded);

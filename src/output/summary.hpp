@@ -4,9 +4,11 @@
 #include "output/anomalies.hpp"
 #include "output/depth.hpp"
 #include "output/history_writer.hpp"
+#include "output/jet/jet_table.hpp"
 #include "output/output.hpp"
 
 #include <map>
+#include <optional>
 
 namespace barreno {
 
@@ -28,6 +30,7 @@ struct RunSummary {
   std::vector<PhaseSummary> phases;
   std::vector<Anomalies> anomalies;  ///< by material
   std::map<std::string, long> warnings;
+  std::optional<JetAudit> formed_jet;  ///< of a Jet Monitor
 };
 
 /// Collects memory, phases and kinematic anomalies over the ranks. Collective.

@@ -4,6 +4,7 @@
 #include "deck/section_table.hpp"
 #include "deck/sections/head_section.hpp"
 #include "deck/sections/time_section.hpp"
+#include "scene/jet/jet_monitor.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
@@ -143,6 +144,7 @@ Scene build_scene(const Deck& deck) {
   check_pore_pressures(deck, scene);
   add_jet(deck, scene);
   add_detonation(deck, scene);
+  jet_monitor_of(deck, scene);  // refuses; whoever monitors asks again
   add_body_force(deck, scene);
   check_rigid_bodies(deck, scene);
   add_contacts(deck, scene);

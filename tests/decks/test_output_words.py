@@ -20,6 +20,7 @@ from runs import run_deck  # noqa: E402
 PAGE = ROOT / "docs" / "output.md"
 FILES = ("depth.csv", "history.csv", "radii.csv", "cavities.csv", "particles.e", "summary.json")
 ROCK = "Materials/Sandstone"
+MONITOR = {"Jet Monitor/Bodies": "{Rod}", "Jet Monitor/Position": "35 mm", "Jet Monitor/Direction": "+y", "Jet Monitor/Interval": "1 us"}
 # Few steps each; together they write everything.
 RUNS = [
     # A jet into rock with water, rate dependence and scattered strength.
@@ -30,7 +31,7 @@ RUNS = [
     ("shell_squeezed.xml", {"Time/End Time": "0.1 us"}),  # a ball with a fluid in its cavity
     ("rigid_plate.xml", {"Time/End Time": "1 us"}),
     ("manufactured_box.xml", {"Time/End Time": "1e-4 s", "Step/Shape Function": "CPDI"}),
-    ("taylor_bar_3d.xml", {"Time/End Time": "0.05 us"}),
+    ("taylor_bar_3d.xml", {"Time/End Time": "0.05 us", **MONITOR}),
 ]  # fmt: skip
 # Written after runs, by another program: its source has the names.
 CONVERGENCE = "penetration.convergence."

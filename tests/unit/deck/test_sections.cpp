@@ -8,6 +8,7 @@
 #include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
+#include "deck/sections/jet_monitor_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/load_sections.hpp"
 #include "deck/sections/material_section.hpp"
@@ -97,6 +98,7 @@ using All = ::testing::Types<
     PressureLoadSpec,
     ConfinementSection,
     JetSpec,
+    JetMonitorSpec,
     DetonationSpec,
     DetonatorSpec,
     BodyForceSpec,
