@@ -4,7 +4,7 @@ import dataclasses
 import pathlib
 import sys
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "tools")]
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("tools", "")]
 
 from runs import DECKS  # noqa: E402
 from small_decks import write_deck  # noqa: E402

@@ -17,7 +17,7 @@ REACH = 1  # nodes beyond a tile's cells, of GIMP
 NANOSECONDS = {2: 120.0, 3: 150.0}  # of a particle-step, all ranks of a node busy
 LATENCY = 2e-6  # s, of a message and of a stage of a reduction
 BANDWIDTH = 1e9  # bytes/s and rank, when all ranks of a node send
-DISK = 0.9e9  # bytes/s that one rank packs, writes and checks (checkpoint_cost.py)
+DISK = 0.9e9  # bytes/s that one rank packs, writes and checks: 0.5 to 1 in runs of checkpoint_cost.py
 FILE_SYSTEM = 1e11  # bytes/s that the file system takes from all ranks
 REDUCTIONS = 3  # per step: the step, the largest strain, and failures where a policy is to stop
 TILE_ARRAYS = 24.0  # bytes per tile of the box on every rank: owner, directory, two costs
@@ -110,7 +110,7 @@ def assumed():
     return ["| | | from |", "|---|---|---|",
             f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node busy | assumed, more than a single rank needs |",
             f"| alpha, beta | {1e6 * LATENCY:.0f} us; {1e-9 * BANDWIDTH:.0f} GB/s for each rank when all ranks of a node send | assumed, typical of a cluster |",
-            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from each rank, {1e-9 * FILE_SYSTEM:.0f} GB/s in all | rate at which one core writes and seals (below); assumed of a parallel file system |", ""]  # fmt: skip
+            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from each rank, {1e-9 * FILE_SYSTEM:.0f} GB/s in all | assumed, of the order measured on two ranks (below); assumed of a parallel file system |", ""]  # fmt: skip
 
 
 def stored_part():
