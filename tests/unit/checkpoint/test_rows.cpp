@@ -200,7 +200,8 @@ TEST_F(OwnRowsTest, AreFoundByTheirValuesAndReadByTheirRankAlone) {
 TEST_F(OwnRowsTest, ATableThatIsMissingOnOneRankIsAnErrorOnAll) {
   const Hdf5File file(path, Hdf5File::Mode::read);
   const char* name = comm->getRank() + 1 == comm->getSize() ? "none" : "rows";
-  EXPECT_THROW(rows_by_owner(*comm, file, name, [](const double*) { return 0; }), FileError);
+  const auto first = [](const double*) { return 0; };
+  EXPECT_THROW(rows_by_owner(*comm, file, name, first), FileError);
 }
 
 TEST(Crc32, OfTwoPartsIsThatOfTheWhole) {
