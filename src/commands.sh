@@ -25,7 +25,7 @@ barreno check DECK [--set ...] [--fidelity ...] [--ranks N]   validate a deck, p
 barreno report FOLDER [--left FIELD] [--right FIELD] [--time "30 us"] [--depths "30 mm, 60 mm"] [--pdf]
                                   pictures and numbers of a run, one page: FOLDER/report/index.html (docs/report.md)
 barreno film FOLDER --field FIELD [--right FIELD] [--out FILE.gif|.png|.mp4]   particles from the start to the end
-barreno join FOLDER OUT           particles that every rank wrote into its own file (particles.e.N.0 ...) as one file OUT
+barreno join FOLDER --out FILE    particles that every rank wrote into its own file (particles.e.N.0 ...) as one file
 barreno converge DECK [--quantity NAME] [--times "10 us, 20 us"] [--levels 3] [--refine 2] [--out FOLDER]
                 [--set ...] [--fidelity ...] [--ranks N]   cells of several sizes: order, limit, interval (docs/converge.md)
 barreno sweep DECK --vary "LIST/NAME=VALUE,VALUE UNIT"... [--sample grid|list|latin] [--samples N] [--jobs N]
@@ -236,8 +236,8 @@ carry_out() {  # the words of the command line
       ;;
     join)
       shift
-      if [[ $# != 2 || $1 == -* ]]; then
-        say "join takes the folder of one run and the file to write; write for example $name join runs/perforation-1 particles.e."
+      if (($# == 0)) || [[ $1 == -* ]]; then
+        say "join takes the folder of one run, before its options; write for example $name join runs/perforation-1 --out joined.e."
         exit 1
       fi
       need_packages python3 python3-numpy python3-netcdf4

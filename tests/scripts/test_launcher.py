@@ -203,10 +203,10 @@ def check_import(machine, folder):
 
 def check_join(machine, folder):
     """Of a folder without a set one sentence; of its words the same."""
-    refused(*machine.run("join"), 1, "join takes the folder of one run and the file to write")
+    refused(*machine.run("join"), 1, "join takes the folder of one run, before its options")
     machine.file("src/python/barreno_runs/join_exodus.py", "import sys; print('joined', sys.argv[1:])")
-    result, calls = machine.run("join", folder / "a run", "one.e")
-    assert result.returncode == 0 and f"joined ['{folder / 'a run'}', 'one.e']" in result.stdout, result.stderr
+    result, calls = machine.run("join", folder / "a run", "--out", "one.e")
+    assert result.returncode == 0 and f"joined ['{folder / 'a run'}', '--out', 'one.e']" in result.stdout, result.stderr
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
     assert sorted(packages) == ["python3", "python3-netcdf4", "python3-numpy"], packages
 
@@ -264,7 +264,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, check_import, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, check_import, check_join, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

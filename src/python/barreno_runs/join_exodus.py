@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A set of files (Particle Files = "one per rank") as one: barreno join SET OUT writes OUT.
+"""A set of files (Particle Files = "one per rank") as one.
 
-SET is the folder of a run, its particles.e, which then stands for particles.e.N.0 and so on, or any file of the set. What has the name OUT
-stays as it is: then nothing is written.
+SET is the folder of a run, its particles.e, which then stands for particles.e.N.0 and so on, or any file of the set. A file that has
+the name of the new one stays as it is: then nothing is written.
 """
+import argparse
 import os
 import pathlib
 import sys
@@ -31,16 +32,14 @@ def join_set(name, out):
 
 
 def main():
-    if sys.argv[1:] in (["-h"], ["--help"]):
-        print(__doc__)
-        return 0
-    if len(sys.argv) != 3:
-        print(__doc__, file=sys.stderr)
-        return 1
+    parser = argparse.ArgumentParser(prog="barreno join", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("set", metavar="SET", help="a run's folder, its particles.e or a file of the set")
+    parser.add_argument("--out", required=True, metavar="FILE", help="the single file to be written")
+    arguments = parser.parse_args()
     try:
-        join_set(*sys.argv[1:])
+        join_set(arguments.set, arguments.out)
     except (OSError, RuntimeError) as error:  # netCDF reports a full disk with the latter
-        print(f"cannot join '{sys.argv[1]}' ({error}).", file=sys.stderr)
+        print(f"cannot join '{arguments.set}' ({error}).", file=sys.stderr)
         return 2
     return 0
 
