@@ -78,6 +78,7 @@ std::vector<JetSlug> jet_slugs(
     if (!is_slow(monitor, one) && !is_wide(monitor, one))
       slices[std::lround(std::floor(one.time / monitor.interval))].push_back(one);
   std::vector<JetSlug> slugs;
+  slugs.reserve(slices.size());
   for (const auto& [interval, slice] : slices) slugs.push_back(slug_of(monitor, interval, slice));
   return slugs;
 }
