@@ -9,7 +9,7 @@
     paper.py BARRENO --again            all runs and pictures as for the page, but nothing is kept
     paper.py --check                    the trends of the results that are there
 
---runs FOLDER keeps the runs and takes those that are already there. Exit code 1 if a trend does not hold.
+--runs FOLDER keeps the runs and takes those that are already there, --jobs N has N at a time (default: one for each core). Exit code 1 if a trend does not hold.
 """
 import argparse
 import pathlib
@@ -61,6 +61,7 @@ def arguments():
     for name in ("quick", "again", "fine", "check"):
         form.add_argument(f"--{name}", action="store_true")
     parser.add_argument("--runs", metavar="FOLDER", type=pathlib.Path)
+    parser.add_argument("--jobs", metavar="N", type=int)
     options = parser.parse_args()
     if options.barreno is None and not options.check:
         parser.error("name the program, for example build/release/src/barreno")
@@ -72,7 +73,7 @@ def main():
     numbers = options.only or FIGURES
     if options.check:
         return 0 if all([judge(figure(number).trends(stored(number))) for number in numbers]) else 1
-    lab = Lab(options.barreno, "quick" if options.quick else "fine" if options.fine else "default", options.runs, not (options.quick or options.again))
+    lab = Lab(options.barreno, "quick" if options.quick else "fine" if options.fine else "default", options.runs, not (options.quick or options.again), options.jobs)
     good = all([make(lab, number) for number in numbers])
     if lab.keep:
         from pages import write_pages

@@ -6,7 +6,7 @@ trends(tables), which judges tables alone, so that results of an earlier run can
 """
 import importlib
 
-FIGURES = (1, 3, 4, 5, 6, 7, 8, 9, 10)
+FIGURES = (1, 2, 3, 4, 5, 6, 7, 8, 9, 10)
 
 
 def figure(number):

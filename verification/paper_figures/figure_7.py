@@ -2,13 +2,13 @@
 """Figure 7: depth against confining pressure in dry rock, with cells of several sizes, and a cross-section that shows radial cracks."""
 import matplotlib.pyplot as plt
 import numpy as np
-from paper_figures import cracks
+from paper_figures import cracks, spall
 from paper_figures.figure_3 import CARD
 from paper_figures.lab import Table, least, most
 from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of, sound
 from paper_figures.surface import card_numbers
 
-TABLES = ("paper_7", "paper_7_strength", "paper_7_cracks")
+TABLES = ("paper_7", "paper_7_strength", "paper_7_cracks", "paper_7_spall")
 PRESSURES = (0.0, 17.0, 34.0, 69.0, 138.0)  # MPa
 DEPTHS = ("depth at 30 us [mm]", "depth [mm]")
 STRENGTHS, UNCONFINED = (0.5, 1.0, 2.0), 56.0  # factors of the card; MPa, of the card (docs/materials/berea_fit.md)
@@ -42,7 +42,7 @@ def measure(lab):
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2))
         draw_channels(lab.picture("paper_7"), main, fields, limits, (22.0, -8.0, 60.0), "confining pressure: depth")
         draw_depths(lab.picture("paper_7_depth"), table)
-    return {"paper_7": table, "paper_7_strength": strengths(lab), "paper_7_cracks": cracks.measure(lab)}
+    return {"paper_7": table, "paper_7_strength": strengths(lab), "paper_7_cracks": cracks.measure(lab), "paper_7_spall": spall.measure(lab)}
 
 
 def strengths(lab):
@@ -116,4 +116,4 @@ def trends(tables):
     strength = tables["paper_7_strength"]
     if len(strength.rows) > 1:
         out += experiments(table, strength)
-    return out + cracks.trends(tables["paper_7_cracks"])
+    return out + cracks.trends(tables["paper_7_cracks"]) + spall.trends(tables["paper_7_spall"])

@@ -98,14 +98,15 @@ class Lab:
     @param form    one of FORMS: cells and times of the runs
     @param folder  of the runs; a temporary one without it
     @param keep    whether pictures and results become those of docs/paper.md
+    @param jobs    runs at a time
     """
 
-    def __init__(self, barreno, form="default", folder=None, keep=True):
+    def __init__(self, barreno, form="default", folder=None, keep=True, jobs=None):
         self.barreno, self.form, self.keep = pathlib.Path(barreno).resolve(), form, keep
         self.scratch = tempfile.TemporaryDirectory(prefix="paper-")
         self.folder = pathlib.Path(folder).resolve() if folder else pathlib.Path(self.scratch.name)
         self.library = self.barreno.parents[1] / "materials" / "libBARRENO.so"
-        self.done, self.used = {}, []
+        self.done, self.used, self.jobs = {}, [], jobs or os.cpu_count()
 
     def of_form(self, quick, default, fine=None):
         return {"quick": quick, "default": default, "fine": default if fine is None else fine}[self.form]
@@ -136,8 +137,8 @@ class Lab:
         return self.done[key]
 
     def runs(self, asked):
-        """Folders of several runs, as many at a time as there are cores.  @param asked  [(deck, settings, name)]"""
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        """Folders of several runs, `jobs` at a time.  @param asked  [(deck, settings, name)]"""
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             return list(pool.map(lambda one: self.run(*one), asked))
 
     def is_there(self, folder, key):

@@ -263,11 +263,19 @@ def range_of(search, z, spread, i):
     return tuple(sorted(unseen(search.names[i], end) for end in ends))
 
 
-def leave_open(problem, tests, names, values):
+def together(search, values, simpler):
+    """The joint fit from what the stages found; where the tests of one stage cannot be made with what the other found, from the simpler card."""
+    try:
+        return search.solve([values])
+    except Fault:
+        return search.solve([simpler])
+
+
+def leave_open(problem, tests, names, values, simpler):
     """Fits all parameters together; those that the data leave open go back to their start, one after the other."""
     left_open = {}
     search = Search(problem, tests, names, values)
-    values, squares, z = search.solve([values])
+    values, squares, z = together(search, values, simpler)
     while search.names:
         spread = spread_of(search, z)
         squares = spread.squares
@@ -313,7 +321,7 @@ def fit(problem, tests):
     count = sum(map(size_of, tests))
     if count < len(names):
         raise Fault(f"{count} data cannot determine {len(names)} parameters ({', '.join(names)}); give more tests, or hold some with --fix.")
-    values = {}
+    values, simpler = {}, {}
     first = [test for test in tests if test.kind in HYDROSTATIC]
     rest = [test for test in tests if test.kind not in HYDROSTATIC]
     for stage, chosen, starts in (("moduli and crushing", first, guess.crushing_starts), ("strength and shear", rest, guess.strength_starts)):
@@ -324,8 +332,10 @@ def fit(problem, tests):
         offers = [{name: value for name, value in start.items() if name in mine} for start in [{}, *starts(chosen, problem.card(values))]]
         search = Search(problem, chosen, mine, values, rough=True)
         values = search.solve(unique(offers))[0]
+        simpler = simpler or values
+    card = problem.card(simpler)
     problem.say("all of them together")
-    search, values, z, left_open = leave_open(problem, tests, names, values)
+    search, values, z, left_open = leave_open(problem, tests, names, values, {name: card[name] for name in names})
     problem.say("their ranges")
     spread = spread_of(search, z) if search.names else None
     ranges = {name: range_of(search, z, spread, i) for i, name in enumerate(search.names)}
