@@ -57,7 +57,7 @@ std::string note_of(double size, double cells, double radius) {
 }  // namespace
 
 std::string conflict_with_levels(const Deck& deck) {
-  const std::string contact = table_of<ContactSpec>().path, flow = table_of<PoreFlowSpec>().path;
+  const std::string &contact = table_of<ContactSpec>().path, &flow = table_of<PoreFlowSpec>().path;
   if (!deck.lists(contact).empty()) return contact;
   if (deck.has(flow) &&
       DeckValue<Drainage>::read(deck, path_of(&PoreFlowSpec::drainage)) == Drainage::on)
