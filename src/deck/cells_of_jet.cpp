@@ -80,13 +80,22 @@ JetCells cells_of_jet(const Deck& deck) {
   const double level =
       std::clamp(std::ceil(std::log2(cells) - round_off), 0.0, static_cast<double>(max_level));
   const double radius = thinnest_radius(deck);
+  if (!(radius > 0.0))
+    deck.refuse(
+        path_of(&JetSpec::slugs),
+        "has a slug with a radius of " + DeckValue<double>::text(radius) +
+            " m (it must be above 0); correct the table"
+    );
   const double most = std::exp2(level) * radius / cells;
   const Vector lower = vector_at(deck, path_of(&GridSpec::lower));
   const Vector upper = vector_at(deck, path_of(&GridSpec::upper));
   const auto axes = static_cast<std::size_t>(dimensions(mode_of(deck)));
-  const double first = (upper[0] - lower[0]) / most;
-  for (double count = std::ceil(first - round_off * first); count < 2.0 * first + 1.0; ++count) {
-    const double size = (upper[0] - lower[0]) / count;
+  refuse_empty_box(deck, lower, upper);
+  // At least so many cells, and at most twice; of a box of very many the first sizes will do.
+  const double first = std::ceil((upper[0] - lower[0]) / most * (1.0 - round_off));
+  const int tries = static_cast<int>(std::min(first, 1e4)) + 1;
+  for (int more = 0; more < tries; ++more) {
+    const double size = (upper[0] - lower[0]) / (first + more);
     bool all = true;
     for (std::size_t i = 1; i < axes; ++i) all = all && divides(size, upper[i] - lower[i]);
     if (all) return {size, note_of(size, cells, radius)};
@@ -94,8 +103,7 @@ JetCells cells_of_jet(const Deck& deck) {
   deck.refuse(
       path,
       "is missing, and no size of the jet's cells divides the box along all axes; add it, or "
-      "change "
-      "the corners of the box"
+      "change the corners of the box"
   );
 }
 

@@ -31,15 +31,10 @@ GridSpec read_grid(const Deck& deck) {
         "has a negative radius (the axis is at x = 0); start at 0 or at a positive radius"
     );
   }
+  refuse_empty_box(deck, grid.lower, grid.upper);
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
     const std::string axis(1, "xyz"[i]);
     const double cells = (grid.upper[i] - grid.lower[i]) / grid.cell_size;
-    if (!(cells > 0.0)) {
-      deck.refuse_value(
-          path_of(&GridSpec::upper),
-          "is not above Grid/Lower along " + axis + " (the box is empty); swap the two"
-      );
-    }
     const double whole = std::max(1.0, std::round(cells));
     // Beyond 1e12 the fraction is round-off, and check_size refuses such a grid with its own
     // sentence.

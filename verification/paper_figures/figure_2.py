@@ -52,7 +52,7 @@ def measure(lab):
     lost = share["stress_integration_share"] + share["transfer_share"]
     if lab.form != "quick":
         draw(lab.picture("paper_2"), found)
-    remark = "Figure 2: input_xml/jet_formation_3d.xml; jet: copper faster than 2 km/s along the axis; angle and place are positive on the detonator's side"
+    remark = "Figure 2: input_xml/jet_formation_3d.xml; jet: copper faster than 2 km/s along the axis; angle and place are positive on the detonator's side; numerical energy: of the whole run"
     return {"paper_2": Table(remark, COLUMNS, [[*row, lost] for row in rows])}
 
 

@@ -53,6 +53,17 @@ Mode mode_of(const Deck& deck) {
   return DeckValue<Mode>::read(deck, path_of(&GridSpec::mode));
 }
 
+void refuse_empty_box(const Deck& deck, const Vector& lower, const Vector& upper) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(mode_of(deck))); ++i) {
+    if (upper[i] > lower[i]) continue;
+    deck.refuse_value(
+        path_of(&GridSpec::upper),
+        std::string("is not above Grid/Lower along ") + "xyz"[i] +
+            " (the box is empty); swap the two"
+    );
+  }
+}
+
 Vector vector_at(const Deck& deck, const std::string& path) {
   const Mode mode = mode_of(deck);
   const auto values = deck.vector(path);

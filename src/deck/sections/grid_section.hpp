@@ -42,6 +42,9 @@ const SectionTable<GridSpec>& table_of<GridSpec>();
 
 Mode mode_of(const Deck& deck);
 
+/// @throws DeckError where the upper corner is not above the lower one along all axes of the mode
+void refuse_empty_box(const Deck& deck, const Vector& lower, const Vector& upper);
+
 /// A vector with one component per dimension of the deck's mode. @throws DeckError for others
 Vector vector_at(const Deck& deck, const std::string& path);
 

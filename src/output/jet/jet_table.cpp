@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/jet/jet_table.hpp"
 
+#include "base/numbers.hpp"
 #include "output/text_file.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 namespace barreno {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 /// Of a slug's mass that is within R.
 constexpr double enclosed_share = 0.95;
 

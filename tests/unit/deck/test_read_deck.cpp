@@ -273,6 +273,10 @@ TEST_F(ReadDeck, CellsFollowTheJetWhereTheDeckLeavesThemOpen) {
   const std::vector<std::string> taller = {open, "Grid/Upper={20, 40.5}"};
   EXPECT_DOUBLE_EQ(read("deck.xml", taller).number("Grid/Cell Size"), 0.5e-3);  // divides both
   EXPECT_THROW(read("deck.xml", {open, "Grid/Upper={20, 40.01}"}), DeckError);
+  EXPECT_THROW(read("deck.xml", {open, "Grid/Upper={20, -40}"}), DeckError);
+  // A forgotten unit: refused for the number of its cells, by build_scene, and at once.
+  const std::string thin = "Jet/Cells Per Radius=1e15";
+  EXPECT_LT(read("deck.xml", {open, thin}).number("Grid/Cell Size"), 1e-12);
 }
 
 TEST_F(ReadDeck, WhatAFidelityChoseIsLeftOutWhereItDoesNotWork) {
