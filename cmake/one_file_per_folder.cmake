@@ -9,7 +9,7 @@ function(barreno_one_file_per_folder target root)  # and the target's sources, p
     set_source_files_properties(${root}/${source} PROPERTIES UNITY_GROUP ${folder})
   endforeach()
   foreach(source base/machine_bytes deck/fidelity drive/matrix geometry/shape geometry/surface scene/scene_contact
-          scene/scene_loads scene/scene_pressures step/transfer/project_particles step/grid/solve_velocity)
+          scene/scene_loads scene/scene_pressures step/transfer/project_particles step/nodes/solve_velocity)
     set_source_files_properties(${root}/${source}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

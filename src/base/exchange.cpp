@@ -92,4 +92,17 @@ std::vector<double> exchange(
   return received;
 }
 
+std::vector<double> exchange_rows(
+    const Teuchos::Comm<int>& comm, const std::vector<std::vector<double>>& outgoing
+) {
+  std::vector<int> counts;
+  std::vector<double> send;
+  counts.reserve(outgoing.size());
+  for (const std::vector<double>& rows : outgoing) {
+    counts.push_back(static_cast<int>(rows.size()));
+    send.insert(send.end(), rows.begin(), rows.end());
+  }
+  return exchange(comm, send, counts);
+}
+
 }  // namespace barreno

@@ -19,4 +19,9 @@ std::vector<double> exchange(
     const Teuchos::Comm<int>& comm, const std::vector<double>& send, const std::vector<int>& counts
 );
 
+/// The same with a buffer for each rank.
+std::vector<double> exchange_rows(
+    const Teuchos::Comm<int>& comm, const std::vector<std::vector<double>>& outgoing
+);
+
 }  // namespace barreno

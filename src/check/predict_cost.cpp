@@ -11,7 +11,7 @@
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
 #include "state/isolated_courant.hpp"
-#include "state/step_rule.hpp"
+#include "step/stable_step_rule.hpp"
 
 #include <algorithm>
 #include <barreno/models.hpp>
@@ -94,7 +94,7 @@ std::vector<double> stable_steps_of_materials(const Scene& scene, bool viscous) 
     // Any rate below zero brings the linear part; that of the colliding bodies the quadratic one.
     const double cell_size = smallest_cell(scene.grid);
     const double rate = viscous ? -(jump + 1e-9) / cell_size : 0.0;
-    const StepRule rule(
+    const StableStepRule rule(
         scene.step, scene.grid.mode, courant, isolated_courant(scene, static_cast<int>(m))
     );
     steps.push_back(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/burning.hpp"
+#include "scene/explosive_traits.hpp"
 #include "scene/scene.hpp"
 #include "scene/voids.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "base/rows.hpp"
 #include "scene/body_force.hpp"
-#include "scene/burning.hpp"
+#include "scene/explosive_traits.hpp"
 #include "scene/heat.hpp"
 #include "shape/shape_facts.hpp"
 #include "state/surface_share.hpp"

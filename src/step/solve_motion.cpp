@@ -3,9 +3,9 @@
 
 #include "base/gather.hpp"
 #include "grid/tiles.hpp"
-#include "step/boundary/conditions_of_step.hpp"
+#include "step/boundary/prescribe_velocities.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
-#include "step/grid/solve_velocity.hpp"
+#include "step/nodes/solve_velocity.hpp"
 #include "step/particles/relax_volumes.hpp"
 #include "step/subcycle/tile_steps.hpp"
 #include "step/transfer/interpolate_motion.hpp"

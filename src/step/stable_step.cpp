@@ -5,7 +5,7 @@
 #include "base/interrupt.hpp"
 #include "base/region.hpp"
 #include "base/rows.hpp"
-#include "state/step_rule.hpp"
+#include "step/stable_step_rule.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,9 @@ double stable_step_of_rows(
     const StepSpec& spec, const Grid& grid, const Particles& particles, int first_row
 ) {
   if (first_row == particles.count) return std::numeric_limits<double>::infinity();
-  const StepRule rule(spec, grid.mode, particles.critical_courant, particles.isolated_courant);
+  const StableStepRule rule(
+      spec, grid.mode, particles.critical_courant, particles.isolated_courant
+  );
   const FieldView mass = particles.mass.values, volume = particles.volume.values;
   const FieldView modulus = particles.longitudinal_modulus.values;
   const FieldView velocity = particles.velocity.values;

@@ -6,6 +6,9 @@
 
 namespace barreno {
 
+// The step that one particle allows is StableStepRule::stable_step (stable_step_rule.hpp).
+// update_stress finds the least of its rows, find_dormant_tiles that of tiles at rest.
+
 /// Smallest step that the particles now in the state allow, from their modulus and speed: for
 /// particles that had no stress update yet (start of a run, launched jet) [time].
 double stable_step_of_rows(

@@ -28,7 +28,7 @@ BAR = 0.01  # of the step
 # Feature: its own files, and what lines of other files of the step say where they ask for it.
 FEATURES = {
     "dormant tiles": (["step/dormant/", "state/dormancy"], r"skips\(|dormant\(|keeps_sums\(|chunk_part|limit_step\(good \| stays"),
-    "contact": (["step/contact/", "step/grid/node_copies"],
+    "contact": (["step/contact/", "step/nodes/node_copies"],
                 r"contact|shared_tile|detect_contact"),
     "rigid bodies": (["step/boundary/move_rigid"], r"rigid"),
     "pressure loads": (["step/loads/project_loads", "step/loads/surface_pressures", "step/loads/release_torn_faces"], r"project_loads|tally_loads|surface_pressures|grow_cavities|torn_faces"),
@@ -42,7 +42,7 @@ FEATURES = {
     "damping": ([], r"damping|drag"),
     "domains that deform": (["step/particles/tally_domains", "shape/cpdi", "shape/domain"], r"tally_domains|domains"),
     "bad particles held": ([], r"may_hold|held"),
-    "ranks": (["step/ranks/", "grid/halo", "grid/migrate", "grid/partition"], r"exchange_halo|balance_load|over_ranks"),
+    "ranks": (["step/ranks/", "grid/halo", "base/exchange", "grid/partition"], r"exchange_halo|balance_load|over_ranks"),
 }  # fmt: skip
 
 

@@ -18,7 +18,8 @@ namespace barreno {
 /// first order in the cell size.)
 ///
 /// A tile does this with its own part of the sums, before they are exchanged: whatever it gives
-/// behind a plane, the images are in its own patch.
+/// behind a plane, the images are in its own patch. Nodes on the plane lose their velocity across
+/// it in prescribe_velocities.
 /// @post nodes.mirrored
 void apply_symmetry_to_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes);
 

@@ -3,7 +3,7 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
-#include "step/grid/node_copies.hpp"
+#include "step/nodes/node_copies.hpp"
 
 namespace barreno {
 namespace {

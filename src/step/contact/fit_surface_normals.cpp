@@ -8,7 +8,7 @@
 #include "state/shape_fields.hpp"
 #include "step/contact/particle_ellipse.hpp"
 #include "step/contact/separating_normal.hpp"
-#include "step/grid/node_copies.hpp"
+#include "step/nodes/node_copies.hpp"
 
 namespace barreno {
 namespace {

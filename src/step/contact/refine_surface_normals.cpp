@@ -9,7 +9,7 @@
 #include "state/shape_fields.hpp"
 #include "step/contact/directions.hpp"
 #include "step/contact/particle_ellipse.hpp"
-#include "step/grid/node_copies.hpp"
+#include "step/nodes/node_copies.hpp"
 
 #include <limits>
 

@@ -6,7 +6,7 @@
 #include "base/row_sum.hpp"
 #include "shape/kinematics.hpp"
 #include "step/contact/contact_law.hpp"
-#include "step/grid/node_copies.hpp"
+#include "step/nodes/node_copies.hpp"
 
 namespace barreno {
 namespace {

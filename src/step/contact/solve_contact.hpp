@@ -2,8 +2,8 @@
 #pragma once
 
 #include "state/state.hpp"
-#include "step/grid/node_scales.hpp"
 #include "step/grid_share.hpp"
+#include "step/nodes/node_scales.hpp"
 
 namespace barreno {
 

@@ -3,7 +3,7 @@
 
 #include "base/region.hpp"
 #include "base/rows.hpp"
-#include "state/step_rule.hpp"
+#include "step/stable_step_rule.hpp"
 
 #include <limits>
 
@@ -125,7 +125,10 @@ void keep_with_finer_tiles(
 /// A tile's least stable step, as far as this set has it, which changes only with its particles:
 /// what update_stress would find without it.
 void take_stable_steps(
-    const StepRule& rule, const Grid& grid, const Particles& particles, const Dormancy& dormancy
+    const StableStepRule& rule,
+    const Grid& grid,
+    const Particles& particles,
+    const Dormancy& dormancy
 ) {
   const ArrayView<TileFrame> frame = grid.tile_frame;
   const ArrayView<int> tile_begin = particles.tile_begin, order = particles.order;
@@ -263,7 +266,9 @@ void find_dormant_tiles(
   );
   for (const Particles& particles : sets) {
     if (particles.rigid) continue;
-    const StepRule rule(step, grid.mode, particles.critical_courant, particles.isolated_courant);
+    const StableStepRule rule(
+        step, grid.mode, particles.critical_courant, particles.isolated_courant
+    );
     take_stable_steps(rule, grid, particles, dormancy);
   }
   double least_step = infinite;

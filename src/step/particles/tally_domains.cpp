@@ -8,7 +8,7 @@
 #include "state/bad_particle.hpp"
 #include "state/row_frames.hpp"
 #include "state/shape_fields.hpp"
-#include "state/step_rule.hpp"
+#include "step/stable_step_rule.hpp"
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ struct TallyDomains {
   PatchFrame<M::dimensions> frame;
   Particles particles;
   BadParticlePolicy policy;
-  StepRule rule;
+  StableStepRule rule;
   RowFrames frames;
 
   KOKKOS_INLINE_FUNCTION void operator()(int batch, DomainTally& tally) const {
@@ -108,7 +108,7 @@ DomainTally tally_domains(
           PatchFrame<M::dimensions>(grid),
           particles,
           policy,
-          StepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
+          StableStepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
           RowFrames(grid, particles)};
       launch_reduction(
           "tally_domains",

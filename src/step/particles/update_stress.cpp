@@ -4,13 +4,14 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
-#include "scene/burning.hpp"
+#include "scene/explosive_traits.hpp"
 #include "scene/heat.hpp"
 #include "scene/voids.hpp"
 #include "state/bad_particle.hpp"
 #include "state/row_frames.hpp"
-#include "state/step_rule.hpp"
+#include "step/particles/burn_explosive.hpp"
 #include "step/particles/point_group.hpp"
+#include "step/stable_step_rule.hpp"
 
 #include <barreno/models.hpp>
 #include <limits>
@@ -28,7 +29,7 @@ struct UpdateStress {
   Model model;
   Particles particles;
   int components;  ///< of stress and strain
-  StepRule rule;
+  StableStepRule rule;
   BadParticlePolicy policy;
   double reference_density;
   double largest_expansion;
@@ -109,10 +110,7 @@ struct UpdateStress {
     begun.rate = trace(increment.strain) * (1.0 / frame.dt);
     begun.q = rule.viscous_pressure(begun.cell_size, begun.density, begun.old_modulus, begun.rate);
     update.history = group.get_history(particles.history);
-    if constexpr (burns_by_program<Model>) {
-      model.burn(end_time, begun.cell_size, update.history);
-      begun.q = real::select(update.history.burn > 0.0, begun.q, 0.0);
-    }
+    begun.q = burn_explosive(model, end_time, begun.cell_size, begun.q, update.history);
     increment.viscous_pressure = 0.5 * (begun.old_q + begun.q);
     begun.old_stress = group.get_tensor(particles.stress, components);
     update.stress = begun.old_stress;
@@ -161,18 +159,12 @@ struct UpdateStress {
       }
     }
     group.put_history(good, history, particles.history);
-    const SplitScales& scales = particles.tally_scales.energy;
-    const auto enter = [&](const R& energy, RowSum<R>& sum, ReproducibleSum& beyond) {
-      sum.add(real::select(good, energy, 0.0), scales, beyond);
-    };
-    if constexpr (burns_by_program<Model>) {
-      enter(-elastic_work - viscous, tally.elastic, sums.explosive);
-    } else {
-      enter(elastic_work, tally.elastic, sums.elastic);
-      enter(reference_volume * outcome.plastic_work, tally.plastic, sums.plastic);
-      enter(viscous, tally.viscous, sums.viscous);
-    }
-    enter(stress_work, tally.stress_work, sums.stress_work);
+    tally_works(
+        good,
+        {elastic_work, reference_volume * outcome.plastic_work, viscous, stress_work},
+        tally,
+        sums
+    );
     R speed_squared{};
     for (int d = 0; d < particles.velocity.components; ++d) {
       const R v = group.get(particles.velocity, d);
@@ -182,6 +174,27 @@ struct UpdateStress {
         begun.cell_size, begun.density, modulus, begun.rate, real::sqrt(speed_squared)
     );
     limit_step(good | (living & (!here)), step, tally);
+  }
+
+  /// Of a group over its step [energy].
+  struct Works {
+    R elastic, plastic, viscous, stress;
+  };
+  KOKKOS_INLINE_FUNCTION void tally_works(
+      const Mask& good, const Works& works, Tally& tally, StressTally& sums
+  ) const {
+    const SplitScales& scales = particles.tally_scales.energy;
+    const auto enter = [&](const R& energy, RowSum<R>& sum, ReproducibleSum& beyond) {
+      sum.add(real::select(good, energy, 0.0), scales, beyond);
+    };
+    if constexpr (burns_by_program<Model>) {
+      enter(-works.elastic - works.viscous, tally.elastic, sums.explosive);
+    } else {
+      enter(works.elastic, tally.elastic, sums.elastic);
+      enter(works.plastic, tally.plastic, sums.plastic);
+      enter(works.viscous, tally.viscous, sums.viscous);
+    }
+    enter(works.stress, tally.stress_work, sums.stress_work);
   }
 
   KOKKOS_INLINE_FUNCTION static void limit_step(const Mask& good, const R& step, Tally& tally) {
@@ -286,7 +299,7 @@ StressTally update_stress(
             model,
             particles,
             particles.stress.components,
-            StepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
+            StableStepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
             spec.bad_particles,
             spec.density(),
             spec.largest_expansion.value_or(step.largest_expansion),

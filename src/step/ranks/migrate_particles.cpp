@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/ranks/migrate_particles.hpp"
 
+#include "base/exchange.hpp"
 #include "base/launch.hpp"
 #include "base/region.hpp"
-#include "grid/migrate.hpp"
 
 #include <cstring>
 #include <utility>

@@ -6,7 +6,7 @@
 #include "base/region.hpp"
 #include "grid/halo.hpp"
 #include "state/nodes.hpp"
-#include "state/step_rule.hpp"
+#include "step/stable_step_rule.hpp"
 #include "step/subcycle/stray_rule.hpp"
 
 #include <array>
@@ -101,7 +101,7 @@ KOKKOS_INLINE_FUNCTION bool is_known(const TileReach& reach, const Dormancy& dor
 /// Rows of one set: the longest period that each tile bears, and where they may leave it.
 struct FindTileSteps {
   TileReach reach;
-  StepRule rule;
+  StableStepRule rule;
   Particles particles;
   Dormancy dormancy;
   StrayRule stray;
@@ -310,7 +310,9 @@ void plan_subcycles(
   const int parts = subcycling.parts;
   start_periods(grid, sets, dormancy, dt, parts, reach);
   for (const Particles& particles : sets) {
-    const StepRule rule(step, grid.mode, particles.critical_courant, particles.isolated_courant);
+    const StableStepRule rule(
+        step, grid.mode, particles.critical_courant, particles.isolated_courant
+    );
     launch(
         "find_tile_steps",
         range(grid.active),

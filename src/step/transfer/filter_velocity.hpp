@@ -4,7 +4,7 @@
 #include "scene/velocity_fields.hpp"
 #include "state/effort.hpp"
 #include "step/boundary/symmetry_planes.hpp"
-#include "step/grid/solve_velocity.hpp"
+#include "step/nodes/solve_velocity.hpp"
 
 namespace barreno {
 

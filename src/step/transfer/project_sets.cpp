@@ -4,7 +4,7 @@
 #include "base/launch.hpp"
 #include "grid/halo.hpp"
 #include "step/boundary/apply_symmetry.hpp"
-#include "step/grid/restrict_sums.hpp"
+#include "step/nodes/restrict_sums.hpp"
 #include "step/transfer/project_affine.hpp"
 #include "step/transfer/project_particles.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/exchange.hpp"
 #include "grid/grid.hpp"
 #include "grid/halo.hpp"
-#include "grid/migrate.hpp"
 #include "grid/patch.hpp"
 #include "grid/tiles.hpp"
 

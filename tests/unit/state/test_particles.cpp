@@ -11,7 +11,6 @@
 #include "state/nodes.hpp"
 #include "state/particles.hpp"
 #include "state/row_frames.hpp"
-#include "state/step_rule.hpp"
 #include "state/tally_scales.hpp"
 #include "support/scenes.hpp"
 
@@ -189,37 +188,6 @@ TEST(Ledger, NamesEveryCauseOfRemoval) {
   const std::set<std::string> names(removal_names.begin(), removal_names.end());
   EXPECT_EQ(static_cast<int>(names.size()), removal_causes);
   EXPECT_STREQ(removal_names[static_cast<std::size_t>(RemovalCause::inverted)], "inverted");
-}
-
-TEST(StepRule, IsTheOneOfTheMethodsPages) {
-  StepSpec step;
-  step.linear_viscosity = 0.3;
-  step.quadratic_viscosity = 2.0;
-  step.courant_fraction = 0.8;
-  const double none = std::numeric_limits<double>::infinity();
-  const StepRule rule(step, Mode::plane_strain, 1.5, none);
-  const double modulus = 9e10, c = 6000.0, rate = -200.0;
-  const double h_rate = cell * 200.0;
-  EXPECT_DOUBLE_EQ(
-      rule.viscous_pressure(cell, density, modulus, rate),
-      density * (0.3 * c * h_rate + 2.0 * h_rate * h_rate)
-  );
-  EXPECT_EQ(rule.viscous_pressure(cell, density, modulus, 200.0), 0.0);
-  const double fraction = 0.8 * 1.5 / std::sqrt(2.0);
-  EXPECT_DOUBLE_EQ(
-      rule.stable_step(cell, density, modulus, 1.0, 500.0), fraction * cell / (c + 500.0)
-  );
-  const double q = 0.3 * c + 2.0 * h_rate;
-  const double wave = q + std::sqrt(q * q + c * c);
-  EXPECT_DOUBLE_EQ(rule.stable_step(cell, density, modulus, rate, 0.0), fraction * cell / wave);
-  // Alone it bears less, whatever its speed.
-  const StepRule alone(step, Mode::plane_strain, 1.5, 0.25);
-  EXPECT_DOUBLE_EQ(alone.stable_step(cell, density, modulus, 1.0, 500.0), 0.25 * cell / c);
-  // The rate that a viscous pressure tells of is at least as fast as the one that made it.
-  EXPECT_LE(
-      rule.compression(cell, density, rule.viscous_pressure(cell, density, modulus, rate)), rate
-  );
-  EXPECT_EQ(rule.compression(cell, density, 0.0), 0.0);
 }
 
 TEST(IsolatedCourant, IsALimitWhereTheDeckAsksForIt) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a refined tile gives to the coarser one that holds it.
 #include "scene/tile_levels.hpp"
-#include "step/grid/restrict_sums.hpp"
+#include "step/nodes/restrict_sums.hpp"
 #include "step/prepare_step.hpp"
 #include "step/transfer/project_particles.hpp"
 #include "support/scenes.hpp"

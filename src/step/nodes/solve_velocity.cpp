@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/grid/solve_velocity.hpp"
+#include "step/nodes/solve_velocity.hpp"
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
@@ -66,12 +66,6 @@ struct SolveVelocity {
     }
   }
 
-  /// Where a node is on the box's lattice of a level.
-  struct NodePlace {
-    int index[3];
-    int level;
-  };
-
   /// The motion of a node that is no unknown of its tile.
   KOKKOS_INLINE_FUNCTION void take_from_parent(int tile, int slot, double* out) const {
     constexpr int width = motion_components(dimensions);
@@ -82,44 +76,7 @@ struct SolveVelocity {
     });
   }
 
-  /// A node's velocity before and after the step.
-  struct Velocity {
-    double before[D], after[D];
-  };
-
-  /// @return whether one acts
-  KOKKOS_INLINE_FUNCTION bool apply_conditions(
-      const PrescribedVelocities& velocities,
-      const NodePlace& node,
-      double dt,
-      double mass,
-      const double* force,
-      Velocity& v,
-      double* part
-  ) const {
-    const double raw = v.before[1];
-    bool set[D] = {};
-    bool acts = false;
-    for (int i = 0; i < rule.conditions.count; ++i) {
-      const NodeCondition& c = rule.conditions.list[i];
-      if (!c.holds(node.index, node.level)) continue;
-      acts = true;
-      for (int d = 0; d < dimensions; ++d) {
-        if (!c.sets[d]) continue;
-        v.before[d] = velocities.before[i][d];
-        v.after[d] = velocities.after[i][d];
-        set[d] = true;
-      }
-    }
-    for (int d = 0; d < dimensions; ++d) {
-      if (!set[d]) continue;
-      const double reaction = mass * (v.after[d] - v.before[d]) - force[d] * dt;
-      part[3] += 0.5 * reaction * (v.before[d] + v.after[d]);
-      if (d == 1) part[4] += reaction;
-    }
-    if (set[1]) part[5] += mass * (v.before[1] - raw);
-    return acts;
-  }
+  using Velocity = NodeVelocity<D>;
 
   /// Kinetic energies before and after, the work of the forces, and of the drag and of the
   /// impedances among them.
@@ -209,7 +166,12 @@ struct SolveVelocity {
       out.v.after[d] = out.v.before[d] + dt * out.force[d] * inverse;
     }
     if (contact != nullptr) add_contact(dt, contact, inverse, net_force, out.v);
-    out.prescribed = apply_conditions(velocities, place, dt, mass, net_force, out.v, own);
+    ConditionTally tally;
+    out.prescribed =
+        prescribe_velocities(rule.conditions, velocities, place, dt, mass, net_force, out.v, tally);
+    own[3] = tally.work;
+    own[4] = tally.axial_impulse;
+    own[5] = tally.axial_of_start;
     return out;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/take_parts.hpp"
+#include "step/end_part.hpp"
 
 #include "base/gather.hpp"
 #include "step/ranks/place_particles.hpp"

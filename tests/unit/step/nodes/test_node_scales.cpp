@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/grid/node_scales.hpp"
+#include "step/nodes/node_scales.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -3,10 +3,10 @@
 
 #include "state/dormancy.hpp"
 #include "state/subcycling.hpp"
-#include "step/boundary/conditions_of_step.hpp"
-#include "step/grid/node_scales.hpp"
+#include "step/boundary/prescribe_velocities.hpp"
 #include "step/grid_share.hpp"
 #include "step/grid_tally.hpp"
+#include "step/nodes/node_scales.hpp"
 
 namespace barreno {
 
@@ -37,7 +37,7 @@ struct SpecialTiles {
 /// one pass over the tiles. docs/method.md (2.5)
 ///
 ///   v_I = p_I / m_I,   v_I' = v_I + dt (f_I - damping p_I) / (m_I + dt Z_I),   conditions replace
-///   components of both
+///   components of both (prescribe_velocities)
 ///
 /// Every tile does this for its whole patch, in one order of the parts, so that copies of a node
 /// agree to the last bit and no second exchange is needed.

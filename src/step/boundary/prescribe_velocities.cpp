@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/boundary/conditions_of_step.hpp"
+#include "step/boundary/prescribe_velocities.hpp"
 
 namespace barreno {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/grid/restrict_sums.hpp"
+#include "step/nodes/restrict_sums.hpp"
 
 #include "base/launch.hpp"
 #include "base/region.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What becomes of tiles within their own steps after a part of a step.
 #include "state/row_frames.hpp"
-#include "step/take_parts.hpp"
+#include "step/end_part.hpp"
 #include "support/tiles.hpp"
 
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@ namespace barreno {
 namespace {
 
 /// A stiff block on a soft one, in tiles of their own, after some steps of up to four parts.
-class TakeParts : public ::testing::Test {
+class EndPart : public ::testing::Test {
 protected:
-  TakeParts() : scene(blocks()), state(testing::start_alone(scene)) {
+  EndPart() : scene(blocks()), state(testing::start_alone(scene)) {
     testing::advance_to(scene, 1e3, state, 3);
     // As after the first part of the last step: soft tiles are within theirs.
     Subcycling& of = state.subcycling;
@@ -45,7 +45,7 @@ protected:
   State state;
 };
 
-TEST_F(TakeParts, StepsGoOnWhileTheStableStepHolds) {
+TEST_F(EndPart, StepsGoOnWhileTheStableStepHolds) {
   ASSERT_EQ(state.subcycling.parts, 4);
   ASSERT_EQ(state.subcycling.period(0), 1);
   ASSERT_EQ(state.subcycling.period(1), 4);
@@ -54,14 +54,14 @@ TEST_F(TakeParts, StepsGoOnWhileTheStableStepHolds) {
   EXPECT_EQ(state.subcycling.elapsed(1), state.clock.dt);
 }
 
-TEST_F(TakeParts, AllTilesMeetWhereTheStableStepHasFallen) {
+TEST_F(EndPart, AllTilesMeetWhereTheStableStepHasFallen) {
   after_part(0.85 * state.clock.dt);
   EXPECT_FALSE(goes_on(state.subcycling));
   EXPECT_EQ(state.subcycling.ends(1), 1);
   EXPECT_EQ(state.grid.tile_frame(1).dt, state.clock.dt);
 }
 
-TEST_F(TakeParts, TheNextPartFindsStraysWhereTheyHaveComeTo) {
+TEST_F(EndPart, TheNextPartFindsStraysWhereTheyHaveComeTo) {
   Particles& stiff = state.particles[0];
   const int p = stiff.order(0);
   stiff.position(p, 1) = 8.5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/grid/node_copies.hpp"
+#include "step/nodes/node_copies.hpp"
 #include "step/transfer/project_particles.hpp"
 #include "support/two_tiles.hpp"
 

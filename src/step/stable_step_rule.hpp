@@ -21,13 +21,13 @@ KOKKOS_INLINE_FUNCTION double multiply_add(double a, double b, double c) {
 }
 
 /// Artificial viscosity and the step that a particle allows; captured by value in kernels.
-struct StepRule {
+struct StableStepRule {
   double linear, quadratic, courant;
   double isolated_ratio;  ///< courant over the critical number c dt / h of a particle that is alone
 
   /// @param isolated_courant  of isolated_courant(), infinite if the step of the scene has no such
   /// limit
-  StepRule(const StepSpec& step, Mode mode, double critical_courant, double isolated_courant)
+  StableStepRule(const StepSpec& step, Mode mode, double critical_courant, double isolated_courant)
       : linear(step.linear_viscosity),
         quadratic(step.quadratic_viscosity),
         // The critical number is that of a bar; diagonal modes of d dimensions are stiffer by sqrt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/grid/solve_velocity.hpp"
 #include "step/grid_tally.hpp"
+#include "step/nodes/solve_velocity.hpp"
 #include "step/transfer/project_particles.hpp"
 #include "support/two_tiles.hpp"
 
