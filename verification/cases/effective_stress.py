@@ -24,8 +24,11 @@ TESTS = ((10.0, None), (40.0, None), (100.0, None), (40.0, 0.0), (100.0, 0.0), (
 TAP = {"fluid_B0": 10.0, "Matrix bulk modulus": 36e9}
 DRAINED = ((100.0, 60.0), (100.0, 90.0), (50.0, 40.0), (90.0, 50.0))
 ALIKE = (((100.0, 0.0), (200.0, 100.0)), ((100.0, 90.0), (200.0, 190.0)))  # of equal effective pressure
+# Squeezed without drainage and then sheared at that pressure: bulk modulus of the fluid [Pa]; confinement [MPa]
+FLUIDS, SQUEEZE = (2.2e9, 20e9), 104.0
 HELD = 1e-9  # of the confinement: how well it is kept
 STEPS, SHORTENING = 60, 0.03
+SHEAR = 1e-4  # of an increment
 YIELDS = 1e-6  # smallest plastic strain of an increment that counts as flow
 FINE = "1e-6"  # Tolerance
 
@@ -67,6 +70,22 @@ class Plug:
     def shorten(self, strain, pressure):
         """Axial strain, constant stress at the side."""
         self._reach(np.array([strain, 0.0, 0.0]), [1, 2], -pressure)
+
+    def shear(self, strain):
+        """Shear strain alone, which leaves the pressures of elastic rock as they are."""
+        increment = np.zeros((1, 6))
+        increment[0, 3] = strain
+        answer = self.material.update(increment, self.stress, self.state, want=CONSISTENT)
+        assert not answer.status.any(), "the point failed"
+        self.stress, self.state = answer.stress, answer.state
+
+    def pressure(self):
+        return -float(self.stress[0, :3].mean())
+
+    def root_j2(self):
+        deviator = self.stress[0].copy()
+        deviator[:3] += self.pressure()
+        return float(np.sqrt(0.5 * (deviator[:3] ** 2).sum() + (deviator[3:] ** 2).sum()))
 
     def _reach(self, strain, free, target):
         """Newton's method for the free strains."""
@@ -117,6 +136,26 @@ def measure(result, laws, library, settings, row):
     return peak, off
 
 
+def squeezed(result, laws, library):
+    """First flow in shear of rock whose pore pressure comes from its squeezing."""
+    for fluid in FLUIDS:
+        for form in FORMS:
+            settings = {"Tolerance": FINE, **WATER, "fluid_B0": fluid, "Backstress strain": form}
+            with tempfile.TemporaryDirectory() as folder, Material(write_card(folder, "rock", settings), library) as material:
+                plug = Plug(material, None)
+                plug.confine(1e6 * SQUEEZE)
+                before = plug.get("equivalent_plastic_strain")
+                while plug.get("equivalent_plastic_strain") - before < YIELDS:
+                    plug.shear(SHEAR)
+                pressure, pore = plug.pressure(), plug.get("pore_pressure")
+                dry = envelope(laws, -3.0 * (pressure - pore), plug.get("plastic_volume_strain"))
+                off, root = abs(plug.root_j2() / dry - 1.0), np.sqrt(3.0) * plug.root_j2() / 1e6
+            name = f"sheared, fluid of {fluid / 1e9:g} GPa"
+            result.rows.append([name, form, SQUEEZE, 0.0, root, np.sqrt(3.0) * dry / 1e6, float("nan"), pressure / 1e6, pore / 1e6, off])
+            if form == "poroplastic":
+                result.demand(f"{name}, squeezed to {SQUEEZE:g} MPa before: flow off the dry envelope", off, 1e-6)
+
+
 def drained(result, laws, library, full):
     """Tests at constant pore pressure, each against the test of the dry rock at the difference of the pressures."""
     for confinement, pore in DRAINED if full else DRAINED[1:2]:
@@ -161,6 +200,8 @@ def run(barreno, full):
             what = "peaks of {:g} less {:g} MPa and {:g} less {:g} MPa, relative".format(*two, *one)
             result.demand(what, abs(peaks[one] / peaks[two] - 1.0), 1e-6)
     drained(result, laws, library, full)
+    if full:
+        squeezed(result, laws, library)
     result.notes = (
         "Water in the pores carries part of the total pressure, so the grains are pressed together by P - p only, and friction and crushing depend "
         "on this effective pressure. The rows `elastic centre` belong to the form that was the default before. Its yield surface accounted for the "
@@ -169,6 +210,9 @@ def run(barreno, full):
         "pressure allows: compare its first flow with the dry envelope at P - p in the next column. When such rock dilates, the pressure seen by "
         "its yield surface soon vanishes, whatever the pressure of the fluid: at 100 MPa of confinement its strength was that of dry rock at 100 "
         "MPa for any pore pressure up to 90 MPa.\n\n"
+        "The rows `sheared` follow rock that is squeezed to 104 MPa without drainage and then sheared at constant total pressure; its pore pressure"
+        " comes from the squeezing alone. The stress difference is sqrt(3 J2). The old form starts to flow near the envelope at P, as if there were "
+        "no pore pressure.\n\n"
         "Undrained rock dilates in shear, by the associated flow rule at the angle of friction; its pore pressure falls and its strength rises with"
         " strain. The peak is the value at 3 % strain; every point of flow is compared with the envelope."
     )

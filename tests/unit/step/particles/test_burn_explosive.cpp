@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/particles/burn_explosive.hpp"
-#include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <barreno/models/jwl_explosive.hpp>
-#include <variant>
-
+#include <barreno/models/linear_elastic.hpp>
 namespace barreno {
 namespace {
 
@@ -34,8 +32,7 @@ TEST(BurnExplosive, BurnsAcrossTheFrontOnceItIsLit) {
 }
 
 TEST(BurnExplosive, OtherModelsKeepTheirViscosity) {
-  const MaterialSpec spec = testing::elastic(1e9, 0.3, 2e3);
-  const auto& rock = std::get<LinearElastic>(spec.material().model);
+  const LinearElastic rock(LinearElastic::Parameters{}, 2e3);
   LinearElastic::History history;
   EXPECT_EQ(burn_explosive(rock, 1e-6, 1e-3, 3e8, history), 3e8);
 }
