@@ -16,7 +16,7 @@ struct ShapeFields {
 };
 
 /// So many cells beyond a symmetry plane is the end of the grid: as far as any support reaches
-/// there are nodes, whose values apply_symmetry knows.
+/// there are nodes, whose values mirror_nodes knows.
 inline constexpr double no_end = 1024.0;
 
 /// Turns particles into their geometry in the patch of a tile; captured by value in kernels.

@@ -10,6 +10,7 @@
 #include "step/contact/refine_surface_normals.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/end_part.hpp"
+#include "step/nodes/sum_halos.hpp"
 #include "step/prepare_step.hpp"
 #include "step/solve_motion.hpp"
 #include "step/subcycle/tile_steps.hpp"

@@ -57,7 +57,7 @@ GridTally solve_fields(
     GridTally part = solve_velocity(
         state.grid, rule, {state.contact.shared_tile, state.dormancy, state.subcycling}, nodes
     );
-    apply_symmetry_to_velocities(symmetry, state.grid, rule.grid_share, nodes, part);
+    mirror_velocities(symmetry, state.grid, rule.grid_share, nodes, part);
     add(part, tally);
   }
   state.effort.tile_seconds += watch.seconds();

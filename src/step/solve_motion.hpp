@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "step/boundary/apply_symmetry.hpp"
+#include "step/boundary/mirror_nodes.hpp"
 #include "step/contact/solve_contact.hpp"
 #include "step/tally_step.hpp"
 

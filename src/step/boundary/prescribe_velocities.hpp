@@ -6,10 +6,19 @@
 namespace barreno {
 
 /// The scene's conditions in the step from a clock on.
-NodeConditions conditions_of_step(const NodeConditions& of_scene, const Clock& clock);
+inline NodeConditions conditions_of_step(const NodeConditions& of_scene, const Clock& clock) {
+  NodeConditions out = of_scene;
+  out.time = clock.time;
+  out.last_dt = clock.dt;
+  return out;
+}
 
 /// The same nodes and components, set to zero: what a correction of velocities must keep.
-NodeConditions homogeneous(const NodeConditions& conditions);
+inline NodeConditions homogeneous(const NodeConditions& conditions) {
+  NodeConditions out = conditions;
+  for (NodeCondition& condition : out.list) condition.table = -1;
+  return out;
+}
 
 /// Where a node is on the box's lattice of a level.
 struct NodePlace {
@@ -37,7 +46,7 @@ struct ConditionTally {
 ///   v_i = V_i(t - dt_old / 2),   v_i' = V_i(t + dt / 2)   for the components i that are set
 ///
 /// with V = 0 at planes and fixed faces. The reaction m (v' - v) - f dt is the impulse on the
-/// material. (Nodes behind a symmetry plane get the mirrored velocity: apply_symmetry.hpp.)
+/// material. (Nodes behind a symmetry plane get the mirrored velocity: mirror_nodes.hpp.)
 ///
 /// @param velocities  of this tile's step (NodeConditions::over_step)
 /// @param force       all that act at the node, contact included

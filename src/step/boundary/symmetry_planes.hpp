@@ -7,7 +7,8 @@
 
 namespace barreno {
 
-/// A plane of symmetry that a deck asks for: a face of the grid.
+/// A plane of symmetry that a deck asks for: a face of the grid. prescribe_velocities stops the
+/// nodes on it, mirror_nodes gives what is behind it to the images.
 struct SymmetryPlane {
   int axis = 0;  ///< that it lies across
   int node = 0;  ///< of the box at level 0, along that axis

@@ -34,7 +34,7 @@ void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
 }
 
 /// Where a symmetry plane across y is within reach of a tile, its sums are no longer those of its
-/// particles (apply_symmetry_to_sums).
+/// particles (mirror_sums).
 struct AxialPlanes {
   ArrayView<TileFrame> frame;
   Patch patch;

@@ -8,7 +8,8 @@
 namespace barreno {
 
 /// Advance the burn of an explosive's particles to the end of their step, from their lighting times
-/// (programmed burn: the model has the rule). Other models have none.
+/// (programmed burn; the rule is JwlExplosive::burn in materials/include/barreno/models,
+/// jwl_explosive.hpp). Other models have none.
 /// @param end_time   of the step
 /// @param cell_size  that the particles are in
 /// @return the artificial viscosity, which acts from the first burning on

@@ -3,7 +3,8 @@
 
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
-#include "step/boundary/apply_symmetry.hpp"
+#include "step/boundary/mirror_nodes.hpp"
+#include "step/nodes/sum_halos.hpp"
 #include "step/transfer/interpolate_motion.hpp"
 #include "step/transfer/project_particles.hpp"
 #include "step/transfer/project_sets.hpp"
@@ -78,7 +79,7 @@ struct SmoothResiduals {
     for (std::size_t f = 0; f < nodes.size(); ++f) {
       if (fields.rigid_body[f] >= 0) continue;
       GridTally part = solve_velocity(grid, rule, {}, nodes[f]);
-      apply_symmetry_to_velocities(filter.symmetry, grid, rule.grid_share, nodes[f], part);
+      mirror_velocities(filter.symmetry, grid, rule.grid_share, nodes[f], part);
       impulse += part.filter_impulse;
     }
     return impulse;

@@ -2,9 +2,6 @@
 #include "step/transfer/project_sets.hpp"
 
 #include "base/launch.hpp"
-#include "grid/halo.hpp"
-#include "step/boundary/apply_symmetry.hpp"
-#include "step/nodes/restrict_sums.hpp"
 #include "step/transfer/project_affine.hpp"
 #include "step/transfer/project_particles.hpp"
 
@@ -38,15 +35,6 @@ void drop_forces(const Grid& grid, std::vector<Nodes>& fields) {
         }
     );
   }
-}
-
-void sum_halos(const SymmetryPlanes& symmetry, const Grid& grid, std::vector<Nodes>& fields) {
-  for (Nodes& nodes : fields) {
-    apply_symmetry_to_sums(symmetry, grid, nodes);
-    restrict_sums(grid, nodes);
-  }
-  for (const Nodes& nodes : fields)
-    exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
 }
 
 }  // namespace barreno

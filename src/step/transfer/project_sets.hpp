@@ -5,7 +5,6 @@
 #include "state/effort.hpp"
 #include "state/nodes.hpp"
 #include "state/particles.hpp"
-#include "step/boundary/symmetry_planes.hpp"
 
 #include <vector>
 
@@ -19,9 +18,5 @@ void project_sets(
 
 /// Of these, keep mass and momentum: where velocities are asked for and no forces.
 void drop_forces(const Grid& grid, std::vector<Nodes>& fields);
-
-/// The last that happens to the sums of every tile before they are added: symmetry planes, then
-/// what other ranks hold. Collective.
-void sum_halos(const SymmetryPlanes& symmetry, const Grid& grid, std::vector<Nodes>& fields);
 
 }  // namespace barreno

@@ -7,6 +7,7 @@
 #include "shape/visit_kernels.hpp"
 #include "state/balance.hpp"
 #include "step/boundary/symmetry_planes.hpp"
+#include "step/nodes/sum_halos.hpp"
 #include "step/prepare_step.hpp"
 #include "step/transfer/project_sets.hpp"
 #include "support/scenes.hpp"

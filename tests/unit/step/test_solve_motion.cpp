@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid/tiles.hpp"
+#include "step/nodes/sum_halos.hpp"
 #include "step/solve_motion.hpp"
 #include "step/transfer/project_sets.hpp"
 #include "support/two_tiles.hpp"

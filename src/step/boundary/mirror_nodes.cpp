@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step/boundary/apply_symmetry.hpp"
+#include "step/boundary/mirror_nodes.hpp"
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
@@ -25,7 +25,7 @@ KOKKOS_INLINE_FUNCTION double take(double& from) {
   return value;
 }
 
-struct ApplySymmetryToSums {
+struct MirrorSums {
   SymmetryPlanes planes;
   Patch patch;
   ArrayView<TileFrame> tile_frame;
@@ -79,7 +79,7 @@ KOKKOS_INLINE_FUNCTION void add(const MirrorTally& part, MirrorTally& sum) {
   sum.taken += part.taken;
 }
 
-struct ApplySymmetryToVelocities {
+struct MirrorVelocities {
   SymmetryPlanes planes;
   GridShare grid_share;
   Patch patch;
@@ -143,18 +143,18 @@ struct ApplySymmetryToVelocities {
 
 }  // namespace
 
-void apply_symmetry_to_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes) {
+void mirror_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes) {
   if (planes.count == 0) return;
-  const Region region("apply_symmetry_to_sums");
+  const Region region("mirror_sums");
   if (planes.any_axial) make_room("mirrored", first_mirrored(grid.active), nodes.mirrored);
   launch(
-      "apply_symmetry_to_sums",
+      "mirror_sums",
       range(grid.active),
-      ApplySymmetryToSums{planes, grid.patch, grid.tile_frame, nodes.sums, nodes.mirrored}
+      MirrorSums{planes, grid.patch, grid.tile_frame, nodes.sums, nodes.mirrored}
   );
 }
 
-void apply_symmetry_to_velocities(
+void mirror_velocities(
     const SymmetryPlanes& planes,
     const Grid& grid,
     const GridShare& grid_share,
@@ -162,12 +162,12 @@ void apply_symmetry_to_velocities(
     GridTally& tally
 ) {
   if (planes.count == 0) return;
-  const Region region("apply_symmetry_to_velocities");
+  const Region region("mirror_velocities");
   MirrorTally sum;
   launch_reduction(
-      "apply_symmetry_to_velocities",
+      "mirror_velocities",
       range(grid.active),
-      ApplySymmetryToVelocities{
+      MirrorVelocities{
           planes,
           grid_share,
           grid.patch,

@@ -21,13 +21,13 @@ namespace barreno {
 /// behind a plane, the images are in its own patch. Nodes on the plane lose their velocity across
 /// it in prescribe_velocities.
 /// @post nodes.mirrored
-void apply_symmetry_to_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes);
+void mirror_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes);
 
 /// v_I' = M v_I behind the planes, and what the plane gives to the axial momentum of the
 /// particles.
 /// @pre nodes.motion holds the velocities of this step (solve_velocity)
 /// @param[in,out] tally  impulses are added
-void apply_symmetry_to_velocities(
+void mirror_velocities(
     const SymmetryPlanes& planes,
     const Grid& grid,
     const GridShare& grid_share,
