@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/fill.hpp"
 
+#include "base/work_counts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace barreno {
 namespace {
@@ -18,6 +19,11 @@ constexpr double clearly = 1e-9;
 
 using LatticeCell = std::array<long long, 3>;
 
+/// Cells [begin, end) along each axis.
+struct Block {
+  LatticeCell begin{}, end{1, 1, 1};
+};
+
 Box box_of(const Lattice& lattice, const LatticeCell& cell, int dimension) {
   Box box;
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
@@ -27,59 +33,83 @@ Box box_of(const Lattice& lattice, const LatticeCell& cell, int dimension) {
   return box;
 }
 
-template <class Visit>
-void for_each_cell(const Lattice& lattice, Visit&& visit) {
-  LatticeCell cell{};
-  for (cell[2] = 0; cell[2] < lattice.count[2]; ++cell[2])
-    for (cell[1] = 0; cell[1] < lattice.count[1]; ++cell[1])
-      for (cell[0] = 0; cell[0] < lattice.count[0]; ++cell[0]) visit(cell);
+Box box_of(const Lattice& lattice, const Block& block, int dimension) {
+  Box box;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
+    box.lower[i] = lattice.lower[i] + static_cast<double>(block.begin[i]) * lattice.size;
+    box.upper[i] = lattice.lower[i] + static_cast<double>(block.end[i]) * lattice.size;
+  }
+  return box;
 }
 
 long long index_of(const Lattice& lattice, const LatticeCell& cell) {
   return (cell[2] * lattice.count[1] + cell[1]) * lattice.count[0] + cell[0];
 }
 
-/// Every cell's side, and the pieces of those that are cut.
+LatticeCell cell_at(const Lattice& lattice, long long index) {
+  return {
+      index % lattice.count[0],
+      index / lattice.count[0] % lattice.count[1],
+      index / lattice.count[0] / lattice.count[1]};
+}
+
+/// Pieces of a shape in the cells of a lattice, found where they are asked for. Those near the
+/// surface are kept: neighbours ask for them again.
 class Pieces {
 public:
   Pieces(const Shape& shape, int dimension, const Lattice& lattice)
-      : dimension_(dimension), lattice_(lattice) {
-    for_each_cell(lattice, [&](const LatticeCell& cell) {
-      const Box box = box_of(lattice, cell, dimension);
-      Side side = side_of(shape, box, dimension);
-      if (side == Side::cut) {
-        const Piece piece = piece_of(shape, box, dimension);
-        if (piece.measure > 0.0)
-          cut_[index_of(lattice, cell)] = piece;
-        else
-          side = Side::outside;
-      }
-      sides_.push_back(side);
-    });
-    cell_measure_ = std::pow(lattice.size, dimension);
-    join_slivers();
-  }
+      : shape_(shape),
+        dimension_(dimension),
+        lattice_(lattice),
+        cell_measure_(std::pow(lattice.size, dimension)) {}
 
-  Side side(const LatticeCell& cell) const {
-    return sides_[static_cast<std::size_t>(index_of(lattice_, cell))];
-  }
-  Piece piece(const LatticeCell& cell) const {
-    if (side(cell) == Side::outside) return {};
-    if (side(cell) == Side::inside) return whole(box_of(lattice_, cell, dimension_), dimension_);
-    return cut_.at(index_of(lattice_, cell));
-  }
   /// What the particle of a cell holds: nothing where its piece went elsewhere.
-  Piece particle(const LatticeCell& cell) const {
-    const long long index = index_of(lattice_, cell);
-    if (side(cell) == Side::outside || moved_.count(index) != 0) return {};
-    Piece sum = piece(cell);
-    const auto joined = joined_.find(index);
-    if (joined == joined_.end()) return sum;
-    for (const long long other : joined->second) add(sum, cut_.at(other));
+  Piece particle(const LatticeCell& cell) {
+    const Box box = box_of(lattice_, cell, dimension_);
+    const Side side = look(box);
+    if (side == Side::outside) return {};
+    if (side == Side::inside && is_deep(cell)) return whole(box, dimension_);
+    if (at(cell).side == Side::outside || has_moved(cell)) return {};
+    Piece sum = at(cell).piece;
+    for (const long long other : slivers_of(cell)) add(sum, near_surface_.at(other).piece);
     return sum;
   }
+  /// Cells that were asked for their side.
+  long long looked_at() const { return looked_at_; }
 
 private:
+  struct Filled {
+    Side side;  ///< a cut without a measure is outside
+    Piece piece;
+  };
+
+  Side look(const Box& box) {
+    ++looked_at_;
+    return side_of(shape_, box, dimension_);
+  }
+
+  /// All cells around are inside too, so that no sliver is beside.
+  bool is_deep(const LatticeCell& cell) const {
+    Block around{cell, cell};
+    for (std::size_t i = 0; i < 3; ++i) {
+      --around.begin[i];
+      around.end[i] += 2;
+    }
+    return side_of(shape_, box_of(lattice_, around, dimension_), dimension_) == Side::inside;
+  }
+
+  const Filled& at(const LatticeCell& cell) {
+    const long long index = index_of(lattice_, cell);
+    const auto found = near_surface_.find(index);
+    if (found != near_surface_.end()) return found->second;
+    const Box box = box_of(lattice_, cell, dimension_);
+    Filled filled{look(box), {}};
+    if (filled.side == Side::inside) filled.piece = whole(box, dimension_);
+    if (filled.side == Side::cut) filled.piece = piece_of(shape_, box, dimension_);
+    if (!(filled.piece.measure > 0.0)) filled = {Side::outside, {}};
+    return near_surface_.emplace(index, filled).first->second;
+  }
+
   template <class Visit>
   void for_each_neighbour(const LatticeCell& cell, Visit&& visit) const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(dimension_); ++i)
@@ -90,42 +120,85 @@ private:
       }
   }
 
-  /// The cell whose particle holds a sliver: up through ever fuller neighbours, until one is no
-  /// sliver.
-  LatticeCell holder(const LatticeCell& cell) const {
+  bool is_sliver(const LatticeCell& cell) {
+    const Filled& filled = at(cell);
+    return filled.side == Side::cut && filled.piece.measure < sliver * cell_measure_;
+  }
+
+  /// The fullest of a cell and its neighbours, to which a sliver goes; from there it may go on.
+  LatticeCell fullest_beside(const LatticeCell& cell) {
     LatticeCell found = cell;
-    double fullest = piece(cell).measure;
-    while (fullest < sliver * cell_measure_) {
-      const LatticeCell from = found;
-      for_each_neighbour(from, [&](const LatticeCell& next) {
-        const double other = piece(next).measure;
-        if (!(other > fullest + clearly * cell_measure_)) return;
-        fullest = other;
-        found = next;
-      });
-      if (found == from) break;
-    }
+    double fullest = at(cell).piece.measure;
+    for_each_neighbour(cell, [&](const LatticeCell& next) {
+      const double other = at(next).piece.measure;
+      if (!(other > fullest + clearly * cell_measure_)) return;
+      fullest = other;
+      found = next;
+    });
     return found;
   }
 
-  void join_slivers() {
-    for_each_cell(lattice_, [&](const LatticeCell& cell) {
-      if (side(cell) != Side::cut) return;
-      const LatticeCell found = holder(cell);
-      if (found == cell) return;
-      joined_[index_of(lattice_, found)].push_back(index_of(lattice_, cell));
-      moved_.insert(index_of(lattice_, cell));
-    });
+  bool has_moved(const LatticeCell& cell) {
+    return is_sliver(cell) && fullest_beside(cell) != cell;
   }
 
+  /// Cells whose slivers come to a cell, up through ever fuller neighbours; ascending.
+  std::vector<long long> slivers_of(const LatticeCell& cell) {
+    std::vector<long long> found;
+    std::vector<LatticeCell> open{cell};
+    while (!open.empty()) {
+      const LatticeCell to = open.back();
+      open.pop_back();
+      for_each_neighbour(to, [&](const LatticeCell& from) {
+        if (!is_sliver(from) || fullest_beside(from) != to) return;
+        found.push_back(index_of(lattice_, from));
+        open.push_back(from);
+      });
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  const Shape& shape_;
   int dimension_;
   const Lattice& lattice_;
-  double cell_measure_ = 0.0;
-  std::vector<Side> sides_;
-  std::unordered_map<long long, Piece> cut_;
-  std::unordered_map<long long, std::vector<long long>> joined_;  ///< slivers by their holder
-  std::unordered_set<long long> moved_;
+  double cell_measure_;
+  std::unordered_map<long long, Filled> near_surface_;
+  long long looked_at_ = 0;
 };
+
+bool is_cell(const Block& block) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (block.end[i] - block.begin[i] > 1) return false;
+  return true;
+}
+
+/// What is to be said of a block: the search is over, there is nothing in it, or its halves decide.
+enum class Look { found, nothing, closer };
+
+/// Whether `look(block)` finds something in a block or the halves of halves down to cells.
+template <class LookAt>
+bool search(const Block& block, LookAt&& look) {
+  const Look seen = look(block);
+  if (seen != Look::closer) return seen == Look::found;
+  std::size_t axis = 0;
+  const auto length = [&](std::size_t i) { return block.end[i] - block.begin[i]; };
+  for (const std::size_t i : {1U, 2U})
+    if (length(i) > length(axis)) axis = i;
+  Block lower = block, upper = block;
+  lower.end[axis] = upper.begin[axis] = block.begin[axis] + length(axis) / 2;
+  return search(lower, look) || search(upper, look);
+}
+
+/// The same for a whole lattice, by every rank.
+template <class LookAt>
+bool search_lattice(const Lattice& lattice, LookAt&& look) {
+  if (count_cells(lattice) == 0) return false;
+  return search({{}, lattice.count}, [&](const Block& block) {
+    ++work_counts().undivided_points;
+    return look(block);
+  });
+}
 
 }  // namespace
 
@@ -143,46 +216,83 @@ Lattice lattice_around(const Box& box, const Vector& origin, double size, int di
   return lattice;
 }
 
+long long count_cells(const Lattice& lattice) {
+  return lattice.count[0] * lattice.count[1] * lattice.count[2];
+}
+
+CellSpan share_of_cells(const Lattice& lattice, int rank, int ranks) {
+  const long long all = count_cells(lattice), part = all / ranks, more = all % ranks;
+  const auto begin = [&](long long r) { return r * part + std::min(r, more); };
+  return {begin(rank), begin(rank + 1)};
+}
+
+void for_each_lattice_piece(
+    const Shape& shape,
+    int dimension,
+    const Lattice& lattice,
+    const CellSpan& span,
+    const VisitPiece& visit
+) {
+  Pieces pieces(shape, dimension, lattice);
+  for (long long index = span.begin; index < span.end; ++index) {
+    const LatticeCell cell = cell_at(lattice, index);
+    const Piece piece = pieces.particle(cell);
+    if (piece.measure > 0.0) visit(cell, piece);
+  }
+  work_counts().candidate_points += pieces.looked_at();
+}
+
 void for_each_lattice_piece(
     const Shape& shape, int dimension, const Lattice& lattice, const VisitPiece& visit
 ) {
-  const Pieces pieces(shape, dimension, lattice);
-  for_each_cell(lattice, [&](const LatticeCell& cell) {
-    const Piece piece = pieces.particle(cell);
-    if (piece.measure > 0.0) visit(cell, piece);
-  });
+  for_each_lattice_piece(shape, dimension, lattice, {0, count_cells(lattice)}, visit);
 }
 
-Filling filling_of(const Shape& shape, int dimension, const Lattice& lattice) {
-  const Pieces pieces(shape, dimension, lattice);
+double fullest_cell(const Shape& shape, int dimension, const Lattice& lattice, double enough) {
   const double cell_measure = std::pow(lattice.size, dimension);
-  Filling filling;
-  for_each_cell(lattice, [&](const LatticeCell& cell) {
-    filling.fullest = std::max(filling.fullest, pieces.piece(cell).measure / cell_measure);
-    const Piece piece = pieces.particle(cell);
-    if (!(piece.measure > 0.0)) return;
-    ++filling.cells;
-    filling.measure += piece.measure;
+  double fullest = 0.0;
+  search_lattice(lattice, [&](const Block& block) {
+    const Box box = box_of(lattice, block, dimension);
+    const Side side = side_of(shape, box, dimension);
+    if (side == Side::outside) return Look::nothing;
+    if (side == Side::cut && !is_cell(block)) return Look::closer;
+    const double filled =
+        side == Side::inside ? 1.0 : piece_of(shape, box, dimension).measure / cell_measure;
+    fullest = std::max(fullest, filled);
+    return fullest >= enough ? Look::found : Look::nothing;
   });
-  return filling;
+  return fullest;
 }
+
+namespace {
+
+/// At 2 points per direction of a cell, at the places of the Gauss rule, which faces at round
+/// figures do not meet.
+bool have_common_points_in(const Shape& a, const Shape& b, int dimension, const Box& cell) {
+  constexpr double gauss = 0.21132486540518713;  // (1 - 1/sqrt(3)) / 2
+  for (unsigned k = 0; k < (1U << static_cast<unsigned>(dimension)); ++k) {
+    Vector x{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
+      x[i] = cell.lower[i] +
+             ((k >> i & 1U) != 0U ? 1.0 - gauss : gauss) * (cell.upper[i] - cell.lower[i]);
+    if (holds(a, x, dimension) && holds(b, x, dimension)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 bool have_common_points(const Shape& a, const Shape& b, int dimension, const Lattice& lattice) {
-  constexpr double gauss = 0.21132486540518713;  // (1 - 1/sqrt(3)) / 2
-  bool shared = false;
-  for_each_cell(lattice, [&](const LatticeCell& cell) {
-    if (shared) return;
-    const Box box = box_of(lattice, cell, dimension);
+  return search_lattice(lattice, [&](const Block& block) {
+    const Box box = box_of(lattice, block, dimension);
     const Side in_a = side_of(a, box, dimension), in_b = side_of(b, box, dimension);
-    if (in_a == Side::outside || in_b == Side::outside) return;
-    for (unsigned k = 0; k < (1U << static_cast<unsigned>(dimension)) && !shared; ++k) {
-      Vector x{};
-      for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
-        x[i] = box.lower[i] + ((k >> i & 1U) != 0U ? 1.0 - gauss : gauss) * lattice.size;
-      shared = holds(a, x, dimension) && holds(b, x, dimension);
-    }
+    if (in_a == Side::outside || in_b == Side::outside) return Look::nothing;
+    if (in_a == Side::inside && in_b == Side::inside) return Look::found;
+    if (!is_cell(block)) return Look::closer;
+    return have_common_points_in(a, b, dimension, box_of(lattice, block.begin, dimension))
+               ? Look::found
+               : Look::nothing;
   });
-  return shared;
 }
 
 }  // namespace barreno

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/lighting_map.hpp"
 
+#include "base/work_counts.hpp"
 #include "geometry/piece.hpp"
 #include "scene/geometry.hpp"
 #include "scene/lighting.hpp"
@@ -64,6 +65,7 @@ void LightingMap::place_table(const std::vector<Shape>& shapes) {
 }
 
 void LightingMap::mark_explosive(const std::vector<Shape>& shapes) {
+  work_counts().undivided_points += static_cast<long long>(explosive_.size());
   for (std::size_t cell = 0; cell < explosive_.size(); ++cell) {
     const Vector x = centre_of(index_of(cell));
     const auto in = [&](const Shape& shape) {

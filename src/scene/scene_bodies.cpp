@@ -90,15 +90,16 @@ void check_filling(const Deck& deck, const Scene& scene, const BodySpec& body) {
   if (std::holds_alternative<Box>(body.shape)) return;
   const std::string path = list_of<BodySpec>(body.name);
   const double size = scene.grid.cell_size / body.particles_per_cell;
-  const Filling filling =
-      filling_of(body.shape, dimensions(scene.grid.mode), lattice_of(body.shape, scene.grid, size));
-  if (filling.cells == 0) {
+  constexpr double min_filled = 0.5;
+  const double fullest = fullest_cell(
+      body.shape, dimensions(scene.grid.mode), lattice_of(body.shape, scene.grid, size), min_filled
+  );
+  if (fullest == 0.0) {
     deck.refuse(
         path, "is empty (no point of the grid lies inside it); change its shape or its parts"
     );
   }
-  constexpr double min_filled = 0.5;
-  if (thickness_of(body.shape) < size || filling.fullest < min_filled) {
+  if (thickness_of(body.shape) < size || fullest < min_filled) {
     deck.refuse(
         path,
         "is thinner than a particle, which is " + input::exact_text(size) +

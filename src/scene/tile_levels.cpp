@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/tile_levels.hpp"
 
+#include "base/work_counts.hpp"
 #include "scene/geometry.hpp"
 #include "scene/tile_size.hpp"
 
@@ -92,6 +93,7 @@ std::vector<unsigned char> find_tile_levels(
       static_cast<std::size_t>(tiles[0]) * static_cast<std::size_t>(tiles[1]) *
       static_cast<std::size_t>(tiles[2])
   );
+  work_counts().undivided_points += static_cast<long long>(level.size());
   for_each_box_tile(tiles, [&](std::size_t t, const std::array<int, 3>& at) {
     for (const RefinedRegion& region : regions)
       if (region.level > level[t] &&

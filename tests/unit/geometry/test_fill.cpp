@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/work_counts.hpp"
 #include "geometry/fill.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,8 @@
 #include <iostream>
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace barreno {
 namespace {
@@ -16,8 +19,12 @@ namespace {
 constexpr Vector origin{-2.013, -2.007, -2.019};
 
 double filled(const Shape& shape, int dimension, double size) {
-  return filling_of(shape, dimension, lattice_around(box_around(shape), origin, size, dimension))
-      .measure;
+  const Lattice lattice = lattice_around(box_around(shape), origin, size, dimension);
+  double sum = 0.0;
+  for_each_lattice_piece(shape, dimension, lattice, [&](const auto& /*cell*/, const Piece& piece) {
+    sum += piece.measure;
+  });
+  return sum;
 }
 
 /// Relative error of the filled volume at two sizes of particles.
@@ -131,6 +138,126 @@ TEST(Fill, SharedPointsAreFoundAndTouchingIsNone) {
   EXPECT_FALSE(have_common_points(wedge, other, 2, lattice));
   EXPECT_TRUE(have_common_points(wedge, Ball{{0.3, 0.4}, 0.15}, 2, lattice));
   EXPECT_FALSE(have_common_points(wedge, Ball{{0.3, 0.6}, 0.15}, 2, lattice));
+}
+
+using CellIndex = std::array<long long, 3>;
+using PieceOfCell = std::map<CellIndex, Piece>;
+
+/// Piece by piece over a whole lattice, as the rule of slivers is told in fill.hpp.
+PieceOfCell joined_pieces(const Shape& shape, int dimension, const Lattice& lattice) {
+  PieceOfCell pieces;
+  CellIndex c{};
+  for (c[2] = 0; c[2] < lattice.count[2]; ++c[2])
+    for (c[1] = 0; c[1] < lattice.count[1]; ++c[1])
+      for (c[0] = 0; c[0] < lattice.count[0]; ++c[0]) {
+        Box box;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
+          box.lower[i] = lattice.lower[i] + static_cast<double>(c[i]) * lattice.size;
+          box.upper[i] = box.lower[i] + lattice.size;
+        }
+        const Piece piece = piece_of(shape, box, dimension);
+        if (piece.measure > 0.0) pieces[c] = piece;
+      }
+  const double cell = std::pow(lattice.size, dimension);
+  const auto measure = [&](const CellIndex& at) {
+    const auto found = pieces.find(at);
+    return found == pieces.end() ? 0.0 : found->second.measure;
+  };
+  PieceOfCell sums = pieces;
+  std::vector<std::pair<CellIndex, CellIndex>> moves;  // from, to; in the order of a walk
+  for (c[2] = 0; c[2] < lattice.count[2]; ++c[2])
+    for (c[1] = 0; c[1] < lattice.count[1]; ++c[1])
+      for (c[0] = 0; c[0] < lattice.count[0]; ++c[0]) {
+        CellIndex to = c;
+        for (CellIndex from = c; measure(c) > 0.0 && measure(to) < 0.25 * cell; from = to) {
+          for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
+            for (const long long step : {-1LL, 1LL}) {
+              CellIndex next = from;
+              next[i] += step;
+              if (measure(next) > measure(to) + 1e-9 * cell) to = next;
+            }
+          if (to == from) break;
+        }
+        if (to != c) moves.emplace_back(c, to);
+      }
+  for (const auto& [from, to] : moves) sums.erase(from);
+  for (const auto& [from, to] : moves) add(sums.at(to), pieces.at(from));
+  return sums;
+}
+
+/// Shapes with slivers of all sorts, some of which go on from one to the next.
+std::vector<std::pair<Shape, int>> shapes_with_slivers() {
+  const Polygon needle{{{-1.0, -0.97}, {1.0, -1.0}, {1.1, -0.8}}};
+  return {
+      {Ball{{0.1, -0.2, 0.05}, 1.1, 0.6}, 3},
+      {Ball{{0.1, -0.2, 0.0}, 1.1, 0.0}, 2},
+      {Cone{{-0.9, -0.7, -0.8}, {0.8, 0.9, 1.1}, 0.8, 0.1}, 3},
+      {needle, 2},
+      {Combination{Operation::unite, {needle, Ball{{0.4, 0.3, 0.0}, 0.5, 0.42}}}, 2}};
+}
+
+TEST(Fill, PiecesOfSpansAreThoseOfTheWholeToTheBit) {
+  for (const auto& [shape, dimension] : shapes_with_slivers()) {
+    const Lattice lattice = lattice_around(box_around(shape), origin, 0.1, dimension);
+    const PieceOfCell whole = joined_pieces(shape, dimension, lattice);
+    for (const int ranks : {1, 2, 3, 7, 50}) {
+      PieceOfCell found;
+      long long begin = 0;
+      for (int rank = 0; rank < ranks; ++rank) {
+        const CellSpan span = share_of_cells(lattice, rank, ranks);
+        ASSERT_EQ(span.begin, begin);
+        begin = span.end;
+        for_each_lattice_piece(
+            shape,
+            dimension,
+            lattice,
+            span,
+            [&](const CellIndex& cell, const Piece& piece) {
+              EXPECT_TRUE(found.emplace(cell, piece).second);
+            }
+        );
+      }
+      ASSERT_EQ(begin, count_cells(lattice));
+      ASSERT_EQ(found.size(), whole.size());
+      for (const auto& [cell, piece] : whole) {
+        ASSERT_EQ(found.count(cell), 1U);
+        EXPECT_EQ(found[cell].measure, piece.measure);
+        EXPECT_EQ(found[cell].centroid, piece.centroid);
+      }
+    }
+  }
+}
+
+TEST(Fill, ASpanLooksAtLittleOutsideOfItself) {
+  const Shape ball = Ball{{0.1, -0.2, 0.05}, 1.1};
+  const Lattice lattice = lattice_around(box_around(ball), origin, 0.04, 3);
+  const auto looked_at = [&](int rank, int ranks) {
+    const long long before = work_counts().candidate_points;
+    for_each_lattice_piece(
+        ball, 3, lattice, share_of_cells(lattice, rank, ranks), [](const auto&, const Piece&) {}
+    );
+    return static_cast<double>(work_counts().candidate_points - before);
+  };
+  const double all = looked_at(0, 1);
+  EXPECT_LT(all, 1.5 * static_cast<double>(count_cells(lattice)));
+  for (const int ranks : {2, 4, 8})
+    for (int rank = 0; rank < ranks; ++rank) EXPECT_LT(looked_at(rank, ranks), 1.5 * all / ranks);
+}
+
+TEST(Fill, TheFullestCellIsFoundAtTheSurface) {
+  const Shape ball = Ball{{0.1, -0.2, 0.05}, 1.1};
+  const Lattice lattice = lattice_around(box_around(ball), origin, 0.02, 3);
+  const long long before = work_counts().undivided_points;
+  EXPECT_GE(fullest_cell(ball, 3, lattice, 0.5), 0.5);
+  EXPECT_LT(work_counts().undivided_points - before, count_cells(lattice) / 1000);
+  // Nowhere wider than a third of a cell: every cell of its surface is looked at.
+  const Shape wall = Box{{-1.0, -1.0, 0.001}, {1.0, 1.0, 0.007}};
+  double fullest = 0.0;
+  for (const auto& [cell, piece] : joined_pieces(wall, 3, lattice))
+    fullest = std::max(fullest, piece.measure / std::pow(lattice.size, 3));
+  EXPECT_NEAR(fullest_cell(wall, 3, lattice, 0.5), 0.3, 1e-9);
+  EXPECT_GE(fullest, 0.3 - 1e-9);
+  EXPECT_EQ(fullest_cell(Ball{{9.0, 9.0, 9.0}, 0.5}, 3, lattice, 0.5), 0.0);
 }
 
 /// A disk whose centre is a corner of the lattice is its own mirror image, and so are its
