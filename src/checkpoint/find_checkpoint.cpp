@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/rank_work.hpp"
+#include "base/region.hpp"
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_checkpoint.hpp"
 #include "deck/section_table.hpp"
@@ -36,10 +37,8 @@ double version_of(const Hdf5File& file) {
   return size.rows == 1 && size.columns == 1 ? file.read("run/version").values[0] : -1.0;
 }
 
-/// Whether a file is a whole checkpoint of this version; why not, if it is not.
-std::string fault_of(const fs::path& path, Checkpoint& found) {
-  const SealedFile sealed(path);
-  if (!sealed.fault().empty()) return sealed.fault();
+/// What rank 0 reads of a file whose seal is right; what is wrong with it, if anything is.
+std::string read_on_root(const SealedFile& sealed, const fs::path& path, Checkpoint& found) {
   try {
     auto file = std::make_shared<Hdf5File>(path, Hdf5File::Mode::read);
     if (!file->is(sealed.handle())) return "it was replaced while it was being read";
@@ -54,21 +53,58 @@ std::string fault_of(const fs::path& path, Checkpoint& found) {
   } catch (const FileError& error) {
     return error.what();
   }
+  return {};
+}
+
+/// Every rank opens the file that it has compared, before it may get another name. Collective.
+void open_on_others(
+    const Comm& comm, const SealedFile& sealed, const fs::path& path, Checkpoint& found
+) {
+  RankWork work(comm);
+  work.run([&] {
+    if (is_root(comm)) return;
+    found.open = std::make_shared<Hdf5File>(path, Hdf5File::Mode::read);
+    if (found.open->is(sealed.handle())) return;
+    throw FileError(
+        "cannot resume from '" + path.string() +
+        "' (it was replaced while it was being read); "
+        "try again."
+    );
+  });
+  work.agree();
+}
+
+/// Whether a file is a whole checkpoint of this version, then open on every rank; why not, if it is
+/// not. Collective, and the same on every rank.
+std::string fault_of(const Comm& comm, const fs::path& path, Checkpoint& found) {
+  const SealedFile sealed(comm, path);
+  if (!sealed.fault().empty()) return sealed.fault();
+  std::string fault;
+  if (is_root(comm)) fault = read_on_root(sealed, path, found);
+  fault = broadcast_from_root(comm, fault);
+  if (!fault.empty()) return fault;
+  open_on_others(comm, sealed, path, found);
   found.file = path;
   return {};
 }
 
-Checkpoint find_on_root(const fs::path& folder) {
+/// Whether rank 0 has a file of that name.
+bool is_there(const Comm& comm, const fs::path& path) {
+  std::error_code error;
+  const bool there = is_root(comm) && fs::exists(path, error);
+  return broadcast_from_root(comm, there ? "there" : "") == "there";
+}
+
+Checkpoint find_newest(const Comm& comm, const fs::path& folder) {
   Checkpoint found;
   // Any kill may leave one that was not sealed, so that is not reported.
   const fs::path aside = folder / checkpoint_temporary_name;
-  if (fs::exists(aside) && SealedFile(aside).fault().empty() && fault_of(aside, found).empty())
-    return found;
+  if (is_there(comm, aside) && fault_of(comm, aside, found).empty()) return found;
   std::string faults;
   for (const char* name : {checkpoint_name, previous_checkpoint_name}) {
     const fs::path path = folder / name;
-    if (!fs::exists(path)) continue;
-    const std::string fault = fault_of(path, found);
+    if (!is_there(comm, path)) continue;
+    const std::string fault = fault_of(comm, path, found);
     if (fault.empty()) return found;
     faults += (faults.empty() ? "" : "; ") + std::string(name) + ": " + fault;
     found.notes.push_back(
@@ -125,36 +161,14 @@ bool may_differ(const std::string& a, const std::string& b) {
   return false;
 }
 
-/// Every rank opens the file that rank 0 has, before it may get another name.
-void open_on_all(const Comm& comm, Checkpoint& found) {
-  std::string seal;
-  if (is_root(comm)) seal = seal_text(found.file);
-  seal = broadcast_from_root(comm, seal);
-  RankWork work(comm);
-  work.run([&] {
-    if (is_root(comm)) return;
-    found.open = std::make_shared<Hdf5File>(found.file, Hdf5File::Mode::read);
-    if (seal_text(found.file) == seal) return;
-    throw FileError(
-        "cannot resume from '" + found.file.string() + "' (rank " + std::to_string(comm.getRank()) +
-        " sees another file of that name than rank 0); put the folder where every node sees it."
-    );
-  });
-  work.agree();
-}
-
 }  // namespace
 
 Checkpoint find_checkpoint(const Comm& comm, const fs::path& folder) {
-  Checkpoint found;
-  RootWork work(comm);
-  work.run([&] { found = find_on_root(folder); });
-  work.agree();
-  found.file = broadcast_from_root(comm, found.file.string());
+  const Region region("find_checkpoint");
+  Checkpoint found = find_newest(comm, folder);
   found.deck_text = broadcast_from_root(comm, found.deck_text);
   found.numbers = share(comm, found.numbers);
   found.output = share(comm, found.output);
-  open_on_all(comm, found);
   return found;
 }
 

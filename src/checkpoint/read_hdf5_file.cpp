@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/work_counts.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/hdf5_handle.hpp"
 #include "output/guarded_file.hpp"
@@ -89,6 +90,7 @@ std::vector<T> Hdf5File::read_rows(const std::string& name, std::size_t first, s
       table.get(), std::is_same_v<T, double> ? H5T_FLOAT : H5T_INTEGER, sizeof(T), name
   );
   std::vector<T> values(count * size.columns);
+  work_counts().checkpoint_bytes += static_cast<long long>(values.size() * sizeof(T));
   if (!values.empty()) read_part(table.get(), type, first, count, values.data(), name);
   return values;
 }

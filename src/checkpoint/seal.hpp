@@ -15,15 +15,17 @@ void seal_checkpoint(const std::filesystem::path& path);
 /// every rank
 void seal_checkpoint(const Comm& comm, const std::filesystem::path& path);
 
-/// A file whose length and digest were compared with its seal, kept open: who reads it later can
-/// make sure that it is this file, and not one that has taken its name since.
+/// A file whose length and digest were compared with its seal, every rank reading an equal part of
+/// it, kept open: who reads it later can make sure that it is this file, and not one that has taken
+/// its name since.
 class SealedFile {
 public:
-  explicit SealedFile(const std::filesystem::path& path);
+  /// Collective. @throws FileError on every rank, where not all see the same file
+  SealedFile(const Comm& comm, const std::filesystem::path& path);
   ~SealedFile();
   SealedFile(const SealedFile&) = delete;
   SealedFile& operator=(const SealedFile&) = delete;
-  /// What is wrong with it; empty if the seal is right.
+  /// What is wrong with it, the same on every rank; empty if the seal is right.
   const std::string& fault() const { return fault_; }
   int handle() const { return file_; }  ///< of the system
 
@@ -31,9 +33,6 @@ private:
   int file_;
   std::string fault_;
 };
-
-/// The first bytes of a file, where its seal stands; empty if it cannot be read.
-std::string seal_text(const std::filesystem::path& path);
 
 /// Brings the names in a folder to the disk.
 void sync_folder(const std::filesystem::path& folder);

@@ -2,6 +2,7 @@
 // Tables whose rows are written by the ranks that have them are what HDF5 reads.
 #include "base/error.hpp"
 #include "base/rank_work.hpp"
+#include "base/work_counts.hpp"
 #include "checkpoint/crc32.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/own_rows.hpp"
@@ -12,6 +13,7 @@
 #include "unit/output/synthetic_run.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
 
 #include <gtest/gtest.h>
 
@@ -79,7 +81,7 @@ protected:
     EXPECT_EQ(wrong, 0U);
     EXPECT_EQ(file.read_integers("before").values, (std::vector<long long>{1, 2}));
     EXPECT_EQ(file.read_integers("behind").values, (std::vector<long long>{3, 4}));
-    EXPECT_EQ(SealedFile(path).fault(), "");
+    EXPECT_EQ(SealedFile(Teuchos::SerialComm<int>(), path).fault(), "");
   }
   const Teuchos::RCP<const Comm> comm = Teuchos::DefaultComm<int>::getComm();
   const synthetic::TemporaryFolder folder{*comm};
@@ -129,16 +131,31 @@ TEST_F(RowsTest, TheSealOfAllRanksIsThatOfOne) {
 
 TEST_F(RowsTest, EveryWrongBitIsFoundByTheSeal) {
   write(std::vector<int>(static_cast<std::size_t>(comm->getSize()), 70001), 2);
-  if (!is_root(*comm)) return;
+  comm->barrier();
   const std::string whole = whole_file(path);
+  EXPECT_EQ(SealedFile(*comm, path).fault(), "");
   std::mt19937 random(1);
   for (int trial = 0; trial < 20; ++trial) {
     std::string wrong = whole;
     const std::size_t place = random() % whole.size();
     wrong[place] = static_cast<char>(wrong[place] ^ (1 << random() % 8));
-    std::ofstream(path, std::ios::binary) << wrong;
-    EXPECT_NE(SealedFile(path).fault(), "") << place;
+    comm->barrier();
+    if (is_root(*comm)) std::ofstream(path, std::ios::binary) << wrong;
+    comm->barrier();
+    EXPECT_NE(SealedFile(*comm, path).fault(), "") << place;
   }
+}
+
+TEST_F(RowsTest, EveryRankReadsItsPartOfTheFileForTheSeal) {
+  write(std::vector<int>(static_cast<std::size_t>(comm->getSize()), 70001), 2);
+  comm->barrier();
+  const auto size = static_cast<long long>(fs::file_size(path) - user_block);
+  const long long before = work_counts().checkpoint_bytes;
+  EXPECT_EQ(SealedFile(*comm, path).fault(), "");
+  std::vector<long long> read{work_counts().checkpoint_bytes - before};
+  EXPECT_LE(read[0], size / comm->getSize() + comm->getSize());
+  sum_over_ranks(*comm, read);
+  EXPECT_EQ(read[0], size);
 }
 
 TEST_F(RowsTest, WhatIsNotReadBackAsWrittenIsRefused) {
