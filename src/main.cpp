@@ -31,16 +31,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 
 namespace barreno {
 namespace {
 
-/// On rank 0, which prints it. What the scene cannot do is said by all ranks when they build it.
-Prediction predict_run(const Scene& scene, const Comm& comm) {
+/// On rank 0, which prints the prediction. What the scene cannot do is said by all ranks when they
+/// build it.
+std::optional<Probe> probe_run(const Scene& scene, const Comm& comm) {
   if (!is_root(comm)) return {};
   try {
-    return predict_cost(scene, probe_cost(scene), comm.getSize());
+    return probe_cost(scene);
   } catch (const NumericalError&) {
     return {};
   }
@@ -52,8 +54,11 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   refuse_short_domains(deck, scene);
   refuse_unreachable_end(deck, scene);
   check_solver_lists(deck, scene, *comm);
-  const Prediction prediction = predict_run(scene, *comm);
-  State state = build_state(scene, comm);
+  const std::optional<Probe> probe = probe_run(scene, *comm);
+  const BodyCensus census = take_census(scene, comm);
+  const Prediction prediction =
+      probe ? predict_cost(scene, *probe, census.counts, comm->getSize()) : Prediction{};
+  State state = build_state(scene, census, comm);
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
   const FolderLock lock(*comm, folder);
@@ -67,7 +72,8 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       prediction,
       deck.surface_files,
       build_facts(),
-      jet_monitor_of(deck, scene)};
+      jet_monitor_of(deck, scene),
+      particle_id_ranges(scene, census.first)};
   catch_signals();  // before this nothing is lost
   Output output(scene, state, description);
   output.write_if_due(scene, state);

@@ -78,8 +78,10 @@ int resume(
   const Deck deck = read_deck(file, overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_resume(folder, deck, scene, checkpoint);
-  State state = build_state(scene, comm);
-  check_checkpoint(scene, state, checkpoint);
+  const BodyCensus census = take_census(scene, comm);
+  const std::vector<IdRange> ids = particle_id_ranges(scene, census.first);
+  State state = build_state(scene, census, comm);
+  check_checkpoint(scene, ids, state, checkpoint);
   settle_checkpoints(*comm, checkpoint);
   std::vector<std::string> notes = notes_of(deck, scene);
   notes.insert(notes.end(), checkpoint.notes.begin(), checkpoint.notes.end());
@@ -90,7 +92,7 @@ int resume(
   );
   const std::string text = overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
   const RunDescription description{
-      folder, file, text, BARRENO_VERSION, notes, {}, {}, build, jet_monitor_of(deck, scene)};
+      folder, file, text, BARRENO_VERSION, notes, {}, {}, build, jet_monitor_of(deck, scene), ids};
   RunNumbers position = checkpoint.output;
   position["time"] = checkpoint.numbers.at("time");
   catch_signals();

@@ -192,7 +192,7 @@ std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene
       "of the cells)\n";
   for (const std::string& name : fidelity_words()) {
     const Scene scene = scene_with(name);
-    const Prediction cost = predict_cost(scene, probe_cost(scene), ranks);
+    const Prediction cost = predict_cost(scene, probe_cost(scene), particle_counts(scene), ranks);
     text += format(
         "  %-22s %s, %.3g particle-steps; errors: %s%s\n",
         name.c_str(),
@@ -207,13 +207,9 @@ std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene
 
 namespace {
 
-/// At the start, and of the whole jet.
-double all_particles(const Scene& scene) {
+double sum_of(const std::vector<long long>& counts) {
   double sum = 0.0;
-  for (const BodySpec& body : scene.bodies)
-    sum += static_cast<double>(count_body_particles(scene.grid, body));
-  for (const JetSlug& slug : scene.jet.slugs)
-    sum += static_cast<double>(count_slug_particles(scene, slug));
+  for (const long long count : counts) sum += static_cast<double>(count);
   return sum;
 }
 
@@ -222,8 +218,9 @@ double all_particles(const Scene& scene) {
 std::string plan_text(
     const Scene& scene, const Probe& probe, int ranks, const std::vector<std::string>& notes
 ) {
-  const double particles = all_particles(scene);
-  const Prediction cost = predict_cost(scene, probe, ranks);
+  const std::vector<long long> counts = particle_counts(scene);  // with the whole jet
+  const double particles = sum_of(counts);
+  const Prediction cost = predict_cost(scene, probe, counts, ranks);
   std::string text = scene.title.empty() ? std::string("The deck is valid.\n")
                                          : scene.title + "\nThe deck is valid.\n";
   text += format(

@@ -120,7 +120,9 @@ double growth_of(const Scene& scene, const std::string& verb) {
   return 1.0;
 }
 
-Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks) {
+Prediction predict_cost(
+    const Scene& scene, const Probe& probe, const std::vector<long long>& counts, int ranks
+) {
   Prediction prediction;
   prediction.first_step = stable_step_of_scene(scene, false);
   double dt = stable_step_of_scene(scene, true);
@@ -128,17 +130,18 @@ Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks) {
   if (scene.step.largest_step > 0.0) dt = std::min(dt, scene.step.largest_step);
   prediction.steps = scene.end_time / dt;
   double skipped = 0.0;  // particle-steps in dormant tiles
-  for (const BodySpec& body : scene.bodies) {
+  const std::size_t bodies = scene.bodies.size();
+  for (std::size_t b = 0; b < bodies; ++b) {
+    const BodySpec& body = scene.bodies[b];
     if (is_rigid(scene, body)) continue;
-    const double steps =
-        static_cast<double>(count_body_particles(scene.grid, body)) * scene.end_time / dt;
+    const double steps = static_cast<double>(counts[b]) * scene.end_time / dt;
     prediction.particle_steps += steps;
     skipped += steps * (1.0 - awake_share(scene, body, dt));
   }
   if (scene.jet.present)
-    for (const JetSlug& slug : scene.jet.slugs)
-      prediction.particle_steps += static_cast<double>(count_slug_particles(scene, slug)) *
-                                   std::max(0.0, scene.end_time - slug.time) / dt;
+    for (std::size_t s = 0; s < scene.jet.slugs.size(); ++s)
+      prediction.particle_steps += static_cast<double>(counts[bodies + s]) *
+                                   std::max(0.0, scene.end_time - scene.jet.slugs[s].time) / dt;
   double grown = 1.0;
   for (const auto& [verb, share] : probe.shares) grown += share * (growth_of(scene, verb) - 1.0);
   const double awake = 1.0 - skipped / prediction.particle_steps;

@@ -20,7 +20,10 @@ std::vector<double> stable_steps_of_materials(const Scene& scene, bool viscous);
 /// What a run will cost on a number of ranks: particle-steps by the stable step and by the launch
 /// of each slug, times what the probe's particles took, times what flow will add to their
 /// materials.
-Prediction predict_cost(const Scene& scene, const Probe& probe, int ranks);
+/// @param counts  particles of every body and slug (particle_counts, or those of a BodyCensus)
+Prediction predict_cost(
+    const Scene& scene, const Probe& probe, const std::vector<long long>& counts, int ranks
+);
 
 /// How many times as long as in the probe a verb will take over the run, as measured in runs
 /// (check/cost_growth.hpp): stresses of what flows cost more than those of the first steps.

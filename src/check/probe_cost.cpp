@@ -3,6 +3,7 @@
 
 #include "base/process.hpp"
 #include "base/region.hpp"
+#include "base/work_counts.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/tile_levels.hpp"
 #include "state/build_state.hpp"
@@ -69,7 +70,9 @@ Probe probe_cost(const Scene& scene) {
   probe.program_bytes = peak_resident_bytes();
   const Scene probed = probed_scene(scene);
   const double smallest = smallest_cell(scene.grid);
+  const WorkCounts counted = work_counts();
   State state = build_state(probed, Teuchos::rcp(new Teuchos::SerialComm<int>));
+  work_counts() = counted;  // a probe has few particles in a run of any size
   for (const Particles& particles : state.particles)
     state.stable_step =
         std::min(state.stable_step, stable_step_of_rows(probed.step, state.grid, particles, 0));

@@ -2,8 +2,11 @@
 #include "checkpoint/check_values.hpp"
 
 #include "base/error.hpp"
+#include "base/exchange.hpp"
 #include "base/region.hpp"
 #include "checkpoint/checkpoint_contents.hpp"
+#include "checkpoint/first_fault.hpp"
+#include "checkpoint/own_rows.hpp"
 #include "output/text_file.hpp"
 #include "state/balance.hpp"
 #include "state/id_ranges.hpp"
@@ -16,11 +19,6 @@
 namespace barreno {
 namespace {
 
-/// Leaves with what is wrong; the file is the root's.
-struct WrongTable {
-  std::string words;
-};
-
 std::string shape_text(const Hdf5Size& size) {
   return std::to_string(size.rows) + " x " + std::to_string(size.columns);
 }
@@ -28,10 +26,10 @@ std::string shape_text(const Hdf5Size& size) {
 void expect_size(const Hdf5File& file, const std::string& name, const Hdf5Size& wanted) {
   const Hdf5Size found = file.size_of(name);
   if (found.rows != wanted.rows || found.columns != wanted.columns)
-    throw WrongTable{name + " is " + shape_text(found) + " instead of " + shape_text(wanted)};
+    throw WrongTable{name + " is " + shape_text(found) + " instead of " + shape_text(wanted), 0};
 }
 
-/// visit(row, values) chunk by chunk.
+/// visit(row, values) chunk by chunk, for tables that rank 0 alone looks at.
 template <class T, class Visitor>
 void for_each_row(const Hdf5File& file, const std::string& name, Visitor&& visit) {
   const Hdf5Size all = file.size_of(name);
@@ -52,10 +50,25 @@ void for_each_value(
   for_each_row<T>(file, name, [&](std::size_t row, const T* value) { visit(row, *value); });
 }
 
+/// The same for this rank's part of the rows.
+template <class T, class Visitor>
+void for_each_part_value(
+    const Comm& comm,
+    const Hdf5File& file,
+    const std::string& name,
+    std::size_t rows,
+    Visitor&& visit
+) {
+  expect_size(file, name, {rows, 1});
+  for_part_of_rows<T>(comm, file, name, [&](std::size_t row, const T* value) {
+    visit(row, *value);
+  });
+}
+
 template <class Number>
 [[noreturn]] void refuse_value(const std::string& name, std::size_t row, Number value) {
   throw WrongTable{
-      name + " is " + to_text(static_cast<double>(value)) + " in row " + std::to_string(row)};
+      name + " is " + to_text(static_cast<double>(value)) + " in row " + std::to_string(row), row};
 }
 
 void check_owners(const Hdf5File& file, const State& state, long long ranks) {
@@ -79,7 +92,7 @@ void check_reproducible_sums(const Hdf5File& file, const std::string& name, std:
     bool fine = parts[0] > -max_leading_part && parts[0] < max_leading_part;
     for (int i = 1; i < ReproducibleSum::parts; ++i)
       fine = fine && parts[i] >= 0 && parts[i] < part;
-    if (!fine) throw WrongTable{name + " holds no sum in row " + std::to_string(row)};
+    if (!fine) throw WrongTable{name + " holds no sum in row " + std::to_string(row), row};
   });
 }
 
@@ -98,36 +111,94 @@ void check_sums(const Hdf5File& file, const State& state) {
 /// Ids that particles of a material may have: its bodies', and those of slugs that were launched.
 class Ids {
 public:
-  Ids(const Scene& scene, const State& state, const Checkpoint& checkpoint, int material) {
+  Ids(const Scene& scene,
+      const std::vector<IdRange>& ids,
+      const State& state,
+      const Checkpoint& checkpoint,
+      int material) {
     const auto next = static_cast<std::size_t>(number_of(checkpoint.numbers, "next_slug"));
-    for (IdRange range : particle_id_ranges(scene)) {
+    for (IdRange range : ids) {
       if (range.material != material) continue;
       const bool jet = scene.jet.present && next < state.jet.slug_ids.size() &&
                        range.first == state.jet.slug_ids.front();
       if (jet) range.count = state.jet.slug_ids[next] - range.first;
-      begins_.push_back(seen_.size());
+      begins_.push_back(count_);
       ranges_.push_back(range);
-      seen_.resize(seen_.size() + static_cast<std::size_t>(range.count), false);
+      count_ += range.count;
     }
   }
-  /// @return whether it is one of them, and new
-  bool take(ParticleId id) {
+  long long count() const { return count_; }
+  /// The place of an id among them; -1 if it is none of them.
+  long long place_of(ParticleId id) const {
     for (std::size_t r = 0; r < ranges_.size(); ++r) {
+      if (id < ranges_[r].first) continue;
       const ParticleId place = id - ranges_[r].first;
-      if (id < ranges_[r].first || place >= ranges_[r].count) continue;
-      const std::size_t at = begins_[r] + static_cast<std::size_t>(place);
-      if (seen_[at]) return false;
-      seen_[at] = true;
-      return true;
+      if (place < ranges_[r].count) return begins_[r] + place;
     }
-    return false;
+    return -1;
   }
 
 private:
   std::vector<IdRange> ranges_;
-  std::vector<std::size_t> begins_;
-  std::vector<bool> seen_;
+  std::vector<long long> begins_;
+  long long count_ = 0;
 };
+
+/// Rows of ids on their way to the rank that looks whether an id comes twice: places are dealt out
+/// in equal spans.
+struct SentIds {
+  std::vector<std::vector<double>> by_rank;  ///< row, place, row, place ...
+  long long places_each;
+
+  SentIds(const Comm& comm, long long places)
+      : by_rank(static_cast<std::size_t>(comm.getSize())),
+        places_each(std::max(1LL, (places + comm.getSize() - 1) / comm.getSize())) {}
+  void add(std::size_t row, long long place) {
+    std::vector<double>& rows = by_rank[static_cast<std::size_t>(place / places_each)];
+    rows.push_back(static_cast<double>(row));
+    rows.push_back(static_cast<double>(place));
+  }
+  /// What all ranks have for this one, by ascending row.
+  std::vector<double> exchanged(const Comm& comm) const {
+    std::vector<double> send;
+    std::vector<int> counts;
+    for (const std::vector<double>& rows : by_rank) {
+      send.insert(send.end(), rows.begin(), rows.end());
+      counts.push_back(static_cast<int>(rows.size()));
+    }
+    return exchange(comm, send, counts);
+  }
+};
+
+/// Every id is one of those that may be, and none comes twice. Collective.
+void check_ids(
+    const Comm& comm,
+    const Hdf5File& file,
+    const std::string& name,
+    std::size_t rows,
+    const Ids& ids
+) {
+  const std::size_t begin = part_of_rows(comm, rows).begin;
+  SentIds sent(comm, ids.count());
+  check_together(comm, begin, [&] {
+    for_each_part_value<long long>(comm, file, name, rows, [&](std::size_t row, long long id) {
+      const long long place = ids.place_of(id);
+      if (place < 0) refuse_value(name, row, id);
+      sent.add(row, place);
+    });
+  });
+  const std::vector<double> received = sent.exchanged(comm);
+  check_together(comm, begin, [&] {
+    std::vector<bool> seen(static_cast<std::size_t>(sent.places_each), false);
+    for (std::size_t i = 0; i < received.size(); i += 2) {
+      const auto row = static_cast<std::size_t>(received[i]);
+      const auto place = static_cast<long long>(received[i + 1]);
+      const auto mine = static_cast<std::size_t>(place % sent.places_each);
+      if (seen[mine]) refuse_value(name, row, file.read_rows<long long>(name, row, 1)[0]);
+      seen[mine] = true;
+    }
+  });
+}
 
 void check_counts(const Hdf5File& file, const std::string& name, long long ranks, std::size_t all) {
   const auto most = static_cast<long long>(all);
@@ -143,10 +214,11 @@ void check_counts(const Hdf5File& file, const std::string& name, long long ranks
   );
   if (sum != most)
     throw WrongTable{
-        name + " adds up to " + std::to_string(sum) + " instead of " + std::to_string(all)};
+        name + " adds up to " + std::to_string(sum) + " instead of " + std::to_string(all), 0};
 }
 
 void check_bodies(
+    const Comm& comm,
     const Hdf5File& file,
     const Scene& scene,
     int material,
@@ -154,7 +226,7 @@ void check_bodies(
     std::size_t rows
 ) {
   const auto bodies = static_cast<long long>(scene.bodies.size());
-  for_each_value<long long>(file, name, rows, [&](std::size_t row, long long value) {
+  for_each_part_value<long long>(comm, file, name, rows, [&](std::size_t row, long long value) {
     const long long body = value & ~static_cast<long long>(debris_bit);
     const bool of_body = body >= 0 && body < bodies &&
                          scene.bodies[static_cast<std::size_t>(body)].material == material;
@@ -163,14 +235,20 @@ void check_bodies(
   });
 }
 
-/// Causes of removal by row; -1 for those that stay.
-std::vector<signed char> read_causes(
-    const Hdf5File& file, const std::string& name, std::size_t rows
+/// Causes of removal in this rank's part of the rows; -1 for particles that stay.
+struct Causes {
+  std::size_t begin = 0;
+  std::vector<signed char> of_row;
+  bool stays(std::size_t row) const { return of_row[row - begin] < 0; }
+};
+
+Causes read_causes(
+    const Comm& comm, const Hdf5File& file, const std::string& name, std::size_t rows
 ) {
-  std::vector<signed char> causes(rows);
-  for_each_value<long long>(file, name, rows, [&](std::size_t row, long long cause) {
+  Causes causes{part_of_rows(comm, rows).begin, {}};
+  for_each_part_value<long long>(comm, file, name, rows, [&](std::size_t row, long long cause) {
     if (cause < -1 || cause >= removal_causes) refuse_value(name, row, cause);
-    causes[row] = static_cast<signed char>(cause);
+    causes.of_row.push_back(static_cast<signed char>(cause));
   });
   return causes;
 }
@@ -190,90 +268,121 @@ bool is_possible(const Scene& scene, const std::string& field, double value) {
 }
 
 void check_field(
-    const Hdf5File& file,
     const Scene& scene,
+    const Comm& comm,
+    const Hdf5File& file,
     const std::string& group,
     const Field& field,
-    const std::vector<signed char>& causes
+    const Hdf5Size& size,
+    const Causes& causes
 ) {
   const std::string name = group + field.name;
-  const auto columns = static_cast<std::size_t>(field.components);
-  expect_size(file, name, {causes.size(), columns});
-  for_each_row<double>(file, name, [&](std::size_t row, const double* values) {
-    for (std::size_t c = 0; causes[row] < 0 && c < columns; ++c)
+  expect_size(file, name, size);
+  for_part_of_rows<double>(comm, file, name, [&](std::size_t row, const double* values) {
+    for (std::size_t c = 0; causes.stays(row) && c < size.columns; ++c)
       if (!is_possible(scene, field.name, values[c])) refuse_value(name, row, values[c]);
   });
 }
 
 void check_inside(
-    const Hdf5File& file,
-    const State& state,
-    const std::string& name,
-    const std::vector<signed char>& causes
+    const State& state, const Hdf5File& file, const std::string& name, const Causes& causes
 ) {
   const auto columns = static_cast<std::size_t>(dimensions(state.grid.mode));
-  for_each_row<double>(file, name, [&](std::size_t row, const double* values) {
-    Vector x{};
-    std::copy_n(values, columns, x.data());
-    if (causes[row] < 0 && !state.grid.holds(x))
-      throw WrongTable{name + " is outside the grid in row " + std::to_string(row)};
-  });
+  for_part_of_rows<double>(
+      *state.grid.comm,
+      file,
+      name,
+      [&](std::size_t row, const double* values) {
+        Vector x{};
+        std::copy_n(values, columns, x.data());
+        if (causes.stays(row) && !state.grid.holds(x))
+          throw WrongTable{name + " is outside the grid in row " + std::to_string(row), row};
+      }
+  );
 }
 
-void check_particles(
+/// Fields of a material's particles. Collective.
+void check_fields(
     const Scene& scene,
     const State& state,
     const Particles& particles,
-    const Checkpoint& checkpoint,
-    long long ranks
+    const Hdf5File& file,
+    std::size_t rows
 ) {
-  const Hdf5File& file = *checkpoint.open;
+  const Comm& comm = *state.grid.comm;
   const std::string group = particle_group(particles);
-  const std::size_t rows = file.size_of(group + "id").rows;
-  Ids ids(scene, state, checkpoint, particles.material);
-  for_each_value<long long>(file, group + "id", rows, [&](std::size_t row, long long id) {
-    if (!ids.take(id)) refuse_value(group + "id", row, id);
-  });
-  check_counts(file, group + "rank_counts", ranks, rows);
-  check_bodies(file, scene, particles.material, group + "body", rows);
-  const std::vector<signed char> causes = read_causes(file, group + "removal", rows);
+  const std::size_t begin = part_of_rows(comm, rows).begin;
+  Causes causes;
+  check_together(comm, begin, [&] { causes = read_causes(comm, file, group + "removal", rows); });
   particles.for_each_field([&](const Field& field) {
-    if (field.components > 0) check_field(file, scene, group, field, causes);
+    if (field.components == 0) return;
+    const Hdf5Size size{rows, static_cast<std::size_t>(field.components)};
+    check_together(comm, begin, [&] {
+      check_field(scene, comm, file, group, field, size, causes);
+    });
   });
-  check_inside(file, state, group + "position", causes);
+  check_together(comm, begin, [&] { check_inside(state, file, group + "position", causes); });
 }
 
-std::string find_fault(const Scene& scene, const State& state, const Checkpoint& checkpoint) {
-  std::string fault = fault_of_numbers(scene, state, checkpoint);
-  if (!fault.empty()) return fault;
+/// Rows of particles: each rank looks at its equal part. Collective.
+void check_particles(
+    const Scene& scene,
+    const std::vector<IdRange>& ids,
+    const State& state,
+    const Particles& particles,
+    const Checkpoint& checkpoint
+) {
+  const Comm& comm = *state.grid.comm;
   const Hdf5File& file = *checkpoint.open;
+  const std::string group = particle_group(particles);
+  std::size_t rows = 0;
+  check_together(comm, 0, [&] { rows = file.size_of(group + "id").rows; });
+  const Ids allowed(scene, ids, state, checkpoint, particles.material);
+  check_ids(comm, file, group + "id", rows, allowed);
+  check_together(comm, part_of_rows(comm, rows).begin, [&] {
+    if (is_root(comm)) {
+      const auto ranks = static_cast<long long>(number_of(checkpoint.numbers, "ranks"));
+      check_counts(file, group + "rank_counts", ranks, rows);
+    }
+  });
+  check_together(comm, part_of_rows(comm, rows).begin, [&] {
+    check_bodies(comm, file, scene, particles.material, group + "body", rows);
+  });
+  check_fields(scene, state, particles, file, rows);
+}
+
+/// What rank 0 alone looks at: it is small, or not in the file.
+void check_small_tables(const Scene& scene, const State& state, const Checkpoint& checkpoint) {
+  std::string fault = fault_of_numbers(scene, state, checkpoint);
+  if (!fault.empty()) throw WrongTable{fault, 0};
   const auto ranks = static_cast<long long>(number_of(checkpoint.numbers, "ranks"));
-  try {
-    check_owners(file, state, ranks);
-    check_sums(file, state);
-    for (const Particles& particles : state.particles)
-      check_particles(scene, state, particles, checkpoint, ranks);
-  } catch (const WrongTable& found) {
-    fault = found.words;
-  }
-  return fault;
+  check_owners(*checkpoint.open, state, ranks);
+  check_sums(*checkpoint.open, state);
 }
 
 }  // namespace
 
-void check_checkpoint(const Scene& scene, const State& state, const Checkpoint& checkpoint) {
+void check_checkpoint(
+    const Scene& scene,
+    const std::vector<IdRange>& ids,
+    const State& state,
+    const Checkpoint& checkpoint
+) {
   const Region region("check_checkpoint");
-  RootWork work(*state.grid.comm);
-  work.run([&] {
-    const std::string fault = find_fault(scene, state, checkpoint);
-    if (fault.empty()) return;
+  const Comm& comm = *state.grid.comm;
+  try {
+    check_together(comm, 0, [&] {
+      if (is_root(comm)) check_small_tables(scene, state, checkpoint);
+    });
+    for (const Particles& particles : state.particles)
+      check_particles(scene, ids, state, particles, checkpoint);
+  } catch (const WrongTable& found) {
     throw FileError(
-        "cannot resume from '" + checkpoint.file.string() + "' (" + fault +
+        "cannot resume from '" + checkpoint.file.string() + "' (" + found.words +
         "); remove this file to continue from the previous checkpoint, or start again with barreno "
         "run."
     );
-  });
-  work.agree();
+  }
 }
 
 }  // namespace barreno

@@ -15,7 +15,7 @@ std::vector<std::size_t> rows_by_owner(
   std::vector<std::vector<double>> rows_of(static_cast<std::size_t>(comm.getSize()));
   RankWork work(comm);
   work.run([&] {
-    for_part_of_rows(comm, file, name, [&](std::size_t row, const double* values) {
+    for_part_of_rows<double>(comm, file, name, [&](std::size_t row, const double* values) {
       rows_of[static_cast<std::size_t>(owner_of(values))].push_back(static_cast<double>(row));
     });
   });

@@ -3,6 +3,7 @@
 
 #include "base/gather.hpp"
 #include "checkpoint/hdf5_file.hpp"
+#include "checkpoint/write_rows.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -11,20 +12,26 @@
 
 namespace barreno {
 
+/// This rank's equal part of so many rows.
+inline RowSpan part_of_rows(const Comm& comm, std::size_t rows) {
+  const auto ranks = static_cast<std::size_t>(comm.getSize());
+  const auto rank = static_cast<std::size_t>(comm.getRank());
+  return {rows * rank / ranks, rows * (rank + 1) / ranks};
+}
+
 /// visit(r, values) for the rows of a table that are this rank's equal part of all, for work that
 /// any rank may do.
-template <class Visitor>
+/// @tparam T  double or long long
+template <class T, class Visitor>
 void for_part_of_rows(
     const Comm& comm, const Hdf5File& file, const std::string& name, Visitor&& visit
 ) {
   const Hdf5Size all = file.size_of(name);
-  const auto ranks = static_cast<std::size_t>(comm.getSize());
-  const auto rank = static_cast<std::size_t>(comm.getRank());
-  const std::size_t end = all.rows * (rank + 1) / ranks;
+  const RowSpan part = part_of_rows(comm, all.rows);
   const std::size_t most = rows_of_chunk(all.rows, all.columns);
-  for (std::size_t first = all.rows * rank / ranks; first < end; first += most) {
-    const std::size_t count = std::min(most, end - first);
-    const std::vector<double> values = file.read_rows<double>(name, first, count);
+  for (std::size_t first = part.begin; first < part.end; first += most) {
+    const std::size_t count = std::min(most, part.end - first);
+    const std::vector<T> values = file.read_rows<T>(name, first, count);
     for (std::size_t r = 0; r < count; ++r) visit(first + r, values.data() + r * all.columns);
   }
 }

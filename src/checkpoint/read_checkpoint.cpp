@@ -79,7 +79,7 @@ std::vector<double> count_particles(const State& state, const Hdf5File& file) {
   work.run([&] {
     for (const Particles& particles : state.particles) {
       const std::string name = particle_group(particles) + "position";
-      for_part_of_rows(comm, file, name, [&](std::size_t, const double* values) {
+      for_part_of_rows<double>(comm, file, name, [&](std::size_t, const double* values) {
         const Vector x = position_of(particles, values);
         if (!state.grid.holds(x)) return;
         counts[static_cast<std::size_t>(cell_of(state.grid, x).box_tile)] += 1.0;

@@ -127,7 +127,7 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
   };
   fields = std::make_unique<ExodusWriter>(
       scene,
-      particle_id_ranges(scene),
+      run.ids,
       state,
       run.folder / "particles.e",
       run.version,

@@ -7,6 +7,7 @@
 #include "deck/sections/jet_monitor_section.hpp"
 #include "output/prediction.hpp"
 #include "scene/scene.hpp"
+#include "state/id_ranges.hpp"
 #include "state/state.hpp"
 
 #include <filesystem>
@@ -27,6 +28,7 @@ struct RunDescription {
   std::vector<SurfaceFile> surfaces{};  ///< that deck.xml names, to be copied beside it
   BuildFacts build{};                   ///< of the program, see build_facts
   JetMonitorSpec monitor{};             ///< not present() without a Jet Monitor
+  std::vector<IdRange> ids{};           ///< of all particles, see particle_id_ranges
 };
 
 /// How a run ended.

@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "base/region.hpp"
 #include "base/utf8.hpp"
+#include "base/work_counts.hpp"
 #include "output/jet/jet_estimate.hpp"
 #include "output/share_numbers.hpp"
 #include "scene/input_speeds.hpp"
@@ -55,6 +56,22 @@ std::vector<PhaseSummary> collect_phases(const Comm& comm) {
   return phases;
 }
 
+std::vector<WorkSummary> collect_work(const Comm& comm) {
+  const WorkCounts& mine = work_counts();
+  std::vector<long long> sums{
+      mine.candidate_points, mine.undivided_points, mine.particles_made, mine.checkpoint_bytes};
+  std::vector<long long> largest = sums;
+  sum_over_ranks(comm, sums);
+  max_over_ranks(comm, largest);
+  std::vector<WorkSummary> work;
+  for (const char* label :
+       {"candidate_points", "undivided_points", "particles_made", "checkpoint_bytes"}) {
+    const std::size_t i = work.size();
+    work.push_back({label, static_cast<double>(sums[i]), static_cast<double>(largest[i])});
+  }
+  return work;
+}
+
 void put_cost(Json& json, const RunSummary& summary, const RunTotals& totals) {
   json["particle_steps"] = number(totals.particle_steps);
   json["skipped_particle_steps"] = number(totals.skipped_steps);
@@ -71,6 +88,10 @@ void put_cost(Json& json, const RunSummary& summary, const RunTotals& totals) {
     one["largest_rank_seconds"] = number(phase.largest_seconds);
     one["calls"] = phase.calls;
     one["ns_per_particle_step"] = number(steps > 0.0 ? 1e9 * phase.mean_seconds / steps : 0.0);
+  }
+  for (const WorkSummary& one : summary.work) {
+    json["set_up"][one.label] = number(one.sum);
+    json["set_up"][std::string("largest_rank_") + one.label] = number(one.largest);
   }
 }
 
@@ -272,6 +293,7 @@ RunSummary summarise(
   summary.cpu_seconds = sums[3];
   summary.largest_rank_peak_bytes = largest[0];
   summary.phases = collect_phases(comm);
+  summary.work = collect_work(comm);
   summary.anomalies = count_anomalies(scene, state);
   return summary;
 }

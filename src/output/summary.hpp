@@ -19,6 +19,12 @@ struct PhaseSummary {
   long calls = 0;                                    ///< of the root
 };
 
+/// Work outside of the steps over all ranks (base/work_counts.hpp).
+struct WorkSummary {
+  const char* label = "";
+  double sum = 0.0, largest = 0.0;  ///< of the ranks
+};
+
 /// What summary.json says beside the totals; the same names there.
 struct RunSummary {
   int ranks = 1;
@@ -28,6 +34,7 @@ struct RunSummary {
   double peak_resident_bytes = 0.0;  ///< sum of the ranks' peaks
   double largest_rank_peak_bytes = 0.0;
   std::vector<PhaseSummary> phases;
+  std::vector<WorkSummary> work;
   std::vector<Anomalies> anomalies;  ///< by material
   std::map<std::string, long> warnings;
   std::optional<JetAudit> formed_jet;  ///< of a Jet Monitor

@@ -5,109 +5,14 @@
 #include "scene/geometry.hpp"
 #include "scene/jet.hpp"
 #include "scene/tile_levels.hpp"
+#include "state/box_divisions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
 namespace barreno {
 namespace {
-
-/// Even division of an interval into particles of about the wanted size, none wider than a cell.
-struct Division {
-  double lower = 0.0, size = 0.0;
-  long long count = 1;
-  double centre(long long i) const { return lower + (static_cast<double>(i) + 0.5) * size; }
-};
-Division divide(double lower, double upper, double wanted, double cell_size) {
-  const double length = upper - lower;
-  const auto fewest = static_cast<long long>(std::ceil(length / cell_size - 1e-9));
-  const long long n = std::max({1LL, fewest, std::llround(length / wanted)});
-  return {lower, (upper - lower) / static_cast<double>(n), n};
-}
-
-/// Particles of a box or a slug: one division per axis.
-struct Divisions {
-  Division along[3];
-};
-
-using Index = std::array<long long, 3>;
-
-NewParticle make(const GridSpec& grid, const Divisions& divisions, const Index& index) {
-  NewParticle p;
-  p.volume = 1.0;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
-    const Division& division = divisions.along[d];
-    p.x[d] = division.centre(index[d]);
-    p.half[d] = 0.5 * division.size;
-    p.volume *= division.size;
-    if (index[d] == 0) p.loaded_sides |= 1U << (2 * d);
-    if (index[d] == division.count - 1) p.loaded_sides |= 1U << (2 * d + 1);
-  }
-  if (grid.mode == Mode::axisymmetric) p.volume *= two_pi * p.x[0];
-  return p;
-}
-
-double wanted_size(const GridSpec& grid, const BodySpec& body) {
-  return grid.cell_size / body.particles_per_cell;
-}
-
-Divisions divide_box(const GridSpec& grid, const BodySpec& body, const Box& box) {
-  Divisions divisions;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d)
-    divisions.along[d] =
-        divide(box.lower[d], box.upper[d], wanted_size(grid, body), grid.cell_size);
-  return divisions;
-}
-
-/// Where a box is cut so that its particles do not straddle tiles of different cells: there the
-/// forces of a body in equilibrium would not balance exactly. No cut leaves less than half a
-/// particle.
-std::vector<double> cuts_along(
-    const GridSpec& grid, const BodySpec& body, const Box& box, std::size_t axis
-) {
-  std::vector<double> cuts{box.lower[axis]};
-  if (!grid.level_of_tile.empty()) {
-    const double tile = tile_size_of(grid), least = 0.5 * wanted_size(grid, body);
-    const double first = std::floor((box.lower[axis] - grid.lower[axis]) / tile);
-    for (double i = first + 1.0; grid.lower[axis] + i * tile < box.upper[axis] - least; ++i)
-      if (grid.lower[axis] + i * tile > box.lower[axis] + least)
-        cuts.push_back(grid.lower[axis] + i * tile);
-  }
-  cuts.push_back(box.upper[axis]);
-  return cuts;
-}
-
-/// visit(grid with the cells of a part's level everywhere, divisions of the part, bits by Face of
-/// the sides at which it ends the box) for the parts of a box between the cuts; where nothing is
-/// refined there is one.
-template <class Visitor>
-void for_each_box_part(
-    const GridSpec& grid, const BodySpec& body, const Box& box, Visitor&& visit
-) {
-  const auto dimension = static_cast<std::size_t>(dimensions(grid.mode));
-  std::array<std::vector<double>, 3> cuts;
-  for (std::size_t d = 0; d < 3; ++d)
-    cuts[d] = d < dimension ? cuts_along(grid, body, box, d) : std::vector<double>{0.0, 0.0};
-  std::array<std::size_t, 3> i{};
-  for (i[2] = 0; i[2] + 1 < cuts[2].size(); ++i[2])
-    for (i[1] = 0; i[1] + 1 < cuts[1].size(); ++i[1])
-      for (i[0] = 0; i[0] + 1 < cuts[0].size(); ++i[0]) {
-        Box part;
-        Vector middle{};
-        unsigned ends = 0;
-        for (std::size_t d = 0; d < dimension; ++d) {
-          part.lower[d] = cuts[d][i[d]];
-          part.upper[d] = cuts[d][i[d] + 1];
-          middle[d] = 0.5 * (part.lower[d] + part.upper[d]);
-          if (i[d] == 0) ends |= 1U << (2 * d);
-          if (i[d] + 2 == cuts[d].size()) ends |= 1U << (2 * d + 1);
-        }
-        const GridSpec own = uniform_grid(grid, level_at(grid, middle));
-        visit(own, divide_box(own, body, part), ends);
-      }
-}
 
 /// The particle of a piece in its square of the lattice. It stays a box of the whole square, at the
 /// centroid of what it holds: a smaller one would cost time steps. A ring has its volume exactly,
@@ -169,7 +74,7 @@ void for_each_disk_piece(
       Ball{{}, slug.radius},
       2,
       lattice_around(around, origin, lattice.size(), 2),
-      [&](const Index& /*cell*/, const Piece& piece) { visit(piece); }
+      [&](const PlaceIndex& /*cell*/, const Piece& piece) { visit(piece); }
   );
 }
 
@@ -195,8 +100,8 @@ void for_each_part(
   const int dimension = dimensions(grid.mode);
   const int along = 1 << level;
   const int last = along - 1;
-  const Index count{along, along, dimension == 3 ? along : 1};
-  Index i{};
+  const PlaceIndex count{along, along, dimension == 3 ? along : 1};
+  PlaceIndex i{};
   for (i[2] = 0; i[2] < count[2]; ++i[2])
     for (i[1] = 0; i[1] < count[1]; ++i[1])
       for (i[0] = 0; i[0] < count[0]; ++i[0]) {
@@ -220,19 +125,14 @@ void for_each_particle(
     const std::function<void(const NewParticle&)>& visit
 ) {
   ParticleId id = first;
-  Index i{};
+  PlaceIndex i{};
   for (i[2] = 0; i[2] < divisions.along[2].count; ++i[2])
     for (i[1] = 0; i[1] < divisions.along[1].count; ++i[1])
       for (i[0] = 0; i[0] < divisions.along[0].count; ++i[0]) {
-        NewParticle p = make(grid, divisions, i);
+        NewParticle p = particle_at(grid, divisions, i);
         p.id = id++;
         visit(p);
       }
-}
-
-long long count_particles(const Divisions& divisions) {
-  const auto& along = divisions.along;
-  return along[0].count * along[1].count * along[2].count;
 }
 
 }  // namespace
@@ -253,29 +153,42 @@ void for_each_body_particle(
             p.loaded_sides &= ends;
             visit(p);
           });
-          first += count_particles(divisions);
+          first += count_places(divisions);
         }
     );
     return;
   }
+  const Lattice lattice = body_lattice(grid, body);
+  for_each_lattice_particle(grid, body, {0, count_cells(lattice)}, first, visit);
+}
+
+Lattice body_lattice(const GridSpec& grid, const BodySpec& body) {
+  return lattice_of(body.shape, grid, wanted_size(grid, body));
+}
+
+void for_each_lattice_particle(
+    const GridSpec& grid,
+    const BodySpec& body,
+    const CellSpan& span,
+    ParticleId first,
+    const std::function<void(const NewParticle&)>& visit
+) {
   ParticleId id = first;
-  const double size = wanted_size(grid, body);
-  const auto take = [&](const Index& /*cell*/, const Piece& piece) {
-    for_each_part(grid, particle_of(grid, size, piece), [&](NewParticle p) {
+  const Lattice lattice = body_lattice(grid, body);
+  const auto take = [&](const PlaceIndex& /*cell*/, const Piece& piece) {
+    for_each_part(grid, particle_of(grid, lattice.size, piece), [&](NewParticle p) {
       p.id = id++;
       visit(p);
     });
   };
-  for_each_lattice_piece(
-      body.shape, dimensions(grid.mode), lattice_of(body.shape, grid, size), take
-  );
+  for_each_lattice_piece(body.shape, dimensions(grid.mode), lattice, span, take);
 }
 
 long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
   long long count = 0;
   if (const auto* box = std::get_if<Box>(&body.shape)) {
     for_each_box_part(grid, body, *box, [&](const GridSpec&, const Divisions& part, unsigned) {
-      count += count_particles(part);
+      count += count_places(part);
     });
     return count;
   }
@@ -309,8 +222,7 @@ void for_each_slug_particle(
 
 long long count_slug_particles(const Scene& scene, const JetSlug& slug) {
   const SlugLattice lattice = slug_lattice(scene);
-  if (scene.grid.mode != Mode::three_dimensional)
-    return count_particles(divide_slug(lattice, slug));
+  if (scene.grid.mode != Mode::three_dimensional) return count_places(divide_slug(lattice, slug));
   long long pieces = 0;
   for_each_disk_piece(lattice, slug, [&](const Piece&) { ++pieces; });
   return pieces * divide_length(lattice, slug).count;
@@ -320,19 +232,25 @@ ParticleId ids_of_particle(const Scene& scene, const BodySpec& body) {
   return ParticleId{1} << scene.materials[static_cast<std::size_t>(body.material)].splits();
 }
 
-std::vector<ParticleId> first_ids(const Scene& scene) {
+std::vector<ParticleId> first_ids(const Scene& scene, const std::vector<long long>& counts) {
   std::vector<ParticleId> first{1};
-  for (const BodySpec& body : scene.bodies)
+  for (std::size_t b = 0; b < counts.size(); ++b)
     first.push_back(
-        first.back() + ids_of_particle(scene, body) * count_body_particles(scene.grid, body)
+        first.back() +
+        counts[b] * (b < scene.bodies.size() ? ids_of_particle(scene, scene.bodies[b]) : 1)
     );
-  for (const JetSlug& slug : scene.jet.slugs)
-    first.push_back(first.back() + count_slug_particles(scene, slug));
   return first;
 }
 
-std::vector<IdRange> particle_id_ranges(const Scene& scene) {
-  const std::vector<ParticleId> first = first_ids(scene);
+std::vector<long long> particle_counts(const Scene& scene) {
+  std::vector<long long> counts;
+  for (const BodySpec& body : scene.bodies)
+    counts.push_back(count_body_particles(scene.grid, body));
+  for (const JetSlug& slug : scene.jet.slugs) counts.push_back(count_slug_particles(scene, slug));
+  return counts;
+}
+
+std::vector<IdRange> particle_id_ranges(const Scene& scene, const std::vector<ParticleId>& first) {
   std::vector<IdRange> slots;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     slots.push_back({scene.bodies[b].material, first[b], first[b + 1] - first[b]});

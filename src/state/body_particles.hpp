@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "geometry/fill.hpp"
 #include "scene/scene.hpp"
 #include "state/id_ranges.hpp"
 
@@ -31,6 +32,17 @@ void for_each_body_particle(
 );
 long long count_body_particles(const GridSpec& grid, const BodySpec& body);
 
+/// The lattice that a body is cut from which is no box.
+Lattice body_lattice(const GridSpec& grid, const BodySpec& body);
+/// The particles of a span of its cells, in the order of their ids from `first` on.
+void for_each_lattice_particle(
+    const GridSpec& grid,
+    const BodySpec& body,
+    const CellSpan& span,
+    ParticleId first,
+    const std::function<void(const NewParticle&)>& visit
+);
+
 /// Divide a slug of the jet evenly: a slug thinner than a particle becomes one, so that mass,
 /// momentum and energy are exact. Density below the material's own shortens a slug, but not
 /// in a continuous jet. The slug's centre is at y = 0.
@@ -54,8 +66,13 @@ long long count_slug_particles(const Scene& scene, const JetSlug& slug);
 /// divided into.
 ParticleId ids_of_particle(const Scene& scene, const BodySpec& body);
 
+/// Particles of every body, then of every slug of the jet; one process alone looks at all of them
+/// (state/body_census.hpp has the ranks share that).
+std::vector<long long> particle_counts(const Scene& scene);
+
 /// First id of every body, then of every slug of the jet, then one past the last.
-std::vector<ParticleId> first_ids(const Scene& scene);
+/// @param counts  of their particles
+std::vector<ParticleId> first_ids(const Scene& scene, const std::vector<long long>& counts);
 
 /// Half size, in cells, of the smallest particle that the scene gives a material.
 double smallest_half_size(const Scene& scene, int material);

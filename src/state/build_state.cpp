@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/launch.hpp"
 #include "base/region.hpp"
+#include "base/work_counts.hpp"
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
 #include "scene/body_force.hpp"
@@ -12,7 +13,9 @@
 #include "scene/porous.hpp"
 #include "scene/voids.hpp"
 #include "shape/visit_kernels.hpp"
+#include "state/box_in_tiles.hpp"
 #include "state/isolated_courant.hpp"
+#include "state/lattice_shares.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>
@@ -108,16 +111,6 @@ void put_velocity_gradient(
       particles.affine(p, static_cast<int>(dimension * i + d)) =
           0.5 * (after[i] - before[i]) / reach;
   }
-}
-
-/// Particles per tile of the box, found by every rank for itself.
-std::vector<TileCost> count_in_tiles(const Scene& scene, const Grid& grid) {
-  std::vector<TileCost> counts(grid.owner.size());
-  for (const BodySpec& body : scene.bodies)
-    for_each_body_particle(scene.grid, body, 0, [&](const NewParticle& p) {
-      counts[static_cast<std::size_t>(cell_of(grid, p.x).box_tile)].particles += 1.0;
-    });
-  return counts;
 }
 
 /// What the rows from `first` on bring into the balances.
@@ -336,77 +329,121 @@ std::vector<Reaction> reactions_of(const Scene& scene, const VelocityFields& fie
 /// Particles that are added at once: enough for a kernel, few beside those of a run.
 constexpr std::size_t particles_at_once = 4096;
 
-/// When the detonation comes to a particle of an explosive body.
-/// @throws NumericalError  where it never does
-void put_lighting_time(const Scene& scene, const BodySpec& body, int p, Particles& particles) {
-  if (!particles.burn_columns.burns()) return;
+/// When the detonation comes to a particle of an explosive body. @return whether it does
+bool put_lighting_time(const Scene& scene, int p, Particles& particles) {
+  if (!particles.burn_columns.burns()) return true;
   const double time =
       lighting_time(scene.detonation, scene.grid.mode, vector_of(particles.position, p));
-  if (!std::isfinite(time))
-    throw NumericalError(
-        "Bodies/" + body.name +
-        " has a part thinner than a cell that the detonation does not reach around obstacles. Make "
-        "cells smaller, or write Detonation/Lighting = straight."
-    );
   particles.history(p, particles.burn_columns.lighting) = time;
+  return std::isfinite(time);
 }
 
 /// What the scene lays on the particles of a body, row by row of what was made.
-void put_loads(
+/// @return whether all of them are lit in time
+bool put_loads(
     const Scene& scene,
     std::size_t b,
     const std::vector<NewParticle>& made,
     int first_row,
     Particles& particles
 ) {
+  bool lit = true;
   for (std::size_t k = 0; k < made.size(); ++k) {
     const int p = first_row + static_cast<int>(k);
     if (particles.loaded_faces.components > 0)
       particles.loaded_faces(p) =
           loaded_face_bits(scene, static_cast<int>(b), made[k].loaded_sides);
     put_shares(scene, scene.bodies[b], p, particles);
-    put_lighting_time(scene, scene.bodies[b], p, particles);
+    lit = put_lighting_time(scene, p, particles) && lit;
     put_velocity_gradient(scene, scene.bodies[b], made[k], p, particles);
   }
+  return lit;
 }
 
-/// The particles of a body that are in this rank's tiles.
-void fill_body(const Scene& scene, std::size_t b, ParticleId first_id, State& state) {
-  const BodySpec& body = scene.bodies[b];
-  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
-  const double energy = initial_energy(scene, body);
-  const StartPoint start = start_point(material, &body);
-  Particles& particles = state.particles[static_cast<std::size_t>(body.material)];
-  const ParticleId ids = ids_of_particle(scene, body);
-  const int first_row = particles.count;
-  std::vector<NewParticle> made;
-  const auto add = [&] {
-    const int row = add_particles(material, made, static_cast<int>(b), start, particles);
-    put_loads(scene, b, made, row, particles);
-    made.clear();
-  };
-  for_each_body_particle(scene.grid, body, first_id, [&](NewParticle particle) {
-    if (owner_of(state.grid, particle.x) != state.grid.comm->getRank()) return;
-    particle.velocity = start_velocity(scene, body, particle.x);
-    particle.id = first_id + (particle.id - first_id) * ids;
-    made.push_back(particle);
-    if (made.size() == particles_at_once) add();
-  });
-  add();
-  if (!particles.rigid) enter(particles, first_row, energy, state.ledger);
+/// Bodies that are being filled with the particles of this rank's tiles.
+class BodyFiller {
+public:
+  BodyFiller(const Scene& scene, const BodyCensus& census, State& state)
+      : scene_(scene),
+        census_(census),
+        state_(state),
+        made_(scene.bodies.size()),
+        unlit_(scene.bodies.size(), 0) {}
+
+  /// @param particle  its id counts from 0 over the body
+  void take(std::size_t b, NewParticle particle) {
+    const BodySpec& body = scene_.bodies[b];
+    particle.velocity = start_velocity(scene_, body, particle.x);
+    particle.id = census_.first[b] + particle.id * ids_of_particle(scene_, body);
+    made_[b].push_back(particle);
+    if (made_[b].size() == particles_at_once) add(b);
+  }
+  /// What was taken for a body becomes rows of its set.
+  void add(std::size_t b) {
+    if (made_[b].empty()) return;
+    const BodySpec& body = scene_.bodies[b];
+    const MaterialSpec& material = scene_.materials[static_cast<std::size_t>(body.material)];
+    Particles& particles = state_.particles[static_cast<std::size_t>(body.material)];
+    const StartPoint start = start_point(material, &body);
+    const int row = add_particles(material, made_[b], static_cast<int>(b), start, particles);
+    if (!put_loads(scene_, b, made_[b], row, particles)) unlit_[b] = 1;
+    if (!particles.rigid) enter(particles, row, initial_energy(scene_, body), state_.ledger);
+    work_counts().particles_made += static_cast<long long>(made_[b].size());
+    made_[b].clear();
+  }
+  /// Collective. @throws NumericalError  on every rank, where the detonation never comes to one
+  void refuse_unlit() {
+    max_over_ranks(*state_.grid.comm, unlit_);
+    const auto first = std::find(unlit_.begin(), unlit_.end(), 1);
+    if (first == unlit_.end()) return;
+    throw NumericalError(
+        "Bodies/" + scene_.bodies[static_cast<std::size_t>(first - unlit_.begin())].name +
+        " has a part thinner than a cell that the detonation does not reach around obstacles. Make "
+        "cells smaller, or write Detonation/Lighting = straight."
+    );
+  }
+
+private:
+  const Scene& scene_;
+  const BodyCensus& census_;
+  State& state_;
+  std::vector<std::vector<NewParticle>> made_;  ///< by body
+  std::vector<long long> unlit_;                ///< by body: 1 if a particle is never lit
+};
+
+/// The particles of all bodies that are in this rank's tiles. Collective.
+/// @throws NumericalError  on every rank
+void fill_bodies(const Scene& scene, const BodyCensus& census, State& state) {
+  for (const BodySpec& body : scene.bodies) initial_energy(scene, body);  // throws
+  BodyFiller filler(scene, census, state);
+  const auto take = [&](std::size_t b, const NewParticle& particle) { filler.take(b, particle); };
+  LatticeShares shares(state.grid, take);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodySpec& body = scene.bodies[b];
+    if (std::holds_alternative<Box>(body.shape))
+      for_each_own_box_particle(scene.grid, body, state.grid, [&](const NewParticle& particle) {
+        filler.take(b, particle);
+      });
+    else
+      shares.make(scene.grid, body, b, census.before[b]);
+    filler.add(b);
+  }
+  shares.finish();
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) filler.add(b);
+  filler.refuse_unlit();
 }
 
 }  // namespace
 
-State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+State build_state(
+    const Scene& scene, const BodyCensus& census, const Teuchos::RCP<const Teuchos::Comm<int>>& comm
+) {
   const Region region("build_state");
   State state;
   const int reach =
       visit_shape(scene.step.shape, [&](auto shape) { return decltype(shape)::reach(scene); });
   state.grid = make_grid(scene, reach, comm);
-  set_owners(
-      bisect_tiles(state.grid.tiles, count_in_tiles(scene, state.grid), comm->getSize()), state.grid
-  );
+  set_owners(bisect_tiles(state.grid.tiles, census.tiles, comm->getSize()), state.grid);
   add_sets(scene, state);
   state.reactions = reactions_of(scene, state.fields);
   state.pore_flow.on = scene.pore_flow.on();
@@ -416,17 +453,20 @@ State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int
   state.conditions = make_node_conditions(scene.conditions, state.grid);
   state.rigid_motions = make_rigid_motions(scene.bodies, state.fields);
   state.cavities = make_cavities(scene);
-  const std::vector<ParticleId> first = first_ids(scene);
-  const std::size_t bodies = scene.bodies.size();
-  state.jet.body = static_cast<int>(bodies);
-  state.jet.slug_ids.assign(first.begin() + static_cast<std::ptrdiff_t>(bodies), first.end());
-  for (std::size_t b = 0; b < bodies; ++b) fill_body(scene, b, first[b], state);
+  const auto slugs = census.first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size());
+  state.jet.body = static_cast<int>(scene.bodies.size());
+  state.jet.slug_ids.assign(slugs, census.first.end());
+  fill_bodies(scene, census, state);
   OwnLedger& ledger = state.ledger;
   ledger.mass = ledger.initial_mass;
   ledger.momentum = ledger.initial_momentum;
   ledger.kinetic = ledger.initial_kinetic;
   ledger.elastic = ledger.prestress;
   return state;
+}
+
+State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  return build_state(scene, take_census(scene, comm), comm);
 }
 
 }  // namespace barreno

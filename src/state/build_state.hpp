@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "state/body_census.hpp"
 #include "state/body_particles.hpp"
 #include "state/state.hpp"
 
@@ -12,7 +13,14 @@ namespace barreno {
 /// Scene at t = 0: the grid and the bodies' particles, each on the rank that owns its tile, sorted.
 /// Bodies under an initial pressure start in equilibrium: stress, history and density of that
 /// pressure.
-/// @throws NumericalError if a material cannot hold its body's initial pressure elastically
+/// Every rank makes the particles of its own tiles. Collective.
+/// @param census  of the same scene and ranks
+/// @throws NumericalError on every rank, if a material cannot hold its body's initial pressure
+///         elastically, or an explosive has a part that is never lit
+State build_state(
+    const Scene& scene, const BodyCensus& census, const Teuchos::RCP<const Teuchos::Comm<int>>& comm
+);
+/// The same with a census of its own.
 State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 
 /// A particle before it moves: found once for all that start alike.

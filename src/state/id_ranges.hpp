@@ -16,8 +16,8 @@ struct IdRange {
 };
 
 /// Ids of all particles of the run, those that the jet is still to launch included. Files keep a
-/// place for each from the start, so that their layout does not change during the run. The same on
-/// every rank.
-std::vector<IdRange> particle_id_ranges(const Scene& scene);
+/// place for each from the start, so that their layout does not change during the run.
+/// @param first  ids of all bodies and slugs, and one past the last (first_ids)
+std::vector<IdRange> particle_id_ranges(const Scene& scene, const std::vector<ParticleId>& first);
 
 }  // namespace barreno

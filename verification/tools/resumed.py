@@ -76,7 +76,7 @@ def different_fields(one, other):
 # Of summary.json: where and how long a run ran, what it was called, and what was said since it was resumed.
 OF_THE_MACHINE = (
     "ranks wall_seconds cpu_seconds ns_per_particle_step peak_resident_bytes largest_rank_peak_bytes phases prediction particle_steps "
-    "skipped_particle_steps deck warnings"
+    "skipped_particle_steps deck warnings set_up"
 ).split()
 
 

@@ -88,12 +88,14 @@ Probe probe_of_block() {
 TEST(PredictCost, CountsParticleStepsByTheStep) {
   Scene scene = block();
   scene.step.largest_step = 1e-6;  // below the stable one
-  const Prediction one = predict_cost(scene, probe_of_block(), 1);
+  const Prediction one = predict_cost(scene, probe_of_block(), particle_counts(scene), 1);
   EXPECT_DOUBLE_EQ(one.steps, 1000.0);
   EXPECT_DOUBLE_EQ(one.particle_steps, 400.0 * 1000.0);
   EXPECT_DOUBLE_EQ(one.nanoseconds, 10.0);
   EXPECT_GT(one.seconds, 4e-3);
-  EXPECT_DOUBLE_EQ(predict_cost(scene, probe_of_block(), 4).seconds, 0.25 * one.seconds);
+  EXPECT_DOUBLE_EQ(
+      predict_cost(scene, probe_of_block(), particle_counts(scene), 4).seconds, 0.25 * one.seconds
+  );
 }
 
 TEST(PredictCost, FindsAStepInWhichAWaveCrossesLessThanACell) {

@@ -116,7 +116,14 @@ TEST(ExodusInSpace, HexahedraFollowTheDeformationGradient) {
   const std::filesystem::path path = folder.path() / "particles.e";
   const Scene scene = block();
   State state = testing::start(scene);
-  ExodusWriter writer(scene, particle_id_ranges(scene), state, path, "1.2.3", {});
+  ExodusWriter writer(
+      scene,
+      particle_id_ranges(scene, first_ids(scene, particle_counts(scene))),
+      state,
+      path,
+      "1.2.3",
+      {}
+  );
   writer.write(scene, state);
   deform(state);
   writer.write(scene, state);

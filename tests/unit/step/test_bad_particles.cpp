@@ -211,7 +211,8 @@ TEST_P(BadParticles, StopTheRunWithinAStepOfAStressThatIsNoNumber) {
       std::filesystem::temp_directory_path() / ("lost_stress_" + std::to_string(comm.getSize()));
   if (is_root(comm)) std::filesystem::create_directories(folder);
   comm.barrier();
-  const RunDescription description{folder, "deck.xml", "<ParameterList/>", "test", {}, {}};
+  RunDescription description{folder, "deck.xml", "<ParameterList/>", "test", {}, {}};
+  description.ids = particle_id_ranges(scene, first_ids(scene, particle_counts(scene)));
   Output output(scene, state, description);
   Checkpoints checkpoints(scene, description);
   harm(state, lose_stress);
