@@ -196,28 +196,29 @@ std::vector<std::pair<Shape, int>> shapes_with_slivers() {
       {Combination{Operation::unite, {needle, Ball{{0.4, 0.3, 0.0}, 0.5, 0.42}}}, 2}};
 }
 
+/// Found in so many spans, one after the other.
+PieceOfCell pieces_of_spans(const Shape& shape, int dimension, const Lattice& lattice, int ranks) {
+  PieceOfCell found;
+  long long begin = 0;
+  for (int rank = 0; rank < ranks; ++rank) {
+    const CellSpan span = share_of_cells(lattice, rank, ranks);
+    EXPECT_EQ(span.begin, begin);
+    begin = span.end;
+    const auto take = [&](const CellIndex& cell, const Piece& piece) {
+      EXPECT_TRUE(found.emplace(cell, piece).second);
+    };
+    for_each_lattice_piece(shape, dimension, lattice, span, take);
+  }
+  EXPECT_EQ(begin, count_cells(lattice));
+  return found;
+}
+
 TEST(Fill, PiecesOfSpansAreThoseOfTheWholeToTheBit) {
   for (const auto& [shape, dimension] : shapes_with_slivers()) {
     const Lattice lattice = lattice_around(box_around(shape), origin, 0.1, dimension);
     const PieceOfCell whole = joined_pieces(shape, dimension, lattice);
     for (const int ranks : {1, 2, 3, 7, 50}) {
-      PieceOfCell found;
-      long long begin = 0;
-      for (int rank = 0; rank < ranks; ++rank) {
-        const CellSpan span = share_of_cells(lattice, rank, ranks);
-        ASSERT_EQ(span.begin, begin);
-        begin = span.end;
-        for_each_lattice_piece(
-            shape,
-            dimension,
-            lattice,
-            span,
-            [&](const CellIndex& cell, const Piece& piece) {
-              EXPECT_TRUE(found.emplace(cell, piece).second);
-            }
-        );
-      }
-      ASSERT_EQ(begin, count_cells(lattice));
+      PieceOfCell found = pieces_of_spans(shape, dimension, lattice, ranks);
       ASSERT_EQ(found.size(), whole.size());
       for (const auto& [cell, piece] : whole) {
         ASSERT_EQ(found.count(cell), 1U);

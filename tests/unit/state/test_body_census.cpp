@@ -68,11 +68,8 @@ Made walk(const Scene& scene, std::vector<long long>& counts) {
 }
 
 std::vector<double> values_of(const Particles& particles, int p) {
-  std::vector<double> values;
-  for (int d = 0; d < 3; ++d) values.push_back(particles.position(p, d));
-  for (int d = 0; d < 3; ++d) values.push_back(particles.half_size(p, d));
-  values.push_back(particles.volume(p));
-  return values;
+  const Vector x = vector_of(particles.position, p), half = vector_of(particles.half_size, p);
+  return {x[0], x[1], x[2], half[0], half[1], half[2], particles.volume(p)};
 }
 
 class BodyCensusTest : public ::testing::TestWithParam<Scene (*)()> {};
@@ -138,7 +135,7 @@ TEST_P(BodyCensusTest, ARankLooksAtItsShareOfThePlaces) {
               << " looked at, " << made[0] << " made\n";
   // A census and the making, each of an equal share, and a little more at the surfaces.
   EXPECT_LT(static_cast<double>(most[0]), 2.5 * static_cast<double>(one_walk) / ranks);
-  const double particles = static_cast<double>(counts[0] + counts[1] + counts[2]);
+  const auto particles = static_cast<double>(counts[0] + counts[1] + counts[2]);
   EXPECT_LT(static_cast<double>(made[0]), 1.5 * particles / ranks);
 }
 
