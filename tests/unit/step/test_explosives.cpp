@@ -2,7 +2,9 @@
 // Charges that burn: their energy in the ledger, tiles that wake when the front comes, what expands
 // too far, divided particles, and the same bits on any number of ranks.
 #include "barreno/models.hpp"
+#include "base/error.hpp"
 #include "scene/lighting.hpp"
+#include "scene/lighting_map.hpp"
 #include "state/balance.hpp"
 #include "step/order/split_particles.hpp"
 #include "support/scenes.hpp"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace barreno {
 namespace {
@@ -59,6 +62,17 @@ double energy_given(const Particles& gas) {
   double sum = 0.0;
   for (int p = 0; p < gas.count; ++p) sum += gas.mass(p) * (8.5e9 / density - gas.history(p, 2));
   return sum;
+}
+
+/// Also where the particles that the detonation does not reach are all on one of the ranks.
+TEST(Explosives, APartThatIsNeverLitIsRefusedByEveryRank) {
+  Scene scene = charge(Mode::axisymmetric);
+  EXPECT_NO_THROW(testing::start(scene));
+  const Box lower_end{{0.0, 0.004, 0.0}, {0.012, 0.008, 0.0}};
+  const Box upper_end{{0.0, 0.026, 0.0}, {0.012, 0.030, 0.0}};
+  const std::vector<Shape> apart{lower_end, upper_end};
+  scene.detonation.map = std::make_shared<LightingMap>(scene.grid, apart, scene.detonation);
+  EXPECT_THROW(testing::start(scene), NumericalError);
 }
 
 TEST(Explosives, TheLedgerHasWhatTheExplosiveGaveAndCloses) {
