@@ -18,8 +18,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "verification" / "tools"
 sys.path[:0] = [str(TOOLS), str(ROOT / "src" / "python")]
 from barreno_report.build import make_report  # noqa: E402
-from barreno_report.faults import Fault  # noqa: E402
 from barreno_report.numbers import depth_text  # noqa: E402
+from barreno_runs.faults import BadRun  # noqa: E402
 from runs import run_deck  # noqa: E402
 
 FILES = ("history.csv", "depth.csv", "summary.json", "particles.e", "deck.xml")
@@ -76,11 +76,11 @@ CASES = [
 
 
 def sentence_of(run):
-    """What a report says, "" if it is made; anything but a Fault goes through."""
+    """What a report says, "" if it is made; anything but a BadRun goes through."""
     try:
         with contextlib.redirect_stdout(io.StringIO()):
             make_report(run)
-    except Fault as fault:
+    except BadRun as fault:
         return str(fault) or "nothing"
     return ""
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command: its words, the runs, and what is written of them."""
 
-import argparse
 import json
 import pathlib
 import re
@@ -12,6 +11,7 @@ from barreno_runs.faults import FILE, Fault, exit_code
 from barreno_runs.results import finished_row, write_results
 from barreno_runs.run_folder import deck_in
 from barreno_runs.tables import aligned, make_folder, number, place
+from barreno_runs.words import Words
 
 EXAMPLE = "write for example barreno compare runs/perforation-1 runs/perforation-2"
 RECORD = "compare.json"
@@ -19,16 +19,11 @@ SHOWN = re.compile(r"penetration\.(depth|channel_depth|channel_radius_mid|jet_ma
                    r"time|steps|particle_steps|wall_seconds|peak_resident_bytes")  # fmt: skip
 
 
-class Words(argparse.ArgumentParser):
-    def error(self, message):
-        raise Fault(f"{message}; {EXAMPLE} (docs/sweep.md).")
-
-
 def parse(words):
     parser = Words(
-        prog="barreno compare",
-        allow_abbrev=False,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        "compare",
+        EXAMPLE,
+        "sweep.md",
         description="Runs side by side: what their decks and results differ in, curves and channels (docs/sweep.md).",
         epilog="Example:\n  barreno compare runs/perforation-1 runs/perforation-2\n\nExit codes: 0 compared, 1 bad arguments, 2 file.",
     )

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command: its words, and the order of its work."""
 
-import argparse
 import math
 import pathlib
 import re
@@ -15,18 +14,13 @@ from barreno_runs.faults import FILE, Fault, exit_code
 from barreno_runs.program import as_set, found_program
 from barreno_runs.run_folder import read_summary
 from barreno_runs.tables import make_folder, place
+from barreno_runs.words import TIME_UNITS, Words, quantity_of
 
 EXAMPLE = "write for example barreno converge input_xml/perforation_quick.xml --levels 3"
-TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "": 1.0}
-
-
-class Words(argparse.ArgumentParser):
-    def error(self, message):
-        raise Fault(f"{message}; {EXAMPLE} (docs/converge.md).")
 
 
 def parse(words):
-    parser = Words(prog="barreno converge", description="A deck with cells of several sizes: order, limit and interval of a result (docs/converge.md).")
+    parser = Words("converge", EXAMPLE, "converge.md", description="A deck with cells of several sizes: order, limit and interval of a result (docs/converge.md).")
     parser.add_argument("deck", metavar="DECK", help="deck file (docs/deck.md)")
     parser.add_argument("--quantity", default="depth", metavar="NAME", help="depth (default), a column of depth.csv, history.csv or radii.csv, or a number of summary.json")
     parser.add_argument("--times", default="", metavar="LIST", help='when the column is compared, "10 us, 20 us" (default: four equal parts of the run)')
@@ -54,12 +48,10 @@ def check_words(options):
 
 
 def time_of(text):
-    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*([a-z]*)\s*", text)
     try:
-        value = float(found.group(1)) * TIME_UNITS[found.group(2)]
-    except (AttributeError, KeyError, ValueError):
+        return quantity_of(text, TIME_UNITS)
+    except ValueError:
         raise Fault(f'--times has "{text.strip()}", which is not a time; write for example --times "10 us, 20 us".') from None
-    return value
 
 
 def times_of(text, end):

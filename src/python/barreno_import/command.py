@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command: its words, the order of its work, what it says."""
 
-import argparse
 import pathlib
 import subprocess
 import sys
@@ -16,14 +15,10 @@ from barreno_import.ups import read_ups
 from barreno_runs.faults import FILE, Fault, exit_code
 from barreno_runs.program import default_binary
 from barreno_runs.tables import place
+from barreno_runs.words import Words
 
 EXAMPLE = "write for example barreno import-ups penetration.ups --out penetration.xml"
 SCHEMA = 1  # of decks
-
-
-class Words(argparse.ArgumentParser):
-    def error(self, message):
-        raise Fault(f"{message}; {EXAMPLE} (docs/import.md).")
 
 
 class Notes:
@@ -39,9 +34,9 @@ class Notes:
 
 def parse(words):
     parser = Words(
-        prog="barreno import-ups",
-        allow_abbrev=False,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        "import-ups",
+        EXAMPLE,
+        "import.md",
         description="An input of Uintah's MPM (.ups) as a deck, and what of it cannot carry over (docs/import.md).",
         epilog="Example:\n  barreno import-ups penetration.ups --out penetration.xml\n\nExit codes: 0 the deck is written and valid, 1 bad input, or a deck that barreno check refuses, 2 file.",
     )

@@ -7,11 +7,11 @@ import matplotlib.pyplot as plt
 
 from barreno_report.fields import PLASTIC_STRAIN, check_field, known_fields
 from barreno_report.files import make_folder, reading, written, write_text
-from barreno_report.faults import on_one_line
 from barreno_report.pages import as_html, as_markdown, write_pdf
 from barreno_report.paraview import view_script
 from barreno_report.run import opened
 from barreno_report.sections import all_sections
+from barreno_runs.faults import on_one_line
 
 
 @dataclasses.dataclass
@@ -53,7 +53,7 @@ def write_pages(title, sections, folder, pdf):
 
 
 def make_report(folder, wishes=None):
-    """Writes the page and its pictures. @return the page  @raises Fault, Refusal"""
+    """Writes the page and its pictures. @return the page  @raises BadRun, Fault"""
     wishes = wishes or Wishes()
     with opened(folder) as run:
         fields = fields_of(run, wishes)

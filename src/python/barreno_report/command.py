@@ -9,13 +9,13 @@ import matplotlib
 
 matplotlib.use("Agg")
 from barreno_report.build import Wishes, make_report  # noqa: E402
-from barreno_report.faults import FILE, Fault, Refusal, on_one_line  # noqa: E402
 from barreno_report.fields import check_field, known_fields  # noqa: E402
 from barreno_report.files import make_folder  # noqa: E402
 from barreno_report.film import check_out, write_film  # noqa: E402
 from barreno_report.progress import Progress  # noqa: E402
 from barreno_report.run import opened  # noqa: E402
 from barreno_report.words import check_folder, depths_of, film_parser, report_parser, time_of  # noqa: E402
+from barreno_runs.faults import FILE, BadRun, Fault, exit_code, on_one_line  # noqa: E402
 
 
 def report(words):
@@ -30,7 +30,7 @@ def film(words):
     options = film_parser().parse_args(words)
     folder = check_folder(options.run)
     if not 0.1 <= options.per_second <= 60.0:
-        raise Refusal(f"--per-second {options.per_second:g} is not a number of pictures from 0.1 to 60; write for example --per-second 6.")
+        raise Fault(f"--per-second {options.per_second:g} is not a number of pictures from 0.1 to 60; write for example --per-second 6.")
     out = pathlib.Path(options.out) if options.out else folder / "report" / f"{options.field}.gif"
     with opened(folder) as run:
         with run.particles_read():
@@ -47,24 +47,21 @@ def film(words):
 COMMANDS = {"report": report, "film": film}
 
 
-def main(words=None):
-    words = sys.argv[1:] if words is None else list(words)
-    warnings.simplefilter("ignore")  # of what is drawn: numbers that are none leave gaps
-    try:
-        if not words or words[0] not in COMMANDS:
-            raise Refusal("the first word is report or film; write for example python3 -m barreno_report report runs/perforation-1.")
-        COMMANDS[words[0]](words[1:])
-    except Refusal as refusal:
-        print(f"barreno: {refusal}", file=sys.stderr)
-        return refusal.code
-    except Fault as fault:
-        print(f"barreno: cannot report on '{run_of(words[1:])}' ({fault}).", file=sys.stderr)
-        return FILE
-    except KeyboardInterrupt:
-        return 130
-    return 0
-
-
 def run_of(words):
     """The folder among the words, for a sentence."""
     return next((on_one_line(word) for word in words if pathlib.Path(word).is_dir()), "the run")
+
+
+def run(words):
+    if not words or words[0] not in COMMANDS:
+        raise Fault("the first word is report or film; write for example python3 -m barreno_report report runs/perforation-1.")
+    try:
+        COMMANDS[words[0]](words[1:])
+    except BadRun as bad:
+        raise Fault(f"cannot report on '{run_of(words[1:])}' ({bad}).", FILE) from None
+    return 0
+
+
+def main(words=None):
+    warnings.simplefilter("ignore")  # of what is drawn: numbers that are none leave gaps
+    return exit_code(run, sys.argv[1:] if words is None else list(words))

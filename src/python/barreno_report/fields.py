@@ -6,8 +6,8 @@ import difflib
 
 import numpy as np
 
-from barreno_report.faults import Refusal
 from barreno_report.porosity import permanent_porosity
+from barreno_runs.faults import Fault
 
 # The same quantity under the names of two models.
 PLASTIC_STRAIN = ("equivalent_plastic_strain", "plastic_strain")
@@ -58,7 +58,7 @@ def check_field(option, name, known):
         return
     near = difflib.get_close_matches(name.lower().replace(" ", "_"), known, 1, 0.6)
     hint = f"did you mean {near[0]}?" if near else "choose one of these."
-    raise Refusal(f'{option} "{name}" is not a field of this run, which has {", ".join(sorted(known))}; {hint}')
+    raise Fault(f'{option} "{name}" is not a field of this run, which has {", ".join(sorted(known))}; {hint}')
 
 
 def values_of(frame, deck, name):

@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 
 import numpy as np
 
-from barreno_report.faults import Fault, on_one_line
+from barreno_runs.faults import BadRun, on_one_line
 
 
 @contextlib.contextmanager
@@ -19,9 +19,9 @@ def reading(file):
     try:
         yield
     except OSError as error:
-        raise Fault(f"{file.name} cannot be read: {on_one_line(error.strerror or error)}") from error
+        raise BadRun(f"{file.name} cannot be read: {on_one_line(error.strerror or error)}") from error
     except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError, ValueError, xml.etree.ElementTree.ParseError) as error:
-        raise Fault(f"{file.name} is truncated or was changed: {on_one_line(error)[:200]}") from error
+        raise BadRun(f"{file.name} is truncated or was changed: {on_one_line(error)[:200]}") from error
 
 
 @contextlib.contextmanager
@@ -34,7 +34,7 @@ def written(file):
         yield aside
         aside.replace(file)
     except OSError as error:
-        raise Fault(f"{file.name} cannot be written: {on_one_line(error.strerror or error)}") from error
+        raise BadRun(f"{file.name} cannot be written: {on_one_line(error.strerror or error)}") from error
     finally:
         with contextlib.suppress(OSError):
             aside.unlink()
@@ -49,7 +49,7 @@ def make_folder(folder):
     try:
         folder.mkdir(exist_ok=True, parents=True)
     except OSError as error:
-        raise Fault(f"{folder.name} cannot be made there: {error.strerror}") from error
+        raise BadRun(f"{folder.name} cannot be made there: {error.strerror}") from error
 
 
 class Table(dict):
@@ -60,7 +60,7 @@ class Table(dict):
         self.file, self.comments = file, comments
 
     def __missing__(self, name):
-        raise Fault(f"{self.file.name} lacks the column '{name}'")
+        raise BadRun(f"{self.file.name} lacks the column '{name}'")
 
     def last_row(self):
         return Table(self.file, {name: values[-1] for name, values in self.items()})
@@ -74,16 +74,16 @@ def read_csv(file):
         lines = file.read_bytes().decode("utf-8").replace("\r\n", "\n").split("\n")
     rows = [(number, line.strip().split(",")) for number, line in enumerate(lines[:-1], 1) if line.strip() and not line.startswith("#")]
     if len(rows) < 2:
-        raise Fault(f"{file.name} contains no row of numbers")
+        raise BadRun(f"{file.name} contains no row of numbers")
     header = rows[0][1]
     values = []
     for number, cells in rows[1:]:
         if len(cells) != len(header):
-            raise Fault(f"line {number} of {file.name} has {len(cells)} columns instead of {len(header)}")
+            raise BadRun(f"line {number} of {file.name} has {len(cells)} columns instead of {len(header)}")
         try:
             values.append([float(cell) for cell in cells])
         except ValueError as error:
-            raise Fault(f"line {number} of {file.name} contains something that is not a number: {on_one_line(error)[:100]}") from error
+            raise BadRun(f"line {number} of {file.name} contains something that is not a number: {on_one_line(error)[:100]}") from error
     table = np.array(values, float)
     return Table(file, {name: table[:, i] for i, name in enumerate(header)}, [line for line in lines if line.startswith("#")])
 

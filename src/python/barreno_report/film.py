@@ -9,10 +9,10 @@ from matplotlib.animation import FFMpegWriter
 from PIL import Image
 
 from barreno_report.channel import draw_channel
-from barreno_report.faults import FILE, Refusal
 from barreno_report.fields import look_of, range_of, values_of
 from barreno_report.files import written
 from barreno_report.particles import areas_of
+from barreno_runs.faults import FILE, Fault
 
 DPI = 80
 
@@ -20,11 +20,11 @@ DPI = 80
 def check_out(out):
     """The writer of a file by its end; what cannot be made is refused before anything is drawn."""
     if out.suffix not in (".gif", ".png", ".mp4"):
-        raise Refusal(f'--out "{out.name}" is no film that can be written; end it with .gif, .png (animated) or .mp4.')
+        raise Fault(f'--out "{out.name}" is no film that can be written; end it with .gif, .png (animated) or .mp4.')
     if out.suffix == ".mp4" and shutil.which("ffmpeg") is None:
-        raise Refusal(f'--out "{out.name}" needs ffmpeg, which is not installed; install the package ffmpeg, or end the name with .gif or .png.', FILE)
+        raise Fault(f'--out "{out.name}" needs ffmpeg, which is not installed; install the package ffmpeg, or end the name with .gif or .png.', FILE)
     if not out.parent.is_dir():
-        raise Refusal(f"--out {out}: '{out.parent}' is not a folder; make it first, or name another file.", FILE)
+        raise Fault(f"--out {out}: '{out.parent}' is not a folder; make it first, or name another file.", FILE)
 
 
 def box_of(run):

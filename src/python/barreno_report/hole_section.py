@@ -4,13 +4,13 @@
 import numpy as np
 
 from barreno_report.channel import time_text
-from barreno_report.faults import Refusal
 from barreno_report.files import write_text
 from barreno_report.hole import face_of, measure_hole
 from barreno_report.hole_picture import hole_figure
 from barreno_report.porosity import LEAST_PERMEABILITY
 from barreno_report.section import Picture, Section
 from barreno_report.zones import CHANGED, Rock, chosen_depths, rings_at, zones_of
+from barreno_runs.faults import Fault
 
 MILLI = 1e-3
 COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall"
@@ -84,13 +84,13 @@ def mark_at(table, time):
 
 
 def depths_in_rock(rock, hole, wanted):
-    """The wanted depths, or three where none is wanted; none without rock. @raises Refusal  for one that is beside the hole in rock"""
+    """The wanted depths, or three where none is wanted; none without rock. @raises Fault  for one that is beside the hole in rock"""
     if not len(rock):
         return []
     top = float(rock.depth.min())
     for depth in wanted:
         if not top <= depth <= hole.length:
-            raise Refusal(f"--depths has {depth / MILLI:g} mm, where there is no hole in rock ({top / MILLI:.1f} to {hole.length / MILLI:.1f} mm); choose depths in between.")
+            raise Fault(f"--depths has {depth / MILLI:g} mm, where there is no hole in rock ({top / MILLI:.1f} to {hole.length / MILLI:.1f} mm); choose depths in between.")
     return wanted or chosen_depths(rock, hole)
 
 

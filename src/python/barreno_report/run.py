@@ -8,25 +8,25 @@ import numpy as np
 
 from barreno_report.deck import read_deck
 from barreno_report.exodus_sets import as_one_file, files_of
-from barreno_report.faults import Fault, Refusal, on_one_line
 from barreno_report.files import read_csv, read_summary, reading
 from barreno_report.particles import ParticleFile
+from barreno_runs.faults import BadRun, Fault, on_one_line
 
 MICRO = 1e-6
 
 
 class Run:
-    """@raises Fault  where the folder is none of a run, or a file that a report needs cannot be read"""
+    """@raises BadRun  where the folder is none of a run, or a file that a report needs cannot be read"""
 
     def __init__(self, folder, stack):
         self.folder = pathlib.Path(folder)
         self.summary = read_summary(self.folder / "summary.json")
         if not (self.folder / "history.csv").exists():
-            raise Fault("it contains no history.csv; give the folder of a run")
+            raise BadRun("it contains no history.csv; give the folder of a run")
         try:
             files_of(self.particle_path)
         except OSError as error:
-            raise Fault(on_one_line(error)) from error
+            raise BadRun(on_one_line(error)) from error
         self.deck = read_deck(self.folder / "deck.xml")
         with self.particles_read():
             self.file = ParticleFile(stack.enter_context(as_one_file(self.particle_path)))
@@ -55,7 +55,7 @@ class Run:
             return len(times) - 1
         slack = 0.5 * float(np.diff(times).max(initial=0.0)) + 1e-12 * abs(float(times[-1]))
         if not times[0] - slack <= time <= times[-1] + slack:
-            raise Refusal(f"--time {time / MICRO:g} us is not in the run's particles.e ({times[0] / MICRO:g} to {times[-1] / MICRO:g} us); choose a time in between.")
+            raise Fault(f"--time {time / MICRO:g} us is not in the run's particles.e ({times[0] / MICRO:g} to {times[-1] / MICRO:g} us); choose a time in between.")
         return int(np.abs(times - time).argmin())
 
     def frame(self, time=None):

@@ -1,33 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Words of the commands report and film."""
 
-import argparse
 import pathlib
-import re
 
-from barreno_report.faults import FILE, Refusal
+from barreno_runs.faults import FILE, Fault
+from barreno_runs.words import LENGTH_UNITS, TIME_UNITS, Words, quantity_of
 
-LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "in": 0.0254}
-TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9, "": 1.0}
 EXAMPLES = {
     "report": 'write for example barreno report runs/perforation-1 --left pressure --right plastic_volume_strain --time "30 us"',
     "film": "write for example barreno film runs/perforation-1 --field pressure",
 }
 
 
-class Words(argparse.ArgumentParser):
-    """@param command  report or film"""
-
-    def __init__(self, command, **more):
-        self.command = command
-        super().__init__(prog=f"barreno {command}", allow_abbrev=False, **more)
-
-    def error(self, message):
-        raise Refusal(f"{message}; {EXAMPLES[self.command]} (docs/report.md).")
-
-
 def report_parser():
-    parser = Words("report", description="Pictures and numbers of a run: RUN/report/index.html (docs/report.md).")
+    parser = Words("report", EXAMPLES["report"], "report.md", description="Pictures and numbers of a run: RUN/report/index.html (docs/report.md).")
     parser.add_argument("run", metavar="RUN", help="run folder")
     parser.add_argument("--left", default="", metavar="FIELD", help="field at the left of the axis (default pressure)")
     parser.add_argument("--right", default="", metavar="FIELD", help="field at the right (default equivalent_plastic_strain)")
@@ -38,7 +24,7 @@ def report_parser():
 
 
 def film_parser():
-    parser = Words("film", description="Particles in the colours of a field, from the start to the end of a run (docs/report.md).")
+    parser = Words("film", EXAMPLES["film"], "report.md", description="Particles in the colours of a field, from the start to the end of a run (docs/report.md).")
     parser.add_argument("run", metavar="RUN", help="run folder")
     parser.add_argument("--field", required=True, metavar="FIELD", help="field at both sides of the axis")
     parser.add_argument("--right", default="", metavar="FIELD", help="another field at the right")
@@ -47,20 +33,12 @@ def film_parser():
     return parser
 
 
-def quantity_of(text, units):
-    """A number with a unit in SI. @raises ValueError"""
-    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*([a-zµ]*)\s*", text)
-    if not found or found.group(2) not in units:
-        raise ValueError(text)
-    return float(found.group(1)) * units[found.group(2)]
-
-
 def time_of(option, text):
     """In s; None for no text."""
     try:
         return quantity_of(text, TIME_UNITS) if text else None
     except ValueError:
-        raise Refusal(f'{option} "{text.strip()}" is not a time; write for example {option} "30 us".') from None
+        raise Fault(f'{option} "{text.strip()}" is not a time; write for example {option} "30 us".') from None
 
 
 def depths_of(option, text):
@@ -68,11 +46,11 @@ def depths_of(option, text):
     try:
         return sorted(quantity_of(part, LENGTH_UNITS) for part in text.split(",")) if text else []
     except ValueError as error:
-        raise Refusal(f'{option} has "{str(error).strip()}", which is not a length; write for example {option} "30 mm, 60 mm".') from None
+        raise Fault(f'{option} has "{str(error).strip()}", which is not a length; write for example {option} "30 mm, 60 mm".') from None
 
 
 def check_folder(text):
     folder = pathlib.Path(text)
     if not folder.is_dir():
-        raise Refusal(f"'{text}' is not a folder (report and film read what a run wrote into it); check the path.", FILE)
+        raise Fault(f"'{text}' is not a folder (report and film read what a run wrote into it); check the path.", FILE)
     return folder

@@ -9,9 +9,19 @@ INTERRUPTED, UNREAD = 130, 141  # as a shell says of SIGINT and SIGPIPE
 
 
 class Fault(Exception):
+    """A whole sentence."""
+
     def __init__(self, sentence, code=USAGE):
-        super().__init__(" ".join(str(sentence).split()))
+        super().__init__(on_one_line(sentence))
         self.code = code
+
+
+class BadRun(Exception):
+    """What keeps a run folder from being read, as the part of a sentence that stands in brackets."""
+
+
+def on_one_line(text):
+    return " ".join(str(text).split())
 
 
 def exit_code(run, words):

@@ -1,26 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The words of the command."""
 
-import argparse
 import os
 import pathlib
 
 from barreno_runs.faults import FILE, Fault
+from barreno_runs.words import Words
 
 EXAMPLE = 'write for example barreno sweep input_xml/perforation_quick.xml --vary "Confinement/Pressure=0,34,69 MPa"'
 SAMPLES = ("grid", "list", "latin")
 
 
-class Words(argparse.ArgumentParser):
-    def error(self, message):
-        raise Fault(f"{message}; {EXAMPLE} (docs/sweep.md).")
-
-
 def parse(words):
     parser = Words(
-        prog="barreno sweep",
-        allow_abbrev=False,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        "sweep",
+        EXAMPLE,
+        "sweep.md",
         description="A deck with several values of its parameters, run side by side: table, curves and channels (docs/sweep.md).",
         epilog='Example:\n  barreno sweep input_xml/perforation_quick.xml --vary "Confinement/Pressure=0,34,69 MPa"\n\n'
         "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, or runs that --collect does not find; of a run that failed, its own;\n"
