@@ -202,7 +202,8 @@ CommandPage describe_page() {
       "describe",
       "The deck reference: every section, parameter, unit, bound and default.",
       "NAME",
-      "a section of the deck, a material model, or a parameter; default: an overview",
+      "a section of the deck, a material model, a parameter, or a word of a run's files; default: "
+      "an overview",
       false,
       {{"--markdown",
         nullptr,
@@ -212,7 +213,8 @@ CommandPage describe_page() {
       "barreno describe Grid\n"
       "barreno describe \"Pore Flow/Rocks\"\n"
       "barreno describe Arenisca\n"
-      "barreno describe Permeability"};
+      "barreno describe Permeability\n"
+      "barreno describe channel_depth"};
 }
 
 }  // namespace

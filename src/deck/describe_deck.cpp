@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "deck/deck_schema.hpp"
+#include "deck/describe_results.hpp"
 #include "deck/describe_words.hpp"
 
 #include <barreno/input/nearest_name.hpp>
@@ -130,9 +131,8 @@ void write_overview(std::ostream& out) {
     out << "  " << model.name << ": " << model.summary << '\n';
   }
   out << "\nbarreno describe NAME prints the table of a section or model, and what any parameter "
-         "means:\nbarreno describe Grid, \"Pore Flow/Rocks\", Arenisca, Kozeny-Carman. The files "
-         "of "
-         "a run: docs/output.md.\n";
+         "means, or any\nword of a run's files: barreno describe Grid, \"Pore Flow/Rocks\", "
+         "Arenisca, Kozeny-Carman, channel_depth.\n";
 }
 
 /// What a name means in a deck: tables of sections, and single parameters.
@@ -240,11 +240,12 @@ std::string describe_text(const std::string& name) {
   }
   write_in_deck(name, out);
   for (const ModelDescription& model : describe_models()) write_in_model(model, name, out);
+  out << describe_result(result_page(), name);
   if (out.str().empty()) {
     throw DeckError(
         "describe " + input::shown(name) +
-        " is neither a section, nor a model, nor a parameter (docs/output.md defines the columns "
-        "and fields of a run's files); " +
+        " is neither a section, nor a model, nor a parameter, nor a word of a run's files "
+        "(docs/output.md); " +
         suggest_word(name)
     );
   }

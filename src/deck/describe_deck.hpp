@@ -8,8 +8,8 @@ namespace barreno {
 
 /// The deck reference out of the tables that validate, as plain text for the screen.
 /// @param name  "" for the overview; else a section of the deck ("Grid", "Pore Flow/Rocks"), a
-///              model ("Arenisca"), or a parameter or history variable ("Permeability"), all
-///              places of which are described
+///              model ("Arenisca"), a parameter or history variable ("Permeability"), or a word of
+///              a run's files ("channel_depth"), all places of which are described
 /// @throws DeckError  for an unknown name, with the nearest one
 std::string describe_text(const std::string& name);
 

@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "deck/deck_schema.hpp"
 #include "deck/describe_deck.hpp"
+#include "deck/describe_results.hpp"
 #include "deck/describe_words.hpp"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,33 @@ TEST(Describe, ANameOfTwoSectionsDescribesBoth) {
   EXPECT_FALSE(has(describe_text("Pore Flow/Conditions"), "prescribed motion"));
 }
 
+TEST(Describe, WordsOfARunsFilesAreThoseOfThePage) {
+  EXPECT_TRUE(
+      has(describe_text("channel_depth"),
+          "depth.csv of a run\n  channel_depth\n      length of the open channel")
+  );
+  EXPECT_TRUE(has(describe_text("stress_zx"), "particles.e of a run\n  stress_zx\n      stress; "));
+  EXPECT_TRUE(has(describe_text("penetration.depth_error.low"), "summary.json of a run\n"));
+}
+
+TEST(Describe, WordsOfAPageStandInItsMarkedTables) {
+  const std::string page =
+      "| `early` | s | outside |\n<!-- words of a.csv -->\n| column | unit | meaning "
+      "|\n|---|---|---|\n"
+      "| `v_x`, `_y` | m/s | of the tip |\n| `a.b`, `.c` | - | `two`, see [x.md](x.md#y) |\n<!-- "
+      "end of words -->\n| "
+      "`late` | s | outside |\n";
+  EXPECT_EQ(
+      describe_result(page, "v_y"), "a.csv of a run\n  v_y\n      of the tip\n      in m/s\n"
+  );
+  EXPECT_EQ(describe_result(page, "c"), "a.csv of a run\n  a.c\n      two, see x.md\n");
+  EXPECT_EQ(describe_result(page, "a.b"), "a.csv of a run\n  a.b\n      two, see x.md\n");
+  EXPECT_EQ(describe_result(page, "a"), "a.csv of a run\n  a.b\n  a.c\n      two, see x.md\n");
+  for (const char* name : {"early", "late", "v", "", ".", "column"})
+    EXPECT_TRUE(describe_result(page, name).empty()) << name;
+  EXPECT_TRUE(describe_result("", "v_x").empty());
+}
+
 TEST(Describe, WhatNobodyHasIsRefusedWithTheNearestName) {
   const auto refusal = [](const std::string& name) {
     try {
@@ -101,7 +129,7 @@ TEST(Describe, WhatNobodyHasIsRefusedWithTheNearestName) {
   };
   EXPECT_TRUE(has(refusal("Permeabilty"), "did you mean 'Permeability'?"));
   EXPECT_TRUE(has(refusal("Pore Flow/Rock"), "did you mean 'Pore Flow/Rocks'?"));
-  EXPECT_TRUE(has(refusal("channel_depth"), "docs/output.md defines the columns"));
+  EXPECT_TRUE(has(refusal("channel_dept"), "nor a word of a run's files (docs/output.md)"));
   EXPECT_TRUE(has(refusal("xyzzy"), "choose one of 'Grid', "));
   EXPECT_FALSE(has(refusal("xyzzy"), "Permeability"));
   for (const char* name : {"*", "/", "Grid/Cell Size/x"})
