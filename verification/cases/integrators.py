@@ -122,18 +122,20 @@ def draw(file):
 
     rows = json.loads(STORED.read_text())["rows"]
     problems = list(dict.fromkeys(row[1] for row in rows))
-    figure, axes = plt.subplots(1, len(problems), figsize=(5.0 * len(problems), 4.0), layout="constrained", squeeze=False)
+    figure, axes = plt.subplots(1, len(problems), figsize=(1.8 + 4.6 * len(problems), 4.2), layout="constrained", squeeze=False)
+    names = list(dict.fromkeys(row[0] for row in rows))
     for one, problem in zip(axes[0], problems):
-        for i, name in enumerate(dict.fromkeys(row[0] for row in rows)):
+        for i, name in enumerate(names):
             points = [(row[6], row[3]) for row in rows if row[0] == name and row[1] == problem]
             if points:
-                one.loglog(*zip(*points), "o-", ms=4, color=f"C{i}", label=name)
+                # More schemes than colours: those of the second ten are dashed.
+                one.loglog(*zip(*points), "o-" if i < 10 else "s--", ms=4, color=f"C{i % 10}", label=name)
         one.set_title(problem, fontsize=10)
-        one.set_xlabel("CPU seconds")
+        one.set_xlabel("processor time [s]")
         one.grid(alpha=0.3)
     axes[0][0].set_ylabel("rms displacement error, over A")
     axes[0][-1].set_ylabel("rms displacement error [m]" if len(problems) > 1 else "")
-    axes[0][0].legend(fontsize=8)
+    axes[0][-1].legend(*axes[0][0].get_legend_handles_labels(), fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
     figure.savefig(file, dpi=110)
 
 

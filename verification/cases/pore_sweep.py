@@ -90,11 +90,11 @@ def draw(file):
     rows = json.loads(STORED.read_text())["rows"]
     flow = [r for r in rows if r[0] == "saturated" and r[1] > 0.0]
     figure, axes = plt.subplots(1, 2, figsize=(10.0, 4.0), layout="constrained")
-    for one, column, label in ((axes[0], 2, "depth [mm]"), (axes[1], 3, "plastic work [J]")):
-        one.semilogx([r[1] for r in flow], [r[column] for r in flow], "o-", ms=4, color="C0", label="saturated")
-        one.axhline(rows[0][column], color="C1", ls="--", label="undrained")
-        one.axhline(rows[-1][column], color="C2", ls="--", label="drained, equal density")
-        one.set_xlabel("permeability [m2]")
+    for one, column, label, unit in ((axes[0], 2, "depth [mm]", 1.0), (axes[1], 3, "plastic work [kJ]", 1e3)):
+        one.semilogx([r[1] for r in flow], [r[column] / unit for r in flow], "o-", ms=4, color="C0", label="saturated, pore flow")
+        one.axhline(rows[0][column] / unit, color="C1", ls="--", label="undrained")
+        one.axhline(rows[-1][column] / unit, color="C2", ls="--", label="drained, equal density")
+        one.set_xlabel("permeability [m²]")
         one.set_ylabel(label)
         one.grid(alpha=0.3)
     axes[0].legend(fontsize=8)

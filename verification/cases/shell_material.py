@@ -285,7 +285,7 @@ def draw_response(axes):
     centre = statics.elastic_centre(shell, statics.distension(shell, DEEPEST))
     place, pressure = -statics.strain_of(shell, centre), statics.fluid_pressure(shell, centre) / 1e6
     axes.plot(place, pressure, "ko", ms=5)
-    axes.annotate("elastic centre,\n$P = -\\zeta/3$", (place, pressure), (0.066, 1750), arrowprops={"arrowstyle": "-", "lw": 0.6})
+    axes.annotate("elastic centre,\n$P = -\\zeta/3$", (place, pressure), (0.083, 2180), ha="right", va="center", arrowprops={"arrowstyle": "-", "lw": 0.6})
     axes.axhline(0.0, color="k", lw=0.5)
     axes.set_xlabel("volume strain, compression")
     axes.set_ylabel("pressure [MPa]")
@@ -302,13 +302,14 @@ def draw_meridian(axes):
         x = surface.X + (surface.P - surface.X) * 0.5 * (1.0 - np.cos(np.linspace(0.0, math.pi, 400)))
         axes.plot((x + zeta) / 1e9, [max(0.0, surface.strength(v)) / 1e9 for v in x], color=colour, label=name)
         axes.plot(zeta / 1e9, 0.0, "o", color=colour, ms=5)
-        axes.annotate("$\\zeta$", (zeta / 1e9, 0.0), (0, 6), textcoords="offset points", ha="center")
-        axes.annotate("$\\zeta + X$", ((zeta + surface.X) / 1e9, 0.0), (6, 6), textcoords="offset points", ha="left")
+        axes.annotate("$\\zeta$", (zeta / 1e9, 0.0), (0, 7), textcoords="offset points", ha="center", color=colour)
+        axes.annotate("$\\zeta + X$", ((zeta + surface.X) / 1e9, 0.0), (-4, 7), textcoords="offset points", ha="right", color=colour)
     axes.set_xlabel("$I_1$ [GPa], tension positive")
     axes.set_ylabel("$\\sqrt{J_2}$ [GPa]")
     axes.set_ylim(bottom=0.0)
+    axes.set_xlim(left=axes.get_xlim()[0] - 0.9)  # room for the mark of the cap's end
     axes.legend(fontsize=8)
-    axes.set_title("Arenisca's meridian", fontsize=10)
+    axes.set_title("Arenisca's meridian; $\\zeta$: elastic centre, $X$: end of the cap", fontsize=10)
 
 
 def draw(file):

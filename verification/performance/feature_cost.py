@@ -149,7 +149,7 @@ def draw(rows):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(1, 2, figsize=(12, 4.6), layout="constrained", sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(14, 4.8), layout="constrained", sharey=True)
     for one, base in zip(axes, ("dry", "wet")):
         forms = [form for form in dict.fromkeys(row["form"] for row in rows) if form.startswith(base)]
         for i, form in enumerate(forms):
@@ -157,10 +157,10 @@ def draw(rows):
             line = "x:" if is_comparison(form) else "o-"
             one.loglog([r["mean_error"] for r in own], [r["ns_lanes"] for r in own], line, ms=4, color=f"C{i % 10}", label=feature_of(form))
         one.set_title(f"{base} rock")
-        one.set_xlabel("mean error, relative to the effective stress")
+        one.set_xlabel("mean error, relative to the effective stress (smaller to the right)")
         one.invert_xaxis()
         one.grid(alpha=0.3)
-        one.legend(fontsize=8)
+        one.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
     axes[0].set_ylabel("time per point that flows [ns]")
     figure.savefig(PICTURE, dpi=120)
     plt.close(figure)

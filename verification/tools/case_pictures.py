@@ -16,6 +16,9 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent)]
 from case_list import DOCS, cases, stored  # noqa: E402
 
 KEY = "Figures"  # of the digest in the PNG file
+DRAWING = 2  # raised when draw() changes what a picture looks like, so that all are drawn anew
+MARKS = "osD^vP"
+SHORT_SPAN = 200.0  # of a logarithmic axis, below which powers of ten alone would leave it without numbers
 
 
 def file_of(name, entry):
@@ -46,7 +49,7 @@ def curves_of(picture, data):
 
 
 def digest(picture, curves):
-    return hashlib.sha256(json.dumps([picture, curves]).encode()).hexdigest()
+    return hashlib.sha256(json.dumps([DRAWING, picture, curves]).encode()).hexdigest()
 
 
 def stored_digest(file):
@@ -63,15 +66,26 @@ def stored_digest(file):
     return None
 
 
+def number_errors(axis, low, high):
+    """Ticks with numbers on the logarithmic axis of errors, however short it is."""
+    from matplotlib.ticker import FormatStrFormatter, LogFormatterSciNotation, LogLocator, NullLocator
+
+    parts = (1.0,) if high > SHORT_SPAN * low else (1.0, 3.0) if high > 30.0 * low else (1.0, 2.0, 5.0) if high > 5.0 * low else (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
+    axis.set_major_locator(LogLocator(10.0, parts))
+    axis.set_major_formatter(LogFormatterSciNotation() if len(parts) == 1 else FormatStrFormatter("%g"))
+    axis.set_minor_locator(NullLocator())
+
+
 def draw(file, title, picture, curves):
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(figsize=(5.6, 3.8), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
     for i, (label, points) in enumerate(curves.items()):
-        axes.plot(*zip(*points), "o-", ms=4, lw=1.2, color=f"C{i}", label=label or None)
+        # Hollow marks of several sizes: curves that coincide are all seen.
+        axes.plot(*zip(*points), "-", marker=MARKS[i % len(MARKS)], mfc="none", ms=4.0 + 1.2 * (len(curves) - 1 - i), lw=1.2, color=f"C{i}", label=label or None)
     if "over" not in picture:
         axes.set(xscale="log", yscale="log")
         ticks = sorted({x for points in curves.values() for x, _ in points})
@@ -80,11 +94,14 @@ def draw(file, title, picture, curves):
         if "slope" in picture:
             x, y = next(iter(curves.values()))[0]
             axes.plot([x, ticks[-1]], [y, y * (ticks[-1] / x) ** picture["slope"]], "k--", lw=0.8, label=f"slope {picture['slope']}")
+        number_errors(axes.yaxis, *axes.get_ylim())
     axes.set(title=title, xlabel=picture["x"], ylabel=picture["y"][0] if len(picture["y"]) == 1 else "error")
     axes.grid(alpha=0.3)
     if len(curves) > 1 or "slope" in picture:
-        axes.legend(fontsize=8)
-    figure.savefig(file, dpi=80, metadata={"Software": None, KEY: digest(picture, curves)})
+        few = len(axes.get_legend_handles_labels()[1]) <= 3
+        where = {} if few else {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), "ncols": 3, "frameon": False}
+        axes.legend(fontsize=8, **where)
+    figure.savefig(file, dpi=110, metadata={"Software": None, KEY: digest(picture, curves)})
     plt.close(figure)
 
 

@@ -122,28 +122,37 @@ def curve(axes, points, style, label, colour):
         axes.loglog(*zip(*found), style, color=colour, ms=4, lw=1, label=label)
 
 
+def draw_knob(axes, mine, knob):
+    """The default, and every choice of an option."""
+    curve(axes, [p for p in mine if p["knob"] == "default"], "o-", "default", "k")
+    for i, name in enumerate(dict.fromkeys(p["name"] for p in mine if p["knob"] == knob)):
+        curve(axes, [p for p in mine if p["knob"] == knob and p["name"] == name], "o-", name, f"C{i}")
+    axes.set_title(knob, fontsize=10)
+    axes.grid(alpha=0.3)
+    axes.tick_params(labelbottom=True)  # below every panel: the last row is not full
+    axes.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2, frameon=False, columnspacing=1.0, handlelength=1.5)
+
+
 def draw(data):
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    from case_pictures import number_errors
 
     for problem in PROBLEMS:
         mine = [p for p in data["points"] if p["problem"] == problem.name]
         knobs = [knob for knob in KNOBS if any(p["knob"] == knob for p in mine)]
-        columns = (len(knobs) + 1) // 2
-        figure, grid = plt.subplots(2, columns, figsize=(3.6 * columns, 6.4), sharex=True, sharey=True, layout="constrained", squeeze=False)
+        columns = 3
+        rows = -(-len(knobs) // columns)
+        figure, grid = plt.subplots(rows, columns, figsize=(3.8 * columns, 3.9 * rows), sharex=True, sharey=True, layout="constrained", squeeze=False)
         for axes, knob in zip(grid.flat, knobs):
-            curve(axes, [p for p in mine if p["knob"] == "default"], "o-", "default", "k")
-            for i, name in enumerate(dict.fromkeys(p["name"] for p in mine if p["knob"] == knob)):
-                curve(axes, [p for p in mine if p["knob"] == knob and p["name"] == name], "o-", name, f"C{i}")
-            axes.set_title(knob, fontsize=10)
-            axes.grid(alpha=0.3)
-            axes.legend(fontsize=7)
+            draw_knob(axes, mine, knob)
         for axes in list(grid.flat)[len(knobs) :]:
             axes.axis("off")
-        figure.supxlabel("CPU seconds")
-        figure.supylabel(problem.error)
+        number_errors(grid[0, 0].yaxis, *grid[0, 0].get_ylim())
+        figure.supxlabel("processor time [s]", fontsize=11)
+        figure.supylabel(problem.error, fontsize=11)
         figure.suptitle(problem.title, fontsize=11)
         figure.savefig(DOCS / "pictures" / f"trade_{problem.name}.png", dpi=90)
         plt.close(figure)
