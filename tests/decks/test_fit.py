@@ -19,9 +19,10 @@ import numpy
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "materials" / "python"))
 from barreno_fit import card as cards  # noqa: E402
-from barreno_fit import command, units  # noqa: E402
+from barreno_fit import command, solve, units  # noqa: E402
 from barreno_fit.answers import Laboratory  # noqa: E402
 from barreno_fit.data import Test, read_test  # noqa: E402
+from barreno_fit.faults import Fault  # noqa: E402
 from barreno_fit.kinds import DIMENSIONS  # noqa: E402
 from barreno_fit.specimens import opened  # noqa: E402
 from barreno_material import load  # noqa: E402
@@ -136,6 +137,28 @@ def check_left_open(folder, library):
     assert abs(found["B0"]["value"] / truth["B0"] - 1) < 0.01, found["B0"]
 
 
+def refused(does):
+    try:
+        does()
+    except Fault as fault:
+        return "the library refuses every card that the fit could start from" in str(fault)
+    return False
+
+
+def check_restart(folder, library):
+    """Where the library refuses the card that the stages found, the joint fit starts from the simpler one, and finds the truth."""
+    truth = true_card()
+    tests = [read_test(file) for file in write_data(folder, truth, 0.0, library)]
+    search = solve.Search(solve.Problem(library, truth, {}, {}), tests, ["FSLOPE", "PEAKI1"], truth)
+    simpler = {"FSLOPE": 0.9 * truth["FSLOPE"], "PEAKI1": 1.2 * truth["PEAKI1"]}
+    found = {"FSLOPE": 0.1 * truth["YSLOPE"], "PEAKI1": truth["PEAKI1"]}  # the slope at the vertex is less than that far from it
+    assert refused(lambda: search.solve([found])), "the card that must be refused is not"
+    values, _, _ = solve.together(search, found, simpler)
+    off = {name: abs(values[name] / truth[name] - 1) for name in simpler}
+    assert all(value <= EXACT for value in off.values()), off
+    assert refused(lambda: solve.together(search, found, found))
+
+
 def check_against_drive(folder, library, barreno):
     """The laboratory's unconfined, oedometer and hydrostatic tests are those of `barreno drive`."""
     strain = numpy.linspace(0, 0.02, 21)
@@ -235,7 +258,7 @@ def main():
     barreno, library = pathlib.Path(sys.argv[2]).resolve(), load()
     checks = {
         "reading": lambda f: check_reading(f), "bad inputs": lambda f: check_bad_inputs(f), "drive": lambda f: check_against_drive(f, library, barreno),
-        "left open": lambda f: check_left_open(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library),
+        "left open": lambda f: check_left_open(f, library), "restart": lambda f: check_restart(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library),
     }  # fmt: skip
     for name, check in checks.items():
         with tempfile.TemporaryDirectory() as scratch:
