@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What docs/paper.md rests on: trends fail when they must, tables read back as written, stresses and the Lode angle are what they are called."""
+"""What docs/paper.md rests on: trends fail when they must, tables read back as written, finished runs are taken and others made, stresses and the
+Lode angle are what they are called."""
 import math
+import os
 import pathlib
 import sys
 import tempfile
+import time
 import unittest
 
 import numpy as np
@@ -15,7 +18,8 @@ sys.path[:0] = [str(ROOT / "verification" / name) for name in ("", "tools", "ora
 from paper_figures import FIGURES, figure  # noqa: E402
 from paper_figures.figure_5 import colour_of, continuous  # noqa: E402
 from paper_figures.figure_6 import limit_of  # noqa: E402
-from paper_figures.lab import Table, least, most, read_table, write_table  # noqa: E402
+from paper_figures.lab import Lab, Table, least, most, read_table, write_table  # noqa: E402
+from paper_figures.progress import Progress  # noqa: E402
 from paper_figures.surface import lode_angle, pressure_and_shear, principal, revolved  # noqa: E402
 
 
@@ -58,6 +62,72 @@ class Tables(unittest.TestCase):
         self.assertTrue(math.isnan(found.value("number", word="c")))
         with self.assertRaises(LookupError):
             found.value("number", word="d")
+
+
+PROGRAM = """#!/bin/sh
+while [ $# -gt 0 ]; do [ "$1" = --out ] && out=$2; shift; done
+mkdir -p "$out" && echo run >>"$out/made"
+"""
+
+
+class Runs(unittest.TestCase):
+    """A program that only counts how often it makes a run."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.program = self.folder / "build" / "src" / "barreno"
+        self.program.parent.mkdir(parents=True)
+        self.program.write_text(PROGRAM)
+        self.program.chmod(0o755)
+        (self.folder / "runs").mkdir()
+
+    def made(self, settings):
+        lab = Lab(self.program, folder=self.folder / "runs", jobs=1)
+        self.addCleanup(lab.scratch.cleanup)
+        lab.progress.say = lambda *_, **__: None
+        (folder,) = lab.runs([("rod.xml", settings, "rod")])
+        return (folder / "made").read_text().count("run")
+
+    def test_a_finished_run_is_taken(self):
+        self.assertEqual([self.made({"a/b": "1"}), self.made({"a/b": "1"})], [1, 1])
+
+    def test_other_settings_make_the_run_again(self):
+        self.assertEqual([self.made({"a/b": "1"}), self.made({"a/b": "2"})], [1, 2])
+
+    def test_another_program_makes_the_run_again(self):
+        self.made({"a/b": "1"})
+        later = time.time() + 10.0
+        os.utime(self.program, (later, later))
+        self.assertEqual(self.made({"a/b": "1"}), 2)
+
+    def test_a_run_that_was_stopped_is_made_again(self):
+        self.made({"a/b": "1"})
+        self.program.write_text("#!/bin/sh\nexit 130\n")
+        with self.assertRaises(RuntimeError):
+            self.made({"a/b": "1"})
+        self.program.write_text(PROGRAM)
+        os.utime(self.program, (0.0, 0.0))  # only the mark that the run left tells
+        self.assertEqual(self.made({"a/b": "1"}), 2)
+
+    def test_time_left(self):
+        """By what the figures took last, and once something was computed by the pace of this machine."""
+        said = []
+        progress = Progress({1: [0.0, 0.0], 2: [2.0, 100.0], 3: [1.0, 50.0]}, (1, 2, 3), 2, lambda text, **_: said.append(text))
+        self.assertEqual(progress.left(), 75.0)
+        progress.begin(2)
+        progress.run_ended("a", 0.0, True)
+        self.assertEqual((progress.left(), said), (50.0, ["  [1/2] a: is there already; about 50 s left"]))
+        progress.began = time.monotonic() - 20.0
+        progress.run_ended("b", 20.0, False)
+        self.assertAlmostEqual(progress.left(), 20.0, delta=1.0)
+        progress.figure_ended()
+        self.assertEqual(progress.rest, 50.0)
+        unknown = Progress({2: [2.0, 100.0]}, (2, 3), 2, lambda text, **_: said.append(text))
+        unknown.begin(2)
+        unknown.run_ended("c", 3.0, False)
+        self.assertEqual((unknown.left(), said[-1], unknown.first_line()), (None, "  [1] c: 3 s", "How long this takes is not known."))
 
 
 class Stresses(unittest.TestCase):

@@ -2,10 +2,11 @@
 """Figure 10: Weibull modulus with several seeds, scale effect alone and no variation; in two rocks."""
 import matplotlib.pyplot as plt
 import numpy as np
+from paper_figures import spall
 from paper_figures.lab import Table, least, most
 from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of, sound
 
-TABLES = ("paper_10",)
+TABLES = ("paper_10", "paper_10_spall")
 MODULI, SEEDS = (1.0, 2.0, 4.0), (1, 2, 3)
 STRONGER = 3.0  # strength of a particle, on average, over that of the card: the scale effect, the same for every modulus
 CONFINEMENT = 69.0  # MPa
@@ -49,15 +50,26 @@ def measure(lab):
     table = Table(remark, ["rock", "variation", "seed", "depth at 30 us [mm]", "depth [mm]", "hole [cm3]", "numerical energy"], rows)
     if lab.form != "quick":
         draw_pictures(lab, table, asked, folders)
+        return {"paper_10": table, "paper_10_spall": spall.compare(lab, 10, CONFINEMENT, spall_cases(cells))}
     return {"paper_10": table}
+
+
+def spall_cases(cells):
+    """{rock: settings}: the cohesive one, with the largest scatter and without."""
+    modulus, factor = MODULI[0], ROCKS["cohesive"][1]
+    return {f"cohesive, m = {modulus:g}": {**COHESIVE, **weibull(modulus, factor, cells, SEEDS[0])}, f"cohesive, {NONE}": COHESIVE}
 
 
 def draw_pictures(lab, table, asked, folders):
     first = [i for i, (rock, _, seed, _) in enumerate(asked) if rock == "cohesive" and seed <= SEEDS[0]]
-    channels = [(f"{asked[i][1]}: {table.rows[i][4]:.1f} mm", folders[i]) for i in first]
+    channels = [(f"{words_of(asked[i][1])}\n{table.rows[i][4]:.1f} mm deep", folders[i]) for i in first]
     fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2))
-    draw_channels(lab.picture("paper_10"), channels, fields, limits, (24.0, -8.0, 80.0), "cohesive rock, scatter falling from left to right: depth")
+    draw_channels(lab.picture("paper_10"), channels, fields, limits, (24.0, -8.0, 80.0))
     draw_depths(lab.picture("paper_10_depth"), table)
+
+
+def words_of(what):
+    return what.replace("m =", "Weibull modulus")
 
 
 def depths(table, rock, what):
@@ -70,15 +82,20 @@ def draw_depths(file, table):
         kinds = list(dict.fromkeys(table.column("variation", rock=rock)))
         for i, what in enumerate(kinds):
             found = depths(table, rock, what)
-            axes.plot(np.full(len(found), i), found, "o", color="C0", ms=5, alpha=0.8)
-            axes.plot([i - 0.2, i + 0.2], [found.mean()] * 2, color="k", lw=1.2)
+            axes.plot(np.full(len(found), i), found, "o", color="C0", ms=5, alpha=0.8, label=None if i else "one seed")
+            axes.plot([i - 0.2, i + 0.2], [found.mean()] * 2, color="k", lw=1.2, label=None if i else "mean of the seeds")
         middle = 0.5 * (max(table.column("depth [mm]", rock=rock)) + min(table.column("depth [mm]", rock=rock)))
         axes.set(title=f"{rock} rock", ylim=(0.95 * middle, 1.05 * middle), xlim=(-0.5, len(kinds) - 0.5))
         axes.set_xticks(range(len(kinds)), kinds, fontsize=9)
+        axes.set_xlabel("Weibull modulus m: scatter falls to the right")
         axes.grid(axis="y", alpha=0.3)
-    panels[0].set_ylabel("depth [mm]")
+    panels[0].set_ylabel("greatest depth [mm]")
+    panels[0].legend(fontsize=8)
     figure.savefig(file, dpi=110)
     plt.close(figure)
+
+
+DRAWN = {"paper_10_depth": lambda file, tables: draw_depths(file, tables["paper_10"])}  # of the tables alone
 
 
 def trends(tables):

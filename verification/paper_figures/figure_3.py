@@ -87,7 +87,7 @@ def draw(file, answer, rows, porosity):
     strength = Strength(lambda name: numbers.get(name, float("nan")))
     surface = draw_surface(right, strength, 0.0, 1.0)
     figure.colorbar(surface, ax=right, label=r"$\sqrt{J_2}$ [MPa]", shrink=0.6, pad=0.1)
-    right.set_title(f"yield surface of virgin rock (porosity {100.0 * porosity:.0f} %)\nin principal stresses, compression positive", fontsize=10)
+    right.set_title(f"yield surface of virgin rock (porosity {100.0 * porosity:.0f} %)\nin principal stresses, compression positive", fontsize=11)
     figure.savefig(file, dpi=110)
     plt.close(figure)
 
@@ -109,9 +109,11 @@ def draw_curve(axes, answer, rows):
             axes.errorbar(at, datum, yerr=0.01 * uncertainty * datum, fmt="g^", capsize=3, label="data: onset of crushing")
         if quantity.startswith("bulk") and np.isfinite(rows[0][3]) and pressure <= 60:
             at, half = np.interp(pressure * MEGA, loading[0], loading[1]), 0.006
-            ends, label = np.array([-half, half]), "data: slopes, bulk moduli to 60 MPa" if pressure == 10 else None
+            # Not into tension, where nobody has measured.
+            ends, label = np.array([-min(half, 1e-3 * pressure / datum), half]), "data: slopes, bulk moduli to 60 MPa" if pressure == 10 else None
             axes.plot(100.0 * (at + ends), pressure + datum * 1e3 * ends, "g-", lw=2.5, alpha=0.7, label=label)
-    axes.set(xlabel="volume strain [%], compression positive", ylabel="pressure [MPa]", title="Hydrostatic load and unload of the Berea card", xlim=(-0.5, None), ylim=(-50.0, None))
+    axes.set(xlabel="volume strain [%], compression positive", ylabel="pressure [MPa]", xlim=(-0.5, None), ylim=(-50.0, None))
+    axes.set_title("hydrostatic load and unload of the Berea card", fontsize=11)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9, loc="upper left")
     near = axes.inset_axes([0.36, 0.07, 0.36, 0.32])
@@ -119,7 +121,7 @@ def draw_curve(axes, answer, rows):
         near.plot(*line.get_data(), color=line.get_color(), lw=line.get_linewidth(), alpha=line.get_alpha() or 1.0, marker=line.get_marker(), ls=line.get_linestyle())
     near.set(xlim=(0.0, 3.0), ylim=(0.0, 450.0))
     near.tick_params(labelsize=7)
-    near.set_title("start", fontsize=8)
+    near.set_title("the start of the load", fontsize=8)
     near.grid(alpha=0.3)
 
 

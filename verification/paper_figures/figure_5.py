@@ -22,6 +22,7 @@ BAND = 5.0  # degrees
 SHEARED = 20.0  # MPa of sqrt(J2), below which the Lode angle says little
 NEAR = 12.0  # mm from the tip: rock that is counted
 STRESSES = ("stress_xx", "stress_yy", "stress_zz", "stress_xy")
+CLOSE = 460.0  # MPa, of the closer octahedral view
 COLOURS = ("#d62728", "#ff9f1c", "#2a9d8f")
 
 
@@ -125,14 +126,19 @@ def measure(lab):
 
 
 def draw(file, run, edges, shares, lines):
-    figure = plt.figure(figsize=(14.5, 9.2), layout="constrained")
-    grid = figure.add_gridspec(2, 3, width_ratios=(1.25, 1.0, 1.0))
-    draw_map(figure.add_subplot(grid[:, 0]), run, lines)
+    figure = plt.figure(figsize=(14.5, 9.0), layout="constrained")
+    grid = figure.add_gridspec(2, 3)
+    draw_map(figure.add_subplot(grid[0, 0]), run)
     draw_legend(figure.add_subplot(grid[0, 1]))
-    draw_shares(figure.add_subplot(grid[1, 1]), edges, shares)
-    draw_octahedral(figure.add_subplot(grid[0, 2]), lines)
+    draw_shares(figure.add_subplot(grid[0, 2]), edges, shares)
+    whole, near = figure.add_subplot(grid[1, 0]), figure.add_subplot(grid[1, 1])
+    for axes, size, title in ((whole, octahedral_size(lines), "octahedral view (down the hydrostat)"), (near, CLOSE, "the same, closer")):
+        draw_octahedral(axes, lines, size)
+        axes.set_title(title)
     draw_space(figure.add_subplot(grid[1, 2], projection="3d"), lines)
-    figure.savefig(file, dpi=110)
+    handles, labels = whole.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=len(labels), frameon=False)
+    figure.savefig(file, dpi=100, bbox_inches="tight")  # the legend is below the panels
     plt.close(figure)
 
 
@@ -141,7 +147,7 @@ def map_time(run):
     return float(np.interp(DEPTH * MILLI, run.depth_table()["depth"], run.depth_table()["time"]))
 
 
-def draw_map(axes, run, lines):
+def draw_map(axes, run):
     frame = run.frame(min(map_time(run) + 2.0 * MICRO, run.file.times[-1]))
     pressure, shear = pressure_and_shear(stresses(frame))
     rock = is_rock(frame)
@@ -151,12 +157,11 @@ def draw_map(axes, run, lines):
         axes.add_collection(PolyCollection(shapes[~rock], facecolors="0.35", **plain))
         axes.add_collection(PolyCollection(shapes[rock], facecolors=colour_of(pressure[rock], shear[rock]), **plain))
     alive = np.cumsum(frame.alive) - 1
-    for (distance, element), colour in zip(followed(run).items(), COLOURS):
+    for element, colour in zip(followed(run).values(), COLOURS):
         if frame.alive[element]:
-            axes.plot(*(frame.centres[alive[element]] / MILLI), "o", color=colour, mec="k", ms=7, label=f"particle that started at r = {distance:g} mm, y = {DEPTH:g} mm")
-    axes.set(xlim=(-36.0, 36.0), ylim=(52.0, -14.0), aspect="equal", xlabel="r [mm]", ylabel="y [mm]", title=f"stress of the rock at {frame.time / MICRO:.3g} µs (jet grey)")
+            axes.plot(*(frame.centres[alive[element]] / MILLI), "o", color=colour, mec="k", ms=6)
+    axes.set(xlim=(-26.0, 26.0), ylim=(38.0, -14.0), aspect="equal", xlabel="r [mm]", ylabel="y [mm]", title=f"stress of the rock at {frame.time / MICRO:.3g} µs (jet grey)")
     axes.set_facecolor("#d9d9d9")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), fontsize=9, frameon=False)
 
 
 def draw_legend(axes):
@@ -188,21 +193,27 @@ def radius_of(plastic, most):
     return np.sqrt(2.0) * float(q[p <= most * MEGA].max()) / MEGA
 
 
-def draw_octahedral(axes, lines):
-    turn = np.linspace(0.0, 2.0 * np.pi, 200)
-    highest = max(float(stress.mean(axis=1).max()) for _, stress in lines.values())
+def highest_of(lines):
+    return max(float(stress.mean(axis=1).max()) for _, stress in lines.values())
+
+
+def octahedral_size(lines):
+    """Of a view that holds the widest surface and all paths [MPa]."""
+    return 1.15 * max(radius_of(-np.inf, highest_of(lines)), max(np.abs([stress @ ACROSS, stress @ UP]).max() for _, stress in lines.values()))
+
+
+def draw_octahedral(axes, lines, size):
+    turn, highest = np.linspace(0.0, 2.0 * np.pi, 200), highest_of(lines)
     closed = f"pores closed, at {1e-3 * highest:.2g} GPa"
     for radius, style, label in ((radius_of(0.0, 1e4), "k-", "virgin rock, widest section"), (radius_of(-np.inf, highest), "k--", closed)):
         axes.plot(radius * np.cos(turn), radius * np.sin(turn), style, lw=1.2, label=label)
     for (distance, (_, stress)), colour in zip(lines.items(), COLOURS):
-        axes.plot(stress @ ACROSS, stress @ UP, "-", color=colour, lw=1.2, marker=".", ms=3, label=f"particle from r = {distance:g} mm")
-    size = 1.15 * max(radius_of(-np.inf, highest), max(np.abs([stress @ ACROSS, stress @ UP]).max() for _, stress in lines.values()))
+        axes.plot(stress @ ACROSS, stress @ UP, "-", color=colour, lw=1.2, marker=".", ms=3, label=f"particle from r = {distance:g} mm, y = {DEPTH:g} mm")
     for angle, name in ((90.0, "axial"), (-30.0, "radial"), (210.0, "hoop")):
         way = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
         axes.plot(*np.outer(way, [0.0, size]), color="0.75", lw=0.8, zorder=0)
-        axes.annotate(name, 0.97 * size * way, ha="center", fontsize=9, color="0.3", backgroundcolor="w")
-    axes.set(aspect="equal", xlim=(-1.1 * size, 1.1 * size), ylim=(-1.1 * size, 1.1 * size), xlabel="[MPa]", ylabel="[MPa]", title="octahedral view (down the hydrostat)")
-    axes.legend(fontsize=7.5, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+        axes.annotate(name, 1.02 * size * way, ha="center", va="center", fontsize=9, color="0.3")
+    axes.set(aspect="equal", xlim=(-1.1 * size, 1.1 * size), ylim=(-1.1 * size, 1.1 * size), xlabel="[MPa]", ylabel="[MPa]")
 
 
 def draw_space(axes, lines):
@@ -218,7 +229,7 @@ def draw_space(axes, lines):
         one.set_major_locator(plt.MaxNLocator(3))
         one.set_tick_params(labelsize=8)
     axes.view_init(elev=20.0, azim=-62.0)
-    axes.set_box_aspect(None, zoom=0.78)
+    axes.set_box_aspect(None, zoom=0.86)
 
 
 def trends(tables):

@@ -38,9 +38,9 @@ def measure(lab):
     columns = ["confinement [MPa]", "cells [mm]", "depth at 30 us [mm]", "depth [mm]", "growth in the last 20 us", "hole [cm3]", "mean radius [mm]", "numerical energy"]
     table = Table(f"Figure 7: input_xml/paper/{DECK}; depth: the greatest of 100 us", columns, rows)
     if lab.form != "quick":
-        main = [(f"{p:g} MPa: {row[3]:.1f} mm", folder) for (p, cells), row, folder in zip(asked, rows, folders) if cells == CELLS[lab.form]]
+        main = [(f"confining pressure {p:g} MPa\n{row[3]:.1f} mm deep", folder) for (p, cells), row, folder in zip(asked, rows, folders) if cells == CELLS[lab.form]]
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2))
-        draw_channels(lab.picture("paper_7"), main, fields, limits, (22.0, -8.0, 60.0), "confining pressure: depth")
+        draw_channels(lab.picture("paper_7"), main, fields, limits, (22.0, -8.0, 60.0))
         draw_depths(lab.picture("paper_7_depth"), table)
     return {"paper_7": table, "paper_7_strength": strengths(lab), "paper_7_cracks": cracks.measure(lab), "paper_7_spall": spall.measure(lab)}
 
@@ -90,6 +90,9 @@ def experiments(table, strength):
 def fall_of(table, cells):
     low, high = (table.value("depth [mm]", **{"cells [mm]": cells, "confinement [MPa]": pressure}) for pressure in CONVERGED_AT)
     return high / low
+
+
+DRAWN = {"paper_7_depth": lambda file, tables: draw_depths(file, tables["paper_7"]), "paper_7_spall": lambda file, tables: spall.draw(file, tables["paper_7_spall"])}  # of the tables alone
 
 
 def trends(tables):

@@ -2,10 +2,11 @@
 """Figure 8: depth in drained and in undrained rock without initial pore pressure; with it, at equal effective stress and at equal confinement."""
 import matplotlib.pyplot as plt
 import numpy as np
+from paper_figures import spall
 from paper_figures.lab import Table, least, most
 from paper_figures.shots import CELLS, DECK, draw_channels, measured, settings_of, sound
 
-TABLES = ("paper_8",)
+TABLES = ("paper_8", "paper_8_spall")
 WATER = {"Materials/Sandstone/fluid_B0": "2.25 GPa", "Materials/Sandstone/Density": "2320 kg/m3"}  # pores full: 0.20 of 1000 kg/m3 more
 DRY = None  # pore pressure of drained rock: none, whatever happens
 EFFECTIVE = 34.0  # MPa
@@ -38,11 +39,17 @@ def measure(lab):
     remark = f"Figure 8: input_xml/paper/{DECK}, cells of {cells:g} mm; pore pressure of the start; depth: the greatest of 100 us"
     table = Table(remark, ["rock", "confinement [MPa]", "pore pressure [MPa]", "depth at 30 us [mm]", "depth [mm]", "hole [cm3]", "mean radius [mm]", "numerical energy"], rows)
     if lab.form != "quick":
-        channels = [(f"{rock}: {rows[i][4]:.1f} mm", folders[i]) for i, rock in ((0, "drained"), (1, "undrained"))]
+        channels = [(f"{rock}\n{rows[i][4]:.1f} mm deep", folders[i]) for i, rock in ((0, "drained"), (1, "undrained"))]
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 200.0), (-0.2, 0.2))
-        draw_channels(lab.picture("paper_8"), channels, fields, limits, (22.0, -8.0, 64.0), "no confinement, no initial pore pressure: depth")
+        draw_channels(lab.picture("paper_8"), channels, fields, limits, (24.0, -16.0, 64.0))
         draw_depths(lab.picture("paper_8_pore"), table)
+        return {"paper_8": table, "paper_8_spall": spall.compare(lab, 8, *spall_cases())}
     return {"paper_8": table}
+
+
+def spall_cases():
+    """(confinement, {rock: settings}) of the first pair."""
+    return UNLOADED[0][0], {"drained": words(UNLOADED[0][1]), "undrained": words(UNLOADED[1][1])}
 
 
 def depth_of(table, confinement, pore, column="depth [mm]"):
@@ -53,15 +60,16 @@ def depth_of(table, confinement, pore, column="depth [mm]"):
 def draw_depths(file, table):
     figure, panels = plt.subplots(2, 2, figsize=(10.0, 6.6), layout="constrained", sharey="row", sharex=True)
     titles = (f"equal effective stress, {EFFECTIVE:g} MPa", f"equal confining pressure, {EQUAL_CONFINEMENT[0][0]:g} MPa")
-    for row, column, when in zip(panels, DEPTHS, ("after 30 µs", "greatest")):
+    for row, column, when in zip(panels, DEPTHS, ("after 30 µs", "at its greatest")):
         for axes, pairs in zip(row, (EQUAL_EFFECTIVE, EQUAL_CONFINEMENT[1:])):
+            varied = len({confinement for confinement, _ in pairs}) > 1
             depths = [depth_of(table, *pair, column) for pair in pairs]
             axes.plot([pore for _, pore in pairs], depths, "o-", label="undrained")
-            for (confinement, pore), depth in zip(pairs, depths):
-                axes.annotate(f"confinement {confinement:g} MPa", (pore, depth), (0, 9), textcoords="offset points", ha="center", fontsize=8)
+            for (confinement, pore), depth in zip(pairs if varied else (), depths):
+                axes.annotate(f"confined by {confinement:g} MPa", (pore, depth), (0, 9), textcoords="offset points", ha="center", fontsize=8)
             axes.grid(alpha=0.3)
         row[1].axhline(depth_of(table, *EQUAL_CONFINEMENT[0], column), color="0.4", ls="--", label="drained")
-        row[0].set_ylabel(f"{when}: depth [mm]")
+        row[0].set_ylabel(f"depth {when} [mm]")
         low, high = row[1].get_ylim()
         row[1].set_ylim(low - 0.05 * (high - low), high + 0.15 * (high - low))
     for axes, title in zip(panels[0], titles):
@@ -71,6 +79,9 @@ def draw_depths(file, table):
     panels[1, 1].legend(fontsize=9, loc="center right")
     figure.savefig(file, dpi=110)
     plt.close(figure)
+
+
+DRAWN = {"paper_8_pore": lambda file, tables: draw_depths(file, tables["paper_8"])}  # of the tables alone
 
 
 def trends(tables):
@@ -84,6 +95,9 @@ def trends(tables):
             name = column.removesuffix(" [mm]")
             out.append(most(f"8: at equal effective stress: {name}, largest over smallest less 1", max(alike) / min(alike) - 1.0, spread))
             out.append(least(f"8: at equal confinement: {name} grows from drained rock to each higher pore pressure, by so many mm", np.diff(rising).min(), step))
+    if "paper_8_spall" in tables:
+        depth = spall.ratio(tables["paper_8_spall"], spall.FINAL, "2 GPa", "undrained", "drained")
+        out.append(least("8: with a spall stress: undrained over drained depth after 60 us without confinement and initial pore pressure", depth, 1.005))
     return [*out, sound(table, 8)]
 
 

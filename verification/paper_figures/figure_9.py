@@ -48,9 +48,9 @@ def measure(lab):
         time = Run(folders[0], stack).file.times[-1] / MICRO
     columns = ["flow", "depth of the nose [mm]", "volume gained [cm3]", "swollen by more than a fifth [cm3]", "fastest ejecta [m/s]", "particles removed"]
     if lab.form != "quick":
-        channels = [(f"{row[0]}: {row[1]:.1f} mm", folder) for row, folder in zip(rows, folders)]
+        channels = [(f"{row[0]}\nnose {row[1]:.1f} mm deep at {time:g} µs", folder) for row, folder in zip(rows, folders)]
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 1000.0), (-0.6, 0.6))
-        draw_channels(lab.picture("paper_9"), channels, fields, limits, (30.0, -32.0, 40.0), f"depth of the rod's nose at {time:g} µs", edges=True)
+        draw_channels(lab.picture("paper_9"), channels, fields, limits, (30.0, -32.0, 40.0), edges=True)
     return {"paper_9": Table(f"Figure 9: input_xml/paper/{DECK}, cells of {cells:g} mm, {time:g} us", columns, rows)}
 
 

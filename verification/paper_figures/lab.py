@@ -13,10 +13,12 @@ import time
 
 import numpy as np
 from demands import met
+from paper_figures.progress import Progress
 from runs import DECKS, ROOT, mpi_environment
 
 PAPER = DECKS / "paper"
 RESULTS = ROOT / "verification" / "results"
+COSTS = RESULTS / "paper_time.csv"
 PICTURES = ROOT / "docs" / "pictures"
 FORMS = ("quick", "default", "fine")
 MILLI, MICRO, MEGA, GIGA = 1e-3, 1e-6, 1e6, 1e9
@@ -99,14 +101,16 @@ class Lab:
     @param folder  of the runs; a temporary one without it
     @param keep    whether pictures and results become those of docs/paper.md
     @param jobs    runs at a time
+    @param numbers figures that will be made, for the time left
     """
 
-    def __init__(self, barreno, form="default", folder=None, keep=True, jobs=None):
+    def __init__(self, barreno, form="default", folder=None, keep=True, jobs=None, numbers=()):
         self.barreno, self.form, self.keep = pathlib.Path(barreno).resolve(), form, keep
         self.scratch = tempfile.TemporaryDirectory(prefix="paper-")
         self.folder = pathlib.Path(folder).resolve() if folder else pathlib.Path(self.scratch.name)
         self.library = self.barreno.parents[1] / "materials" / "libBARRENO.so"
-        self.done, self.used, self.jobs = {}, [], jobs or os.cpu_count()
+        self.done, self.used, self.jobs = {}, [], jobs or len(os.sched_getaffinity(0))
+        self.progress = Progress(stored_costs() if form == "default" else {}, numbers, self.jobs)
 
     def of_form(self, quick, default, fine=None):
         return {"quick": quick, "default": default, "fine": default if fine is None else fine}[self.form]
@@ -128,11 +132,13 @@ class Lab:
             folder = self.folder / (name if self.form == "default" else f"{self.form}-{name}")
             began = time.monotonic()
             words = [word for path, value in settings.items() for word in ("--set", f"{path}={value}")]
-            if not self.is_there(folder, key):
+            reused = self.is_there(folder, key)
+            if not reused:
+                (folder / "asked.json").unlink(missing_ok=True)  # until all of the run is there
                 self.program("run", PAPER / deck, *words, "--out", folder, "--overwrite")
                 (folder / "asked.json").write_text(json.dumps(key))
             self.done[key] = folder
-            print(f"  {name}: {time.monotonic() - began:.1f} s", flush=True)
+            self.progress.run_ended(name, time.monotonic() - began, reused)
         self.used.append(self.done[key])
         return self.done[key]
 
@@ -142,7 +148,7 @@ class Lab:
             return list(pool.map(lambda one: self.run(*one), asked))
 
     def is_there(self, folder, key):
-        """Whether an earlier call with the same --folder has made this run."""
+        """Whether an earlier call with the same --runs has made this run, with this program and these decks."""
         file = folder / "asked.json"
         made_from = [self.barreno, PAPER / key[0], *PAPER.glob("*.csv"), *(ROOT / "materials" / "cards").iterdir(), *(DECKS / "jets").iterdir()]
         changed = max(one.stat().st_mtime for one in made_from)
@@ -154,12 +160,16 @@ def cost_of(folders):
     return [float(len(set(folders))), sum(summary_of(folder)["cpu_seconds"] for folder in set(folders))]
 
 
+def stored_costs():
+    """{figure: [runs, their processor time in s]} when each was made last."""
+    return {int(row[0]): row[1:] for row in read_table(COSTS).rows} if COSTS.exists() else {}
+
+
 def write_cost(number, cost):
     """A figure's row of paper_time.csv."""
-    file = RESULTS / "paper_time.csv"
-    rows = [row for row in read_table(file).rows if row[0] != number] if file.exists() else []
+    rows = [[float(other), *found] for other, found in stored_costs().items() if other != number]
     table = Table("Processor time of the runs of each figure of docs/paper.md, a core each; pictures take seconds more", ["figure", "runs", "processor time [s]"], sorted([*rows, [float(number), *cost]]))
-    write_table(file, table)
+    write_table(COSTS, table)
 
 
 def summary_of(folder):

@@ -3,6 +3,7 @@
 import contextlib
 import dataclasses
 import pathlib
+import textwrap
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,6 +14,7 @@ from paper_figures.lab import MICRO, MILLI, most, summary_of
 
 DECK = "penetration.xml"
 CELLS = {"quick": 2.0, "default": 1.0, "fine": 0.5}  # mm; the jet's radius is 2.0 to 2.2 mm
+LONGEST_LABEL = 38  # letters beside a bar of colours
 SETTLED = 20.0  # us at the end of a run: a depth that grows by less than 1 % then is final
 
 
@@ -55,7 +57,7 @@ def end_of(folder):
     return summary_of(pathlib.Path(folder))["time"] / MICRO
 
 
-def draw_channels(file, channels, fields, limits, box, title="", edges=False):
+def draw_channels(file, channels, fields, limits, box, edges=False):
     """Channels side by side with one range of colours for each field.
 
     @param channels  [(title, folder)]
@@ -65,7 +67,7 @@ def draw_channels(file, channels, fields, limits, box, title="", edges=False):
     """
     count = len(channels)
     wide = 11.0 / max(count, 3)
-    high = wide * (box[2] - box[1]) / (2.0 * box[0]) + 1.2
+    high = wide * (box[2] - box[1]) / (2.0 * box[0]) + 1.0
     figure, panels = plt.subplots(1, count, figsize=(count * (wide + 0.15) + 2.6, high), layout="constrained", sharey=True, squeeze=False)
     halves = []
     for axes, (name, folder) in zip(panels[0], channels):
@@ -79,8 +81,7 @@ def draw_channels(file, channels, fields, limits, box, title="", edges=False):
         axes.title.set_fontsize(9.5)
         axes.label_outer()
     add_bars(figure, panels, halves, fields)
-    figure.suptitle(title, fontsize=11)
-    figure.savefig(file, dpi=120)
+    figure.savefig(file, dpi=120, bbox_inches="tight")
     plt.close(figure)
 
 
@@ -88,5 +89,5 @@ def add_bars(figure, panels, halves, fields):
     sides = ("left", "right") if fields[0] != fields[1] else ("right",)
     for (quads, label), side in reversed(list(zip(halves, sides))):  # each bar is put between the panels and the others
         words = f"{side} half: {label}" if len(sides) > 1 else label
-        bar = figure.colorbar(quads, ax=panels, location="right", label=words, shrink=0.8, aspect=30, pad=0.01, extend="both")
+        bar = figure.colorbar(quads, ax=panels, location="right", label=textwrap.fill(words, LONGEST_LABEL), shrink=0.8, aspect=30, pad=0.01, extend="both")
         bar.solids.set_edgecolor("face")

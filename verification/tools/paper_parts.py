@@ -6,11 +6,13 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / name) for name in ("", "oracles", "cases")] + [str(HERE.parents[1] / "src" / "python")]
-from paper_figures import FIGURES, figure  # noqa: E402
+from paper_figures import FIGURES, figure, spall  # noqa: E402
 from paper_figures.lab import RESULTS, read_table  # noqa: E402
 from verification_pages import table  # noqa: E402
 
 LONG = {"paper_3_curve", "paper_4", "paper_5", "paper_5_paths"}  # drawn, not tabulated
+
+CORES = 2
 
 
 def cell(value):
@@ -43,8 +45,15 @@ def row_of(trend):
 def time():
     found = read_table(RESULTS / "paper_time.csv")
     total = sum(row[2] for row in found.rows)
+    wall = sum(row[2] / min(CORES, max(row[1], 1.0)) for row in found.rows)  # a single run has one core
     rows = [[f"{row[0]:.0f}", f"{row[1]:.0f}", f"{row[2]:.0f}"] for row in found.rows]
-    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {total / 120.0:.0f} minutes."]
+    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes."]
 
 
-PARTS = {"paper_time": time} | {f"paper_{number}": (lambda number=number: part(number)) for number in FIGURES}
+def spall_falls():
+    """What confinement does without and with a spall stress."""
+    found = spall.falls_of(read_table(RESULTS / "paper_7_spall.csv"))
+    return table(found.columns, [[cell(value) for value in row] for row in found.rows])
+
+
+PARTS = {"paper_time": time, "paper_spall": spall_falls} | {f"paper_{number}": (lambda number=number: part(number)) for number in FIGURES}
