@@ -14,9 +14,8 @@ from barreno_report.deck import Deck, read_deck  # noqa: E402
 from barreno_report.exodus_sets import as_one_file  # noqa: E402
 from barreno_report.fields import PLASTIC_STRAIN  # noqa: E402
 from barreno_report.particles import Frame, ParticleFile  # noqa: E402
-from barreno_runs.faults import BadRun  # noqa: E402
+from barreno_runs.faults import BadRun, NothingToDraw  # noqa: E402
 from barreno_runs.pictures import save  # noqa: E402
-from barreno_runs.results import NothingToDraw  # noqa: E402
 
 TALL, LEAST, MOST, WIDEST = 3.6, 1.8, 6.0, 14.0  # of a channel, and of the picture [in]
 LONGEST_LINE = 24  # letters over a channel

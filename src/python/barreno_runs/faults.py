@@ -20,6 +20,10 @@ class BadRun(Exception):
     """What keeps a run folder from being read, as the part of a sentence that stands in brackets."""
 
 
+class NothingToDraw(Exception):
+    """Why a picture is left out, as a clause."""
+
+
 def on_one_line(text):
     return " ".join(str(text).split())
 

@@ -6,17 +6,13 @@ import dataclasses
 import io
 import pathlib
 
-from barreno_runs.faults import Fault
+from barreno_runs.faults import Fault, NothingToDraw
 from barreno_runs.run_folder import read_summary, read_table, scalars_of
 from barreno_runs.tables import place
 
 FINISHED = "finished"
 DEPTH = "penetration.depth"
 MOST_CHANNELS = 40  # one picture of more would show nothing
-
-
-class NothingToDraw(Exception):
-    """With the reason, as a clause."""
 
 
 @dataclasses.dataclass
