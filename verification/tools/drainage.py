@@ -32,8 +32,9 @@ def draw_half(axes, state, mirror):
     corners = state["corners"][alive] / MILLI * np.array([mirror, 1.0])
     pressure = state["pore_pressure"][alive] / MEGA
     wet = np.isfinite(pressure)
-    axes.add_collection(PolyCollection(corners[~wet], facecolor="0.75", edgecolor="none"))
-    shapes = PolyCollection(corners[wet], array=pressure[wet], cmap="viridis", edgecolor="face", linewidth=0.1)
+    axes.add_collection(PolyCollection(corners[~wet], facecolor="0.75", edgecolors="none", linewidths=0, antialiased=False))
+    # Lines between neighbours would show through the gaps of antialiasing.
+    shapes = PolyCollection(corners[wet], array=pressure[wet], cmap="viridis", edgecolors="none", linewidths=0, antialiased=False, rasterized=True)
     shapes.set_clim(0.0, MOST)
     axes.add_collection(shapes)
     return shapes
@@ -43,12 +44,13 @@ def main():
     run = Run(sys.argv[1])
     times = times_of(run)
     early = int(np.argmin(np.abs(np.array(times) - EARLY)))
-    figure, (field, history) = plt.subplots(1, 2, figsize=(11, 6), width_ratios=(1.0, 1.1), layout="constrained")
+    figure, (field, history) = plt.subplots(1, 2, figsize=(11.5, 6), width_ratios=(1.0, 1.1), layout="constrained")
     draw_half(field, run.particles(early), -1.0)
     shapes = draw_half(field, run.particles(-1), 1.0)
     field.set(xlim=(-60, 60), ylim=(155, -20), aspect="equal", xlabel="distance from the axis [mm]", ylabel="depth [mm]")
-    field.set_title(f"pore pressure at {times[early] / MILLI:.2g} ms and at {times[-1] / MILLI:.2g} ms")
-    figure.colorbar(shapes, ax=field, label="pore pressure [MPa]")
+    field.axvline(0.0, color="k", lw=0.5, ls=(0, (8, 4)))
+    field.set_title(f"left: {times[early] / MILLI:.2g} ms, right: {times[-1] / MILLI:.2g} ms (casing grey)", fontsize=11)
+    figure.colorbar(shapes, ax=field, label="pore pressure [MPa]", extend="max", pad=0.02)
     table = run.table("history.csv")
     history.plot(table["time"] / MILLI, -1e6 * table["fluid_inflow"])
     history.set(xlabel="time [ms]", ylabel="fluid that has left the rock [ml]", title="drained into the open channel")
