@@ -112,6 +112,8 @@ def check_script(run):
     made = made_by(script, "--save", "a.png")
     assert made.count("Show") == 2 and made.count("Transform") == 1 and "Glyph" not in made and made[-1] == "SaveScreenshot", made
     assert "Glyph" in made_by(script, "--glyphs", "--save", "a.png")
+    made = made_by(script, "--map", "--state", "a.pvsm")
+    assert made.count("Calculator") == 2 and made.index("Transform") < len(made) - 1 - made[::-1].index("Calculator") and made[-1] == "SaveState", made
     command("report", run, "--left", "velocity_x", "--right", "speed", "--time", "4 us")
     check_names(script)
     assert abs(constants_of(script)["TIME"] - 4e-6) < 1e-7 and "CreateView" in made_by(script, "--save", "a.png")

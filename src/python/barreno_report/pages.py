@@ -16,6 +16,7 @@ table { border-collapse: collapse; margin: 1em 0; } td, th { padding: .2em .8em 
 figure { margin: 1em 0; } figure img { max-width: 100%; max-height: 60em; } figcaption { color: #555; max-width: 50em; }"""
 LINE, PAGE = 92, 69  # letters and lines of a page of the PDF
 PAPER = (8.27, 11.69)
+LETTERS_PER_INCH, GAP = 13, 0.12  # of a caption; inches between it and the picture
 
 
 def markdown_cell(text):
@@ -87,8 +88,18 @@ def text_lines(title, sections):
     return lines
 
 
+def captioned(picture, title):
+    """Heading above and caption below the picture, as wide as it is; taken off again, since its figure may be drawn elsewhere."""
+    figure = picture.figure
+    letters = max(40, int(figure.get_figwidth() * LETTERS_PER_INCH))
+    return [
+        figure.text(0.0, 1.0 + GAP / figure.get_figheight(), title, ha="left", va="bottom", fontsize=13, weight="bold"),
+        figure.text(0.0, -GAP / figure.get_figheight(), textwrap.fill(picture.caption, letters).replace("$", r"\$"), ha="left", va="top", fontsize=10),
+    ]
+
+
 def write_pdf(file, title, sections):
-    """Pages of text, then a page for every picture, in its own size."""
+    """Pages of text, then a page for every picture with its caption, in its own size."""
     lines = text_lines(title, sections)
     with PdfPages(file, metadata={"Title": on_one_line(title), "CreationDate": None}) as pdf:
         for begin in range(0, len(lines), PAGE):
@@ -98,4 +109,7 @@ def write_pdf(file, title, sections):
             plt.close(page)
         for section in sections:
             for picture in section.pictures:
-                pdf.savefig(picture.figure, bbox_inches="tight", dpi=200)
+                words = captioned(picture, section.title)
+                pdf.savefig(picture.figure, bbox_inches="tight", pad_inches=0.3, dpi=200)
+                for one in words:
+                    one.remove()

@@ -23,14 +23,14 @@ def array_of(name):
 
 
 def shown_field(frame, deck, name):
-    """(array, component, colours, (least, largest)) in SI. What the report computes from fields of the file is shown as the field that
-    it comes from."""
+    """(array, component, colours, (least, largest), whether the colours are turned over) in SI. What the report computes from fields of the file is
+    shown as the field that it comes from."""
     if name == "porosity" and name not in frame.names:
         name = "plastic_volume_strain"
     shapes, of = frame.shapes
     look = look_of(name)
     limits = range_of(values_of(frame, deck, name)[of], areas_of(shapes), look)
-    return *array_of(name), "Cool to Warm" if look.signed else "Viridis (matplotlib)", tuple(map(float, limits))
+    return *array_of(name), "Cool to Warm" if look.signed else "Viridis (matplotlib)", tuple(map(float, limits)), look.colours == "RdBu"
 
 
 def size_of_points(file):
@@ -46,9 +46,10 @@ def view_script(run, fields, time):
     frame = run.frame(time)
     left, right = (shown_field(frame, run.deck, name) for name in fields)
     values = {
+        "FOLDER": str(here.resolve()),
         "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "BLOCKS": run.file.block_names, "LEFT": left, "RIGHT": right,
         "TIME": frame.time, "MIRRORED": run.deck.mirrored(), "DOWN": bool(run.deck.has_jet and run.deck.direction > 0.0),
         "POINTS": frame.corners.shape[1] == 1, "SIZE": size_of_points(run.file), "DIMENSIONS": run.file.dimensions,
     }  # fmt: skip
     constants = "\n".join(f"{name} = {value!r}" for name, value in values.items())
-    return TEMPLATE.replace("# CONSTANTS\n", f"# LEFT and RIGHT: array, component, colours and their range in SI\n{constants}\n")
+    return TEMPLATE.replace("# CONSTANTS\n", f"# LEFT and RIGHT: array, component, colours, their range in SI, and whether they are turned over\n{constants}\n")

@@ -2,10 +2,11 @@
 """Text of view.py, which runs in ParaView alone: it imports nothing of this package."""
 
 TEMPLATE = '''# SPDX-License-Identifier: BSD-3-Clause
-"""The particles of a run in ParaView: pvpython view.py [--glyphs] [--time SECONDS] [--save PICTURE.png]
+"""The particles of a run in ParaView: pvpython view.py [--glyphs] [--map] [--time SECONDS] [--save PICTURE.png] [--state FILE.pvsm]
 
-Or in ParaView itself: Tools, Python Shell, Run Script. Particles appear in their deformed shapes; with --glyphs, or where the file has
-plain points, as balls of their size. Written by barreno report; change what you like.
+Or in ParaView itself: File, Load State, of which this is one; or Tools, Python Shell, Run Script. Particles appear in their deformed shapes; with
+--glyphs, or where the file has plain points, as balls of their size. With --map their colours are pressure and shear stress together. Written by
+barreno report; change what you like.
 """
 import argparse
 import os
@@ -13,11 +14,16 @@ import sys
 
 from paraview.simple import (
     Calculator, CellCenters, CellSize, ColorBy, CreateView, ExodusIIReader, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction,
-    Glyph, Interact, Render, ResetCamera, SaveScreenshot, Show, Threshold, Transform,
+    GetScalarBar, Glyph, Interact, LoadPalette, Render, ResetCamera, SaveScreenshot, SaveState, Show, Text, Threshold, Transform,
 )
 
-HERE = os.path.dirname(os.path.abspath(__file__)) if "__file__" in globals() else os.getcwd()
 # CONSTANTS
+# Of a run that was moved, where the script knows its own place.
+HERE = os.path.dirname(os.path.abspath(__file__)) if "__file__" in globals() else FOLDER
+PRESSURES = (30e6, 3e9)  # Pa: from white to full ink, logarithmic
+SHEARS = (10e6, 600e6)
+INKS = "cyan: pressure, 30 MPa to 3 GPa\\nmagenta: sqrt(J2), 10 to 600 MPa\\ndark: both; yellow: tension"
+SHAPE = [900, 1200]  # pixels of a picture
 
 
 def existing(reader):
@@ -34,15 +40,42 @@ def balls(source):
     """A ball at the centre of every particle, as wide as a square, or a cube, of its size."""
     sized = CellSize(Input=source, ComputeVertexCount=0, ComputeLength=0, ComputeArea=1, ComputeVolume=1)
     wide = Calculator(Input=sized, AttributeType="Cell Data", ResultArrayName="particle_size", Function="sqrt(Area) + Volume^(1/3)")
+    return glyphs(wide)
+
+
+def glyphs(wide):
     centres = CellCenters(Input=wide, VertexCells=1)
-    return Glyph(Input=centres, GlyphType="Sphere", ScaleArray=["POINTS", "particle_size"], ScaleFactor=1.0, GlyphMode="All Points")
+    balls = Glyph(Input=centres, GlyphType="Sphere", ScaleArray=["POINTS", "particle_size"], GlyphMode="All Points")
+    balls.ScaleFactor = 1.0  # behind the array, which sets it to a guess
+    return balls
 
 
 def points(source):
     """Plain points have no shape: a ball of their size at the start, grown as their volume has."""
     wide = Calculator(Input=source, AttributeType="Cell Data", ResultArrayName="particle_size", Function=f"{SIZE!r}*volume_ratio^(1/{DIMENSIONS})")
-    centres = CellCenters(Input=wide, VertexCells=1)
-    return Glyph(Input=centres, GlyphType="Sphere", ScaleArray=["POINTS", "particle_size"], ScaleFactor=1.0, GlyphMode="All Points")
+    return glyphs(wide)
+
+
+def ink(name, ends):
+    """Expression of 0 to 1 on a logarithmic scale."""
+    low, high = ends
+    return f"min(1, max(0, ln(max({name}, 1e-3)/{low!r})/ln({high!r}/{low!r})))"
+
+
+def mapped(source, on):
+    """Pressure and shear stress as one colour, an array "map" of red, green and blue."""
+    cyan, magenta = ink("pressure", PRESSURES), ink("shear_stress", SHEARS)
+    dark = f"(1 - 0.45*({cyan})*({magenta}))"
+    parts = (f"{dark}*(1 - 0.9*({cyan}))", f"{dark}*(1 - 0.85*({magenta}))", f"{dark}*(1 - 0.9*if(pressure < 0, 1, 0))")
+    kind = "Cell Data" if on == "CELLS" else "Point Data"
+    return Calculator(Input=source, AttributeType=kind, ResultArrayName="map", Function=" + ".join(f"({part})*{axis}" for part, axis in zip(parts, ("iHat", "jHat", "kHat"))))
+
+
+def show_map(source, view, on):
+    shown = Show(source, view)
+    ColorBy(shown, (on, "map"))
+    shown.MapScalars = 0  # the array is the colour
+    shown.SetScalarBarVisibility(view, False)
 
 
 def mirrored(source):
@@ -52,17 +85,22 @@ def mirrored(source):
 
 
 def show(source, view, field, on):
-    array, component, colours, limits = field
+    array, component, colours, limits, turned = field
     shown = Show(source, view)
     ColorBy(shown, (on, array, component) if component else (on, array))
     scale = GetColorTransferFunction(array)
+    scale.AutomaticRescaleRangeMode = "Never"
     scale.ApplyPreset(colours, True)
+    if turned:
+        scale.InvertTransferFunction()
     scale.RescaleTransferFunction(*limits)
     shown.SetScalarBarVisibility(view, True)
+    GetScalarBar(scale, view).Title = f"{array.rstrip('_')} [SI]"
 
 
 def look(view, time):
     view.ViewTime = time
+    view.ViewSize = SHAPE
     view.InteractionMode = "2D"
     view.CameraParallelProjection = 1
     ResetCamera(view)
@@ -75,9 +113,29 @@ def look(view, time):
 def words():
     parser = argparse.ArgumentParser(description="The particles of a run in ParaView.")
     parser.add_argument("--glyphs", action="store_true", help="balls of the particles' size instead of their shapes")
+    parser.add_argument("--map", action="store_true", help="colours of pressure and shear stress together, on both sides")
     parser.add_argument("--time", type=float, default=TIME, help="in s")
     parser.add_argument("--save", metavar="PICTURE", help="write a picture instead of opening a window")
+    parser.add_argument("--state", metavar="FILE", help="write a state file (.pvsm) of this ParaView too")
     return parser.parse_args(sys.argv[1:] if "__file__" in globals() else [])
+
+
+def show_fields(source, view, on):
+    """Two fields, or two views where they cannot share one. @return the views"""
+    show(source, view, RIGHT, on)
+    # Two components of one vector would share their colours, and without an axis there is no other half.
+    beside = view if MIRRORED and (LEFT == RIGHT or LEFT[0] != RIGHT[0]) else CreateView("RenderView")
+    show(mirrored(source) if MIRRORED else source, beside, LEFT, on)
+    return list({id(view): view, id(beside): beside}.values())
+
+
+def show_both(source, view, on):
+    """Both sides in the colours of the map, and what they mean."""
+    for one in (source, mirrored(source)) if MIRRORED else (source,):  # a mirror would turn a colour over, which to ParaView is a vector
+        show_map(mapped(one, on), view, on)
+    said = Show(Text(Text=INKS), view)
+    said.WindowLocation, said.FontSize = "Lower Left Corner", 14
+    return [view]
 
 
 def main():
@@ -86,22 +144,24 @@ def main():
     reader.ElementBlocks = BLOCKS
     reader.ElementVariables = reader.ElementVariables.Available
     reader.ApplyDisplacements = 1
-    GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
+    scene = GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    scene.AnimationTime = options.time  # which a state file keeps
+    LoadPalette("WhiteBackground")
     reader.UpdatePipeline(options.time)
     source, on = existing(reader), "CELLS"
     if POINTS or options.glyphs:
         source, on = (points if POINTS else balls)(source), "POINTS"
     view = GetActiveViewOrCreate("RenderView")
-    show(source, view, RIGHT, on)
-    # Two components of one vector would share their colours, and without an axis there is no other half.
-    beside = view if MIRRORED and (LEFT == RIGHT or LEFT[0] != RIGHT[0]) else CreateView("RenderView")
-    show(mirrored(source) if MIRRORED else source, beside, LEFT, on)
-    for one in {id(view): view, id(beside): beside}.values():
+    views = (show_both if options.map else show_fields)(source, view, on)
+    for one in views:
         look(one, options.time)
         Render(one)
+    if options.state:
+        SaveState(options.state)
     if options.save:
-        SaveScreenshot(options.save, view)
-    elif "__file__" in globals() and "pvpython" in os.path.basename(sys.executable):
+        SaveScreenshot(options.save, view, ImageResolution=SHAPE)
+    elif not options.state and "__file__" in globals() and "pvpython" in os.path.basename(sys.executable):
         Interact()
 
 

@@ -8,12 +8,14 @@ import pathlib
 import re
 import sys
 import tempfile
+import zlib
 
+import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
-from barreno_report import command, fields, numbers, penetration  # noqa: E402
+from barreno_report import command, fields, numbers, pages, penetration, section  # noqa: E402
 from barreno_report.deck import read_deck  # noqa: E402
 from barreno_report.outline import without_gaps  # noqa: E402
 from barreno_report.particles import ParticleFile, areas_of  # noqa: E402
@@ -121,6 +123,26 @@ def said(*words, code=0):
     return err.getvalue() if code else out.getvalue()
 
 
+def words_of_pdf(file):
+    """Its letters, all pages one after the other; between them are places and kerning."""
+    found = []
+    for stream in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", file.read_bytes(), re.DOTALL):
+        with contextlib.suppress(zlib.error):
+            found += re.findall(rb"\(((?:[^()\\]|\\.)*)\)", zlib.decompress(stream))
+    return re.sub(r"\s+|\\", "", b"".join(found).decode("latin-1"))
+
+
+def check_captions(run):
+    """A page of the PDF has the heading and the caption of its picture, which the picture itself does not keep."""
+    words = words_of_pdf(run / "report" / "report.pdf")
+    for said in ("The colour scale leaves out the extreme 1.5 % of the area", "where the size of particles shows the size of cells", "Energy by term, and the remainder of the ledger."):
+        assert re.sub(r"\s", "", said) in words, said
+    picture = section.Picture("a", plt.figure(), "one caption")
+    pages.write_pdf(run / "one.pdf", "title", [section.Section("Heading", pictures=[picture])])
+    assert not picture.figure.texts and "Heading" in words_of_pdf(run / "one.pdf") and "onecaption" in words_of_pdf(run / "one.pdf")
+    plt.close(picture.figure)
+
+
 def check_page(run):
     """One page with its pictures inside, as text that came from a title; the same numbers in both forms."""
     printed = said("report", run, "--left", "pressure", "--right", "plastic_volume_strain", "--time", "10 us", "--depths", "5 mm, 1 cm", "--pdf")
@@ -197,6 +219,7 @@ def main():
         check_points(folder)
         check_refusals(run, folder)
         check_page(run)
+        check_captions(run)
         check_film(run)
     print("the parts of a report are what they say")
 
