@@ -15,7 +15,7 @@ constexpr const char* begin_mark = "<!-- words of ";
 constexpr const char* end_mark = "<!-- end of words -->";
 
 /// Cells of a row "| a | b |", without the blanks around them.
-std::vector<std::string> cells_of(const std::string& row) {
+std::vector<std::string> cells_of_row(const std::string& row) {
   std::vector<std::string> cells;
   std::istringstream in(row.substr(1));
   for (std::string cell; std::getline(in, cell, '|');) {
@@ -28,7 +28,7 @@ std::vector<std::string> cells_of(const std::string& row) {
 
 /// The words of a cell "`a.b`, `.c`, `_y`"; one that begins with a dot or a line has another end
 /// than the first.
-std::vector<std::string> words_of(const std::string& cell) {
+std::vector<std::string> words_in_cell(const std::string& cell) {
   std::vector<std::string> words;
   std::istringstream in(cell);
   bool inside = false;
@@ -42,12 +42,12 @@ std::vector<std::string> words_of(const std::string& cell) {
 
 /// Whether a user who asks for a name means a word: all of it, or one of the names in it that dots
 /// part.
-bool means(const std::string& asked, const std::string& word) {
+bool word_means(const std::string& asked, const std::string& word) {
   return !asked.empty() && ("." + word + ".").find("." + asked + ".") != std::string::npos;
 }
 
 /// Text of a page for the screen: links as their words, no marks of code.
-std::string plain(const std::string& text) {
+std::string without_marks(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == ']' && text.compare(i, 2, "](") == 0)
@@ -62,13 +62,13 @@ std::string plain(const std::string& text) {
 void describe_row(
     const std::string& row, const std::string& file, const std::string& name, std::ostream& out
 ) {
-  const std::vector<std::string> cells = cells_of(row);
+  const std::vector<std::string> cells = cells_of_row(row);
   if (cells.size() < 3) return;
   std::string meant;
-  for (const std::string& word : words_of(cells[0]))
-    if (means(name, word)) meant += "  " + word + '\n';
+  for (const std::string& word : words_in_cell(cells[0]))
+    if (word_means(name, word)) meant += "  " + word + '\n';
   if (meant.empty()) return;
-  out << file << " of a run\n" << meant << "      " << plain(cells[2]) << '\n';
+  out << file << " of a run\n" << meant << "      " << without_marks(cells[2]) << '\n';
   if (!cells[1].empty() && cells[1] != "-") out << "      in " << cells[1] << '\n';
 }
 
