@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "grid/patch.hpp"
-
+#include "grid/make_patch.hpp"
 #include "scene/tile_size.hpp"
 
 #include <stdexcept>
@@ -17,11 +16,15 @@ int power(int base, int exponent) {
 }  // namespace
 
 Patch make_patch(int dimensions, int reach) {
+  return make_patch(dimensions, reach, tile_bits(dimensions));
+}
+
+Patch make_patch(int dimensions, int reach, int bits) {
   Patch patch;
   patch.dimensions = dimensions;
   patch.reach = reach;
-  patch.tile_bits = tile_bits(dimensions);
-  patch.tile_cells = tile_cells(dimensions);
+  patch.tile_bits = bits;
+  patch.tile_cells = 1 << bits;
   patch.nodes = patch.tile_cells + 1 + 2 * reach;
   if (patch.nodes > max_patch_nodes)
     throw std::logic_error("a shape function reaches too far for a patch");

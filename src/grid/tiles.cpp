@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "grid/halo.hpp"
+#include "grid/make_patch.hpp"
 #include "scene/tile_levels.hpp"
 
 #include <algorithm>
@@ -181,7 +182,7 @@ void set_levels(const std::vector<unsigned char>& level_of_tile, Grid& grid) {
 Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   const GridSpec& spec = scene.grid;
   Grid grid;
-  grid.patch = make_patch(dimensions(spec.mode), reach);
+  grid.patch = make_patch(dimensions(spec.mode), reach, tile_bits_of(spec));
   grid.mode = spec.mode;
   grid.cell_size = spec.cell_size;
   grid.shape = scene.step.shape;

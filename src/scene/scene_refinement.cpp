@@ -64,7 +64,7 @@ void add_refinement(const Deck& deck, Scene& scene) {
     const RefinedRegion path = read_path(deck, scene);
     if (path.level > 0) regions.push_back(path);
   }
-  scene.grid.level_of_tile = find_tile_levels(scene.grid, regions);
+  scene.grid.level_of_tile = find_cheapest_levels(scene.grid, regions);
 }
 
 void check_refinement(const Deck& deck, const Scene& scene) {

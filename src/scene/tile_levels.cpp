@@ -27,11 +27,26 @@ void for_each_box_tile(const std::array<int, 3>& tiles, Visitor&& visit) {
       for (at[0] = 0; at[0] < tiles[0]; ++at[0]) visit(index++, at);
 }
 
-Box box_of_tile(const GridSpec& grid, const std::array<int, 3>& at) {
+std::array<int, 3> box_tiles_of(const GridSpec& grid, int bits) {
+  std::array<int, 3> tiles{1, 1, 1};
+  const int along = 1 << bits;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
+    // A box that is a whole number of cells up to round-off has that number.
+    const double cells = std::ceil((grid.upper[d] - grid.lower[d]) / grid.cell_size - 1e-9);
+    tiles[d] = (static_cast<int>(cells) + along - 1) / along;
+  }
+  return tiles;
+}
+
+std::size_t count_of(const std::array<int, 3>& tiles) {
+  return index_of(tiles, {0, 0, tiles[2]});
+}
+
+Box box_of_tile(const GridSpec& grid, const std::array<int, 3>& at, double size) {
   Box box{grid.lower, grid.upper};
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
-    box.lower[d] = grid.lower[d] + at[d] * tile_size_of(grid);
-    box.upper[d] = std::min(box.lower[d] + tile_size_of(grid), grid.upper[d]);
+    box.lower[d] = grid.lower[d] + at[d] * size;
+    box.upper[d] = std::min(box.lower[d] + size, grid.upper[d]);
   }
   return box;
 }
@@ -67,49 +82,75 @@ void grade(const std::array<int, 3>& tiles, std::vector<unsigned char>& level) {
   }
 }
 
-}  // namespace
-
-double tile_size_of(const GridSpec& grid) {
-  return grid.cell_size * tile_cells(dimensions(grid.mode));
-}
-
-std::array<int, 3> box_tiles(const GridSpec& grid) {
-  std::array<int, 3> tiles{1, 1, 1};
-  const int along = tile_cells(dimensions(grid.mode));
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
-    // A box that is a whole number of cells up to round-off has that number.
-    const double cells = std::ceil((grid.upper[d] - grid.lower[d]) / grid.cell_size - 1e-9);
-    tiles[d] = (static_cast<int>(cells) + along - 1) / along;
-  }
-  return tiles;
-}
-
-std::vector<unsigned char> find_tile_levels(
-    const GridSpec& grid, const std::vector<RefinedRegion>& regions
+std::vector<unsigned char> levels_of_tiles(
+    const GridSpec& grid, const std::vector<RefinedRegion>& regions, int bits
 ) {
-  if (regions.empty()) return {};
-  const std::array<int, 3> tiles = box_tiles(grid);
-  std::vector<unsigned char> level(
-      static_cast<std::size_t>(tiles[0]) * static_cast<std::size_t>(tiles[1]) *
-      static_cast<std::size_t>(tiles[2])
-  );
+  const std::array<int, 3> tiles = box_tiles_of(grid, bits);
+  const double size = grid.cell_size * (1 << bits);
+  std::vector<unsigned char> level(count_of(tiles));
   work_counts().undivided_points += static_cast<long long>(level.size());
   for_each_box_tile(tiles, [&](std::size_t t, const std::array<int, 3>& at) {
     for (const RefinedRegion& region : regions)
       if (region.level > level[t] &&
-          overlap(region.shape, box_of_tile(grid, at), grid, grid.cell_size))
+          overlap(region.shape, box_of_tile(grid, at, size), grid, grid.cell_size))
         level[t] = static_cast<unsigned char>(region.level);
   });
   grade(tiles, level);
   return level;
 }
 
+/// Steps of all cells: one of half the size is one of 2^d, and takes twice as many.
+double cell_steps(const GridSpec& grid, const std::vector<unsigned char>& levels, int bits) {
+  const int dimension = dimensions(grid.mode);
+  double sum = 0.0;
+  for (const unsigned char level : levels) sum += std::pow(2.0, level * (dimension + 1));
+  return sum * std::pow(2.0, bits * dimension);
+}
+
+}  // namespace
+
+int tile_bits_of(const GridSpec& grid) {
+  const int usual = tile_bits(dimensions(grid.mode));
+  const std::size_t levels = grid.level_of_tile.size();
+  return levels == 0 || levels == count_of(box_tiles_of(grid, usual)) ? usual : small_tile_bits;
+}
+
+double tile_size_of(const GridSpec& grid) {
+  return grid.cell_size * (1 << tile_bits_of(grid));
+}
+
+std::array<int, 3> box_tiles(const GridSpec& grid) {
+  return box_tiles_of(grid, tile_bits_of(grid));
+}
+
+std::vector<unsigned char> find_tile_levels(
+    const GridSpec& grid, const std::vector<RefinedRegion>& regions
+) {
+  if (regions.empty()) return {};
+  return levels_of_tiles(grid, regions, tile_bits(dimensions(grid.mode)));
+}
+
+std::vector<unsigned char> find_cheapest_levels(
+    const GridSpec& grid, const std::vector<RefinedRegion>& regions
+) {
+  constexpr double worth_it = 0.85;
+  std::vector<unsigned char> usual = find_tile_levels(grid, regions);
+  const int bits = tile_bits(dimensions(grid.mode));
+  if (usual.empty() || bits == small_tile_bits) return usual;
+  std::vector<unsigned char> small = levels_of_tiles(grid, regions, small_tile_bits);
+  const bool saves =
+      cell_steps(grid, small, small_tile_bits) < worth_it * cell_steps(grid, usual, bits);
+  // The number of levels tells the two apart (tile_bits_of).
+  return saves && small.size() != usual.size() ? small : usual;
+}
+
 int level_at(const GridSpec& grid, const Vector& x) {
   if (grid.level_of_tile.empty()) return 0;
   const std::array<int, 3> tiles = box_tiles(grid);
+  const double size = tile_size_of(grid);
   std::array<int, 3> at{};
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions(grid.mode)); ++d) {
-    const double tile = std::floor((x[d] - grid.lower[d]) / tile_size_of(grid));
+    const double tile = std::floor((x[d] - grid.lower[d]) / size);
     at[d] = static_cast<int>(std::clamp(tile, 0.0, tiles[d] - 1.0));
   }
   return grid.level_of_tile[index_of(tiles, at)];
@@ -131,10 +172,11 @@ double smallest_cell(const GridSpec& grid) {
 double refined_share(const GridSpec& grid, const Box& box) {
   if (grid.level_of_tile.empty()) return 1.0;
   const int dimension = dimensions(grid.mode);
+  const double size = tile_size_of(grid);
   double whole = 0.0;
   double weighted = 0.0;
   for_each_box_tile(box_tiles(grid), [&](std::size_t t, const std::array<int, 3>& at) {
-    const Box tile = box_of_tile(grid, at);
+    const Box tile = box_of_tile(grid, at, size);
     double common = 1.0;
     for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d)
       common *= std::max(

@@ -12,6 +12,10 @@ namespace barreno {
 /// Tiles of the whole box along each axis; one along z in two dimensions.
 std::array<int, 3> box_tiles(const GridSpec& grid);
 
+/// Cells of a tile along each axis are 2 to this; a refined grid has as many levels as tiles of
+/// that size.
+int tile_bits_of(const GridSpec& grid);
+
 /// Edge of a tile of level 0 [length].
 double tile_size_of(const GridSpec& grid);
 
@@ -20,6 +24,12 @@ double tile_size_of(const GridSpec& grid);
 ///
 /// @return by tile, x fastest; empty without a region
 std::vector<unsigned char> find_tile_levels(
+    const GridSpec& grid, const std::vector<RefinedRegion>& regions
+);
+
+/// The same, of small tiles where those make the cells' steps fewer by more than they cost
+/// themselves: their patches have more nodes.
+std::vector<unsigned char> find_cheapest_levels(
     const GridSpec& grid, const std::vector<RefinedRegion>& regions
 );
 

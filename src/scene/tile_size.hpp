@@ -11,5 +11,7 @@ constexpr int tile_bits(int dimensions) {
 constexpr int tile_cells(int dimensions) {
   return 1 << tile_bits(dimensions);
 }
+/// In the plane they may be half as large, so that a narrow region is refined alone.
+constexpr int small_tile_bits = 2;
 
 }  // namespace barreno

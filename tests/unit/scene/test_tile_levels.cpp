@@ -67,6 +67,34 @@ TEST(TileLevels, ARegionThatOnlyTouchesATileLeavesIt) {
   EXPECT_EQ(levels[7], 1);
 }
 
+/// A strip along y, that many usual tiles wide, of half as large cells.
+RefinedRegion strip(Mode mode, double width) {
+  const double tile = tile_of(mode);
+  return {Box{{}, {width * tile, 6 * tile, 2 * tile}}, 1};
+}
+
+TEST(TileLevels, ANarrowStripHasSmallTiles) {
+  const double tile = tile_of(Mode::plane_strain);
+  Scene scene = scene_of(Mode::plane_strain);
+  scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {strip(Mode::plane_strain, 0.4)});
+  EXPECT_EQ(tile_size_of(scene.grid), 0.5 * tile);
+  EXPECT_EQ(box_tiles(scene.grid), (std::array<int, 3>{12, 12, 1}));
+  EXPECT_EQ(level_at(scene.grid, {0.49 * tile, 3.1 * tile, 0.0}), 1);
+  EXPECT_EQ(level_at(scene.grid, {0.51 * tile, 3.1 * tile, 0.0}), 0);
+  const Box half{{}, {tile, 6 * tile, 0.0}};  // of which a half is refined
+  EXPECT_DOUBLE_EQ(refined_share(scene.grid, half), 0.5 * (4.0 + 1.0));
+}
+
+TEST(TileLevels, TilesAreAsUsualWhereSmallOnesSaveNothing) {
+  for (const Mode mode : all_modes) {
+    Scene scene = scene_of(mode);
+    scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {strip(mode, 0.9)});
+    EXPECT_EQ(scene.grid.level_of_tile, find_tile_levels(scene.grid, {strip(mode, 0.9)}));
+    EXPECT_EQ(tile_size_of(scene.grid), tile_of(mode));
+  }
+  EXPECT_TRUE(find_cheapest_levels(scene_of(Mode::plane_strain).grid, {}).empty());
+}
+
 TEST(TileLevels, WithoutRegionsNothingIsKept) {
   EXPECT_TRUE(find_tile_levels(scene_of(Mode::plane_strain).grid, {}).empty());
   EXPECT_EQ(finest_level(scene_of(Mode::plane_strain).grid), 0);

@@ -90,6 +90,14 @@ Scene impact_on_levels(Scene scene) {
   return scene;
 }
 
+/// The same in a strip so narrow that tiles are half as large.
+Scene impact_in_a_strip(Scene scene) {
+  const RefinedRegion region{Box{{0.0, 0.0, 0.0}, {0.004, 0.1, 0.0}}, 1};
+  scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {region});
+  EXPECT_EQ(tile_size_of(scene.grid), 4.0 * scene.grid.cell_size);
+  return scene;
+}
+
 constexpr double end_time = 6e-6;
 
 Scene with_shape(Scene scene, const std::string& word) {
@@ -248,6 +256,10 @@ TEST(SameAnswer, AnyRankCountGivesTheSameBitsOnLevelsWithEveryShapeFunction) {
     expect_same_alone(impact_on_levels(with_shape(impact(), decltype(shape)::word)));
   });
 }
+/// Of two cells to either side, so that patches reach over more than one tile.
+TEST(SameAnswer, AnyRankCountGivesTheSameBitsOnSmallTiles) {
+  expect_same_alone(impact_in_a_strip(with_shape(impact(), "cubic B-spline")));
+}
 TEST(SameAnswer, AnyRankCountGivesTheSameBitsOnLevelsInSpace) {
   expect_same_alone(impact_on_levels(impact_in_space()));
 }
@@ -265,6 +277,9 @@ TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithSubcycles) {
 }
 TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithSubcyclesOnLevels) {
   expect_same_alone(with_subcycles(impact_on_levels(impact_on_rock())));
+}
+TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithSubcyclesOnSmallTiles) {
+  expect_same_alone(with_subcycles(impact_in_a_strip(impact_on_rock())));
 }
 TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithSubcyclesOnLevelsInSpace) {
   expect_same_alone(with_subcycles(impact_on_levels(impact_in_space())));

@@ -50,6 +50,14 @@ Scene refined(Scene scene) {
   return scene;
 }
 
+/// A strip that is refined alone, in tiles that are half as large; in space all have that size.
+Scene narrowly_refined(Scene scene) {
+  const RefinedRegion region{Box{{0.0, 0.0, 0.0}, {0.004, 0.064, 0.004}}, 1};
+  scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {region});
+  EXPECT_EQ(tile_size_of(scene.grid), 4.0 * scene.grid.cell_size);
+  return scene;
+}
+
 double particle_steps(const State& state) {
   std::array<double, 1> sum{state.particle_steps};
   sum_over_ranks(*state.grid.comm, sum);
@@ -116,6 +124,17 @@ TEST_P(SubcyclingOf, ACollisionOnLevelsKeepsItsBalancesToo) {
   EXPECT_GT(shares.of_level[0], 0.0);
   EXPECT_GT(shares.of_level[1], shares.of_level[0]);
   EXPECT_GT(shares.of_length[1] + shares.of_length[2] + shares.of_length[3], 0.0);
+}
+
+TEST_P(SubcyclingOf, ACollisionOnSmallTilesKeepsItsBalancesToo) {
+  const Scene scene = narrowly_refined(collision(GetParam())), with = with_subcycles(scene, 4);
+  State one_step = start(scene), subcycled = start(with);
+  const double time = GetParam() == Mode::three_dimensional ? 1e-6 : 4e-6;
+  advance_to(scene, time, one_step);
+  advance_to(with, time, subcycled);
+  expect_balances(subcycled);
+  EXPECT_LT(particle_steps(subcycled), 0.75 * particle_steps(one_step));
+  EXPECT_LT(velocity_difference(one_step, subcycled), 0.01 * 120.0);
 }
 
 /// No force arises between tiles of different steps, and each goes as far as its neighbour.
