@@ -170,8 +170,8 @@ int find_chunk_parts(const Patch& patch, const Dormancy& dormancy, Particles& pa
         bool skips = true;
         for (int p = begin; p < end; ++p) {
           const unsigned char stays = dormancy.stays(tile_of(patch, particles, p));
-          particles.dormant(p) = stays != moves ? 1 : 0;
-          stay += particles.dormant(p);
+          particles.dormant(p) = stays;
+          stay += stays != moves ? 1 : 0;
           skips = skips && (stays == is_in_its_step || (stays == is_dormant_tile && dormancy.skip));
         }
         particles.chunk_part(chunk) = skips      ? no_part_of_chunk

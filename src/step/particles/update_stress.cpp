@@ -8,6 +8,7 @@
 #include "scene/heat.hpp"
 #include "scene/voids.hpp"
 #include "state/bad_particle.hpp"
+#include "state/dormancy.hpp"
 #include "state/row_frames.hpp"
 #include "step/particles/burn_explosive.hpp"
 #include "step/particles/point_group.hpp"
@@ -72,6 +73,16 @@ struct UpdateStress {
     return mask_of<R>([&](int i) {
       return i < group.count && particles.dormant(group.first + i) != 0;
     });
+  }
+
+  /// Whether all rows are in tiles whose own steps go on, in a chunk that others share: nothing is
+  /// asked of them before those end.
+  KOKKOS_INLINE_FUNCTION bool is_in_its_step_whole(const Group& group) const {
+    if (particles.chunk_part(group.first / rows_per_chunk) != part_of_chunk) return false;
+    bool all = true;
+    for (int i = 0; i < group.count; ++i)
+      all = all && particles.dormant(group.first + i) == is_in_its_step;
+    return all;
   }
 
   using Update = PointsOf<Sym3Of<R>, typename Group::History>;
@@ -208,7 +219,8 @@ struct UpdateStress {
   KOKKOS_INLINE_FUNCTION void update_groups(Rows rows, Tally& tally, StressTally& sums) const {
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
-      if (rows.skips(row)) continue;  // find_dormant_tiles knows the step that they allow
+      // find_dormant_tiles knows the step that they allow.
+      if (rows.skips(row) || is_in_its_step_whole(group)) continue;
       Begun begun;
       Update update = begin(group, begun);
       update.outcome = update_points(model, update.increment, update.stress, update.history);
@@ -233,7 +245,8 @@ struct UpdateStress {
     };
     for (int row = rows.begin; row < rows.end; row += width<R>) {
       const Group group = group_at(row, rows);
-      if (rows.skips(row)) continue;  // find_dormant_tiles knows the step that they allow
+      // find_dormant_tiles knows the step that they allow.
+      if (rows.skips(row) || is_in_its_step_whole(group)) continue;
       Update update = begin(group, begun[count]);
       // Debris and points that have expanded too far skip the second part of the update.
       const Mask left = model.start_points(update) & alive(group) & (!dormant(group)) &
