@@ -7,7 +7,6 @@
 #include "scene/geometry.hpp"
 #include "scene/porous.hpp"
 #include "scene/tile_levels.hpp"
-#include "scene/tile_size.hpp"
 #include "state/body_particles.hpp"
 
 #include <algorithm>
@@ -68,7 +67,7 @@ public:
     front_ = front_per_wave(scene.grid.mode) * wave_speed(scene, body);
     // Where any motion wakes a tile, the grid carries it by a cell in a step.
     if (rest_motion(scene) == 0.0) front_ = std::max(front_, scene.grid.cell_size / dt);
-    tile_ = tile_cells(dimensions(scene.grid.mode)) * scene.grid.cell_size;
+    tile_ = tile_size_of(scene.grid);
   }
 
   bool is_always() const { return front_ == 0.0; }
@@ -81,52 +80,32 @@ private:
   double impact_ = 0.0, face_ = 0.0, front_ = 0.0, tile_ = 0.0;
 };
 
-/// visit(level, particles of the run, part of the time that they are awake) for few places that
-/// stand for all of a body.
-template <class Visit>
-void for_each_part(const Scene& scene, const BodySpec& body, double dt, Visit&& visit) {
+}  // namespace
+
+void for_each_awake_part(
+    const Scene& scene,
+    const BodySpec& body,
+    double dt,
+    const std::function<void(const AwakePart&)>& visit
+) {
   const Arrival arrival(scene, body, dt);
   const GridSpec grid = coarse_grid(scene);
   const int axes = dimensions(grid.mode);
   for_each_body_particle(grid, body, 0, [&](const NewParticle& p) {
     const int level = level_at(scene.grid, p.x);
     const double awake = std::clamp(1.0 - arrival.at(p.x) / scene.end_time, 0.0, 1.0);
-    visit(level, std::pow(2.0, axes * level), awake);
+    visit({p.x, level, std::pow(2.0, axes * level), awake});
   });
 }
-
-}  // namespace
 
 double awake_share(const Scene& scene, const BodySpec& body, double dt) {
   if (Arrival(scene, body, dt).is_always()) return 1.0;
   double sum = 0.0, count = 0.0;
-  for_each_part(scene, body, dt, [&](int, double particles, double awake) {
-    sum += particles * awake;
-    count += particles;
+  for_each_awake_part(scene, body, dt, [&](const AwakePart& part) {
+    sum += part.particles * part.awake;
+    count += part.particles;
   });
   return count > 0.0 ? sum / count : 1.0;
-}
-
-std::vector<double> steps_by_level(const Scene& scene, double dt) {
-  if (scene.grid.level_of_tile.empty()) return {};
-  std::vector<double> steps(static_cast<std::size_t>(finest_level(scene.grid)) + 1, 0.0);
-  double all = 0.0;
-  for (const BodySpec& body : scene.bodies) {
-    std::vector<double> of_body(steps.size(), 0.0);
-    double particles = 0.0;
-    for_each_part(scene, body, dt, [&](int level, double count, double awake) {
-      of_body[static_cast<std::size_t>(level)] += count * awake;
-      particles += count;
-    });
-    if (particles == 0.0) continue;
-    const double scale = static_cast<double>(count_body_particles(scene.grid, body)) / particles;
-    for (std::size_t l = 0; l < steps.size(); ++l) {
-      steps[l] += scale * of_body[l];
-      all += scale * of_body[l];
-    }
-  }
-  for (double& share : steps) share /= all > 0.0 ? all : 1.0;
-  return steps;
 }
 
 }  // namespace barreno

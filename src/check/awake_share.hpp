@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-#include <vector>
+#include <functional>
 
 namespace barreno {
 
@@ -13,8 +13,18 @@ namespace barreno {
 /// @param dt  of the run's steps [time]
 double awake_share(const Scene& scene, const BodySpec& body, double dt);
 
-/// Particle-steps of all bodies that are not skipped, by the level of their cells, of a sum of 1;
-/// those of the jet are left out. One step for all. Empty where all cells have one size.
-std::vector<double> steps_by_level(const Scene& scene, double dt);
+/// One of the few places that stand for all of a body.
+struct AwakePart {
+  Vector x;
+  int level;         ///< of the cells there
+  double particles;  ///< of the run, relative to those of other places
+  double awake;      ///< part of the time
+};
+void for_each_awake_part(
+    const Scene& scene,
+    const BodySpec& body,
+    double dt,
+    const std::function<void(const AwakePart&)>& visit
+);
 
 }  // namespace barreno

@@ -27,10 +27,15 @@ constexpr double growth_of_domains = 1.6;
 /// taylor_bar_3d.xml.
 constexpr double growth_of_rotations = 1.8;
 
-/// Processor time of a perforation with steps of several lengths over that with one for all,
-/// between those of cells of the jet's radius (0.66) and of half of it along the path (0.56):
-/// perforation.xml.
-constexpr double subcycled_time = 0.6;
+/// What goes into nodes, cells and tiles in a part of a step (Step/Subcycles) for each awake
+/// particle, over what nodes and cells take in the probe: 4.8 and 5.6 by the two pairs of runs of
+/// docs/verification/subcycling.md.
+constexpr double nodes_of_parts = 5.0;
+
+/// Parts of a perforation's steps over those that the flight of its first slug would ask for to the
+/// end: later slugs are slower. Without Subcycles single particles keep the step as short, or cells
+/// as large as the jet's radius do. perforation.xml to 30 us: 0.77 (balanced), 0.68 (fast).
+constexpr double parts_of_flight = 0.75;
 
 /// Of a particle in an instant of particles.e, and in a row of history.csv [ns]:
 /// spherical_wave.xml and colliding_disks.xml.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/plan.hpp"
 
-#include "check/awake_share.hpp"
+#include "check/body_steps.hpp"
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
 #include "check/format.hpp"
@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace barreno {
@@ -107,21 +108,32 @@ std::string step_line(const Scene& scene) {
   return text + " times that\n";
 }
 
-/// Particle-steps of bodies by the size of their cells.
-std::string share_line(const Scene& scene, const Prediction& cost) {
-  const std::vector<double> shares = steps_by_level(scene, scene.end_time / cost.steps);
+/// Shares of a sum, the last first, by the words for their places; empty where there is only one.
+template <class WordsOf>
+std::string share_words(const double* counts, int size, const WordsOf& words_of) {
+  const double all = std::accumulate(counts, counts + size, 0.0);
   std::string text;
-  for (std::size_t l = shares.size(); l-- > 0;)
-    text += format(
-        "%s%.0f %% in cells of %g m",
-        text.empty() ? "Shares    particle-steps of the bodies: " : ", ",
-        100.0 * shares[l],
-        uniform_grid(scene.grid, static_cast<int>(l)).cell_size
-    );
-  if (text.empty()) return text;
-  return text + (scene.step.subcycles > 1 ? " (with one step for all; Subcycles take fewer in "
-                                            "tiles that bear longer ones)\n"
-                                          : "\n");
+  for (int i = size - 1; i >= 0; --i)
+    if (counts[i] > 0.0 && counts[i] < all)
+      text += format("%s%.0f %% ", text.empty() ? "" : ", ", 100.0 * counts[i] / all) + words_of(i);
+  return text;
+}
+
+/// Particle-steps of bodies by the size of their cells and by the length of their steps.
+std::string share_line(
+    const Scene& scene, const std::vector<long long>& counts, const Prediction& cost
+) {
+  const double dt = scene.end_time / cost.steps / scene.step.subcycles;
+  const StepShares shares = steps_of_bodies(scene, counts, dt).shares;
+  const std::string cells = share_words(shares.of_level, max_level + 1, [&](int level) {
+    return format("in cells of %g m", uniform_grid(scene.grid, level).cell_size);
+  });
+  const std::string lengths = share_words(shares.of_length, step_lengths, [](int length) {
+    return format("of %d part%s", 1 << length, length == 0 ? "" : "s");
+  });
+  if (cells.empty() && lengths.empty()) return {};
+  return "Shares    particle-steps of the bodies: " + cells +
+         (cells.empty() || lengths.empty() ? "" : "; ") + lengths + "\n";
 }
 
 std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
@@ -221,6 +233,8 @@ std::string plan_text(
   const std::vector<long long> counts = particle_counts(scene);  // with the whole jet
   const double particles = sum_of(counts);
   const Prediction cost = predict_cost(scene, probe, counts, ranks);
+  const int most = scene.step.subcycles;
+  const std::string parts = most > 1 ? format(" of %d parts", most) : std::string();
   std::string text = scene.title.empty() ? std::string("The deck is valid.\n")
                                          : scene.title + "\nThe deck is valid.\n";
   text += format(
@@ -235,15 +249,16 @@ std::string plan_text(
       cost.bytes * 1e-6
   );
   text += format(
-      "Time      to %g s, first steps of %.3g s: about %.*g steps, %.3g particle-steps\n",
+      "Time      to %g s, first steps of %.3g s: about %.*g steps%s, %.3g particle-steps\n",
       scene.end_time,
       cost.first_step,
       cost.steps < 1e9 ? 10 : 3,
       cost.steps < 1e9 ? std::round(cost.steps) : cost.steps,
+      parts.c_str(),
       cost.particle_steps
   );
-  text +=
-      cost_line(scene, cost, ranks) + step_line(scene) + share_line(scene, cost) + jet_lines(scene);
+  text += cost_line(scene, cost, ranks) + step_line(scene) + share_line(scene, counts, cost) +
+          jet_lines(scene);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);
   for (const std::string& note : notes) text += "Note: " + note + "\n";

@@ -2,7 +2,7 @@
 #include "check/predict_cost.hpp"
 
 #include "base/process.hpp"
-#include "check/awake_share.hpp"
+#include "check/body_steps.hpp"
 #include "check/cost_growth.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/geometry.hpp"
@@ -57,19 +57,15 @@ double jet_speed(const Scene& scene, int material) {
   return speed;
 }
 
-bool is_rigid(const Scene& scene, const BodySpec& body) {
-  return scene.bodies.size() > 1 && body.motion.prescribed;
-}
-
 /// Instants of an output; an interval of 0 means the given number.
 double instants(const Scene& scene, double interval, double otherwise) {
   return interval > 0.0 ? scene.end_time / interval : otherwise;
 }
 
-double written_nanoseconds(const Scene& scene, const Prediction& prediction) {
-  const double particles = prediction.particle_steps / prediction.steps;
+/// @param particles  that the run has on average
+double written_nanoseconds(const Scene& scene, double particles, double steps) {
   const double fields = instants(scene, scene.output.field_interval, 1.0) + 1.0;
-  const double rows = instants(scene, scene.output.history_interval, prediction.steps);
+  const double rows = instants(scene, scene.output.history_interval, steps);
   return particles * (field_nanoseconds * fields + row_nanoseconds * rows);
 }
 
@@ -120,36 +116,67 @@ double growth_of(const Scene& scene, const std::string& verb) {
   return 1.0;
 }
 
+namespace {
+
+/// A step, or the part of one of several parts, as the jet and its target allow [time].
+double part_of_step(const Scene& scene, const Probe& probe) {
+  double dt = stable_step_of_scene(scene, true);
+  if (probe.dt > 0.0) dt = std::min(dt, probe.dt);
+  if (scene.jet.present && scene.step.subcycles > 1) dt /= parts_of_flight;
+  if (scene.step.largest_step > 0.0) dt = std::min(dt, scene.step.largest_step);
+  return dt;
+}
+
+double steps_of_jet(const Scene& scene, const std::vector<long long>& counts, double dt) {
+  double steps = 0.0;
+  if (!scene.jet.present) return steps;
+  const std::size_t bodies = scene.bodies.size();
+  for (std::size_t s = 0; s < scene.jet.slugs.size(); ++s)
+    steps += static_cast<double>(counts[bodies + s]) *
+             std::max(0.0, scene.end_time - scene.jet.slugs[s].time) / dt;
+  return steps;
+}
+
+bool works_on_nodes(const std::string& verb) {
+  const auto verbs = {"solve_velocity", "locate_particles", "place_particles"};
+  return std::find(verbs.begin(), verbs.end(), verb) != verbs.end();
+}
+
+/// Of a step of one awake particle, what works on nodes and what on itself.
+struct StepCost {
+  double nodes = 0.0, particle = 0.0;  ///< [ns]
+};
+StepCost step_cost(const Scene& scene, const Probe& probe) {
+  StepCost cost;
+  if (!(probe.particles > 0.0)) return cost;
+  const double whole = 1e9 * probe.seconds / probe.particles;
+  if (probe.shares.empty()) cost.particle = whole;
+  for (const auto& [verb, share] : probe.shares)
+    (works_on_nodes(verb) ? cost.nodes : cost.particle) += share * growth_of(scene, verb) * whole;
+  return cost;
+}
+
+}  // namespace
+
 Prediction predict_cost(
     const Scene& scene, const Probe& probe, const std::vector<long long>& counts, int ranks
 ) {
   Prediction prediction;
   prediction.first_step = stable_step_of_scene(scene, false);
-  double dt = stable_step_of_scene(scene, true);
-  if (probe.dt > 0.0) dt = std::min(dt, probe.dt);
-  if (scene.step.largest_step > 0.0) dt = std::min(dt, scene.step.largest_step);
-  prediction.steps = scene.end_time / dt;
-  double skipped = 0.0;  // particle-steps in dormant tiles
-  const std::size_t bodies = scene.bodies.size();
-  for (std::size_t b = 0; b < bodies; ++b) {
-    const BodySpec& body = scene.bodies[b];
-    if (is_rigid(scene, body)) continue;
-    const double steps = static_cast<double>(counts[b]) * scene.end_time / dt;
-    prediction.particle_steps += steps;
-    skipped += steps * (1.0 - awake_share(scene, body, dt));
-  }
-  if (scene.jet.present)
-    for (std::size_t s = 0; s < scene.jet.slugs.size(); ++s)
-      prediction.particle_steps += static_cast<double>(counts[bodies + s]) *
-                                   std::max(0.0, scene.end_time - scene.jet.slugs[s].time) / dt;
-  double grown = 1.0;
-  for (const auto& [verb, share] : probe.shares) grown += share * (growth_of(scene, verb) - 1.0);
-  const double awake = 1.0 - skipped / prediction.particle_steps;
-  if (probe.particles > 0.0)
-    prediction.nanoseconds = 1e9 * probe.seconds / probe.particles * grown * awake;
-  if (scene.jet.present && scene.step.subcycles > 1) prediction.nanoseconds *= subcycled_time;
-  const double computed = prediction.nanoseconds * prediction.particle_steps;
-  prediction.seconds = 1e-9 * (computed + written_nanoseconds(scene, prediction)) / ranks;
+  const double dt = part_of_step(scene, probe);
+  prediction.steps = scene.end_time / dt / scene.step.subcycles;
+  const BodySteps bodies = steps_of_bodies(scene, counts, dt);
+  const double of_jet = steps_of_jet(scene, counts, dt);
+  prediction.particle_steps = bodies.taken + of_jet;
+  const StepCost cost = step_cost(scene, probe);
+  // Nodes move in every part, and particles are looked for.
+  const double parts = scene.step.subcycles > 1 ? nodes_of_parts * (bodies.awake + of_jet)
+                                                : prediction.particle_steps;
+  const double computed = cost.particle * prediction.particle_steps + cost.nodes * parts;
+  prediction.nanoseconds = computed / prediction.particle_steps;
+  const double particles = (bodies.all + of_jet) * dt / scene.end_time;
+  const double written = written_nanoseconds(scene, particles, prediction.steps);
+  prediction.seconds = 1e-9 * (computed + written) / ranks;
   // Every rank holds the program and its libraries; the probe was on this one alone.
   prediction.bytes =
       memory_estimate(scene) + peak_resident_bytes() + (ranks - 1) * probe.program_bytes;

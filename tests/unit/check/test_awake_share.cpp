@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/awake_share.hpp"
+#include "check/body_steps.hpp"
+#include "check/predict_cost.hpp"
 #include "scene/tile_levels.hpp"
+#include "state/body_particles.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace barreno {
 namespace {
@@ -51,18 +55,44 @@ TEST(AwakeShare, IsAllWhereABodyMovesOrNothingIsSkipped) {
   EXPECT_EQ(awake_share(scene, scene.bodies[0], 1e-6), 1.0);
 }
 
-TEST(StepsByLevel, AreParticlesTimesTheTimeThatTheyAreAwake) {
+TEST(BodySteps, AreParticlesTimesTheTimeThatTheyAreAwake) {
+  constexpr double dt = 1e-6;
   Scene scene = bar_and_jet(1.0);  // all are awake nearly always
-  EXPECT_TRUE(steps_by_level(scene, 1e-6).empty());
+  const double particles = length / cell * 10;
+  BodySteps steps = steps_of_bodies(scene, particle_counts(scene), dt);
+  EXPECT_NEAR(steps.all / (particles / dt), 1.0, 1e-12);
+  EXPECT_NEAR(steps.awake / steps.all, 1.0, 0.01);
+  EXPECT_EQ(steps.taken, steps.awake);  // one step for all
   // The lower half of the bar in cells of half the size: four times as many particles.
   scene.grid.level_of_tile = find_tile_levels(scene.grid, {{Box{{0, -0.1, 0}, {0.2, 10, 0}}, 1}});
-  const std::vector<double> all = steps_by_level(scene, 1e-6);
-  ASSERT_EQ(all.size(), 2U);
-  EXPECT_NEAR(all[0], 0.2, 0.01);
-  EXPECT_NEAR(all[1], 0.8, 0.01);
+  steps = steps_of_bodies(scene, particle_counts(scene), dt);
+  EXPECT_NEAR(steps.all / (2.5 * particles / dt), 1.0, 0.02);
+  EXPECT_NEAR(steps.shares.of_level[0] / steps.taken, 0.2, 0.01);
+  EXPECT_NEAR(steps.shares.of_level[1] / steps.taken, 0.8, 0.01);
   // The front has only come as far as to the border.
   scene.end_time = 10.0 / (3.0 * std::sqrt(young / density));
-  EXPECT_NEAR(steps_by_level(scene, 1e-6)[1], 1.0, 0.01);
+  steps = steps_of_bodies(scene, particle_counts(scene), dt);
+  EXPECT_NEAR(steps.shares.of_level[1] / steps.taken, 1.0, 0.01);
+}
+
+/// Half of the bar shares its tiles with the jet, and takes all parts one by one; the other half as
+/// many at once as it bears.
+TEST(BodySteps, AreFewerWhereTilesTakeSeveralPartsAtOnce) {
+  Scene scene = bar_and_jet(1.0);
+  BodySpec& bar = scene.bodies[0];
+  bar.shape = Box{{0, 0, 0}, {0.16, length, 0}};  // two tiles wide
+  scene.step.skip_dormant = false;
+  const double stable = stable_steps_of_materials(scene, true).front();
+  scene.step.subcycles = 4;
+  for (const auto& [parts, share] :
+       {std::pair{1.5, 1.0}, std::pair{2.5, 0.75}, std::pair{9.0, 0.625}}) {
+    const BodySteps steps = steps_of_bodies(scene, particle_counts(scene), stable / parts);
+    EXPECT_NEAR(steps.awake / steps.all, 1.0, 1e-12);
+    EXPECT_NEAR(steps.taken / steps.awake, share, 1e-12) << parts;
+  }
+  scene.step.subcycles = 2;
+  const BodySteps steps = steps_of_bodies(scene, particle_counts(scene), stable / 9.0);
+  EXPECT_NEAR(steps.shares.of_length[1] / steps.taken, 0.25 / 0.75, 1e-12);
 }
 
 }  // namespace
