@@ -22,6 +22,7 @@ FILE_SYSTEM = 1e11  # bytes/s that the file system takes from all ranks
 REDUCTIONS = 3  # per step: the step, the largest strain, and failures where a policy is to stop
 TILE_ARRAYS = 24.0  # bytes per tile of the box on every rank: owner, directory, two costs
 STATE_BYTES = {2: 285.0, 3: 420.0}  # per particle, in a checkpoint about
+PLACES = 2  # that a rank looks at in set-up for a particle of a lattice: a census and the making (many_ranks.py counts them); 1 of a box
 MOST_VALUES = 2**31  # of one gathered field
 
 
@@ -68,13 +69,14 @@ def row(d, particles, ranks, efficiency):
     gathered = 8.0 * components * total
     return (f"| {d}D | {ranks:,} | {particles:,.0f} | {total:.0e} | {1e-6 * parts['bytes']:.2f} | {parts['messages']} | {1e3 * parts['computing']:.3f} "
             f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * TILE_ARRAYS * tiles:.2g} "
-            f"| {1e-9 * gathered:.2g}{' (too many)' if components * total > MOST_VALUES else ''} | {STATE_BYTES[d] * total / min(ranks * DISK, FILE_SYSTEM):.2g} |")  # fmt: skip
+            f"| {1e-9 * gathered:.2g}{' (too many)' if components * total > MOST_VALUES else ''} | {STATE_BYTES[d] * total / min(ranks * DISK, FILE_SYSTEM):.2g} "
+            f"| {PLACES * particles:.0e} | {tiles:.0e} |")  # fmt: skip
 
 
 def predictions():
     lines = ["| | ranks | particles per rank | total | MB of halo per step and rank | messages | computing, ms | halo, ms | reductions, ms | efficiency "
-             "| GB of tile arrays, every rank | GB of the widest field, rank 0 | s to write a checkpoint |",
-             "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
+             "| GB of tile arrays, every rank | GB of the widest field, rank 0 | s to write a checkpoint | set-up: places of a rank | tiles, on every rank |",
+             "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for d in (2, 3):
         for ranks in (1000, 100000):  # weak: as many on every rank
             particles = 1e6

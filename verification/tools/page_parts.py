@@ -9,6 +9,7 @@ import extremes
 import feature_cost
 import fit_berea
 import front_page
+import many_ranks
 import off_costs
 import paper_parts
 import predictions
@@ -46,6 +47,7 @@ PARTS = {
     "decks": deck_table.lines,
     "figures": front_page.figures,
     "fidelities": front_page.fidelities,
+    "many_ranks.py": many_ranks.stored_part,
     "off_costs.py": off_costs.stored_part,
     "pore_cost": pore_cost,
     "scaling.py": scaling.stored_part,
