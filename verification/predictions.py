@@ -26,9 +26,9 @@ VARIANTS = {  # decks with settings of their own
     "perforation_quick, wet": ("perforation_quick", WATER),
     "perforation_quick, scattered": ("perforation_quick", SCATTER),
     "perforation_plane_gimp, wet": ("perforation_plane_gimp", WATER),
-    "perforation, fast, to 40 us": ("perforation", {"Fidelity": "fast", "Time/End Time": "40 us"}),
-    "perforation, balanced, to 20 us": ("perforation", {"Fidelity": "balanced", "Time/End Time": "20 us"}),
-    "perforation_3d, balanced, to 6 us": ("perforation_3d", {"Fidelity": "balanced", "Time/End Time": "6 us"}),
+    "perforation, fast, to 30 us": ("perforation", {"Fidelity": "fast", "Time/End Time": "30 us"}),
+    "perforation, balanced, to 12 us": ("perforation", {"Fidelity": "balanced", "Time/End Time": "12 us"}),
+    "perforation_3d, balanced, to 3 us": ("perforation_3d", {"Fidelity": "balanced", "Time/End Time": "3 us"}),
 }
 FLOWING = ("perforation_quick, wet", "perforation_quick, scattered", "perforation_quick", "shell_coasting", "taylor_bar", "cone_impact")
 COLUMNS = ("deck", "steps, predicted / actual", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / actual")
