@@ -133,7 +133,7 @@ std::vector<unsigned char> find_tile_levels(
 std::vector<unsigned char> find_cheapest_levels(
     const GridSpec& grid, const std::vector<RefinedRegion>& regions
 ) {
-  constexpr double worth_it = 0.85;
+  constexpr double worth_it = 6.0 / 7.0;
   std::vector<unsigned char> usual = find_tile_levels(grid, regions);
   const int bits = tile_bits(dimensions(grid.mode));
   if (usual.empty() || bits == small_tile_bits) return usual;
