@@ -105,6 +105,42 @@ DepthError measured_depth_error(double cells_per_radius, double depth_over_radiu
       between(coarse.high, fine.high)};
 }
 
+namespace {
+
+/// What shorter or longer slugs change, with the n-th of length_error_cells.
+double change_by_length(std::size_t n, double length_over_radius) {
+  const auto error = [&](std::size_t i) { return length_errors[i].error[n]; };
+  const auto place = [](std::size_t i) { return std::log(length_errors[i].length_over_radius); };
+  const double last = place(length_errors.size() - 1);
+  const double at = std::clamp(std::log(length_over_radius), place(0), last);
+  std::size_t upper = 1;
+  while (upper + 1 < length_errors.size() && at > place(upper)) ++upper;
+  const double part = (at - place(upper - 1)) / (place(upper) - place(upper - 1));
+  return error(upper - 1) + part * (error(upper) - error(upper - 1)) - error(measured_length);
+}
+
+}  // namespace
+
+double shortest_measured_length() {
+  constexpr double round_off = 1e-3;  // of a table's digits
+  return length_errors.front().length_over_radius * (1.0 - round_off);
+}
+
+DepthError with_length(DepthError error, double cells_per_radius, double length_over_radius) {
+  // Cells that are still smaller leave nothing to change.
+  const double from = std::log(length_error_cells[0]), to = std::log(length_error_cells[1]);
+  const double at = std::max(from, std::log(cells_per_radius));
+  const double coarse = change_by_length(0, length_over_radius);
+  const double fine = change_by_length(1, length_over_radius);
+  const double end = std::log(measured_cells().most);
+  const double change = at <= to ? coarse + (at - from) / (to - from) * (fine - coarse)
+                                 : fine * std::max(0.0, (end - at) / (end - to));
+  return {
+      error.value + change,
+      std::min(error.low, error.low + change),
+      std::max(error.high, error.high + change)};
+}
+
 std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius) {
   if (scene.grid.mode == Mode::plane_strain) return "it was measured with round jets only";
   if (scene.grid.mode == Mode::three_dimensional) return "it was measured in axisymmetry only";

@@ -24,6 +24,13 @@ DepthError measured_depth_error(
     double cells_per_radius, double depth_over_radius, DepthOf whose = DepthOf::run
 );
 
+/// The same of slugs that are longer or shorter than those of perforation.xml, beside their radius;
+/// longer than measured they count as the longest.
+/// @param length_over_radius  of the thinnest part, at least shortest_measured_length()
+DepthError with_length(DepthError error, double cells_per_radius, double length_over_radius);
+/// In radii.
+double shortest_measured_length();
+
 struct CellRange {
   double fewest, most;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace barreno {
 
@@ -35,5 +36,20 @@ struct SteadyError {
 };
 inline constexpr std::array<SteadyError, 4> steady_errors{
     {{0.5, -0.29, -0.16}, {1.0, -0.15, -0.03}, {2.0, -0.04, 0.02}, {4.0, 0.0, 0.0}}};
+
+/// Errors of the depth at the second of the times, with 1 and 2 cells per radius, of jets of the
+/// same mass and momentum whose slugs are shorter or longer (slug_length.json).
+struct LengthError {
+  double length_over_radius;  ///< of the first slug
+  std::array<double, 2> error;
+};
+inline constexpr std::array<double, 2> length_error_cells{1.0, 2.0};
+inline constexpr std::array<LengthError, 3> length_errors{{
+    {0.50341881, {-0.0713, -0.0082}},
+    {1.00683761, {-0.0723, -0.0096}},
+    {1.99703944, {-0.0653, -0.0041}},
+}};
+/// Which of them is of the slugs of measured_depths.
+inline constexpr std::size_t measured_length = 1;
 
 }  // namespace barreno

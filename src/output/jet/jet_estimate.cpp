@@ -90,8 +90,10 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
       bottom.time = start;
       left = target.dig(slug, until, bottom);
       result.time = bottom.time;
-      result.thinnest =
-          result.thinnest == 0.0 ? slug.radius : std::min(result.thinnest, slug.radius);
+      if (result.thinnest == 0.0 || slug.radius < result.thinnest) {
+        result.thinnest = slug.radius;
+        result.length = slug.length;
+      }
     }
     const double square = slug.velocity * slug.velocity;
     mass += volume_of(scene, slug, slug.length);
@@ -122,15 +124,20 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
   const JetEstimate estimate = estimate_jet(scene, time);
   DepthDoubt doubt;
   doubt.cells_per_radius = estimate.thinnest / cell_size_of_path(scene);
+  doubt.cells_per_length = estimate.length / cell_size_of_path(scene);
   if (estimate.thinnest == 0.0) {
     doubt.unknown = "the jet does not reach a target by then";
     return doubt;
   }
   doubt.unknown = why_depth_error_unknown(scene, doubt.cells_per_radius);
+  const double shape = estimate.length / estimate.thinnest;
+  if (doubt.unknown.empty() && shape < shortest_measured_length())
+    doubt.unknown = "it was measured with slugs that are at least half as long as their radius";
   if (!doubt.unknown.empty()) return doubt;
   const DepthOf whose = depth > 0.0 ? DepthOf::run : DepthOf::estimate;
   const double reached = whose == DepthOf::run ? depth : estimate.depth;
   doubt.error = measured_depth_error(doubt.cells_per_radius, reached / estimate.thinnest, whose);
+  doubt.error = with_length(doubt.error, doubt.cells_per_radius, shape);
   return doubt;
 }
 
@@ -141,9 +148,10 @@ std::string depth_doubt_text(const DepthDoubt& doubt) {
   std::snprintf(
       cells,
       sizeof cells,
-      " at %.2g cell%s per jet radius, as ",
+      " at %.2g cell%s per jet radius and %.2g per slug length, as ",
       doubt.cells_per_radius,
-      one ? "" : "s"
+      one ? "" : "s",
+      doubt.cells_per_length
   );
   return depth_error_text(doubt.error) + cells + depth_error_source;
 }

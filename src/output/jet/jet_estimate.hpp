@@ -20,6 +20,7 @@ struct JetEstimate {
   double energy_left = 1.0;  ///< share of its kinetic energy
   bool passed = false;       ///< it has come out of the back of the target
   double thinnest = 0.0;     ///< least radius of the slugs that have dug; 0: none has [length]
+  double length = 0.0;       ///< of the slug with that radius [length]
 };
 JetEstimate estimate_jet(const Scene& scene, double until);
 
@@ -32,6 +33,7 @@ SlugCells slug_cells(const Scene& scene, double JetSlug::*length);
 /// What the cells do to the depth that a run has, or is expected to have, at a time.
 struct DepthDoubt {
   double cells_per_radius = 0.0;  ///< of the thinnest slug that has dug by then
+  double cells_per_length = 0.0;  ///< of the same
   std::string unknown;            ///< why the error is not known; empty: it is
   DepthError error;
 };

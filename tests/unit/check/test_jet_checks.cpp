@@ -19,6 +19,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -151,6 +152,54 @@ TEST(DepthError, GivesBackWhatWasMeasuredAndLiesBetween) {
   const double middle = measured_depth_error(std::sqrt(0.5), 1000.0).value;
   EXPECT_NEAR(middle, 0.5 * ((232.3 + 182.6) / 271.5 - 2.0), 1e-12);
   EXPECT_EQ(depth_error_text({-0.137, -0.15, 0.0049}), "-14 % (-15 to 0 %)");
+}
+
+TEST(LengthErrors, AreThoseOfTheResultsFile) {
+  std::ifstream file(BARRENO_SOURCE_DIR "/verification/results/slug_length.json");
+  const auto data = nlohmann::json::parse(file);
+  std::size_t compared = 0;
+  for (const auto& row : data["rows"])
+    for (const LengthError& one : length_errors)
+      for (std::size_t n = 0; n < length_error_cells.size(); ++n) {
+        const bool same = std::abs(one.length_over_radius / row[1].get<double>() - 1.0) < 1e-4 &&
+                          length_error_cells[n] == row[2].get<double>();
+        if (!same) continue;
+        EXPECT_NEAR(one.error[n], row[5].get<double>(), 1e-4) << row[0] << " " << row[2];
+        ++compared;
+      }
+  EXPECT_EQ(compared, length_errors.size() * length_error_cells.size());
+}
+
+TEST(DepthError, ChangesWithTheLengthOfTheSlugs) {
+  const DepthError one{-0.07, -0.15, -0.03};
+  const auto change = [&](double cells, double length) {
+    return with_length(one, cells, length).value - one.value;
+  };
+  const LengthError &shortest = length_errors.front(), &longest = length_errors.back();
+  const LengthError& usual = length_errors[measured_length];
+  for (const double cells : {0.5, 1.0, 2.0, 4.0})
+    EXPECT_NEAR(change(cells, usual.length_over_radius), 0.0, 1e-15) << cells;
+  for (std::size_t n = 0; n < length_error_cells.size(); ++n)
+    for (const LengthError& other : {shortest, longest})
+      EXPECT_NEAR(
+          change(length_error_cells[n], other.length_over_radius),
+          other.error[n] - usual.error[n],
+          1e-15
+      );
+  EXPECT_EQ(change(1.0, 10.0), change(1.0, longest.length_over_radius));
+  EXPECT_EQ(change(0.5, 10.0), change(1.0, 10.0));
+  EXPECT_EQ(change(4.0, longest.length_over_radius), 0.0);
+  const double half_way = std::sqrt(usual.length_over_radius * longest.length_over_radius);
+  EXPECT_NEAR(change(1.0, half_way), 0.5 * change(1.0, 10.0), 1e-15);
+  const DepthError better = with_length(one, 1.0, 10.0);
+  EXPECT_EQ(better.low, one.low);
+  EXPECT_EQ(better.high, one.high + change(1.0, 10.0));
+
+  Scene scene = jet_scene({slug(0, 7000, 1e-3, 0.4e-3)});
+  EXPECT_TRUE(says(depth_doubt(scene, 1e-5).unknown, "at least half as long as their radius"));
+  scene.jet.slugs[0].length = 0.6e-3;
+  EXPECT_EQ(depth_doubt(scene, 1e-5).unknown, "");
+  EXPECT_NEAR(depth_doubt(scene, 1e-5).cells_per_length, 0.6, 1e-12);
 }
 
 TEST(DepthError, IsUnknownWhereNothingWasMeasured) {
