@@ -115,13 +115,13 @@ class Runs(unittest.TestCase):
         """By what the figures took last, and once something was computed by the pace of this machine."""
         said = []
         progress = Progress({1: [0.0, 0.0], 2: [2.0, 100.0], 3: [1.0, 50.0]}, (1, 2, 3), 2, lambda text, **_: said.append(text))
-        self.assertEqual(progress.left(), 75.0)
+        self.assertEqual(progress.left(), 100.0)
         progress.begin(2)
         progress.run_ended("a", 0.0, True)
-        self.assertEqual((progress.left(), said), (50.0, ["  [1/2] a: is there already; about 50 s left"]))
+        self.assertEqual((progress.left(), said), (75.0, ["  [1/2] a: is there already; about 75 s left"]))
         progress.began = time.monotonic() - 20.0
         progress.run_ended("b", 20.0, False)
-        self.assertAlmostEqual(progress.left(), 20.0, delta=1.0)
+        self.assertAlmostEqual(progress.left(), 40.0, delta=1.0)
         progress.figure_ended()
         self.assertEqual(progress.rest, 50.0)
         unknown = Progress({2: [2.0, 100.0]}, (2, 3), 2, lambda text, **_: said.append(text))

@@ -12,8 +12,10 @@ class Progress:
     @param jobs        runs at a time"""
 
     def __init__(self, expected, numbers, jobs, say=print):
-        self.expected = {number: expected[number] for number in numbers} if all(number in expected for number in numbers) else None
-        self.rest = sum(cost for _, cost in self.expected.values()) if self.expected else None  # of processor time
+        known = bool(numbers) and all(number in expected for number in numbers)
+        # Figures come one after the other, and a single run has one core.
+        self.expected = {number: (count, cost / max(1.0, min(jobs, count))) for number, (count, cost) in expected.items() if number in numbers} if known else None
+        self.rest = sum(cost for _, cost in self.expected.values()) if known else None  # [s] on the machine that it was made on last
         self.jobs, self.say, self.lock = jobs, say, threading.Lock()
         self.began, self.computed, self.number, self.ended = time.monotonic(), 0.0, None, 0
 
@@ -30,7 +32,7 @@ class Progress:
         """[s] on this machine, from the pace of what was computed so far; None where it is not known."""
         if self.rest is None:
             return None
-        pace = (time.monotonic() - self.began) / self.computed if self.computed else 1.0 / self.jobs
+        pace = (time.monotonic() - self.began) / self.computed if self.computed else 1.0
         return self.rest * pace
 
     def run_ended(self, name, seconds, reused):
@@ -47,7 +49,7 @@ class Progress:
             self.say(f"  [{self.ended}{of}] {name}: {how}{left}", flush=True)
 
     def figure_ended(self):
-        """Processor time that its runs did not account for is no longer to come."""
+        """Time that its runs did not account for is no longer to come."""
         if self.expected:
             later = list(self.expected)[list(self.expected).index(self.number) + 1 :]
             self.rest = sum(self.expected[number][1] for number in later)
