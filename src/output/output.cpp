@@ -48,7 +48,7 @@ struct Output::Parts {
   bool rows_due(const Clock& clock) const;
   RunNumbers position() const;
   void show_progress(const State& state);
-  JetAudit write_jet_table() const;
+  JetAudit write_jet_table(double mass_beyond) const;
 
   RunDescription run;
   Teuchos::RCP<const Comm> comm;
@@ -188,12 +188,12 @@ void Output::Parts::show_progress(const State& state) {
 }
 
 /// On the root.
-JetAudit Output::Parts::write_jet_table() const {
+JetAudit Output::Parts::write_jet_table(double mass_beyond) const {
   const std::vector<JetSlug> slugs = jet_slugs(monitor.spec(), monitor.crossings());
   if (!gave_up)
     write_whole_file(run.folder / "jet_table.csv", jet_table_text(monitor.spec(), slugs));
   JetAudit audit = audit_jet(monitor.spec(), monitor.crossings(), slugs);
-  audit.mass_beyond = monitor.mass_beyond();
+  audit.mass_beyond = mass_beyond;
   return audit;
 }
 
@@ -206,7 +206,7 @@ Output::~Output() = default;
 void Output::write_if_due(const Scene& scene, const State& state) {
   Parts& o = *parts_;
   const Clock& clock = state.clock;
-  o.monitor.watch_if_due(state);
+  o.monitor.watch(state);
   const bool fields_due = o.fields_step < 0 || o.field_schedule.due(clock.time);
   const bool rows_due = o.rows_due(clock);
   const bool progress_due = o.progress_schedule.due(clock.time);
@@ -299,7 +299,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   if (o.fields_step != state.clock.step && !o.gave_up) o.fields->write(scene, state);
   if (o.rows_step != state.clock.step && !o.gave_up) o.write_rows(scene, state);
   if (!o.gave_up) o.fields->close(*o.comm);
-  if (o.monitor.on() && verdict.finished) o.monitor.watch(state);
+  const double mass_beyond = o.monitor.on() ? o.monitor.mass_beyond(state) : 0.0;
   RunSummary summary = summarise(scene, state, seconds(), cpu_seconds() - o.cpu_start);
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   RootWork work(*o.comm);
@@ -308,7 +308,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
     o.show_progress(state);
     o.progress->list_warnings();
     summary.warnings = o.progress->warnings();
-    if (o.monitor.on()) summary.formed_jet = o.write_jet_table();
+    if (o.monitor.on()) summary.formed_jet = o.write_jet_table(mass_beyond);
     write_summary(
         o.run.folder,
         summary_text(scene, state, o.run, o.totals, penetration, summary, verdict),

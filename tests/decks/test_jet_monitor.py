@@ -82,6 +82,15 @@ def check_table(run):
     assert jet["slow"]["count"] == jet["wide"]["count"] == 0
 
 
+def check_short_grid(barreno, folder):
+    """A grid that ends 4 mm beyond the plane and an interval longer than the run: what leaves the grid has been counted before."""
+    words = [x for one in ("Grid/Upper={8 mm, 34 mm}", "Jet Monitor/Interval=40 us", "Time/End Time=20 us") for x in ("--set", one)]
+    must_work(program(barreno, 1, "run", folder / "rod.xml", "--out", folder / "short", *words))
+    run = Run(folder / "short")
+    assert run.summary["removed_particles"]["left_grid"]["mass"] > 0.99 * DENSITY * math.pi * RADIUS**2 * LENGTH, run.summary["removed_particles"]
+    near(run.summary["formed_jet"]["crossed"]["mass"], DENSITY * math.pi * RADIUS**2 * LENGTH, 1e-12)
+
+
 def main(barreno):
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
@@ -90,6 +99,7 @@ def main(barreno):
         for name, ranks in (("straight", 1), ("two", 2), ("killed", 1)):
             must_work(program(barreno, ranks, "run", folder / "rod.xml", "--out", folder / name))
         check_table(Run(folder / "straight"))
+        check_short_grid(barreno, folder)
         at_previous(folder / "killed")
         (folder / "killed" / "jet_table.csv").unlink()
         must_work(program(barreno, 3, "resume", folder / "killed"))

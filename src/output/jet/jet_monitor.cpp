@@ -5,12 +5,12 @@
 #include "output/particle_fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace barreno {
 namespace {
 
-constexpr double looks_per_interval = 8.0;
 /// Numbers of a crossing in a checkpoint and between ranks.
 constexpr std::size_t numbers_each = 6;
 constexpr const char* crossings_name = "jet_crossings";
@@ -51,65 +51,68 @@ JetCrossing crossing_of(const HostParticles& particles, int p, double beyond, do
   return one;
 }
 
-/// Those of this rank that are beyond the plane, their times counted from `clock.time`.
-std::vector<double> particles_beyond(const JetMonitorSpec& monitor, const State& state) {
-  std::vector<double> numbers;
+bool is_monitored(const JetMonitorSpec& monitor, int body) {
+  const int whole = body & ~debris_bit;
+  return std::find(monitor.bodies.begin(), monitor.bodies.end(), whole) != monitor.bodies.end();
+}
+
+/// visit(particles, row, how far beyond the plane) for those of this rank that are beyond it.
+template <class Visit>
+void for_each_beyond(const JetMonitorSpec& monitor, const State& state, Visit&& visit) {
   for (const Particles& set : state.particles) {
     const HostParticles particles(set);
     for (int p = 0; p < particles.count; ++p) {
       const double beyond = monitor.direction * (particles.position(p, 1) - monitor.position);
-      if (!(beyond > 0.0)) continue;
-      const int body = particles.body(p) & ~debris_bit;
-      if (std::find(monitor.bodies.begin(), monitor.bodies.end(), body) == monitor.bodies.end())
-        continue;
-      append(crossing_of(particles, p, beyond, monitor.direction), numbers);
+      if (beyond > 0.0 && is_monitored(monitor, particles.body(p))) visit(particles, p, beyond);
     }
   }
-  return numbers;
 }
 
 }  // namespace
 
 JetMonitor::JetMonitor(const JetMonitorSpec& monitor, const RunNumbers& position)
-    : monitor_(monitor), looks_(monitor.interval / looks_per_interval) {
+    : monitor_(monitor) {
   const auto kept = position.find(crossings_name);
   if (kept == position.end()) return;
   last_ = number_of(position, look_name);
-  looks_.done(last_);
   for (std::size_t i = 0; i + numbers_each <= kept->second.size(); i += numbers_each) {
     crossings_.push_back(crossing_at(kept->second, i));
     known_.insert(crossings_.back().id);
   }
 }
 
-void JetMonitor::watch_if_due(const State& state) {
-  if (!on() || !looks_.due(state.clock.time)) return;
-  watch(state);
-  looks_.done(state.clock.time);
+void JetMonitor::watch(const State& state) {
+  if (!on()) return;
+  const Region region("monitor_jet");
+  std::vector<double> numbers;  // of those that this rank has not told of
+  for_each_beyond(monitor_, state, [&](const HostParticles& particles, int p, double beyond) {
+    if (told_.insert(particles.id(p)).second)
+      append(crossing_of(particles, p, beyond, monitor_.direction), numbers);
+  });
+  const double now = state.clock.time;
+  const std::vector<double> all = gather_to_root(*state.grid.comm, numbers);
+  if (!all.empty()) note(all, now);
+  last_ = now;
 }
 
-void JetMonitor::watch(const State& state) {
-  const Region region("monitor_jet");
-  const Comm& comm = *state.grid.comm;
-  const std::vector<double> numbers = gather_to_root(comm, particles_beyond(monitor_, state));
-  const double now = state.clock.time;
-  if (is_root(comm)) {
-    std::vector<JetCrossing> beyond;
-    for (std::size_t i = 0; i < numbers.size(); i += numbers_each)
-      beyond.push_back(crossing_at(numbers, i));
-    std::sort(beyond.begin(), beyond.end(), [](const JetCrossing& a, const JetCrossing& b) {
-      return a.id < b.id;
-    });
-    mass_beyond_ = 0.0;
-    for (JetCrossing& one : beyond) {
-      mass_beyond_ += monitor_.copies * one.mass;
-      if (!known_.insert(one.id).second) continue;
-      one.time = std::max(last_, now + one.time);
-      crossings_.push_back(one);
-    }
-    std::sort(crossings_.begin(), crossings_.end(), earlier);
+void JetMonitor::note(const std::vector<double>& numbers, double now) {
+  for (std::size_t i = 0; i < numbers.size(); i += numbers_each) {
+    JetCrossing one = crossing_at(numbers, i);
+    if (!known_.insert(one.id).second) continue;  // another rank had it before
+    one.time = std::max(last_, now + one.time);
+    crossings_.push_back(one);
   }
-  last_ = now;
+  std::sort(crossings_.begin(), crossings_.end(), earlier);
+}
+
+double JetMonitor::mass_beyond(const State& state) const {
+  ReproducibleSum mass;
+  for_each_beyond(monitor_, state, [&](const HostParticles& particles, int p, double) {
+    mass += monitor_.copies * particles.mass(p, 0);
+  });
+  std::array<ReproducibleSum, 1> sum{mass};
+  sum_over_ranks(*state.grid.comm, sum);
+  return sum[0].value();
 }
 
 RunNumbers JetMonitor::numbers() const {
