@@ -113,6 +113,30 @@ TEST(Fill, FiguresInThePlane) {
   EXPECT_NEAR(area, 2.6 - (pi * 0.35 * 0.35 - segment), 2e-6);
 }
 
+/// A curved wall whose thickness grows along it, by points on its two faces.
+Polygon curved_wall(int pieces) {
+  Polygon wall;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = 0.5 * pi * i / pieces;
+    wall.corners.push_back({1.5 * std::cos(angle), 1.5 * std::sin(angle)});
+  }
+  for (int i = pieces; i >= 0; --i) {
+    const double angle = 0.5 * pi * i / pieces, radius = 1.4 - 0.2 * i / pieces;
+    wall.corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return wall;
+}
+
+TEST(Fill, ACurvedWallOfPointsConvergesToItsArea) {
+  // Half the integral of 1.5^2 - (1.4 - 0.2 s)^2 over the quarter circle, s from 0 to 1.
+  const double inner = (std::pow(1.4, 3) - std::pow(1.2, 3)) / 0.6;
+  const double exact = 0.25 * pi * (2.25 - inner);
+  const double coarse = filled(curved_wall(16), 2, 0.05) / exact - 1.0;
+  const double fine = filled(curved_wall(32), 2, 0.05) / exact - 1.0;
+  EXPECT_LT(std::abs(fine), 1e-3);
+  EXPECT_NEAR(coarse / fine, 4.0, 0.2);
+}
+
 TEST(Fill, KeepsFirstMomentsAndJoinsSlivers) {
   const Shape ball = Ball{{0.1, -0.2, 0.05}, 1.1};
   const Lattice lattice = lattice_around(box_around(ball), origin, 0.17, 3);
