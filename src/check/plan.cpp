@@ -11,6 +11,7 @@
 #include "check/locking_note.hpp"
 #include "check/predict_cost.hpp"
 #include "check/scale_notes.hpp"
+#include "check/wall_note.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
@@ -183,7 +184,7 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
     if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
-  for (std::string note : {jet_note(scene), early_end_note(scene)})
+  for (std::string note : {jet_note(scene), early_end_note(scene), wall_note(scene)})
     if (!note.empty()) notes.push_back(std::move(note));
   for (const auto& find : {gap_notes, scale_notes})
     for (std::string& note : find(scene)) notes.push_back(std::move(note));

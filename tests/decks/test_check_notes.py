@@ -17,6 +17,8 @@ from runs import DECKS, mpi_environment  # noqa: E402
 QUICK = DECKS / "perforation_quick.xml"
 # Their jets still fly when they end.
 ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml", "perforation_refined.xml"}
+THIN_WALLS = {"jet_formation_3d.xml"}
+THIN = " cells beside the explosive, fewer than 2"
 EARLY = "ends the run before the jet stops"
 SLUG = "1x5:{{0, {velocity}, {radius}, 0.01, 17600}}"
 SLUGS = ("Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=7000, radius=0.002)}")
@@ -49,8 +51,9 @@ def notes_of(text):
 def check_shipped_decks():
     for deck in sorted(DECKS.glob("*.xml")):
         notes = notes_of(barreno("check", deck))
-        early, cells = ([note for note in notes if words in note] for words in (EARLY, "Grid/Cell Size = "))
-        assert len(early) == (deck.name in ENDS_EARLY) and notes == cells + early, f"{deck.name}: {notes}"
+        early, thin, cells = ([note for note in notes if words in note] for words in (EARLY, THIN, "Grid/Cell Size = "))
+        assert len(early) == (deck.name in ENDS_EARLY) and notes == cells + early + thin, f"{deck.name}: {notes}"
+        assert len(thin) == (deck.name in THIN_WALLS), f"{deck.name}: {notes}"
         assert len(cells) == ('"Cell Size"' not in deck.read_text()), f"{deck.name}: {notes}"
 
 
@@ -59,6 +62,12 @@ def check_mistakes():
         notes = notes_of(barreno("check", QUICK, *[x for one in settings for x in ("--set", one)]))
         assert sum(words in note for note in notes) == 1, f"{what}: {notes}"
         assert all(". " not in note for note in notes), f"{what}: more than one sentence in {notes}"
+
+
+def check_thin_liner():
+    """A wall of 1.5 mm in cells of 1 mm; with cells of 0.5 mm there is no note (check_shipped_decks)."""
+    (note,) = notes_of(barreno("check", DECKS / "jet_formation.xml", "--set", "Grid/Cell Size=1 mm"))
+    assert note.startswith("Bodies/Liner has a wall of about 1.") and THIN in note and ". " not in note, note
 
 
 def check_plan():
@@ -93,6 +102,7 @@ def check_print_deck(folder):
 
 def main():
     check_mistakes()
+    check_thin_liner()
     check_plan()
     check_shipped_decks()
     with tempfile.TemporaryDirectory() as scratch:
