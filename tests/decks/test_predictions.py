@@ -17,6 +17,7 @@ sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
 from runs import DECKS, mpi_environment  # noqa: E402
 
 CLOSE = 0.3
+FORMATION = ("--set", "Grid/Cell Size=1 mm")  # coarse, so that it takes seconds
 REFINED = ("--fidelity", "balanced", "--set", "Time/End Time=10 us")  # small cells along the path, steps in parts
 SHOCK, JET, SHELL, BOX = "shock_copper", "perforation_quick", "shell_coasting", "manufactured_box"
 
@@ -73,6 +74,7 @@ def main():
         for deck in (SHOCK, JET, SHELL):
             compare(deck, pathlib.Path(folder))
         compare(JET, pathlib.Path(folder), *REFINED)
+        compare("jet_formation", pathlib.Path(folder), *FORMATION)
 
 
 if __name__ == "__main__":
