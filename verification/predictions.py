@@ -19,7 +19,7 @@ from runs import DECKS, run_deck  # noqa: E402
 
 STORED = HERE / "results" / "predictions.json"
 TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
-         "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave")  # fmt: skip
+         "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave", "jet_formation")  # fmt: skip
 WATER = {"Materials/Sandstone/fluid_B0": "2.2 GPa"}
 SCATTER = {"Materials/Sandstone/Weibull modulus": "8", "Materials/Sandstone/Weibull reference volume": "1e-6 m3"}
 VARIANTS = {  # decks with settings of their own
@@ -42,6 +42,8 @@ last block on the screen). Measured by `verification/predictions.py build/releas
   run if that is shorter; a slug of the jet counts from its launch on. Only those that are computed count. Where a jet is all that moves at the
   start, tiles are dormant until the front of its waves arrives (`src/check/awake_share.cpp`). With `Step/Subcycles` tiles that the jet passes
   through step with it, others as their material bears at rest (`src/check/body_steps.cpp`), and the parts are those of a jet that slows.
+- Steps of an explosive: while its front is under way those of the Chapman-Jouguet state with the viscosity of a front as wide as
+  `Burn Width`; a liner that can collapse (no box) forms a jet as fast as the detonation.
 - ns: a probe run takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
   that mode, shape function, transfer, loads and contact are those of the run. The stress update of materials that will yield is assumed to be
   more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`. With `Subcycles`, nodes are solved and cells looked for in every part.
