@@ -19,6 +19,7 @@ NOTES = (
     "because single particles lead. The table is launched as discrete slugs: its first rows are single particles thrown ahead of the jet, with a gap behind them, "
     "which a thinned jet would draw out into filaments far thinner than a cell that dig deeper and take steps five to ten times as short. "
     "The moved table differs from the one taken there by whole particles."
+    " That the depth at the end agrees better than those before it is chance: one pair of runs with cells of 0.5 mm differed by 1 to 4 percent from 28 us on, the most at 40 us."
 )
 ONLY_FORMING = {"Bodies": ("Charge", "Liner"), "Materials": ("Comp B",)}
 
