@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cost that `check` predicts against the cost of the run, for shipped decks.
 
-    predictions.py BARRENO [--document]     a table; with --document into docs/cost.md
+    predictions.py BARRENO [--document] [--only ROW ...]     a table; with --document into docs/cost.md
 
-Also prints what stress updates cost in the first steps and over the run, from which src/check/cost_growth.hpp has its numbers: scaled by
-how much slower the rest of a step was then, which other work on the machine makes it.
+--only measures these rows alone; with --document the others of docs/cost.md stay as they were measured.
+
+Also prints what stress updates cost in the first steps, all particles awake as in the probe of `check`, and over the run, from which
+src/check/cost_growth.hpp has its numbers: scaled by how much slower the rest of a step was then, which other work on the machine makes it.
 """
 import argparse
 import json
@@ -22,15 +24,39 @@ TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi"
          "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave", "jet_formation")  # fmt: skip
 WATER = {"Materials/Sandstone/fluid_B0": "2.2 GPa"}
 SCATTER = {"Materials/Sandstone/Weibull modulus": "8", "Materials/Sandstone/Weibull reference volume": "1e-6 m3"}
-VARIANTS = {  # decks with settings of their own
+RATE = {"Materials/Sandstone/T1_rate_dependence": "1e-5", "Materials/Sandstone/T2_rate_dependence": "0.3"}
+ANGLE = {"Materials/Sandstone/J3_type": "Willam-Warnke", "Materials/Sandstone/J3_psi": "0.8"}
+CENTRE = {**WATER, "Materials/Sandstone/Backstress strain": "elastic centre"}
+PLASTIC = {**WATER, "Materials/Sandstone/Backstress strain": "plastic"}
+ARENISCA3 = {**PLASTIC, "Materials/Sandstone/Undrained moduli": "arenisca3"}
+BISECTION = {"Materials/Sandstone/Return solver": "bisection"}
+
+
+def until(end, settings=None):
+    return {**(settings or {}), "Time/End Time": end}
+
+
+VARIANTS = {  # decks with settings of their own; the forms for comparison cost ten to a thousand times as much and end early
     "perforation_quick, wet": ("perforation_quick", WATER),
     "perforation_quick, scattered": ("perforation_quick", SCATTER),
+    "perforation_quick, rate": ("perforation_quick", RATE),
+    "perforation_quick, rate, wet": ("perforation_quick", {**RATE, **WATER}),
+    "perforation_quick, third invariant": ("perforation_quick", ANGLE),
+    "perforation_quick, third invariant, wet": ("perforation_quick", {**ANGLE, **WATER}),
+    "perforation_quick to 12 us": ("perforation_quick", until("12 us")),
+    "perforation_quick, rate, to 12 us": ("perforation_quick", until("12 us", RATE)),
+    "perforation_quick, third invariant, wet, to 12 us": ("perforation_quick", until("12 us", {**ANGLE, **WATER})),
+    "perforation_quick, elastic centre, to 12 us": ("perforation_quick", until("12 us", CENTRE)),
+    "perforation_quick, plastic, to 4 us": ("perforation_quick", until("4 us", PLASTIC)),
+    "perforation_quick, arenisca3, to 4 us": ("perforation_quick", until("4 us", ARENISCA3)),
+    "perforation_quick, bisection, to 4 us": ("perforation_quick", until("4 us", BISECTION)),
     "perforation_plane_gimp, wet": ("perforation_plane_gimp", WATER),
+    "perforation, wet to 30 us": ("perforation", until("30 us", WATER)),
     "perforation, fast, to 30 us": ("perforation", {"Fidelity": "fast", "Time/End Time": "30 us"}),
     "perforation, balanced, to 12 us": ("perforation", {"Fidelity": "balanced", "Time/End Time": "12 us"}),
     "perforation_3d, balanced, to 3 us": ("perforation_3d", {"Fidelity": "balanced", "Time/End Time": "3 us"}),
 }
-FLOWING = ("perforation_quick, wet", "perforation_quick, scattered", "perforation_quick", "shell_coasting", "taylor_bar", "cone_impact")
+FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact", *(row for row, (deck, _) in VARIANTS.items() if deck == "perforation_quick"))
 COLUMNS = ("deck", "steps, predicted / actual", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / actual")
 
 HEAD = """# Cost of a run, predicted and measured
@@ -40,11 +66,11 @@ last block on the screen). Measured by `verification/predictions.py build/releas
 
 - Particle-steps: the stable step of the scene with the artificial viscosity of the bodies that collide, or the longest step of the probe
   run if that is shorter; a slug of the jet counts from its launch on. Only those that are computed count. Where a jet is all that moves at the
-  start, tiles are dormant until the front of its waves arrives (`src/check/awake_share.cpp`). With `Step/Subcycles` tiles that the jet passes
+  start, tiles are dormant until what the grid spreads ahead of its waves arrives (`src/check/awake_share.cpp`). With `Step/Subcycles` tiles that the jet passes
   through step with it, others as their material bears at rest (`src/check/body_steps.cpp`), and the parts are those of a jet that slows.
 - Steps of an explosive: while its front is under way those of the Chapman-Jouguet state with the viscosity of a front as wide as
   `Burn Width`; a liner that can collapse (no box) forms a jet as fast as the detonation.
-- ns: a probe run takes the first steps of the same scene on one core (20 ms; at most 20000 particles, larger cells beyond that), so
+- ns: a probe run takes the first steps of the same scene on one core (40 ms; at most 20000 particles, larger cells beyond that), so
   that mode, shape function, transfer, loads and contact are those of the run. The stress update of materials that will yield is assumed to be
   more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`. With `Subcycles`, nodes are solved and cells looked for in every part.
 - Files: 350 ns per particle and instant of `particles.e`, 12 ns per particle and row of `history.csv`.
@@ -91,7 +117,7 @@ def growth(barreno, row, whole):
     """Lines of src/check/cost_growth.hpp from one deck: ns of each stress update in the first hundredth of the run and over all of it."""
     deck, settings = deck_of(row)
     value, unit = end_time(deck)
-    short = {**settings, "Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s"}
+    short = {**settings, "Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s", "Step/Skip Dormant Tiles": "false"}
     first = {}
     for _ in range(3):
         for name, phase in run_deck(barreno, f"{deck}.xml", short).summary["phases"].items():
@@ -108,10 +134,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
     parser.add_argument("--document", action="store_true")
+    parser.add_argument("--only", nargs="+", metavar="ROW", choices=(*TABLE, *VARIANTS), default=())
     options = parser.parse_args()
     barreno = options.barreno.resolve()
     updates, found = [], {}
-    for row in (*TABLE, *VARIANTS):
+    for row in options.only or (*TABLE, *VARIANTS):
         deck, settings = deck_of(row)
         summary = run_deck(barreno, f"{deck}.xml", settings).summary
         found[row] = compared(summary)
@@ -122,7 +149,8 @@ def main():
     if options.document:
         from pages import write_pages  # it asks this file for its page
 
-        STORED.write_text(json.dumps(found, indent=1) + "\n")
+        everything = {**json.loads(STORED.read_text()), **found}
+        STORED.write_text(json.dumps({row: everything[row] for row in (*TABLE, *VARIANTS) if row in everything}, indent=1) + "\n")
         write_pages()
     return 0
 

@@ -11,6 +11,7 @@
 #include "check/locking_note.hpp"
 #include "check/predict_cost.hpp"
 #include "check/scale_notes.hpp"
+#include "check/update_row.hpp"
 #include "check/wall_note.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
@@ -137,14 +138,25 @@ std::string share_line(
          (cells.empty() || lengths.empty() ? "" : "; ") + lengths + "\n";
 }
 
+/// Whether a material's update was measured in short runs alone, and costs more in long ones.
+bool is_least_cost(const Scene& scene) {
+  return std::any_of(
+      scene.materials.begin(),
+      scene.materials.end(),
+      [](const MaterialSpec& material) { return update_cost(material.material()).is_early; }
+  );
+}
+
 std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
   return format(
-      "Cost      %s %s of computing on %d rank%s, %.0f ns per particle-step on one core\n",
-      dormancy_choice(scene).on ? "at most" : "about",  // dormant tiles take none
+      "Cost      %s %s of computing on %d rank%s, %.0f ns per particle-step on one core%s\n",
+      is_least_cost(scene) ? "at least" : "about",
       cost_text(cost.seconds).c_str(),
       ranks,
       ranks == 1 ? "" : "s",
-      cost.nanoseconds
+      cost.nanoseconds,
+      // Only where a jet wakes tiles is it known which are dormant.
+      dormancy_choice(scene).on && !foresees_dormancy(scene) ? ", less while tiles are dormant" : ""
   );
 }
 

@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "check/body_steps.hpp"
 #include "check/cost_growth.hpp"
+#include "check/update_row.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/geometry.hpp"
 #include "scene/lighting.hpp"
@@ -182,8 +183,13 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
 }
 
 double growth_of(const Scene& scene, const std::string& verb) {
-  for (const UpdateCost& cost : update_costs)
-    if (verb == cost.verb) return cost.running / cost.elastic;
+  double update = 0.0;  // the most, where materials share a verb
+  for (const MaterialSpec& material : scene.materials) {
+    if (verb != update_verb(material.material())) continue;
+    const UpdateCost& cost = update_cost(material.material());
+    update = std::max(update, cost.running / cost.elastic);
+  }
+  if (update > 0.0) return update;
   if (verb == "update_deformation" && scene.grid.mode == Mode::three_dimensional)
     return growth_of_rotations;
   for (const char* reaching : {"project_particles", "interpolate_motion", "update_deformation"})

@@ -20,7 +20,7 @@ namespace barreno {
 namespace {
 
 constexpr double max_particles = 20000.0;
-constexpr double enough_seconds = 0.02;
+constexpr double enough_seconds = 0.04;
 constexpr int warm_up = 2, max_steps = 40;
 constexpr std::size_t fewest_steps = 4;
 

@@ -15,7 +15,7 @@ def predictions_row(data):
     ratio = {name: deck["seconds"]["predicted"] / deck["seconds"]["came"] for name, deck in data.items()}
     within = sum(abs(value - 1.0) <= 0.3 for value in ratio.values())
     name, worst = max(ratio.items(), key=lambda item: abs(item[1] - 1.0))
-    return (f"| [`check` predicts the cost of a run](cost.md) | the run | {name}.xml, largest deviation: predicted over actual seconds {worst:.2f} | 0.7 to 1.3 | "
+    return (f"| [`check` predicts the cost of a run](cost.md) | the run | {name}, largest deviation: predicted over actual seconds {worst:.2f} | 0.7 to 1.3 | "
             f"{within} of {len(data)} decks | |")  # fmt: skip
 
 

@@ -31,10 +31,22 @@ Scene bar_and_jet(double end_time) {
   return scene;
 }
 
-TEST(AwakeShare, GrowsAsTheFrontRuns) {
-  // The front runs ahead of waves of 5657 m/s: at three times their speed in the plane.
-  const double front = 3.0 * std::sqrt(young / density);
-  const double half_way = 0.5 * length / front;
+/// Where motion spreads ahead of waves of 5657 m/s: (15)^2 c h in a unit of time, and as a wave
+/// where that is faster, beyond 225 cells.
+const double wave = std::sqrt(young / density), diffusivity = 225.0 * wave * cell;
+
+TEST(AwakeShare, GrowsAsMotionSpreadsAheadOfWaves) {
+  // A tenth of the bar, 200 cells. After the time t, sqrt(D t) is reached; the mean over the time
+  // is two thirds of that.
+  const double end_time = 4.0 / diffusivity;
+  const Scene scene = bar_and_jet(end_time);
+  EXPECT_NEAR(awake_share(scene, scene.bodies[0], 1e-6), 2.0 / 3.0 * 2.0 / length, 2e-3);
+  const Scene shorter = bar_and_jet(end_time / 4.0);
+  EXPECT_NEAR(awake_share(shorter, shorter.bodies[0], 1e-6), 2.0 / 3.0 * 1.0 / length, 2e-3);
+}
+
+TEST(AwakeShare, GrowsAsWavesRunFarFromTheJet) {
+  const double half_way = 0.5 * length / wave;
   const Scene scene = bar_and_jet(half_way);
   // Half of the bar is reached, on average after half of the time.
   EXPECT_NEAR(awake_share(scene, scene.bodies[0], 1e-6), 0.25, 0.01);
@@ -45,6 +57,7 @@ TEST(AwakeShare, GrowsAsTheFrontRuns) {
 TEST(AwakeShare, IsAllWhereABodyMovesOrNothingIsSkipped) {
   Scene scene = bar_and_jet(1e-4);
   EXPECT_LT(awake_share(scene, scene.bodies[0], 1e-6), 0.1);
+  EXPECT_TRUE(foresees_dormancy(scene));
   scene.step.skip_dormant = false;
   EXPECT_EQ(awake_share(scene, scene.bodies[0], 1e-6), 1.0);
   scene.step.skip_dormant = true;
@@ -53,6 +66,7 @@ TEST(AwakeShare, IsAllWhereABodyMovesOrNothingIsSkipped) {
   scene.bodies[0].velocity = {};
   scene.jet.present = false;
   EXPECT_EQ(awake_share(scene, scene.bodies[0], 1e-6), 1.0);
+  EXPECT_FALSE(foresees_dormancy(scene));
 }
 
 TEST(BodySteps, AreParticlesTimesTheTimeThatTheyAreAwake) {
@@ -70,7 +84,7 @@ TEST(BodySteps, AreParticlesTimesTheTimeThatTheyAreAwake) {
   EXPECT_NEAR(steps.shares.of_level[0] / steps.taken, 0.2, 0.01);
   EXPECT_NEAR(steps.shares.of_level[1] / steps.taken, 0.8, 0.01);
   // The front has only come as far as to the border.
-  scene.end_time = 10.0 / (3.0 * std::sqrt(young / density));
+  scene.end_time = 10.0 / wave;
   steps = steps_of_bodies(scene, particle_counts(scene), dt);
   EXPECT_NEAR(steps.shares.of_level[1] / steps.taken, 1.0, 0.01);
 }

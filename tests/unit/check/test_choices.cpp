@@ -12,7 +12,11 @@
 
 #include <gtest/gtest.h>
 
+#include <barreno/models.hpp>
+#include <barreno/registry.hpp>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 namespace barreno {
@@ -113,8 +117,9 @@ TEST(PredictCost, KnowsWhatGrowsOverARun) {
   Scene scene = block();
   EXPECT_EQ(growth_of(scene, "move_particles"), 1.0);
   EXPECT_EQ(growth_of(scene, "project_particles"), 1.0);
-  const UpdateCost& rock = update_costs[0];
-  EXPECT_EQ(growth_of(scene, rock.verb), rock.running / rock.elastic);
+  EXPECT_EQ(growth_of(scene, "update_stress Linear Elastic"), 1.0);
+  scene.materials.push_back(testing::copper());
+  EXPECT_GT(growth_of(scene, "update_stress Johnson-Cook"), 1.0);
   scene.step.shape = "CPDI";
   EXPECT_EQ(growth_of(scene, "project_particles"), growth_of_domains);
   scene.grid.mode = Mode::three_dimensional;
@@ -144,6 +149,29 @@ TEST(Plan, SaysHowManyParticlesAndWhatIsNoted) {
   const std::string plan = plan_text(scene, probe_of_block(), 1, {"mind the step."});
   for (const char* words : {"a block of glass", "400", "mind the step."})
     EXPECT_TRUE(says(plan, words)) << plan;
+}
+
+Scene block_of_sandstone(const std::string& solver) {
+  Scene scene = block();
+  std::ifstream file(BARRENO_SOURCE_DIR "/materials/cards/berea_sandstone.xml");
+  std::ostringstream text;
+  text << file.rdbuf();
+  Teuchos::ParameterList card = scan_card(text.str(), "berea_sandstone.xml");
+  card.set("Return solver", solver);
+  scene.materials[0] = MaterialSpec(make_material("sandstone", card), BadParticlePolicy::hold);
+  return scene;
+}
+
+TEST(Plan, SaysWhetherTheCostMayBeMoreOrLess) {
+  Scene scene = block_of_sandstone("fast");
+  const auto plan = [&] { return plan_text(scene, probe_of_block(), 1, {}); };
+  EXPECT_TRUE(says(plan(), "Cost      about ")) << plan();
+  EXPECT_TRUE(says(plan(), "less while tiles are dormant")) << plan();
+  scene.step.skip_dormant = false;
+  EXPECT_TRUE(says(plan(), "Cost      about ")) << plan();
+  EXPECT_FALSE(says(plan(), "less while tiles are dormant")) << plan();
+  scene = block_of_sandstone("bisection");
+  EXPECT_TRUE(says(plan(), "Cost      at least ")) << plan();
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/update_row.hpp"
+
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+namespace barreno {
+namespace {
+
+/// Laws of the general form; the others have one each.
+const char* law_of(const AnyModel& any) {
+  const auto* const general = std::get_if<GeneralArenisca>(&any);
+  if (!general) return "";
+  const GeneralArenisca::Parameters& p = general->parameters();
+  if (p.return_solver != 0) return ", bisection";
+  if (p.backstress_strain != GeneralArenisca::Parameters::plastic_backstress)
+    return ", elastic centre";
+  return p.undrained_moduli == GeneralArenisca::Parameters::arenisca3_moduli ? ", arenisca3"
+                                                                             : ", plastic";
+}
+
+}  // namespace
+
+std::string update_verb(const Material& material) {
+  return std::visit(
+      [](const auto& model) {
+        return "update_stress " + FullName<std::decay_t<decltype(model)>>::of();
+      },
+      material.model
+  );
+}
+
+std::string update_row(const Material& material) {
+  return update_verb(material) + law_of(material.model);
+}
+
+const UpdateCost& update_cost(const Material& material) {
+  const std::string row = update_row(material);
+  for (const UpdateCost& cost : update_costs)
+    if (row == cost.verb) return cost;
+  throw std::out_of_range("check/cost_growth.hpp has no row \"" + row + "\"");
+}
+
+}  // namespace barreno
