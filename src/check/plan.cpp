@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/plan.hpp"
 
+#include "check/awake_share.hpp"
 #include "check/body_steps.hpp"
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
