@@ -52,10 +52,6 @@ double body_speed(const Scene& scene, int material) {
   return speed;
 }
 
-bool is_explosive(const Scene& scene, const BodySpec& body) {
-  return scene.materials[static_cast<std::size_t>(body.material)].detonation_speed().has_value();
-}
-
 /// Of a jet that an explosive forms of this material: as fast as the detonation, which lies between
 /// the tips of jet_formation.xml (8.5 km/s, single particles 11.7) and those of thicker cones.
 /// Boxes are thrown whole: plates, tubes in axisymmetry.

@@ -6,6 +6,7 @@
 #include "deck/section_table.hpp"
 #include "geometry/piece.hpp"
 #include "scene/geometry.hpp"
+#include "scene/lighting.hpp"
 #include "scene/tile_levels.hpp"
 #include "state/body_particles.hpp"
 
@@ -77,10 +78,6 @@ private:
   const BodySpec& body_;
   int dimensions_;
 };
-
-bool is_explosive(const Scene& scene, const BodySpec& body) {
-  return scene.materials[static_cast<std::size_t>(body.material)].detonation_speed().has_value();
-}
 
 bool boxes_touch(const Scene& scene, const BodySpec& a, const BodySpec& b) {
   const Box one = box_around(a.shape, scene.grid), other = box_around(b.shape, scene.grid);

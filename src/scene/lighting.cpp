@@ -42,6 +42,10 @@ Vector nearest_on_ring(const DetonatorSpec& ring, Mode mode, const Vector& x) {
 
 }  // namespace
 
+bool is_explosive(const Scene& scene, const BodySpec& body) {
+  return scene.materials[static_cast<std::size_t>(body.material)].detonation_speed().has_value();
+}
+
 Vector nearest_point(const DetonatorSpec& detonator, Mode mode, const Vector& x) {
   switch (detonator.kind) {
     case DetonatorKind::line:

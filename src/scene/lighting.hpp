@@ -3,8 +3,12 @@
 
 #include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
+#include "scene/scene.hpp"
 
 namespace barreno {
+
+/// Whether a body burns.
+bool is_explosive(const Scene& scene, const BodySpec& body);
 
 /// The point of a detonator that is nearest to x. In axisymmetry all is in the half plane, where a
 /// ring is a point.

@@ -13,10 +13,6 @@
 namespace barreno {
 namespace {
 
-bool is_explosive(const Scene& scene, const BodySpec& body) {
-  return scene.materials[static_cast<std::size_t>(body.material)].detonation_speed().has_value();
-}
-
 int explosive_named(const Deck& deck, const Scene& scene, const std::string& name) {
   const std::string path = path_of(&DetonationSpec::body_names);
   std::vector<std::string> names;
