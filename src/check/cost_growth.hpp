@@ -26,7 +26,7 @@ constexpr UpdateCost update_costs[] = {
     {"update_stress Arenisca rated", 124.0, 260.0},
     {"update_stress Arenisca rated wet", 151.0, 362.0},
     {"update_stress Arenisca angled", 93.0, 344.0},
-    {"update_stress Arenisca angled wet", 111.0, 411.0},
+    {"update_stress Arenisca angled wet", 111.0, 503.0},
     {"update_stress Arenisca general, elastic centre", 1170.0, 2850.0},
     {"update_stress Arenisca general, plastic", 1240.0, 5240.0, true},
     {"update_stress Arenisca general, arenisca3", 1240.0, 5240.0, true},
