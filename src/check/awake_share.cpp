@@ -62,7 +62,10 @@ public:
     impact_ = first.time + way / first.velocity;
     face_ = path.face;
     front_ = wave_speed(scene, body);
-    diffusivity_ = spread * spread * front_ * scene.grid.cell_size;
+    // From small cells where the jet is to large ones: with the mean of both, particle-steps of
+    // refined perforations are within a sixth of those of the runs.
+    const double h = std::sqrt(smallest_cell(scene.grid) * scene.grid.cell_size);
+    diffusivity_ = spread * spread * front_ * h;
     // Where any motion wakes a tile, the grid carries it by a cell in a step.
     if (rest_motion(scene) == 0.0) front_ = std::max(front_, scene.grid.cell_size / dt);
   }
