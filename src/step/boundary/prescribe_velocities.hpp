@@ -32,6 +32,13 @@ struct NodeVelocity {
   double before[D], after[D];
 };
 
+/// What moves a node over the step.
+template <unsigned D>
+struct NodeForces {
+  double dt, mass;
+  const double (&force)[D];  ///< of all that act, contact included
+};
+
 /// What conditions do to the material at a node.
 struct ConditionTally {
   double work = 0.0;            ///< [energy]
@@ -49,16 +56,13 @@ struct ConditionTally {
 /// material. (Nodes behind a symmetry plane get the mirrored velocity: mirror_nodes.hpp.)
 ///
 /// @param velocities  of this tile's step (NodeConditions::over_step)
-/// @param force       all that act at the node, contact included
 /// @return whether a condition acts at the node
 template <unsigned D>
 KOKKOS_INLINE_FUNCTION bool prescribe_velocities(
     const NodeConditions& conditions,
     const PrescribedVelocities& velocities,
     const NodePlace& node,
-    double dt,
-    double mass,
-    const double (&force)[D],
+    const NodeForces<D>& forces,
     NodeVelocity<D>& v,
     ConditionTally& tally
 ) {
@@ -78,11 +82,11 @@ KOKKOS_INLINE_FUNCTION bool prescribe_velocities(
   }
   for (unsigned d = 0; d < D; ++d) {
     if (!set[d]) continue;
-    const double reaction = mass * (v.after[d] - v.before[d]) - force[d] * dt;
+    const double reaction = forces.mass * (v.after[d] - v.before[d]) - forces.force[d] * forces.dt;
     tally.work += 0.5 * reaction * (v.before[d] + v.after[d]);
     if (d == 1) tally.axial_impulse += reaction;
   }
-  if (set[1]) tally.axial_of_start += mass * (v.before[1] - raw);
+  if (set[1]) tally.axial_of_start += forces.mass * (v.before[1] - raw);
   return acts;
 }
 

@@ -167,8 +167,9 @@ struct SolveVelocity {
     }
     if (contact != nullptr) add_contact(dt, contact, inverse, net_force, out.v);
     ConditionTally tally;
-    out.prescribed =
-        prescribe_velocities(rule.conditions, velocities, place, dt, mass, net_force, out.v, tally);
+    out.prescribed = prescribe_velocities(
+        rule.conditions, velocities, place, NodeForces<D>{dt, mass, net_force}, out.v, tally
+    );
     own[3] = tally.work;
     own[4] = tally.axial_impulse;
     own[5] = tally.axial_of_start;

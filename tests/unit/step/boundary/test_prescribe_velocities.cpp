@@ -42,9 +42,9 @@ TEST(PrescribeVelocities, ASymmetryPlaneStopsTheComponentAcrossIt) {
   const double force[2] = {6.0, 8.0};
   NodeVelocity<2> v{{3.0, 2.0}, {5.0, 4.0}};
   ConditionTally tally;
-  EXPECT_TRUE(
-      prescribe_velocities(now, now.over_step(0.5), {{0, 5, 0}, 0}, 0.5, 2.0, force, v, tally)
-  );
+  EXPECT_TRUE(prescribe_velocities(
+      now, now.over_step(0.5), {{0, 5, 0}, 0}, NodeForces<2>{0.5, 2.0, force}, v, tally
+  ));
   EXPECT_EQ(v.before[0], 0.0);
   EXPECT_EQ(v.after[0], 0.0);
   EXPECT_EQ(v.before[1], 2.0);
@@ -61,9 +61,9 @@ TEST(PrescribeVelocities, AMovingFaceImposesItsOwnAndCountsTheReaction) {
   const double force[2] = {6.0, 8.0};
   NodeVelocity<2> v{{3.0, 2.0}, {5.0, 4.0}};
   ConditionTally tally;
-  EXPECT_TRUE(
-      prescribe_velocities(now, now.over_step(0.5), {{5, 32, 0}, 1}, 0.5, 2.0, force, v, tally)
-  );
+  EXPECT_TRUE(prescribe_velocities(
+      now, now.over_step(0.5), {{5, 32, 0}, 1}, NodeForces<2>{0.5, 2.0, force}, v, tally
+  ));
   EXPECT_EQ(v.before[1], -6.0);
   EXPECT_EQ(v.after[1], -12.0);
   const double across = 2.0 * (-12.0 + 6.0) - 8.0 * 0.5;
@@ -78,9 +78,9 @@ TEST(PrescribeVelocities, NodesInsideAreLeftAlone) {
   const double force[2] = {6.0, 8.0};
   NodeVelocity<2> v{{3.0, 2.0}, {5.0, 4.0}};
   ConditionTally tally;
-  EXPECT_FALSE(
-      prescribe_velocities(now, now.over_step(0.5), {{1, 15, 0}, 0}, 0.5, 2.0, force, v, tally)
-  );
+  EXPECT_FALSE(prescribe_velocities(
+      now, now.over_step(0.5), {{1, 15, 0}, 0}, NodeForces<2>{0.5, 2.0, force}, v, tally
+  ));
   EXPECT_EQ(v.before[0], 3.0);
   EXPECT_EQ(v.after[1], 4.0);
 }
