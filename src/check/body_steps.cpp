@@ -46,10 +46,13 @@ void add_body(
   const int finest = finest_level(scene.grid);
   std::vector<AwakePart> parts;
   double particles = 0.0;
-  for_each_awake_part(scene, body, dt, [&](const AwakePart& part) {
-    parts.push_back(part);
-    particles += part.particles;
-  });
+  const bool alike = scene.grid.level_of_tile.empty() && scene.step.subcycles == 1 &&
+                     !foresees_dormancy(scene);  // one part stands for all, and none is looked for
+  if (!alike)
+    for_each_awake_part(scene, body, dt, [&](const AwakePart& part) {
+      parts.push_back(part);
+      particles += part.particles;
+    });
   if (parts.empty()) {  // thinner than the coarse cells that stand for those of the run
     parts.push_back({{}, 0, 1.0, 1.0});
     particles = 1.0;
