@@ -60,19 +60,20 @@ std::string growing_row(const Teuchos::ParameterList& card) {
 }
 
 TEST(UpdateRow, EveryFeatureOfRockHasItsOwn) {
-  const std::string verb = "update_stress Arenisca";
+  const std::string plain = "update_stress Arenisca", rated = "update_stress Arenisca rated",
+                    angled = "update_stress Arenisca angled";
   for (const double fluid : {0.0, 2.2e9}) {
     Teuchos::ParameterList card = sandstone();
     card.set("fluid_B0", fluid);
     const std::string wet = fluid > 0.0 ? " wet" : "";
-    EXPECT_EQ(growing_row(card), verb + wet);
+    EXPECT_EQ(growing_row(card), plain + wet);
     card.set("T1_rate_dependence", 1e-5);
     card.set("T2_rate_dependence", 0.3);
-    EXPECT_EQ(growing_row(card), verb + " rated" + wet);
+    EXPECT_EQ(growing_row(card), rated + wet);
     for (const char* third : {"Gudehus", "Willam-Warnke", "Mohr-Coulomb"}) {
       card.set("J3_type", std::string(third));
       card.set("J3_psi", 0.8);
-      EXPECT_EQ(growing_row(card), verb + " angled" + wet);
+      EXPECT_EQ(growing_row(card), angled + wet);
     }
   }
 }
