@@ -66,7 +66,7 @@ last block on the screen). Measured by `verification/predictions.py build/releas
 
 - Particle-steps: the stable step of the scene with the artificial viscosity of the bodies that collide, or the longest step of the probe
   run if that is shorter; a slug of the jet counts from its launch on. Only those that are computed count. Where a jet is all that moves at the
-  start, tiles are dormant until what the grid spreads ahead of its waves arrives (`src/check/awake_share.cpp`). With `Step/Subcycles` tiles that the jet passes
+  start, tiles are dormant until what the grid spreads ahead of its waves arrives (`src/check/awake_parts.cpp`). With `Step/Subcycles` tiles that the jet passes
   through step with it, others as their material bears at rest (`src/check/body_steps.cpp`), and the parts are those of a jet that slows.
 - Steps of an explosive: while its front is under way those of the Chapman-Jouguet state with the viscosity of a front as wide as
   `Burn Width`; a liner that can collapse (no box) forms a jet as fast as the detonation.

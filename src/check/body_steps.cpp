@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/body_steps.hpp"
 
-#include "check/awake_share.hpp"
+#include "check/awake_parts.hpp"
 #include "check/predict_cost.hpp"
 #include "scene/tile_levels.hpp"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/plan.hpp"
 
-#include "check/awake_share.hpp"
-#include "check/body_steps.hpp"
+#include "check/awake_parts.hpp"
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
 #include "check/format.hpp"
@@ -123,11 +122,7 @@ std::string share_words(const double* counts, int size, const WordsOf& words_of)
 }
 
 /// Particle-steps of bodies by the size of their cells and by the length of their steps.
-std::string share_line(
-    const Scene& scene, const std::vector<long long>& counts, const Prediction& cost
-) {
-  const double dt = scene.end_time / cost.steps / scene.step.subcycles;
-  const StepShares shares = steps_of_bodies(scene, counts, dt).shares;
+std::string share_line(const Scene& scene, const StepShares& shares) {
   const std::string cells = share_words(shares.of_level, max_level + 1, [&](int level) {
     return format("in cells of %g m", uniform_grid(scene.grid, level).cell_size);
   });
@@ -271,7 +266,7 @@ std::string plan_text(
       parts.c_str(),
       cost.particle_steps
   );
-  text += cost_line(scene, cost, ranks) + step_line(scene) + share_line(scene, counts, cost) +
+  text += cost_line(scene, cost, ranks) + step_line(scene) + share_line(scene, cost.shares) +
           jet_lines(scene);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);

@@ -13,6 +13,7 @@
 #include "shape/visit_kernels.hpp"
 #include "state/body_particles.hpp"
 #include "state/isolated_courant.hpp"
+#include "step/particles/update_stress.hpp"
 #include "step/stable_step_rule.hpp"
 
 #include <algorithm>
@@ -181,7 +182,7 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
 double growth_of(const Scene& scene, const std::string& verb) {
   double update = 0.0;  // the most, where materials share a verb
   for (const MaterialSpec& material : scene.materials) {
-    if (verb != update_verb(material.material())) continue;
+    if (verb != stress_label(material.material())) continue;
     const UpdateCost& cost = update_cost(material.material());
     update = std::max(update, cost.running / cost.elastic);
   }
@@ -245,6 +246,7 @@ Prediction predict_cost(
   const BodySteps bodies = steps_of_bodies(scene, counts, dt);
   const double of_jet = steps_of_jet(scene, counts, dt);
   prediction.particle_steps = bodies.taken + of_jet;
+  prediction.shares = bodies.shares;
   const StepCost cost = step_cost(scene, probe);
   // Nodes move in every part, and particles are looked for.
   const double parts = scene.step.subcycles > 1 ? nodes_of_parts * (bodies.awake + of_jet)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/update_row.hpp"
 
+#include "step/particles/update_stress.hpp"
+
 #include <stdexcept>
-#include <type_traits>
 #include <variant>
 
 namespace barreno {
@@ -22,17 +23,8 @@ const char* law_of(const AnyModel& any) {
 
 }  // namespace
 
-std::string update_verb(const Material& material) {
-  return std::visit(
-      [](const auto& model) {
-        return "update_stress " + FullName<std::decay_t<decltype(model)>>::of();
-      },
-      material.model
-  );
-}
-
 std::string update_row(const Material& material) {
-  return update_verb(material) + law_of(material.model);
+  return stress_label(material) + std::string(law_of(material.model));
 }
 
 const UpdateCost& update_cost(const Material& material) {

@@ -8,11 +8,8 @@
 
 namespace barreno {
 
-/// Verb of a material's update, as regions and the shares of a probe name it.
-std::string update_verb(const Material& material);
-
-/// Row of check/cost_growth.hpp for a material: its verb, and where one form serves laws of quite
-/// different cost, which of them.
+/// Row of check/cost_growth.hpp for a material: the label of its update (stress_label), and where
+/// one form serves laws of quite different cost, which of them.
 std::string update_row(const Material& material);
 
 /// What the material's update costs in the first steps and over a run. Throws std::out_of_range

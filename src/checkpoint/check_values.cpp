@@ -158,16 +158,6 @@ struct SentIds {
     rows.push_back(static_cast<double>(row));
     rows.push_back(static_cast<double>(place));
   }
-  /// What all ranks have for this one, by ascending row.
-  std::vector<double> exchanged(const Comm& comm) const {
-    std::vector<double> send;
-    std::vector<int> counts;
-    for (const std::vector<double>& rows : by_rank) {
-      send.insert(send.end(), rows.begin(), rows.end());
-      counts.push_back(static_cast<int>(rows.size()));
-    }
-    return exchange(comm, send, counts);
-  }
 };
 
 /// Every id is one of those that may be, and none comes twice. Collective.
@@ -187,7 +177,7 @@ void check_ids(
       sent.add(row, place);
     });
   });
-  const std::vector<double> received = sent.exchanged(comm);
+  const std::vector<double> received = exchange_rows(comm, sent.by_rank);  // by ascending row
   check_together(comm, begin, [&] {
     std::vector<bool> seen(static_cast<std::size_t>(sent.places_each), false);
     for (std::size_t i = 0; i < received.size(); i += 2) {

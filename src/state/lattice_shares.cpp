@@ -84,14 +84,8 @@ void LatticeShares::make(
 void LatticeShares::finish() {
   if (cells_looked_at_ == 0) return;
   cells_looked_at_ = 0;
-  std::vector<double> leaving;
-  std::vector<int> counts;
-  for (std::vector<double>& rows : by_rank_) {
-    leaving.insert(leaving.end(), rows.begin(), rows.end());
-    counts.push_back(static_cast<int>(rows.size()));
-    rows.clear();
-  }
-  const std::vector<double> rows = exchange(*grid_.comm, leaving, counts);
+  const std::vector<double> rows = exchange_rows(*grid_.comm, by_rank_);
+  for (std::vector<double>& sent : by_rank_) sent.clear();
   for (std::size_t k = 0; k < rows.size(); k += row_width)
     visit_(static_cast<std::size_t>(rows[k]), unpacked(&rows[k]));
 }

@@ -112,7 +112,7 @@ struct Particles {
   /// was found for: those of which the step left all rows as they were need not be looked for
   /// again.
   int settled_chunks = 0;
-  ArrayView<unsigned char> dormant;  ///< 1 for rows of dormant tiles
+  ArrayView<unsigned char> dormant;  ///< Stay of the row's tile; 0: it moves
   ArrayView<int> tile_begin;  ///< order[tile_begin[t] .. tile_begin[t+1]) are the rows in tile t
 
   /// Every field that is state: migration, restart, output and the finiteness audit walk this one

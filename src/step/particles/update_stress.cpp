@@ -281,19 +281,18 @@ struct UpdateStress {
   }
 };
 
-/// Timer label of a model's update; forms are told apart.
-const char* stress_label(const AnyModel& any) {
+}  // namespace
+
+const char* stress_label(const Material& material) {
   return std::visit(
       [](const auto& model) {
         using Model = std::decay_t<decltype(model)>;
         static const std::string label = "update_stress " + FullName<Model>::of();
         return label.c_str();
       },
-      any
+      material.model
   );
 }
-
-}  // namespace
 
 StressTally update_stress(
     const MaterialSpec& spec,
@@ -303,7 +302,7 @@ StressTally update_stress(
     Rows rows,
     Particles& particles
 ) {
-  const Region region(stress_label(spec.material().model));
+  const Region region(stress_label(spec.material()));
   StressTally sums;
   std::visit(
       [&](const auto& model) {

@@ -36,6 +36,9 @@ KOKKOS_INLINE_FUNCTION void add(const StressTally& part, StressTally& sum) {
     sum.first_failed = part.first_failed;
 }
 
+/// Timer label of a material's update; forms of a model are told apart.
+const char* stress_label(const Material& material);
+
 /// Stress, history and artificial viscosity of one set, by its own material. docs/method.md (2.9)
 ///
 ///   q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2) in compression, else 0

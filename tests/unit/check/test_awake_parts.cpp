@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check/awake_share.hpp"
+#include "check/awake_parts.hpp"
 #include "check/body_steps.hpp"
 #include "check/predict_cost.hpp"
 #include "scene/tile_levels.hpp"
@@ -31,11 +31,21 @@ Scene bar_and_jet(double end_time) {
   return scene;
 }
 
+/// The part of a body's particle-steps that dormant tiles do not skip.
+double awake_share(const Scene& scene, const BodySpec& body, double dt) {
+  double awake = 0.0, all = 0.0;
+  for_each_awake_part(scene, body, dt, [&](const AwakePart& part) {
+    awake += part.particles * part.awake;
+    all += part.particles;
+  });
+  return awake / all;
+}
+
 /// Where motion spreads ahead of waves of 5657 m/s: (15)^2 c h in a unit of time, and as a wave
 /// where that is faster, beyond 225 cells.
 const double wave = std::sqrt(young / density), diffusivity = 225.0 * wave * cell;
 
-TEST(AwakeShare, GrowsAsMotionSpreadsAheadOfWaves) {
+TEST(AwakeParts, GrowsAsMotionSpreadsAheadOfWaves) {
   // A tenth of the bar, 200 cells. After the time t, sqrt(D t) is reached; the mean over the time
   // is two thirds of that.
   const double end_time = 4.0 / diffusivity;
@@ -45,7 +55,7 @@ TEST(AwakeShare, GrowsAsMotionSpreadsAheadOfWaves) {
   EXPECT_NEAR(awake_share(shorter, shorter.bodies[0], 1e-6), 2.0 / 3.0 * 1.0 / length, 2e-3);
 }
 
-TEST(AwakeShare, GrowsAsWavesRunFarFromTheJet) {
+TEST(AwakeParts, GrowsAsWavesRunFarFromTheJet) {
   const double half_way = 0.5 * length / wave;
   const Scene scene = bar_and_jet(half_way);
   // Half of the bar is reached, on average after half of the time.
@@ -54,7 +64,7 @@ TEST(AwakeShare, GrowsAsWavesRunFarFromTheJet) {
   EXPECT_NEAR(awake_share(longer, longer.bodies[0], 1e-6), 1.0 - 0.125, 0.01);
 }
 
-TEST(AwakeShare, IsAllWhereABodyMovesOrNothingIsSkipped) {
+TEST(AwakeParts, IsAllWhereABodyMovesOrNothingIsSkipped) {
   Scene scene = bar_and_jet(1e-4);
   EXPECT_LT(awake_share(scene, scene.bodies[0], 1e-6), 0.1);
   EXPECT_TRUE(foresees_dormancy(scene));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check/awake_share.hpp"
+#include "check/awake_parts.hpp"
 
 #include "output/depth.hpp"
 #include "scene/build_scene.hpp"
@@ -70,9 +70,8 @@ public:
     if (rest_motion(scene) == 0.0) front_ = std::max(front_, scene.grid.cell_size / dt);
   }
 
-  bool is_always() const { return front_ == 0.0; }
   double at(const Vector& x) const {
-    if (is_always()) return 0.0;
+    if (front_ == 0.0) return 0.0;
     const double way = length_of({x[0], x[1] - face_, x[2]});
     return impact_ + std::min(way / front_, way * way / diffusivity_);
   }
@@ -103,16 +102,6 @@ bool foresees_dormancy(const Scene& scene) {
   return scene.jet.present && !scene.jet.slugs.empty() && scene.step.skip_dormant &&
          std::all_of(scene.bodies.begin(), scene.bodies.end(), starts_at_rest) &&
          why_all_awake(scene).empty() && jet_path(scene).has_target;
-}
-
-double awake_share(const Scene& scene, const BodySpec& body, double dt) {
-  if (Arrival(scene, body, dt).is_always()) return 1.0;
-  double sum = 0.0, count = 0.0;
-  for_each_awake_part(scene, body, dt, [&](const AwakePart& part) {
-    sum += part.particles * part.awake;
-    count += part.particles;
-  });
-  return count > 0.0 ? sum / count : 1.0;
 }
 
 }  // namespace barreno
