@@ -3,7 +3,6 @@
 
 #include "deck/deck.hpp"
 #include "deck/section_table.hpp"
-#include "deck/sections/contact_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/pore_flow_section.hpp"
@@ -57,8 +56,7 @@ std::string note_of(double size, double cells, double radius) {
 }  // namespace
 
 std::string conflict_with_levels(const Deck& deck) {
-  const std::string &contact = table_of<ContactSpec>().path, &flow = table_of<PoreFlowSpec>().path;
-  if (!deck.lists(contact).empty()) return contact;
+  const std::string& flow = table_of<PoreFlowSpec>().path;
   if (deck.has(flow) &&
       DeckValue<Drainage>::read(deck, path_of(&PoreFlowSpec::drainage)) == Drainage::on)
     return flow;

@@ -76,6 +76,20 @@ struct BoxTiles {
   }
 };
 
+/// visit(position) of the tiles of the next finer level that fill one, in the order of their
+/// numbers; none if there is no finer level.
+template <class Visitor>
+KOKKOS_INLINE_FUNCTION void for_each_finer_tile(
+    const BoxTiles& box, const TilePosition& at, const Visitor& visit
+) {
+  if (at.level + 1 >= box.levels) return;
+  const int layers = box.dimensions == 3 ? 2 : 1;
+  for (int z = 0; z < layers; ++z)
+    for (int y = 0; y < 2; ++y)
+      for (int x = 0; x < 2; ++x)
+        visit(TilePosition{{2 * at[0] + x, 2 * at[1] + y, layers * at[2] + z}, at.level + 1});
+}
+
 /// What a kernel may know of a tile beside its patch: where it lies, how large its cells are and
 /// how long its step is. Both differ from tile to tile once tiles are refined or step by
 /// themselves.

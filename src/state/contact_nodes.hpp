@@ -38,6 +38,9 @@ KOKKOS_INLINE_FUNCTION std::size_t first_value(const Patch& patch, int tile, int
 struct ContactNodes {
   ArrayView<unsigned char> tile_fields;  ///< own tiles, then ghosts: bits of the fields in them
   ArrayView<unsigned char> shared_tile;  ///< own tiles: 1 if a node of the patch is shared
+  /// own tiles, where cells have several sizes: 1 if a node stands for a shared one of a coarser
+  /// tile
+  ArrayView<unsigned char> passes_up;
   ArrayView<unsigned char>
       fields;  ///< own tiles: bits of the fields with mass at a shared node, else 0
   std::vector<ArrayView<double>> moments;  ///< by field; own tiles, then ghosts

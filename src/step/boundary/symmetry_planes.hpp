@@ -45,9 +45,13 @@ struct SymmetryPlanes {
       }
   }
 
-  /// Whether a node of the box lies on or behind one across an axis.
-  KOKKOS_INLINE_FUNCTION bool holds(int axis, int node) const {
-    return (at_lower[axis] && node <= 0) || (at_upper[axis] && node >= last[axis]);
+  /// Whether a node lies on or behind one across an axis.
+  /// @param at     position of a tile
+  /// @param place  of the node in the tile's patch, along the axis
+  KOKKOS_INLINE_FUNCTION bool holds(int axis, const Patch& patch, const TilePosition& at, int place)
+      const {
+    const int node = at[axis] * patch.tile_cells - patch.reach + place;
+    return (at_lower[axis] && node <= 0) || (at_upper[axis] && node >= last[axis] << at.level);
   }
 
   /// Whether the patch of a tile reaches behind a plane.

@@ -3,6 +3,7 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
+#include "grid/coarse_nodes.hpp"
 #include "step/nodes/node_copies.hpp"
 
 namespace barreno {
@@ -48,6 +49,27 @@ void add_tile_fields(
   );
 }
 
+/// Sums of a finer tile are in those of the coarser one around it (restrict_sums), which so has its
+/// fields.
+void add_finer_fields(const Grid& grid, const ArrayView<unsigned char>& tile_fields) {
+  const BoxTiles box = grid.box;
+  const ArrayView<TileFrame> frame = grid.tile_frame;
+  const ArrayView<int> directory = grid.directory;
+  for (int level = grid.box.levels - 2; level >= 0; --level)
+    launch(
+        "add_finer_fields",
+        RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
+        KOKKOS_LAMBDA(const int tile) {
+          for_each_finer_tile(box, frame(tile).position, [&](const TilePosition& at) {
+            const int other = directory(box.id(at));
+            if (other >= 0)
+              tile_fields(tile) =
+                  static_cast<unsigned char>(tile_fields(tile) | tile_fields(other));
+          });
+        }
+    );
+}
+
 KOKKOS_INLINE_FUNCTION bool several(unsigned bits) {
   return (bits & (bits - 1U)) != 0;
 }
@@ -56,7 +78,28 @@ struct DetectContactNodes {
   NodeCopies copies;
   SumsOfFields sums;
   int count;
-  ArrayView<unsigned char> tile_fields, shared_tile, fields;
+  ArrayView<TileFrame> tile_frame;
+  ArrayView<int> parent;  ///< empty, as is the next, where nothing is refined
+  ArrayView<unsigned char> from_parent;
+  ArrayView<unsigned char> tile_fields, shared_tile, passes_up, fields;
+
+  KOKKOS_INLINE_FUNCTION bool follows_coarser(int tile, int slot) const {
+    return from_parent.extent(0) > 0 && tile_frame(tile).position.level > 0 &&
+           from_parent(tile * copies.patch.size + slot) != 0;
+  }
+
+  /// Whether a node stands for one of a coarser tile where fields meet.
+  KOKKOS_INLINE_FUNCTION bool stands_for_shared(int tile, int slot) const {
+    if (!follows_coarser(tile, slot)) return false;
+    const int coarser = parent(tile);
+    bool found = false;
+    for_each_coarse_node(copies.patch, tile_frame(tile).position, slot, [&](int at, double) {
+      const bool shared =
+          shared_tile(coarser) != 0 && fields(coarser * copies.patch.size + at) != 0;
+      found = found || shared || stands_for_shared(coarser, at);
+    });
+    return found;
+  }
 
   /// Fields with mass at a node: sums of masses, none below zero, are positive where a part is.
   KOKKOS_INLINE_FUNCTION unsigned fields_at(int tile, int slot) const {
@@ -80,12 +123,22 @@ struct DetectContactNodes {
       if (other >= 0) near |= tile_fields(other);
     }
     shared_tile(tile) = 0;
-    if (!several(near)) return;
-    for (int slot = 0; slot < patch.size; ++slot) {
-      const unsigned bits = fields_at(tile, slot);
+    if (passes_up.extent(0) > 0) passes_up(tile) = 0;
+    for (int slot = 0; several(near) && slot < patch.size; ++slot) {
+      const unsigned bits = follows_coarser(tile, slot) ? 0U : fields_at(tile, slot);
       fields(tile * patch.size + slot) = static_cast<unsigned char>(several(bits) ? bits : 0U);
       if (several(bits)) shared_tile(tile) = 1;
     }
+    pass_up(tile);
+  }
+
+  /// The coarser tile around it may have shared nodes where this one has a single field.
+  KOKKOS_INLINE_FUNCTION void pass_up(int tile) const {
+    if (from_parent.extent(0) == 0 || tile_frame(tile).position.level == 0) return;
+    const int coarser = parent(tile);
+    if (shared_tile(coarser) == 0 && passes_up(coarser) == 0) return;
+    for (int slot = 0; passes_up(tile) == 0 && slot < copies.patch.size; ++slot)
+      if (stands_for_shared(tile, slot)) passes_up(tile) = 1;
   }
 };
 
@@ -109,6 +162,7 @@ void make_room_for_contact(
   contact.reach.resize(fields.pairs.size());
   grow_view(contact.tile_fields, all);
   grow_view(contact.shared_tile, tiles);
+  if (grid.is_refined()) grow_view(contact.passes_up, tiles);
   grow_view(contact.fields, values(tiles, 1));
   for (Nodes& field : nodes) grow_view(field.impulse, values(tiles, impulse_components(d)));
   for (auto& moments : contact.moments) grow_view(moments, values(all, moment_components(d)));
@@ -136,17 +190,24 @@ void detect_contact_nodes(
       FindGhostFields{grid.patch, grid.active, fields.count, sums, contact.tile_fields}
   );
   for (const Particles& particles : sets) add_tile_fields(grid, particles, contact.tile_fields);
-  launch(
-      "detect_contact_nodes",
-      range(grid.active),
-      DetectContactNodes{
-          NodeCopies(grid),
-          sums,
-          fields.count,
-          contact.tile_fields,
-          contact.shared_tile,
-          contact.fields}
-  );
+  add_finer_fields(grid, contact.tile_fields);
+  const DetectContactNodes detect{
+      NodeCopies(grid),
+      sums,
+      fields.count,
+      grid.tile_frame,
+      grid.parent,
+      grid.from_parent,
+      contact.tile_fields,
+      contact.shared_tile,
+      contact.passes_up,
+      contact.fields};
+  for (int level = 0; level < grid.box.levels; ++level)  // finer tiles ask coarser ones
+    launch(
+        "detect_contact_nodes",
+        RowPolicy(grid.first_of_level[level], grid.first_of_level[level + 1]),
+        detect
+    );
 }
 
 }  // namespace barreno

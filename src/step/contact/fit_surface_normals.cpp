@@ -5,8 +5,7 @@
 #include "base/region.hpp"
 #include "grid/halo.hpp"
 #include "shape/visit_kernels.hpp"
-#include "state/shape_fields.hpp"
-#include "step/contact/particle_ellipse.hpp"
+#include "step/contact/particles_at_nodes.hpp"
 #include "step/contact/separating_normal.hpp"
 #include "step/nodes/node_copies.hpp"
 
@@ -18,29 +17,18 @@ struct ProjectMoments {
   static constexpr unsigned extent = M::dimensions;
   static constexpr int dimensions = M::dimensions;
   static constexpr int components = moment_components(dimensions);
-  PatchFrame<M::dimensions> frame;
+  Patch patch;
   NodeCopies copies;
-  Particles particles;
+  ParticlesAtNodes<M, S> particles;
   ArrayView<unsigned char> shared_tile, fields;
   ArrayView<double> moments;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     if (shared_tile(tile) == 0) return;
-    const auto first = frame.first(tile);
-    double* const patch = &moments(first_value(frame.patch, tile, components));
-    for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
-      const int p = particles.order(k);
-      const ParticleGeometry particle =
-          frame.template geometry<S>(first, shape_fields(particles), p);
-      const ParticleEllipse<extent> ellipse(particle, particles, p);
-      S::template support<M>(particle).for_each_node(
-          frame.patch,
-          [&](int slot, double s, const double*, double) {
-            if (s > 0.0 && fields(tile * frame.patch.size + slot) != 0)
-              add(ellipse, s, slot, patch + slot * components);
-          }
-      );
-    }
+    double* const values = &moments(first_value(patch, tile, components));
+    particles.for_each(tile, [&](const ParticleEllipse<extent>& ellipse, int slot, double s) {
+      if (fields(tile * patch.size + slot) != 0) add(ellipse, s, slot, values + slot * components);
+    });
   }
 
   KOKKOS_INLINE_FUNCTION void add(
@@ -92,9 +80,7 @@ struct FitSurfaceNormals {
     copies.position(slot, at);
     bool mirrored[D];
     for (int d = 0; d < dimensions; ++d)
-      mirrored[d] = planes.holds(
-          d, tile_frame(tile).position[d] * copies.patch.tile_cells - copies.patch.reach + at[d]
-      );
+      mirrored[d] = planes.holds(d, copies.patch, tile_frame(tile).position, at[d]);
     separating_normal<D>(a, b, mirrored, n);
   }
 };
@@ -125,9 +111,9 @@ void project_moments(
         "project_moments",
         range(grid.active),
         ProjectMoments<M, S>{
-            PatchFrame<M::dimensions>(grid),
+            grid.patch,
             NodeCopies(grid),
-            particles,
+            ParticlesAtNodes<M, S>(grid, contact.passes_up, particles),
             contact.shared_tile,
             contact.fields,
             contact.moments[static_cast<std::size_t>(particles.field)]}

@@ -6,9 +6,8 @@
 #include "base/region.hpp"
 #include "grid/halo.hpp"
 #include "shape/visit_kernels.hpp"
-#include "state/shape_fields.hpp"
 #include "step/contact/directions.hpp"
-#include "step/contact/particle_ellipse.hpp"
+#include "step/contact/particles_at_nodes.hpp"
 #include "step/nodes/node_copies.hpp"
 
 #include <limits>
@@ -26,10 +25,10 @@ struct FindReach {
   static constexpr unsigned extent = M::dimensions;
   static constexpr int dimensions = M::dimensions;
   static constexpr int count = Directions<extent>::count;
-  PatchFrame<M::dimensions> frame;
+  Patch patch;
   NodeCopies copies;
   Directions<extent> directions;
-  Particles particles;
+  ParticlesAtNodes<M, S> particles;
   bool second;  ///< the set belongs to the pair's second field
   ArrayView<unsigned char> shared_tile, fields;
   ArrayView<double> normal, reach;
@@ -37,22 +36,12 @@ struct FindReach {
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     if (shared_tile(tile) == 0) return;
     constexpr int normals = normal_components(dimensions);
-    const auto first = frame.first(tile);
-    const double* const n = &normal(first_value(frame.patch, tile, normals));
-    double* const out = &reach(first_value(frame.patch, tile, 2 * count));
-    for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
-      const int p = particles.order(k);
-      const ParticleGeometry particle =
-          frame.template geometry<S>(first, shape_fields(particles), p);
-      const ParticleEllipse<extent> ellipse(particle, particles, p);
-      S::template support<M>(particle).for_each_node(
-          frame.patch,
-          [&](int slot, double s, const double*, double) {
-            if (s > 0.0 && fields(tile * frame.patch.size + slot) != 0)
-              extend(ellipse, slot, n + slot * normals, out + slot * 2 * count);
-          }
-      );
-    }
+    const double* const n = &normal(first_value(patch, tile, normals));
+    double* const out = &reach(first_value(patch, tile, 2 * count));
+    particles.for_each(tile, [&](const ParticleEllipse<extent>& ellipse, int slot, double /*s*/) {
+      if (fields(tile * patch.size + slot) != 0)
+        extend(ellipse, slot, n + slot * normals, out + slot * 2 * count);
+    });
   }
   KOKKOS_INLINE_FUNCTION void extend(
       const ParticleEllipse<extent>& ellipse, int slot, const double* n, double* out
@@ -100,11 +89,7 @@ struct ChooseNormals {
     copies.position(slot, at);
     bool found = false;
     for (int d = 0; d < dimensions; ++d)
-      found =
-          found ||
-          planes.holds(
-              d, tile_frame(tile).position[d] * copies.patch.tile_cells - copies.patch.reach + at[d]
-          );
+      found = found || planes.holds(d, copies.patch, tile_frame(tile).position, at[d]);
     return found;
   }
 
@@ -176,10 +161,10 @@ void find_reach(const PairSurfaces& of, const Directions<M::dimensions>& directi
         "find_reach",
         range(grid.active),
         FindReach<M, S>{
-            PatchFrame<M::dimensions>(grid),
+            grid.patch,
             NodeCopies(grid),
             directions,
-            particles,
+            ParticlesAtNodes<M, S>(grid, of.contact.passes_up, particles),
             particles.field == of.pair.b,
             of.contact.shared_tile,
             of.contact.fields,

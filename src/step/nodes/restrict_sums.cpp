@@ -31,17 +31,11 @@ struct RestrictSums {
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     if (nodes.keeps_sums(tile)) return;
-    const TilePosition at = frame(tile).position;
     double* const sums = &nodes.sums(first_sum(patch, tile));
-    const int layers = patch.dimensions == 3 ? 2 : 1;
-    for (int z = 0; z < layers; ++z)
-      for (int y = 0; y < 2; ++y)
-        for (int x = 0; x < 2; ++x) {
-          const TilePosition finer{
-              {2 * at[0] + x, 2 * at[1] + y, layers * at[2] + z}, at.level + 1};
-          const int other = directory(box.id(finer));
-          if (other >= 0) add_tile(other, finer, sums);
-        }
+    for_each_finer_tile(box, frame(tile).position, [&](const TilePosition& finer) {
+      const int other = directory(box.id(finer));
+      if (other >= 0) add_tile(other, finer, sums);
+    });
   }
 };
 

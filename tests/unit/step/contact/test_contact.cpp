@@ -2,7 +2,7 @@
 // Contact between velocity fields: its balances, and the same bits on any number of ranks.
 #include "base/gather.hpp"
 #include "state/balance.hpp"
-#include "support/scenes.hpp"
+#include "unit/step/contact/oblique_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,29 +21,10 @@ using testing::box_scene;
 using testing::start;
 using testing::start_alone;
 
-/// A block that hits another aslant, with friction; a third of yet another material joins the
-/// second. In three dimensions they slide past each other along z too, in larger cells.
+/// In three dimensions in larger cells.
 Scene oblique(Mode mode) {
-  const double h = mode == Mode::three_dimensional ? 2e-3 : 1e-3;
-  Scene scene = box_scene(
-      mode, h, {0.0, 0.0, 0.0}, {0.024, 0.040, 0.008}, testing::elastic(70e9, 0.3, 2700.0)
-  );
-  scene.materials.push_back(scene.materials[0]);
-  scene.materials.push_back(testing::elastic(20e9, 0.2, 2700.0));
-  scene.materials.back().bad_particles = BadParticlePolicy::stop;
-  const int upper = mode == Mode::three_dimensional ? 2 : 3;  // particles per cell
-  add_box(scene, "low", {0.004, 0.006, 0.0021}, {0.0123, 0.0179, 0.0047}, 2).velocity = {
-      30.0, 120.0, 25.0};
-  add_box(scene, "high", {0.003, 0.020, 0.0026}, {0.0101, 0.0307, 0.0051}, upper).velocity = {
-      -20.0, -80.0, 0.0};
-  add_box(scene, "beside", {0.0101, 0.020, 0.0026}, {0.0150, 0.0307, 0.0051}, 2).velocity = {
-      -20.0, -80.0, 0.0};
-  scene.bodies[1].material = 1;
-  scene.bodies[2].material = 2;
-  scene.contacts.push_back({"faces", {0, 1}, ContactKind::friction, 0.3});
-  scene.contacts.push_back({"others", {2, 0}, ContactKind::frictionless, 0.0});
-  add_symmetry(scene, Face::x_lower);
-  return scene;
+  const bool space = mode == Mode::three_dimensional;
+  return testing::oblique_blocks(mode, space ? 2e-3 : 1e-3, space ? 2 : 3);
 }
 
 TEST(ContactFields, MaterialsWithEqualContactsShareAField) {
