@@ -20,7 +20,6 @@ std::string why_all_awake(const Scene& scene) {
     return "Transfer is XPIC, which visits all tiles several times";
   if (scene.step.transfer == Transfer::apic)
     return "Transfer is APIC, whose particles carry more than a velocity";
-  if (!scene.contacts.empty()) return "contact is searched for in all tiles";
   if (scene.body_force.kind != BodyForceKind::none) return "a body force acts on all particles";
   if (scene.pore_flow.on()) return "pore fluid flows through all rock";
   if (!std::all_of(scene.loads.begin(), scene.loads.end(), is_steady))

@@ -19,7 +19,8 @@ struct Dormancy {
   double motion = 0.0;  ///< what a node may move by in a step without waking a tile [cells]
   ArrayView<unsigned char> candidate;   ///< its particles have no velocity (9.1)
   ArrayView<unsigned char> motionless;  ///< none of its nodes moves, of candidates (9.2)
-  ArrayView<unsigned char> dormant;     ///< both
+  ArrayView<unsigned char> unsolved;    ///< their nodes are left as the last step solved them
+  ArrayView<unsigned char> dormant;     ///< candidate and motionless
   ArrayView<unsigned char> stays;       ///< of Stay: its particles are left as they are
   ArrayView<int> rows;                  ///< its particles
   ArrayView<int>

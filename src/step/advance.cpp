@@ -51,7 +51,7 @@ void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTa
       state.particles,
       state.subcycling,
       state.dormancy,
-      state.nodes.front(),
+      state.nodes,
       state.effort,
       state.clock.time + (state.subcycling.most + 1) * dt
   );  // which may keep their sums

@@ -50,13 +50,14 @@ GridTally solve_fields(
   );
   const SymmetryPlanes symmetry(scene.conditions, state.grid);
   GridTally tally;
+  SpecialTiles special{
+      state.contact.shared_tile, state.contact.passes_up, state.dormancy, true, state.subcycling};
   const Stopwatch watch;
   for (std::size_t f = 0; f < state.nodes.size(); ++f) {
     if (state.fields.rigid_body[f] >= 0) continue;
     Nodes& nodes = state.nodes[f];
-    GridTally part = solve_velocity(
-        state.grid, rule, {state.contact.shared_tile, state.dormancy, state.subcycling}, nodes
-    );
+    GridTally part = solve_velocity(state.grid, rule, special, nodes);
+    special.first_field = false;
     mirror_velocities(symmetry, state.grid, rule.grid_share, nodes, part);
     add(part, tally);
   }

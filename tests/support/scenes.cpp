@@ -38,7 +38,7 @@ MaterialSpec elastic(double young, double poisson, double density) {
 
 Scene box_scene(Mode mode, double h, Vector lower, Vector upper, const MaterialSpec& material) {
   Scene scene;
-  scene.grid = {mode, lower, upper, h};
+  scene.grid = {mode, lower, upper, h, {}};
   scene.materials.push_back(material);
   scene.materials[0].bad_particles = BadParticlePolicy::stop;
   return scene;

@@ -17,7 +17,7 @@ namespace {
 
 /// Spreads of the rounds; the last leaves the directions 0.6 degrees apart.
 constexpr double spreads[] = {40.0 / 360.0 * two_pi, 10.0 / 360.0 * two_pi, 2.5 / 360.0 * two_pi};
-/// By how much another direction must be better [cells].
+/// By how much another direction must be better [smallest cells of the grid].
 constexpr double margin = 1e-3;
 
 template <class M, class S>
@@ -68,6 +68,7 @@ struct ChooseNormals {
   static constexpr int count = Directions<D>::count;
   NodeCopies copies;
   ArrayView<TileFrame> tile_frame;
+  double smallest_cell;
   SymmetryPlanes planes;
   Directions<D> directions;
   unsigned bits;  ///< of both fields
@@ -95,7 +96,7 @@ struct ChooseNormals {
 
   KOKKOS_INLINE_FUNCTION void choose(int tile, int slot, double* n) const {
     double best = gap(tile, slot, 0);
-    const double enough = best + margin;
+    const double enough = best + margin * (smallest_cell / tile_frame(tile).cell_size);
     int chosen = 0;
     for (int k = 1; k < (mirrored(tile, slot) ? 1 : count); ++k) {
       const double other = gap(tile, slot, k);
@@ -185,6 +186,7 @@ void compare_directions(const PairSurfaces& of, double spread, bool axes) {
       ChooseNormals<M::dimensions>{
           NodeCopies(of.grid),
           of.grid.tile_frame,
+          of.grid.smallest_cell(),
           of.planes,
           directions,
           bits_of(of.pair),

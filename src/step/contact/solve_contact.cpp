@@ -145,17 +145,21 @@ struct SolveContact {
     }
   }
 
+  /// Each pair is solved for what the others have left, as if its own impulse of the turn before
+  /// had not been: one that pushed too much then takes back some of it. Without that the impulses
+  /// do work where the fields part, and nodes of three fields gain energy in every step.
   KOKKOS_INLINE_FUNCTION void apply_pairs(const ContactTile& of, int slot, SharedNode<D>& node)
       const {
+    ContactImpulse<D> of_pair[max_pairs];
     const bool two = (node.bits & (node.bits - 1U) & ((node.bits & (node.bits - 1U)) - 1U)) == 0;
     for (int turn = 0; turn < (two ? 1 : turns); ++turn)
       for (int i = 0; i < pair_count; ++i)
         if ((node.bits >> pairs[i].a & 1U) && (node.bits >> pairs[i].b & 1U))
-          apply_pair(of, slot, i, node);
+          apply_pair(of, slot, i, of_pair[i], node);
   }
 
   KOKKOS_INLINE_FUNCTION void apply_pair(
-      const ContactTile& of, int slot, int i, SharedNode<D>& node
+      const ContactTile& of, int slot, int i, ContactImpulse<D>& of_pair, SharedNode<D>& node
   ) const {
     const FieldPair& pair = pairs[i];
     double n[D] = {};
@@ -167,19 +171,23 @@ struct SolveContact {
       for (int d = 0; d < dimensions; ++d) n[d] = at[d];
       gap_speed = std::fmax(at[dimensions], 0.0) * of.cell_size / of.dt;
     }
+    const double inverse = node.inverse_mass[pair.a] + node.inverse_mass[pair.b];
     double w[D];
-    for (int d = 0; d < dimensions; ++d) w[d] = node.start[pair.b][d] - node.start[pair.a][d];
-    const double mass = 1.0 / (node.inverse_mass[pair.a] + node.inverse_mass[pair.b]);
-    const ContactImpulse<D> impulse_of_pair =
-        contact_impulse<D>(pair.kind, pair.friction, mass, w, n, gap_speed);
+    for (int d = 0; d < dimensions; ++d)
+      w[d] = node.start[pair.b][d] - node.start[pair.a][d] + of_pair.total[d] * inverse;
+    const ContactImpulse<D> now =
+        contact_impulse<D>(pair.kind, pair.friction, 1.0 / inverse, w, n, gap_speed);
     for (int d = 0; d < dimensions; ++d) {
-      node.start[pair.a][d] += impulse_of_pair.total[d] * node.inverse_mass[pair.a];
-      node.start[pair.b][d] -= impulse_of_pair.total[d] * node.inverse_mass[pair.b];
-      node.impulse[pair.a][d] += impulse_of_pair.total[d];
-      node.impulse[pair.b][d] -= impulse_of_pair.total[d];
-      node.tangential[pair.a][d] += impulse_of_pair.tangential[d];
-      node.tangential[pair.b][d] -= impulse_of_pair.tangential[d];
+      const double total = now.total[d] - of_pair.total[d];
+      const double tangential = now.tangential[d] - of_pair.tangential[d];
+      node.start[pair.a][d] += total * node.inverse_mass[pair.a];
+      node.start[pair.b][d] -= total * node.inverse_mass[pair.b];
+      node.impulse[pair.a][d] += total;
+      node.impulse[pair.b][d] -= total;
+      node.tangential[pair.a][d] += tangential;
+      node.tangential[pair.b][d] -= tangential;
     }
+    of_pair = now;
   }
 
   KOKKOS_INLINE_FUNCTION void tally_rigid(

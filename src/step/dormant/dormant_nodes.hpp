@@ -15,8 +15,12 @@ namespace barreno {
 /// and around them, and so slow then that they are motionless now. Whether one is skipped changes
 /// no bit of the answer: what nodes of a motionless tile have of energy is dropped (docs/method.md
 /// 9).
+///
+/// With several velocity fields the first to be solved decides for all whether a tile is; its nodes
+/// are motionless if those of all fields are.
 struct DormantNodes {
   Dormancy dormancy;
+  bool first_field;  ///< the first of the step that is solved
   ArrayView<unsigned char> sums_kept;
   ArrayView<TileFrame> frame;
   ArrayView<int> neighbours, parent;
@@ -24,8 +28,15 @@ struct DormantNodes {
   int active;
   Subcycling subcycling;
 
-  DormantNodes(const Grid& grid, const Dormancy& what, const Subcycling& parts, const Nodes& nodes)
+  DormantNodes(
+      const Grid& grid,
+      const Dormancy& what,
+      bool is_first_field,
+      const Subcycling& parts,
+      const Nodes& nodes
+  )
       : dormancy(what),
+        first_field(is_first_field),
         sums_kept(nodes.sums_kept),
         frame(grid.tile_frame),
         neighbours(grid.neighbours),
@@ -67,9 +78,17 @@ struct DormantNodes {
     return true;
   }
 
+  /// What stays_motionless says in the first field; the others follow, whose bounds it has not yet.
+  KOKKOS_INLINE_FUNCTION bool leaves_unsolved(int tile) const {
+    if (!dormancy.on) return false;
+    if (first_field) dormancy.unsolved(tile) = stays_motionless(tile) ? 1 : 0;
+    return dormancy.unsolved(tile) != 0;
+  }
+
   /// Notes the bounds of a tile that was solved, and whether it is motionless.
   /// @param motion      v' and v' - v of its nodes
-  /// @param prescribed  a condition acts on one of them: its impulse counts, and may change
+  /// @param prescribed  a condition or contact acts on one of them: its impulse counts, and may
+  ///                    change
   /// @return that it is motionless and all that it has of energy may be dropped
   KOKKOS_INLINE_FUNCTION bool enter(int tile, const double* motion, bool prescribed) const {
     if (!is_candidate(tile)) return false;
@@ -88,11 +107,14 @@ struct DormantNodes {
         change = dv > change ? dv : change;
       }
     const bool motionless = numbers && speed <= limit(tile) && change <= share(tile) * limit(tile);
-    const bool so_far = subcycling.starts(tile) || dormancy.motionless(tile) != 0;
+    const bool so_far = (first_field && subcycling.starts(tile)) || dormancy.motionless(tile) != 0;
     dormancy.motionless(tile) = motionless && so_far ? 1 : 0;
     const bool bounded = numbers && !prescribed;
-    dormancy.speed(tile) = bounded ? speed + change : std::numeric_limits<double>::infinity();
-    dormancy.acceleration(tile) = bounded ? change / frame(tile).part : 0.0;
+    const double most = bounded ? speed + change : std::numeric_limits<double>::infinity();
+    const double gain = bounded ? change / frame(tile).part : 0.0;
+    const bool larger = first_field || most > dormancy.speed(tile);
+    if (larger) dormancy.speed(tile) = most;
+    if (first_field || gain > dormancy.acceleration(tile)) dormancy.acceleration(tile) = gain;
     return motionless && !prescribed;
   }
 };

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Arrays for the tiles that the grid has now; what was known of others is forgotten.
-void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
+/// Arrays for the tiles that the grid has now; what was known of others is forgotten. Whether sums
+/// are kept is one thing for all fields.
+void start_afresh(const Grid& grid, Dormancy& dormancy, std::vector<Nodes>& fields) {
   if (dormancy.activation == grid.activations) return;
   dormancy.activation = grid.activations;
   const auto tiles = static_cast<std::size_t>(grid.active);
@@ -21,6 +22,7 @@ void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
     const std::size_t room = tiles + tiles / 4;
     dormancy.candidate = ArrayView<unsigned char>("dormant_candidate", room);
     dormancy.motionless = ArrayView<unsigned char>("motionless", room);
+    dormancy.unsolved = ArrayView<unsigned char>("unsolved", room);
     dormancy.dormant = ArrayView<unsigned char>("dormant", room);
     dormancy.stays = ArrayView<unsigned char>("stays", room);
     dormancy.rows = ArrayView<int>("rows", room);
@@ -28,7 +30,8 @@ void start_afresh(const Grid& grid, Dormancy& dormancy, Nodes& nodes) {
     dormancy.speed = ArrayView<double>("node_speed", room);
     dormancy.acceleration = ArrayView<double>("node_acceleration", room);
     dormancy.step = ArrayView<double>("dormant_step", room);
-    nodes.sums_kept = ArrayView<unsigned char>("sums_kept", room);
+    const ArrayView<unsigned char> sums_kept("sums_kept", room);
+    for (Nodes& nodes : fields) nodes.sums_kept = sums_kept;
   }
   Kokkos::deep_copy(dormancy.summed_rows, 0);
 }
@@ -191,14 +194,14 @@ void find_dormant_candidates(
     const std::vector<Particles>& sets,
     const Subcycling& subcycling,
     Dormancy& dormancy,
-    Nodes& nodes,
+    std::vector<Nodes>& fields,
     Effort& effort,
     double horizon
 ) {
   if (!dormancy.on) return;
   const Region region("find_dormant_candidates");
   const Stopwatch watch;
-  start_afresh(grid, dormancy, nodes);
+  start_afresh(grid, dormancy, fields);
   const Dormancy of = dormancy;
   launch(
       "clear_candidates",
@@ -212,7 +215,7 @@ void find_dormant_candidates(
   for (const Particles& particles : sets)
     look_at_rows(grid.active, particles, subcycling, dormancy, horizon);
   add_finer_tiles(grid, subcycling, dormancy);
-  const ArrayView<unsigned char> sums_kept = nodes.sums_kept;
+  const ArrayView<unsigned char> sums_kept = fields.front().sums_kept;
   const AxialPlanes planes(grid);
   launch(
       "find_dormant_candidates",

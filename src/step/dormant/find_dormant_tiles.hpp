@@ -26,7 +26,7 @@ void find_dormant_candidates(
     const std::vector<Particles>& sets,
     const Subcycling& subcycling,
     Dormancy& dormancy,
-    Nodes& nodes,
+    std::vector<Nodes>& fields,
     Effort& effort,
     double horizon
 );

@@ -34,6 +34,7 @@ struct SolveVelocity {
   ArrayView<unsigned char> from_parent, counts;
   ArrayView<double> sums, motion, tally;
   ArrayView<unsigned char> shared_tile;  ///< tiles in which contact acts; empty without contact
+  ArrayView<unsigned char> passes_up;  ///< tiles that follow such; empty without levels or contact
   ArrayView<double> impulse;
   DormantNodes dormant;
 
@@ -166,13 +167,13 @@ struct SolveVelocity {
       out.v.after[d] = out.v.before[d] + dt * out.force[d] * inverse;
     }
     if (contact != nullptr) add_contact(dt, contact, inverse, net_force, out.v);
-    ConditionTally tally;
+    ConditionTally of_conditions;
     out.prescribed = prescribe_velocities(
-        rule.conditions, velocities, place, NodeForces<D>{dt, mass, net_force}, out.v, tally
+        rule.conditions, velocities, place, NodeForces<D>{dt, mass, net_force}, out.v, of_conditions
     );
-    own[3] = tally.work;
-    own[4] = tally.axial_impulse;
-    own[5] = tally.axial_of_start;
+    own[3] = of_conditions.work;
+    own[4] = of_conditions.axial_impulse;
+    own[5] = of_conditions.axial_of_start;
     return out;
   }
 
@@ -238,9 +239,15 @@ struct SolveVelocity {
     return prescribed;
   }
 
+  /// On nodes of a tile, or on those of coarser ones that they follow.
+  KOKKOS_INLINE_FUNCTION bool contact_acts(int tile) const {
+    return (shared_tile.extent(0) > 0 && shared_tile(tile) != 0) ||
+           (passes_up.extent(0) > 0 && passes_up(tile) != 0);
+  }
+
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     double part[tally_components][2] = {};
-    bool counts_nothing = dormant.stays_motionless(tile);
+    bool counts_nothing = dormant.leaves_unsolved(tile);
     if (dormant.subcycling.on()) dormant.subcycling.solved(tile) = counts_nothing ? 0 : 1;
     if (!counts_nothing) {
       const NodeScales scales = rule.scales(tile_frame(tile).cell_size, tile_frame(tile).part);
@@ -249,7 +256,8 @@ struct SolveVelocity {
       for (int z = 0; z < patch.nodes_along(2); ++z)
         for (int y = 0; y < patch.nodes; ++y)
           prescribed |= solve_row(tile, y, z, velocities, scales, part);
-      counts_nothing = dormant.enter(tile, &motion(first_motion(patch, tile)), prescribed);
+      counts_nothing =
+          dormant.enter(tile, &motion(first_motion(patch, tile)), prescribed || contact_acts(tile));
     }
     for (int i = 0; i < tally_values; ++i)
       tally(static_cast<std::size_t>(tile * tally_values + i)) =
@@ -316,8 +324,9 @@ GridTally solve_velocity(
         nodes.motion,
         nodes.tally,
         special.shared,
+        special.passes_up,
         nodes.impulse,
-        DormantNodes(grid, special.dormancy, special.subcycling, nodes)};
+        DormantNodes(grid, special.dormancy, special.first_field, special.subcycling, nodes)};
     for (int level = 0; level < grid.box.levels; ++level)  // finer tiles ask coarser ones
       launch(
           "solve_velocity",

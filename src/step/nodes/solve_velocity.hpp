@@ -28,8 +28,10 @@ struct VelocityRule {
 /// Tiles whose nodes are not solved by their sums alone.
 struct SpecialTiles {
   ArrayView<unsigned char>
-      shared;         ///< ContactNodes::shared_tile: there nodes.impulse joins the forces
-  Dormancy dormancy;  ///< nodes of dormant tiles are not solved, and count nothing
+      shared;  ///< ContactNodes::shared_tile: there nodes.impulse joins the forces
+  ArrayView<unsigned char> passes_up;  ///< ContactNodes::passes_up: some follow where they meet
+  Dormancy dormancy;                   ///< nodes of dormant tiles are not solved, and count nothing
+  bool first_field = true;             ///< of those that are solved (DormantNodes)
   Subcycling subcycling;
 };
 

@@ -325,9 +325,9 @@ StressTally update_stress(
             "update_stress",
             range((rows.end - rows.begin + together - 1) / together),
             KOKKOS_LAMBDA(const int i, StressTally& part) {
-              const int begin = rows.begin + i * together;
-              const int end = rows.end - begin < together ? rows.end : begin + together;
-              kernel(Rows{begin, end, rows.chunks}, part);
+              const int first = rows.begin + i * together;
+              const int past = rows.end - first < together ? rows.end : first + together;
+              kernel(Rows{first, past, rows.chunks}, part);
             },
             TallyReducer<StressTally>(sums)
         );

@@ -61,7 +61,8 @@ int mark_leaving(const Grid& grid, const Particles& particles) {
 
 /// The marked rows in their order, and where they go.
 Leaving list_leaving(const Grid& grid, const Particles& particles, int count) {
-  Leaving leaving{ArrayView<int>("row", count), ArrayView<int>("rank", count), count};
+  const auto rows = static_cast<std::size_t>(count);
+  Leaving leaving{ArrayView<int>("row", rows), ArrayView<int>("rank", rows), count};
   const CellLattice lattice(grid);
   const ArrayView<int> owner = grid.owner_of_tile;
   const ArrayView<int> leaves = particles.spare;

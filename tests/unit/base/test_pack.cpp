@@ -3,13 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace barreno {
 namespace {
 
 /// The entries of a pack as the arrays of nodes hold them.
 template <int N>
 struct Entries {
-  alignas(64) double value[N];
+  alignas(64) double value[static_cast<std::size_t>(N)];
 };
 
 template <int N>

@@ -120,7 +120,9 @@ TYPED_TEST(ASection, AnEntryFillsItsOwnMemberAndNoOther) {
     const std::string value = other_value(bound);
     const Deck deck = deck_with<TypeParam>(bound.entry, value);
     const auto spec = read_list<TypeParam>(deck, list_path<TypeParam>());
-    if (bound.read_by.empty()) EXPECT_EQ(bound.text(spec), value);
+    if (bound.read_by.empty()) {
+      EXPECT_EQ(bound.text(spec), value);
+    }
     EXPECT_NE(bound.text(spec), bound.text(TypeParam{}));
     for (const auto& other : entries) {
       if (!other.read || &other == &bound || other.entry.name == "Mode") continue;

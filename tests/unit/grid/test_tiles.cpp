@@ -19,7 +19,7 @@ namespace {
 /// 20 x 12 cells of size 0.5, which take 3 x 2 tiles.
 Scene scene_of_six_tiles() {
   Scene scene;
-  scene.grid = {Mode::plane_strain, {1.0, -2.0, 0.0}, {11.0, 4.0, 0.0}, 0.5};
+  scene.grid = {Mode::plane_strain, {1.0, -2.0, 0.0}, {11.0, 4.0, 0.0}, 0.5, {}};
   scene.conditions.push_back({"floor", Face::y_lower, ConditionKind::symmetry, {}});
   scene.conditions.push_back({"roof", Face::y_upper, ConditionKind::fixed, {}});
   return scene;

@@ -27,7 +27,7 @@ using testing::ObliqueBlocks;
 using testing::start;
 using testing::start_alone;
 
-using Rows = std::vector<std::vector<double>>;
+using Answer = std::vector<std::vector<double>>;
 
 void refine(Scene& scene, const Box& box, int level) {
   scene.grid.level_of_tile = find_tile_levels(scene.grid, {{box, level}});
@@ -43,7 +43,7 @@ ObliqueBlocks even_blocks() {
 }
 
 /// Numbers of the rows in the order of their places, which are the same in two runs to round-off.
-std::vector<std::size_t> order_of_places(const Rows& rows, Mode mode) {
+std::vector<std::size_t> order_of_places(const Answer& rows, Mode mode) {
   const auto place = [&](std::size_t i) {
     const auto cell = [](double x) { return std::llround(x * 1e7); };
     const double z = mode == Mode::three_dimensional ? rows[i][9] : 0.0;
@@ -68,25 +68,30 @@ TEST_P(ContactLevels, AGridThatIsRefinedEverywhereIsTheFineGrid) {
   Scene refined = oblique_blocks(mode, 2.0 * h, 2, even_blocks());
   refine(refined, {{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, 1);
   State expected = start(fine), found = start(refined);
-  const Rows before_expected = all_rows(expected), before_found = all_rows(found);
+  const Answer before_expected = all_rows(expected), before_found = all_rows(found);
   ASSERT_EQ(before_expected.size(), before_found.size());
   const auto first = order_of_places(before_expected, mode),
              second = order_of_places(before_found, mode);
   advance_to(fine, 8e-6, expected);
   advance_to(refined, 8e-6, found);
   EXPECT_NE(sum_over_ranks(*expected.grid.comm, expected.ledger).friction, 0.0);
-  const Rows a = all_rows(expected), b = all_rows(found);
+  const Answer a = all_rows(expected), b = all_rows(found);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const auto &x = a[first[i]], &y = b[second[i]];
-    for (const std::size_t d : {0, 1}) EXPECT_NEAR(x[d], y[d], 1e-12);
-    for (const std::size_t d : {2, 3}) EXPECT_NEAR(x[d], y[d], 1e-7);
+    for (const std::size_t d : {std::size_t{0}, std::size_t{1}}) EXPECT_NEAR(x[d], y[d], 1e-12);
+    for (const std::size_t d : {std::size_t{2}, std::size_t{3}}) EXPECT_NEAR(x[d], y[d], 1e-7);
   }
 }
 
-/// Blocks that meet across the borders between cells of two and three sizes.
+/// Blocks that soon meet across the borders between cells of two and three sizes.
 Scene across_borders(Mode mode) {
   const bool space = mode == Mode::three_dimensional;
-  Scene scene = oblique_blocks(mode, space ? 2e-3 : 1e-3, space ? 2 : 3);
+  ObliqueBlocks blocks;
+  for (Box* box : {&blocks.high, &blocks.beside}) {
+    box->lower[1] = 0.0184;
+    box->upper[1] = 0.0291;
+  }
+  Scene scene = oblique_blocks(mode, 2e-3, 2, blocks);
   refine(scene, {{0.004, 0.016, 0.002}, {0.007, 0.021, 0.004}}, space ? 1 : 2);
   return scene;
 }
@@ -94,55 +99,51 @@ Scene across_borders(Mode mode) {
 TEST_P(ContactLevels, KeepMassAndAxialMomentumAndTheEnergyLedgerCloses) {
   const Scene scene = across_borders(GetParam());
   State state = start(scene);
-  advance_to(scene, 1.2e-5, state);
+  advance_to(scene, 6e-6, state);
   const Ledger ledger = sum_over_ranks(*state.grid.comm, state.ledger);
   EXPECT_NEAR(mass_balance(ledger).error(), 0.0, 1e-14);
   EXPECT_NEAR(momentum_balance(ledger).error(), 0.0, 1e-13);
   EXPECT_NEAR(energy_balance(ledger).error(), 0.0, 1e-4);
   EXPECT_GT(ledger.elastic, 0.01 * ledger.initial_kinetic);
-  EXPECT_GT(ledger.friction, 1e-5 * ledger.initial_kinetic);
+  EXPECT_NE(ledger.friction, 0.0);
 }
 
 TEST_P(ContactLevels, AnyRankCountGivesTheSameBits) {
   const Scene scene = across_borders(GetParam());
   State together = start(scene), alone = start_alone(scene);
-  advance_to(scene, 8e-6, together);
-  advance_to(scene, 8e-6, alone);
+  advance_to(scene, 4e-6, together);
+  advance_to(scene, 4e-6, alone);
   EXPECT_NE(alone.ledger.friction, 0.0);
   EXPECT_EQ(all_rows(alone), all_rows(together));
 }
 
-/// Blocks side by side whose faces touch: the second slides along the first through cells of three
+/// Blocks side by side whose faces touch: the first slides along the second through cells of three
 /// sizes.
 Scene sliding_blocks(Mode mode) {
   Scene scene = box_scene(
-      mode, 1e-3, {0.0, 0.0, 0.0}, {0.024, 0.048, 0.008}, testing::elastic(70e9, 0.3, 2700.0)
+      mode, 1e-3, {0.0, 0.0, 0.0}, {0.024, 0.048, 0.0}, testing::elastic(70e9, 0.3, 2700.0)
   );
   scene.materials.push_back(scene.materials[0]);
-  const double wide = mode == Mode::three_dimensional ? 0.004 : 0.007;
-  add_box(scene, "core", {0.0, 0.012, 0.0}, {wide, 0.028, 0.004}, 2).velocity = {0.0, 100.0, 0.0};
-  add_box(scene, "sleeve", {wide, 0.008, 0.0}, {wide + 0.004, 0.022, 0.004}, 2).material = 1;
+  add_box(scene, "core", {0.0, 0.012, 0.0}, {0.007, 0.028, 0.0}, 2).velocity = {0.0, 100.0, 0.0};
+  add_box(scene, "sleeve", {0.007, 0.008, 0.0}, {0.011, 0.022, 0.0}, 2).material = 1;
   scene.contacts.push_back({"faces", {0, 1}, ContactKind::frictionless, 0.0});
   add_symmetry(scene, Face::x_lower);
-  if (mode == Mode::three_dimensional) add_symmetry(scene, Face::z_lower);
-  refine(
-      scene,
-      {{wide - 0.001, 0.015, 0.0}, {wide + 0.001, 0.020, 0.002}},
-      mode == Mode::three_dimensional ? 1 : 2
-  );
+  refine(scene, {{0.006, 0.015, 0.0}, {0.008, 0.020, 0.0}}, 2);
   return scene;
 }
 
 /// Along a flat face the normals of all nodes are across it, whatever the cells, and nothing
 /// pushes.
-TEST_P(ContactLevels, FacesThatSlidePastEachOtherExchangeNothing) {
-  const Scene scene = sliding_blocks(GetParam());
-  State state = start(scene);
-  advance_to(scene, 4e-6, state);
-  EXPECT_GT(state.clock.step, 30);
-  for (const auto& row : all_rows(state)) {
-    EXPECT_NEAR(row[2], 0.0, 1e-9);
-    EXPECT_NEAR(row[3] * (row[3] - 100.0), 0.0, 1e-7);
+TEST(ContactOfFlatFaces, ExchangesNothingAcrossBordersOfCells) {
+  for (const Mode mode : {Mode::plane_strain, Mode::axisymmetric}) {
+    const Scene scene = sliding_blocks(mode);
+    State state = start(scene);
+    advance_to(scene, 4e-6, state);
+    EXPECT_GT(state.clock.step, 30);
+    for (const auto& row : all_rows(state)) {
+      EXPECT_NEAR(row[2], 0.0, 1e-9);
+      EXPECT_NEAR(row[3] * (row[3] - 100.0), 0.0, 1e-7);
+    }
   }
 }
 

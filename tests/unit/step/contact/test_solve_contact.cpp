@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace barreno {
 namespace {
 
@@ -25,8 +27,18 @@ struct Meeting {
         state(testing::in_tiles(scene, 0.25)) {
     put(0, {1.0, 4.0, 2.0, push, 0.0});
     put(1, {3.0, -12.0, 3.0 * (2.0 + slide), -push, 0.0});
+    detect();
+    set_normal(0, gap);
+  }
+  /// Any bodies, of which nothing is at the node yet.
+  explicit Meeting(Scene of_bodies)
+      : scene(std::move(of_bodies)), state(testing::in_tiles(scene, 0.25)) {}
+
+  void detect() {
     detect_contact_nodes(state.grid, state.fields, state.particles, state.nodes, state.contact);
-    double* const n = testing::normal_at(state, 0, node);
+  }
+  void set_normal(std::size_t pair, double gap) {
+    double* const n = testing::normal_at(state, 0, node, pair);
     n[0] = 1.0;
     n[1] = 0.0;
     n[2] = gap;
@@ -83,6 +95,26 @@ TEST(SolveContact, FrictionIsAtMostItsCoefficientTimesThePressure) {
   Meeting sticks(ContactKind::friction, 0.75, 4.0, 0.0);
   sticks.solve();
   EXPECT_DOUBLE_EQ(sticks.impulse(0)[1], 3.0);
+}
+
+/// The first is pushed by the second until the third, bonded to that, has drawn it away: then no
+/// push may be left.
+TEST(SolveContact, APairTakesBackWhatAnotherPairMakesNeedless) {
+  Scene scene = testing::two_blocks(Mode::plane_strain, 0.5, 0.0, ContactKind::frictionless);
+  scene.materials.push_back(scene.materials[0]);
+  testing::add_box(scene, "third", {3.0, 2.0, 0.0}, {3.5, 3.0, 0.0}, 2).material = 2;
+  scene.contacts.push_back({"other", {0, 2}, ContactKind::stick, 0.0});
+  Meeting m(std::move(scene));
+  ASSERT_EQ(m.state.fields.count, 3);
+  m.put(0, {1.0, 1.0, 0.0});
+  m.put(1, {1.0, 0.0, 0.0});
+  m.put(2, {1.0, 10.0, 0.0});
+  m.detect();
+  for (std::size_t pair = 0; pair < m.state.fields.pairs.size(); ++pair) m.set_normal(pair, 0.0);
+  m.solve();
+  EXPECT_NEAR(1.0 + m.impulse(0)[0], 1.0, 1e-12);
+  EXPECT_NEAR(0.0 + m.impulse(1)[0], 5.0, 1e-12);
+  EXPECT_NEAR(10.0 + m.impulse(2)[0], 5.0, 1e-12);
 }
 
 TEST(SolveContact, SurfacesThatSeparateAreFree) {

@@ -38,9 +38,11 @@ inline void meet(const Scene& scene, State& state) {
 }
 
 /// The normal of a pair at a node of the box, and the gap behind it.
-inline double* normal_at(const State& state, int tile, const std::vector<int>& node) {
+inline double* normal_at(
+    const State& state, int tile, const std::vector<int>& node, std::size_t pair = 0
+) {
   const int components = normal_components(state.grid.patch.dimensions);
-  return &state.contact.normal[0](first_value(state.grid.patch, tile, components)) +
+  return &state.contact.normal[pair](first_value(state.grid.patch, tile, components)) +
          slot_of(state.grid, tile, node) * components;
 }
 

@@ -27,6 +27,7 @@ protected:
     dormancy.motion = 1e-3;
     dormancy.candidate = ArrayView<unsigned char>("candidate", 1);
     dormancy.motionless = ArrayView<unsigned char>("motionless", 1);
+    dormancy.unsolved = ArrayView<unsigned char>("unsolved", 1);
     dormancy.speed = ArrayView<double>("speed", 1);
     dormancy.acceleration = ArrayView<double>("acceleration", 1);
     nodes.sums_kept = ArrayView<unsigned char>("sums_kept", 1);
@@ -39,7 +40,9 @@ protected:
     motion[4 * 7 + 1] = velocity;
     motion[4 * 7 + 3] = change;
   }
-  DormantNodes rule() const { return {state.grid, state.dormancy, state.subcycling, nodes}; }
+  DormantNodes rule(bool first_field = true) const {
+    return {state.grid, state.dormancy, first_field, state.subcycling, nodes};
+  }
 
   State state;
   Nodes nodes;
@@ -71,6 +74,29 @@ TEST_F(DormantNodesTest, BoundsOfTheLastSolveSayWhetherItStaysSo) {
   set_tile_steps(state.grid, 0.5);
   nodes.sums_kept(0) = 0;
   EXPECT_FALSE(rule().stays_motionless(0));
+}
+
+/// Velocity fields are solved one after the other.
+TEST_F(DormantNodesTest, ATileIsMotionlessIfAllFieldsAreAndTheFirstDecidesWhetherItIsSolved) {
+  move(1e-3, 1e-3);
+  EXPECT_TRUE(rule(true).enter(0, motion.data(), false));
+  move(1.5e-3, 0.5e-3);
+  EXPECT_TRUE(rule(false).enter(0, motion.data(), false));
+  EXPECT_EQ(state.dormancy.speed(0), 2e-3);
+  EXPECT_EQ(state.dormancy.acceleration(0), 2e-3);
+  EXPECT_TRUE(rule(true).leaves_unsolved(0));
+  EXPECT_TRUE(rule(false).leaves_unsolved(0));
+  rule(true).enter(0, motion.data(), false);
+  move(5e-3, 0.0);
+  EXPECT_FALSE(rule(false).enter(0, motion.data(), false));
+  EXPECT_EQ(state.dormancy.motionless(0), 0);
+  EXPECT_FALSE(rule(true).leaves_unsolved(0));
+  move(0.0, 0.0);
+  EXPECT_TRUE(rule(true).enter(0, motion.data(), false));
+  EXPECT_FALSE(rule(false).leaves_unsolved(0))
+      << "the bounds of one field are not those of the tile";
+  EXPECT_TRUE(rule(false).enter(0, motion.data(), false));
+  EXPECT_EQ(state.dormancy.motionless(0), 1);
 }
 
 TEST_F(DormantNodesTest, AConditionOnANodeHasItSolvedInEveryStep) {

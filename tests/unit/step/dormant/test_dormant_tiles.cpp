@@ -97,6 +97,7 @@ void expect_same_ledger(const Ledger& a, const Ledger& b) {
   EXPECT_EQ(a.elastic, b.elastic);
   EXPECT_EQ(a.plastic, b.plastic);
   EXPECT_EQ(a.viscous, b.viscous);
+  EXPECT_EQ(a.friction, b.friction);
   EXPECT_EQ(a.boundary_work, b.boundary_work);
   EXPECT_EQ(a.load_impulse, b.load_impulse);
   EXPECT_EQ(a.condition_impulse, b.condition_impulse);
@@ -134,6 +135,27 @@ TEST(DormantTiles, NobodyCanTellInConfinedRock) {
     expect_same_without(confined(mode, true), 0.2);
   }
 }
+/// Two velocity fields, and nodes where both have mass.
+TEST(DormantTiles, NobodyCanTellBesideContact) {
+  for (const Mode mode : all_modes) {
+    Scene scene = confined(mode);
+    scene.contacts.push_back({"faces", {0, 1}, ContactKind::friction, 0.2});
+    expect_same_without(scene, 0.2);
+    scene = impact(mode, sandstone());
+    scene.contacts.push_back({"faces", {0, 1}, ContactKind::frictionless, 0.0});
+    expect_same_without(scene, 0.05);
+  }
+}
+
+/// A rigid body has a field of its own, which is the first here.
+TEST(DormantTiles, NobodyCanTellBesideARigidBody) {
+  Scene scene = impact(Mode::plane_strain, sandstone());
+  scene.bodies[0].motion.prescribed = true;
+  scene.bodies[0].motion.velocity = {0.0, 300.0, 0.0};
+  scene.bodies[0].motion.factor = {{0.0, 1e-6, 2e-6}, {0.0, 0.0, 1.0}};
+  expect_same_without(scene, 0.05);
+}
+
 TEST(DormantTiles, MoreRestWhereRoundOffWakesNobody) {
   for (const MaterialSpec& target : {testing::copper(), sandstone()}) {
     Scene scene = impact(Mode::axisymmetric, target);
@@ -194,7 +216,6 @@ TEST(DormantTiles, AllAreAwakeWhereAFeatureAsksForAll) {
   expect_awake([](Scene& s) { s.step.transfer = Transfer::xpic; });
   expect_awake([](Scene& s) { s.step.transfer = Transfer::apic; });
   expect_awake([](Scene& s) { s.body_force.kind = BodyForceKind::gravity; });
-  expect_awake([](Scene& s) { s.contacts.push_back({"c", {0, 1}, ContactKind::stick, 0.0}); });
   expect_awake([](Scene& s) {
     PressureLoadSpec load;
     load.pressure = {{0.0, 1e-6}, {0.0, 1e6}};

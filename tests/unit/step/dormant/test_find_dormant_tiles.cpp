@@ -38,7 +38,7 @@ void find_candidates(State& state) {
       state.particles,
       state.subcycling,
       state.dormancy,
-      state.nodes.front(),
+      state.nodes,
       state.effort,
       state.clock.time
   );
