@@ -113,6 +113,8 @@ def point(barreno, problem, level, variant, repeat=False):
     """One measurement, as the results hold it; the least time of three if it is repeated and short."""
     knob, name, chosen, per_cell = variant
     out = {"problem": problem.name, "knob": knob, "name": name, "level": level}
+    if knob == "fidelity":  # which may be another one by the time that the page is written
+        out["chosen"] = [chosen, per_cell]
     try:
         (error, second, run), seconds = user_seconds(lambda: problem.measure(barreno, level, chosen, per_cell))
         wall = run.summary["wall_seconds"]
@@ -162,12 +164,13 @@ def measure(barreno, tiny, only):
                 print(json.dumps(points[-1]), flush=True)
     if only:
         stored = as_measured(json.loads(STORED.read_text())["points"])
-        points = [p for p in stored if p["knob"] != only] + points
-    elif not tiny:
-        points += finest_depths(barreno)
+        rest = [p for p in stored if p["knob"] != only]
+    else:
+        rest = []
+        points += finest_depths(barreno) if not tiny else []
     if not tiny:
-        add_costs(points, start_up_seconds(barreno))
-    return points
+        add_costs(points, start_up_seconds(barreno))  # of the others another start-up was taken off
+    return rest + points
 
 
 def finest_depths(barreno):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """docs/trade.md and its pictures, from verification/results/trade.json."""
+import json
 import pathlib
 import statistics
 
@@ -51,7 +52,24 @@ def fidelity_section(data):
             one, base = at.get((p.name, name, p.levels[-1])), at.get((p.name, "balanced", p.levels[-1]))
             cells.append(f"{100 * one['error']:.2g} % ({one['cpu'] / base['cpu']:.2f})" if one and base else "failed")
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines + former_settings(data)) + "\n"
+
+
+def in_words(chosen):
+    said, per_cell = chosen
+    return {**{word: said[word] for word in WORDS[:-1]}, "particles per cell": per_cell, "in the jet": said["Jet"]}
+
+
+def former_settings(data):
+    """Lines: with which settings rows of the fidelities were measured that have others today."""
+    lines = []
+    for name in FIDELITIES:
+        now = in_words(data["chosen"][name])
+        for text in dict.fromkeys(json.dumps(p["chosen"]) for p in data["points"] if p["knob"] == "fidelity" and p["name"] == name):
+            then = in_words(json.loads(text))
+            changed = [f"{word} {then[word]} (now {now[word]})" for word in now if str(then[word]) != str(now[word])]
+            lines += [f"- *{name}*: " + ", ".join(changed)] if changed else []
+    return ["", "Rows of these fidelities were measured with former settings (`trade.py BARRENO --only fidelity --document` measures them anew):", "", *lines] if lines else []
 
 
 def unit_text(problem, level):
