@@ -12,6 +12,7 @@ sys.path[:0] = [str(ROOT / "verification"), str(ROOT / "tests" / "layout")]
 
 import check_links  # noqa: E402
 import pages  # noqa: E402
+import uniform_cells  # noqa: E402
 from case_pictures import curves_of, digest, stored_digest  # noqa: E402
 
 
@@ -42,10 +43,24 @@ class Pages(unittest.TestCase):
         for words in ("`--set \"Time/End Time=1 us\"`", "three ranks", "    run --until \"200 us\"", "<!-- a -->\n\n1 s\n\n<!-- end of a -->\n"):
             self.assertFalse(pages.loose_figures("docs/performance.md", words), words)
 
-
     def test_a_page_of_what_fails_is_found(self):
         with unittest.mock.patch.object(pages, "open_demands", lambda name, full: {}):
             self.assertTrue(any("does not hold" in line for line in pages.failing()))
+
+
+class Intervals(unittest.TestCase):
+    def test_depths_lie_in_the_intervals_of_larger_cells(self):
+        found = uniform_cells.depths()
+        for (cells, time), depth in found.items():
+            low, high = uniform_cells.interval(depth, uniform_cells.TIP / cells)
+            reference = found.get((uniform_cells.REFERENCE, time))
+            if reference and cells >= uniform_cells.REFERENCE:
+                self.assertTrue(low * (1.0 - 1e-12) <= reference <= high * (1.0 + 1e-12), (cells, time))
+
+    def test_errors_are_those_of_the_program_between_measured_sizes_too(self):
+        for cells, low, high in ((1.0, -0.15, -0.03), (2.0, -0.04, 0.02), (2.0**0.5, -0.095, -0.005)):
+            for found, expected in zip(uniform_cells.range_of_errors(cells), (low, high)):
+                self.assertAlmostEqual(found, expected, places=12)
 
 
 class Links(unittest.TestCase):

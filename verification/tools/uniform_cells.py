@@ -2,6 +2,7 @@
 """Depths of perforation.xml with cells of one size (results/perforation_cells.csv), and errors of steady penetration
 (results/steady_penetration.csv): what a depth is compared with."""
 import csv
+import math
 
 from case_list import RESULTS
 
@@ -28,6 +29,31 @@ def doubt():
     found = depths()
     finest = min(cells for cells, _ in found)
     return max(abs(found[REFERENCE, time] / depth - 1.0) for (cells, time), depth in found.items() if cells == finest)
+
+
+def errors_with(cells_per_radius):
+    """Least and greatest error of a depth that was measured with so many cells in the radius of the tip: all of perforation.xml at that size
+    of cells, and steady penetration of the same rock."""
+    found, size = depths(), TIP / cells_per_radius
+    if size == REFERENCE:
+        return -doubt(), doubt()
+    errors = [depth / found[REFERENCE, time] - 1.0 for (cells, time), depth in found.items() if cells == size]
+    rows = [row for row in read("steady_penetration.csv") if float(row["cells_per_radius"]) == cells_per_radius and "sandstone" in row["target"]]
+    return tuple(choose([*errors, *(0.01 * float(row[side]) for row in rows)]) for choose, side in ((min, "low"), (max, "high")))
+
+
+def range_of_errors(cells_per_radius):
+    """The same between the measured sizes, by the logarithm of the cells, as `check` and every run of a jet give it (output/jet/depth_error.cpp)."""
+    measured = sorted({TIP / cells for cells, _ in depths() if cells >= REFERENCE})
+    upper = next((i for i, cells in enumerate(measured) if i > 0 and cells_per_radius <= cells), len(measured) - 1)
+    part = math.log(cells_per_radius / measured[upper - 1]) / math.log(measured[upper] / measured[upper - 1])
+    return tuple(a + part * (b - a) for a, b in zip(errors_with(measured[upper - 1]), errors_with(measured[upper])))
+
+
+def interval(depth, cells_per_radius):
+    """Where a depth lies that was computed with such cells."""
+    low, high = range_of_errors(cells_per_radius)
+    return depth / (1.0 + high), depth / (1.0 + low)
 
 
 def error_text(error):
