@@ -12,6 +12,7 @@ sys.path[:0] = [str(ROOT / "verification"), str(ROOT / "tests" / "layout")]
 
 import check_links  # noqa: E402
 import pages  # noqa: E402
+import depth_aims  # noqa: E402
 import uniform_cells  # noqa: E402
 from case_pictures import curves_of, digest, stored_digest  # noqa: E402
 
@@ -61,6 +62,16 @@ class Intervals(unittest.TestCase):
         for cells, low, high in ((1.0, -0.15, -0.03), (2.0, -0.04, 0.02), (2.0**0.5, -0.095, -0.005)):
             for found, expected in zip(uniform_cells.range_of_errors(cells), (low, high)):
                 self.assertAlmostEqual(found, expected, places=12)
+
+
+class Aims(unittest.TestCase):
+    def test_the_requirement_nearest_to_its_limit_stands_for_an_aim(self):
+        near, far = ({"value": value, "limit": limit, "at_least": at_least} for value, limit, at_least in ((0.9, 1.0, False), (4.0, 1.0, True)))
+        self.assertIs(depth_aims.nearest([(far, "", ""), (near, "", "")])[0], near)
+
+    def test_every_aim_is_a_requirement_of_its_case(self):
+        for aim, which in depth_aims.CASES.items():
+            self.assertTrue(depth_aims.counted(*which), aim)
 
 
 class Links(unittest.TestCase):

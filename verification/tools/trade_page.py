@@ -4,6 +4,7 @@ import json
 import pathlib
 import statistics
 
+from depth_aims import section as aims_of_depth
 from trade_checks import verdict_lines
 from trade_problems import PROBLEMS
 from uniform_cells import depth_table, steady_table
@@ -130,7 +131,7 @@ def check_lines(data):
 
 def page_of(data):
     text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
-    parts = [HEAD + trust(data), fidelity_section(data), text, reading(data), *(table(problem, data) for problem in PROBLEMS), check_lines(data)]
+    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), reading(data), *(table(problem, data) for problem in PROBLEMS), check_lines(data)]
     return "\n".join(parts)
 
 

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What was aimed at for the depth of a jet, and how much of it is reached: a table of docs/trade.md, from results files."""
+import json
+
+from case_list import RESULTS, stored
+from demands import judge_all, open_demands
+
+VERIFY = "verification/verify.py BARRENO --full"
+NOT_MEASURED = "not measured"
+
+# Aim -> case, and the requirements of it that count, by the beginning of their names.
+CASES = {
+    "long rods into metals without strength, two and four cells per radius, equal and refined cells: rate against Bernoulli": ("steady_penetration", ""),
+    "a pulse that runs into smaller cells: what it leaves behind over the uniform grid's own, one step and two parts": ("border_pulse", ""),
+    "refined against uniformly fine cells of 0.25 mm: depth": ("levels", "difference of depth"),
+    "the same: radius of the channel": ("levels", "difference of the channel's radius"),
+    "the same: processor time of the uniform cells over that of the refined ones": ("levels", "processor time"),
+    "*balanced* against cells of 0.25 mm: depths from 10 to 90 us": ("fidelities", "balanced: depths"),
+    "*balanced*: processor time of one core [s]": ("fidelities", "balanced: processor time"),
+    "*fast* against cells of 0.25 mm: depths from 10 to 90 us": ("fidelities", "fast: depths"),
+    "*fast*: processor time of one core [s]": ("fidelities", "fast: processor time"),
+    "steps of several lengths alone, cells of 1 mm: processor time of one step for all over theirs": ("subcycling", "1 mm: processor time"),
+    "the same: depth at 60 and 120 us": ("subcycling", "1 mm: difference of depth"),
+    "pressure of the steel around the hole: difference to the neighbours over pressure": ("casing_pressure", "difference to the neighbours"),
+}
+OTHERS = ("ledger remainder", "energy balance", "axial momentum")  # of these cases, requirements of another kind
+
+# What tests hold, with their bounds; all fail the tests of every build where they do not hold.
+TESTS = (
+    ("constant velocity across levels, in every mode and with every shape function", "1e-13", "at most 1e-11 of the speed: round-off is divided by the mass of nodes that particles hardly reach", "ctest -R step.levels"),
+    ("linear fields at nodes that follow those of coarser cells, in every mode", "1e-13", "equal to the last digit", "ctest -R grid.tiles"),
+    ("a preloaded body on three levels (two in space) at rest: velocity over that of a free face", "1e-9", "at most 1e-9", "ctest -R step.levels"),
+    ("momentum across levels", "1e-13", "at most 1e-13", "ctest -R step.levels"),
+    ("order of a standing wave in a bar that is half refined", "2", "at least 1.8, as on equal cells", "ctest -R step.levels"),
+)
+MISSING = (
+    ("*reference*: interval of the depth and time on two ranks", "2 %, 10 minutes", "not run to its end; `check` says what it costs", "barreno run input_xml/perforation.xml --fidelity reference --ranks 2"),
+    ("long rod into sandstone over 100 jet diameters, four cells per radius: rate against its first value", "2 %", "not run: the table of steady penetration below takes four cells per radius as exact there", "-"),
+    ("two ranks over one on refined cells", "1.7", "with equal cells only: the row above", "-"),
+)
+
+
+def counted(case, start):
+    """[(check, verdict, words)] of a case's requirements that an aim means."""
+    judged, _ = judge_all(stored(case)["checks"], open_demands(case, True))
+    return [one for one in judged if one[0]["what"].startswith(start) and not one[0]["what"].endswith(OTHERS)]
+
+
+def nearest(judged):
+    """The one that is nearest to its limit, or farthest beyond it."""
+    return max(judged, key=lambda one: one[0]["limit"] / one[0]["value"] if one[0]["at_least"] else one[0]["value"] / one[0]["limit"])
+
+
+def case_row(aim, case, start):
+    judged = counted(case, start)
+    check, verdict, words = nearest(judged)
+    limits = sorted({one[0]["limit"] for one in judged})
+    bar = f"{'>=' if check['at_least'] else '<='} " + " or ".join(f"{limit:g}" for limit in limits)
+    return f"| {aim} | {bar} | {check['value']:.3g}{' at worst' if len(judged) > 1 else ''} | {verdict}{': ' + words if words else ''} | `{VERIFY} {case}` |"
+
+
+def two_ranks_row():
+    strong = next(one for one in json.loads((RESULTS / "scaling.json").read_text())["strong"] if one["name"].startswith("perforation"))
+    return f"| two ranks over one, {strong['name']}, equal cells | >= 1.7 | {strong['speedup']:.2f} | {'holds' if strong['speedup'] >= 1.7 else 'missed: docs/performance.md'} | `verification/performance/scaling.py BARRENO` |"
+
+
+def section():
+    lines = ["## What is reached", "", "Aims for the depth of a jet, each with its command; BARRENO is the built program. Of several requirements the one nearest to its limit is shown.", "",
+             "| aim | bar | measured | verdict | command |", "|---|---|---|---|---|"]  # fmt: skip
+    lines += [case_row(aim, *which) for aim, which in CASES.items()]
+    lines += [two_ranks_row()]
+    lines += [f"| {aim} | {bar} | {bound} | held by a test | `{command}` |" for aim, bar, bound, command in TESTS]
+    lines += [f"| {aim} | {bar} | {NOT_MEASURED} | {why} | {command if command == '-' else f'`{command}`'} |" for aim, bar, why, command in MISSING]
+    return "\n".join(lines) + "\n"
