@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of verification cases from their stored rows, as cases.toml says.
+"""Pictures of verification cases from their stored rows, as cases.toml says, and that of depth_cost.py.
 
     case_pictures.py        draw those in docs/pictures that are not of the stored figures
 
@@ -13,11 +13,13 @@ import struct
 import sys
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent)]
+import depth_cost  # noqa: E402
 from case_list import DOCS, cases, stored  # noqa: E402
 
 KEY = "Figures"  # of the digest in the PNG file
 DRAWING = 2  # raised when draw() changes what a picture looks like, so that all are drawn anew
 MARKS = "osD^vP"
+MOST_TICKS = 5  # of an axis whose ticks are the values themselves
 SHORT_SPAN = 200.0  # of a logarithmic axis, below which powers of ten alone would leave it without numbers
 
 
@@ -67,7 +69,7 @@ def stored_digest(file):
 
 
 def number_errors(axis, low, high):
-    """Ticks with numbers on the logarithmic axis of errors, however short it is."""
+    """Ticks with numbers on the logarithmic axis of what was measured, however short it is."""
     from matplotlib.ticker import FormatStrFormatter, LogFormatterSciNotation, LogLocator, NullLocator
 
     parts = (1.0,) if high > SHORT_SPAN * low else (1.0, 3.0) if high > 30.0 * low else (1.0, 2.0, 5.0) if high > 5.0 * low else (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
@@ -89,8 +91,11 @@ def draw(file, title, picture, curves):
     if "over" not in picture:
         axes.set(xscale="log", yscale="log")
         ticks = sorted({x for points in curves.values() for x, _ in points})
-        axes.set_xticks(ticks, [f"{x:g}" for x in ticks])
-        axes.minorticks_off()
+        if len(ticks) > MOST_TICKS:  # measured, not chosen
+            number_errors(axes.xaxis, *axes.get_xlim())
+        else:
+            axes.set_xticks(ticks, [f"{x:g}" for x in ticks])
+            axes.minorticks_off()
         if "slope" in picture:
             x, y = next(iter(curves.values()))[0]
             axes.plot([x, ticks[-1]], [y, y * (ticks[-1] / x) ** picture["slope"]], "k--", lw=0.8, label=f"slope {picture['slope']}")
@@ -111,6 +116,7 @@ def drawn():
         data = stored(name)
         if data and isinstance(entry.get("picture"), dict):
             yield DOCS / "pictures" / file_of(name, entry), data["title"], entry["picture"], curves_of(entry["picture"], data)
+    yield DOCS / "pictures" / depth_cost.FILE, depth_cost.TITLE, depth_cost.PICTURE, depth_cost.curves()
 
 
 def outdated():

@@ -4,6 +4,7 @@ import json
 import pathlib
 import statistics
 
+import depth_cost
 from depth_aims import section as aims_of_depth
 from trade_checks import verdict_lines
 from trade_problems import PROBLEMS
@@ -84,6 +85,9 @@ def depth_lines(depth):
         f"Halving the cells of {depth['cells']:g} mm changes the depth by {100 * depth['doubt']:.1f} %. The error grows with the depth, and the sequence of 2, 1 "
         "and 0.5 mm does not go to a limit with an order: cells of 2 mm are wider than the jet, and at two cells per radius errors of both signs may compensate. "
         "So no depth is extrapolated here (docs/converge.md).", "",
+        "What it costs with equal cells, and with small ones along the jet's path alone ([levels](verification/levels.md), [slug_length](verification/slug_length.md), "
+        "whose times were not measured side by side: they are good to a fifth or so); rock at rest costs nothing on any grid, and early in a run it is most of the equal cells:", "",
+        f"![depth against cost](pictures/{depth_cost.FILE})", "",
         "Error of the rate at which a long rod penetrates steadily, against compressible Bernoulli (metals without strength) or against four cells "
         "per radius (sandstone, 3 to 7 km/s):", "", *steady_table(), "",
         "In rock the channel is two jet radii wide, so that jet, spent jet and wall share nodes, which slows the jet. `barreno check` and every run "
