@@ -45,6 +45,18 @@ def check_page(run):
     assert lines[1] == "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall" and len(lines) > 20, lines[:2]
 
 
+def check_paths(run):
+    """Stress paths at the tip: rock that flows is on its own surface, and 4 us from one time to the next are no path."""
+    command("report", run, "--particles", "near tip")
+    marked = (run / "report" / "index.md").read_text().split("## Stress paths")[1]
+    rows = [line.strip("| ").split(" | ") for line in marked.splitlines() if line.startswith("| ") and "Sandstone" in line]
+    shares = [float(row[8]) for row in rows if row[8] != "none"]
+    assert 1 <= len(rows) <= 3 and shares and max(abs(share - 1.0) for share in shares if share > 0.9) < 0.01 and max(shares) < 1.01, rows
+    assert "The times of particles.e are too far apart for these paths: from one to the next, 4 µs later" in marked, marked
+    said = command("report", run, "--particles", "20000", code=1)
+    assert "--particles has 20000, but the particles of this run are 1 to" in said, said
+
+
 def check_radius(run):
     """Half way down, the wall is in the cell that depth.csv names, or beside it; the hole is as long as the channel to a cell."""
     table, file, deck = read_csv(run / "depth.csv"), ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
@@ -176,6 +188,7 @@ def main():
         check_page(run.folder)
         coarse = check_radius(run.folder)
         check_jet_mass(run.folder)
+        check_paths(run.folder)
         check_script(run.folder)
         check_film(run.folder, folder)
         check_points(barreno, folder)

@@ -15,12 +15,13 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "verification" / name) for name in ("", "tools", "oracles", "cases")] + [str(ROOT / "src" / "python")]
 
+from barreno_report.inks import colour_of  # noqa: E402
+from barreno_report.principal import lode_angle, pressure_and_shear, principal, revolved  # noqa: E402
 from paper_figures import FIGURES, figure  # noqa: E402
-from paper_figures.figure_5 import colour_of, continuous  # noqa: E402
+from paper_figures.figure_5 import axial_radial_hoop  # noqa: E402
 from paper_figures.figure_6 import limit_of  # noqa: E402
 from paper_figures.lab import Lab, Table, least, most, read_table, write_table  # noqa: E402
 from paper_figures.progress import Progress  # noqa: E402
-from paper_figures.surface import lode_angle, pressure_and_shear, principal, revolved  # noqa: E402
 
 
 class Trends(unittest.TestCase):
@@ -145,7 +146,7 @@ class Stresses(unittest.TestCase):
 
     def test_a_path_keeps_its_axes_while_the_largest_stress_changes(self):
         radial, axial = np.array([-1e6, -2e6, -3e6]), np.array([-3e6, -2.5e6, -1e6])
-        found = continuous((radial, axial, np.full(3, -1e6), np.zeros(3)))
+        found = axial_radial_hoop(np.stack([radial, axial, np.full(3, -1e6), np.zeros(3)], axis=-1))
         np.testing.assert_allclose(found[:, 0], [3.0, 2.5, 1.0])
         np.testing.assert_allclose(found[:, 1], [1.0, 2.0, 3.0])
 

@@ -5,17 +5,17 @@ import contextlib
 
 import matplotlib.pyplot as plt
 import numpy as np
+from barreno_report.inks import PRESSURES, colour_of, draw_inks
+from barreno_report.principal import ACROSS, AXIS, UP, along_path, lode_angle, pressure_and_shear, principal, revolved, tensors
 from barreno_report.run import Run
 from barreno_report.strength import Strength
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import ListedColormap
 from paper_figures.figure_3 import CARD
 from paper_figures.lab import MEGA, MICRO, MILLI, Table, least
-from paper_figures.surface import ACROSS, AXIS, UP, card_numbers, lode_angle, pressure_and_shear, principal, revolved
+from paper_figures.surface import card_numbers
 
 TABLES = ("paper_5", "paper_5_paths")
 DECK = "tip.xml"
-PRESSURES, SHEARS = (30.0, 3000.0), (10.0, 600.0)  # MPa: from white to full ink, logarithmic
 TIPS = (6.0, 8.0, 10.0)  # mm: distances from the axis of the particles whose paths are drawn
 DEPTH = 12.0  # mm, of these particles
 BAND = 5.0  # degrees
@@ -24,18 +24,6 @@ NEAR = 12.0  # mm from the tip: rock that is counted
 STRESSES = ("stress_xx", "stress_yy", "stress_zz", "stress_xy")
 CLOSE = 460.0  # MPa, of the closer octahedral view
 COLOURS = ("#d62728", "#ff9f1c", "#2a9d8f")
-
-
-def ink(value, ends):
-    """0 to 1 on a logarithmic scale."""
-    return np.clip(np.log(np.maximum(value, 1e-9) / ends[0]) / np.log(ends[1] / ends[0]), 0.0, 1.0)
-
-
-def colour_of(pressure, shear):
-    """Four inks: cyan of the pressure, magenta of the shear stress, black of both, yellow of tension; MPa."""
-    cyan, magenta = ink(pressure, PRESSURES), ink(shear, SHEARS)
-    yellow, black = (np.asarray(pressure) < 0.0).astype(float), 0.45 * cyan * magenta
-    return np.clip(np.stack([1.0 - 0.9 * cyan, 1.0 - 0.85 * magenta, 1.0 - 0.9 * yellow], axis=-1), 0.0, 1.0) * (1.0 - black)[..., None]
 
 
 def stresses(frame):
@@ -79,19 +67,9 @@ def followed(run):
     return {distance: int(rock[np.argmin(np.hypot(centre[:, 0] - distance, centre[:, 1] - DEPTH))]) for distance in TIPS}
 
 
-def continuous(components):
-    """Principal stresses along a path, each that whose direction is nearest to the one before: axial, radial, hoop; compression positive, MPa.
-    The stress of the file is that of the unrotated particle, so a turn of the rock is none of the axes."""
-    xx, yy, zz, xy = (-np.array(values) / MEGA for values in components)
-    middle, radius, angle = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy), 0.5 * np.arctan2(2.0 * xy, xx - yy)
-    out, before = [], 0.5 * np.pi  # the axial direction
-    for m, r, larger, hoop in zip(middle, radius, angle, zz):
-        candidates = [(larger, m + r), (larger + 0.5 * np.pi, m - r)]
-        turned = [abs((a - before + 0.5 * np.pi) % np.pi - 0.5 * np.pi) for a, _ in candidates]
-        own = int(np.argmin(turned))
-        before = candidates[own][0] if r > 1.0 else before
-        out.append((candidates[own][1], candidates[1 - own][1], hoop))
-    return np.array(out)
+def axial_radial_hoop(components):
+    """Principal stresses along a path, MPa: each that whose direction is nearest to the one before."""
+    return along_path(tensors(*components.T))[:, [1, 0, 2]] / MEGA
 
 
 def paths(run, elements):
@@ -103,7 +81,7 @@ def paths(run, elements):
         for distance, element in elements.items():
             if frame.alive[element]:
                 collected[distance].append((time, *(float(v[element]) for v in values)))
-    return {distance: (np.array(rows)[:, 0], continuous(np.array(rows)[:, 1:].T)) for distance, rows in collected.items()}
+    return {distance: (np.array(rows)[:, 0], axial_radial_hoop(np.array(rows)[:, 1:])) for distance, rows in collected.items()}
 
 
 def measure(lab):
@@ -165,16 +143,12 @@ def draw_map(axes, run):
 
 
 def draw_legend(axes):
-    pressure, shear = np.geomspace(PRESSURES[0] / 3.0, PRESSURES[1], 120), np.geomspace(SHEARS[0] / 2.0, SHEARS[1], 120)
-    colours = colour_of(*np.meshgrid(pressure, shear))
-    number = np.arange(colours[..., 0].size).reshape(colours.shape[:2])
-    axes.pcolormesh(pressure, shear, number, cmap=ListedColormap(colours.reshape(-1, 3)), vmin=-0.5, vmax=number.size - 0.5, rasterized=True)
+    draw_inks(axes)
     numbers = card_numbers(CARD)
     strength = Strength(lambda name: numbers.get(name, float("nan")))
     for plastic, style, label in ((0.0, "k-", "yield surface of virgin rock"), (-np.inf, "k--", "pores closed")):
         p, q = strength.curve(plastic, PRESSURES[1] * MEGA, 4000)
         axes.plot(p / MEGA, q / MEGA, style, lw=1.4, label=label)
-    axes.set(xscale="log", yscale="log", xlim=(pressure[0], pressure[-1]), ylim=(shear[0], shear[-1]), xlabel="pressure [MPa]", ylabel=r"$\sqrt{J_2}$ [MPa]", title="colours (tension: yellow)")
     axes.legend(fontsize=8, loc="upper left")
 
 

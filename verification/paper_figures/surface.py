@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Principal stresses, the Lode angle, and Arenisca's yield surface in principal stress space. Compression is positive here."""
+"""Arenisca's card, and its yield surface in principal stress space. Compression is positive here."""
 import xml.etree.ElementTree as xml
 
 import matplotlib.pyplot as plt
 import numpy as np
+from barreno_report.principal import revolved
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
 MEGA = 1e6
-AXIS = np.ones(3) / np.sqrt(3.0)  # the hydrostat
-# In the octahedral plane: the first principal stress upwards.
-UP = np.array([2.0, -1.0, -1.0]) / np.sqrt(6.0)
-ACROSS = np.array([0.0, 1.0, -1.0]) / np.sqrt(2.0)
 
 
 def card_numbers(card):
@@ -27,33 +24,6 @@ def card_numbers(card):
         found.setdefault(name, 0.0)
     found.setdefault("CR", 0.5)
     return found
-
-
-def principal(xx, yy, zz, xy):
-    """Principal stresses of stresses in a plane and normal to it (tension positive): compression positive, largest first."""
-    middle, radius = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy)
-    return -np.sort(np.stack([middle + radius, middle - radius, zz], axis=-1), axis=-1)
-
-
-def lode_angle(stress):
-    """Degrees from triaxial compression (0) through pure shear (30) to triaxial extension (60), of sorted principal stresses."""
-    first, second, third = np.moveaxis(stress, -1, 0)
-    return np.degrees(np.arctan2(np.sqrt(3.0) * (second - third), 2.0 * first - second - third))
-
-
-def pressure_and_shear(stress):
-    """Mean stress and sqrt(J2)."""
-    mean = stress.mean(axis=-1)
-    return mean, np.sqrt(0.5 * np.sum((stress - mean[..., None]) ** 2, axis=-1))
-
-
-def revolved(p, q, angles=73):
-    """The surface of a meridian (p, sqrt(J2)) that does not depend on the Lode angle: three arrays (points, angles)."""
-    angle = np.linspace(0.0, 2.0 * np.pi, angles)
-    along = np.sqrt(3.0) * p[:, None] * np.ones_like(angle)
-    out = np.sqrt(2.0) * q[:, None]
-    point = along[..., None] * AXIS + (out * np.cos(angle))[..., None] * UP + (out * np.sin(angle))[..., None] * ACROSS
-    return np.moveaxis(point, -1, 0)
 
 
 def draw_surface(axes, strength, plastic, alpha, points=120, most=np.inf):

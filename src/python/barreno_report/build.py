@@ -9,8 +9,10 @@ from barreno_report.fields import PLASTIC_STRAIN, check_field, known_fields
 from barreno_report.files import make_folder, reading, written, write_text
 from barreno_report.pages import as_html, as_markdown, write_pdf
 from barreno_report.paraview import view_script
+from barreno_report.path_section import chosen_paths
 from barreno_report.run import opened
-from barreno_report.sections import all_sections
+from barreno_report.sections import all_sections, tip_of
+from barreno_report.strength_picture import NEAR
 from barreno_runs.faults import on_one_line
 
 
@@ -22,6 +24,7 @@ class Wishes:
     right: str = ""
     time: float = None  # [s]; the last one
     depths: list = dataclasses.field(default_factory=list)  # of rings around the hole [m]; three in rock
+    particles: str = None  # whose stress paths are shown, as --particles says it
     pdf: bool = False
 
 
@@ -34,6 +37,17 @@ def fields_of(run, wishes):
             check_field(option, name, known)
     strain = next((name for name in PLASTIC_STRAIN if name in known), "shear_stress")
     return wishes.left or "pressure", wishes.right or strain
+
+
+def paths_wished(run, wishes):
+    """Stress paths, read before anything is written; none unless they are asked for."""
+    if wishes.particles is None:
+        return []
+    table = run.depth_table()
+    with run.particles_read():
+        frame = run.frame(wishes.time)
+        tip = tip_of(run, table, frame)
+        return chosen_paths(run, wishes.particles, frame, tip, NEAR * tip[2] if tip else 0.0)
 
 
 def save(picture, folder):
@@ -58,10 +72,11 @@ def make_report(folder, wishes=None):
     with opened(folder) as run:
         fields = fields_of(run, wishes)
         run.step_at(wishes.time)
+        paths = paths_wished(run, wishes)
         target = run.folder / "report"
         make_folder(target)
         try:
-            sections = all_sections(run, fields, wishes.time, wishes.depths, target)
+            sections = all_sections(run, fields, wishes, paths, target)
             with reading(run.folder / "summary.json"):
                 title = on_one_line(run.summary.get("title") or run.folder.resolve().name)
             write_pages(title, sections, target, wishes.pdf)

@@ -45,6 +45,26 @@ class ParticleFile:
         blocks = [block] if block is not None else range(len(self.sizes))
         return [name for i, name in enumerate(self.names, 1) if any(f"vals_elem_var{i}eb{b + 1}" in self.data.variables for b in blocks)]
 
+    @functools.cached_property
+    def numbers(self):
+        """Numbers of the elements, which ParaView shows as their global ids; the same of a particle in every run of its deck."""
+        known = self.data.variables.get("elem_num_map")
+        return np.arange(1, self.elements + 1) if known is None else np.array(known[:])
+
+    def series(self, name, element):
+        """Values of one element at all times; nan in a block that does not carry them."""
+        block = int(self.block[element])
+        key = f"vals_elem_var{self.names.index(name) + 1}eb{block + 1}" if name in self.names else ""
+        if key not in self.data.variables:
+            return np.full(len(self.times), np.nan)
+        return np.array(self.data.variables[key][:, element - sum(self.sizes[:block])], float)
+
+    def track(self, element):
+        """(time, axis): the centre of an element at all times."""
+        nodes = len(self.start[0]) // self.elements
+        own = slice(element * nodes, (element + 1) * nodes)
+        return np.stack([start[own].mean() + self.data.variables[f"vals_nod_var{axis}"][:, own].mean(axis=1) for axis, start in enumerate(self.start, 1)], axis=-1)
+
     def radius(self):
         """Half of the size at the start of particles that the file has as plain points; nan without."""
         parts = [self.data.variables.get(f"attrib{b}") for b in range(1, len(self.sizes) + 1)]

@@ -11,6 +11,7 @@ from barreno_report.files import reading
 from barreno_report.hole import cell_along_path, face_of
 from barreno_report.hole_section import hole_section
 from barreno_report.numbers import depth_interval, depth_text, numerical_shares, resolution_rows, run_rows
+from barreno_report.path_section import path_section
 from barreno_report.penetration import STOPPED, depth_and_rate, jet_shares, launched_share
 from barreno_report.section import Picture, Section
 from barreno_report.strength_picture import NEAR, strength_figure
@@ -129,20 +130,22 @@ def phases_section(run):
     return [Section("Phases", rows)] if rows else []
 
 
-def particle_sections(run, fields, time, depths, table, folder):
+def particle_sections(run, fields, wishes, paths, table, folder):
     with run.particles_read():
-        frame = run.frame(time)
+        frame = run.frame(wishes.time)
+        tip = tip_of(run, table, frame)
         sections = [channel_section(run, frame, fields, table)]
-        if table is not None and tip_of(run, table, frame):
-            sections += [hole_section(frame, run.deck, table, depths, folder), strength_section(run, frame, table)]
+        if tip:
+            sections += [hole_section(frame, run.deck, table, wishes.depths, folder), strength_section(run, frame, table)]
+        if paths:
+            sections.append(path_section(run, frame, paths, tip_box(tip, run.deck) if tip and run.deck.mirrored() else None, folder))
     return [section for section in sections if section]
 
 
-def all_sections(run, fields, time, depths, folder):
+def all_sections(run, fields, wishes, paths, folder):
     """In their order on the page.
 
-    @param time    of the pictures of particles, None: the last
-    @param depths  of rings around the hole, none: three in rock
+    @param paths  stress paths to show
     """
     table = run.depth_table()
     # What costs least comes first: a file that is damaged shows early.
@@ -151,5 +154,5 @@ def all_sections(run, fields, time, depths, folder):
     if table is not None:
         with reading(run.folder / "depth.csv"):
             depth = [depth_section(run, table)]
-    channel, *around = particle_sections(run, fields, time, depths, table, folder)
+    channel, *around = particle_sections(run, fields, wishes, paths, table, folder)
     return [summary, channel, *depth, *around, energy, *phases]

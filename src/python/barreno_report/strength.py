@@ -1,14 +1,43 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The limit surface of Arenisca from the parameters of a card (docs/materials/arenisca.md, Strength): sqrt(J2) against pressure."""
 
+import copy
+
 import numpy as np
+
+
+def lode_shape(kind, psi):
+    """Gamma of a Lode angle in degrees, 0 in triaxial compression and 60 in extension.
+
+    @param kind  J3_type  @param psi  J3_psi
+    """
+    if kind not in ("Gudehus", "Willam-Warnke", "Mohr-Coulomb"):
+        return np.ones_like
+    if kind == "Gudehus":
+        return lambda lode: 2.0 / ((1.0 + np.cos(np.radians(3.0 * lode))) + (1.0 - np.cos(np.radians(3.0 * lode))) / psi)
+    theta = lambda lode: np.radians(60.0 - lode)  # noqa: E731  the angle of the published formulas
+    if kind == "Mohr-Coulomb":
+        return lambda lode: 1.0 / (np.cos(theta(lode)) / psi + (2.0 - 1.0 / psi) * np.sin(theta(lode)) / np.sqrt(3.0))
+    k, n = 1.0 - psi**2, 2.0 * psi - 1.0
+
+    def willam_warnke(lode):
+        cosine = np.cos(theta(lode))
+        root = np.sqrt(np.maximum(4.0 * k * cosine**2 + psi * (5.0 * psi - 4.0), 0.0))
+        if psi > 1.0:  # the same rationalised: the other form is 0/0 within the range
+            return (k - n * n) / (2.0 * k * cosine - n * root)
+        return (2.0 * k * cosine + n * root) / (4.0 * k * cosine**2 + n * n)
+
+    return willam_warnke
 
 
 class Strength:
     """Meridian of triaxial compression at a particle's mean strength; for rock with a fluid of the effective stress."""
 
-    def __init__(self, number):
-        """@param number  a function that gives a parameter by its published name, nan where it is missing"""
+    def __init__(self, number, shape=np.ones_like):
+        """@param number  a function that gives a parameter by its published name, nan where it is missing
+        @param shape   of lode_shape
+        """
+        self.shape = shape
         self.peak, self.FSLOPE, self.STREN, self.YSLOPE = (number(name) for name in ("PEAKI1", "FSLOPE", "STREN", "YSLOPE"))
         self.CR, self.p0, self.p1, self.p3 = (number(name) for name in ("CR", "p0_crush_curve", "p1_crush_curve", "p3_crush_curve"))
         if not np.isfinite([self.peak, self.FSLOPE, self.STREN, self.YSLOPE]).all():
@@ -29,15 +58,26 @@ class Strength:
             return -np.inf
         return self.p0 + np.log1p(e / self.p3) / self.p1 if e <= 0.0 else self.p0 * (1.0 + e) ** (1.0 / (self.p0 * self.p1 * self.p3))
 
-    def curve(self, e, most, points=400):
-        """(p, q) of the surface at a volumetric plastic strain, up to a pressure."""
+    def scaled(self, coherence):
+        """Of a particle whose vertex is so many times PEAKI1."""
+        other = copy.copy(self)
+        other.peak = coherence * self.peak
+        return other
+
+    def shear_at(self, p, e):
+        """sqrt(J2) in triaxial compression at a pressure and a volumetric plastic strain; 0 beyond vertex and cap."""
+        x = -3.0 * np.asarray(p, float)
         X = self.hydrostatic_strength(e)
-        x = np.linspace(self.peak, max(X, -3.0 * most), points)
         cap = np.ones_like(x)
         if np.isfinite(X):
             kappa = self.peak - self.CR * (self.peak - X)
             cap = np.where(x < kappa, 1.0 - ((kappa - x) / (kappa - X)) ** 2, 1.0)
-        return -x / 3.0, np.maximum(self.limit(x), 0.0) * np.sqrt(np.maximum(cap, 0.0))
+        return np.where(x <= self.peak, np.maximum(self.limit(x), 0.0) * np.sqrt(np.maximum(cap, 0.0)), 0.0)
+
+    def curve(self, e, most, points=400):
+        """(p, q) of the surface at a volumetric plastic strain, up to a pressure."""
+        p = -np.linspace(self.peak, max(self.hydrostatic_strength(e), -3.0 * most), points) / 3.0
+        return p, self.shear_at(p, e)
 
 
 def strength_of(deck, material):
@@ -45,6 +85,7 @@ def strength_of(deck, material):
     if not deck.text(f"Materials/{material}/Model").startswith("Arenisca"):
         return None
     try:
-        return Strength(lambda name: deck.number(f"Materials/{material}/{name}"))
+        shape = lode_shape(deck.text(f"Materials/{material}/J3_type"), deck.number(f"Materials/{material}/J3_psi", 1.0))
+        return Strength(lambda name: deck.number(f"Materials/{material}/{name}"), shape)
     except ValueError:
         return None

@@ -19,6 +19,7 @@ def report_parser():
     parser.add_argument("--right", default="", metavar="FIELD", help="field at the right (default equivalent_plastic_strain)")
     parser.add_argument("--time", default="", metavar="TIME", help='of the pictures of particles, for example "30 us": the nearest that particles.e has (default: the last)')
     parser.add_argument("--depths", default="", metavar="LIST", help='below the outer face, of porosity against radius: "30 mm, 60 mm" (default: three in rock)')
+    parser.add_argument("--particles", metavar="near tip|ID,...", help='stress paths of particles at the tip of the hole, "near tip", or by their numbers (as ParaView shows them): "120,340"')
     parser.add_argument("--pdf", action="store_true", help="report.pdf too")
     return parser
 

@@ -60,10 +60,16 @@ def moved(centres, motion, step=1e-7):
     return at[:, None, :] + half * sum(SQUARE[:, i][None, :, None] * along[i][:, None, :] for i in (0, 1))
 
 
+def stresses(p, q):
+    """Fields of rock in triaxial compression along y: a pressure and sqrt(J2)."""
+    side, along = q / np.sqrt(3.0) - p, -2.0 * q / np.sqrt(3.0) - p
+    return {"pressure": p, "shear_stress": q + 0.0 * p, "stress_xx": side, "stress_yy": along, "stress_zz": side, "stress_xy": 0.0 * p}
+
+
 def rock(centres, end=None, e=0.0, ratio=1.0):
     ones = np.ones(len(centres))
     fields = {
-        "pressure": 1e8 * ones, "shear_stress": 5e7 * ones, "density": 2120.0 * ones, "volume_ratio": ratio * ones, "velocity_x": 0.0 * ones,
+        **stresses(1e8 * ones, 5e7), "density": 2120.0 * ones, "volume_ratio": ratio * ones, "velocity_x": 0.0 * ones,
         "velocity_y": 0.0 * ones, "plastic_volume_strain": e * ones, "equivalent_plastic_strain": 0.1 * ones,
     }  # fmt: skip
     start = squares(centres, 0.5 * CELL / PER_CELL)
@@ -73,7 +79,7 @@ def rock(centres, end=None, e=0.0, ratio=1.0):
 def jet(centres, speed, half=0.25 * CELL / PER_CELL):
     ones = np.ones(len(centres))
     fields = {
-        "pressure": 0.0 * ones, "shear_stress": 0.0 * ones, "density": 17600.0 * ones, "volume_ratio": ones, "velocity_x": 0.0 * ones,
+        **stresses(0.0 * ones, 0.0), "density": 17600.0 * ones, "volume_ratio": ones, "velocity_x": 0.0 * ones,
         "velocity_y": speed * ones, "plastic_strain": ones,
     }  # fmt: skip
     return Block("Tungsten", squares(np.zeros_like(centres), 0.0), squares(centres, half), fields, launched=True)
