@@ -36,6 +36,8 @@ std::vector<double> ExodusWriter::pack_rows(
     const Scene& scene, const State& state, std::size_t set, std::vector<int>& counts
 ) const {
   const HostParticles particles(state.particles[set]);
+  const MaterialSpec& material = scene.materials[set];
+  const CellsAndSteps own(optional_fields(scene, material), state.grid, state.particles[set]);
   const std::size_t width = row_width(scene, set);
   const auto ranks = static_cast<int>(counts.size());
   std::vector<int> holders(static_cast<std::size_t>(particles.count));
@@ -51,7 +53,7 @@ std::vector<double> ExodusWriter::pack_rows(
     } else {
       particles.append_corners(p, values);
     }
-    append_particle_fields(particles, p, scene.materials[set].density(), values);
+    append_particle_fields(particles, p, material.density(), own, values);
     double size = 1.0;
     for (int d = 0; d < dimensions_; ++d) size *= particles.half_size(p, d);
     values.push_back(std::pow(size, 1.0 / dimensions_));

@@ -129,7 +129,41 @@ void HostParticles::append_corners(int p, std::vector<double>& values) const {
 }
 
 OptionalFields optional_fields(const Scene& scene, const MaterialSpec& material) {
-  return {follows_deformation(scene), scene.pore_flow.on() && material.is_porous()};
+  OptionalFields fields;
+  fields.clipped = follows_deformation(scene);
+  fields.darcy_velocity = scene.pore_flow.on() && material.is_porous();
+  fields.cell_size = !scene.grid.level_of_tile.empty();
+  fields.step_length = scene.step.subcycles > 1;
+  return fields;
+}
+
+CellsAndSteps::CellsAndSteps(
+    const OptionalFields& wanted, const Grid& grid, const Particles& particles
+) {
+  if (!wanted.cell_size && !wanted.step_length) return;
+  const auto key = on_host(particles.key);
+  const auto frame = on_host(grid.tile_frame);
+  const auto position = on_host(particles.position.values);
+  const CellLattice lattice(grid);
+  for (int p = 0; p < particles.count; ++p) {
+    double size = grid.cell_size, step = 0.0;
+    if (is_placed(key(p))) {
+      const TileFrame& tile = frame(index_of(key(p)) / grid.patch.cells);
+      size = tile.cell_size;
+      step = tile.dt;
+    } else if (grid.is_refined()) {  // before the first step: of the tile around it
+      const int tile = lattice.cell_of_level([&](int d) { return position(p, d); }, 0).tile;
+      size /= 1 << grid.host_level_of_tile[static_cast<std::size_t>(tile)];
+    }
+    if (wanted.cell_size) cell_size.push_back(size);
+    if (wanted.step_length) step_length.push_back(step);
+  }
+}
+
+void CellsAndSteps::append(int p, std::vector<double>& values) const {
+  const auto row = static_cast<std::size_t>(p);
+  if (!cell_size.empty()) values.push_back(cell_size[row]);
+  if (!step_length.empty()) values.push_back(step_length[row]);
 }
 
 std::vector<std::string> particle_field_names(
@@ -146,12 +180,18 @@ std::vector<std::string> particle_field_names(
   if (optional.clipped) names.emplace_back("domain_clipped");
   if (optional.darcy_velocity)
     for (int d = 0; d < dimensions; ++d) names.push_back(std::string("darcy_velocity_") + "xyz"[d]);
+  if (optional.cell_size) names.emplace_back("cell_size");
+  if (optional.step_length) names.emplace_back("step_length");
   for (const HistoryField& field : material.history_table()) names.emplace_back(field.name);
   return names;
 }
 
 void append_particle_fields(
-    const HostParticles& particles, int p, double reference_density, std::vector<double>& values
+    const HostParticles& particles,
+    int p,
+    double reference_density,
+    const CellsAndSteps& own,
+    std::vector<double>& values
 ) {
   const Sym3 s = stress_of(particles, p);
   const double pressure = -trace(s) / 3.0;
@@ -174,6 +214,7 @@ void append_particle_fields(
   if (particles.clipped.extent(1) > 0) values.push_back(particles.clipped(p, 0));
   for (std::size_t d = 0; d < particles.darcy_velocity.extent(1); ++d)
     values.push_back(particles.darcy_velocity(p, d));
+  own.append(p, values);
   for (std::size_t c = 0; c < particles.history.extent(1); ++c)
     values.push_back(particles.history(p, c));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "grid/grid.hpp"
 #include "scene/scene.hpp"
 #include "state/particles.hpp"
 
@@ -53,8 +54,20 @@ struct HostParticles {
 struct OptionalFields {
   bool clipped = false;         ///< `domain_clipped`
   bool darcy_velocity = false;  ///< of the pore fluid, where it drains
+  bool cell_size = false;       ///< where cells are of several sizes
+  bool step_length = false;     ///< where steps are (Step/Subcycles)
 };
 OptionalFields optional_fields(const Scene& scene, const MaterialSpec& material);
+
+/// Size of the cell and length of the step that each row of a set had last, where these differ
+/// between particles; empty without. No step: 0.
+struct CellsAndSteps {
+  CellsAndSteps() = default;
+  CellsAndSteps(const OptionalFields& wanted, const Grid& grid, const Particles& particles);
+  std::vector<double> cell_size, step_length;
+
+  void append(int p, std::vector<double>& values) const;
+};
 
 /// Element variables of a material in files: the common ones, then the optional ones, then the
 /// model's history by its own names.
@@ -64,7 +77,11 @@ std::vector<std::string> particle_field_names(
 
 /// Their values for one particle, in that order; `status` is 1.
 void append_particle_fields(
-    const HostParticles& particles, int p, double reference_density, std::vector<double>& values
+    const HostParticles& particles,
+    int p,
+    double reference_density,
+    const CellsAndSteps& own,
+    std::vector<double>& values
 );
 
 }  // namespace barreno

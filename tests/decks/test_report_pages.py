@@ -158,10 +158,24 @@ def check_points(barreno, folder):
 
 
 def check_refined(barreno, folder, coarse):
-    """The hole is measured in the cells along the path."""
-    run = run_deck(barreno, "perforation_quick.xml", {**SHORT, "Time/End Time": "4 us", "Jet/Cells Per Radius": "1"}, folder=folder / "refined")
-    command("report", run.folder)
+    """The hole is measured in the cells along the path, and cells and steps are fields."""
+    settings = {**SHORT, "Time/End Time": "4 us", "Jet/Cells Per Radius": "1", "Step/Subcycles": "4", "Step/Courant Fraction": "0.8"}
+    run = run_deck(barreno, "perforation_quick.xml", settings, folder=folder / "refined")
+    command("report", run.folder, "--left", "cell_size", "--right", "step_length")
     assert check_radius(run.folder).cell == 0.5 * coarse.cell
+    check_levels(run.folder, coarse.cell)
+
+
+def check_levels(run, whole):
+    """Small cells lie along the axis and large ones beside them; steps of tiles are 1, 2 or 4 parts, the shortest of them where small cells are."""
+    file = ParticleFile(run / "particles.e")
+    frame = file.frame()
+    size, step = frame.of_alive(["cell_size"]), frame.of_alive(["step_length"])
+    assert set(np.round(size / whole, 12)) == {0.5, 1.0}, set(size)
+    assert size[frame.centres[:, 0] < 2.0 * whole].max() == 0.5 * whole and size[frame.centres[:, 0] > 20.0 * whole].min() == whole
+    part = float(file.data.variables["vals_glo_var"][-1][1])  # time_step
+    assert set(np.round(step / part, 6)) <= {1.0, 2.0, 4.0} and step[size < whole].min() == step.min(), (set(step), part)
+    assert (file.frame(0).of_alive(["step_length"]) == 0.0).all() and set(file.frame(0).of_alive(["cell_size"])) == set(size)
 
 
 def check_space(barreno, folder):

@@ -6,6 +6,7 @@ import dataclasses
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
+from matplotlib.colors import LogNorm
 from matplotlib.lines import Line2D
 
 from barreno_report.fields import look_of, range_of, values_of
@@ -16,6 +17,7 @@ MILLI, MICRO = 1e-3, 1e-6
 WITHOUT = "0.75"  # colour of a material that does not carry the field
 VOID = "#e3ebf1"  # unlike the ends and the middles of the colours
 WHOLE, CLOSE = 98.5, 96.0  # percent of the area that the colours tell apart, of all and of a part
+MOST_TICKS = 8
 JET = "#d62728"
 BAR, BAR_GAP = 0.22, 0.95  # inches: a bar of colours, and room for the numbers and the name of an axis beside it
 BODY_LINES = ("black", "#7a3b00", "#005f73", "#5a189a", "#386641")
@@ -37,13 +39,15 @@ def draw_edges(axes, shapes):
     axes.add_collection(PolyCollection(compact, facecolors="none", edgecolors="0.35", linewidths=0.2, rasterized=True))
 
 
-def draw_quads(axes, shapes, values, colours, limits, edges=False):
-    """Quadrangles in the colours of their values; grey where there is none."""
-    known = np.isfinite(values)
+def draw_quads(axes, shapes, values, colours, limits, edges=False, doubling=False):
+    """Quadrangles in the colours of their values, or of their logarithms (Look.doubling); grey where there is none."""
+    known = np.isfinite(values) & (values > 0.0) if doubling else np.isfinite(values)
     # Lines between neighbours would show through the gaps of antialiasing.
     plain = {"edgecolors": "none", "linewidths": 0, "antialiased": False, "rasterized": True}
     axes.add_collection(PolyCollection(shapes[~known], facecolors=WITHOUT, **plain))
     quads = PolyCollection(shapes[known], array=values[known], cmap=colours, **plain)
+    if doubling:
+        quads.set_norm(LogNorm(*limits))
     quads.set_clim(*limits)
     axes.add_collection(quads)
     if edges:
@@ -66,7 +70,7 @@ def draw_half(axes, frame, deck, half, box=None, edges=False):
     values = values_of(frame, deck, half.field)[of] / look.scale
     seen = inside(shapes, box)
     limits = half.limits or range_of(values[seen], areas_of(shapes[seen]), look, WHOLE if box is None else CLOSE)
-    return draw_quads(axes, shapes / MILLI * np.array([half.mirror, 1.0]), values, look.colours, limits, edges), look.label
+    return draw_quads(axes, shapes / MILLI * np.array([half.mirror, 1.0]), values, look.colours, limits, edges, look.doubling), look.label
 
 
 def line_of(frame, deck, block):
@@ -107,11 +111,24 @@ def set_limits(axes, frame, deck, box=None):
         axes.invert_yaxis()
 
 
+def doubling_values(quads):
+    """The values of a field that is coloured by logarithms, for its bar; none of other fields, and of too many."""
+    if not isinstance(quads.norm, LogNorm):
+        return []
+    # Of steps, ends of a run's intervals leave values that differ in their last digits.
+    values = sorted({float(f"{value:.3g}") for value in np.unique(quads.get_array())})
+    return values if len(values) <= MOST_TICKS else []
+
+
 def draw_bar(figure, axes, quads, label, side, wide):
     """A bar of colours at a side of axes that are so many inches wide."""
     at = -(BAR_GAP + BAR) / wide if side == "left" else 1.0 + 0.5 * BAR / wide
     place = axes.inset_axes([at, 0.2, BAR / wide, 0.6])
-    bar = figure.colorbar(quads, cax=place, label=label, extend="both")
+    values = doubling_values(quads)
+    bar = figure.colorbar(quads, cax=place, label=label, extend="neither" if len(values) else "both")
+    if len(values):
+        bar.set_ticks(values, labels=[f"{value:.3g}" for value in values])
+        bar.minorticks_off()
     place.yaxis.set_ticks_position(side)
     place.yaxis.set_label_position(side)
     bar.solids.set_edgecolor("face")

@@ -18,8 +18,10 @@ UNITS = {  # beginning of a name: (unit of the picture, in SI)
     "pressure": ("MPa", MEGA), "shear_stress": ("MPa", MEGA), "stress_": ("MPa", MEGA), "viscous_pressure": ("MPa", MEGA),
     "pore_pressure": ("MPa", MEGA), "density": ("kg/m³", 1.0), "velocity_": ("m/s", 1.0), "speed": ("m/s", 1.0),
     "darcy_velocity_": ("m/s", 1.0), "temperature": ("K", 1.0), "internal_energy": ("kJ/kg", 1e3),
+    "cell_size": ("mm", 1e-3), "step_length": ("ns", 1e-9),
 }  # fmt: skip
-COLOURS = {"pressure": "viridis", "pore_pressure": "viridis", "porosity": "cividis", "speed": "plasma", "temperature": "magma"}
+DOUBLING = ("cell_size", "step_length")
+COLOURS = {"cell_size": "YlGnBu_r", "step_length": "YlOrRd_r", "pressure": "viridis", "pore_pressure": "viridis", "porosity": "cividis", "speed": "plasma", "temperature": "magma"}
 
 
 @dataclasses.dataclass
@@ -31,6 +33,7 @@ class Look:
     colours: str
     signed: bool  # zero is the middle of the colours
     both: bool  # neither sign may drown the other
+    doubling: bool = False  # a few positive values, each twice another: colours follow their logarithm
 
 
 def look_of(name):
@@ -40,7 +43,7 @@ def look_of(name):
     words = "plastic strain" if name in PLASTIC_STRAIN else name.replace("_", " ")
     if name == "plastic_volume_strain":
         colours, words = "RdBu", "plastic volume strain: crushed < 0 < dilated"
-    return Look(f"{words} [{unit}]", scale, colours, signed, name == "plastic_volume_strain")
+    return Look(f"{words} [{unit}]", scale, colours, signed, name == "plastic_volume_strain", name in DOUBLING)
 
 
 def known_fields(file, deck):
@@ -71,9 +74,20 @@ def values_of(frame, deck, name):
     return frame.of_alive(PLASTIC_STRAIN if name in PLASTIC_STRAIN else [name])
 
 
+def range_of_doubling(values):
+    """All that is positive, however little of the picture it is; a single value in the middle."""
+    positive = values[np.isfinite(values) & (values > 0.0)]
+    if not len(positive):
+        return 0.5, 2.0
+    low, high = float(positive.min()), float(positive.max())
+    return (low, high) if high > 1.01 * low else (low / 2.0, high * 2.0)
+
+
 def range_of(values, areas, look, percent=98.5):
     """Colour range that leaves out 100 - percent of the picture at each end: a jet in pieces has single particles
     under thousands of times the pressure of the rock."""
+    if look.doubling:
+        return range_of_doubling(values)
     finite = np.isfinite(values)
     if not finite.any():
         return 0.0, 1.0

@@ -6,7 +6,7 @@ import numpy as np
 from barreno_report.channel import draw_channel
 from barreno_report.depth_picture import depth_figure
 from barreno_report.energy_picture import energy_figure, energy_terms
-from barreno_report.fields import known_fields
+from barreno_report.fields import known_fields, look_of
 from barreno_report.files import reading
 from barreno_report.hole import cell_along_path, face_of
 from barreno_report.hole_section import hole_section
@@ -40,7 +40,9 @@ def tip_box(tip, deck):
 def channel_section(run, frame, fields, table):
     """Fields on both sides of the axis, whole and near the tip; the pore fluid where there is one."""
     deck = run.deck
-    caption = "Particles in their deformed shapes. A material without the field is grey. The colour scale leaves out the extreme 1.5 % of the area at each end."
+    caption = "Particles in their deformed shapes. A material without the field is grey. " + (
+        "Cells and steps have a colour for each of their sizes." if any(look_of(name).doubling for name in fields) else "The colour scale leaves out the extreme 1.5 % of the area at each end."
+    )
     section = Section("Channel", pictures=[Picture("fields", draw_channel(frame, deck, *fields), caption)])
     tip = tip_of(run, table, frame)
     if tip and deck.mirrored():

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grid/tiles.hpp"
 #include "output/particle_fields.hpp"
 #include "synthetic_run.hpp"
 
@@ -58,7 +59,7 @@ TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
   set.stress(0, 3) = 2.0;
   set.volume(0) *= 0.5;
   std::vector<double> values;
-  append_particle_fields(HostParticles(set), 0, rock.density(), values);
+  append_particle_fields(HostParticles(set), 0, rock.density(), {}, values);
   ASSERT_EQ(values.size(), names.size());
   const auto value = [&](const char* name) {
     return values[static_cast<std::size_t>(
@@ -72,6 +73,40 @@ TEST(ParticleFields, HaveANameEachAndTheDocumentedMeaning) {
       value("density"), 2.0 * 2000.0, 1e-9
   );  // 2000: the mass that make_state gives to set 1
   EXPECT_NEAR(value("volume_ratio"), rock.density() / 4000.0, 1e-12);
+}
+
+TEST(ParticleFields, SayCellAndStepWhereTheyDiffer) {
+  Scene scene = synthetic::make_scene();
+  State state = synthetic::make_state(scene, Teuchos::DefaultComm<int>::getComm());
+  Grid grid = make_grid(scene, 1, state.grid.comm);
+  const OptionalFields alike = optional_fields(scene, scene.materials[1]);
+  EXPECT_FALSE(alike.cell_size || alike.step_length);
+  scene.grid.level_of_tile.assign(4, 1);
+  scene.step.subcycles = 4;
+  const OptionalFields both = optional_fields(scene, scene.materials[1]);
+  EXPECT_TRUE(both.cell_size && both.step_length);
+  const std::vector<std::string> names = particle_field_names(scene.materials[1], 2, both);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "cell_size"), 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "step_length"), 1);
+
+  Particles& set = state.particles[1];
+  ASSERT_GT(set.count, 1);
+  set.key(0) = CellKey{grid.patch.cells};  // in the second tile
+  set.key(1) = CellKey::unplaced;
+  grid.tile_frame = ArrayView<TileFrame>("frame", 2);
+  grid.tile_frame(1).cell_size = 0.25 * grid.cell_size;
+  grid.tile_frame(1).dt = 3e-7;
+  grid.box.levels = 2;
+  const auto columns = static_cast<std::size_t>(grid.tiles[0]);
+  grid.host_level_of_tile.assign(columns * static_cast<std::size_t>(grid.tiles[1]), 1);
+  const CellsAndSteps own(both, grid, set);
+  std::vector<double> values;
+  own.append(0, values);
+  own.append(1, values);
+  EXPECT_EQ(values, (std::vector<double>{0.25 * grid.cell_size, 3e-7, 0.5 * grid.cell_size, 0.0}));
+  values.clear();
+  CellsAndSteps(alike, grid, set).append(0, values);
+  EXPECT_TRUE(values.empty());
 }
 
 }  // namespace

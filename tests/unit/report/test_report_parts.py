@@ -15,7 +15,7 @@ import numpy as np
 from PIL import Image
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
-from barreno_report import command, fields, numbers, pages, penetration, section  # noqa: E402
+from barreno_report import channel, command, fields, numbers, pages, penetration, section  # noqa: E402
 from barreno_report.deck import read_deck  # noqa: E402
 from barreno_report.outline import without_gaps  # noqa: E402
 from barreno_report.particles import ParticleFile, areas_of  # noqa: E402
@@ -84,6 +84,23 @@ def check_fields(run):
     low, high = fields.range_of(np.linspace(-1.0, 3.0, 1000), areas, fields.look_of("velocity_x"))
     assert low == -high and 2.8 < high < 3.0, (low, high)
     assert fields.range_of(np.full(3, np.nan), np.ones(3), fields.look_of("pressure")) == (0.0, 1.0)
+
+
+def check_doubling():
+    """Sizes of cells and steps are all in the scale, with a tick for each; a step of nothing has no colour."""
+    look, areas = fields.look_of("cell_size"), np.r_[np.full(999, 1.0), 1e-6]
+    assert fields.range_of(np.r_[np.full(999, 4.0), 0.5], areas, look) == (0.5, 4.0) and fields.range_of(np.full(3, 2.0), np.ones(3), look) == (1.0, 4.0)
+    assert fields.range_of(np.zeros(3), np.ones(3), fields.look_of("step_length"))[0] > 0.0 and not fields.look_of("speed").doubling
+    shapes = np.stack([square + np.array([4.0 * i, 0.0]) for i, square in enumerate([np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])] * 5)])
+    figure, axes = plt.subplots()
+    quads = channel.draw_quads(axes, shapes, np.array([4.0, 2.0, 0.0, 0.5, np.nan]), look.colours, (0.5, 4.0), doubling=True)
+    assert channel.doubling_values(quads) == [0.5, 2.0, 4.0] and len(axes.collections[0].get_paths()) == 2, axes.collections
+    shades = quads.to_rgba(np.array([0.5, 1.0, 2.0, 4.0]))
+    assert np.allclose(shades, plt.get_cmap(look.colours)(np.array([0.0, 1.0, 2.0, 3.0]) / 3.0), atol=0.01), shades
+    channel.draw_bar(figure, axes, quads, look.label, "right", 4.0)
+    assert [text.get_text() for text in axes.child_axes[-1].get_yticklabels()] == ["0.5", "2", "4"]
+    assert channel.doubling_values(channel.draw_quads(axes, shapes, np.ones(5), "viridis", (0.0, 2.0))) == []
+    plt.close(figure)
 
 
 def check_points(folder):
@@ -211,6 +228,7 @@ def main():
     check_rate()
     check_outline()
     check_interval()
+    check_doubling()
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         run = shared(folder)

@@ -1,0 +1,41 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""docs/pictures/levels.png: cells and steps of the main job, early in a run: levels.py BARRENO [PNG]."""
+import pathlib
+import sys
+import tempfile
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "src" / "python"))
+from barreno_report.channel import draw_channel  # noqa: E402
+from barreno_report.run import opened  # noqa: E402
+from runs import run_deck  # noqa: E402
+
+SETTINGS = {"Fidelity": "balanced", "Time/End Time": "8 us", "Output/Field Interval": "0.5 us", "Output/Checkpoint Wall Interval": "0 s"}
+BOX = (-70.0, 70.0, -12.0, 110.0)  # mm
+
+
+def last_of_parts(run):
+    """The last time that a step of several parts has met: what is left before a time of output may be too short for parts."""
+    lengths = lambda step: len(set(run.file.frame(step).of_alive(["step_length"])))  # noqa: E731
+    return run.file.frame(max(range(len(run.file.times)), key=lambda step: (min(lengths(step), 3), step)))
+
+
+def draw(folder, png):
+    with opened(folder) as run:
+        figure = draw_channel(last_of_parts(run), run.deck, "cell_size", "step_length", box=BOX, edges=False, title="perforation.xml, balanced, ")
+        figure.savefig(png, dpi=110, bbox_inches="tight")
+
+
+def main():
+    png = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / "docs" / "pictures" / "levels.png"
+    with tempfile.TemporaryDirectory() as scratch:
+        draw(run_deck(sys.argv[1], "perforation.xml", SETTINGS, folder=pathlib.Path(scratch) / "run").folder, png)
+
+
+if __name__ == "__main__":
+    main()
