@@ -48,7 +48,7 @@ def measure(lab):
 def strengths(lab):
     """Shots at no confinement into rock of several strengths: PEAKI1 and STREN in proportion, and with them the strength in every test without the cap."""
     card, cells, rows = card_numbers(CARD), max(CELLS[lab.form], 2.0), []
-    factors = STRENGTHS if lab.form != "quick" else STRENGTHS[1:2]
+    factors = STRENGTHS if lab.form != "quick" else STRENGTHS[1:]
     words = [{} if f == 1.0 else {f"Materials/Sandstone/{name}": f"{f * card[name]:g}" for name in ("PEAKI1", "STREN")} for f in factors]
     folders = lab.runs([(DECK, settings_of(cells, 0.0, more), f"strength-{f:g}") for f, more in zip(factors, words)])
     for factor, folder in zip(factors, folders):
