@@ -22,6 +22,7 @@ from paper_figures.figure_5 import axial_radial_hoop  # noqa: E402
 from paper_figures.figure_6 import limit_of  # noqa: E402
 from paper_figures.lab import Lab, Table, least, most, read_table, write_table  # noqa: E402
 from paper_figures.progress import Progress  # noqa: E402
+from paper_parts import unmeasured, unmeasured_words  # noqa: E402
 
 
 class Trends(unittest.TestCase):
@@ -129,6 +130,15 @@ class Runs(unittest.TestCase):
         unknown.begin(2)
         unknown.run_ended("c", 3.0, False)
         self.assertEqual((unknown.left(), said[-1], unknown.first_line()), (None, "  [1] c: 3 s", "How long this takes is not known."))
+
+
+class Costs(unittest.TestCase):
+    def test_runs_without_a_time_are_named(self):
+        counts = {7: 24, 8: 13, 10: 25}
+        self.assertEqual(unmeasured({7: 24, 8: 13, 10: 25}, counts.get), {})
+        self.assertEqual(unmeasured({7: 24, 8: 9}, counts.get), {8: 4, 10: 25})
+        self.assertEqual(unmeasured_words({}), [])
+        self.assertIn("4 runs of figure 8, 25 runs of figure 10 (`verification/paper.py BARRENO --only 8 --only 10`", unmeasured_words({8: 4, 10: 25})[1])
 
 
 class Stresses(unittest.TestCase):

@@ -13,6 +13,7 @@ from verification_pages import table  # noqa: E402
 LONG = {"paper_3_curve", "paper_4", "paper_5", "paper_5_paths"}  # drawn, not tabulated
 
 CORES = 2
+RUN_IN_EACH_ROW = (7, 8, 10)  # figures whose tables have a row for every run
 
 
 def cell(value):
@@ -42,12 +43,34 @@ def row_of(trend):
     return [trend.what.split(": ", 1)[1], f"{trend.value:.4g}", bound, "holds" if trend.holds else "**does not hold**"]
 
 
+def unmeasured(costs, count_of):
+    """{figure: runs whose processor time is not known}: tables that were made later than the last measurement of a figure as a whole.
+
+    @param costs     {figure: runs that were measured}
+    @param count_of  number of runs behind a figure's stored tables
+    """
+    lacking = {number: count_of(number) - costs.get(number, 0) for number in RUN_IN_EACH_ROW}
+    return {number: int(count) for number, count in lacking.items() if count > 0}
+
+
+def rows_of(number):
+    return sum(len(found.rows) for found in stored(number).values())
+
+
+def unmeasured_words(lacking):
+    if not lacking:
+        return []
+    which = ", ".join(f"{count} runs of figure {number}" for number, count in lacking.items())
+    return ["", f"Not in these times: {which} (`verification/paper.py BARRENO {' '.join(f'--only {number}' for number in lacking)}` measures them)."]
+
+
 def time():
     found = read_table(RESULTS / "paper_time.csv")
     total = sum(row[2] for row in found.rows)
     wall = sum(row[2] / min(CORES, max(row[1], 1.0)) for row in found.rows)  # a single run has one core
     rows = [[f"{row[0]:.0f}", f"{row[1]:.0f}", f"{row[2]:.0f}"] for row in found.rows]
-    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes."]
+    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes.",
+            *unmeasured_words(unmeasured({int(row[0]): row[1] for row in found.rows}, rows_of))]  # fmt: skip
 
 
 def spall_falls():
