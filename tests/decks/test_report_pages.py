@@ -180,9 +180,13 @@ def check_levels(run, whole):
 
 def check_space(barreno, folder):
     run = run_deck(barreno, "perforation_3d.xml", {"Time/End Time": "3 us", "Output/Field Interval": "3 us", "Output/Checkpoint Wall Interval": "0 s"}, folder=folder / "space")
-    command("report", run.folder)
+    command("report", run.folder, "--particles", "near tip")
     check_radius(run.folder)
     check_names(run.folder / "report" / "paraview" / "view.py")
+    paths = np.genfromtxt(run.folder / "report" / "paths.csv", delimiter=",", names=True, skip_header=1)
+    assert paths["along_y"][0] > 6e7 and set(paths["time"]) == {0.0, 3e-6}, paths
+    rows = [line.split(" | ")[2] for line in (run.folder / "report" / "index.md").read_text().split("## Stress paths")[1].splitlines() if "Sandstone |" in line]
+    assert rows and all(max(map(abs, np.array(row.split(", "), float)[[0, 2]])) < 17.0 for row in rows), rows  # mm beside the axis: eight cells
     assert "in the plane of the picture" in (run.folder / "report" / "index.md").read_text()
 
 

@@ -5,6 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from barreno_report.hole import jet_particles
+from barreno_report.particles import offsets
 from barreno_report.strength import strength_of
 
 MILLI, MEGA = 1e-3, 1e6
@@ -13,8 +14,7 @@ NEAR = 8.0  # cells: distance from the tip within which rock is shown
 
 def rock_near(frame, deck, tip, distance):
     """{material: (p, q, distance, e)} of particles with pores near a point (x, y); p less the pore pressure, where there is one."""
-    centre = frame.centres[:, :2]
-    away = np.hypot(centre[:, 0] - tip[0], centre[:, 1] - tip[1])
+    away = np.hypot(*offsets(frame.centres, tip))
     e = frame.of_alive(["plastic_volume_strain"])
     p, q = frame.of_alive(["pressure"]) - np.nan_to_num(frame.of_alive(["pore_pressure"])), frame.of_alive(["shear_stress"])
     found = {}

@@ -7,6 +7,7 @@ import numpy as np
 
 from barreno_report.hole import jet_particles
 from barreno_report.numbers import MICRO
+from barreno_report.particles import offsets
 from barreno_report.principal import along_path, lode_angle, pressure_and_shear, tensors
 from barreno_report.strength import strength_of
 from barreno_runs.faults import Fault
@@ -81,8 +82,8 @@ def elements_of(file, numbers):
 
 def nearest_in_sectors(centres, tip, direction, least):
     """Rows that are nearest to the tip, but no nearer than `least`: ahead of it, obliquely ahead, beside it; fewer where there is nothing."""
-    away = centres[:, :2] - np.array(tip)
-    distance, angle = np.hypot(*away.T), np.degrees(np.arctan2(np.abs(away[:, 0]), direction * away[:, 1]))
+    across, along = offsets(centres, tip)
+    distance, angle = np.hypot(across, along), np.degrees(np.arctan2(across, direction * along))
     rows = []
     for low, high in zip((0.0, *SECTORS), SECTORS):
         inside = np.flatnonzero((low <= angle) & (angle < high) & (distance >= least))
@@ -96,14 +97,15 @@ def elements_near(frame, deck, tip, distance):
     if tip is None:
         why = f"the jet has not hit the target at {frame.time / MICRO:.4g} us" if deck.has_jet else "this run has no jet"
         raise Fault(f'--particles "{NEAR_TIP}" finds no tip ({why}); name particles by their numbers, for example --particles 120,340.')
-    near = (np.hypot(*(frame.centres[:, :2] - np.array(tip)).T) <= distance) & ~jet_particles(frame, deck)
+    away = np.hypot(*offsets(frame.centres, tip))
+    near = (away <= distance) & ~jet_particles(frame, deck)
     porous = near & np.isfinite(frame.of_alive(["plastic_volume_strain"]))
     rows = np.flatnonzero(porous if porous.any() else near)
     if not len(rows):
         raise Fault(f'--particles "{NEAR_TIP}" finds no particle of the target within {1e3 * distance:.3g} mm of the tip; name particles by their numbers, for example --particles 120,340.')
     kept = rows[nearest_in_sectors(frame.centres[rows], tip, deck.direction, APART * distance)]
     if not len(kept):
-        kept = rows[[int(np.hypot(*(frame.centres[rows][:, :2] - np.array(tip)).T).argmin())]]
+        kept = rows[[int(away[rows].argmin())]]
     return [int(element) for element in np.flatnonzero(frame.alive)[kept]]
 
 

@@ -76,6 +76,8 @@ def check_sectors():
     centres = np.array([[0.0, 5.0], [0.0, 3.0], [0.0, 0.5], [2.0, 2.0], [4.0, 0.0], [3.0, -1.0], [0.0, -3.0]])
     assert stress_paths.nearest_in_sectors(centres, (0.0, 0.0), 1.0, 1.0) == [1, 3, 5]
     assert stress_paths.nearest_in_sectors(centres, (0.0, 0.0), -1.0, 1.0) == [6, 5, 4]
+    in_space = np.array([[0.0, 3.0, 9.0], [0.0, 4.0, 0.0], [0.0, 0.0, 2.0], [1.0, 0.0, 9.0]])
+    assert stress_paths.nearest_in_sectors(in_space, (0.0, 0.0), 1.0, 1.0) == [1, 0, 2]
 
 
 def path(stress, times=None):
