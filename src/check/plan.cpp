@@ -17,6 +17,7 @@
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
 #include "geometry/piece.hpp"
+#include "output/file_shares.hpp"
 #include "output/jet/jet_estimate.hpp"
 #include "output/progress.hpp"
 #include "scene/build_scene.hpp"
@@ -156,6 +157,22 @@ std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
   );
 }
 
+/// Which files the particles will be written to.
+std::string files_line(const Scene& scene, const std::vector<long long>& counts, int ranks) {
+  const long long places = first_ids(scene, counts).back() - 1;
+  const int files = count_files(scene.output.files, places, ranks);
+  if (files == 1) return "Files     particles.e, one for all ranks\n";
+  const FileShares shares{files, {}};
+  const std::filesystem::path name = "particles.e";
+  const bool by_number = scene.output.files == ParticleFiles::by_number;
+  return format(
+      "Files     %s to %s, one per rank%s; barreno join makes one of them\n",
+      name_in_set(name, shares, 0).c_str(),
+      name_in_set(name, shares, files - 1).c_str(),
+      by_number ? format(" above %lld particles", most_in_one_file).c_str() : ""
+  );
+}
+
 }  // namespace
 
 void refuse_short_domains(const Deck& deck, const Scene& scene) {
@@ -266,8 +283,8 @@ std::string plan_text(
       parts.c_str(),
       cost.particle_steps
   );
-  text += cost_line(scene, cost, ranks) + step_line(scene) + share_line(scene, cost.shares) +
-          jet_lines(scene);
+  text += cost_line(scene, cost, ranks) + files_line(scene, counts, ranks) + step_line(scene) +
+          share_line(scene, cost.shares) + jet_lines(scene);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);
   for (const std::string& note : notes) text += "Note: " + note + "\n";

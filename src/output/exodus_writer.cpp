@@ -15,9 +15,10 @@
 namespace barreno {
 namespace {
 
-int count_files(const Scene& scene, const Comm& comm, const KeptFields& kept) {
-  if (scene.output.files == ParticleFiles::one) return 1;
-  return kept.files > 0 ? kept.files : comm.getSize();
+long long count_places(const std::vector<IdRange>& ranges) {
+  long long places = 0;
+  for (const IdRange& range : ranges) places += range.count;
+  return places;
 }
 
 /// A rank receives at most as many values at once as MPI counts with int. Every rank finds the
@@ -56,7 +57,11 @@ ExodusWriter::ExodusWriter(
       nodes_(nodes_of(scene.output.glyph, dimensions_)),
       steps_(kept.steps),
       shares_(divide_among_files(
-          ranges, scene.materials.size(), count_files(scene, *state.grid.comm, kept)
+          ranges,
+          scene.materials.size(),
+          kept.files > 0
+              ? kept.files
+              : count_files(scene.output.files, count_places(ranges), state.grid.comm->getSize())
       )) {
   const Comm& comm = *state.grid.comm;
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b)

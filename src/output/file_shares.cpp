@@ -24,6 +24,12 @@ long long ordinal_of(const FileShares::Block& block, ParticleId id) {
 
 }  // namespace
 
+int count_files(ParticleFiles asked, long long places, int ranks) {
+  if (asked == ParticleFiles::one) return 1;
+  if (asked == ParticleFiles::by_number && places <= most_in_one_file) return 1;
+  return ranks;
+}
+
 FileShares divide_among_files(
     const std::vector<IdRange>& ranges, std::size_t materials, int files
 ) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "deck/sections/output_section.hpp"
 #include "state/id_ranges.hpp"
 
 #include <filesystem>
@@ -24,6 +25,10 @@ struct FileShares {
   int files = 1;
   std::vector<Block> blocks;  ///< as Scene::materials
 };
+
+/// How many files a run begins with.
+/// @param places  of particles in all of them
+int count_files(ParticleFiles asked, long long places, int ranks);
 
 FileShares divide_among_files(const std::vector<IdRange>& ranges, std::size_t materials, int files);
 

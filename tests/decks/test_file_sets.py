@@ -17,6 +17,7 @@ TESTS = pathlib.Path(__file__).resolve().parents[1]
 TOOLS = TESTS.parent / "verification" / "tools"
 sys.path[:0] = [str(TOOLS), str(TESTS.parent / "src" / "python")]
 
+from barreno_report.particles import ParticleFile  # noqa: E402
 from barreno_runs.join_exodus import files_of, join_set  # noqa: E402
 from netCDF4 import Dataset  # noqa: E402
 from resumed import at_previous, different_fields, lines_of, must_work, program, stopped_run  # noqa: E402
@@ -55,6 +56,23 @@ def check_same(one, folder, ranks):
     with Dataset(one / "particles.e") as a, Dataset(whole / "particles.e") as b:
         assert set(a.variables) == set(b.variables), set(a.variables) ^ set(b.variables)
         assert all(len(a.dimensions[name]) == len(b.dimensions[name]) for name in a.dimensions)
+
+
+def check_as_report_reads(one, folder):
+    """Report, film and compare read the set where it lies, and see what the one file holds."""
+    whole, parts = ParticleFile(one / "particles.e"), ParticleFile(folder / "particles.e")
+    assert type(parts.data) is not type(whole.data), "it was joined"
+    for what in ("times", "elements", "dimensions", "names", "sizes", "block_names"):
+        assert np.array_equal(getattr(whole, what), getattr(parts, what)), what
+    assert [whole.fields(b) for b in range(len(whole.sizes))] == [parts.fields(b) for b in range(len(parts.sizes))]
+    assert np.array_equal(whole.radius(), parts.radius(), equal_nan=True), "radii differ"
+    for step in range(len(whole.times)):
+        a, b = whole.frame(step), parts.frame(step)
+        assert a.time == b.time and np.array_equal(a.corners, b.corners), f"corners of step {step} differ"
+        for name in whole.names:
+            assert np.array_equal(a.variable(name), b.variable(name), equal_nan=True), f"{name} of step {step} differs"
+    whole.close()
+    parts.close()
 
 
 def check_nemesis(folder, ranks):
@@ -178,6 +196,7 @@ def check_whole_runs(barreno, folder, one):
         check_same(one, whole, ranks)
         check_nemesis(whole, ranks)
         check_readers(one, whole)
+        check_as_report_reads(one, whole)
     scripts = TESTS / "scripts"
     for command in (
         (scripts / "exodiff_lite.py", "-f", scripts / "same.exodiff", one / "particles.e", whole / "particles.e"),
@@ -215,6 +234,7 @@ def check_empty_ranks(barreno, folder, _one):
         with Dataset(whole / "particles.e.3.0") as data:
             assert "num_elem" not in data.dimensions or len(data.dimensions["num_elem"]) == 0
         check_readers(one, whole)
+        check_as_report_reads(one, whole)
 
 
 def check_resume(barreno, folder, one):

@@ -68,8 +68,10 @@ Entries<OutputSpec> particle_file_entries() {
       defaulted(
           &OutputSpec::files,
           "Particle Files",
-          "particles.e, or for large runs particles.e.N.0 to .N-1 on N ranks, each written by one "
-          "rank; ParaView and epu read such a set as one"
+          "one: particles.e; one per rank: particles.e.N.0 to .N-1 on N ranks, each written by one "
+          "rank, which ParaView reads as one and barreno join makes one; by number: the latter "
+          "above " +
+              std::to_string(most_in_one_file / 1'000'000) + " million particles"
       )};
 }
 

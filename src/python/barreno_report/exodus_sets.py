@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A set of files (Particle Files = "one per rank") as one file. Each file of a set has a share of every block, those of the first file
+"""A set of files (one per rank) as one file. Each file of a set has a share of every block, those of the first file
 come first."""
 
 import contextlib
@@ -85,6 +85,10 @@ class Set:
             return self.by_block(whole, self.per_element if kind == "num_nodes" else 1)
         return np.concatenate(arrays) if kind.startswith("num_el_in_blk") else arrays[0]
 
+    def close(self):
+        for part in self.parts:
+            part.close()
+
     def size(self, name):
         """Of a dimension, that of time left open."""
         own = {"time_step": None, "num_nodes": self.nodes, "num_elem": self.elements}
@@ -112,8 +116,47 @@ def join(files, out):
                 continue
             for step in range(whole.steps):
                 copy[step] = whole.values(name, variable.dimensions, step)
-    for part in whole.parts:
-        part.close()
+    whole.close()
+
+
+class WholeVariable:
+    """A variable of a set; nothing of it is read before it is asked for."""
+
+    def __init__(self, whole, name):
+        self.whole, self.name = whole, name
+        self.dimensions = next(part.variables[name].dimensions for part in whole.parts if name in part.variables)
+
+    def __getitem__(self, index):
+        """All of it, or a time step of what has one for each."""
+        if self.dimensions[0] != "time_step":
+            return self.whole.values(self.name, self.dimensions, None)[index]
+        if isinstance(index, slice):
+            steps = range(self.whole.steps)[index]
+            return np.array([self.whole.values(self.name, self.dimensions, step) for step in steps])
+        return self.whole.values(self.name, self.dimensions, range(self.whole.steps)[index])
+
+
+class WholeData:
+    """A set, open, with what a reader asks of one open file: dimensions that have a length, and variables."""
+
+    def __init__(self, files):
+        self.whole = Set(files)
+        names = {name for part in self.whole.parts for name in part.dimensions}
+        self.dimensions = {name: range(self.whole.steps if name == "time_step" else self.whole.size(name)) for name in names}
+        self.variables = {name: WholeVariable(self.whole, name) for part in self.whole.parts for name in part.variables}
+
+    def close(self):
+        self.whole.close()
+
+
+def open_whole(path):
+    """What `path` stands for, open: a file, or a set of files, which is read as it lies there."""
+    files = files_of(path)
+    if len(files) > 1:
+        return WholeData(files)
+    data = Dataset(files[0])
+    data.set_auto_mask(False)
+    return data
 
 
 @contextlib.contextmanager

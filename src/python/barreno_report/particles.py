@@ -4,7 +4,9 @@
 import functools
 
 import numpy as np
-from netCDF4 import Dataset, chartostring
+from netCDF4 import chartostring
+
+from barreno_report.exodus_sets import open_whole
 
 # Corners of a particle of size 2 x 2 whose file gives no shape.
 SQUARE = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
@@ -18,11 +20,10 @@ def names_in(data, key):
 
 
 class ParticleFile:
-    """The file, open: its times, blocks of materials and names of fields."""
+    """The file or the set of files, open: its times, blocks of materials and names of fields."""
 
     def __init__(self, file):
-        self.data = Dataset(file)
-        self.data.set_auto_mask(False)
+        self.data = open_whole(file)
         dimensions = self.data.dimensions
         self.times = np.array(self.data.variables["time_whole"][:], float)
         self.elements = len(dimensions["num_elem"])

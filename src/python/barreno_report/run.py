@@ -7,7 +7,7 @@ import pathlib
 import numpy as np
 
 from barreno_report.deck import read_deck
-from barreno_report.exodus_sets import as_one_file, files_of
+from barreno_report.exodus_sets import files_of
 from barreno_report.files import read_csv, read_summary, reading
 from barreno_report.particles import ParticleFile
 from barreno_runs.faults import BadRun, Fault, on_one_line
@@ -29,7 +29,7 @@ class Run:
             raise BadRun(on_one_line(error)) from error
         self.deck = read_deck(self.folder / "deck.xml")
         with self.particles_read():
-            self.file = ParticleFile(stack.enter_context(as_one_file(self.particle_path)))
+            self.file = ParticleFile(self.particle_path)
             stack.callback(self.file.close)
             if len(self.file.times) == 0:
                 raise ValueError("it has no time step")

@@ -12,7 +12,6 @@ import numpy as np  # noqa: E402
 
 from barreno_report.channel import Half, draw_half, set_limits, set_up, size_of, time_text  # noqa: E402
 from barreno_report.deck import Deck, read_deck  # noqa: E402
-from barreno_report.exodus_sets import as_one_file  # noqa: E402
 from barreno_report.fields import PLASTIC_STRAIN  # noqa: E402
 from barreno_report.hole import jet_particles  # noqa: E402
 from barreno_report.particles import Frame, ParticleFile  # noqa: E402
@@ -37,10 +36,9 @@ class Channel:
 
 
 def read_channel(folder):
-    with as_one_file(folder / "particles.e") as file:
-        frame = ParticleFile(file).frame()
-        if len(frame.corners) == 0:
-            raise ValueError("its last step has no particle")
+    frame = ParticleFile(folder / "particles.e").frame()
+    if len(frame.corners) == 0:
+        raise ValueError("its last step has no particle")
     return Channel(frame, read_deck(folder / "deck.xml"))
 
 

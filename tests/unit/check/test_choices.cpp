@@ -151,6 +151,22 @@ TEST(Plan, SaysHowManyParticlesAndWhatIsNoted) {
     EXPECT_TRUE(says(plan, words)) << plan;
 }
 
+TEST(Plan, SaysWhichFilesParticlesGoTo) {
+  Scene scene = block();
+  const auto plan = [&](int ranks) { return plan_text(scene, probe_of_block(), ranks, {}); };
+  EXPECT_TRUE(says(plan(12), "Files     particles.e, one for all ranks\n")) << plan(12);
+  scene.output.files = ParticleFiles::one_per_rank;
+  EXPECT_TRUE(says(plan(1), "Files     particles.e, one for all ranks\n")) << plan(1);
+  EXPECT_TRUE(says(plan(12), "particles.e.12.00 to particles.e.12.11, one per rank; barreno join"))
+      << plan(12);
+  // 400 particles, and 100 times as many along each side.
+  scene.output.files = ParticleFiles::by_number;
+  scene.grid.cell_size *= 0.01;
+  EXPECT_TRUE(says(plan(2), "one per rank above 2000000 particles; barreno join")) << plan(2);
+  scene.output.files = ParticleFiles::one;
+  EXPECT_TRUE(says(plan(2), "Files     particles.e, one for all ranks\n")) << plan(2);
+}
+
 Scene block_of_sandstone(const std::string& solver) {
   Scene scene = block();
   std::ifstream file(BARRENO_SOURCE_DIR "/materials/cards/berea_sandstone.xml");

@@ -41,6 +41,15 @@ TEST(FileShares, EveryParticleHasOnePlaceForAnyNumberOfFiles) {
   }
 }
 
+TEST(FileShares, ThereIsOneFileUnlessAskedOrLarge) {
+  using Files = ParticleFiles;
+  EXPECT_EQ(count_files(Files::by_number, most_in_one_file, 7), 1);
+  EXPECT_EQ(count_files(Files::by_number, most_in_one_file + 1, 7), 7);
+  EXPECT_EQ(count_files(Files::one, 1'000'000'000'000LL, 7), 1);
+  EXPECT_EQ(count_files(Files::one_per_rank, 0, 7), 7);
+  EXPECT_EQ(OutputSpec{}.files, Files::by_number);
+}
+
 TEST(FileShares, HoldersComeInOrderAndEachHasAboutAsManyFiles) {
   for (const int files : {1, 2, 5, 64})
     for (const int ranks : {1, 2, 3, 5, 63, 64, 65}) {
