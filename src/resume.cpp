@@ -10,6 +10,7 @@
 #include "deck/files/read_deck.hpp"
 #include "output/folder_lock.hpp"
 #include "output/output.hpp"
+#include "output/radii.hpp"
 #include "output/text_file.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
@@ -64,6 +65,21 @@ std::unique_ptr<FolderLock> lock_if_there(const Comm& comm, const std::filesyste
   return there[0] == 1.0 ? std::make_unique<FolderLock>(comm, folder) : nullptr;
 }
 
+/// Where the output of the run was. What a hollow ball was at t = 0 its particles alone tell, which
+/// are made for that and let go. Collective.
+RunNumbers position_in(
+    const Scene& scene,
+    const BodyCensus& census,
+    const Checkpoint& checkpoint,
+    const Teuchos::RCP<const Comm>& comm
+) {
+  RunNumbers position = checkpoint.output;
+  position["time"] = {number_of(checkpoint.numbers, "time")};
+  if (!hollow_balls(scene).empty())
+    position["radii_start"] = start_of_radii(scene, build_state(scene, census, comm));
+  return position;
+}
+
 }  // namespace
 
 int resume(
@@ -80,8 +96,10 @@ int resume(
   refuse_resume(folder, deck, scene, checkpoint);
   const BodyCensus census = take_census(scene, comm);
   const std::vector<IdRange> ids = particle_id_ranges(scene, census.first);
-  State state = build_state(scene, census, comm);
-  check_checkpoint(scene, ids, state, checkpoint);
+  const RunNumbers position = position_in(scene, census, checkpoint, comm);
+  State state = build_empty_state(scene, census, comm);
+  check_checkpoint(scene, state, checkpoint);
+  read_checkpoint(scene, ids, checkpoint, state);
   settle_checkpoints(*comm, checkpoint);
   std::vector<std::string> notes = notes_of(deck, scene);
   notes.insert(notes.end(), checkpoint.notes.begin(), checkpoint.notes.end());
@@ -93,11 +111,8 @@ int resume(
   const std::string text = overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
   const RunDescription description{
       folder, file, text, BARRENO_VERSION, notes, {}, {}, build, jet_monitor_of(deck, scene), ids};
-  RunNumbers position = checkpoint.output;
-  position["time"] = checkpoint.numbers.at("time");
   catch_signals();
-  Output output(scene, state, description, position);  // files begin with the state at t = 0
-  read_checkpoint(checkpoint, state);
+  Output output(scene, state, description, position);
   output.go_on_from(scene, state);
   return run_to_end(scene, state, output, description);
 }

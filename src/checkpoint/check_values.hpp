@@ -3,9 +3,9 @@
 
 #include "checkpoint/find_checkpoint.hpp"
 #include "scene/scene.hpp"
-#include "state/id_ranges.hpp"
 #include "state/state.hpp"
 
+#include <functional>
 #include <string>
 
 namespace barreno {
@@ -14,18 +14,16 @@ namespace barreno {
 /// sentence's part that names the first such; empty if there is none.
 std::string fault_of_numbers(const Scene& scene, const State& state, const Checkpoint& checkpoint);
 
-/// Looks at every table of a checkpoint before anything is done with it: its size, its kind, and
-/// every value that indexes, divides or must be positive. A seal tells damage, not who wrote the
-/// file. Particles that are to be removed in the next step may have any values. Every rank looks at
-/// an equal part of the rows of particles. Collective.
-/// @param ids    that particles may have (particle_id_ranges)
-/// @param state  as build_state made it from the checkpoint's deck
+/// Runs a check of a checkpoint's tables. @throws FileError in the place of a WrongTable: it names
+/// the file, and says what can be done
+void name_checkpoint(const Checkpoint& checkpoint, const std::function<void()>& check);
+
+/// Looks at what is small in a checkpoint before anything is done with it (its numbers, sums and
+/// owners of tiles), at every value that indexes, divides or must be positive, and at the sizes of
+/// all tables; read_checkpoint looks at the rows of particles. A seal tells damage, not who wrote
+/// the file. Rank 0 reads. Collective.
+/// @param state  as build_empty_state made it from the checkpoint's deck
 /// @throws FileError on every rank, which names the table
-void check_checkpoint(
-    const Scene& scene,
-    const std::vector<IdRange>& ids,
-    const State& state,
-    const Checkpoint& checkpoint
-);
+void check_checkpoint(const Scene& scene, const State& state, const Checkpoint& checkpoint);
 
 }  // namespace barreno

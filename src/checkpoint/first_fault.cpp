@@ -2,6 +2,7 @@
 #include "checkpoint/first_fault.hpp"
 
 #include "base/error.hpp"
+#include "output/text_file.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -39,6 +40,12 @@ std::string broadcast_from(const Comm& comm, int rank, std::string text) {
 }
 
 }  // namespace
+
+void refuse_value(const std::string& name, std::size_t row, double value) {
+  std::string words = name;
+  words.append(" is ").append(to_text(value)).append(" in row ").append(std::to_string(row));
+  throw WrongTable{words, row};
+}
 
 void check_together(const Comm& comm, std::size_t begin, const std::function<void()>& check) {
   const MetFault mine = fault_in(begin, check);

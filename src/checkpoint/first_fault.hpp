@@ -15,6 +15,9 @@ struct WrongTable {
   std::size_t row = 0;
 };
 
+/// Says that a table has a value in a row that cannot be there. @throws WrongTable
+[[noreturn]] void refuse_value(const std::string& name, std::size_t row, double value);
+
 /// Runs a rank's part of a check that all ranks share. If any leaves with a WrongTable or a
 /// FileError, all do: with that of the lowest row, or the lowest of ranks that met it there, so
 /// that what is told does not depend on the ranks. Collective.

@@ -36,15 +36,13 @@ void for_part_of_rows(
   }
 }
 
-/// Row numbers of a table by the rank that they belong to: every rank looks at its part of the
-/// rows alone. Collective. @throws FileError on every rank
-/// @param owner_of  the owner of a row with these values
+/// Row numbers of a table by the rank that they belong to: every rank says of its equal part of
+/// them whose they are. Collective.
+/// @param rows      of the table
+/// @param owner_of  the owner of a row of this rank's part
 /// @return this rank's rows, ascending
 std::vector<std::size_t> rows_by_owner(
-    const Comm& comm,
-    const Hdf5File& file,
-    const std::string& name,
-    const std::function<int(const double*)>& owner_of
+    const Comm& comm, std::size_t rows, const std::function<int(std::size_t)>& owner_of
 );
 
 /// visit(p, values) for the p-th of this rank's rows of a table, which are read with what lies

@@ -4,13 +4,14 @@
 #include "base/gather.hpp"
 #include "base/rank_work.hpp"
 #include "base/region.hpp"
+#include "checkpoint/check_values.hpp"
 #include "checkpoint/checkpoint_contents.hpp"
 #include "checkpoint/own_rows.hpp"
+#include "checkpoint/read_particles.hpp"
 #include "checkpoint/shared_file.hpp"
 #include "grid/partition.hpp"
 #include "grid/tiles.hpp"
 #include "state/balance.hpp"
-#include "step/order/remove_lost.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -18,91 +19,86 @@
 namespace barreno {
 namespace {
 
-Vector position_of(const Particles& particles, const double* values) {
-  Vector x{};
-  std::copy_n(values, static_cast<std::size_t>(particles.position.components), x.data());
-  return x;
-}
+/// Of every material, the tile of level 0 that each row of this rank's equal part is in; -1:
+/// outside the grid.
+using PartTiles = std::vector<std::vector<int>>;
 
-/// The rows of a material that belong to this rank, ascending. Collective.
-std::vector<std::size_t> own_rows(
-    const State& state, const Particles& particles, const SharedFile& shared, const Hdf5File& file
-) {
+/// Collective. @throws FileError on every rank
+PartTiles tiles_of_part(const State& state, const Hdf5File& file) {
   const Comm& comm = *state.grid.comm;
-  const std::string group = particle_group(particles);
-  const auto counts = shared.read<long long>(group + "rank_counts");
-  if (counts.size() == static_cast<std::size_t>(comm.getSize())) {
-    const auto begin = std::accumulate(counts.begin(), counts.begin() + comm.getRank(), 0LL);
-    std::vector<std::size_t> rows(
-        static_cast<std::size_t>(counts[static_cast<std::size_t>(comm.getRank())])
-    );
-    std::iota(rows.begin(), rows.end(), static_cast<std::size_t>(begin));
-    return rows;
-  }
-  return rows_by_owner(comm, file, group + "position", [&](const double* values) {
-    const Vector x = position_of(particles, values);
-    // One that has just left the grid is counted and removed by whoever has it.
-    return state.grid.holds(x) ? owner_of(state.grid, x) : 0;
-  });
-}
-
-void read_particles(
-    const std::vector<std::size_t>& rows, const Hdf5File& file, Particles& particles
-) {
-  const std::string group = particle_group(particles);
-  reserve(particles, static_cast<int>(rows.size()));
-  particles.count = static_cast<int>(rows.size());
-  particles.sorted = false;
-  for (int p = 0; p < particles.count; ++p) mark_unplaced(particles, p);
-  for_own_rows<long long>(rows, file, group + "removal", [&](int p, const long long* cause) {
-    particles.fault(p) = fault_of_cause(static_cast<int>(*cause));
-  });
-  for_own_rows<long long>(rows, file, group + "id", [&](int p, const long long* id) {
-    particles.id(p) = static_cast<ParticleId>(*id);
-  });
-  for_own_rows<long long>(rows, file, group + "body", [&](int p, const long long* body) {
-    particles.body(p) = static_cast<int>(*body);
-  });
-  particles.for_each_field([&](Field& field) {
-    if (field.components == 0) return;
-    for_own_rows<double>(rows, file, group + field.name, [&](int p, const double* values) {
-      for (int c = 0; c < field.components; ++c) field(p, c) = values[c];
-    });
-  });
-}
-
-/// Particles in each tile of the box, each rank counting its part of the rows. Collective.
-std::vector<double> count_particles(const State& state, const Hdf5File& file) {
-  const Comm& comm = *state.grid.comm;
-  std::vector<double> counts(state.grid.owner.size(), 0.0);
+  PartTiles tiles;
   RankWork work(comm);
   work.run([&] {
     for (const Particles& particles : state.particles) {
+      std::vector<int>& of_rows = tiles.emplace_back();
       const std::string name = particle_group(particles) + "position";
       for_part_of_rows<double>(comm, file, name, [&](std::size_t, const double* values) {
-        const Vector x = position_of(particles, values);
-        if (!state.grid.holds(x)) return;
-        counts[static_cast<std::size_t>(cell_of(state.grid, x).box_tile)] += 1.0;
+        Vector x{};
+        std::copy_n(values, static_cast<std::size_t>(particles.position.components), x.data());
+        of_rows.push_back(state.grid.holds(x) ? cell_of(state.grid, x).box_tile : -1);
       });
     }
   });
   work.agree();
-  sum_over_ranks(comm, counts);  // whole numbers: in any order the same
-  return counts;
+  return tiles;
 }
 
-/// Tiles as the ranks had them, or shared by the particles that are in them. Collective.
-void share_tiles(const SharedFile& shared, const Hdf5File& file, bool same_ranks, State& state) {
-  Grid& grid = state.grid;
-  if (same_ranks) {
-    const auto owner = shared.read<long long>("grid/owner");
-    set_owners({owner.begin(), owner.end()}, grid);
-    return;
-  }
-  const std::vector<double> counts = count_particles(state, file);
+/// Tiles are shared by the particles that are in them. Collective.
+void share_tiles(const PartTiles& tiles, Grid& grid) {
+  std::vector<double> counts(grid.owner.size(), 0.0);
+  for (const std::vector<int>& of_rows : tiles)
+    for (const int tile : of_rows)
+      if (tile >= 0) counts[static_cast<std::size_t>(tile)] += 1.0;
+  sum_over_ranks(*grid.comm, counts);  // whole numbers: in any order the same
   std::vector<TileCost> costs(counts.size());
   for (std::size_t t = 0; t < counts.size(); ++t) costs[t].particles = counts[t];
   set_owners(bisect_tiles(grid.tiles, costs, grid.comm->getSize()), grid);
+}
+
+/// The rows of a material that this rank wrote, where there are as many ranks. Collective.
+std::vector<std::size_t> written_rows(
+    const Comm& comm, const SharedFile& shared, const Particles& particles
+) {
+  const auto counts = shared.read<long long>(particle_group(particles) + "rank_counts");
+  const auto begin = std::accumulate(counts.begin(), counts.begin() + comm.getRank(), 0LL);
+  std::vector<std::size_t> rows(
+      static_cast<std::size_t>(counts[static_cast<std::size_t>(comm.getRank())])
+  );
+  std::iota(rows.begin(), rows.end(), static_cast<std::size_t>(begin));
+  return rows;
+}
+
+/// The rows of a material in this rank's tiles. Collective.
+std::vector<std::size_t> rows_in_tiles(
+    const Grid& grid, const Hdf5File& file, const std::string& name, const std::vector<int>& tiles
+) {
+  const std::size_t rows = file.size_of(name).rows;
+  const std::size_t begin = part_of_rows(*grid.comm, rows).begin;
+  return rows_by_owner(*grid.comm, rows, [&](std::size_t row) {
+    const int tile = tiles[row - begin];
+    // One that has just left the grid is counted and removed by whoever has it.
+    return tile >= 0 ? grid.owner[static_cast<std::size_t>(tile)] : 0;
+  });
+}
+
+/// Owners of tiles and rows of particles: as the ranks had them, or shared anew. Collective.
+void read_rows(const KnownRun& run, const SharedFile& shared, State& state) {
+  const Comm& comm = *state.grid.comm;
+  const Hdf5File& file = *run.checkpoint.open;
+  if (static_cast<int>(number_of(run.checkpoint.numbers, "ranks")) == comm.getSize()) {
+    const auto owner = shared.read<long long>("grid/owner");
+    set_owners({owner.begin(), owner.end()}, state.grid);
+    for (Particles& particles : state.particles)
+      read_particles(run, written_rows(comm, shared, particles), particles);
+    return;
+  }
+  const PartTiles tiles = tiles_of_part(state, file);
+  share_tiles(tiles, state.grid);
+  for (std::size_t m = 0; m < state.particles.size(); ++m) {
+    Particles& particles = state.particles[m];
+    const std::string name = particle_group(particles) + "position";
+    read_particles(run, rows_in_tiles(state.grid, file, name, tiles[m]), particles);
+  }
 }
 
 /// Rank 0 takes what all have given.
@@ -132,20 +128,15 @@ void read_sums(const SharedFile& file, State& state) {
 
 }  // namespace
 
-void read_checkpoint(const Checkpoint& checkpoint, State& state) {
+void read_checkpoint(
+    const Scene& scene, const std::vector<IdRange>& ids, const Checkpoint& checkpoint, State& state
+) {
   const Region region("read_checkpoint");
-  const Comm& comm = *state.grid.comm;
-  const SharedFile file(comm, checkpoint.open);
-  const auto wrote = static_cast<int>(checkpoint.numbers.at("ranks").at(0));
-  const bool same_ranks = wrote == comm.getSize();
+  const SharedFile file(*state.grid.comm, checkpoint.open);
   read_sums(file, state);
-  share_tiles(file, *checkpoint.open, same_ranks, state);
-  RankWork work(comm);
-  for (Particles& particles : state.particles) {
-    const std::vector<std::size_t> rows = own_rows(state, particles, file, *checkpoint.open);
-    work.run([&] { read_particles(rows, *checkpoint.open, particles); });
-  }
-  work.agree();
+  name_checkpoint(checkpoint, [&] {
+    read_rows({scene, ids, checkpoint, state.grid, state.jet}, file, state);
+  });
   for_each_number(state, [&](const char* name, auto& value) {
     value = static_cast<std::decay_t<decltype(value)>>(checkpoint.numbers.at(name).at(0));
   });

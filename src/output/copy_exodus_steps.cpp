@@ -43,6 +43,32 @@ public:
       refuse("a variable is missing");
     return values;
   }
+  /// Of every node, one list per direction.
+  std::vector<std::vector<double>> coordinates(int dimensions, std::size_t nodes) const {
+    const auto found = static_cast<std::size_t>(ex_inquire_int(file_, EX_INQ_NODES));
+    if (found != nodes || ex_inquire_int(file_, EX_INQ_DIM) != dimensions)
+      refuse(
+          "it has " + std::to_string(found) + " nodes instead of " + std::to_string(nodes) +
+          ", or another number of dimensions"
+      );
+    std::vector<std::vector<double>> x(
+        static_cast<std::size_t>(dimensions), std::vector<double>(nodes, 0.0)
+    );
+    double* const z = dimensions == 3 ? x.back().data() : nullptr;
+    if (nodes > 0 && ex_get_coord(file_, x[0].data(), x[1].data(), z) < 0)
+      refuse("its coordinates are missing");
+    return x;
+  }
+  /// The first attribute of a block's elements.
+  std::vector<double> attribute(long long block, std::size_t elements) const {
+    std::vector<double> values(elements);
+    if (elements > 0 &&
+        ex_get_partial_one_attr(
+            file_, EX_ELEM_BLOCK, block, 1, static_cast<int64_t>(elements), 1, values.data()
+        ) < 0)
+      refuse("the radii of its particles are missing");
+    return values;
+  }
   void refuse_fewer(int steps) const {
     if (this->steps() < steps)
       refuse(
@@ -64,8 +90,20 @@ private:
 
 }  // namespace
 
-void refuse_fewer_steps(const std::filesystem::path& file, int steps) {
-  OldFile(file).refuse_fewer(steps);
+void read_exodus_start(
+    const std::filesystem::path& from, int steps, int dimensions, ExodusLayout& layout
+) {
+  const OldFile old(from);
+  old.refuse_fewer(steps);
+  std::size_t elements = 0;
+  for (const ExodusBlock& block : layout.blocks) elements += block.ids.size();
+  layout.coordinates =
+      old.coordinates(dimensions, elements * static_cast<std::size_t>(layout.nodes_per_element));
+  layout.radius.clear();
+  for (std::size_t b = 0; layout.nodes_per_element == 1 && b < layout.blocks.size(); ++b)
+    for (const double radius :
+         old.attribute(static_cast<long long>(b) + 1, layout.blocks[b].ids.size()))
+      layout.radius.push_back(radius);
 }
 
 std::vector<std::vector<double>> copy_exodus_steps(

@@ -8,8 +8,13 @@
 
 namespace barreno {
 
-/// @throws FileError if an old file is not whole, or holds fewer time steps
-void refuse_fewer_steps(const std::filesystem::path& file, int steps);
+/// Reads the coordinates and radii of a file that goes on, which are those of the start.
+/// @param steps   so many it must have
+/// @param layout  of the same file but for these two
+/// @throws FileError if the old file is not whole, or holds fewer steps or other nodes
+void read_exodus_start(
+    const std::filesystem::path& from, int steps, int dimensions, ExodusLayout& layout
+);
 
 /// Copies the first time steps of a file of the same layout. @return the displacements of the last
 /// one, an array per direction

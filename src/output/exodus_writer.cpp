@@ -71,15 +71,8 @@ ExodusWriter::ExodusWriter(
       open_files_.push_back(open_file(file));
   ExodusLayout common = describe(scene, version);
   common.information = information;
-  const std::vector<ExodusLayout> layouts = record_start(scene, state, common);
-  // No file is touched unless all that shall go on are there.
-  RankWork find(comm);
-  if (steps_ > 0)
-    find.run([&] {
-      for (const OpenFile& open : open_files_)
-        refuse_fewer_steps(name_in_set(path, shares_, open.number), steps_);
-    });
-  find.agree();
+  const std::vector<ExodusLayout> layouts =
+      steps_ > 0 ? read_start(comm, path, common) : record_start(scene, state, common);
   RankWork open(comm);
   open.run([&] { open_files(path, layouts, steps_); });
   open.agree();
@@ -164,6 +157,24 @@ std::vector<ExodusLayout> ExodusWriter::record_start(
   }
   for (std::size_t h = 0; h < open_files_.size(); ++h)
     layouts[h].coordinates = open_files_[h].start;
+  return layouts;
+}
+
+/// That of the files as they are: particles have moved since. No file is touched unless all that
+/// shall go on are there.
+std::vector<ExodusLayout> ExodusWriter::read_start(
+    const Comm& comm, const std::filesystem::path& path, const ExodusLayout& common
+) {
+  std::vector<ExodusLayout> layouts;
+  RankWork find(comm);
+  find.run([&] {
+    for (OpenFile& open : open_files_) {
+      ExodusLayout& layout = layouts.emplace_back(layout_of(open, common));
+      read_exodus_start(name_in_set(path, shares_, open.number), steps_, dimensions_, layout);
+      open.start = layout.coordinates;
+    }
+  });
+  find.agree();
   return layouts;
 }
 

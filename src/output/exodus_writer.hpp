@@ -30,6 +30,7 @@ struct KeptFields {
 class ExodusWriter {
 public:
   /// @param ranges       all particles that the run has or will have, see particle_id_ranges
+  /// @param state        at the start; where files go on, at any time
   /// @param information lines kept in the files' information records
   ExodusWriter(
       const Scene& scene,
@@ -72,6 +73,9 @@ private:
   ExodusLayout layout_of(const OpenFile& open, const ExodusLayout& common) const;
   std::vector<ExodusLayout> record_start(
       const Scene& scene, const State& state, const ExodusLayout& common
+  );
+  std::vector<ExodusLayout> read_start(
+      const Comm& comm, const std::filesystem::path& path, const ExodusLayout& common
   );
   std::vector<std::string> variables(const Scene& scene, std::size_t set) const;
   /// Values of a particle on their way, see pack_rows.

@@ -143,8 +143,13 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
     depth =
         std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv", kept("depth_bytes"));
   if (!hollow_balls(scene).empty())
-    radii =
-        std::make_unique<RadiiWriter>(scene, state, run.folder / "radii.csv", kept("radii_bytes"));
+    radii = std::make_unique<RadiiWriter>(
+        scene,
+        *comm,
+        position.empty() ? start_of_radii(scene, state) : position.at("radii_start"),
+        run.folder / "radii.csv",
+        kept("radii_bytes")
+    );
   if (!pore_fluids(scene).empty())
     cavities = std::make_unique<CavitiesWriter>(
         scene, *comm, run.folder / "cavities.csv", kept("cavities_bytes")

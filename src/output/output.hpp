@@ -45,8 +45,9 @@ struct RunVerdict {
 /// Every function is collective: a file that cannot be written is a FileError on every rank.
 class Output {
 public:
-  /// Prints the first block and opens the files; the state is that at t = 0.
-  /// @param position  of a run that is resumed, see position(): its files stay as they were there
+  /// Prints the first block and opens the files; the state is that at t = 0, or of the checkpoint.
+  /// @param position  of a run that is resumed, see position(): its files stay as they were there.
+  ///                  Also its "time", and with hollow balls "radii_start" (start_of_radii)
   Output(
       const Scene& scene,
       const State& state,
@@ -75,8 +76,8 @@ public:
   /// How far the files have come in whole outputs, and the clock on the wall, for a checkpoint.
   /// Valid on the root.
   RunNumbers position() const;
-  /// Called once when a resumed run's state has been read: its content has been reported before,
-  /// and what could not be written of its step is written now.
+  /// Called once where a run is resumed: the content of its state has been reported before, and
+  /// what could not be written of its step is written now.
   void go_on_from(const Scene& scene, const State& state);
   double seconds() const;  ///< of work, those before a resume included; valid on the root
 

@@ -71,17 +71,28 @@ std::vector<RadialMoment> radial_moments(
   return moments;
 }
 
+std::vector<double> start_of_radii(const Scene& scene, const State& state) {
+  std::vector<double> start;
+  for (const RadialMoment& moment : radial_moments(scene, state, hollow_balls(scene)))
+    start.insert(start.end(), {moment.mean_power, moment.volume});
+  return start;
+}
+
 RadiiWriter::RadiiWriter(
-    const Scene& scene, const State& state, const std::filesystem::path& path, std::uintmax_t kept
+    const Scene& scene,
+    const Comm& comm,
+    const std::vector<double>& start,
+    const std::filesystem::path& path,
+    std::uintmax_t kept
 )
-    : bodies_(hollow_balls(scene)), start_(radial_moments(scene, state, bodies_)) {
+    : bodies_(hollow_balls(scene)), start_(start) {
   std::string header = "time";
   for (const int body : bodies_) {
     const std::string name = column_name(scene.bodies[static_cast<std::size_t>(body)].name);
     for (const char* radius : {"_inner_radius", "_outer_radius"})
       header.append(",").append(name).append(radius);
   }
-  RootWork work(*state.grid.comm);
+  RootWork work(comm);
   work.run([&] {
     file_ = std::make_unique<LineFile>(path, kept);
     if (kept > 0) return;  // it has its header
@@ -102,8 +113,8 @@ void RadiiWriter::write(const Scene& scene, const State& state) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Ball& ball = ball_of(scene, bodies_[i]);
     const double inner = power_of(mode, ball.inner_radius), outer = power_of(mode, ball.radius);
-    const double moved = now[i].mean_power - start_[i].mean_power;
-    const double swollen = 0.5 * (outer - inner) * (now[i].volume / start_[i].volume - 1.0);
+    const double moved = now[i].mean_power - start_[2 * i];
+    const double swollen = 0.5 * (outer - inner) * (now[i].volume / start_[2 * i + 1] - 1.0);
     row.push_back(root_of(mode, inner + moved - swollen));
     row.push_back(root_of(mode, outer + moved + swollen));
   }

@@ -24,6 +24,9 @@ std::vector<RadialMoment> radial_moments(
     const Scene& scene, const State& state, const std::vector<int>& bodies
 );
 
+/// Of each hollow ball at t = 0 its mean power and its volume. Collective.
+std::vector<double> start_of_radii(const Scene& scene, const State& state);
+
 /// radii.csv: inner and outer radius of every hollow ball as it moves; a row per call.
 ///
 /// Every point of a sphere that keeps its volume has r^3 = R^3 - c, so the mean of r^3 moves as
@@ -36,10 +39,12 @@ std::vector<RadialMoment> radial_moments(
 /// (squares in plane strain).
 class RadiiWriter {
 public:
-  /// Collective; the state is that at t = 0. @throws FileError on every rank
+  /// @param start  start_of_radii
+  /// Collective. @throws FileError on every rank
   RadiiWriter(
       const Scene& scene,
-      const State& state,
+      const Comm& comm,
+      const std::vector<double>& start,
       const std::filesystem::path& path,
       std::uintmax_t kept = 0
   );
@@ -50,7 +55,7 @@ public:
 
 private:
   std::vector<int> bodies_;
-  std::vector<RadialMoment> start_;
+  std::vector<double> start_;
   std::unique_ptr<LineFile> file_;  ///< root only
 };
 

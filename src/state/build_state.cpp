@@ -435,15 +435,13 @@ void fill_bodies(const Scene& scene, const BodyCensus& census, State& state) {
 
 }  // namespace
 
-State build_state(
+State build_empty_state(
     const Scene& scene, const BodyCensus& census, const Teuchos::RCP<const Teuchos::Comm<int>>& comm
 ) {
-  const Region region("build_state");
   State state;
   const int reach =
       visit_shape(scene.step.shape, [&](auto shape) { return decltype(shape)::reach(scene); });
   state.grid = make_grid(scene, reach, comm);
-  set_owners(bisect_tiles(state.grid.tiles, census.tiles, comm->getSize()), state.grid);
   add_sets(scene, state);
   state.reactions = reactions_of(scene, state.fields);
   state.pore_flow.on = scene.pore_flow.on();
@@ -456,6 +454,15 @@ State build_state(
   const auto slugs = census.first.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size());
   state.jet.body = static_cast<int>(scene.bodies.size());
   state.jet.slug_ids.assign(slugs, census.first.end());
+  return state;
+}
+
+State build_state(
+    const Scene& scene, const BodyCensus& census, const Teuchos::RCP<const Teuchos::Comm<int>>& comm
+) {
+  const Region region("build_state");
+  State state = build_empty_state(scene, census, comm);
+  set_owners(bisect_tiles(state.grid.tiles, census.tiles, comm->getSize()), state.grid);
   fill_bodies(scene, census, state);
   OwnLedger& ledger = state.ledger;
   ledger.mass = ledger.initial_mass;

@@ -20,7 +20,11 @@ namespace barreno {
 State build_state(
     const Scene& scene, const BodyCensus& census, const Teuchos::RCP<const Teuchos::Comm<int>>& comm
 );
-/// The same with a census of its own.
+/// The same without particles, all tiles being rank 0's: what a checkpoint is read into.
+State build_empty_state(
+    const Scene& scene, const BodyCensus& census, const Teuchos::RCP<const Teuchos::Comm<int>>& comm
+);
+/// Scene at t = 0 with a census of its own.
 State build_state(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 
 /// A particle before it moves: found once for all that start alike.

@@ -199,12 +199,23 @@ def check_longer(barreno, folder, plain):
     resumed(barreno, 1, run, "--until", "19 us")
 
 
+def check_start(barreno, folder, plain):
+    """What the files know of t = 0, of which no particle is made on a resume, goes on: radii of points, and those of a hollow ball; on other ranks too."""
+    words = {"Grid/Cell Size": "3 mm", "Time/End Time": "10 us", "Output/Checkpoint Steps": 5, "Output/Field Interval": "4 us", "Output/Particle Glyph": "point"}
+    whole = folder / "ball"
+    must_work(program(barreno, 1, "run", DECKS / "shell_squeezed.xml", "--out", whole, *(word for item in words.items() for word in ("--set", "=".join(map(str, item))))))
+    for ranks in (1, 2):
+        run = resumed(barreno, ranks, at_previous(pathlib.Path(shutil.copytree(whole, folder / f"ball_on_{ranks}"))))
+        assert not different_fields(whole, run), different_fields(whole, run)
+        assert not different_files(whole, run, ("history.csv", "radii.csv", "cavities.csv")), ranks
+
+
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         plain = straight(barreno, folder / "plain")
-        for check in (check_signals, check_warnings, check_full_disk, check_two_processes, check_killed_group, check_damage, check_refusals, check_longer, check_ranks):
+        for check in (check_signals, check_warnings, check_full_disk, check_two_processes, check_killed_group, check_damage, check_refusals, check_longer, check_ranks, check_start):
             check(barreno, folder, plain)
             print(check.__name__, "holds")
 

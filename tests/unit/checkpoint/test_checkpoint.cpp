@@ -6,6 +6,7 @@
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_checkpoint.hpp"
 #include "state/balance.hpp"
+#include "state/build_state.hpp"
 #include "support/scenes.hpp"
 #include "unit/output/synthetic_run.hpp"
 
@@ -94,8 +95,9 @@ protected:
   void go_on(long steps) { testing::advance_to(scene, scene.end_time, state, steps); }
   /// What a run that begins with the checkpoint has.
   State read(const Checkpoint& checkpoint) const {
-    State other = testing::start(scene);
-    read_checkpoint(checkpoint, other);
+    const BodyCensus census = take_census(scene, state.grid.comm);
+    State other = build_empty_state(scene, census, state.grid.comm);
+    read_checkpoint(scene, particle_id_ranges(scene, census.first), checkpoint, other);
     return other;
   }
   const Scene scene = impact();

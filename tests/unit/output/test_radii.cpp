@@ -52,7 +52,9 @@ TEST(Radii, AreThoseOfAShellThatKeepsItsVolume) {
     const Scene scene = hollow_scene(mode);
     State state = testing::start(scene);
     const synthetic::TemporaryFolder folder(*state.grid.comm);
-    RadiiWriter writer(scene, state, folder.path() / "radii.csv");
+    RadiiWriter writer(
+        scene, *state.grid.comm, start_of_radii(scene, state), folder.path() / "radii.csv"
+    );
     writer.write(scene, state);
     std::vector<double> row = last_row(folder.path() / "radii.csv");
     ASSERT_EQ(row.size(), 3U);
@@ -72,7 +74,9 @@ TEST(Radii, FollowAUniformCompression) {
   const Scene scene = hollow_scene(Mode::axisymmetric);
   State state = testing::start(scene);
   const synthetic::TemporaryFolder folder(*state.grid.comm);
-  RadiiWriter writer(scene, state, folder.path() / "radii.csv");
+  RadiiWriter writer(
+      scene, *state.grid.comm, start_of_radii(scene, state), folder.path() / "radii.csv"
+  );
   implode(state, 3, 0.0, 0.9);
   writer.write(scene, state);
   const std::vector<double> row = last_row(folder.path() / "radii.csv");

@@ -3,6 +3,7 @@
 #include "base/gather.hpp"
 #include "checkpoint/read_checkpoint.hpp"
 #include "checkpoint/write_checkpoint.hpp"
+#include "state/build_state.hpp"
 #include "state/load_table.hpp"
 #include "support/scenes.hpp"
 
@@ -129,8 +130,10 @@ TEST(ManyLoads, AreReadBackFromACheckpoint) {
   testing::advance_to(scene, end, state, 5);
   for (Particles& particles : state.particles) particles.sorted = false;
   write_checkpoint(folder, "the deck", {{"rows", {3.0}}}, state);
-  State resumed = testing::start(scene);
-  read_checkpoint(find_checkpoint(comm, folder), resumed);
+  const BodyCensus census = take_census(scene, state.grid.comm);
+  State resumed = build_empty_state(scene, census, state.grid.comm);
+  const std::vector<IdRange> ids = particle_id_ranges(scene, census.first);
+  read_checkpoint(scene, ids, find_checkpoint(comm, folder), resumed);
   testing::advance_to(scene, end, state);
   testing::advance_to(scene, end, resumed);
   EXPECT_EQ(testing::all_rows(state), testing::all_rows(resumed));
