@@ -15,8 +15,7 @@
 
 namespace barreno {
 
-/// The communication plan between the ranks that share tiles (Tpetra); hidden to keep compile times
-/// low.
+/// The communication plan between the ranks that share tiles; MPI is known to halo.cpp alone.
 struct HaloPlan;
 
 /// Position of a tile in the box, in tiles of its level along x, y, z.

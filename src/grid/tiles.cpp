@@ -3,6 +3,7 @@
 
 #include "base/launch.hpp"
 #include "base/region.hpp"
+#include "base/view_of.hpp"
 #include "grid/halo.hpp"
 #include "grid/make_patch.hpp"
 #include "scene/tile_levels.hpp"
@@ -154,19 +155,34 @@ void find_levels(const std::vector<int>& owned, Grid& grid) {
   }
 }
 
+/// The box forgets the local tiles: it has many more places, which nobody looks at for that.
+void leave_tiles(const Grid& grid) {
+  const BoxTiles box = grid.box;
+  const ArrayView<TileFrame> frame = grid.tile_frame;
+  const ArrayView<int> directory = grid.directory;
+  launch(
+      "leave_tiles",
+      range(grid.active + grid.ghosts),
+      KOKKOS_LAMBDA(const int t) { directory(box.id(frame(t).position)) = -1; }
+  );
+}
+
 /// Frames of the local tiles, and where the box finds them.
 void enter_tiles(const std::vector<int>& local, const Grid& grid) {
-  const auto frame = Kokkos::create_mirror_view(grid.tile_frame);
-  for (std::size_t t = 0; t < local.size(); ++t) {
-    const TilePosition at = grid.box.position(local[t]);
-    frame(t) = {at, grid.cell_size / (1 << at.level), 0.0, 0.0};
-  }
-  Kokkos::deep_copy(grid.tile_frame, frame);
-  const auto directory = Kokkos::create_mirror_view(grid.directory);
-  Kokkos::deep_copy(directory, -1);
-  for (std::size_t t = 0; t < local.size(); ++t)
-    directory(static_cast<std::size_t>(local[t])) = static_cast<int>(t);
-  Kokkos::deep_copy(grid.directory, directory);
+  const BoxTiles box = grid.box;
+  const double cell_size = grid.cell_size;
+  const ArrayView<int> id = view_of("local_tiles", local);
+  const ArrayView<TileFrame> frame = grid.tile_frame;
+  const ArrayView<int> directory = grid.directory;
+  launch(
+      "enter_tiles",
+      range(static_cast<int>(local.size())),
+      KOKKOS_LAMBDA(const int t) {
+        const TilePosition at = box.position(id(t));
+        frame(t) = {at, cell_size / (1 << at.level), 0.0, 0.0};
+        directory(id(t)) = t;
+      }
+  );
 }
 
 void set_levels(const std::vector<unsigned char>& level_of_tile, Grid& grid) {
@@ -222,6 +238,7 @@ void set_owners(const std::vector<int>& owner, Grid& grid) {
 void activate_tiles(Grid& grid, const std::vector<int>& owned) {
   const Region region("activate_tiles");
   ++grid.activations;
+  leave_tiles(grid);
   const std::vector<int> ghosts = build_halo(grid, owned);
   grid.active = static_cast<int>(owned.size());
   grid.ghosts = static_cast<int>(ghosts.size());

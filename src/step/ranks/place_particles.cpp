@@ -7,38 +7,73 @@
 #include "step/order/sort_by_cell.hpp"
 #include "step/ranks/migrate_particles.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace barreno {
 namespace {
 
-/// Marks the tiles that hold rows of a set, by number (BoxTiles).
-void mark_tiles(
-    const CellLattice& lattice, const Particles& particles, const ArrayView<unsigned char>& holds
-) {
+/// Tiles that hold rows: marks on those that are active, and a list of the others, with repeats.
+struct HoldingTiles {
+  ArrayView<unsigned char> active;
+  ArrayView<int> others, count;  ///< of which the first `count` are filled
+};
+
+void look_for_tiles(const Grid& grid, const Particles& particles, const HoldingTiles& holding) {
+  const CellLattice lattice(grid);
   const FieldView position = particles.position.values;
+  const ArrayView<int> directory = grid.directory;
+  const int active = grid.active;
   launch(
-      "mark_tiles",
+      "look_for_tiles",
       range(particles.count),
-      KOKKOS_LAMBDA(const int p) { holds(lattice.cell_at(position, p).tile) = 1; }
+      KOKKOS_LAMBDA(const int p) {
+        const int tile = lattice.cell_at(position, p).tile;
+        const int local = directory(tile);
+        if (local >= 0 && local < active)
+          holding.active(local) = 1;
+        else
+          holding.others(fetch_add(holding.count(0), 1)) = tile;
+      }
   );
 }
 
-/// Marks the coarser tiles around those that are marked.
-template <class Marks>
-void mark_coarser_tiles(const BoxTiles& box, const Marks& marked) {
-  for (int id = box.first_id[box.levels] - 1; id >= box.first_id[1]; --id)
-    if (marked(static_cast<std::size_t>(id)) != 0)
-      marked(static_cast<std::size_t>(box.id(box.parent(box.position(id))))) = 1;
+/// Adds the coarser tiles around those of a list.
+void add_coarser_tiles(const BoxTiles& box, std::vector<int>& tiles) {
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    const TilePosition at = box.position(tiles[t]);
+    if (at.level > 0) tiles.push_back(box.id(box.parent(at)));
+  }
+}
+
+void sort_out_repeats(std::vector<int>& tiles) {
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
 }
 
 /// Tiles that hold particles of this rank, and the coarser ones around them, by number, ascending.
+/// Most are active already; no place of the box is looked at beside them.
 std::vector<int> occupied_tiles(const Grid& grid, const std::vector<Particles>& sets) {
-  const ArrayView<unsigned char> holds("occupied_tiles", grid.directory.extent(0));
-  for (const Particles& particles : sets) mark_tiles(CellLattice(grid), particles, holds);
-  const auto marked = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), holds);
-  mark_coarser_tiles(grid.box, marked);
-  std::vector<int> tiles;
-  for (std::size_t t = 0; t < marked.extent(0); ++t)
-    if (marked(t) != 0) tiles.push_back(static_cast<int>(t));
+  const auto rows = std::accumulate(sets.begin(), sets.end(), 0, [](int sum, const Particles& set) {
+    return sum + set.count;
+  });
+  const HoldingTiles holding{
+      ArrayView<unsigned char>("holding_tiles", static_cast<std::size_t>(grid.active)),
+      ArrayView<int>("holding_others", static_cast<std::size_t>(rows)),
+      ArrayView<int>("holding_count", 1)};
+  for (const Particles& particles : sets) look_for_tiles(grid, particles, holding);
+  const auto on_host = [](const auto& view) {
+    return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+  };
+  const auto active = on_host(holding.active);
+  const auto frame = on_host(grid.tile_frame);
+  const auto others = on_host(holding.others);
+  std::vector<int> tiles(others.data(), others.data() + on_host(holding.count)(0));
+  sort_out_repeats(tiles);
+  for (std::size_t t = 0; t < active.extent(0); ++t)
+    if (active(t) != 0) tiles.push_back(grid.box.id(frame(t).position));
+  add_coarser_tiles(grid.box, tiles);
+  sort_out_repeats(tiles);
   return tiles;
 }
 

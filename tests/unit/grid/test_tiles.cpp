@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
@@ -162,6 +164,47 @@ TEST(Halo, BringsTheSumsOfNeighboursFromTheirOwners) {
   exchange_halo(grid, sums, width);
   for (int t = 0; t < grid.active + grid.ghosts; ++t)
     for (int c = 0; c < width; ++c) EXPECT_EQ(sums(t * width + c), 10.0 * tile_of(t) + c);
+}
+
+/// Half of the tiles are active, and change: only those that touch are exchanged, each by its
+/// owner.
+TEST(Halo, KnowsWhichTilesOfOthersAreActive) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  Scene scene;
+  scene.grid = {Mode::plane_strain, {0.0, 0.0, 0.0}, {80.0, 80.0, 0.0}, 1.0};  // 10 x 10 tiles
+  Grid grid = make_grid(scene, 1, comm);
+  const int ranks = comm->getSize(), rank = comm->getRank();
+  for (int tile = 0; tile < 100; ++tile)
+    grid.owner[static_cast<std::size_t>(tile)] = tile % 10 * ranks / 10;
+  for (const int part : {0, 1, 2}) {
+    const auto is_active = [&](int tile) { return (tile / 10 + tile) % 3 == part; };
+    std::vector<int> owned, ghosts;
+    for (int tile = 0; tile < 100; ++tile)
+      if (is_active(tile) && grid.owner[static_cast<std::size_t>(tile)] == rank)
+        owned.push_back(tile);
+    for (int tile = 0; tile < 100; ++tile) {
+      if (!is_active(tile) || grid.owner[static_cast<std::size_t>(tile)] == rank) continue;
+      for (const int mine : owned)
+        if (std::abs(mine / 10 - tile / 10) <= 1 && std::abs(mine % 10 - tile % 10) <= 1) {
+          ghosts.push_back(tile);
+          break;
+        }
+    }
+    activate_tiles(grid, owned);
+    ASSERT_EQ(grid.active, static_cast<int>(owned.size()));
+    ASSERT_EQ(grid.ghosts, static_cast<int>(ghosts.size()));
+    std::vector<int> local = owned;
+    local.insert(local.end(), ghosts.begin(), ghosts.end());
+    const ArrayView<double> sums("sums", local.size());
+    for (std::size_t t = 0; t < owned.size(); ++t) sums(t) = 0.5 * owned[t];
+    exchange_halo(grid, sums, 1);
+    for (std::size_t t = 0; t < local.size(); ++t) EXPECT_EQ(sums(t), 0.5 * local[t]);
+    for (int tile = 0; tile < 100; ++tile) {
+      const auto found = std::find(local.begin(), local.end(), tile);
+      const int place = found == local.end() ? -1 : static_cast<int>(found - local.begin());
+      EXPECT_EQ(grid.directory(tile), place) << tile;
+    }
+  }
 }
 
 TEST(Migrate, SendsRowsToTheRanksNamed) {
