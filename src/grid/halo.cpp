@@ -6,9 +6,7 @@
 #include "base/region.hpp"
 #include "base/view_of.hpp"
 
-#include <Teuchos_DefaultMpiComm.hpp>
-
-#include <mpi.h>
+#include <Tpetra_Distributor.hpp>
 
 #include <algorithm>
 #include <map>
@@ -16,24 +14,14 @@
 
 namespace barreno {
 
-/// What goes to another rank and comes from it, in every exchange.
-struct HaloNeighbour {
-  int rank = 0;
-  int sent = 0, received = 0;  ///< tiles
-};
-
 struct HaloPlan {
-  std::vector<HaloNeighbour> neighbours;  ///< ascending
-  ArrayView<int> sent;                    ///< local tiles, in the order of the messages
-  ArrayView<int> received;                ///< likewise, counted among the ghosts
-  ArrayView<double> outgoing, incoming;   ///< kept: the step allocates nothing
-  std::vector<MPI_Request> requests;
+  Teuchos::RCP<Tpetra::Distributor> distributor;
+  ArrayView<int> sent;                   ///< local tiles, in the order of the messages
+  ArrayView<int> received;               ///< likewise, counted among the ghosts
+  ArrayView<double> outgoing, incoming;  ///< kept: the step allocates nothing
 };
 
 namespace {
-
-/// Those of exchange() are others.
-constexpr int halo_tag = 4713;
 
 /// Tiles by the other rank that they have to do with, each list ascending.
 using TilesOfRank = std::map<int, std::vector<int>>;
@@ -113,28 +101,6 @@ ArrayView<double> room_in(ArrayView<double>& buffer, std::size_t size) {
   return Kokkos::subview(buffer, std::make_pair(std::size_t{0}, size));
 }
 
-MPI_Comm mpi_of(const Grid& grid) {
-  return *dynamic_cast<const Teuchos::MpiComm<int>&>(*grid.comm).getRawMpiComm();
-}
-
-/// Sends and receives `row` doubles for each tile, from and into the host's memory.
-void swap_rows(const Grid& grid, std::size_t row, double* outgoing, double* incoming) {
-  HaloPlan& plan = *grid.halo;
-  MPI_Comm comm = mpi_of(grid);
-  std::size_t next = 0;
-  for (const HaloNeighbour& other : plan.neighbours) {
-    const int count = other.received * static_cast<int>(row);
-    MPI_Irecv(incoming, count, MPI_DOUBLE, other.rank, halo_tag, comm, &plan.requests[next++]);
-    incoming += count;
-  }
-  for (const HaloNeighbour& other : plan.neighbours) {
-    const int count = other.sent * static_cast<int>(row);
-    MPI_Isend(outgoing, count, MPI_DOUBLE, other.rank, halo_tag, comm, &plan.requests[next++]);
-    outgoing += count;
-  }
-  MPI_Waitall(static_cast<int>(next), plan.requests.data(), MPI_STATUSES_IGNORE);
-}
-
 }  // namespace
 
 /// Both sides of a border find the same tiles from what they tell each other: what one sends is
@@ -143,23 +109,25 @@ std::vector<int> build_halo(Grid& grid, const std::vector<int>& owned) {
   grid.halo.reset();
   if (grid.comm->getSize() == 1) return {};
   const TilesOfRank told = tiles_at_borders(grid, owned);
-  auto plan = std::make_shared<HaloPlan>();
-  std::vector<int> sent, received;
+  std::vector<int> sent, received, to, from;
   for (const auto& [rank, theirs] : tell_neighbours(grid, told)) {
     const auto ours = told.find(rank);
     if (ours == told.end()) continue;
     const std::vector<int> out = touching(grid, ours->second, theirs);
     const std::vector<int> in = touching(grid, theirs, ours->second);
     if (out.empty()) continue;  // then so is `in`
-    plan->neighbours.push_back({rank, static_cast<int>(out.size()), static_cast<int>(in.size())});
     sent.insert(sent.end(), out.begin(), out.end());
     received.insert(received.end(), in.begin(), in.end());
+    to.insert(to.end(), out.size(), rank);
+    from.insert(from.end(), in.size(), rank);
   }
   std::vector<int> ghosts = received;
   std::sort(ghosts.begin(), ghosts.end());
+  auto plan = std::make_shared<HaloPlan>();
+  plan->distributor = Teuchos::rcp(new Tpetra::Distributor(grid.comm));
+  plan->distributor->createFromSendsAndRecvs(to, from);
   plan->sent = view_of("sent_tiles", places_in(owned, sent));
   plan->received = view_of("received_tiles", places_in(ghosts, received));
-  plan->requests.assign(2 * plan->neighbours.size(), MPI_REQUEST_NULL);
   grid.halo = plan;
   return ghosts;
 }
@@ -182,11 +150,8 @@ void exchange_halo(const Grid& grid, const ArrayView<double>& sums, int width) {
         for (std::size_t c = 0; c < row; ++c) to[c] = from[c];
       }
   );
-  // MPI works in the host's memory, which these are where kernels do too.
-  const auto from_here = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), outgoing);
-  const auto from_others = Kokkos::create_mirror_view(incoming);
-  swap_rows(grid, row, from_here.data(), from_others.data());
-  Kokkos::deep_copy(incoming, from_others);
+  const ArrayView<const double> packed = outgoing;
+  plan.distributor->doPostsAndWaits(packed, row, incoming);
   launch(
       "unpack_halo",
       range(static_cast<int>(received.extent(0))),
