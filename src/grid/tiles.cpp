@@ -169,19 +169,18 @@ void leave_tiles(const Grid& grid) {
 
 /// Frames of the local tiles, and where the box finds them.
 void enter_tiles(const std::vector<int>& local, const Grid& grid) {
-  const BoxTiles box = grid.box;
-  const double cell_size = grid.cell_size;
+  const auto frame = Kokkos::create_mirror_view(grid.tile_frame);
+  for (std::size_t t = 0; t < local.size(); ++t) {
+    const TilePosition at = grid.box.position(local[t]);
+    frame(t) = {at, grid.cell_size / (1 << at.level), 0.0, 0.0};
+  }
+  Kokkos::deep_copy(grid.tile_frame, frame);
   const ArrayView<int> id = view_of("local_tiles", local);
-  const ArrayView<TileFrame> frame = grid.tile_frame;
   const ArrayView<int> directory = grid.directory;
   launch(
       "enter_tiles",
       range(static_cast<int>(local.size())),
-      KOKKOS_LAMBDA(const int t) {
-        const TilePosition at = box.position(id(t));
-        frame(t) = {at, cell_size / (1 << at.level), 0.0, 0.0};
-        directory(id(t)) = t;
-      }
+      KOKKOS_LAMBDA(const int t) { directory(id(t)) = t; }
   );
 }
 
