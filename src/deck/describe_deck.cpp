@@ -28,7 +28,10 @@ std::string number_text(double x) {
 
 std::string columns_text(const Entry& entry) {
   std::vector<std::string> units;
-  for (const Dimension& column : entry.columns) units.push_back(input::si_unit_of(column));
+  for (const Dimension& column : entry.columns) {
+    const std::string unit = input::si_unit_of(column);
+    units.push_back(unit.empty() ? "-" : unit);
+  }
   return "table of [" + with_commas(units) + "]";
 }
 

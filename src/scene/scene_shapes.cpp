@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
 #include "deck/sections/shape_section.hpp"
+#include "geometry/drawn_polygon.hpp"
 #include "geometry/surface.hpp"
 #include "scene/geometry.hpp"
 #include "scene/scene_parts.hpp"
@@ -62,6 +63,7 @@ Keys keys_of_round(ShapeWord word, Mode mode) {
 
 Keys keys_of(ShapeWord word, Mode mode) {
   using S = ShapeSection;
+  const Names arcs = names_of(&S::arcs);
   switch (word) {
     case ShapeWord::box:
       return {"a box", names_of(&S::lower, &S::upper), {}};
@@ -70,9 +72,10 @@ Keys keys_of(ShapeWord word, Mode mode) {
     case ShapeWord::cone:
       return keys_of_round(word, mode);
     case ShapeWord::polygon:
-      if (dimensions(mode) == 2) return {"a polygon in two dimensions", names_of(&S::corners), {}};
+      if (dimensions(mode) == 2)
+        return {"a polygon in two dimensions", names_of(&S::corners), arcs};
       return {
-          "a polygon in three dimensions", names_of(&S::corners, &S::axis, &S::from, &S::to), {}};
+          "a polygon in three dimensions", names_of(&S::corners, &S::axis, &S::from, &S::to), arcs};
     case ShapeWord::half_space:
       return {"a half-space", names_of(&S::point, &S::normal), {}};
     case ShapeWord::stl:
@@ -199,31 +202,12 @@ Shape read_round(const GivenShape& list) {
   return figure_of(cone);
 }
 
-/// On which side of the line from a to b.
-double turn(
-    const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& x
-) {
-  return (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0]);
-}
-
-/// Two edges without a common corner meet; their numbers from 1, or nothing.
-std::vector<std::size_t> crossing_edges(const Polygon& polygon) {
-  const auto& p = polygon.corners;
-  const std::size_t n = p.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j == n - 1) continue;
-      const auto &a = p[i], &b = p[i + 1], &c = p[j], &d = p[(j + 1) % n];
-      if (turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0)
-        return {i + 1, j + 1};
-    }
-  return {};
-}
-
 Shape read_polygon(const GivenShape& list) {
+  std::string problem;
+  const DrawnPolygon drawn = draw_polygon(list.said.corners, list.said.arcs, problem);
+  if (!problem.empty()) refuse(list, &ShapeSection::arcs, problem);
   Polygon polygon;
-  for (const std::vector<double>& row : list.said.corners)
-    polygon.corners.push_back({row[0], row[1]});
+  polygon.corners = drawn.corners;
   if (dimensions(list.mode) == 3) {
     polygon.axis = list.said.axis;
     polygon.from = list.said.from;
@@ -244,10 +228,11 @@ Shape read_polygon(const GivenShape& list) {
         list,
         &ShapeSection::corners,
         "has more than " + std::to_string(max_corners) +
-            " corners (too many to compare); leave out those that matter least"
+            " corners, one per degree of an arc among them (too many to compare); leave out those "
+            "that matter least"
     );
   }
-  const auto edges = crossing_edges(polygon);
+  const auto edges = crossing_edges(drawn);
   if (!edges.empty()) {
     refuse(
         list,

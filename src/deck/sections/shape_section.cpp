@@ -16,7 +16,8 @@ Entries<ShapeSection> choice_entries() {
           "Shape",
           "box: Lower and Upper; ball: Centre, Radius; cylinder: Start, End, Radius (plane strain: "
           "Centre, Radius); cone: Start, End, Radius, End Radius (not in plane strain); polygon: "
-          "Corners (three dimensions: Axis, From and To too); half-space: Point, Normal; union, "
+          "Corners, Arcs (three dimensions: Axis, From and To too); half-space: Point, Normal; "
+          "union, "
           "difference and intersection: Parts; STL: File, File Unit (three dimensions only). In "
           "axisymmetry a shape is a figure in {r, axial}, turned about the axis"
       ),
@@ -75,6 +76,16 @@ Entries<ShapeSection> flat_entries() {
               {dim::length, dim::length},
               "of a polygon in order, one per row; in three dimensions the two coordinates normal "
               "to Axis, in their order; edges must not cross"
+          )
+      ),
+      if_given(
+          &ShapeSection::arcs,
+          table(
+              "Arcs",
+              {dim::none, dim::length, dim::length},
+              "edges of a polygon that are arcs of circles, a row each: number of the corner that "
+              "the edge starts from, counted from 1, and a point of the arc between its ends; an "
+              "arc becomes chords of 1 degree or less that enclose its area"
           )
       ),
       if_given(

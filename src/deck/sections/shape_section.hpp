@@ -47,6 +47,7 @@ struct ShapeSection {
   double radius = 0.0;                          ///< [length]
   double end_radius = 0.0, inner_radius = 0.0;  ///< a tip, and solid, without them [length]
   std::vector<std::vector<double>> corners;     ///< of a polygon, a row each [length]
+  std::vector<std::vector<double>> arcs;        ///< of its edges: {number, point [length]}
   int axis = 2;                                 ///< along which it is extruded
   double from = 0.0, to = 0.0;                  ///< on that axis [length]
   Vector point{}, normal{};                     ///< of the plane that bounds a half-space
