@@ -114,7 +114,7 @@ std::string fault_of_output(const Scene& scene, const State& state, const Checkp
     if (fault.empty()) fault = fault_of_length(checkpoint, number, file, wanted);
   };
   look("history_bytes", "history.csv", true);
-  look("depth_bytes", "depth.csv", scene.jet.present);
+  look("depth_bytes", "depth.csv", scene.jet.present || number_of(numbers, "depth_bytes") > 0.0);
   return fault;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace barreno {
 namespace {
@@ -63,10 +64,7 @@ Extent on_axis(const Shape& shape, const GridSpec& grid, double radius) {
 /// The jet's mass in units of a fixed quantum: whole numbers add up the same in every order.
 class MassCounter {
 public:
-  explicit MassCounter(const Scene& scene) {
-    const double total = jet_table_totals(scene, scene.jet.slugs.size()).mass;
-    quantum_ = std::ldexp(total > 0.0 ? total : 1.0, -52);
-  }
+  explicit MassCounter(double most) : quantum_(std::ldexp(most > 0.0 ? most : 1.0, -52)) {}
   long long count(double mass) const { return std::llround(mass / quantum_); }
   double mass(long long count) const { return static_cast<double>(count) * quantum_; }
 
@@ -105,6 +103,16 @@ void follow_jet_particle(
 /// Whole numbers add up the same in every order: parts of a cell that are filled.
 constexpr double fill_quantum = 1.0 / 1099511627776.0;
 
+bool is_of(const std::vector<int>& bodies, int body) {
+  return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+}
+
+/// What has been torn from a jet is none.
+bool is_jet(const HostParticles& particles, int p, const JetOrigin& origin) {
+  return is_of(origin.bodies, particles.body(p)) &&
+         (!origin.formed || origin.direction * (particles.position(p, 1) - origin.plane) > 0.0);
+}
+
 /// Filled part of the cells along the path (rows) by distance from the axis (columns), of this
 /// rank.
 std::vector<long long> fill_cells(
@@ -124,9 +132,10 @@ std::vector<long long> fill_cells(
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const HostParticles& particles = sets[set];
     const double density = scene.materials[set].density();
+    // Gas that has formed the jet follows it into the channel, and does not fill it.
+    if (path.origin.formed && scene.materials[set].detonation_speed()) continue;
     for (int p = 0; p < particles.count; ++p) {
-      if ((particles.body(p) & ~debris_bit) == static_cast<int>(scene.bodies.size()))
-        continue;  // the jet itself
+      if (is_of(path.origin.bodies, particles.body(p) & ~debris_bit)) continue;  // the jet itself
       const double bin = std::floor(path.depth(particles.position(p, 1)) / h);
       const double z = grid.mode == Mode::three_dimensional ? particles.position(p, 2) : 0.0;
       const double column = std::floor(std::hypot(particles.position(p, 0), z) / h);
@@ -159,6 +168,25 @@ std::vector<double> open_radii(
   return radii;
 }
 
+/// Bodies that a jet meets, the nearest first.
+std::vector<PathLayer> layers_ahead(const Scene& scene, const JetOrigin& origin) {
+  const double start = origin.direction * origin.plane + length_tolerance(scene.grid);
+  const bool forward = origin.direction > 0.0;
+  std::vector<PathLayer> layers;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (is_of(origin.bodies, static_cast<int>(b))) continue;
+    const Extent extent = on_axis(scene.bodies[b].shape, scene.grid, origin.radius);
+    const double near = forward ? extent.lower : -extent.upper;
+    const double far = forward ? extent.upper : -extent.lower;
+    if (!(far > near) || far <= start) continue;  // off the axis or behind the jet
+    layers.push_back({b, near, far});
+  }
+  std::stable_sort(layers.begin(), layers.end(), [](const PathLayer& a, const PathLayer& b) {
+    return a.near < b.near;
+  });
+  return layers;
+}
+
 /// Depth and velocity of the deepest particle of all ranks, on the root.
 void combine_reach(
     const Comm& comm, const JetPath& path, const JetReach& mine, Penetration& result
@@ -187,29 +215,56 @@ double widest_radius(const Scene& scene) {
 }
 
 std::vector<PathLayer> path_layers(const Scene& scene, double radius) {
-  const double launch = scene.jet.direction * scene.jet.launch_position;
-  const bool forward = scene.jet.direction > 0.0;
-  std::vector<PathLayer> layers;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Extent extent = on_axis(scene.bodies[b].shape, scene.grid, radius);
-    const double near = forward ? extent.lower : -extent.upper;
-    const double far = forward ? extent.upper : -extent.lower;
-    if (!(far > near) || far <= launch) continue;  // off the axis or behind the jet
-    layers.push_back({b, near, far});
-  }
-  std::stable_sort(layers.begin(), layers.end(), [](const PathLayer& a, const PathLayer& b) {
-    return a.near < b.near;
-  });
-  return layers;
+  JetOrigin origin = launched_jet(scene);
+  origin.radius = radius;
+  return layers_ahead(scene, origin);
+}
+
+JetOrigin launched_jet(const Scene& scene) {
+  JetOrigin origin;
+  origin.bodies = {static_cast<int>(scene.bodies.size())};
+  origin.plane = scene.jet.launch_position;
+  origin.direction = scene.jet.direction;
+  origin.radius = widest_radius(scene);
+  origin.mass = jet_table_totals(scene, scene.jet.slugs.size()).mass;
+  return origin;
+}
+
+JetOrigin formed_jet(const Scene& scene, const JetMonitorSpec& monitor) {
+  JetOrigin origin;
+  origin.bodies = monitor.bodies;
+  origin.plane = monitor.position;
+  origin.direction = monitor.direction;
+  origin.formed = true;
+  // How wide it will be is not known: what lies on the axis.
+  origin.radius = scene.grid.cell_size;
+  const double ring = scene.grid.mode == Mode::axisymmetric ? two_pi * scene.grid.upper[0] : 1.0;
+  for (const int body : monitor.bodies)
+    origin.mass += ring * monitor.density *
+                   max_measure(scene.bodies[static_cast<std::size_t>(body)].shape, scene.grid);
+  return origin;
 }
 
 JetPath jet_path(const Scene& scene) {
+  return jet_path(scene, launched_jet(scene));
+}
+
+std::optional<JetPath> recorded_path(const Scene& scene, const JetMonitorSpec& monitor) {
+  if (scene.jet.present) return jet_path(scene);
+  if (!monitor.present()) return {};
+  JetPath path = jet_path(scene, formed_jet(scene, monitor));
+  if (!path.has_target) return {};
+  return path;
+}
+
+JetPath jet_path(const Scene& scene, const JetOrigin& origin) {
   JetPath path;
-  path.direction = scene.jet.direction;
+  path.origin = origin;
+  path.direction = origin.direction;
   path.bin = scene.grid.cell_size;
-  const double launch = path.direction * scene.jet.launch_position;
+  const double launch = path.direction * origin.plane;
   double face = infinity, end = -infinity;
-  for (const PathLayer& layer : path_layers(scene, widest_radius(scene))) {
+  for (const PathLayer& layer : layers_ahead(scene, origin)) {
     face = std::min(face, layer.near);
     end = std::max(end, layer.far);
   }
@@ -232,13 +287,13 @@ void measure_channel(const std::vector<double>& radii, const JetPath& path, Pene
 }
 
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path) {
-  const MassCounter masses(scene);
-  const int jet = static_cast<int>(scene.bodies.size());
+  const MassCounter masses(path.origin.mass);
   JetReach deepest;
   const std::vector<HostParticles> sets(state.particles.begin(), state.particles.end());
   for (const HostParticles& particles : sets)
     for (int p = 0; p < particles.count; ++p)
-      if (particles.body(p) == jet) follow_jet_particle(particles, p, path, masses, deepest);
+      if (is_jet(particles, p, path.origin))
+        follow_jet_particle(particles, p, path, masses, deepest);
   const double width = std::max(std::abs(scene.grid.lower[0]), std::abs(scene.grid.upper[0]));
   const int columns = static_cast<int>(std::ceil(width / path.bin));
   std::vector<long long> fill = fill_cells(sets, scene, path, columns);
@@ -255,12 +310,12 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
 }
 
 DepthWriter::DepthWriter(
-    const Scene& scene, const Comm& comm, const std::filesystem::path& path, std::uintmax_t kept
+    JetPath path, const Comm& comm, const std::filesystem::path& file, std::uintmax_t kept
 )
-    : path_(jet_path(scene)) {
+    : path_(std::move(path)) {
   RootWork work(comm);
   work.run([&] {
-    file_ = std::make_unique<LineFile>(path, kept);
+    file_ = std::make_unique<LineFile>(file, kept);
     if (kept > 0) return;  // it has its header
     file_->append(
         "# SI units: time s; depth, channel_depth, channel_radius_mid m; jet_mass_inside kg (plane "

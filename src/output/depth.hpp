@@ -2,15 +2,30 @@
 #pragma once
 
 #include "base/gather.hpp"
+#include "deck/sections/jet_monitor_section.hpp"
 #include "output/particle_fields.hpp"
 #include "output/text_file.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace barreno {
+
+/// Whose particles are the jet, and where its path begins.
+struct JetOrigin {
+  /// Indices into Scene::bodies, whose size stands for a launched jet.
+  std::vector<int> bodies;
+  double plane = 0.0;  ///< y, of the launch or of the Jet Monitor [length]
+  double direction = 1.0;
+  bool formed = false;  ///< from bodies: what of them is beyond the plane is the jet
+  double radius = 0.0;  ///< around the axis, in which a body is met [length]
+  double mass = 0.0;    ///< no jet has more [mass]
+};
+JetOrigin launched_jet(const Scene& scene);
+JetOrigin formed_jet(const Scene& scene, const JetMonitorSpec& monitor);
 
 /// The path of the jet into the target: depths are measured from `face` along `direction` of y.
 ///
@@ -23,9 +38,16 @@ struct JetPath {
   double direction = 1.0;
   double bin = 0.0;  ///< one cell [length]
   int bins = 0;      ///< from the face to the end
+  JetOrigin origin{};
   double depth(double y) const { return direction * (y - face); }
 };
+JetPath jet_path(const Scene& scene, const JetOrigin& origin);
+/// Of a launched jet.
 JetPath jet_path(const Scene& scene);
+
+/// The path whose depths a run records: of a launched jet, else of one that forms, if a body is in
+/// its way.
+std::optional<JetPath> recorded_path(const Scene& scene, const JetMonitorSpec& monitor);
 
 /// What a body takes of the jet's path: coordinates along the direction of flight, direction * y.
 struct PathLayer {
@@ -65,14 +87,11 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
 /// Open channel from the open radius of every bin: depth, and radius in the middle.
 void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result);
 
-/// depth.csv, a row per call; for scenes with a jet.
+/// depth.csv, a row per call.
 class DepthWriter {
 public:
   DepthWriter(
-      const Scene& scene,
-      const Comm& comm,
-      const std::filesystem::path& path,
-      std::uintmax_t kept = 0
+      JetPath path, const Comm& comm, const std::filesystem::path& file, std::uintmax_t kept = 0
   );
   /// Collective; last() without a row.
   void measure(const Scene& scene, const State& state);

@@ -56,7 +56,7 @@ struct Output::Parts {
   std::unique_ptr<Progress> progress;  ///< root only
   std::unique_ptr<ExodusWriter> fields;
   std::unique_ptr<HistoryWriter> history;
-  std::unique_ptr<DepthWriter> depth;        ///< scenes with a jet only
+  std::unique_ptr<DepthWriter> depth;        ///< scenes with a recorded_path() only
   std::unique_ptr<RadiiWriter> radii;        ///< scenes with hollow balls only
   std::unique_ptr<CavitiesWriter> cavities;  ///< scenes with a pore fluid only
   JetMonitor monitor;                        ///< decks with a Jet Monitor only
@@ -139,9 +139,9 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
   history = std::make_unique<HistoryWriter>(
       scene, *comm, run.folder / "history.csv", kept("history_bytes"), before
   );
-  if (scene.jet.present)
+  if (const std::optional<JetPath> path = recorded_path(scene, run.monitor))
     depth =
-        std::make_unique<DepthWriter>(scene, *comm, run.folder / "depth.csv", kept("depth_bytes"));
+        std::make_unique<DepthWriter>(*path, *comm, run.folder / "depth.csv", kept("depth_bytes"));
   if (!hollow_balls(scene).empty())
     radii = std::make_unique<RadiiWriter>(
         scene,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/progress.hpp"
 
+#include "output/depth.hpp"
 #include "output/radii.hpp"
 #include "scene/tile_levels.hpp"
 
@@ -286,7 +287,7 @@ std::vector<std::string> result_lines(
   const std::string folder = run.folder.string();
   lines.push_back(
       "Files in " + folder + ": summary.json, history.csv" +
-      (scene.jet.present ? ", depth.csv" : "") +
+      (recorded_path(scene, run.monitor) ? ", depth.csv" : "") +
       (hollow_balls(scene).empty() ? "" : ", radii.csv") +
       (scene.output.files == ParticleFiles::one ? ", particles.e" : ", particles.e*") +
       " (ParaView), deck.xml, run.log"

@@ -33,7 +33,7 @@ std::vector<std::string> result_numbers(
     const Prediction& prediction
 ) {
   std::vector<std::string> lines;
-  if (scene.jet.present)
+  if (scene.jet.present || penetration.met)
     lines.push_back(
         penetration.met ? number_line(
                               "depth %.2f mm, open channel %.2f mm",

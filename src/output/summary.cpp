@@ -149,7 +149,7 @@ void put_penetration(Json& json, const Scene& scene, double time, const Penetrat
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["jet_mass_inside"] = number(p.jet_mass_inside);
   reached["tip_velocity"] = number(p.tip_velocity);
-  put_resolution(reached, scene, time, p);
+  if (scene.jet.present) put_resolution(reached, scene, time, p);
 }
 
 void put_balance(Json& json, const Balance& balance) {
@@ -326,7 +326,8 @@ std::string summary_text(
   put_cost(json, summary, totals);
   put_step_shares(json, scene.grid.cell_size, totals.step_shares);
   put_prediction(json, run, summary);
-  if (scene.jet.present) put_penetration(json, scene, state.clock.time, penetration);
+  if (recorded_path(scene, run.monitor))
+    put_penetration(json, scene, state.clock.time, penetration);
   put_balances(json, totals.ledger);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
   if (summary.formed_jet) put_formed_jet(json, run.monitor, *summary.formed_jet);

@@ -9,6 +9,10 @@ import tempfile
 import numpy as np
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
+from barreno_report.deck import read_deck  # noqa: E402
+from barreno_report.hole import jet_particles  # noqa: E402
+from barreno_report.particles import ParticleFile  # noqa: E402
 from resumed import at_previous, must_work, program  # noqa: E402
 from runs import Run  # noqa: E402
 
@@ -57,6 +61,14 @@ JET = """  <ParameterList name="Jet">
   </ParameterList>
 </ParameterList>
 """
+# 4 mm ahead of the plane: the rod meets it at 11 us, and digs until 16 us at about half of its speed.
+BLOCK = """    <ParameterList name="Block">
+      <Parameter name="Material" type="string" value="Copper"/>
+      <Parameter name="Lower" type="string" value="{0 mm, 34 mm}"/>
+      <Parameter name="Upper" type="string" value="{8 mm, 46 mm}"/>
+    </ParameterList>
+  </ParameterList>
+"""
 DENSITY, SPEED, RADIUS, LENGTH = 8930.0, 2000.0, 3e-3, 10e-3  # of copper.xml and the rod
 
 
@@ -91,6 +103,29 @@ def check_short_grid(barreno, folder):
     near(run.summary["formed_jet"]["crossed"]["mass"], DENSITY * math.pi * RADIUS**2 * LENGTH, 1e-12)
 
 
+def check_target(barreno, folder):
+    """A body ahead of the plane: depth.csv, the same bytes on two ranks and after a resume, and much that of the table launched into it."""
+    (folder / "dig.xml").write_text(HEAD + ROD.replace("\n  </ParameterList>\n", "\n" + BLOCK, 1))
+    bodies = '  <ParameterList name="Bodies">\n' + BLOCK
+    (folder / "dig_again.xml").write_text(HEAD + bodies + JET.replace("straight", "dig"))
+    for name, ranks in (("dig", 1), ("dig_two", 2), ("dig_killed", 1)):
+        must_work(program(barreno, ranks, "run", folder / "dig.xml", "--out", folder / name))
+    at_previous(folder / "dig_killed")
+    must_work(program(barreno, 2, "resume", folder / "dig_killed"))
+    first = (folder / "dig" / "depth.csv").read_bytes()
+    for name in ("dig_two", "dig_killed"):
+        assert (folder / name / "depth.csv").read_bytes() == first, name
+    must_work(program(barreno, 1, "run", folder / "dig_again.xml", "--out", folder / "dig_again"))
+    # The report takes what starts behind the plane for the jet, though the block is of copper too.
+    file = ParticleFile(folder / "dig" / "particles.e")
+    of_jet = jet_particles(file.frame(0), read_deck(folder / "dig" / "deck.xml"))
+    assert of_jet.sum() == Run(folder / "straight").summary["particles"] < len(of_jet), (of_jet.sum(), len(of_jet))
+    one, other = (Run(folder / name).summary["penetration"] for name in ("dig", "dig_again"))
+    assert one["met_target"] and 3e-3 < one["depth"] < 6e-3, one
+    assert abs(one["depth"] - other["depth"]) < 0.5e-3, (one, other)  # half a cell
+    assert abs(one["channel_depth"] - other["channel_depth"]) < 1.1e-3, (one, other)
+
+
 def main(barreno):
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
@@ -100,6 +135,8 @@ def main(barreno):
             must_work(program(barreno, ranks, "run", folder / "rod.xml", "--out", folder / name))
         check_table(Run(folder / "straight"))
         check_short_grid(barreno, folder)
+        assert not (folder / "straight" / "depth.csv").exists()  # it meets nothing
+        check_target(barreno, folder)
         at_previous(folder / "killed")
         (folder / "killed" / "jet_table.csv").unlink()
         must_work(program(barreno, 3, "resume", folder / "killed"))

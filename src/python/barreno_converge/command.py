@@ -69,7 +69,7 @@ def out_folder(options):
 
 
 def check_quantity(name, deck):
-    if name == "depth" and value_in(deck, "Jet/Material") is None:
+    if name == "depth" and all(value_in(deck, path) is None for path in ("Jet/Material", "Jet Monitor/Position")):
         raise Fault('--quantity depth needs a jet, and the deck has none; name a column of history.csv or a number of summary.json, for example --quantity kinetic.')
 
 

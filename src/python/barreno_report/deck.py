@@ -49,7 +49,13 @@ class Deck:
     @property
     def direction(self):
         """Sign of y along which the jet flies."""
-        return -1.0 if self.text("Jet/Direction", "+y").strip().startswith("-") else 1.0
+        said = self.text("Jet/Direction") or self.text("Jet Monitor/Direction") or "+y"
+        return -1.0 if said.strip().startswith("-") else 1.0
+
+    @property
+    def forms_jet(self):
+        """Whether a jet is formed in the run, rather than launched: its monitor's plane lies between what forms it and the target."""
+        return bool(self.text("Jet Monitor/Position")) and not self.has_jet
 
     def mirrored(self):
         """Whether x = 0 is an axis or a plane of symmetry at the edge of the grid: the other half is the mirror image."""

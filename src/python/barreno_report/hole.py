@@ -104,8 +104,19 @@ def wall_of(length, width, cell):
     return np.where(found, np.where(at > 0, (at - 1 + step) * width, 0.0), np.inf)
 
 
+def from_behind_monitor(frame, deck):
+    """Whether a particle starts on the near side of the monitor's plane, as charge and liner do; parts of gas that has been split are not there at the start."""
+    start = frame.file.frame(0)
+    shapes, of = start.shapes
+    behind = np.ones(frame.file.elements, bool)
+    behind[np.flatnonzero(start.alive)[of]] = deck.direction * (shapes[:, :, 1].mean(axis=1) - deck.number("Jet Monitor/Position")) < 0.0
+    return behind[frame.alive]
+
+
 def jet_particles(frame, deck):
-    """Whether a particle belongs to the jet: of its material, and none of a body, which is there from the start."""
+    """Whether a particle belongs to the jet: of its material, and none of a body, which is there from the start. Of a run that forms its jet, what forms it too."""
+    if deck.forms_jet:
+        return from_behind_monitor(frame, deck)
     name = deck.text("Jet/Material")
     if name not in frame.file.block_names:
         return np.zeros(int(frame.alive.sum()), bool)

@@ -97,6 +97,59 @@ TEST(Penetration, FollowsAJetOfKnownMotion) {
   }
 }
 
+/// The synthetic scene with its jet said to come from a liner behind the launch plane.
+Scene with_liner(Scene scene) {
+  scene.jet.present = false;
+  BodySpec liner;
+  liner.name = "liner";
+  liner.material = 2;
+  liner.shape = Box{{0.0, -0.012, 0.0}, {0.004, -0.007, 0.0}};
+  scene.bodies.push_back(liner);  // with the number that the launched jet had
+  return scene;
+}
+
+JetMonitorSpec monitor_at(double position) {
+  JetMonitorSpec monitor;
+  monitor.bodies = {2};
+  monitor.position = position;
+  monitor.density = 17600.0;
+  return monitor;
+}
+
+TEST(JetPath, OfAFormedJetBeginsAtTheMonitorAndIsRecordedWithATarget) {
+  const Scene launched = synthetic::make_scene(), formed = with_liner(launched);
+  const auto path = recorded_path(formed, monitor_at(launch_plane));
+  ASSERT_TRUE(path.has_value());
+  EXPECT_EQ(path->face, 0.0);
+  EXPECT_EQ(path->end, 0.04);
+  EXPECT_TRUE(path->origin.formed);
+  // Beyond the target there is none; nor without a jet.
+  EXPECT_FALSE(recorded_path(formed, monitor_at(0.04)).has_value());
+  EXPECT_FALSE(recorded_path(formed, {}).has_value());
+  // A launched jet is the one whose depth is recorded.
+  EXPECT_FALSE(recorded_path(launched, monitor_at(launch_plane))->origin.formed);
+  EXPECT_EQ(recorded_path(formed, monitor_at(0.002))->face, 0.0);
+}
+
+TEST(Penetration, OfAFormedJetIsThatOfALaunchedOne) {
+  const Scene launched = synthetic::make_scene(), formed = with_liner(launched);
+  State state = synthetic::make_state(launched, Teuchos::DefaultComm<int>::getComm());
+  synthetic::move_to(launched, state, 5e-6);
+  const Penetration one = measure_penetration(launched, state, jet_path(launched));
+  const auto monitor = monitor_at(launch_plane);
+  const JetPath path = jet_path(formed, formed_jet(formed, monitor));
+  const Penetration other = measure_penetration(formed, state, path);
+  EXPECT_EQ(one.met, other.met);
+  EXPECT_EQ(one.depth, other.depth);
+  EXPECT_EQ(one.channel_depth, other.channel_depth);
+  EXPECT_EQ(one.channel_radius_mid, other.channel_radius_mid);
+  EXPECT_EQ(one.tip_velocity, other.tip_velocity);
+  EXPECT_NEAR(one.jet_mass_inside, other.jet_mass_inside, 1e-12 * one.jet_mass_inside);
+  // What has not passed the plane is no jet yet.
+  const JetPath late = jet_path(formed, formed_jet(formed, monitor_at(0.039)));
+  EXPECT_EQ(measure_penetration(formed, state, late).tip_velocity, 0.0);
+}
+
 /// The same jet above a target that it flies away from: it moves, but there is nothing to be deep
 /// in.
 TEST(Penetration, NeedsATarget) {
