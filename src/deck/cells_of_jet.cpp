@@ -64,6 +64,8 @@ std::string conflict_with_levels(const Deck& deck) {
   if (step.transfer == Transfer::xpic || step.transfer == Transfer::apic)
     return path_of(&StepSpec::transfer) + " = " + word_of(step.transfer);
   if (step.shape == "linear") return path_of(&StepSpec::shape) + " = linear";
+  if (step.return_losses && mode_of(deck) == Mode::three_dimensional)
+    return path_of(&StepSpec::return_losses) + " in three dimensions";
   return {};
 }
 

@@ -42,6 +42,8 @@ std::string why_one_step(const Scene& scene) {
   if (step.courant_fraction > largest_courant_fraction)
     return path_of(&StepSpec::courant_fraction) +
            " is above 0.8, where tiles with different steps can resonate";
+  if (step.return_losses && scene.grid.mode == Mode::three_dimensional)
+    return "Return Losses was verified with steps of several lengths in two dimensions only";
   if (!has_fixed_supports(step.shape))
     return "the domains of shape function " + step.shape + " limit the step one by one";
   if (std::any_of(scene.conditions.begin(), scene.conditions.end(), is_across_axis))
