@@ -60,8 +60,10 @@ Deck deck_with(const input::Entry& entry, const std::string& text) {
 
 /// Values of every kind as the tables print them.
 std::vector<std::string> values_for(const input::Entry& entry) {
+  if (entry.kind == input::Kind::table)
+    return {entry.columns.size() == 3 ? "1x3:{1, 2, 3}" : "1x2:{1, 2}"};
   std::vector<std::string> values = {
-      "Second", "0.25", "1.5", "5e-07", "3", "true", "false", "{1, 2, 3}", "1x2:{1, 2}"};
+      "Second", "0.25", "1.5", "5e-07", "3", "true", "false", "{1, 2, 3}"};
   values.insert(values.end(), entry.words.begin(), entry.words.end());
   for (const std::string& word : entry.words) values.push_back("{" + word + "}");
   return values;
