@@ -10,6 +10,12 @@
 namespace barreno {
 namespace {
 
+/// Whether planes hold a node of the box, by its number on the lattice of a level, seen from the
+/// tile at the box's lower corner.
+bool hold(const SymmetryPlanes& planes, const Patch& patch, int axis, int node, int level = 0) {
+  return planes.holds(axis, patch, {{0, 0, 0}, level}, node + patch.reach);
+}
+
 TEST(SymmetryPlanes, AreFacesOfTheGridThoseAcrossYLast) {
   const Scene scene = testing::two_tiles_along_y({Face::y_lower, Face::x_upper});
   const State state = testing::in_tiles(scene, 1.0);
@@ -22,8 +28,11 @@ TEST(SymmetryPlanes, AreFacesOfTheGridThoseAcrossYLast) {
   EXPECT_EQ(planes.list[1].axis, 1);
   EXPECT_TRUE(planes.list[1].is_behind(-1, 0));
   EXPECT_TRUE(planes.any_axial);
-  EXPECT_TRUE(planes.holds(0, 8));
-  EXPECT_FALSE(planes.holds(0, 0));
+  const Patch& patch = state.grid.patch;
+  EXPECT_TRUE(hold(planes, patch, 0, 8));
+  EXPECT_FALSE(hold(planes, patch, 0, 0));
+  EXPECT_FALSE(hold(planes, patch, 0, 8, 1)) << "half way in cells of half the size";
+  EXPECT_TRUE(hold(planes, patch, 0, 16, 1));
 }
 
 TEST(SymmetryPlanes, TheAxisOfRevolutionIsOneForCloudsOnly) {
@@ -32,9 +41,10 @@ TEST(SymmetryPlanes, TheAxisOfRevolutionIsOneForCloudsOnly) {
   const State state = testing::in_tiles(scene, 1.0);
   const SymmetryPlanes planes(scene.conditions, state.grid);
   EXPECT_EQ(planes.count, 0);
-  EXPECT_TRUE(planes.holds(0, 0));
-  EXPECT_FALSE(planes.holds(0, 1));
-  EXPECT_FALSE(planes.holds(1, 0));
+  const Patch& patch = state.grid.patch;
+  EXPECT_TRUE(hold(planes, patch, 0, 0));
+  EXPECT_FALSE(hold(planes, patch, 0, 1));
+  EXPECT_FALSE(hold(planes, patch, 1, 0));
 }
 
 TEST(SymmetryPlanes, ImagesLieAsFarBeforeThePlaneAsTheirNodesBehindIt) {
