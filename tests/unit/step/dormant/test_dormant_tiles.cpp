@@ -137,14 +137,12 @@ TEST(DormantTiles, NobodyCanTellInConfinedRock) {
 }
 /// Two velocity fields, and nodes where both have mass.
 TEST(DormantTiles, NobodyCanTellBesideContact) {
-  for (const Mode mode : all_modes) {
-    Scene scene = confined(mode);
-    scene.contacts.push_back({"faces", {0, 1}, ContactKind::friction, 0.2});
-    expect_same_without(scene, 0.2);
-    scene = impact(mode, sandstone());
-    scene.contacts.push_back({"faces", {0, 1}, ContactKind::frictionless, 0.0});
-    expect_same_without(scene, 0.05);
-  }
+  Scene scene = confined(Mode::axisymmetric);
+  scene.contacts.push_back({"faces", {0, 1}, ContactKind::friction, 0.2});
+  expect_same_without(scene, 0.2);
+  scene = impact(Mode::three_dimensional, sandstone());
+  scene.contacts.push_back({"faces", {0, 1}, ContactKind::frictionless, 0.0});
+  expect_same_without(scene, 0.05);
 }
 
 /// A rigid body has a field of its own, which is the first here.
