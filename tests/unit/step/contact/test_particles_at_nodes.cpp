@@ -45,7 +45,7 @@ std::array<double, 3> sums_at_unknowns(const State& state) {
       if (at.level > 0 && grid.from_parent(tile * grid.patch.size + slot) != 0) return;
       sums[0] += weight;
       for (int d = 0; d < 2; ++d)
-        sums[static_cast<std::size_t>(1 + d)] +=
+        sums[1 + static_cast<std::size_t>(d)] +=
             weight * cell * (ellipse.x[d] + at[d] * grid.patch.tile_cells - grid.patch.reach);
     });
   }
@@ -60,7 +60,7 @@ TEST(ParticlesAtNodes, AreGivenWholeAndInPlaceWhateverTheCells) {
     std::array<double, 3> expected{static_cast<double>(particles.count), 0.0, 0.0};
     for (int p = 0; p < particles.count; ++p)
       for (int d = 0; d < 2; ++d)
-        expected[static_cast<std::size_t>(1 + d)] += particles.position(p, d) / 1e-3;
+        expected[1 + static_cast<std::size_t>(d)] += particles.position(p, d) / 1e-3;
     ASSERT_TRUE(state.grid.is_refined());
     visit_kernels(state.grid, [&](auto mode_type, auto shape) {
       const auto found = sums_at_unknowns<decltype(mode_type), decltype(shape)>(state);
