@@ -17,10 +17,17 @@ std::string shape_text(const Hdf5Size& size) {
   return std::to_string(size.rows) + " x " + std::to_string(size.columns);
 }
 
-void expect_size(const Hdf5File& file, const std::string& name, const Hdf5Size& wanted) {
+/// @param reason  ends the sentence: where the wanted size comes from
+void expect_size(
+    const Hdf5File& file,
+    const std::string& name,
+    const Hdf5Size& wanted,
+    const std::string& reason = {}
+) {
   const Hdf5Size found = file.size_of(name);
   if (found.rows != wanted.rows || found.columns != wanted.columns)
-    throw WrongTable{name + " is " + shape_text(found) + " instead of " + shape_text(wanted), 0};
+    throw WrongTable{
+        name + " is " + shape_text(found) + " instead of " + shape_text(wanted) + reason, 0};
 }
 
 /// visit(row, values) chunk by chunk, for tables that rank 0 alone looks at.
@@ -101,11 +108,15 @@ void check_counts(const Hdf5File& file, const std::string& name, long long ranks
 /// Every table of a material has its size, and what rank 0 alone reads of it can be.
 void check_sizes(const Particles& particles, const Hdf5File& file, long long ranks) {
   const std::string group = particle_group(particles);
-  const std::size_t rows = file.size_of(group + "id").rows;
-  for (const char* name : {"id", "body", "removal"}) expect_size(file, group + name, {rows, 1});
+  const std::string ids = group + "id";
+  const std::size_t rows = file.size_of(ids).rows;
+  const std::string reason = ", as many rows as " + ids;
+  for (const char* name : {"id", "body", "removal"})
+    expect_size(file, group + name, {rows, 1}, reason);
   particles.for_each_field([&](const Field& field) {
     if (field.components == 0) return;
-    expect_size(file, group + field.name, {rows, static_cast<std::size_t>(field.components)});
+    const auto columns = static_cast<std::size_t>(field.components);
+    expect_size(file, group + field.name, {rows, columns}, reason);
   });
   check_counts(file, group + "rank_counts", ranks, rows);
 }
