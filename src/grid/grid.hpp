@@ -15,7 +15,8 @@
 
 namespace barreno {
 
-/// The communication plan between the ranks that share tiles; MPI is known to halo.cpp alone.
+/// The communication plan between the ranks that share tiles (Tpetra); hidden to keep compile times
+/// low.
 struct HaloPlan;
 
 /// Position of a tile in the box, in tiles of its level along x, y, z.

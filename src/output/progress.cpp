@@ -289,7 +289,7 @@ std::vector<std::string> result_lines(
       "Files in " + folder + ": summary.json, history.csv" +
       (recorded_path(scene, run.monitor) ? ", depth.csv" : "") +
       (hollow_balls(scene).empty() ? "" : ", radii.csv") +
-      (scene.output.files == ParticleFiles::one ? ", particles.e" : ", particles.e*") +
+      (std::filesystem::exists(run.folder / "particles.e") ? ", particles.e" : ", particles.e*") +
       " (ParaView), deck.xml, run.log"
   );
   lines.push_back("Next: " + next_command(run, verdict));

@@ -33,8 +33,8 @@ constexpr double largest_courant_fraction = 0.8;
 std::string why_one_step(const Scene& scene) {
   std::string awake = why_all_awake(scene);
   if (!awake.empty()) return awake;
-  if (!scene.contacts.empty()) return "contact is solved once for all tiles";
-  if (velocity_fields(scene).count > 1) return "a rigid body moves once for all tiles";
+  if (!scene.contacts.empty()) return "contact needs all tiles to take the same step";
+  if (velocity_fields(scene).count > 1) return "a rigid body needs all tiles to take the same step";
   const StepSpec& step = scene.step;
   if (step.transfer == Transfer::pic || step.pic_fraction > 0.0)
     return "particles take a share of the grid's velocity (PIC)";

@@ -150,12 +150,19 @@ struct SolveContact {
   /// do work where the fields part, and nodes of three fields gain energy in every step.
   KOKKOS_INLINE_FUNCTION void apply_pairs(const ContactTile& of, int slot, SharedNode<D>& node)
       const {
-    ContactImpulse<D> of_pair[max_pairs];
     const bool two = (node.bits & (node.bits - 1U) & ((node.bits & (node.bits - 1U)) - 1U)) == 0;
-    for (int turn = 0; turn < (two ? 1 : turns); ++turn)
+    const auto meet = [&](const FieldPair& pair) {
+      return (node.bits >> pair.a & 1U) != 0 && (node.bits >> pair.b & 1U) != 0;
+    };
+    for (int i = 0; two && i < pair_count; ++i) {
+      ContactImpulse<D> none;
+      if (meet(pairs[i])) apply_pair(of, slot, i, none, node);
+    }
+    if (two) return;
+    ContactImpulse<D> of_pair[max_pairs];
+    for (int turn = 0; turn < turns; ++turn)
       for (int i = 0; i < pair_count; ++i)
-        if ((node.bits >> pairs[i].a & 1U) && (node.bits >> pairs[i].b & 1U))
-          apply_pair(of, slot, i, of_pair[i], node);
+        if (meet(pairs[i])) apply_pair(of, slot, i, of_pair[i], node);
   }
 
   KOKKOS_INLINE_FUNCTION void apply_pair(
