@@ -1,5 +1,7 @@
-# Compiles the sources of each folder of a target as one file. Headers cost more than all else, so this takes half of the
-# time; for builds that are made in whole, not for those in which people work. Apart stay files with names of their own
+# For builds that are made in whole, not for those in which people work: headers cost more than all else.
+option(BARRENO_TOGETHER "Compile the sources of each folder, and those of each test program, as one file" OFF)
+
+# Compiles the sources of each folder of a target as one file, which takes half of the time. Apart stay files with names of their own
 # that another file of their folder has too (the compiler then says "redefinition": add it to the list), and the one
 # that tests/fuzz replaces.
 function(barreno_one_file_per_folder target root)  # and the target's sources, paths below root

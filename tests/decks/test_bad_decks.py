@@ -2,23 +2,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every bad deck fails with its own sentence and exit code, on every rank count, and leaves nothing behind.
 
-    test_bad_decks.py BARRENO [--ranks 1 2] [--update] [NAME ...]
+    test_bad_decks.py BARRENO [--server SERVE_RUNS] [--ranks 1 2] [--update] [NAME ...]
 
-Beside each bad/NAME.xml stands NAME.expected: a line "exit CODE", then the sentence as stderr shows it.
---update writes the .expected files from what the program says now; read the difference before it is kept.
+Beside each bad/NAME.xml stands NAME.expected: a line "exit CODE", then the sentence as stderr shows it. Nearly all of the
+time goes into the start of MPI: with a server (verification/adversary/serve_runs.cpp), which starts it once, one of
+EVERY inputs is given to the program itself and the others to the server. --update writes the .expected files from what the program says now; read the difference before it is kept.
 """
 
 import argparse
 import concurrent.futures
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
+VERIFICATION = pathlib.Path(__file__).resolve().parents[2] / "verification"
+sys.path[:0] = [str(VERIFICATION / "tools"), str(VERIFICATION / "adversary")]
+from run_server import RunServer  # noqa: E402
 from runs import mpi_environment  # noqa: E402
 
+EVERY = 8
+NO_CARDS = {"BARRENO_MATERIALS": ""}
 BAD = pathlib.Path(__file__).resolve().parent / "bad"
 GOOD = BAD / "good.deck"
 
@@ -32,16 +38,21 @@ def prepare(folder):
 
 
 def listing(folder):
-    return {str(path.relative_to(folder)): path.is_file() and path.read_bytes() for path in folder.rglob("*")}
+    """Everything in a folder: sizes, and times of the last change."""
+    found = {}
+    for place, folders, files in os.walk(folder):
+        found.update(dict.fromkeys((os.path.relpath(os.path.join(place, name), folder) for name in folders)))
+        for name in files:
+            facts = os.stat(os.path.join(place, name))
+            found[os.path.relpath(os.path.join(place, name), folder)] = (facts.st_size, facts.st_mtime_ns)
+    return found
 
 
 def run(barreno, ranks, folder, arguments):
     command = [barreno, "run", *arguments]
     if ranks > 1:
         command = ["mpirun", "--quiet", "-n", str(ranks), *command]
-    result = subprocess.run(
-        command, cwd=folder, env={**mpi_environment(), "BARRENO_MATERIALS": ""}, capture_output=True, text=True, timeout=120
-    )
+    result = subprocess.run(command, cwd=folder, env={**mpi_environment(), **NO_CARDS}, capture_output=True, text=True, timeout=120)
     return f"exit {result.returncode}\n{result.stderr}"
 
 
@@ -50,18 +61,10 @@ def expected_of(name):
     return file.read_text() if file.exists() else "(no .expected file)"
 
 
-def check(barreno, ranks, name, arguments, update):
+def problems_of(name, answer, before, left):
     """What is wrong, or nothing."""
-    with tempfile.TemporaryDirectory() as scratch:
-        folder = pathlib.Path(scratch)
-        prepare(folder)
-        before = listing(folder)
-        answer = run(barreno, ranks, folder, arguments)
-        left = listing(folder)
     problems = []
-    if update:
-        (BAD / f"{name}.expected").write_text(answer)
-    elif answer != expected_of(name):
+    if answer != expected_of(name):
         problems.append(f"expected\n{expected_of(name)}but got\n{answer}")
     if answer.startswith("exit 0"):
         problems.append("it did not fail")
@@ -73,9 +76,38 @@ def check(barreno, ranks, name, arguments, update):
     return problems
 
 
+def check(barreno, ranks, name, arguments, update):
+    """One input, given to a process of its own."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        prepare(folder)
+        before = listing(folder)
+        answer = run(barreno, ranks, folder, arguments)
+        left = listing(folder)
+    if update:
+        (BAD / f"{name}.expected").write_text(answer)
+    return problems_of(name, answer, before, left)
+
+
+def check_served(program, ranks, cases):
+    """All given inputs, one after the other. @return problems by name"""
+    found = {}
+    with tempfile.TemporaryDirectory() as scratch, tempfile.TemporaryDirectory() as said:
+        folder = pathlib.Path(scratch)
+        prepare(folder)
+        before = listing(folder)
+        server = RunServer(program, said, ranks, at=folder, more=NO_CARDS)
+        for name, arguments in cases.items():
+            ended = server.run("run", *arguments, limit=120)
+            found[name] = problems_of(name, f"{ended.text()}\n{ended.err}", before, listing(folder))
+        server.end()
+    return found
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("barreno", type=lambda path: str(pathlib.Path(path).resolve()))
+    parser.add_argument("--server", type=lambda path: str(pathlib.Path(path).resolve()))
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--update", action="store_true")
     parser.add_argument("names", nargs="*")
@@ -94,14 +126,19 @@ def main():
         unknown_fidelity_word=["good.xml", "--set", "Fidelity=quick"],
     )
     chosen = [name for name in cases if not options.names or name in options.names]
-    jobs = [(name, ranks) for name in chosen for ranks in options.ranks]
+    alone = chosen[::EVERY] if options.server else chosen
+    jobs = [(name, ranks) for name in alone for ranks in options.ranks]
+    found = []
     # Starting MPI is mostly waiting, so several at once cost no more processor.
     with concurrent.futures.ThreadPoolExecutor(4) as pool:
-        found = pool.map(lambda job: check(options.barreno, job[1], job[0], cases[job[0]], options.update), jobs)
-    failed = 0
-    for (name, ranks), problems in zip(jobs, found):
+        apart = pool.map(lambda job: check(options.barreno, job[1], job[0], cases[job[0]], options.update), jobs)
+        found += [(name, ranks, problems) for (name, ranks), problems in zip(jobs, apart)]
+    served = {name: cases[name] for name in chosen if name not in alone}
+    for ranks in options.ranks if served else ():
+        found += [(name, ranks, problems) for name, problems in check_served(options.server, ranks, served).items()]
+    failed = sum(len(problems) for _, _, problems in found)
+    for name, ranks, problems in found:
         for problem in problems:
-            failed += 1
             print(f"{name}, {ranks} ranks: {problem}")
     print(f"{len(chosen)} bad inputs on {options.ranks} ranks: {failed} problems")
     return 1 if failed else 0

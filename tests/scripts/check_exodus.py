@@ -130,26 +130,26 @@ def check_displacement(data, step, status):
         require(np.all(volume[status] > 0.0), f"Hexahedra are turned inside out at step {step + 1}.")
 
 
-def check(options):
+def check(file, blocks=None, steps=None):
+    """@return a sentence on what is in the file; Wrong says what is not as it should be"""
     try:
-        data = Dataset(options.file)
+        data = Dataset(file)
     except OSError as error:
         raise Wrong(f"It cannot be opened ({error}).") from error
     data.set_auto_mask(False)
-    blocks = options.blocks.split(",") if options.blocks else None
     check_layout(data, blocks)
     times = data.variables["time_whole"][:]
     require(len(times) > 0, "There is no time step.")
     require(np.all(np.diff(times) > 0.0), "Times do not ascend.")
-    if options.steps is not None:
-        require(len(times) == options.steps, f"There are {len(times)} time steps.")
+    if steps is not None:
+        require(len(times) == steps, f"There are {len(times)} time steps.")
     status = check_step(data, 0)
     gone = np.zeros_like(status)
     for step in range(1, len(times)):
         before, status = status, check_step(data, step)
         gone |= before & ~status
         require(not np.any(gone & status), f"A removed particle is back at step {step + 1}.")
-    print(f"{options.file}: {len(times)} steps, {int(status.sum())} of {len(status)} particles alive")
+    return f"{file}: {len(times)} steps, {int(status.sum())} of {len(status)} particles alive"
 
 
 def main():
@@ -159,7 +159,7 @@ def main():
     parser.add_argument("--steps", type=int, help="expected number of time steps")
     options = parser.parse_args()
     try:
-        check(options)
+        print(check(options.file, options.blocks.split(",") if options.blocks else None, options.steps))
     except Wrong as wrong:
         print(f"{options.file}: {wrong}", file=sys.stderr)
         return 1

@@ -247,6 +247,12 @@ def differences(a, b, tolerances):
                 yield from compare_variable(a, b, kind, indices, step, tolerance)
 
 
+def compare_files(old, new, tolerance_file=None):
+    """@return what differs, a line each"""
+    with as_one_file(old) as one, as_one_file(new) as other:
+        return list(differences(Exodus(one), Exodus(other), Tolerances(tolerance_file)))
+
+
 def main():
     parser = argparse.ArgumentParser(description="Compare two Exodus files.")
     parser.add_argument("-f", "--file", help="tolerance file")
@@ -254,8 +260,7 @@ def main():
     parser.add_argument("new")
     options = parser.parse_args()
     try:
-        with as_one_file(options.old) as old, as_one_file(options.new) as new:
-            found = list(differences(Exodus(old), Exodus(new), Tolerances(options.file)))
+        found = compare_files(options.old, options.new, options.file)
     except (OSError, KeyError, ValueError, StopIteration) as error:
         print(f"exodiff_lite: {error!r}", file=sys.stderr)
         return 1

@@ -26,6 +26,8 @@ SKIPPED = 77  # what ctest counts as skipped
 RULES = ROOT / ".clang-tidy"
 TOGETHER = 75  # files, at most
 PRECOMPILED = "cmake_pch.hxx.cxx"  # CMake's own, with which it precompiles headers
+TOGETHER_BY_CMAKE = "/Unity/unity_"  # CMake's own, which include the sources of a folder or of a test program
+INCLUDED = re.compile(r'^#include "(.*)"$', re.MULTILINE)
 # What a file means does not depend on these; without them files of many targets have the same options. Checked indices
 # are code of the libraries' headers.
 WITHOUT_MEANING = re.compile(
@@ -44,6 +46,16 @@ FUNCTIONS = re.compile(r"^(?!return|#)[\w:][\w:<>,&*\s]*?[ &*](\w+)\(([^)]*)\)",
 PARAMETER = re.compile(r" ?\w+(?=,|$)")
 CONSTANTS = re.compile(r"^(?:const|constexpr) .*?;", re.MULTILINE | re.DOTALL)
 USED = re.compile(r"^using [\w:]+::(\w+);", re.MULTILINE)
+
+
+def compilations(build):
+    """The database of compilations, with what CMake compiles as one file taken apart again."""
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        file = pathlib.Path(entry["file"])
+        if TOGETHER_BY_CMAKE in str(file):
+            yield from ({**entry, "file": source} for source in INCLUDED.findall(file.read_text()))
+        elif file.name != PRECOMPILED:
+            yield entry
 
 
 def options_of(entry):
@@ -186,8 +198,7 @@ def main():
         print("clang-tidy is missing: install the package clang-tidy.")
         return SKIPPED
     build = pathlib.Path(sys.argv[1]).resolve()
-    entries = json.loads((build / "compile_commands.json").read_text())
-    entries = [e for e in entries if pathlib.Path(e["file"]).name != PRECOMPILED]
+    entries = list(compilations(build))
     entries = [e for e in entries if not sys.argv[2:] or any(word in e["file"] for word in sys.argv[2:])]
     assert entries, f"no compilation in {build} matches {sys.argv[2:]}"
     folder = build / "tidy"

@@ -25,18 +25,22 @@ class Ended:
 
 
 class RunServer:
-    """One rank, or several; begun again after a crash of ranks that have no process of their own."""
+    """One rank, or several; begun again after a crash of ranks that have no process of their own.
 
-    def __init__(self, program, folder, ranks=1):
+    folder: of what is said; at, more: working folder and variables of the environment of the runs, if any
+    """
+
+    def __init__(self, program, folder, ranks=1, at=None, more=None):
         self.program, self.folder, self.ranks, self.process, self.seconds = program, pathlib.Path(folder), ranks, None, 0.0
+        self.at, self.more = at, more or {}
 
     def begin(self):
         words = ["mpirun", "--quiet", "-n", str(self.ranks)] if self.ranks > 1 else []
         sanitizers = {"ASAN_OPTIONS": "detect_leaks=0:verify_asan_link_order=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
-        environment = {**mpi_environment(self.ranks), **sanitizers}
+        environment = {**mpi_environment(self.ranks), **sanitizers, **self.more}
         log = open(self.folder / f"server{self.ranks}.log", "a")
         self.process = subprocess.Popen(
-            [*words, str(self.program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log, text=True, env=environment
+            [*words, str(self.program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log, text=True, env=environment, cwd=self.at
         )
 
     def run(self, *words, signal=0, after=0.0, limit=LIMIT):
