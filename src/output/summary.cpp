@@ -237,6 +237,7 @@ void put_formed_jet(Json& json, const JetMonitorSpec& monitor, const JetAudit& a
   jet["lateral_kinetic"] = number(audit.lateral);
   jet["slice_loss"] = number(audit.slice_loss);
   jet["largest_void"] = number(audit.largest_void);
+  jet["largest_particle"] = number(audit.largest_particle);
   jet["mass_beyond"] = number(audit.mass_beyond);
 }
 

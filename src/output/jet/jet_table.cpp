@@ -96,6 +96,7 @@ JetAudit audit_jet(
       add(monitor, one, audit.wide);
     } else {
       add(monitor, one, audit.crossed);
+      audit.largest_particle = std::max(audit.largest_particle, monitor.copies * one.mass);
       audit.lateral += 0.5 * monitor.copies * one.mass * (one.square - one.speed * one.speed);
     }
   }
@@ -103,6 +104,7 @@ JetAudit audit_jet(
     add(slug, audit.table);
     audit.largest_void = std::max(audit.largest_void, 1.0 - slug.density / monitor.density);
   }
+  if (audit.crossed.mass > 0.0) audit.largest_particle /= audit.crossed.mass;
   if (audit.crossed.kinetic > 0.0)
     audit.slice_loss = 1.0 - audit.table.kinetic / audit.crossed.kinetic;
   return audit;

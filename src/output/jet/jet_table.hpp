@@ -27,13 +27,14 @@ struct JetSums {
 
 /// What crossed, and what the table says of it.
 struct JetAudit {
-  JetSums crossed;            ///< particles of the jet
-  JetSums table;              ///< slugs
-  JetSums slow, wide;         ///< crossings that are not of the jet
-  double lateral = 0.0;       ///< kinetic energy of motion across the direction of flight
-  double slice_loss = 0.0;    ///< of the kinetic energy, by one velocity per slug [-]
-  double mass_beyond = 0.0;   ///< of the monitored bodies, ahead of the plane at the end
-  double largest_void = 0.0;  ///< 1 - density / material's, of the emptiest slug [-]
+  JetSums crossed;                ///< particles of the jet
+  JetSums table;                  ///< slugs
+  JetSums slow, wide;             ///< crossings that are not of the jet
+  double lateral = 0.0;           ///< kinetic energy of motion across the direction of flight
+  double slice_loss = 0.0;        ///< of the kinetic energy, by one velocity per slug [-]
+  double mass_beyond = 0.0;       ///< of the monitored bodies, ahead of the plane at the end
+  double largest_void = 0.0;      ///< 1 - density / material's, of the emptiest slug [-]
+  double largest_particle = 0.0;  ///< share of the crossed mass, of the heaviest particle [-]
 };
 
 /// Slugs of a table, from what crossed in each interval dt: velocity u = sum m v / sum m, length

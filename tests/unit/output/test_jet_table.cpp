@@ -55,6 +55,7 @@ TEST(JetTable, AuditComparesTheTableWithWhatCrossed) {
   EXPECT_NEAR(audit.table.momentum, 80.0, 1e-13);
   EXPECT_NEAR(audit.slice_loss, 24.0 / 224.0, 1e-14);
   EXPECT_DOUBLE_EQ(audit.lateral, 4.0);
+  EXPECT_DOUBLE_EQ(audit.largest_particle, 0.75);  // of those that are of the jet
   EXPECT_DOUBLE_EQ(audit.slow.mass, 8.0);
   EXPECT_DOUBLE_EQ(audit.wide.mass, 20.0);
 }
