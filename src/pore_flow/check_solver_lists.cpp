@@ -11,7 +11,7 @@
 namespace barreno {
 namespace {
 
-constexpr const char* section = "Pore Flow/";
+constexpr const char* flow_list = "Pore Flow/";
 
 /// What matters of a message that may have many lines: what follows its last mark.
 std::string line_of(const std::string& message) {
@@ -56,7 +56,7 @@ std::vector<std::string> quoted_after(const std::string& text, const std::string
 [[noreturn]] void pass_on(
     const Deck& deck, const std::string& package, const std::string& message
 ) {
-  const std::string path = section + package, named = "{name=\"";
+  const std::string path = flow_list + package, named = "{name=\"";
   const std::size_t at = message.rfind(named);
   if (at != std::string::npos && message.find("was not found", at) != std::string::npos) {
     const std::size_t begin = at + named.size();
@@ -101,7 +101,7 @@ void try_package(
 }
 
 void check_belos(const Deck& deck, const Teuchos::ParameterList& list) {
-  const std::string path = std::string(section) + "Belos";
+  const std::string path = std::string(flow_list) + "Belos";
   const std::string method = list.isParameter("Solver") ? list.get<std::string>("Solver") : "CG";
   std::vector<std::string> known;
   try {
@@ -141,7 +141,7 @@ void check_smoother(
     pass_on(deck, package, error.what());
   }
   if (!names.unread.empty())
-    refuse_name(deck, section + package + below, names.unread.front(), kind, names.known);
+    refuse_name(deck, flow_list + package + below, names.unread.front(), kind, names.known);
 }
 
 /// The kinds of smoother that MueLu takes from Ifpack2; others have lists of their own.
