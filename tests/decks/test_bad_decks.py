@@ -126,7 +126,7 @@ def main():
         unknown_fidelity_word=["good.xml", "--set", "Fidelity=quick"],
     )
     chosen = [name for name in cases if not options.names or name in options.names]
-    alone = chosen[::EVERY] if options.server else chosen
+    alone = chosen[::EVERY] if options.server and not options.update else chosen
     jobs = [(name, ranks) for name in alone for ranks in options.ranks]
     found = []
     # Starting MPI is mostly waiting, so several at once cost no more processor.
