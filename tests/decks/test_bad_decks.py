@@ -111,7 +111,7 @@ def main():
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--update", action="store_true")
     parser.add_argument("names", nargs="*")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     cases = {file.stem: [file.name] for file in sorted(BAD.glob("*.xml"))}
     cases.update(
         out_is_a_file=["good.xml", "--out", "a_file"],
