@@ -14,6 +14,7 @@
 #include "state/body_particles.hpp"
 #include "state/isolated_courant.hpp"
 #include "step/particles/update_stress.hpp"
+#include "step/stable_step.hpp"
 #include "step/stable_step_rule.hpp"
 
 #include <algorithm>
@@ -176,7 +177,7 @@ double steps_of_run(const Scene& scene, double dt) {
 double stable_step_of_scene(const Scene& scene, bool viscous) {
   double least = std::numeric_limits<double>::infinity();
   for (const double step : stable_steps_of_materials(scene, viscous)) least = std::min(least, step);
-  return least;
+  return damped_step(least, scene.step.damping, scene.step.courant_fraction);
 }
 
 double growth_of(const Scene& scene, const std::string& verb) {

@@ -98,8 +98,12 @@ Balance momentum_balance(const Ledger& l) {
                        std::abs(l.load_impulse) + std::abs(l.body_impulse) +
                        std::abs(l.damping_impulse) + std::abs(l.rigid_impulse);
   const double unpaid = std::max(0.0, energy_moved(l) - energy_put_in(l));
+  const RemovalTally removed = total_removed(l);
+  // |p| <= sqrt(2 m K): the round-off of forces that cancel, before any of them has done work.
+  const bool is_round_off =
+      scale == 0.0 && unpaid == 0.0 && l.kinetic == 0.0 && removed.kinetic == 0.0;
   return {
-      l.momentum + total_removed(l).momentum - put_in,
+      is_round_off ? 0.0 : l.momentum + removed.momentum - put_in,
       scale,
       std::sqrt(2.0 * l.initial_mass * unpaid)};
 }

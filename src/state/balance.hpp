@@ -35,7 +35,8 @@ Balance mass_balance(const Ledger& ledger);
 /// Axial momentum + removed - initial - launched - impulses of conditions, loads, body force and
 /// damping, relative to sqrt(2 m E) of what moved at the start, of the jet and of the work of loads
 /// and body force, plus the magnitudes of the impulses; where numerical errors moved more energy
-/// than was put in, at least to sqrt(2 m E) of the difference.
+/// than was put in, at least to sqrt(2 m E) of the difference. Where nothing was put in or moved, a
+/// momentum whose kinetic energy is below the resolution of its sum counts as zero.
 Balance momentum_balance(const Ledger& ledger);
 
 /// The remainder of the identity at `Ledger`, relative to initial_kinetic + launched + prestress +

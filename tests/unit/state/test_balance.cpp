@@ -86,6 +86,16 @@ TEST(Balance, IsRelativeToWhatNumericalErrorsMovedWhereNothingWasPutIn) {
   EXPECT_EQ(energy_balance(l).put_in, 8.0);
 }
 
+/// Forces of an explosive that begins to burn cancel but for round-off.
+TEST(Balance, OfMomentumIsZeroWhereTheSumOfKineticEnergyDoesNotResolveIt) {
+  Ledger l;
+  l.initial_mass = 2.0;
+  l.momentum = 1e-19;
+  EXPECT_EQ(momentum_balance(l).error(), 0.0);
+  l.kinetic = 1e-18;
+  EXPECT_TRUE(std::isinf(momentum_balance(l).error()));
+}
+
 TEST(Balance, AddsTheRanksButNotTheSharedStepCount) {
   const auto comm = Teuchos::DefaultComm<int>::getComm();
   OwnLedger mine;
