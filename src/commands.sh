@@ -70,6 +70,12 @@ mpi_environment() {
   export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle-1}"
 }
 
+# For ranks that are all on this machine: looking for networks, and a daemon beside a single rank, take half of a start.
+stay_on_this_machine() {
+  export OMPI_MCA_pml="${OMPI_MCA_pml-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl-self,vader}"
+  export OMPI_MCA_ess_singleton_isolated="${OMPI_MCA_ess_singleton_isolated-1}"
+}
+
 # mpirun, told to be quiet, would end without a word where ranks find no memory or no open files.
 refuse_many() {  # ranks
   local files memory most
@@ -160,6 +166,7 @@ compute() {  # run or resume, and its arguments
   available=$(cores)
   ranks=${ranks:-$available}
   if ((ranks == 1)); then
+    stay_on_this_machine
     exec "$binary" "$command" "${arguments[@]}"
   fi
   local oversubscribe=()
@@ -311,6 +318,7 @@ carry_out() {  # the words of the command line
       prepare OFF
       if [[ $1 == drive && " $* " =~ " --plot"[\ =] && $* != *" --help"* ]]; then need_packages "${plot_packages[@]}"; fi
       mpi_environment
+      stay_on_this_machine
       exec "$binary" "$@"
       ;;
     *)

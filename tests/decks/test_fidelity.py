@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A fidelity is good for every deck of input_xml, is said once, and its effective deck runs again to the same bits.
 
-    test_fidelity.py BARRENO
+    test_fidelity.py BARRENO SERVE_RUNS
+
+The plans come from a server (verification/adversary/serve_runs.cpp), which starts MPI once for all of them.
 """
 import pathlib
 import re
@@ -11,7 +13,8 @@ import sys
 import tempfile
 
 TESTS = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
+sys.path[:0] = [str(TESTS.parent / "verification" / folder) for folder in ("tools", "adversary")]
+from run_server import RunServer  # noqa: E402
 from runs import DECKS, mpi_environment  # noqa: E402
 
 NAMES = ("fast", "balanced", "reference")
@@ -23,11 +26,15 @@ def barreno(*words):
     return result.stdout
 
 
-def check_every_deck():
+def check_every_deck(folder):
+    server = RunServer(pathlib.Path(sys.argv[2]).resolve(), folder)
     for deck in sorted(DECKS.glob("*.xml")):
         for name in NAMES:
-            plan = barreno("check", deck, "--fidelity", name)
+            ended = server.run("check", deck, "--fidelity", name, limit=120)
+            plan = ended.out
+            assert ended.text() == "exit 0", f"{deck.name}, {name}: {ended.text()} {ended.err}"
             assert plan.count(f"Note: Fidelity {name}: ") == 1, f"{deck.name}: the plan does not say what {name} means"
+    server.end()
 
 
 def run_again(folder):
@@ -48,8 +55,8 @@ def run_again(folder):
 
 
 def main():
-    check_every_deck()
     with tempfile.TemporaryDirectory() as folder:
+        check_every_deck(folder)
         run_again(pathlib.Path(folder))
 
 

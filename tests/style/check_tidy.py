@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every compiled file passes clang-tidy (.clang-tidy).
 
-    check_tidy.py BUILD [FILE ...]
+    check_tidy.py BUILD [--recent | FILE ...]
+
+With --recent, tests and verification tools that were last changed more than a day before the newest commit are left out.
 
 Most of clang-tidy's time goes into the headers of the libraries, so files are looked at together, in few translation
 units that include them. The same name in two unnamed namespaces cannot stand in one: such files are dealt out to
@@ -132,6 +134,22 @@ def units_of(entries):
             yield options, unit
 
 
+def recently_changed():
+    """Names of the files of the commits of a day, and of what is not committed; None without a repository."""
+    git = ["git", "-C", str(ROOT)]
+    newest = subprocess.run([*git, "log", "-1", "--format=%ct"], capture_output=True, text=True)
+    if newest.returncode != 0:
+        return None
+    since = f"--since={int(newest.stdout) - 86400}"
+    listings = ([*git, "log", since, "--name-only", "--format="], [*git, "diff", "--name-only", "HEAD"], [*git, "ls-files", "--others", "--exclude-standard"])
+    return {name for words in listings for name in subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()}
+
+
+def is_recent(file, changed):
+    name = str(pathlib.Path(file).relative_to(ROOT))
+    return name.startswith(("src/", "materials/")) or name in changed
+
+
 def own_files(options, files):
     """The files of this repository that a compilation reads, as the compiler lists them."""
     listing = subprocess.run(["c++", *options, "-M", *files], capture_output=True, text=True, check=True)
@@ -199,7 +217,12 @@ def main():
         return SKIPPED
     build = pathlib.Path(sys.argv[1]).resolve()
     entries = list(compilations(build))
-    entries = [e for e in entries if not sys.argv[2:] or any(word in e["file"] for word in sys.argv[2:])]
+    words = sys.argv[2:]
+    if words == ["--recent"]:
+        changed = recently_changed()
+        entries = [e for e in entries if changed is None or is_recent(e["file"], changed)]
+    elif words:
+        entries = [e for e in entries if any(word in e["file"] for word in words)]
     assert entries, f"no compilation in {build} matches {sys.argv[2:]}"
     folder = build / "tidy"
     folder.mkdir(exist_ok=True)
