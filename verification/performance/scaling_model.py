@@ -3,14 +3,18 @@
 """What a step costs on many ranks, by a model of its messages; `verification/pages.py --write` puts it into docs/performance.md.
 
 Sizes of messages follow from the code (src/grid/patch.cpp, halo.cpp); what scaling.py has counted on two ranks is compared with
-them. Speeds of the machine are assumptions, stated in the table.
+them. Memory and set-up of a rank are lines through what many_ranks.py has counted on 1 to 16 ranks, extrapolated. Sizes that the program
+refuses are marked. Speeds of the machine are assumptions, stated in the table.
 """
 import json
 import math
 import pathlib
+import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COUNTED = ROOT / "verification" / "results" / "scaling.json"
+COUNTED_ON_MANY = ROOT / "verification" / "results" / "many_ranks.json"
+SIZES = ROOT / "src" / "scene" / "scene_size.cpp"
 
 NODE_BYTES = 8 * 8  # sum_components doubles
 REACH = 1  # nodes beyond a tile's cells, of GIMP
@@ -20,14 +24,38 @@ BANDWIDTH = 1e9  # bytes/s and rank, when all ranks of a node send
 DISK = 0.9e9  # bytes/s that one rank packs, writes and checks: 0.5 to 1 in runs of checkpoint_cost.py
 FILE_SYSTEM = 1e11  # bytes/s that the file system takes from all ranks
 REDUCTIONS = 3  # per step: the step, the largest strain, and failures where a policy is to stop
-TILE_ARRAYS = 24.0  # bytes per tile of the box on every rank: owner, directory, two costs
 STATE_BYTES = {2: 285.0, 3: 420.0}  # per particle, in a checkpoint about
-PLACES = 2  # that a rank looks at in set-up for a particle of a lattice: a census and the making (many_ranks.py counts them); 1 of a box
+MOST_PARTICLES = 2**31 - 1  # of all ranks: scene_size.cpp counts them in 32 bits
 MOST_VALUES = 2**31  # of one gathered field
 
 
 def tile_cells(d):
     return 8 if d == 2 else 4
+
+
+def size_constant(name):
+    """A constant of src/scene/scene_size.cpp."""
+    return float(re.search(rf"constexpr double {name} = ([\d.]+);", SIZES.read_text()).group(1))
+
+
+def refusal(total, tiles):
+    """Why the program would not run a scene of this size, if so."""
+    reasons = []
+    if total > MOST_PARTICLES:
+        reasons.append("particles")
+    if tiles > size_constant("max_tiles"):
+        reasons.append("tiles")
+    return " and ".join(reasons)
+
+
+def line_through(counts, quantity):
+    """Least relative errors of a + b n over the ranks, n the particles of a rank. @return a, b, largest relative error"""
+    points = [(row["largest_rank_particles_made"], row[quantity]) for row in counts]
+    ones, slopes = [1.0 / y for _, y in points], [n / y for n, y in points]
+    aa, ab, bb = (sum(x * y for x, y in zip(*pair)) for pair in ((ones, ones), (ones, slopes), (slopes, slopes)))
+    a1, b1 = sum(ones), sum(slopes)
+    a, b = (a1 * bb - b1 * ab) / (aa * bb - ab * ab), (b1 * aa - a1 * ab) / (aa * bb - ab * ab)
+    return a, b, max(abs((a + b * n) / y - 1.0) for n, y in points)
 
 
 def patch_bytes(d):
@@ -62,21 +90,26 @@ def seconds(parts):
 
 
 def row(d, particles, ranks, efficiency):
+    counts = json.loads(COUNTED_ON_MANY.read_text())
+    memory, places = (line_through(counts, name) for name in ("largest_rank_peak_bytes", "largest_rank_candidate_points"))
     parts = step(d, particles, ranks)
     total = particles * ranks
     tiles = total / particles_per_tile(d)
     components = d * d + (1 if d == 2 else 0)  # of the deformation gradient, the widest field
     gathered = 8.0 * components * total
+    of_tiles = size_constant("bytes_per_tile") * tiles
+    of_rank = memory[0] + memory[1] * particles + of_tiles
     return (f"| {d}D | {ranks:,} | {particles:,.0f} | {total:.0e} | {1e-6 * parts['bytes']:.2f} | {parts['messages']} | {1e3 * parts['computing']:.3f} "
-            f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * TILE_ARRAYS * tiles:.2g} "
+            f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * of_tiles:.2g} | {1e-9 * of_rank:.2g} "
             f"| {1e-9 * gathered:.2g}{' (too many)' if components * total > MOST_VALUES else ''} | {STATE_BYTES[d] * total / min(ranks * DISK, FILE_SYSTEM):.2g} "
-            f"| {PLACES * particles:.0e} | {tiles:.0e} |")  # fmt: skip
+            f"| {places[0] + places[1] * particles:.0e} | {tiles:.0e} | {refusal(total, tiles) or 'none'} |")  # fmt: skip
 
 
 def predictions():
     lines = ["| | ranks | particles per rank | total | MB of halo per step and rank | messages | computing, ms | halo, ms | reductions, ms | efficiency "
-             "| GB of tile arrays, every rank | GB of the widest field, rank 0 | s to write a checkpoint | set-up: places of a rank | tiles, on every rank |",
-             "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
+             "| GB of tile arrays, every rank | GB of memory, a rank | GB of the widest field, rank 0 | s to write a checkpoint | set-up: places of a rank | tiles, on every rank "
+             "| refused today for |",
+             "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for d in (2, 3):
         for ranks in (1000, 100000):  # weak: as many on every rank
             particles = 1e6
@@ -107,6 +140,19 @@ def comparison():
     return lines
 
 
+def fits():
+    """Lines through the counts of many_ranks.py, beside the counts."""
+    counts = json.loads(COUNTED_ON_MANY.read_text())
+    (a, b, worst), (c, d, off) = (line_through(counts, name) for name in ("largest_rank_peak_bytes", "largest_rank_candidate_points"))
+    lines = [f"Counted on 1 to 16 ranks (many_ranks.py, three dimensions), n particles of a rank: memory {1e-6 * a:.0f} MB + {b:.0f} bytes n, within "
+             f"{100 * worst:.0f} %; places looked at {c:,.0f} + {d:.2f} n, within {100 * off:.0f} %.", "",
+             "| ranks | particles of a rank | MB by the line | MB counted | places by the line | counted |", "|---|---|---|---|---|---|"]  # fmt: skip
+    for row in counts:
+        n = row["largest_rank_particles_made"]
+        lines.append(f"| {row['ranks']} | {n:,} | {1e-6 * (a + b * n):.0f} | {1e-6 * row['largest_rank_peak_bytes']:.0f} | {c + d * n:,.0f} | {row['largest_rank_candidate_points']:,} |")
+    return [*lines, ""]
+
+
 def assumed():
     """What the model takes for given."""
     return ["| | | from |", "|---|---|---|",
@@ -116,7 +162,7 @@ def assumed():
 
 
 def stored_part():
-    return [*assumed(), *(comparison() if COUNTED.exists() else []), "", *predictions()]
+    return [*assumed(), *(comparison() if COUNTED.exists() else []), "", *fits(), *predictions()]
 
 
 if __name__ == "__main__":
