@@ -20,6 +20,7 @@ FAST = 2000.0  # m/s: what is called jet
 COLUMNS = ["time [us]", "fastest copper [m/s]", "jet [% of the liner]", "its angle to the axis [degrees]", "its place beside the axis [mm]", "copper in the rock, deepest [mm]", "numerical energy"]
 SIDES = ["time [us]", "towards the axis, on the detonator's side [m/s]", "on the other [m/s]"]
 COLOURS = {"Comp B": "0.86", "Sandstone": "tan", "Copper": "C3"}  # what is drawn later covers what was drawn before
+BEHIND = "#e88080"  # copper behind the plane
 NAMES = {"Comp B": "explosive and its products", "Sandstone": "sandstone", "Copper": "copper"}
 
 
@@ -65,11 +66,13 @@ def inward(frame):
 
 
 def draw_frame(axes, frame):
-    """Particles that the plane of symmetry cuts, in their deformed shapes."""
+    """Particles that the plane of symmetry cuts, in their deformed shapes, over the centres of the liner's others: few are cut of a jet that is thin."""
+    centres = frame.centres[frame.block == frame.file.block_names.index("Copper")] / MILLI
+    axes.plot(centres[:, 0], centres[:, 1], ".", color=BEHIND, ms=2.5, mew=0, zorder=1.5, rasterized=True)
     shapes, of = frame.shapes
     names = np.array(frame.file.block_names)[frame.block[of]]
     for name, colour in COLOURS.items():
-        axes.add_collection(PolyCollection(shapes[names == name] / MILLI, facecolors=colour, edgecolors="none", linewidths=0, antialiased=False, rasterized=True))
+        axes.add_collection(PolyCollection(shapes[names == name] / MILLI, facecolors=colour, edgecolors="none", linewidths=0, antialiased=False, rasterized=True, zorder=2.0 if name == "Copper" else 1.0))
 
 
 def draw(file, run, shown):
@@ -80,7 +83,7 @@ def draw(file, run, shown):
         axes.plot([DETONATOR], [0.0], "k*", ms=7)
         axes.set(title=f"{time:g} µs", xlabel="x [mm]", xlim=(-40.0, 40.0), ylim=(148.0, -26.0), aspect="equal")
     panels[0].set_ylabel("y [mm]")
-    legend = [*(Patch(color=colour, label=NAMES[name]) for name, colour in COLOURS.items()), Line2D([], [], color="k", marker="*", ls="none", ms=8, label="detonator")]
+    legend = [*(Patch(color=colour, label=NAMES[name]) for name, colour in COLOURS.items()), Line2D([], [], color=BEHIND, marker=".", ls="none", ms=8, label="copper behind the plane"), Line2D([], [], color="k", marker="*", ls="none", ms=8, label="detonator")]
     figure.legend(handles=legend, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=len(legend), frameon=False)
     figure.savefig(file, dpi=110, bbox_inches="tight")  # the legend is below the panels
     plt.close(figure)
