@@ -69,7 +69,7 @@ def time():
     total = sum(row[2] for row in found.rows)
     wall = sum(row[2] / min(CORES, max(row[1], 1.0)) for row in found.rows)  # a single run has one core
     rows = [[f"{row[0]:.0f}", f"{row[1]:.0f}", f"{row[2]:.0f}"] for row in found.rows]
-    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes.",
+    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes or more: a core has nothing to do while the last run of a figure ends, and pictures take seconds.",
             *unmeasured_words(unmeasured({int(row[0]): row[1] for row in found.rows}, rows_of))]  # fmt: skip
 
 
