@@ -67,13 +67,13 @@ join_sources() {
 }
 
 compile() {
-  # legacy: within a file the compiler also checks the sizes of arrays that are passed
-  local flags="-O0 -w -fopenmp -fallow-argument-mismatch -std=legacy"
+  local flags="-O0 -w -fopenmp -fallow-argument-mismatch"
   local fortran
   fortran=$(cd "CalculiX/ccx_$version/src" && join_sources)
   local defines='-DARCH="Linux" -DSPOOLES -DARPACK -DMATRIXSTORAGE -DUSE_MT=1 -DCALCULIX_EXTERNAL_BEHAVIOURS_SUPPORT'
+  # legacy: within a file the compiler also checks the sizes of arrays that are passed
   make -C "CalculiX/ccx_$version/src" -j"${JOBS:-$(nproc)}" "ccx_$version" \
-    SCCXF="$fortran" CFLAGS="${flags% *} -I/usr/include/spooles $defines" FFLAGS="$flags" >compile.log 2>&1 || {
+    SCCXF="$fortran" CFLAGS="$flags -I/usr/include/spooles $defines" FFLAGS="$flags -std=legacy" >compile.log 2>&1 || {
     tail -n 20 compile.log >&2
     echo "CalculiX did not compile (see above); the log is $folder/compile.log." >&2
     exit 1

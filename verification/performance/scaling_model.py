@@ -11,6 +11,8 @@ import math
 import pathlib
 import re
 
+import numpy as np
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COUNTED = ROOT / "verification" / "results" / "scaling.json"
 COUNTED_ON_MANY = ROOT / "verification" / "results" / "many_ranks.json"
@@ -50,12 +52,15 @@ def refusal(total, tiles):
 
 def line_through(counts, quantity):
     """Least relative errors of a + b n over the ranks, n the particles of a rank. @return a, b, largest relative error"""
-    points = [(row["largest_rank_particles_made"], row[quantity]) for row in counts]
-    ones, slopes = [1.0 / y for _, y in points], [n / y for n, y in points]
-    aa, ab, bb = (sum(x * y for x, y in zip(*pair)) for pair in ((ones, ones), (ones, slopes), (slopes, slopes)))
-    a1, b1 = sum(ones), sum(slopes)
-    a, b = (a1 * bb - b1 * ab) / (aa * bb - ab * ab), (b1 * aa - a1 * ab) / (aa * bb - ab * ab)
-    return a, b, max(abs((a + b * n) / y - 1.0) for n, y in points)
+    n, counted = (np.array([row[name] for row in counts], dtype=float) for name in ("largest_rank_particles_made", quantity))
+    b, a = np.polyfit(n, counted, 1, w=1.0 / counted)
+    return a, b, np.max(np.abs((a + b * n) / counted - 1.0))
+
+
+def lines_of_counts():
+    """The counts of many_ranks.py, and the lines of memory and of places looked at through them."""
+    counts = json.loads(COUNTED_ON_MANY.read_text())
+    return counts, line_through(counts, "largest_rank_peak_bytes"), line_through(counts, "largest_rank_candidate_points")
 
 
 def patch_bytes(d):
@@ -90,8 +95,7 @@ def seconds(parts):
 
 
 def row(d, particles, ranks, efficiency):
-    counts = json.loads(COUNTED_ON_MANY.read_text())
-    memory, places = (line_through(counts, name) for name in ("largest_rank_peak_bytes", "largest_rank_candidate_points"))
+    _, memory, places = lines_of_counts()
     parts = step(d, particles, ranks)
     total = particles * ranks
     tiles = total / particles_per_tile(d)
@@ -142,8 +146,7 @@ def comparison():
 
 def fits():
     """Lines through the counts of many_ranks.py, beside the counts."""
-    counts = json.loads(COUNTED_ON_MANY.read_text())
-    (a, b, worst), (c, d, off) = (line_through(counts, name) for name in ("largest_rank_peak_bytes", "largest_rank_candidate_points"))
+    counts, (a, b, worst), (c, d, off) = lines_of_counts()
     lines = [f"Counted on 1 to 16 ranks (many_ranks.py, three dimensions), n particles of a rank: memory {1e-6 * a:.0f} MB + {b:.0f} bytes n, within "
              f"{100 * worst:.0f} %; places looked at {c:,.0f} + {d:.2f} n, within {100 * off:.0f} %.", "",
              "| ranks | particles of a rank | MB by the line | MB counted | places by the line | counted |", "|---|---|---|---|---|---|"]  # fmt: skip
