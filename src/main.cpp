@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/process.hpp"
 #include "check/plan.hpp"
 #include "check/predict_cost.hpp"
 #include "command_line.hpp"
@@ -33,6 +34,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace barreno {
 namespace {
@@ -80,7 +82,15 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   return run_to_end(scene, state, output, description);
 }
 
+/// As many machines like this one as the ranks that are planned fill.
+int machines_for(int ranks) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return (ranks + cores - 1) / cores;
+}
+
 int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
+  const int ranks = std::max(1, options.ranks);
+  set_machines(std::max(machines(), machines_for(ranks)));
   const Deck deck = read_deck(options.deck_file, options.overrides, *comm);
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
@@ -90,7 +100,6 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
     if (is_root(*comm)) std::cout << effective_deck_xml(deck);
     return static_cast<int>(ExitCode::finished);
   }
-  const int ranks = std::max(1, options.ranks);
   const auto scene_with = [&](const std::string& fidelity) {
     std::vector<std::string> overrides = options.overrides;
     overrides.push_back(fidelity_override(fidelity));
@@ -189,5 +198,6 @@ int main(int argc, char** argv) {
     return barreno::report_errors(argc, argv, Teuchos::rcp(new Teuchos::SerialComm<int>));
   }
   const Tpetra::ScopeGuard mpi_and_kokkos(&words, &first_word);
+  barreno::set_machines(barreno::count_machines());
   return barreno::report_errors(argc, argv, Tpetra::getDefaultComm());
 }

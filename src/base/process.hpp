@@ -13,4 +13,11 @@ double cpu_seconds();
 /// Memory of this machine [bytes].
 double machine_bytes();
 
+/// Machines like this one that the ranks are on, or will be; one until it is set.
+int machines();
+void set_machines(int count);
+
+/// Of the ranks of MPI_COMM_WORLD, which is set up. Collective.
+int count_machines();
+
 }  // namespace barreno

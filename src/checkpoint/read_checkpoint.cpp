@@ -43,16 +43,16 @@ PartTiles tiles_of_part(const State& state, const Hdf5File& file) {
   return tiles;
 }
 
-/// Tiles are shared by the particles that are in them. Collective.
-void share_tiles(const PartTiles& tiles, Grid& grid) {
+/// Parcels are shared by the particles that are in them. Collective.
+void share_parcels(const PartTiles& tiles, Grid& grid) {
   std::vector<double> counts(grid.owner.size(), 0.0);
   for (const std::vector<int>& of_rows : tiles)
     for (const int tile : of_rows)
-      if (tile >= 0) counts[static_cast<std::size_t>(tile)] += 1.0;
+      if (tile >= 0) counts[static_cast<std::size_t>(grid.parcels.holding(tile))] += 1.0;
   sum_over_ranks(*grid.comm, counts);  // whole numbers: in any order the same
-  std::vector<TileCost> costs(counts.size());
-  for (std::size_t t = 0; t < counts.size(); ++t) costs[t].particles = counts[t];
-  set_owners(bisect_tiles(grid.tiles, costs, grid.comm->getSize()), grid);
+  std::vector<ParcelCost> costs(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) costs[i].particles = counts[i];
+  set_owners(bisect_parcels(grid.parcels.along, costs, grid.comm->getSize()), grid);
 }
 
 /// The rows of a material that this rank wrote, where there are as many ranks. Collective.
@@ -77,11 +77,11 @@ std::vector<std::size_t> rows_in_tiles(
   return rows_by_owner(*grid.comm, rows, [&](std::size_t row) {
     const int tile = tiles[row - begin];
     // One that has just left the grid is counted and removed by whoever has it.
-    return tile >= 0 ? grid.owner[static_cast<std::size_t>(tile)] : 0;
+    return tile >= 0 ? owner_of(grid, tile) : 0;
   });
 }
 
-/// Owners of tiles and rows of particles: as the ranks had them, or shared anew. Collective.
+/// Owners of parcels and rows of particles: as the ranks had them, or shared anew. Collective.
 void read_rows(const KnownRun& run, const SharedFile& shared, State& state) {
   const Comm& comm = *state.grid.comm;
   const Hdf5File& file = *run.checkpoint.open;
@@ -93,7 +93,7 @@ void read_rows(const KnownRun& run, const SharedFile& shared, State& state) {
     return;
   }
   const PartTiles tiles = tiles_of_part(state, file);
-  share_tiles(tiles, state.grid);
+  share_parcels(tiles, state.grid);
   for (std::size_t m = 0; m < state.particles.size(); ++m) {
     Particles& particles = state.particles[m];
     const std::string name = particle_group(particles) + "position";

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "base/types.hpp"
+#include "grid/parcels.hpp"
 #include "grid/patch.hpp"
+#include "grid/tile_directory.hpp"
 #include "scene/scene.hpp"
 
 #include <Teuchos_Comm.hpp>
@@ -125,15 +127,16 @@ struct Grid {
   std::vector<unsigned char> host_level_of_tile;  ///< the same
 
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
-  std::vector<int> owner;        ///< rank of every tile of level 0; set_owners changes it
-  ArrayView<int> owner_of_tile;  ///< the same for kernels
+  Parcels parcels;
+  std::vector<int> owner;    ///< rank of every parcel; set_owners changes it
+  TileOwners owner_of_tile;  ///< the same for kernels
 
   long activations = 0;  ///< times that the local tiles were numbered anew
   int active = 0;        ///< tiles that this rank owns and stores
   int ghosts = 0;  ///< tiles of other ranks whose patch overlaps one of ours, stored behind ours
   int first_of_level[max_level + 2] = {};  ///< active tiles by level; behind the last, `active`
   ArrayView<TileFrame> tile_frame;         ///< of the active tiles and the ghosts
-  ArrayView<int> directory;                ///< number of a tile (BoxTiles) -> local tile, or -1
+  TileDirectory directory;
   ArrayView<int>
       neighbours;  ///< tile * patch.neighbours + k -> local tile (ghosts included), or -1
   ArrayView<unsigned char>
@@ -218,9 +221,14 @@ inline Cell cell_of(const Grid& grid, const Vector& x) {
   return CellLattice(grid).cell_at([&](int d) { return x[static_cast<std::size_t>(d)]; });
 }
 
+/// Rank that owns a tile of level 0.
+inline int owner_of(const Grid& grid, int box_tile) {
+  return grid.owner[static_cast<std::size_t>(grid.parcels.holding(box_tile))];
+}
+
 /// Rank that owns the tile around a point of the box.
 inline int owner_of(const Grid& grid, const Vector& x) {
-  return grid.owner[static_cast<std::size_t>(cell_of(grid, x).box_tile)];
+  return owner_of(grid, cell_of(grid, x).box_tile);
 }
 
 }  // namespace barreno

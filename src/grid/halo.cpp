@@ -43,7 +43,7 @@ TilesOfRank tiles_at_borders(const Grid& grid, const std::vector<int>& owned) {
   TilesOfRank at_border;
   for (const int id : owned)
     for_each_touching(grid, id, [&](const TilePosition& beside) {
-      const int other = grid.owner[static_cast<std::size_t>(grid.box.box_tile(beside))];
+      const int other = owner_of(grid, grid.box.box_tile(beside));
       if (other == me) return;
       std::vector<int>& tiles = at_border[other];
       if (tiles.empty() || tiles.back() != id) tiles.push_back(id);

@@ -19,7 +19,8 @@ void find_neighbours(const Grid& grid) {
   const BoxTiles box = grid.box;
   const Patch patch = grid.patch;
   const ArrayView<TileFrame> frame = grid.tile_frame;
-  const ArrayView<int> directory = grid.directory, neighbours = grid.neighbours;
+  const TileDirectory directory = grid.directory;
+  const ArrayView<int> neighbours = grid.neighbours;
   launch(
       "find_neighbours",
       range(grid.active),
@@ -74,7 +75,8 @@ struct FindParents {
   bool mirrored[6];
   ArrayView<unsigned char> level_of_tile;
   ArrayView<TileFrame> frame;
-  ArrayView<int> directory, parent;
+  TileDirectory directory;
+  ArrayView<int> parent;
   ArrayView<unsigned char> from_parent, counts;
 
   explicit FindParents(const Grid& grid)
@@ -155,33 +157,14 @@ void find_levels(const std::vector<int>& owned, Grid& grid) {
   }
 }
 
-/// The box forgets the local tiles: it has many more places, which nobody looks at for that.
-void leave_tiles(const Grid& grid) {
-  const BoxTiles box = grid.box;
-  const ArrayView<TileFrame> frame = grid.tile_frame;
-  const ArrayView<int> directory = grid.directory;
-  launch(
-      "leave_tiles",
-      range(grid.active + grid.ghosts),
-      KOKKOS_LAMBDA(const int t) { directory(box.id(frame(t).position)) = -1; }
-  );
-}
-
-/// Frames of the local tiles, and where the box finds them.
-void enter_tiles(const std::vector<int>& local, const Grid& grid) {
+void make_frames(const std::vector<int>& local, Grid& grid) {
+  grid.tile_frame = ArrayView<TileFrame>("frame", local.size());
   const auto frame = Kokkos::create_mirror_view(grid.tile_frame);
   for (std::size_t t = 0; t < local.size(); ++t) {
     const TilePosition at = grid.box.position(local[t]);
     frame(t) = {at, grid.cell_size / (1 << at.level), 0.0, 0.0};
   }
   Kokkos::deep_copy(grid.tile_frame, frame);
-  const ArrayView<int> id = view_of("local_tiles", local);
-  const ArrayView<int> directory = grid.directory;
-  launch(
-      "enter_tiles",
-      range(static_cast<int>(local.size())),
-      KOKKOS_LAMBDA(const int t) { directory(id(t)) = t; }
-  );
 }
 
 void set_levels(const std::vector<unsigned char>& level_of_tile, Grid& grid) {
@@ -218,26 +201,20 @@ Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::
   }
   grid.box = BoxTiles(grid.patch.dimensions, finest_level(spec) + 1, grid.tiles);
   set_levels(spec.level_of_tile, grid);
-  set_owners(std::vector<int>(static_cast<std::size_t>(grid.box.first_id[1]), 0), grid);
-  grid.directory =
-      ArrayView<int>("directory", static_cast<std::size_t>(grid.box.first_id[grid.box.levels]));
-  Kokkos::deep_copy(grid.directory, -1);
+  grid.parcels = Parcels(grid.patch.dimensions, grid.tiles, spec.most_parcels);
+  set_owners(std::vector<int>(grid.parcels.count(), 0), grid);
+  grid.directory = make_tile_directory(grid.box.first_id[grid.box.levels]);
   return grid;
 }
 
 void set_owners(const std::vector<int>& owner, Grid& grid) {
   grid.owner = owner;
-  if (grid.owner_of_tile.extent(0) != owner.size())
-    grid.owner_of_tile = ArrayView<int>("owner", owner.size());
-  const auto copy = Kokkos::create_mirror_view(grid.owner_of_tile);
-  for (std::size_t t = 0; t < owner.size(); ++t) copy(t) = owner[t];
-  Kokkos::deep_copy(grid.owner_of_tile, copy);
+  grid.owner_of_tile = {grid.parcels, view_of("owner", owner)};
 }
 
 void activate_tiles(Grid& grid, const std::vector<int>& owned) {
   const Region region("activate_tiles");
   ++grid.activations;
-  leave_tiles(grid);
   const std::vector<int> ghosts = build_halo(grid, owned);
   grid.active = static_cast<int>(owned.size());
   grid.ghosts = static_cast<int>(ghosts.size());
@@ -245,11 +222,11 @@ void activate_tiles(Grid& grid, const std::vector<int>& owned) {
   local.insert(local.end(), ghosts.begin(), ghosts.end());
 
   const auto n = static_cast<std::size_t>(grid.active);
-  grid.tile_frame = ArrayView<TileFrame>("frame", local.size());
   grid.neighbours =
       ArrayView<int>("neighbours", n * static_cast<std::size_t>(grid.patch.neighbours));
   grid.counts = ArrayView<unsigned char>("counts", n * static_cast<std::size_t>(grid.patch.size));
-  enter_tiles(local, grid);
+  list_tiles(local, grid.directory);
+  make_frames(local, grid);
   find_levels(owned, grid);
   find_neighbours(grid);
   find_counting_copies(grid);

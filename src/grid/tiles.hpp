@@ -7,13 +7,13 @@
 
 namespace barreno {
 
-/// The background grid of a scene with no tile active yet; every tile's owner is rank 0 until it is
-/// partitioned.
+/// The background grid of a scene with no tile active yet; every parcel's owner is rank 0 until
+/// they are dealt out.
 ///
 /// @param reach  nodes beyond its own tile that a particle can give to (a shape function's reach())
 Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 
-/// Say which rank owns every tile of the box.
+/// Say which rank owns every parcel of the box.
 void set_owners(const std::vector<int>& owner, Grid& grid);
 
 /// Make exactly the listed tiles active on this rank, find neighbours and ghosts, and say which

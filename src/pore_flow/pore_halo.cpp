@@ -39,7 +39,7 @@ int owner_of_cell(const Grid& grid, long long id) {
   TilePosition tile;
   for (std::size_t d = 0; d < static_cast<std::size_t>(grid.patch.dimensions); ++d)
     tile.along[d] = at[d] >> grid.patch.tile_bits;
-  return grid.owner[static_cast<std::size_t>(grid.box.id(tile))];
+  return owner_of(grid, grid.box.id(tile));
 }
 
 template <class Visitor>

@@ -40,6 +40,8 @@ void add_pore_flow(const Deck& deck, Scene& scene);
 /// Refuses a grid or particles that are too many for memory or for what counts them, before
 /// anything is allocated; the grid needs no bodies for it.
 void check_size(const Deck& deck, const Scene& scene);
+/// Refuses a box with more tiles than can be refined, before their levels are looked for.
+void check_refined_size(const Deck& deck, const GridSpec& grid);
 /// After all else: refuses speeds that nothing has, and masses and energies that the balances
 /// cannot hold.
 void check_magnitudes(const Deck& deck, const Scene& scene);

@@ -46,9 +46,15 @@ bool leaves_path_out(const Deck& deck, Scene& scene) {
   return true;
 }
 
+bool asks_for_levels(const Deck& deck, const Scene& scene) {
+  return !deck.lists(table_of<RefinedRegion>().path).empty() ||
+         (scene.jet.present && scene.jet.cells_per_radius > 0.0);
+}
+
 }  // namespace
 
 void add_refinement(const Deck& deck, Scene& scene) {
+  if (asks_for_levels(deck, scene)) check_refined_size(deck, scene.grid);
   std::vector<RefinedRegion> regions;
   for (const std::string& name : deck.lists(table_of<RefinedRegion>().path)) {
     regions.push_back(read_region(deck, name, scene));

@@ -16,13 +16,18 @@
 namespace barreno {
 namespace {
 
-/// Every rank goes through all tiles of the box when it shares them; more would take minutes, and
-/// gigabytes on each rank.
-constexpr double max_tiles = 16777216.0;
-/// Cells along an axis and particles of a rank are counted in 32 bits.
+/// Cells along an axis, and places for tiles, are numbered in 32 bits.
 constexpr double max_count = std::numeric_limits<int>::max();
-/// Owner, local index and cost of every tile of the box.
-constexpr double bytes_per_tile = 32.0;
+/// Every rank goes through the levels of all tiles of a refined box.
+constexpr double max_refined_tiles = 16777216.0;
+/// Ids are written as 64 bits, and read by programs that take them for numbers of double precision.
+constexpr double max_particles = 9007199254740992.0;
+/// Owner and cost of a parcel of tiles, with what it takes to deal them out.
+constexpr double bytes_per_parcel = 128.0;
+/// Of what a rank keeps of the whole box: levels of tiles, and where tiles of each level have their
+/// page (TileDirectory).
+constexpr double bytes_per_refined_tile = 2.0;
+constexpr double bytes_per_place = 4.0 / 256.0;
 /// State arrays, their share of active tiles and what brings them into a file, of which a run's
 /// largest memory consists: 1040 bytes in the plane between perforation.xml with two fidelities,
 /// 2140 in space beyond the program, perforation_3d.xml.
@@ -41,12 +46,32 @@ double tiles_of(const GridSpec& grid) {
   return tiles;
 }
 
-/// Of the places that tiles of each level may take in the box.
-double directory_bytes(const GridSpec& grid) {
+/// Where tiles of each level may be in the box.
+double places_of(const GridSpec& grid) {
   double places = 0.0;
-  for (int level = 1; level <= finest_level(grid); ++level)
+  for (int level = 0; level <= finest_level(grid); ++level)
     places += tiles_of(grid) * std::pow(2.0, level * dimensions(grid.mode));
-  return sizeof(int) * places;
+  return places;
+}
+
+/// What every rank keeps of the whole box.
+double box_bytes(const GridSpec& grid) {
+  const double tiles = tiles_of(grid);
+  return bytes_per_parcel * std::min(tiles, static_cast<double>(grid.most_parcels)) +
+         bytes_per_place * places_of(grid) +
+         (finest_level(grid) > 0 ? bytes_per_refined_tile * tiles : 0.0);
+}
+
+/// Refuses more tiles than can be numbered. What divides the box into them is the smallest cell.
+void check_tiles(const Deck& deck, const GridSpec& grid, double tiles, double most) {
+  if (tiles <= most) return;  // a number that is none has been refused with the axis
+  const int d = dimensions(grid.mode);
+  const double cells = std::pow(tile_cells(d), d);
+  deck.refuse_value(
+      path_of(&GridSpec::cell_size),
+      "divides the box into " + text_of("%.3g", tiles * cells) + " cells (at most " +
+          text_of("%.3g", most * cells) + " can be indexed); choose larger cells or a smaller box"
+  );
 }
 
 /// Of the lattices that are walked through to fill bodies, all but those of boxes: one of a thin
@@ -75,6 +100,14 @@ double channel_bytes(const Scene& scene) {
 
 void check_cells(const Deck& deck, const GridSpec& grid) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions(grid.mode)); ++i) {
+    const double along = cells_along(grid, i) * std::pow(2.0, finest_level(grid));
+    if (!(along <= max_count))
+      deck.refuse_value(
+          path_of(&GridSpec::cell_size),
+          "divides the box into " + text_of("%.3g", along) + " cells along " +
+              std::string(1, "xyz"[i]) + " (at most " + text_of("%.3g", max_count) +
+              " can be indexed); choose larger cells or a smaller box"
+      );
     const double farthest = std::max(std::abs(grid.lower[i]), std::abs(grid.upper[i]));
     constexpr double places_in_cell = 1e6;
     if (farthest * std::numeric_limits<double>::epsilon() * places_in_cell > grid.cell_size)
@@ -110,38 +143,36 @@ double particle_estimate(const Scene& scene) {
 }
 
 double memory_estimate(const Scene& scene) {
-  return bytes_per_tile * tiles_of(scene.grid) + directory_bytes(scene.grid) +
-         channel_bytes(scene) +
+  return box_bytes(scene.grid) + channel_bytes(scene) +
          estimated_particle_bytes(dimensions(scene.grid.mode)) * particle_estimate(scene);
+}
+
+void check_refined_size(const Deck& deck, const GridSpec& grid) {
+  check_tiles(deck, grid, tiles_of(grid), max_refined_tiles);
 }
 
 void check_size(const Deck& deck, const Scene& scene) {
   check_cells(deck, scene.grid);
   const double bytes = memory_estimate(scene) + filling_bytes(scene);
-  const double available = machine_bytes();
-  const double tiles = tiles_of(scene.grid), particles = particle_estimate(scene);
-  const int d = dimensions(scene.grid.mode);
-  if (!(tiles <= max_tiles))
-    deck.refuse_value(
-        path_of(&GridSpec::cell_size),
-        "divides the box into " + text_of("%.3g", tiles * std::pow(tile_cells(d), d)) +
-            " cells (at most " + text_of("%.3g", max_tiles * std::pow(tile_cells(d), d)) +
-            " can be indexed); choose larger cells or a smaller box"
-    );
-  if (!(particles <= max_count))
+  const double machine = machine_bytes(), available = machines() * machine;
+  const double places = places_of(scene.grid), particles = particle_estimate(scene);
+  check_tiles(deck, scene.grid, places, max_count);
+  if (!(particles <= max_particles))
     deck.refuse_value(
         path_of(&GridSpec::cell_size),
         "makes " + text_of("%.3g", particles) +
-            " particles (they are counted in 32 bits); choose larger cells, fewer Particles Per "
+            " particles (at most 2^53 can be numbered); choose larger cells, fewer Particles Per "
             "Cell or smaller bodies"
     );
   if (bytes <= available) return;
   deck.refuse_value(
       path_of(&GridSpec::cell_size),
       "makes the run too large for memory (grid and particles need " + text_of("%.0f", bytes) +
-          " bytes, more than this machine has); choose larger cells or a smaller box, or ranks "
-          "on " +
-          text_of("%.0f", std::ceil(bytes / available)) + " machines of this size"
+          " bytes, more than " +
+          (machines() == 1 ? "this machine has"
+                           : text_of("%.0f", machines()) + " machines like this one have") +
+          "); choose larger cells or a smaller box, or ranks on " +
+          text_of("%.0f", std::ceil(bytes / machine)) + " machines of this size"
   );
 }
 

@@ -4,7 +4,7 @@
 #include "base/region.hpp"
 #include "base/work_counts.hpp"
 #include "grid/tiles.hpp"
-#include "state/box_in_tiles.hpp"
+#include "state/box_in_parcels.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -17,9 +17,9 @@ bool is_box(const BodySpec& body) {
   return std::holds_alternative<Box>(body.shape);
 }
 
-/// Particles in this rank's share of a body's lattice, each added to its tile.
+/// Particles in this rank's share of a body's lattice, each added to its parcel.
 long long count_share(
-    const Scene& scene, const BodySpec& body, const Grid& grid, std::vector<double>& tiles
+    const Scene& scene, const BodySpec& body, const Grid& grid, std::vector<double>& parcels
 ) {
   const CellSpan share =
       share_of_cells(body_lattice(scene.grid, body), grid.comm->getRank(), grid.comm->getSize());
@@ -27,7 +27,7 @@ long long count_share(
   long long count = 0;
   for_each_lattice_particle(scene.grid, body, share, 0, [&](const NewParticle& p) {
     const Cell cell = cells.cell_at([&](int d) { return p.x[static_cast<std::size_t>(d)]; });
-    tiles[static_cast<std::size_t>(cell.box_tile)] += 1.0;
+    parcels[static_cast<std::size_t>(grid.parcels.holding(cell.box_tile))] += 1.0;
     ++count;
   });
   return count;
@@ -68,12 +68,12 @@ BodyCensus take_census(const Scene& scene, const Teuchos::RCP<const Comm>& comm)
   census.before = sums_before(*comm, census.counts);
   sum_over_ranks(*comm, census.counts);
   sum_over_ranks(*comm, in_shares);  // whole numbers: in any order the same
-  census.tiles.resize(in_shares.size());
-  for (std::size_t t = 0; t < in_shares.size(); ++t) census.tiles[t].particles = in_shares[t];
+  census.parcels.resize(in_shares.size());
+  for (std::size_t i = 0; i < in_shares.size(); ++i) census.parcels[i].particles = in_shares[i];
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!is_box(scene.bodies[b])) continue;
     census.counts[b] = count_body_particles(scene.grid, scene.bodies[b]);
-    count_box_in_tiles(scene.grid, scene.bodies[b], grid, census.tiles);
+    count_box_in_parcels(scene.grid, scene.bodies[b], grid, census.parcels);
   }
   census.first = first_ids(scene, census.counts);
   return census;

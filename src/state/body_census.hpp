@@ -18,7 +18,7 @@ struct BodyCensus {
   std::vector<ParticleId> first;  ///< their first ids, and one past the last (first_ids)
   /// By body: of its particles, those that are in the shares of lower ranks (lattice_shares.hpp).
   std::vector<long long> before;
-  std::vector<TileCost> tiles;  ///< particles in every tile of level 0
+  std::vector<ParcelCost> parcels;  ///< their particles
 };
 
 /// Every rank counts boxes by the places along their axes, and its equal share of the cells of

@@ -44,7 +44,7 @@ LatticeShares::LatticeShares(const Grid& grid, Visit visit)
 
 void LatticeShares::send(std::size_t index, const NewParticle& particle) {
   const Cell cell = cells_.cell_at([&](int d) { return particle.x[static_cast<std::size_t>(d)]; });
-  const int owner = grid_.owner[static_cast<std::size_t>(cell.box_tile)];
+  const int owner = owner_of(grid_, cell.box_tile);
   std::vector<double>& rows = by_rank_[static_cast<std::size_t>(owner)];
   rows.push_back(static_cast<double>(index));
   rows.push_back(id_bits(particle.id));

@@ -4,7 +4,8 @@
 
     check_tidy.py BUILD [--recent | FILE ...]
 
-With --recent, tests and verification tools that were last changed more than a day before the newest commit are left out.
+With --recent, files are left out that were last changed more than half a day before the newest commit, and so was every header
+of this repository that they include.
 
 Most of clang-tidy's time goes into the headers of the libraries, so files are looked at together, in few translation
 units that include them. The same name in two unnamed namespaces cannot stand in one: such files are dealt out to
@@ -12,6 +13,7 @@ different units, and what a first look at the text misses, clang's own errors te
 are those of its last clean pass is skipped: what passed is kept in BUILD/tidy.
 """
 import concurrent.futures
+import functools
 import hashlib
 import json
 import os
@@ -135,19 +137,40 @@ def units_of(entries):
 
 
 def recently_changed():
-    """Names of the files of the commits of a day, and of what is not committed; None without a repository."""
+    """Names of the files of the commits of half a day, and of what is not committed; None without a repository."""
     git = ["git", "-C", str(ROOT)]
     newest = subprocess.run([*git, "log", "-1", "--format=%ct"], capture_output=True, text=True)
     if newest.returncode != 0:
         return None
-    since = f"--since={int(newest.stdout) - 86400}"
+    since = f"--since={int(newest.stdout) - 43200}"
     listings = ([*git, "log", since, "--name-only", "--format="], [*git, "diff", "--name-only", "HEAD"], [*git, "ls-files", "--others", "--exclude-standard"])
     return {name for words in listings for name in subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()}
 
 
-def is_recent(file, changed):
-    name = str(pathlib.Path(file).relative_to(ROOT))
-    return name.startswith(("src/", "materials/")) or name in changed
+def include_folders(entries):
+    """Those of this repository, in which its headers are looked for."""
+    words = {word for entry in entries for word in shlex.split(entry["command"]) if word.startswith("-I" + str(ROOT) + "/")}
+    return tuple(pathlib.Path(word[2:]) for word in sorted(words))
+
+
+@functools.lru_cache(maxsize=None)
+def headers_of(file, folders):
+    """The headers of this repository that a file names."""
+    places = ([folder / name for folder in (file.parent, *folders)] for name in INCLUDED.findall(file.read_text()))
+    found = (next((path.resolve() for path in paths if path.exists()), None) for paths in places)
+    return {path for path in found if path is not None and ROOT in path.parents}
+
+
+def is_recent(file, folders, changed):
+    """Whether a file or what it includes was changed."""
+    seen, todo = set(), {pathlib.Path(file).resolve()}
+    while todo:
+        path = todo.pop()
+        if str(path.relative_to(ROOT)) in changed:
+            return True
+        seen.add(path)
+        todo |= headers_of(path, folders) - seen
+    return False
 
 
 def own_files(options, files):
@@ -220,10 +243,11 @@ def main():
     words = sys.argv[2:]
     if words == ["--recent"]:
         changed = recently_changed()
-        entries = [e for e in entries if changed is None or is_recent(e["file"], changed)]
+        folders = include_folders(entries)
+        entries = [e for e in entries if changed is None or is_recent(e["file"], folders, changed)]
     elif words:
         entries = [e for e in entries if any(word in e["file"] for word in words)]
-    assert entries, f"no compilation in {build} matches {sys.argv[2:]}"
+    assert entries or words == ["--recent"], f"no compilation in {build} matches {words}"
     folder = build / "tidy"
     folder.mkdir(exist_ok=True)
 

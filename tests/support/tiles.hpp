@@ -16,7 +16,7 @@ namespace barreno::testing {
 inline State in_tiles(const Scene& scene, double dt) {
   State state = start_alone(scene);
   state.dormancy.on = false;
-  give_tiles(
+  give_parcels(
       std::vector<int>(state.grid.owner), 1, state.grid, state.particles, state.ledger, state.effort
   );
   set_tile_steps(state.grid, dt);

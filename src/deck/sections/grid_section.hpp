@@ -36,6 +36,8 @@ struct GridSpec {
   double cell_size = 0.0;   ///< of tiles of level 0 [length]
   /// Of every tile of the box, x fastest; empty: all are of level 0 (scene/tile_levels.hpp).
   std::vector<unsigned char> level_of_tile;
+  /// Parcels that the box is divided into among ranks, at most (grid/parcels.hpp).
+  std::size_t most_parcels = std::size_t{1} << 22U;
 };
 template <>
 const SectionTable<GridSpec>& table_of<GridSpec>();

@@ -54,7 +54,7 @@ void add_tile_fields(
 void add_finer_fields(const Grid& grid, const ArrayView<unsigned char>& tile_fields) {
   const BoxTiles box = grid.box;
   const ArrayView<TileFrame> frame = grid.tile_frame;
-  const ArrayView<int> directory = grid.directory;
+  const TileDirectory directory = grid.directory;
   for (int level = grid.box.levels - 2; level >= 0; --level)
     launch(
         "add_finer_fields",

@@ -16,7 +16,8 @@ struct ParticlesAtNodes {
   static constexpr int dimensions = M::dimensions;
   PatchFrame<M::dimensions> frame;
   BoxTiles box;
-  ArrayView<int> directory, parent;
+  TileDirectory directory;
+  ArrayView<int> parent;
   ArrayView<unsigned char> from_parent;
   ArrayView<unsigned char> passes_up;  ///< ContactNodes::passes_up
   Particles particles;

@@ -13,7 +13,7 @@ struct RestrictSums {
   Patch patch;
   BoxTiles box;
   ArrayView<TileFrame> frame;
-  ArrayView<int> directory;
+  TileDirectory directory;
   ArrayView<unsigned char> from_parent;
   Nodes nodes;
 

@@ -12,18 +12,25 @@ namespace {
 
 /// What a look at every particle's cell has found.
 struct Found {
-  int outside = 0, moved = 0, new_tile = 0, left = 0;
+  int outside = 0, moved = 0, beyond = 0;
 };
 KOKKOS_INLINE_FUNCTION void add(const Found& from, Found& to) {
   to.outside |= from.outside;
   to.moved |= from.moved;
+  to.beyond |= from.beyond;
+}
+
+/// What a look at the rows beyond this rank's active tiles has found.
+struct Beyond {
+  int new_tile = 0, left = 0;
+};
+KOKKOS_INLINE_FUNCTION void add(const Beyond& from, Beyond& to) {
   to.new_tile |= from.new_tile;
   to.left |= from.left;
 }
 
 /// Keys of rows from their cells, without branches for the compiler to vectorise; rows outside the
-/// grid or lost otherwise keep theirs. Of other ranks' tiles those are active that are ghosts here;
-/// of others, further away, nothing is known.
+/// grid or lost otherwise keep theirs.
 template <unsigned D, bool Refined>
 struct FindKeys {
   static constexpr int dimensions = D;
@@ -31,10 +38,9 @@ struct FindKeys {
   BoxTiles box;
   const double* position[D];
   double cells_per_length;
-  int bits, in_tile, cells, active, me;
-  const int* owner;
+  int bits, in_tile, cells, active;
   const unsigned char* level_of_tile;
-  const int* directory;
+  const int *page, *entry;  ///< TileDirectory
   CellKey* keys;
   const Fault* faults;
 
@@ -45,10 +51,9 @@ struct FindKeys {
         in_tile(grid.patch.tile_cells - 1),
         cells(grid.patch.cells),
         active(grid.active),
-        me(grid.comm->getRank()),
-        owner(grid.owner_of_tile.data()),
         level_of_tile(grid.level_of_tile.data()),
-        directory(grid.directory.data()),
+        page(grid.directory.begin.data()),
+        entry(grid.directory.entry.data()),
         keys(particles.key.data()),
         faults(particles.fault.data()) {
     for (int d = 0; d < dimensions; ++d) {
@@ -77,29 +82,71 @@ struct FindKeys {
     for (int d = 0; d < dimensions; ++d)
       lost |= static_cast<int>(!(position[d][p] >= lower[d])) |
               static_cast<int>(!(position[d][p] < upper[d]));
-    int box_tile = 0;
     int id = 0;
     int inside = 0;
-    find_cell(p, lost, 0, box_tile, inside);
-    id = box_tile;
+    find_cell(p, lost, 0, id, inside);
     if constexpr (Refined) {
-      const int level = level_of_tile[box_tile];
+      const int level = level_of_tile[id];
       find_cell(p, lost, level, id, inside);
       id += box.first_id[level];
     }
-    const int tile = directory[id];
+    const int tile = entry[page[id >> TileDirectory::bits] + (id & (TileDirectory::page_size - 1))];
     const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
-    const int mine = static_cast<int>(owner[box_tile] == me);
-    const int unknown = static_cast<int>(tile < 0);
     const CellKey key = here ? CellKey{tile * cells + inside} : CellKey::unplaced;
     keys[p] = lost ? old_key : key;
-    return {
-        lost,
-        static_cast<int>(key != old_key),
-        (1 - lost) & (1 - here) & (mine | unknown),
-        (1 - lost) & (1 - here) & (1 - mine)};
+    return {lost, static_cast<int>(key != old_key), (1 - lost) & (1 - here)};
   }
 };
+
+/// Where the rows are that are in no active tile of this rank. Few steps have such rows.
+struct LookBeyond {
+  CellLattice lattice;
+  double upper[3];
+  FieldView position;
+  ArrayView<CellKey> key;
+  ArrayView<Fault> fault;
+  TileDirectory directory;
+  TileOwners owner;
+  int me;
+
+  LookBeyond(const Grid& grid, const Particles& particles)
+      : lattice(grid),
+        upper{grid.upper[0], grid.upper[1], grid.upper[2]},
+        position(particles.position.values),
+        key(particles.key),
+        fault(particles.fault),
+        directory(grid.directory),
+        owner(grid.owner_of_tile),
+        me(grid.comm->getRank()) {}
+
+  KOKKOS_INLINE_FUNCTION bool is_lost(int p) const {
+    bool inside = fault(p) == Fault::none;
+    for (int d = 0; d < lattice.dimensions; ++d)
+      inside = inside && position(p, d) >= lattice.lower[d] && position(p, d) < upper[d];
+    return !inside;
+  }
+  /// Of other ranks' tiles those are active that are ghosts here; of others, further away, nothing
+  /// is known.
+  KOKKOS_INLINE_FUNCTION void operator()(int p, Beyond& found) const {
+    if (is_placed(key(p)) || is_lost(p)) return;
+    const Cell cell = lattice.cell_at(position, p);
+    const bool mine = owner(cell.box_tile) == me;
+    if (mine || directory(cell.tile) < 0) found.new_tile = 1;
+    if (!mine) found.left = 1;
+  }
+};
+
+Beyond look_beyond(const Grid& grid, const Particles& particles) {
+  const LookBeyond look(grid, particles);
+  Beyond found;
+  launch_reduction(
+      "look_beyond",
+      range(particles.count),
+      KOKKOS_LAMBDA(const int p, Beyond& some) { look(p, some); },
+      TallyReducer<Beyond>(found)
+  );
+  return found;
+}
 
 /// Chunks whose rows have not moved since their keys were found.
 struct SettledRows {
@@ -150,8 +197,11 @@ Found find_keys(const Grid& grid, const Particles& particles, int first_row) {
 /// Keys of a set's rows; false if one is outside the grid or lost otherwise.
 bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
   const Found found = find_keys(grid, particles, 0);
-  placement.new_tile = placement.new_tile || found.new_tile != 0;
-  placement.someone_left = placement.someone_left || found.left != 0;
+  if (found.beyond != 0) {
+    const Beyond beyond = look_beyond(grid, particles);
+    placement.new_tile = placement.new_tile || beyond.new_tile != 0;
+    placement.someone_left = placement.someone_left || beyond.left != 0;
+  }
   if (found.moved != 0) particles.sorted = false;
   return found.outside == 0;
 }

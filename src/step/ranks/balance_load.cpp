@@ -14,14 +14,14 @@ namespace {
 
 /// Often enough to follow a wave front, which wakes about a layer of cells in two steps.
 constexpr long steps_per_balance = 25;
-/// Tiles change hands where that gains this part of the mean: timers are noisy.
+/// Parcels change hands where that gains this part of the mean: timers are noisy.
 constexpr double min_gain = 0.02;
 /// A change costs this times what it took: the next step finds afresh what tiles remembered.
 constexpr double cost_of_change = 2.0;
 
-void add_over_ranks(const Teuchos::Comm<int>& comm, std::vector<TileCost>& costs) {
+void add_over_ranks(const Teuchos::Comm<int>& comm, std::vector<ParcelCost>& costs) {
   std::vector<double> parts;
-  for (const TileCost& cost : costs) parts.insert(parts.end(), {cost.nodes, cost.particles});
+  for (const ParcelCost& cost : costs) parts.insert(parts.end(), {cost.nodes, cost.particles});
   sum_over_ranks(comm, parts);
   for (std::size_t t = 0; t < costs.size(); ++t) costs[t] = {parts[2 * t], parts[2 * t + 1]};
 }
@@ -31,21 +31,23 @@ struct RowCost {
   double nodes, awake, dormant;
 };
 
-/// Spreads what was measured over the tiles of the box in which the rows are.
+/// Spreads what was measured over the parcels in which the rows are.
 struct SpreadCosts {
   ArrayView<unsigned char> part, dormant;
   FieldView position;
   CellLattice lattice;
   double upper[3];
-  ArrayView<double> seconds;  ///< of nodes, then of particles, by tile of the box
+  Parcels parcels;
+  ArrayView<double> seconds;  ///< of nodes, then of particles, by parcel
 
-  SpreadCosts(const Grid& grid, const Particles& particles, const ArrayView<double>& by_tile)
+  SpreadCosts(const Grid& grid, const Particles& particles, const ArrayView<double>& by_parcel)
       : part(particles.chunk_part),
         dormant(particles.dormant),
         position(particles.position.values),
         lattice(grid),
         upper{grid.upper[0], grid.upper[1], grid.upper[2]},
-        seconds(by_tile) {}
+        parcels(grid.parcels),
+        seconds(by_parcel) {}
 
   /// 1 for a row that the last step updated, 0 for one that it skipped.
   KOKKOS_INLINE_FUNCTION int is_awake(int p) const {
@@ -61,9 +63,9 @@ struct SpreadCosts {
   KOKKOS_INLINE_FUNCTION void add(int p, const RowCost& cost) const {
     const bool awake = is_awake(p) != 0;
     if (!is_inside(p)) return;
-    const int tile = lattice.cell_at(position, p).box_tile;
-    if (awake) fetch_add(seconds(2 * tile), cost.nodes);
-    fetch_add(seconds(2 * tile + 1), awake ? cost.awake : cost.dormant);
+    const int parcel = parcels.holding(lattice.cell_at(position, p).box_tile);
+    if (awake) fetch_add(seconds(2 * parcel), cost.nodes);
+    fetch_add(seconds(2 * parcel + 1), awake ? cost.awake : cost.dormant);
   }
 
   int count_awake(Rows rows) const {
@@ -89,11 +91,14 @@ struct SpreadCosts {
 void spread_tile_seconds(const Grid& grid, double all, const ArrayView<double>& seconds) {
   const ArrayView<TileFrame> frame = grid.tile_frame;
   const BoxTiles box = grid.box;
+  const Parcels parcels = grid.parcels;
   const double each = all / grid.active;
   launch(
       "spread_tile_seconds",
       range(grid.active),
-      KOKKOS_LAMBDA(const int t) { fetch_add(seconds(2 * box.box_tile(frame(t).position)), each); }
+      KOKKOS_LAMBDA(const int t) {
+        fetch_add(seconds(2 * parcels.holding(box.box_tile(frame(t).position))), each);
+      }
   );
 }
 
@@ -106,10 +111,10 @@ double shortest_change(const Teuchos::Comm<int>& comm, double took, double short
 
 }  // namespace
 
-std::vector<TileCost> tile_costs(
+std::vector<ParcelCost> parcel_costs(
     const Grid& grid, const std::vector<Particles>& sets, const Effort& effort
 ) {
-  const ArrayView<double> seconds("tile_costs", 2 * grid.owner.size());
+  const ArrayView<double> seconds("parcel_costs", 2 * grid.owner.size());
   std::vector<SpreadCosts> spread;
   double rows = 0.0;
   for (const Particles& particles : sets) {
@@ -128,7 +133,7 @@ std::vector<TileCost> tile_costs(
     });
   }
   const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), seconds);
-  std::vector<TileCost> costs(grid.owner.size());
+  std::vector<ParcelCost> costs(grid.owner.size());
   for (std::size_t t = 0; t < costs.size(); ++t) costs[t] = {found(2 * t), found(2 * t + 1)};
   add_over_ranks(*grid.comm, costs);
   return costs;
@@ -146,7 +151,7 @@ void balance_load(
   const int ranks = comm.getSize();
   if (ranks == 1 || clock.step == 0 || clock.step % steps_per_balance != 0) return;
   const Region region("balance_load");
-  // Ranks wait for each other behind each part (TileCost).
+  // Ranks wait for each other behind each part (ParcelCost).
   std::array<double, 2> longest{
       effort.node_seconds + effort.tile_seconds, effort.particle_seconds()};
   std::array<double, 1> mean{(longest[0] + longest[1]) / ranks};
@@ -156,11 +161,11 @@ void balance_load(
   const double least = min_gain * mean[0];
   sharing.waited_seconds += waited;
   if (waited > least && sharing.waited_seconds > cost_of_change * sharing.change_seconds) {
-    const std::vector<TileCost> costs = tile_costs(grid, sets, effort);
-    const std::vector<int> owner = bisect_tiles(grid.tiles, costs, ranks, grid.owner);
+    const std::vector<ParcelCost> costs = parcel_costs(grid, sets, effort);
+    const std::vector<int> owner = bisect_parcels(grid.parcels.along, costs, ranks, grid.owner);
     if (step_cost(grid.owner, costs, ranks) - step_cost(owner, costs, ranks) > least) {
       const Stopwatch watch;
-      give_tiles(owner, clock.step, grid, sets, ledger, effort);
+      give_parcels(owner, clock.step, grid, sets, ledger, effort);
       sharing.change_seconds = shortest_change(comm, watch.seconds(), sharing.change_seconds);
     }
     sharing.waited_seconds = 0.0;

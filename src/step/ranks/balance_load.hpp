@@ -12,7 +12,7 @@
 namespace barreno {
 
 /// Every so many steps, compare what the ranks' nodes and particles have cost and, once ranks have
-/// waited twice as long as a change takes, share the tiles anew by measured cost if that gains a
+/// waited twice as long as a change takes, share the parcels anew by measured cost if that gains a
 /// noticeable part of a step.
 /// Collective. Answers do not depend on who owns what (docs/method.md 3).
 ///
@@ -28,7 +28,7 @@ void balance_load(
 );
 
 /// Seconds that each tile of the box has cost, over all ranks. Collective.
-std::vector<TileCost> tile_costs(
+std::vector<ParcelCost> parcel_costs(
     const Grid& grid, const std::vector<Particles>& sets, const Effort& effort
 );
 

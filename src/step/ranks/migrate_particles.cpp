@@ -40,7 +40,7 @@ struct Leaving {
 /// Marks in `spare` what is in a tile of another rank: 1.
 int mark_leaving(const Grid& grid, const Particles& particles) {
   const CellLattice lattice(grid);
-  const ArrayView<int> owner = grid.owner_of_tile;
+  const TileOwners owner = grid.owner_of_tile;
   const ArrayView<CellKey> key = particles.key;
   const ArrayView<int> leaves = particles.spare;
   const FieldView position = particles.position.values;
@@ -64,7 +64,7 @@ Leaving list_leaving(const Grid& grid, const Particles& particles, int count) {
   const auto rows = static_cast<std::size_t>(count);
   Leaving leaving{ArrayView<int>("row", rows), ArrayView<int>("rank", rows), count};
   const CellLattice lattice(grid);
-  const ArrayView<int> owner = grid.owner_of_tile;
+  const TileOwners owner = grid.owner_of_tile;
   const ArrayView<int> leaves = particles.spare;
   const FieldView position = particles.position.values;
   launch_scan(

@@ -22,7 +22,7 @@ struct HoldingTiles {
 void look_for_tiles(const Grid& grid, const Particles& particles, const HoldingTiles& holding) {
   const CellLattice lattice(grid);
   const FieldView position = particles.position.values;
-  const ArrayView<int> directory = grid.directory;
+  const TileDirectory directory = grid.directory;
   const int active = grid.active;
   launch(
       "look_for_tiles",
@@ -111,7 +111,7 @@ void place_particles(
   effort.tile_seconds += watch.seconds();
 }
 
-void give_tiles(
+void give_parcels(
     const std::vector<int>& owner,
     long step,
     Grid& grid,
@@ -119,7 +119,7 @@ void give_tiles(
     OwnLedger& ledger,
     Effort& effort
 ) {
-  const Region region("give_tiles");
+  const Region region("give_parcels");
   set_owners(owner, grid);
   // No tile is active in the new partition: everybody is looked for afresh.
   activate_tiles(grid, {});

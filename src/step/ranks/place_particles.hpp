@@ -28,8 +28,9 @@ void place_particles(
     Effort& effort
 );
 
-/// Give the tiles of the box to other ranks, `owner` by tile; every particle goes home. Collective.
-void give_tiles(
+/// Give the parcels of the box to other ranks, `owner` by parcel; every particle goes home.
+/// Collective.
+void give_parcels(
     const std::vector<int>& owner,
     long step,
     Grid& grid,

@@ -28,7 +28,7 @@ struct LookAtRow {
   StrayRule rule;
   FieldView position;
   ArrayView<Fault> fault;
-  ArrayView<int> directory;
+  TileDirectory directory;
   ArrayView<unsigned char> level_of_tile;
   Subcycling subcycling;
   double lower[3], upper[3];

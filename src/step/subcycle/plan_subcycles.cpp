@@ -38,7 +38,8 @@ struct TileReach {
   BoxTiles box;
   ArrayView<TileFrame> frame;
   ArrayView<unsigned char> level_of_tile;
-  ArrayView<int> neighbours, parent, directory, period;
+  TileDirectory directory;
+  ArrayView<int> neighbours, parent, period;
   ArrayView<int> entrants;  ///< by own tile: the least period of tiles whose particles may come in
   ArrayView<double> told;
   bool remembers;  ///< what Dormancy knows is of these tiles
@@ -48,9 +49,9 @@ struct TileReach {
         box(grid.box),
         frame(grid.tile_frame),
         level_of_tile(grid.level_of_tile),
+        directory(grid.directory),
         neighbours(grid.neighbours),
         parent(grid.parent),
-        directory(grid.directory),
         period(subcycling.period),
         entrants(subcycling.entrants),
         told(subcycling.reach),

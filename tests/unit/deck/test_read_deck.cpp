@@ -342,6 +342,19 @@ TEST_F(ReadDeck, MemoryIsEstimatedFromTheScene) {
   }
 }
 
+TEST_F(ReadDeck, MemoryOfAllMachinesCounts) {
+  const Scene scene = build_scene(read("deck.xml"));
+  const double parts = std::ceil(std::sqrt(2.5 * machine_bytes() / memory_estimate(scene)));
+  const auto build = [&] {
+    return build_scene(read("deck.xml", {"Grid/Cell Size=" + input::exact_text(1.0 / parts)}));
+  };
+  set_machines(2);
+  EXPECT_THROW(build(), DeckError);
+  set_machines(3);
+  EXPECT_NO_THROW(build());
+  set_machines(1);
+}
+
 TEST(TableOfPressures, IsLinearBetweenAndConstantOutside) {
   const Table table{{1.0, 3.0}, {10.0, 20.0}};
   EXPECT_EQ(table(0.0), 10.0);

@@ -34,8 +34,8 @@ std::vector<double> scattered() {
   return weights;
 }
 
-std::vector<TileCost> of_nodes(const std::vector<double>& costs) {
-  std::vector<TileCost> all;
+std::vector<ParcelCost> of_nodes(const std::vector<double>& costs) {
+  std::vector<ParcelCost> all;
   all.reserve(costs.size());
   for (const double cost : costs) all.push_back({cost, 0.0});
   return all;
@@ -43,7 +43,7 @@ std::vector<TileCost> of_nodes(const std::vector<double>& costs) {
 
 /// Every halving misses by half a tile at most, and passes what it got wrong on.
 void expect_shares(const std::vector<double>& weights, int ranks) {
-  const std::vector<int> owner = bisect_tiles(box, of_nodes(weights), ranks);
+  const std::vector<int> owner = bisect_parcels(box, of_nodes(weights), ranks);
   ASSERT_EQ(owner.size(), weights.size());
   std::vector<double> sums(static_cast<std::size_t>(ranks), 0.0);
   std::vector<int> counts(static_cast<std::size_t>(ranks), 0);
@@ -70,32 +70,32 @@ TEST(Partition, EveryRankGetsItsShareToWithinATile) {
 
 TEST(Partition, AllRanksButSomeHaveTilesWhereTheyAreFewOrWeighNothing) {
   const int few[3] = {2, 1, 1};
-  EXPECT_EQ(bisect_tiles(few, of_nodes({1.0, 1.0}), 5), (std::vector<int>{0, 2}));
-  const std::vector<int> owner = bisect_tiles(box, std::vector<TileCost>(tiles), 4);
+  EXPECT_EQ(bisect_parcels(few, of_nodes({1.0, 1.0}), 5), (std::vector<int>{0, 2}));
+  const std::vector<int> owner = bisect_parcels(box, std::vector<ParcelCost>(tiles), 4);
   for (const int rank : {0, 1, 2, 3}) EXPECT_GT(std::count(owner.begin(), owner.end(), rank), 0);
 }
 
 /// Of a long box the parts are slices, so that ranks touch few others.
 TEST(Partition, ALongBoxIsCutAcross) {
   const int bar[3] = {2, 12, 1};
-  const std::vector<int> owner = bisect_tiles(bar, of_nodes(std::vector<double>(24, 1.0)), 3);
+  const std::vector<int> owner = bisect_parcels(bar, of_nodes(std::vector<double>(24, 1.0)), 3);
   for (std::size_t t = 0; t < owner.size(); ++t) EXPECT_EQ(owner[t], static_cast<int>(t / 8));
 }
 
-double whole_step(const std::vector<TileCost>& costs) {
+double whole_step(const std::vector<ParcelCost>& costs) {
   double sum = 0.0;
-  for (const TileCost& cost : costs) sum += cost.total();
+  for (const ParcelCost& cost : costs) sum += cost.total();
   return sum;
 }
 
 /// Stress costs most at one end, nodes at the other: one cut leaves a third of the step to waiting.
 TEST(Partition, BothPartsOfTheStepAreHalvedWhereTheyCostInDifferentPlaces) {
   const int bar[3] = {4, 30, 1};
-  std::vector<TileCost> costs(120, {5.0, 1.0});
-  std::fill(costs.begin(), costs.begin() + 40, TileCost{1.0, 10.0});
+  std::vector<ParcelCost> costs(120, {5.0, 1.0});
+  std::fill(costs.begin(), costs.begin() + 40, ParcelCost{1.0, 10.0});
   const double step = whole_step(costs);
   for (const int ranks : {2, 3, 4, 5}) {
-    const double cost = step_cost(bisect_tiles(bar, costs, ranks), costs, ranks);
+    const double cost = step_cost(bisect_parcels(bar, costs, ranks), costs, ranks);
     EXPECT_LT(cost, 1.15 * step / ranks) << ranks;
   }
   std::vector<int> one_cut(120, 0);
@@ -106,21 +106,21 @@ TEST(Partition, BothPartsOfTheStepAreHalvedWhereTheyCostInDifferentPlaces) {
 /// A second face is not paid for nothing.
 TEST(Partition, TheLowerEndIsASlabWhereThatIsAsGood) {
   const int bar[3] = {1, 40, 1};
-  const std::vector<TileCost> costs(40, {1.0, 2.0});
-  const std::vector<int> owner = bisect_tiles(bar, costs, 2);
+  const std::vector<ParcelCost> costs(40, {1.0, 2.0});
+  const std::vector<int> owner = bisect_parcels(bar, costs, 2);
   for (std::size_t t = 0; t < owner.size(); ++t) EXPECT_EQ(owner[t], t < 20 ? 0 : 1);
 }
 
 /// Either half may have either end; a front that has moved on by a slice moves a slice.
 TEST(Partition, TilesStayWhereTheyAreAsLongAsThatIsAsGood) {
   const int bar[3] = {2, 20, 1};
-  std::vector<TileCost> costs(40, {1.0, 1.0});
+  std::vector<ParcelCost> costs(40, {1.0, 1.0});
   std::vector<int> now(40, 0);
   for (std::size_t t = 0; t < 20; ++t) now[t] = 1;
-  EXPECT_EQ(bisect_tiles(bar, costs, 2, now), now);
-  EXPECT_NE(bisect_tiles(bar, costs, 2), now);
+  EXPECT_EQ(bisect_parcels(bar, costs, 2, now), now);
+  EXPECT_NE(bisect_parcels(bar, costs, 2), now);
   for (std::size_t t = 38; t < 40; ++t) costs[t] = {3.0, 3.0};
-  const std::vector<int> then = bisect_tiles(bar, costs, 2, now);
+  const std::vector<int> then = bisect_parcels(bar, costs, 2, now);
   for (std::size_t t = 0; t < 40; ++t) EXPECT_EQ(then[t], t < 22 ? 1 : 0) << t;
 }
 

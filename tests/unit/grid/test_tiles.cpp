@@ -107,6 +107,62 @@ TEST(Grid, FindsTheCellOfAPoint) {
   EXPECT_EQ(owner_of(grid, {5.6, -0.1, 0.0}), 7);
 }
 
+TEST(Parcels, AreTilesUntilThereAreTooMany) {
+  const Parcels tiles(2, {5, 3, 1}, 15);
+  EXPECT_EQ(tiles.bits, 0);
+  EXPECT_EQ(tiles.count(), 15U);
+  for (int tile = 0; tile < 15; ++tile) EXPECT_EQ(tiles.holding(tile), tile);
+}
+
+TEST(Parcels, HoldTheTilesOfSquaresAndCubes) {
+  const Parcels flat(2, {5, 3, 1}, 14), solid(3, {5, 3, 6}, 12);
+  EXPECT_EQ(flat.bits, 1);
+  EXPECT_EQ(flat.count(), 6U);  // 3 x 2
+  EXPECT_EQ(solid.bits, 2);     // 3 x 2 x 3 were more than 12
+  EXPECT_EQ(solid.count(), 4U);
+  for (int z = 0; z < 6; ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 5; ++x) {
+        if (z == 0) {
+          EXPECT_EQ(flat.holding(y * 5 + x), y / 2 * 3 + x / 2);
+        }
+        EXPECT_EQ(solid.holding((z * 3 + y) * 5 + x), z / 4 * 2 + x / 4);
+      }
+}
+
+TEST(Parcels, SayWhoOwnsTheirTiles) {
+  Scene scene = scene_of_six_tiles();
+  scene.grid.most_parcels = 2;
+  Grid grid = make_grid(scene, 1, Teuchos::rcp(new Teuchos::SerialComm<int>));
+  EXPECT_EQ(grid.owner.size(), 2U);
+  set_owners({0, 7}, grid);
+  for (int tile = 0; tile < 6; ++tile) {
+    EXPECT_EQ(owner_of(grid, tile), tile % 3 == 2 ? 7 : 0) << tile;
+    EXPECT_EQ(grid.owner_of_tile(tile), owner_of(grid, tile)) << tile;
+  }
+}
+
+/// What a rank keeps of a box hardly grows with it: 1.6e9 tiles, of which two are active.
+TEST(TileDirectory, FindsFewTilesInAVastBox) {
+  Scene scene;
+  scene.grid = {Mode::plane_strain, {0.0, 0.0, 0.0}, {320000.0, 320000.0, 0.0}, 1.0, {}};
+  Grid grid = make_grid(scene, 1, Teuchos::rcp(new Teuchos::SerialComm<int>));
+  constexpr int tiles = 40000 * 40000;
+  ASSERT_EQ(grid.box.first_id[1], tiles);
+  EXPECT_LE(grid.owner.size(), scene.grid.most_parcels);
+  EXPECT_LT(grid.directory.begin.span(), 6.3e6);
+  activate_tiles(grid, {40001, tiles - 1});
+  EXPECT_EQ(grid.directory(40001), 0);
+  EXPECT_EQ(grid.directory(tiles - 1), 1);
+  EXPECT_EQ(grid.directory(40002), -1);
+  EXPECT_EQ(grid.directory(0), -1);
+  EXPECT_EQ(grid.tile_frame(0).position[1], 1);
+  activate_tiles(grid, {7});
+  EXPECT_EQ(grid.directory(7), 0);
+  EXPECT_EQ(grid.directory(40001), -1);
+  EXPECT_EQ(grid.directory(tiles - 1), -1);
+}
+
 TEST(Tiles, CountEveryNodeOnce) {
   Grid grid = alone(1);
   activate_tiles(grid, {0, 1, 3});

@@ -72,6 +72,16 @@ std::vector<double> values_of(const Particles& particles, int p) {
   return {x[0], x[1], x[2], half[0], half[1], half[2], particles.volume(p)};
 }
 
+void expect_in_parcels(const Made& made, const Grid& grid, const BodyCensus& census) {
+  std::vector<double> in_parcels(census.parcels.size(), 0.0);
+  for (const auto& [id, values] : made) {
+    const int tile = cell_of(grid, {values[0], values[1], values[2]}).box_tile;
+    in_parcels[static_cast<std::size_t>(grid.parcels.holding(tile))] += 1.0;
+  }
+  for (std::size_t i = 0; i < in_parcels.size(); ++i)
+    EXPECT_EQ(census.parcels[i].particles, in_parcels[i]) << i;
+}
+
 class BodyCensusTest : public ::testing::TestWithParam<Scene (*)()> {};
 
 TEST_P(BodyCensusTest, CountsWhatAWalkFinds) {
@@ -82,13 +92,27 @@ TEST_P(BodyCensusTest, CountsWhatAWalkFinds) {
   const Made made = walk(scene, counts);
   EXPECT_EQ(census.counts, counts);
   EXPECT_EQ(census.first.back(), static_cast<ParticleId>(made.size()) + 1);
+  expect_in_parcels(made, build_state(scene, census, comm).grid, census);
+}
+
+TEST_P(BodyCensusTest, CountsParcelsOfManyTiles) {
+  Scene scene = GetParam()();
+  scene.grid.most_parcels = 9;
+  const auto comm = all_ranks();
+  const BodyCensus census = take_census(scene, comm);
+  EXPECT_LE(census.parcels.size(), 9U);
+  std::vector<long long> counts;
+  const Made made = walk(scene, counts);
   const State state = build_state(scene, census, comm);
-  std::vector<double> in_tiles(census.tiles.size(), 0.0);
-  for (const auto& [id, values] : made)
-    in_tiles[static_cast<std::size_t>(cell_of(state.grid, {values[0], values[1], values[2]})
-                                          .box_tile)] += 1.0;
-  for (std::size_t t = 0; t < in_tiles.size(); ++t)
-    EXPECT_EQ(census.tiles[t].particles, in_tiles[t]) << t;
+  expect_in_parcels(made, state.grid, census);
+  std::vector<long long> sum{0};
+  for (const Particles& particles : state.particles) {
+    sum[0] += particles.count;
+    for (int p = 0; p < particles.count; ++p)
+      EXPECT_EQ(values_of(particles, p), made.at(particles.id(p)));
+  }
+  sum_over_ranks(*comm, sum);
+  EXPECT_EQ(sum[0], static_cast<long long>(made.size()));
 }
 
 TEST_P(BodyCensusTest, EveryRankMakesThoseOfItsTilesToTheBit) {

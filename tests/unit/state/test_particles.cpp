@@ -41,7 +41,7 @@ void place(State& state) {
   const Particles& set = state.particles[0];
   for (int p = 0; p < set.count; ++p) {
     const Cell cell_of_row = cell_of(grid, vector_of(set.position, p));
-    const int tile = grid.directory(static_cast<std::size_t>(cell_of_row.tile));
+    const int tile = grid.directory(cell_of_row.tile);
     set.key(p) = CellKey{tile * grid.patch.cells + cell_of_row.inside};
   }
 }

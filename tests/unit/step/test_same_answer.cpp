@@ -321,10 +321,10 @@ void expect_same_when_moved(const Scene& scene) {
   advance_to(scene, end_time, balanced);
   State moved = start(scene);
   advance_to(scene, end_time, moved, scene.step.subcycles > 1 ? 5 : 20);
-  std::vector<TileCost> costs(moved.grid.owner.size(), {1.0, 0.0});
+  std::vector<ParcelCost> costs(moved.grid.owner.size(), {1.0, 0.0});
   for (std::size_t t = 0; t < costs.size(); t += 3) costs[t].particles = 4.0;
-  give_tiles(
-      bisect_tiles(moved.grid.tiles, costs, moved.grid.comm->getSize()),
+  give_parcels(
+      bisect_parcels(moved.grid.parcels.along, costs, moved.grid.comm->getSize()),
       moved.clock.step,
       moved.grid,
       moved.particles,
@@ -334,6 +334,21 @@ void expect_same_when_moved(const Scene& scene) {
   advance_to(scene, end_time, moved);
   expect_same(balanced, moved);
 }
+/// Ranks own squares of tiles instead of tiles.
+Scene in_parcels(Scene scene, std::size_t most) {
+  scene.grid.most_parcels = most;
+  return scene;
+}
+TEST(SameAnswer, ParcelsOfSeveralTilesGiveTheSameBits) {
+  const Scene scene = in_parcels(impact(), 6);
+  EXPECT_GT(start(scene).grid.parcels.bits, 0);
+  State parcels = start(scene), tiles = start(impact());
+  advance_to(scene, end_time, parcels);
+  advance_to(impact(), end_time, tiles);
+  expect_same(tiles, parcels);
+  expect_same_when_moved(in_parcels(impact_on_levels(impact()), 6));
+}
+
 TEST(SameAnswer, AnotherDecompositionGivesTheSameBits) {
   expect_same_when_moved(impact());
 }

@@ -61,7 +61,7 @@ TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
   load.pressure = {{0.0}, {70e6}};
   scene.loads.push_back(load);
   State state = start(scene);
-  give_tiles(
+  give_parcels(
       state.grid.owner, 0, state.grid, state.particles, state.ledger, state.effort
   );  // keys and tiles
   Particles& particles = state.particles.front();

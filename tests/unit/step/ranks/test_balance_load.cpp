@@ -22,7 +22,7 @@ State in_four_tiles() {
   for (const double x : {1.0, 9.0, 17.0, 25.0})
     testing::add_box(scene, "block", {x, 1.0}, {x + 2.0, 3.0}, 1);
   State state = testing::start(scene);
-  give_tiles({0, 0, 0, 0}, 1, state.grid, state.particles, state.ledger, state.effort);
+  give_parcels({0, 0, 0, 0}, 1, state.grid, state.particles, state.ledger, state.effort);
   state.effort = {};
   return state;
 }
@@ -35,24 +35,24 @@ void measure(State& state) {
   state.effort.add(0, 0, 4.0);
 }
 
-TEST(TileCosts, AreSharedByTheRowsInThem) {
+TEST(ParcelCosts, AreSharedByTheRowsInThem) {
   State state = in_four_tiles();
   measure(state);
-  for (const TileCost& cost : tile_costs(state.grid, state.particles, state.effort)) {
+  for (const ParcelCost& cost : parcel_costs(state.grid, state.particles, state.effort)) {
     EXPECT_DOUBLE_EQ(cost.nodes, 2.0);
     EXPECT_DOUBLE_EQ(cost.particles, 1.0);
   }
 }
 
 /// Rows that the step has skipped take nothing of what awake ones cost.
-TEST(TileCosts, DormantRowsCostNothing) {
+TEST(ParcelCosts, DormantRowsCostNothing) {
   State state = in_four_tiles();
   measure(state);
   Particles& particles = state.particles[0];
   if (particles.count > 0) particles.chunk_part(0) = part_of_chunk;
   for (int p = 0; p < particles.count; ++p)
     particles.dormant(p) = tile_of(state.grid.patch, particles, p) == 0 ? 1 : 0;
-  const std::vector<TileCost> costs = tile_costs(state.grid, state.particles, state.effort);
+  const std::vector<ParcelCost> costs = parcel_costs(state.grid, state.particles, state.effort);
   EXPECT_DOUBLE_EQ(costs[0].nodes, 1.0);
   EXPECT_EQ(costs[0].particles, 0.0);
   for (std::size_t t = 1; t < 4; ++t) {

@@ -19,7 +19,7 @@ State in_two_tiles() {
   testing::add_box(scene, "right", {10.0, 1.0}, {12.0, 3.0}, 1);
   State state = testing::start(scene);
   const int last = state.grid.comm->getSize() - 1;
-  give_tiles({0, last}, 1, state.grid, state.particles, state.ledger, state.effort);
+  give_parcels({0, last}, 1, state.grid, state.particles, state.ledger, state.effort);
   return state;
 }
 

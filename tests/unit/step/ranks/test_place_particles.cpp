@@ -47,7 +47,7 @@ TEST(PlaceParticles, RowsAreStoredInOrderOnceInSoManySteps) {
 TEST(GiveTiles, OnOneRankChangesNothing) {
   State state = testing::start_alone(four_particles());
   place(state, 1);
-  give_tiles(state.grid.owner, 1, state.grid, state.particles, state.ledger, state.effort);
+  give_parcels(state.grid.owner, 1, state.grid, state.particles, state.ledger, state.effort);
   EXPECT_EQ(state.grid.active, 1);
   EXPECT_EQ(state.particles[0].count, 4);
   EXPECT_TRUE(state.particles[0].sorted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "state/box_in_tiles.hpp"
+#include "state/box_in_parcels.hpp"
 
 #include "base/work_counts.hpp"
 #include "state/box_divisions.hpp"
@@ -42,11 +42,8 @@ Runs runs_of(const Grid& grid, const CellLattice& cells, const Divisions& divisi
   return runs;
 }
 
-std::size_t tile_of(const Grid& grid, const Run& x, const Run& y, const Run& z) {
-  return (static_cast<std::size_t>(z.layer) * static_cast<std::size_t>(grid.tiles[1]) +
-          static_cast<std::size_t>(y.layer)) *
-             static_cast<std::size_t>(grid.tiles[0]) +
-         static_cast<std::size_t>(x.layer);
+int tile_of(const Grid& grid, const Run& x, const Run& y, const Run& z) {
+  return (z.layer * grid.tiles[1] + y.layer) * grid.tiles[0] + x.layer;
 }
 
 /// Rows of places along x in one layer of tiles along y, of a layer along z, and what of them is in
@@ -63,7 +60,7 @@ std::vector<OwnRows> own_rows(const Grid& grid, const Runs& runs, const Run& z) 
   for (const Run& y : runs[1]) {
     OwnRows rows{y.begin, y.end, {}};
     for (const Run& x : runs[0])
-      if (grid.owner[tile_of(grid, x, y, z)] == me) rows.along_x.push_back(x);
+      if (owner_of(grid, tile_of(grid, x, y, z)) == me) rows.along_x.push_back(x);
     if (!rows.along_x.empty()) found.push_back(std::move(rows));
   }
   return found;
@@ -86,8 +83,8 @@ void for_each_own_place(const Grid& grid, const Runs& runs, Visitor&& visit) {
 
 }  // namespace
 
-void count_box_in_tiles(
-    const GridSpec& spec, const BodySpec& body, const Grid& grid, std::vector<TileCost>& tiles
+void count_box_in_parcels(
+    const GridSpec& spec, const BodySpec& body, const Grid& grid, std::vector<ParcelCost>& parcels
 ) {
   const CellLattice cells(grid);
   const auto count = [&](const GridSpec& /*own*/, const Divisions& divisions, unsigned /*ends*/) {
@@ -95,7 +92,8 @@ void count_box_in_tiles(
     for (const Run& z : runs[2])
       for (const Run& y : runs[1])
         for (const Run& x : runs[0])
-          tiles[tile_of(grid, x, y, z)].particles +=
+          parcels[static_cast<std::size_t>(grid.parcels.holding(tile_of(grid, x, y, z)))]
+              .particles +=
               static_cast<double>((z.end - z.begin) * (y.end - y.begin) * (x.end - x.begin));
   };
   for_each_box_part(spec, body, std::get<Box>(body.shape), count);

@@ -10,10 +10,10 @@
 
 namespace barreno {
 
-/// Adds the particles of a body that is a box to those of the tiles (level 0) that hold them. Looks
-/// at the places along the axes alone.
-void count_box_in_tiles(
-    const GridSpec& spec, const BodySpec& body, const Grid& grid, std::vector<TileCost>& tiles
+/// Adds the particles of a body that is a box to those of the parcels that hold them. Looks at the
+/// places along the axes alone.
+void count_box_in_parcels(
+    const GridSpec& spec, const BodySpec& body, const Grid& grid, std::vector<ParcelCost>& parcels
 );
 
 /// The particles of a box in the tiles of this rank, in the order of their ids, which count from 0
