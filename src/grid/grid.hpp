@@ -148,6 +148,9 @@ struct Grid {
   /// one of the coarser lattice, or lies on or beyond the border to larger cells and follows
   /// theirs.
   ArrayView<unsigned char> from_parent;
+  /// (ghost - active) * patch.size + slot: 1 if a patch of ours holds the node too. Of ghosts no
+  /// other sums are fetched.
+  ArrayView<unsigned char> fetched;
   std::shared_ptr<HaloPlan> halo;
 
   bool is_refined() const { return box.levels > 1; }

@@ -14,11 +14,20 @@
 
 namespace barreno {
 
-struct HaloPlan {
+namespace {
+
+/// Rows of an array that ranks exchange: those of tiles, or of nodes, tile * patch.size + slot.
+struct RowPlan {
   Teuchos::RCP<Tpetra::Distributor> distributor;
-  ArrayView<int> sent;                   ///< local tiles, in the order of the messages
-  ArrayView<int> received;               ///< likewise, counted among the ghosts
+  ArrayView<int> sent;                   ///< own rows, in the order of the messages
+  ArrayView<int> received;               ///< likewise, counted from the first of the ghosts
   ArrayView<double> outgoing, incoming;  ///< kept: the step allocates nothing
+};
+
+}  // namespace
+
+struct HaloPlan {
+  RowPlan tiles, nodes;
 };
 
 namespace {
@@ -85,14 +94,75 @@ std::vector<int> touching(
   return found;
 }
 
-/// The places of tiles in an ascending list that has them all.
-std::vector<int> places_in(const std::vector<int>& list, const std::vector<int>& tiles) {
-  std::vector<int> places;
-  places.reserve(tiles.size());
-  for (const int id : tiles)
-    places.push_back(static_cast<int>(std::lower_bound(list.begin(), list.end(), id) - list.begin())
-    );
-  return places;
+/// The place of a tile in an ascending list that has it.
+int place_in(const std::vector<int>& list, int tile) {
+  return static_cast<int>(std::lower_bound(list.begin(), list.end(), tile) - list.begin());
+}
+
+/// Slots of a tile's patch that patches of the other side hold too, ascending.
+///
+/// @param readers  the other side's tiles at the border, ascending
+std::vector<int> shared_slots(const Grid& grid, int id, const std::vector<int>& readers) {
+  const TilePosition at = grid.box.position(id);
+  std::vector<char> shared(static_cast<std::size_t>(grid.patch.size), 0);
+  for_each_neighbour(grid.patch, [&](int, int dx, int dy, int dz) {
+    const TilePosition beside{{at[0] + dx, at[1] + dy, at[2] + dz}, at.level};
+    if (!grid.box.has(beside) ||
+        !std::binary_search(readers.begin(), readers.end(), grid.box.id(beside)))
+      return;
+    for_each_shared_slot(grid.patch, {dx, dy, dz}, [&](int slot) {
+      shared[static_cast<std::size_t>(slot)] = 1;
+    });
+  });
+  std::vector<int> slots;
+  for (int slot = 0; slot < grid.patch.size; ++slot)
+    if (shared[static_cast<std::size_t>(slot)] != 0) slots.push_back(slot);
+  return slots;
+}
+
+/// Tiles and nodes that go to other ranks, or come from them, in the order of the messages.
+struct Traffic {
+  std::vector<int> tiles, tile_ranks;
+  std::vector<int> nodes, node_ranks;  ///< node: place of its tile * patch.size + slot
+
+  /// @param of  the tiles that one side sends, @param places  where it, or the other, has them
+  void add(
+      const Grid& grid,
+      int rank,
+      const std::vector<int>& of,
+      const std::vector<int>& readers,
+      const std::vector<int>& places
+  ) {
+    for (const int id : of) {
+      const int place = place_in(places, id);
+      tiles.push_back(place);
+      for (const int slot : shared_slots(grid, id, readers))
+        nodes.push_back(place * grid.patch.size + slot);
+    }
+    tile_ranks.resize(tiles.size(), rank);
+    node_ranks.resize(nodes.size(), rank);
+  }
+};
+
+RowPlan plan_rows(
+    const Grid& grid,
+    const std::vector<int>& sent,
+    const std::vector<int>& to,
+    const std::vector<int>& received,
+    const std::vector<int>& from
+) {
+  RowPlan plan;
+  plan.distributor = Teuchos::rcp(new Tpetra::Distributor(grid.comm));
+  plan.distributor->createFromSendsAndRecvs(to, from);
+  plan.sent = view_of("sent_rows", sent);
+  plan.received = view_of("received_rows", received);
+  return plan;
+}
+
+ArrayView<unsigned char> marks_of(const std::vector<int>& nodes, std::size_t size) {
+  std::vector<unsigned char> marks(size, 0);
+  for (const int node : nodes) marks[static_cast<std::size_t>(node)] = 1;
+  return view_of("fetched", marks);
 }
 
 /// The first `size` entries of a buffer that grows as it must.
@@ -101,51 +171,18 @@ ArrayView<double> room_in(ArrayView<double>& buffer, std::size_t size) {
   return Kokkos::subview(buffer, std::make_pair(std::size_t{0}, size));
 }
 
-}  // namespace
-
-/// Both sides of a border find the same tiles from what they tell each other: what one sends is
-/// what touches the other's, and so what the other receives.
-std::vector<int> build_halo(Grid& grid, const std::vector<int>& owned) {
-  grid.halo.reset();
-  if (grid.comm->getSize() == 1) return {};
-  const TilesOfRank told = tiles_at_borders(grid, owned);
-  std::vector<int> sent, received, to, from;
-  for (const auto& [rank, theirs] : tell_neighbours(grid, told)) {
-    const auto ours = told.find(rank);
-    if (ours == told.end()) continue;
-    const std::vector<int> out = touching(grid, ours->second, theirs);
-    const std::vector<int> in = touching(grid, theirs, ours->second);
-    if (out.empty()) continue;  // then so is `in`
-    sent.insert(sent.end(), out.begin(), out.end());
-    received.insert(received.end(), in.begin(), in.end());
-    to.insert(to.end(), out.size(), rank);
-    from.insert(from.end(), in.size(), rank);
-  }
-  std::vector<int> ghosts = received;
-  std::sort(ghosts.begin(), ghosts.end());
-  auto plan = std::make_shared<HaloPlan>();
-  plan->distributor = Teuchos::rcp(new Tpetra::Distributor(grid.comm));
-  plan->distributor->createFromSendsAndRecvs(to, from);
-  plan->sent = view_of("sent_tiles", places_in(owned, sent));
-  plan->received = view_of("received_tiles", places_in(ghosts, received));
-  grid.halo = plan;
-  return ghosts;
-}
-
-void exchange_halo(const Grid& grid, const ArrayView<double>& sums, int width) {
-  if (!grid.halo) return;
-  const Region region("exchange_halo");
-  HaloPlan& plan = *grid.halo;
+/// @param ghosts  the first row of the ghosts
+void exchange(RowPlan& plan, const ArrayView<double>& values, std::size_t ghosts, int width) {
   const auto row = static_cast<std::size_t>(width);
   const ArrayView<int> sent = plan.sent, received = plan.received;
   const ArrayView<double> outgoing = room_in(plan.outgoing, sent.extent(0) * row);
   const ArrayView<double> incoming = room_in(plan.incoming, received.extent(0) * row);
-  const std::size_t first_ghost = static_cast<std::size_t>(grid.active) * row;
+  const std::size_t first_ghost = ghosts * row;
   launch(
       "pack_halo",
       range(static_cast<int>(sent.extent(0))),
       KOKKOS_LAMBDA(const int i) {
-        const double* const from = &sums(static_cast<std::size_t>(sent(i)) * row);
+        const double* const from = &values(static_cast<std::size_t>(sent(i)) * row);
         double* const to = &outgoing(static_cast<std::size_t>(i) * row);
         for (std::size_t c = 0; c < row; ++c) to[c] = from[c];
       }
@@ -157,10 +194,69 @@ void exchange_halo(const Grid& grid, const ArrayView<double>& sums, int width) {
       range(static_cast<int>(received.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const double* const from = &incoming(static_cast<std::size_t>(i) * row);
-        double* const to = &sums(first_ghost + static_cast<std::size_t>(received(i)) * row);
+        double* const to = &values(first_ghost + static_cast<std::size_t>(received(i)) * row);
         for (std::size_t c = 0; c < row; ++c) to[c] = from[c];
       }
   );
+}
+
+/// The tiles that come from each rank, and those that go to it.
+struct Border {
+  int rank = 0;
+  std::vector<int> sent, received;  ///< ascending
+};
+
+std::vector<Border> borders_of(
+    const Grid& grid, const TilesOfRank& told, const TilesOfRank& heard
+) {
+  std::vector<Border> borders;
+  for (const auto& [rank, theirs] : heard) {
+    const auto ours = told.find(rank);
+    if (ours == told.end()) continue;
+    Border border{rank, touching(grid, ours->second, theirs), touching(grid, theirs, ours->second)};
+    if (!border.sent.empty()) borders.push_back(std::move(border));  // else none is received
+  }
+  return borders;
+}
+
+}  // namespace
+
+/// Both sides of a border find the same tiles and nodes from what they tell each other: what one
+/// sends is what the other's tiles hold too, and so what the other receives.
+std::vector<int> build_halo(Grid& grid, const std::vector<int>& owned) {
+  grid.halo.reset();
+  grid.fetched = {};
+  if (grid.comm->getSize() == 1) return {};
+  const TilesOfRank told = tiles_at_borders(grid, owned);
+  const std::vector<Border> borders = borders_of(grid, told, tell_neighbours(grid, told));
+  std::vector<int> ghosts;
+  for (const Border& border : borders)
+    ghosts.insert(ghosts.end(), border.received.begin(), border.received.end());
+  std::sort(ghosts.begin(), ghosts.end());
+  Traffic out, in;
+  for (const Border& border : borders) {
+    out.add(grid, border.rank, border.sent, border.received, owned);
+    in.add(grid, border.rank, border.received, border.sent, ghosts);
+  }
+  grid.halo = std::make_shared<HaloPlan>(HaloPlan{
+      plan_rows(grid, out.tiles, out.tile_ranks, in.tiles, in.tile_ranks),
+      plan_rows(grid, out.nodes, out.node_ranks, in.nodes, in.node_ranks)});
+  grid.fetched = marks_of(in.nodes, ghosts.size() * static_cast<std::size_t>(grid.patch.size));
+  return ghosts;
+}
+
+void exchange_halo(const Grid& grid, const ArrayView<double>& sums, int components) {
+  if (!grid.halo) return;
+  const Region region("exchange_halo");
+  const std::size_t active =
+      static_cast<std::size_t>(grid.active) * static_cast<std::size_t>(grid.patch.size);
+  exchange(grid.halo->nodes, sums, active, components);
+}
+
+void exchange_tiles(const Grid& grid, const ArrayView<double>& values, int width) {
+  if (!grid.halo) return;
+  const Region region("exchange_tiles");
+  exchange(grid.halo->tiles, values, static_cast<std::size_t>(grid.active), width);
 }
 
 }  // namespace barreno

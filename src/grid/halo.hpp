@@ -11,13 +11,17 @@ namespace barreno {
 /// ranks whose patch overlaps one of ours. Collective.
 ///
 /// @param owned  box ids of this rank's active tiles, ascending
-/// @return box ids of the ghosts, in the order in which exchange_halo stores them
+/// @return box ids of the ghosts, in the order in which they are stored
 std::vector<int> build_halo(Grid& grid, const std::vector<int>& owned);
 
-/// Fetch the partial sums of the ghost tiles: afterwards rows [active, active + ghosts) of `sums`
-/// are the owners' own. One message per neighbour. Collective; nothing to do on one rank.
+/// Fetch the partial sums of the ghosts' nodes: afterwards those that a patch of this rank holds
+/// too (Grid::fetched) are the owners' own; the ghosts' other nodes keep what is there. One message
+/// per neighbour. Collective; nothing to do on one rank.
 ///
-/// @param[in,out] sums  (local tile, slot, component), `width` doubles per tile
-void exchange_halo(const Grid& grid, const ArrayView<double>& sums, int width);
+/// @param[in,out] sums  (local tile, slot, component), `components` doubles per node
+void exchange_halo(const Grid& grid, const ArrayView<double>& sums, int components);
+
+/// The same of what whole tiles have, `width` doubles of each.
+void exchange_tiles(const Grid& grid, const ArrayView<double>& values, int width);
 
 }  // namespace barreno

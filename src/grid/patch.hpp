@@ -56,4 +56,19 @@ KOKKOS_INLINE_FUNCTION void for_each_neighbour(const Patch& patch, Visitor&& vis
       for (int x = -patch.near; x <= patch.near; ++x) visit(k++, x, y, z);
 }
 
+/// visit(slot) for the nodes of a patch that the one so many tiles away along x, y, z holds too.
+template <class Visitor>
+KOKKOS_INLINE_FUNCTION void for_each_shared_slot(
+    const Patch& patch, const int (&offset)[3], const Visitor& visit
+) {
+  int begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};
+  for (int d = 0; d < patch.dimensions; ++d) {
+    begin[d] = patch.overlap_begin(offset[d]);
+    end[d] = patch.overlap_end(offset[d]);
+  }
+  for (int z = begin[2]; z < end[2]; ++z)
+    for (int y = begin[1]; y < end[1]; ++y)
+      for (int x = begin[0]; x < end[0]; ++x) visit((z * patch.nodes + y) * patch.nodes + x);
+}
+
 }  // namespace barreno

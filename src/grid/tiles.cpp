@@ -34,15 +34,6 @@ void find_neighbours(const Grid& grid) {
   );
 }
 
-/// Slots [begin, end) along one axis that a patch shares with one `offset` tiles away.
-struct Overlap {
-  int begin = 0, end = 1;
-};
-KOKKOS_INLINE_FUNCTION Overlap overlap(const Patch& patch, int axis, int offset) {
-  if (axis >= patch.dimensions) return {};
-  return {patch.overlap_begin(offset), patch.overlap_end(offset)};
-}
-
 /// A node counts in the first tile, in lexicographic order, whose patch holds it.
 void find_counting_copies(const Grid& grid) {
   const Patch patch = grid.patch;
@@ -55,13 +46,9 @@ void find_counting_copies(const Grid& grid) {
       KOKKOS_LAMBDA(const int t) {
         for_each_neighbour(patch, [&](int k, int dx, int dy, int dz) {
           if (k >= patch.neighbours / 2 || neighbours(t * patch.neighbours + k) < 0) return;
-          const Overlap in_x = overlap(patch, 0, dx);
-          const Overlap in_y = overlap(patch, 1, dy);
-          const Overlap in_z = overlap(patch, 2, dz);
-          for (int z = in_z.begin; z < in_z.end; ++z)
-            for (int y = in_y.begin; y < in_y.end; ++y)
-              for (int x = in_x.begin; x < in_x.end; ++x)
-                counts(t * patch.size + (z * patch.nodes + y) * patch.nodes + x) = 0;
+          for_each_shared_slot(patch, {dx, dy, dz}, [&](int slot) {
+            counts(t * patch.size + slot) = 0;
+          });
         });
       }
   );

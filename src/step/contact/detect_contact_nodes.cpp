@@ -11,18 +11,19 @@ namespace {
 
 using SumsOfFields = Kokkos::Array<ArrayView<double>, max_velocity_fields>;
 
-/// Bits of the fields that have mass in the patches of other ranks' tiles; none yet in the own
-/// ones.
+/// Bits of the fields that have mass at the nodes that other ranks' tiles share with ours; none yet
+/// in the own ones.
 struct FindGhostFields {
   Patch patch;
   int active, count;
   SumsOfFields sums;
-  ArrayView<unsigned char> tile_fields;
+  ArrayView<unsigned char> fetched, tile_fields;
 
   KOKKOS_INLINE_FUNCTION bool has_mass(int field, int tile) const {
     const double* const values = &sums[field](first_sum(patch, tile));
     for (int slot = 0; slot < patch.size; ++slot)
-      if (values[slot * sum_components] > 0.0) return true;
+      if (fetched((tile - active) * patch.size + slot) != 0 && values[slot * sum_components] > 0.0)
+        return true;
     return false;
   }
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
@@ -187,7 +188,8 @@ void detect_contact_nodes(
   launch(
       "find_ghost_fields",
       range(grid.active + grid.ghosts),
-      FindGhostFields{grid.patch, grid.active, fields.count, sums, contact.tile_fields}
+      FindGhostFields{
+          grid.patch, grid.active, fields.count, sums, grid.fetched, contact.tile_fields}
   );
   for (const Particles& particles : sets) add_tile_fields(grid, particles, contact.tile_fields);
   add_finer_fields(grid, contact.tile_fields);

@@ -119,7 +119,7 @@ void project_moments(
             contact.moments[static_cast<std::size_t>(particles.field)]}
     );
   for (const auto& moments : contact.moments)
-    exchange_halo(grid, moments, grid.patch.size * moment_components(dimensions));
+    exchange_halo(grid, moments, moment_components(dimensions));
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ void find_reach(const PairSurfaces& of, const Directions<M::dimensions>& directi
             of.reach}
     );
   }
-  exchange_halo(grid, of.reach, grid.patch.size * 2 * directions_about(M::dimensions));
+  exchange_halo(grid, of.reach, 2 * directions_about(M::dimensions));
 }
 
 template <class M, class S>

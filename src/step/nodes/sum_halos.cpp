@@ -12,8 +12,7 @@ void sum_halos(const SymmetryPlanes& symmetry, const Grid& grid, std::vector<Nod
     mirror_sums(symmetry, grid, nodes);
     restrict_sums(grid, nodes);
   }
-  for (const Nodes& nodes : fields)
-    exchange_halo(grid, nodes.sums, grid.patch.size * sum_components);
+  for (const Nodes& nodes : fields) exchange_halo(grid, nodes.sums, sum_components);
 }
 
 }  // namespace barreno

@@ -322,7 +322,7 @@ void plan_subcycles(
   }
   for (std::array<double, 1> shorter{1.0}; shorter[0] > 0.0;) {
     ask_finer_tiles(grid, reach);
-    exchange_halo(grid, reach.told, told_of_tile);
+    exchange_tiles(grid, reach.told, told_of_tile);
     find_entrants(grid, reach);
     shorter[0] = take_entrants(grid, reach) ? 1.0 : 0.0;
     max_over_ranks(*grid.comm, shorter);

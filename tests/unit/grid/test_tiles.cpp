@@ -195,7 +195,7 @@ TEST(Tiles, TakeCellSizeAndStepIntoTheirFrames) {
   }
 }
 
-TEST(Halo, BringsTheSumsOfNeighboursFromTheirOwners) {
+TEST(Halo, BringsTheValuesOfTilesFromTheirOwners) {
   const auto comm = Teuchos::DefaultComm<int>::getComm();
   Grid grid = make_grid(scene_of_six_tiles(), 1, comm);
   const int ranks = comm->getSize(), rank = comm->getRank();
@@ -217,9 +217,47 @@ TEST(Halo, BringsTheSumsOfNeighboursFromTheirOwners) {
   );
   for (int t = 0; t < grid.active; ++t)
     for (int c = 0; c < width; ++c) sums(t * width + c) = 10.0 * tile_of(t) + c;
-  exchange_halo(grid, sums, width);
+  exchange_tiles(grid, sums, width);
   for (int t = 0; t < grid.active + grid.ghosts; ++t)
     for (int c = 0; c < width; ++c) EXPECT_EQ(sums(t * width + c), 10.0 * tile_of(t) + c);
+}
+
+/// Of a ghost's nodes those come that one of the own patches holds too, and no others.
+TEST(Halo, BringsTheSumsOfSharedNodesFromTheirOwners) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  Grid grid = make_grid(scene_of_six_tiles(), 1, comm);
+  const int ranks = comm->getSize(), rank = comm->getRank(), size = grid.patch.size;
+  std::vector<int> owned;
+  for (int tile = 0; tile < 6; ++tile) {  // columns: the first is the first rank's
+    grid.owner[static_cast<std::size_t>(tile)] = tile % 3 == 0 ? 0 : ranks - 1;
+    if (grid.owner[static_cast<std::size_t>(tile)] == rank && tile != 3) owned.push_back(tile);
+  }
+  activate_tiles(grid, owned);
+  constexpr int components = 2;
+  constexpr double untouched = -1.0;
+  const auto value = [&](int tile, int slot, int c) { return 1000.0 * tile + slot + 0.5 * c; };
+  const auto first = [&](int t, int slot) { return (t * size + slot) * components; };
+  const int local = grid.active + grid.ghosts;
+  const ArrayView<double> sums("sums", static_cast<std::size_t>(first(local, 0)));
+  Kokkos::deep_copy(sums, untouched);
+  const auto tile_of = [&](int t) { return grid.box.id(grid.tile_frame(t).position); };
+  for (int t = 0; t < grid.active; ++t)
+    for (int slot = 0; slot < size; ++slot)
+      for (int c = 0; c < components; ++c) sums(first(t, slot) + c) = value(tile_of(t), slot, c);
+  exchange_halo(grid, sums, components);
+  int fetched = 0;
+  for (int t = grid.active; t < local; ++t)
+    for (int slot = 0; slot < size; ++slot) {
+      const bool shared = grid.fetched((t - grid.active) * size + slot) != 0;
+      fetched += shared ? 1 : 0;
+      for (int c = 0; c < components; ++c)
+        EXPECT_EQ(sums(first(t, slot) + c), shared ? value(tile_of(t), slot, c) : untouched);
+    }
+  // Patches have 11 x 11 nodes and neighbours 3 columns in common: of tile 0 all those at tile 1,
+  // which its corner with tile 4 is a part of; of tile 1 the same, of tile 4 three by three.
+  if (ranks == 2) {
+    EXPECT_EQ(fetched, rank == 0 ? 3 * 11 + 3 * 3 : 3 * 11);
+  }
 }
 
 /// Half of the tiles are active, and change: only those that touch are exchanged, each by its
@@ -253,7 +291,7 @@ TEST(Halo, KnowsWhichTilesOfOthersAreActive) {
     local.insert(local.end(), ghosts.begin(), ghosts.end());
     const ArrayView<double> sums("sums", local.size());
     for (std::size_t t = 0; t < owned.size(); ++t) sums(t) = 0.5 * owned[t];
-    exchange_halo(grid, sums, 1);
+    exchange_tiles(grid, sums, 1);
     for (std::size_t t = 0; t < local.size(); ++t) EXPECT_EQ(sums(t), 0.5 * local[t]);
     for (int tile = 0; tile < 100; ++tile) {
       const auto found = std::find(local.begin(), local.end(), tile);
