@@ -14,20 +14,15 @@
 
 namespace barreno {
 
-namespace {
-
-/// Rows of an array that ranks exchange: those of tiles, or of nodes, tile * patch.size + slot.
-struct RowPlan {
-  Teuchos::RCP<Tpetra::Distributor> distributor;
-  ArrayView<int> sent;                   ///< own rows, in the order of the messages
-  ArrayView<int> received;               ///< likewise, counted from the first of the ghosts
-  ArrayView<double> outgoing, incoming;  ///< kept: the step allocates nothing
-};
-
-}  // namespace
-
 struct HaloPlan {
-  RowPlan tiles, nodes;
+  /// Rows of an array that ranks exchange: those of tiles, or of nodes, tile * patch.size + slot.
+  struct Rows {
+    Teuchos::RCP<Tpetra::Distributor> distributor;
+    ArrayView<int> sent;                   ///< own rows, in the order of the messages
+    ArrayView<int> received;               ///< likewise, counted from the first of the ghosts
+    ArrayView<double> outgoing, incoming;  ///< kept: the step allocates nothing
+  };
+  Rows tiles, nodes;
 };
 
 namespace {
@@ -144,14 +139,14 @@ struct Traffic {
   }
 };
 
-RowPlan plan_rows(
+HaloPlan::Rows plan_rows(
     const Grid& grid,
     const std::vector<int>& sent,
     const std::vector<int>& to,
     const std::vector<int>& received,
     const std::vector<int>& from
 ) {
-  RowPlan plan;
+  HaloPlan::Rows plan;
   plan.distributor = Teuchos::rcp(new Tpetra::Distributor(grid.comm));
   plan.distributor->createFromSendsAndRecvs(to, from);
   plan.sent = view_of("sent_rows", sent);
@@ -172,7 +167,9 @@ ArrayView<double> room_in(ArrayView<double>& buffer, std::size_t size) {
 }
 
 /// @param ghosts  the first row of the ghosts
-void exchange(RowPlan& plan, const ArrayView<double>& values, std::size_t ghosts, int width) {
+void exchange(
+    HaloPlan::Rows& plan, const ArrayView<double>& values, std::size_t ghosts, int width
+) {
   const auto row = static_cast<std::size_t>(width);
   const ArrayView<int> sent = plan.sent, received = plan.received;
   const ArrayView<double> outgoing = room_in(plan.outgoing, sent.extent(0) * row);

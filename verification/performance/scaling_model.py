@@ -3,8 +3,8 @@
 """What a step costs on many ranks, by a model of its messages; `verification/pages.py --write` puts it into docs/performance.md.
 
 Sizes of messages follow from the code (src/grid/patch.cpp, halo.cpp); what scaling.py has counted on two ranks is compared with
-them. Memory and set-up of a rank are lines through what many_ranks.py has counted on 1 to 16 ranks, extrapolated. Sizes that the program
-refuses are marked. Speeds of the machine are assumptions, stated in the table.
+them. Memory and set-up of a rank are lines through what many_ranks.py has counted on 1 to 16 ranks, extrapolated. Speeds of the machine are
+assumptions, stated in the table.
 """
 import json
 import math
@@ -17,6 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 COUNTED = ROOT / "verification" / "results" / "scaling.json"
 COUNTED_ON_MANY = ROOT / "verification" / "results" / "many_ranks.json"
 SIZES = ROOT / "src" / "scene" / "scene_size.cpp"
+GRID = ROOT / "src" / "deck" / "sections" / "grid_section.hpp"
 
 NODE_BYTES = 8 * 8  # sum_components doubles
 REACH = 1  # nodes beyond a tile's cells, of GIMP
@@ -27,7 +28,6 @@ DISK = 0.9e9  # bytes/s that one rank packs, writes and checks: 0.5 to 1 in runs
 FILE_SYSTEM = 1e11  # bytes/s that the file system takes from all ranks
 REDUCTIONS = 3  # per step: the step, the largest strain, and failures where a policy is to stop
 STATE_BYTES = {2: 285.0, 3: 420.0}  # per particle, in a checkpoint about
-MOST_PARTICLES = 2**31 - 1  # of all ranks: scene_size.cpp counts them in 32 bits
 MOST_VALUES = 2**31  # of one gathered field
 
 
@@ -37,17 +37,20 @@ def tile_cells(d):
 
 def size_constant(name):
     """A constant of src/scene/scene_size.cpp."""
-    return float(re.search(rf"constexpr double {name} = ([\d.]+);", SIZES.read_text()).group(1))
+    words = re.search(rf"constexpr double {name} = ([\d./ ]+);", SIZES.read_text()).group(1)
+    over, _, under = words.partition("/")
+    return float(over) / float(under or 1.0)
 
 
-def refusal(total, tiles):
-    """Why the program would not run a scene of this size, if so."""
-    reasons = []
-    if total > MOST_PARTICLES:
-        reasons.append("particles")
-    if tiles > size_constant("max_tiles"):
-        reasons.append("tiles")
-    return " and ".join(reasons)
+def parcels(tiles):
+    """Parcels of a box of so many tiles (src/grid/parcels.hpp), at most."""
+    shift = re.search(r"most_parcels = std::size_t\{1\} << (\d+)U;", GRID.read_text()).group(1)
+    return min(tiles, 2 ** int(shift))
+
+
+def box_bytes(tiles):
+    """What every rank keeps of the whole box, of cells of one size."""
+    return size_constant("bytes_per_parcel") * parcels(tiles) + size_constant("bytes_per_place") * tiles
 
 
 def line_through(counts, quantity):
@@ -63,23 +66,34 @@ def lines_of_counts():
     return counts, line_through(counts, "largest_rank_peak_bytes"), line_through(counts, "largest_rank_candidate_points")
 
 
-def patch_bytes(d):
-    return (tile_cells(d) + 1 + 2 * REACH) ** d * NODE_BYTES
+def patch_nodes(d):
+    """Nodes of a patch along an axis."""
+    return tile_cells(d) + 1 + 2 * REACH
+
+
+SHARED = 1 + 2 * REACH  # of them, those that the patch of the tile beside it has too
+
+
+def border_bytes(d):
+    """Sums of the nodes that a tile shares with one across a face."""
+    return SHARED * patch_nodes(d) ** (d - 1) * NODE_BYTES
 
 
 def particles_per_tile(d):
     return tile_cells(d) ** d * 2**d
 
 
-def halo_tiles(d, particles):
-    """Of a cube of tiles inside many others."""
+def halo_bytes(d, particles):
+    """Of a cube of tiles inside many others: what it shares with tiles across its faces, edges and corners."""
     side = (particles / particles_per_tile(d)) ** (1.0 / d)
-    return (side + 2.0) ** d - side**d
+    return sum(
+        2**k * math.comb(d, k) * side ** (d - k) * SHARED**k * patch_nodes(d) ** (d - k) * NODE_BYTES for k in range(1, d + 1)
+    )
 
 
 def step(d, particles, ranks):
     """Parts of a step [s] on a rank with so many particles; one velocity field."""
-    halo = halo_tiles(d, particles) * patch_bytes(d) if ranks > 1 else 0.0
+    halo = halo_bytes(d, particles) if ranks > 1 else 0.0
     messages = min(ranks - 1, 3**d - 1)
     return {
         "bytes": halo,
@@ -101,18 +115,18 @@ def row(d, particles, ranks, efficiency):
     tiles = total / particles_per_tile(d)
     components = d * d + (1 if d == 2 else 0)  # of the deformation gradient, the widest field
     gathered = 8.0 * components * total
-    of_tiles = size_constant("bytes_per_tile") * tiles
-    of_rank = memory[0] + memory[1] * particles + of_tiles
+    of_box = box_bytes(tiles)
+    of_rank = memory[0] + memory[1] * particles + of_box
     return (f"| {d}D | {ranks:,} | {particles:,.0f} | {total:.0e} | {1e-6 * parts['bytes']:.2f} | {parts['messages']} | {1e3 * parts['computing']:.3f} "
-            f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * of_tiles:.2g} | {1e-9 * of_rank:.2g} "
+            f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * of_box:.2g} | {1e-9 * of_rank:.2g} "
             f"| {1e-9 * gathered:.2g}{' (too many)' if components * total > MOST_VALUES else ''} | {STATE_BYTES[d] * total / min(ranks * DISK, FILE_SYSTEM):.2g} "
-            f"| {places[0] + places[1] * particles:.0e} | {tiles:.0e} | {refusal(total, tiles) or 'none'} |")  # fmt: skip
+            f"| {places[0] + places[1] * particles:.0e} | {tiles:.0e} | {parcels(tiles):.0e} |")  # fmt: skip
 
 
 def predictions():
     lines = ["| | ranks | particles per rank | total | MB of halo per step and rank | messages | computing, ms | halo, ms | reductions, ms | efficiency "
-             "| GB of tile arrays, every rank | GB of memory, a rank | GB of the widest field, rank 0 | s to write a checkpoint | set-up: places of a rank | tiles, on every rank "
-             "| refused today for |",
+             "| GB of the whole box, every rank | GB of memory, a rank | GB of the widest field, rank 0 | s to write a checkpoint | set-up: places of a rank | tiles of the box "
+             "| parcels, on every rank |",
              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for d in (2, 3):
         for ranks in (1000, 100000):  # weak: as many on every rank
@@ -139,7 +153,7 @@ def comparison():
              "|---|---|---|---|---|---|---|"]  # fmt: skip
     for m in json.loads(COUNTED.read_text())["messages"]:
         d, tiles = across(m["name"])
-        lines.append(f"| {m['name']} | {1e-3 * tiles * patch_bytes(d):.1f} | {1e-3 * m['bytes']:.1f} | 1 | {m['messages']:.2f} "
+        lines.append(f"| {m['name']} | {1e-3 * tiles * border_bytes(d):.1f} | {1e-3 * m['bytes']:.1f} | 1 | {m['messages']:.2f} "
                      f"| 2, and 2 for a row of history.csv | {m['reductions']:.2f} |")  # fmt: skip
     return lines
 

@@ -37,7 +37,7 @@ struct GridSpec {
   /// Of every tile of the box, x fastest; empty: all are of level 0 (scene/tile_levels.hpp).
   std::vector<unsigned char> level_of_tile;
   /// Parcels that the box is divided into among ranks, at most (grid/parcels.hpp).
-  std::size_t most_parcels = std::size_t{1} << 22U;
+  std::size_t most_parcels = std::size_t{1} << 21U;
 };
 template <>
 const SectionTable<GridSpec>& table_of<GridSpec>();
