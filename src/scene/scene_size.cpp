@@ -62,15 +62,17 @@ double box_bytes(const GridSpec& grid) {
          (finest_level(grid) > 0 ? bytes_per_refined_tile * tiles : 0.0);
 }
 
-/// Refuses more tiles than can be numbered. What divides the box into them is the smallest cell.
-void check_tiles(const Deck& deck, const GridSpec& grid, double tiles, double most) {
-  if (tiles <= most) return;  // a number that is none has been refused with the axis
+/// Refuses more tiles than can be numbered, or than a box that is refined can have.
+void check_tiles(
+    const Deck& deck, const GridSpec& grid, double tiles, double most, const std::string& reason
+) {
+  if (tiles <= most) return;
   const int d = dimensions(grid.mode);
   const double cells = std::pow(tile_cells(d), d);
   deck.refuse_value(
       path_of(&GridSpec::cell_size),
       "divides the box into " + text_of("%.3g", tiles * cells) + " cells (at most " +
-          text_of("%.3g", most * cells) + " can be indexed); choose larger cells or a smaller box"
+          text_of("%.3g", most * cells) + reason + "); choose larger cells or a smaller box"
   );
 }
 
@@ -148,7 +150,9 @@ double memory_estimate(const Scene& scene) {
 }
 
 void check_refined_size(const Deck& deck, const GridSpec& grid) {
-  check_tiles(deck, grid, tiles_of(grid), max_refined_tiles);
+  check_tiles(
+      deck, grid, tiles_of(grid), max_refined_tiles, " in a box of which a part is refined"
+  );
 }
 
 void check_size(const Deck& deck, const Scene& scene) {
@@ -156,7 +160,7 @@ void check_size(const Deck& deck, const Scene& scene) {
   const double bytes = memory_estimate(scene) + filling_bytes(scene);
   const double machine = machine_bytes(), available = machines() * machine;
   const double places = places_of(scene.grid), particles = particle_estimate(scene);
-  check_tiles(deck, scene.grid, places, max_count);
+  check_tiles(deck, scene.grid, places, max_count, " can be indexed");
   if (!(particles <= max_particles))
     deck.refuse_value(
         path_of(&GridSpec::cell_size),
