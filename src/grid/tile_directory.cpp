@@ -11,6 +11,7 @@ namespace {
 
 std::vector<int> pages_of(const std::vector<int>& tiles) {
   std::vector<int> pages;
+  pages.reserve(tiles.size());
   for (const int tile : tiles) pages.push_back(tile >> TileDirectory::bits);
   std::sort(pages.begin(), pages.end());
   pages.erase(std::unique(pages.begin(), pages.end()), pages.end());

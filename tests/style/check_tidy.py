@@ -4,8 +4,8 @@
 
     check_tidy.py BUILD [--recent | FILE ...]
 
-With --recent, files are left out that were last changed more than half a day before the newest commit, and so was every header
-of this repository that they include.
+With --recent, files are left out that were last changed more than half a day before the newest commit, and, of the code itself,
+so was every header of this repository that they include.
 
 Most of clang-tidy's time goes into the headers of the libraries, so files are looked at together, in few translation
 units that include them. The same name in two unnamed namespaces cannot stand in one: such files are dealt out to
@@ -162,7 +162,9 @@ def headers_of(file, folders):
 
 
 def is_recent(file, folders, changed):
-    """Whether a file or what it includes was changed."""
+    """Whether a file was changed or, of the code itself, what it includes."""
+    if not str(pathlib.Path(file).relative_to(ROOT)).startswith(("src/", "materials/")):
+        return str(pathlib.Path(file).relative_to(ROOT)) in changed
     seen, todo = set(), {pathlib.Path(file).resolve()}
     while todo:
         path = todo.pop()
