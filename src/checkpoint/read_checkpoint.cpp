@@ -43,8 +43,8 @@ PartTiles tiles_of_part(const State& state, const Hdf5File& file) {
   return tiles;
 }
 
-/// Parcels are shared by the particles that are in them. Collective.
-void share_parcels(const PartTiles& tiles, Grid& grid) {
+/// Particles of all ranks, by parcel. Collective.
+std::vector<ParcelCost> count_in_parcels(const PartTiles& tiles, const Grid& grid) {
   std::vector<double> counts(grid.owner.size(), 0.0);
   for (const std::vector<int>& of_rows : tiles)
     for (const int tile : of_rows)
@@ -52,7 +52,7 @@ void share_parcels(const PartTiles& tiles, Grid& grid) {
   sum_over_ranks(*grid.comm, counts);  // whole numbers: in any order the same
   std::vector<ParcelCost> costs(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) costs[i].particles = counts[i];
-  set_owners(bisect_parcels(grid.parcels.along, costs, grid.comm->getSize()), grid);
+  return costs;
 }
 
 /// The rows of a material that this rank wrote, where there are as many ranks. Collective.
@@ -93,7 +93,7 @@ void read_rows(const KnownRun& run, const SharedFile& shared, State& state) {
     return;
   }
   const PartTiles tiles = tiles_of_part(state, file);
-  share_parcels(tiles, state.grid);
+  share_parcels(count_in_parcels(tiles, state.grid), state.grid);
   for (std::size_t m = 0; m < state.particles.size(); ++m) {
     Particles& particles = state.particles[m];
     const std::string name = particle_group(particles) + "position";

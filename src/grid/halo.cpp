@@ -74,38 +74,22 @@ TilesOfRank tell_neighbours(const Grid& grid, const TilesOfRank& told) {
   return heard;
 }
 
-/// Those of `some` that touch one of `others`.
-std::vector<int> touching(
-    const Grid& grid, const std::vector<int>& some, const std::vector<int>& others
-) {
-  std::vector<int> found;
-  for (const int id : some) {
-    bool touches = false;
-    for_each_touching(grid, id, [&](const TilePosition& beside) {
-      touches = touches || std::binary_search(others.begin(), others.end(), grid.box.id(beside));
-    });
-    if (touches) found.push_back(id);
-  }
-  return found;
-}
-
 /// The place of a tile in an ascending list that has it.
 int place_in(const std::vector<int>& list, int tile) {
   return static_cast<int>(std::lower_bound(list.begin(), list.end(), tile) - list.begin());
 }
 
-/// Slots of a tile's patch that patches of the other side hold too, ascending.
+/// Slots of a tile's patch that patches of the other side hold too, ascending; none if none of them
+/// touches it.
 ///
 /// @param readers  the other side's tiles at the border, ascending
 std::vector<int> shared_slots(const Grid& grid, int id, const std::vector<int>& readers) {
   const TilePosition at = grid.box.position(id);
   std::vector<char> shared(static_cast<std::size_t>(grid.patch.size), 0);
-  for_each_neighbour(grid.patch, [&](int, int dx, int dy, int dz) {
-    const TilePosition beside{{at[0] + dx, at[1] + dy, at[2] + dz}, at.level};
-    if (!grid.box.has(beside) ||
-        !std::binary_search(readers.begin(), readers.end(), grid.box.id(beside)))
-      return;
-    for_each_shared_slot(grid.patch, {dx, dy, dz}, [&](int slot) {
+  for_each_touching(grid, id, [&](const TilePosition& beside) {
+    if (!std::binary_search(readers.begin(), readers.end(), grid.box.id(beside))) return;
+    const int offset[3] = {beside[0] - at[0], beside[1] - at[1], beside[2] - at[2]};
+    for_each_shared_slot(grid.patch, offset, [&](int slot) {
       shared[static_cast<std::size_t>(slot)] = 1;
     });
   });
@@ -115,24 +99,40 @@ std::vector<int> shared_slots(const Grid& grid, int id, const std::vector<int>& 
   return slots;
 }
 
+/// A tile at a border, and its nodes that the other side holds too.
+struct SharedTile {
+  int id = 0;
+  std::vector<int> slots;
+};
+
+/// Those of `tiles` that touch one of `readers`, in their order.
+std::vector<SharedTile> shared_tiles(
+    const Grid& grid, const std::vector<int>& tiles, const std::vector<int>& readers
+) {
+  std::vector<SharedTile> shared;
+  for (const int id : tiles) {
+    std::vector<int> slots = shared_slots(grid, id, readers);
+    if (!slots.empty()) shared.push_back({id, std::move(slots)});
+  }
+  return shared;
+}
+
 /// Tiles and nodes that go to other ranks, or come from them, in the order of the messages.
 struct Traffic {
   std::vector<int> tiles, tile_ranks;
   std::vector<int> nodes, node_ranks;  ///< node: place of its tile * patch.size + slot
 
-  /// @param of  the tiles that one side sends, @param places  where it, or the other, has them
+  /// @param places  the list, ascending, in which a tile's place is that of its row
   void add(
-      const Grid& grid,
+      const Patch& patch,
       int rank,
-      const std::vector<int>& of,
-      const std::vector<int>& readers,
+      const std::vector<SharedTile>& shared,
       const std::vector<int>& places
   ) {
-    for (const int id : of) {
-      const int place = place_in(places, id);
+    for (const SharedTile& tile : shared) {
+      const int place = place_in(places, tile.id);
       tiles.push_back(place);
-      for (const int slot : shared_slots(grid, id, readers))
-        nodes.push_back(place * grid.patch.size + slot);
+      for (const int slot : tile.slots) nodes.push_back(place * patch.size + slot);
     }
     tile_ranks.resize(tiles.size(), rank);
     node_ranks.resize(nodes.size(), rank);
@@ -200,7 +200,7 @@ void exchange(
 /// The tiles that come from each rank, and those that go to it.
 struct Border {
   int rank = 0;
-  std::vector<int> sent, received;  ///< ascending
+  std::vector<SharedTile> sent, received;  ///< ascending
 };
 
 std::vector<Border> borders_of(
@@ -210,7 +210,8 @@ std::vector<Border> borders_of(
   for (const auto& [rank, theirs] : heard) {
     const auto ours = told.find(rank);
     if (ours == told.end()) continue;
-    Border border{rank, touching(grid, ours->second, theirs), touching(grid, theirs, ours->second)};
+    Border border{
+        rank, shared_tiles(grid, ours->second, theirs), shared_tiles(grid, theirs, ours->second)};
     if (!border.sent.empty()) borders.push_back(std::move(border));  // else none is received
   }
   return borders;
@@ -228,12 +229,12 @@ std::vector<int> build_halo(Grid& grid, const std::vector<int>& owned) {
   const std::vector<Border> borders = borders_of(grid, told, tell_neighbours(grid, told));
   std::vector<int> ghosts;
   for (const Border& border : borders)
-    ghosts.insert(ghosts.end(), border.received.begin(), border.received.end());
+    for (const SharedTile& tile : border.received) ghosts.push_back(tile.id);
   std::sort(ghosts.begin(), ghosts.end());
   Traffic out, in;
   for (const Border& border : borders) {
-    out.add(grid, border.rank, border.sent, border.received, owned);
-    in.add(grid, border.rank, border.received, border.sent, ghosts);
+    out.add(grid.patch, border.rank, border.sent, owned);
+    in.add(grid.patch, border.rank, border.received, ghosts);
   }
   grid.halo = std::make_shared<HaloPlan>(HaloPlan{
       plan_rows(grid, out.tiles, out.tile_ranks, in.tiles, in.tile_ranks),

@@ -12,7 +12,7 @@ namespace {
 std::vector<int> pages_of(const std::vector<int>& tiles) {
   std::vector<int> pages;
   pages.reserve(tiles.size());
-  for (const int tile : tiles) pages.push_back(tile >> TileDirectory::bits);
+  for (const int tile : tiles) pages.push_back(TileDirectory::page(tile));
   std::sort(pages.begin(), pages.end());
   pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
   return pages;
@@ -38,7 +38,7 @@ void make_entries(std::size_t pages, TileDirectory& directory) {
 
 TileDirectory make_tile_directory(int places) {
   TileDirectory directory;
-  const int pages = (places >> TileDirectory::bits) + 1;
+  const int pages = TileDirectory::page(places) + 1;
   directory.begin = ArrayView<int>("directory_begin", static_cast<std::size_t>(pages));
   make_entries(0, directory);
   return directory;
@@ -57,7 +57,7 @@ void list_tiles(const std::vector<int>& tiles, TileDirectory& directory) {
       range(static_cast<int>(tiles.size())),
       KOKKOS_LAMBDA(const int t) {
         const int id = tile(t);
-        entry(begin(id >> TileDirectory::bits) + (id & (TileDirectory::page_size - 1))) = t;
+        entry(begin(TileDirectory::page(id)) + TileDirectory::in_page(id)) = t;
       }
   );
 }

@@ -18,8 +18,10 @@ struct TileDirectory {
   ArrayView<int> entry;
   ArrayView<int> used;  ///< pages with local tiles
 
+  KOKKOS_INLINE_FUNCTION static int page(int tile) { return tile >> bits; }
+  KOKKOS_INLINE_FUNCTION static int in_page(int tile) { return tile & (page_size - 1); }
   KOKKOS_INLINE_FUNCTION int operator()(int tile) const {
-    return entry(begin(tile >> bits) + (tile & (page_size - 1)));
+    return entry(begin(page(tile)) + in_page(tile));
   }
 };
 

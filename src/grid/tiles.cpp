@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid/tiles.hpp"
 
+#include "base/error.hpp"
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "base/view_of.hpp"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
 
 namespace barreno {
 namespace {
@@ -197,6 +200,18 @@ Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::
 void set_owners(const std::vector<int>& owner, Grid& grid) {
   grid.owner = owner;
   grid.owner_of_tile = {grid.parcels, view_of("owner", owner)};
+}
+
+void share_parcels(const std::vector<ParcelCost>& particles, Grid& grid) {
+  const int ranks = grid.comm->getSize();
+  const std::vector<int> owner = bisect_parcels(grid.parcels.along, particles, ranks);
+  const double most = step_cost(owner, particles, ranks);  // of the rank that has most
+  if (most > std::numeric_limits<int>::max())
+    throw DeckError(
+        "The deck gives a rank " + std::to_string(static_cast<long long>(most)) +
+        " particles, which are counted in 32 bits; run it on more ranks."
+    );
+  set_owners(owner, grid);
 }
 
 void activate_tiles(Grid& grid, const std::vector<int>& owned) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grid/grid.hpp"
+#include "grid/partition.hpp"
 
 #include <vector>
 
@@ -15,6 +16,11 @@ Grid make_grid(const Scene& scene, int reach, const Teuchos::RCP<const Teuchos::
 
 /// Say which rank owns every parcel of the box.
 void set_owners(const std::vector<int>& owner, Grid& grid);
+
+/// Deal the parcels out by the particles in them: ParcelCost::particles counts them, in all ranks.
+///
+/// @throws DeckError where a rank gets more than can be counted in 32 bits
+void share_parcels(const std::vector<ParcelCost>& particles, Grid& grid);
 
 /// Make exactly the listed tiles active on this rank, find neighbours and ghosts, and say which
 /// copy of each node counts. Collective.

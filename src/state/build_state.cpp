@@ -433,20 +433,6 @@ void fill_bodies(const Scene& scene, const BodyCensus& census, State& state) {
   filler.refuse_unlit();
 }
 
-/// Every rank knows the owners of all parcels, and which of them has the most particles.
-/// @throws DeckError where they cannot be counted there
-void share_parcels(const BodyCensus& census, Grid& grid) {
-  const int ranks = grid.comm->getSize();
-  const std::vector<int> owner = bisect_parcels(grid.parcels.along, census.parcels, ranks);
-  const double most = step_cost(owner, census.parcels, ranks);
-  if (most > std::numeric_limits<int>::max())
-    throw DeckError(
-        "The deck gives a rank " + std::to_string(static_cast<long long>(most)) +
-        " particles, which are counted in 32 bits; run it on more ranks."
-    );
-  set_owners(owner, grid);
-}
-
 }  // namespace
 
 State build_empty_state(
@@ -476,7 +462,7 @@ State build_state(
 ) {
   const Region region("build_state");
   State state = build_empty_state(scene, census, comm);
-  share_parcels(census, state.grid);
+  share_parcels(census.parcels, state.grid);
   fill_bodies(scene, census, state);
   OwnLedger& ledger = state.ledger;
   ledger.mass = ledger.initial_mass;

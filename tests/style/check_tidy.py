@@ -26,6 +26,7 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+RECENT = 12 * 3600  # s
 SKIPPED = 77  # what ctest counts as skipped
 RULES = ROOT / ".clang-tidy"
 TOGETHER = 75  # files, at most
@@ -142,7 +143,7 @@ def recently_changed():
     newest = subprocess.run([*git, "log", "-1", "--format=%ct"], capture_output=True, text=True)
     if newest.returncode != 0:
         return None
-    since = f"--since={int(newest.stdout) - 43200}"
+    since = f"--since={int(newest.stdout) - RECENT}"
     listings = ([*git, "log", since, "--name-only", "--format="], [*git, "diff", "--name-only", "HEAD"], [*git, "ls-files", "--others", "--exclude-standard"])
     return {name for words in listings for name in subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()}
 
@@ -163,8 +164,9 @@ def headers_of(file, folders):
 
 def is_recent(file, folders, changed):
     """Whether a file was changed or, of the code itself, what it includes."""
-    if not str(pathlib.Path(file).relative_to(ROOT)).startswith(("src/", "materials/")):
-        return str(pathlib.Path(file).relative_to(ROOT)) in changed
+    name = str(pathlib.Path(file).relative_to(ROOT))
+    if not name.startswith(("src/", "materials/")):
+        return name in changed
     seen, todo = set(), {pathlib.Path(file).resolve()}
     while todo:
         path = todo.pop()

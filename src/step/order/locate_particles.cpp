@@ -40,7 +40,7 @@ struct FindKeys {
   double cells_per_length;
   int bits, in_tile, cells, active;
   const unsigned char* level_of_tile;
-  const int *page, *entry;  ///< TileDirectory
+  const int *page_begin, *entry;  ///< TileDirectory
   CellKey* keys;
   const Fault* faults;
 
@@ -52,7 +52,7 @@ struct FindKeys {
         cells(grid.patch.cells),
         active(grid.active),
         level_of_tile(grid.level_of_tile.data()),
-        page(grid.directory.begin.data()),
+        page_begin(grid.directory.begin.data()),
         entry(grid.directory.entry.data()),
         keys(particles.key.data()),
         faults(particles.fault.data()) {
@@ -90,7 +90,7 @@ struct FindKeys {
       find_cell(p, lost, level, id, inside);
       id += box.first_id[level];
     }
-    const int tile = entry[page[id >> TileDirectory::bits] + (id & (TileDirectory::page_size - 1))];
+    const int tile = entry[page_begin[TileDirectory::page(id)] + TileDirectory::in_page(id)];
     const int here = static_cast<int>(tile >= 0) & static_cast<int>(tile < active);
     const CellKey key = here ? CellKey{tile * cells + inside} : CellKey::unplaced;
     keys[p] = lost ? old_key : key;
@@ -101,35 +101,25 @@ struct FindKeys {
 /// Where the rows are that are in no active tile of this rank. Few steps have such rows.
 struct LookBeyond {
   CellLattice lattice;
-  double upper[3];
-  FieldView position;
+  RemovalRule removal;
   ArrayView<CellKey> key;
-  ArrayView<Fault> fault;
   TileDirectory directory;
   TileOwners owner;
   int me;
 
   LookBeyond(const Grid& grid, const Particles& particles)
       : lattice(grid),
-        upper{grid.upper[0], grid.upper[1], grid.upper[2]},
-        position(particles.position.values),
+        removal(grid, particles),
         key(particles.key),
-        fault(particles.fault),
         directory(grid.directory),
         owner(grid.owner_of_tile),
         me(grid.comm->getRank()) {}
 
-  KOKKOS_INLINE_FUNCTION bool is_lost(int p) const {
-    bool inside = fault(p) == Fault::none;
-    for (int d = 0; d < lattice.dimensions; ++d)
-      inside = inside && position(p, d) >= lattice.lower[d] && position(p, d) < upper[d];
-    return !inside;
-  }
   /// Of other ranks' tiles those are active that are ghosts here; of others, further away, nothing
   /// is known.
   KOKKOS_INLINE_FUNCTION void operator()(int p, Beyond& found) const {
-    if (is_placed(key(p)) || is_lost(p)) return;
-    const Cell cell = lattice.cell_at(position, p);
+    if (is_placed(key(p)) || removal.is_lost(p)) return;
+    const Cell cell = lattice.cell_at(removal.position, p);
     const bool mine = owner(cell.box_tile) == me;
     if (mine || directory(cell.tile) < 0) found.new_tile = 1;
     if (!mine) found.left = 1;

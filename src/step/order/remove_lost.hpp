@@ -37,6 +37,10 @@ struct RemovalRule {
       inside = inside && position(p, d) >= lower[d] && position(p, d) < upper[d];
     return inside;
   }
+  /// It has failed or left the grid: it comes nowhere.
+  KOKKOS_INLINE_FUNCTION bool is_lost(int p) const {
+    return fault(p) != Fault::none || !is_inside(p);
+  }
   /// A RemovalCause; -1: it stays.
   KOKKOS_INLINE_FUNCTION int cause_of(int p) const {
     if (!is_finite(p)) return static_cast<int>(RemovalCause::not_finite);

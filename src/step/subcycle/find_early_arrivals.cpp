@@ -26,32 +26,20 @@ struct LookAtRow {
   CellLattice lattice;
   RowFrames frames;
   StrayRule rule;
-  FieldView position;
-  ArrayView<Fault> fault;
+  RemovalRule removal;
   TileDirectory directory;
   ArrayView<unsigned char> level_of_tile;
   Subcycling subcycling;
-  double lower[3], upper[3];
 
   LookAtRow(const Grid& grid, const Particles& particles, const Subcycling& of_step)
       : lattice(grid),
         frames(grid, particles),
         rule(grid, particles),
-        position(particles.position.values),
-        fault(particles.fault),
+        removal(grid, particles),
         directory(grid.directory),
         level_of_tile(grid.level_of_tile),
-        subcycling(of_step),
-        lower{grid.lower[0], grid.lower[1], grid.lower[2]},
-        upper{grid.upper[0], grid.upper[1], grid.upper[2]} {}
+        subcycling(of_step) {}
 
-  /// Those that have left the grid or failed are removed before they come anywhere.
-  KOKKOS_INLINE_FUNCTION bool is_lost(int p) const {
-    bool inside = fault(p) == Fault::none;
-    for (int d = 0; d < lattice.dimensions; ++d)
-      inside = inside && position(p, d) >= lower[d] && position(p, d) < upper[d];
-    return !inside;
-  }
   KOKKOS_INLINE_FUNCTION bool has_moved(int p) const {
     return subcycling.ends(frames.tile(p)) != 0;
   }
@@ -69,11 +57,11 @@ struct LookAtRow {
 
   KOKKOS_INLINE_FUNCTION void operator()(int p, Found& found) const {
     if (!has_moved(p)) return;
-    if (is_lost(p)) {
+    if (removal.is_lost(p)) {
       ++found.lost;
     } else if (is_stray(p)) {
       ++found.strays;
-      found.early += is_early(lattice.cell_at(position, p), frames.tile(p)) ? 1 : 0;
+      found.early += is_early(lattice.cell_at(removal.position, p), frames.tile(p)) ? 1 : 0;
     }
   }
 };
@@ -106,7 +94,7 @@ int find_keys_of_strays(
       range(particles.count),
       KOKKOS_LAMBDA(const int p, int& sum) {
         if (!look.has_moved(p) || !look.is_stray(p)) return;
-        const Cell cell = look.lattice.cell_at(look.position, p);
+        const Cell cell = look.lattice.cell_at(look.removal.position, p);
         const int tile = look.directory(cell.tile);
         const bool here = tile >= 0 && tile < active;
         key(p) = here ? CellKey{tile * cells + cell.inside} : CellKey::unplaced;

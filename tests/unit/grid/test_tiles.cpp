@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/error.hpp"
 #include "base/exchange.hpp"
 #include "grid/grid.hpp"
 #include "grid/halo.hpp"
+#include "grid/parcels.hpp"
 #include "grid/patch.hpp"
+#include "grid/tile_directory.hpp"
 #include "grid/tiles.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
@@ -128,6 +131,15 @@ TEST(Parcels, HoldTheTilesOfSquaresAndCubes) {
         }
         EXPECT_EQ(solid.holding((z * 3 + y) * 5 + x), z / 4 * 2 + x / 4);
       }
+}
+
+TEST(Parcels, AreNotDealtOutWhereARankCannotCountItsParticles) {
+  Grid grid = alone(1);
+  std::vector<ParcelCost> particles(6);
+  for (ParcelCost& parcel : particles) parcel.particles = 3e8;
+  EXPECT_NO_THROW(share_parcels(particles, grid));
+  for (ParcelCost& parcel : particles) parcel.particles = 4e8;
+  EXPECT_THROW(share_parcels(particles, grid), DeckError);
 }
 
 TEST(Parcels, SayWhoOwnsTheirTiles) {
