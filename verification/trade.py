@@ -26,10 +26,8 @@ sys.path[:0] = [str(HERE / "tools"), str(HERE)]
 from choices import shape_functions, words  # noqa: E402
 from runs import DECKS, mpi_environment, run_deck  # noqa: E402
 from trade_checks import demands, verdict_lines  # noqa: E402
-from trade_page import draw  # noqa: E402
 from trade_problems import PROBLEMS, Lost, has  # noqa: E402
 from uniform_cells import REFERENCE, depth_of, doubt  # noqa: E402
-from pages import write_pages  # noqa: E402
 from verify import failures  # noqa: E402
 
 STORED = HERE / "results" / "trade.json"
@@ -206,6 +204,14 @@ def judged(points, tiny, barreno):
     return data
 
 
+def draw_pages(data):
+    from pages import write_pages  # not for a measurement alone: they take a second
+    from trade_page import draw
+
+    draw(data)
+    write_pages()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", nargs="?", type=pathlib.Path)
@@ -217,8 +223,7 @@ def main():
     options = parser.parse_args()
     if options.draw:
         data = json.loads(STORED.read_text())
-        draw(data)
-        write_pages()
+        draw_pages(data)
         return 0
     if options.barreno is None:
         parser.error("name the program, for example build/release/src/barreno")
@@ -229,8 +234,7 @@ def main():
     if not options.tiny:
         STORED.write_text(json.dumps(data, indent=1) + "\n")
     if options.document or options.judge:
-        draw(data)
-        write_pages()
+        draw_pages(data)
     failed = failures("trade", data["checks"], not options.tiny)
     for line in failed:
         print(line, file=sys.stderr)
