@@ -21,7 +21,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification")]
 
-from small_decks import mpi_environment, scratch_folder, symmetry, write_deck  # noqa: E402
+from runs import mpi_environment, scratch_folder  # noqa: E402
+from small_decks import symmetry, write_deck  # noqa: E402
 
 BAR = 0.01  # of the step
 

@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Words that a deck may say, as this build tells them: cases run over those that exist."""
 import functools
-import subprocess
 
-from runs import mpi_environment
+from runs import call
 
 
 @functools.lru_cache(None)
 def words(barreno, section, parameter):
     """Words of SECTION/PARAMETER in the order of `barreno describe SECTION`; none if it has no such parameter."""
-    command = [str(barreno), "describe", section]
-    text = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, check=True).stdout
-    lines = iter(text.splitlines())
+    described = call(barreno, ["describe", section])
+    described.check_returncode()
+    lines = iter(described.stdout.splitlines())
     for line in lines:
         if line.strip() == parameter:
             break

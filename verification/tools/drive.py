@@ -2,11 +2,10 @@
 """Drive one material point with `barreno drive`: the way in which verification cases use a model without a grid."""
 import csv
 import pathlib
-import subprocess
 import tempfile
 
 import numpy as np
-from runs import mpi_environment
+from runs import call
 
 HEADER = "time,F11,F12,F13,F21,F22,F23,F31,F32,F33"
 
@@ -36,16 +35,14 @@ def drive(barreno, model, parameters, rows, steps=1, density=1000.0):
         card, path, out = (pathlib.Path(scratch) / name for name in ("card.xml", "path.csv", "answer.csv"))
         write_card(card, model, density, parameters)
         write_path(path, rows)
-        command = [str(barreno), "drive", "--material", str(card), "--path", str(path), "--out", str(out)]
-        command += ["--steps-per-row", str(steps)]
-        result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True)
+        result = call(barreno, ["drive", "--material", card, "--path", path, "--out", out, "--steps-per-row", steps])
         if result.returncode != 0:
-            raise RuntimeError(f"{' '.join(command)} ended with {result.returncode}: {result.stderr.strip()}")
+            raise RuntimeError(f"{' '.join(result.args)} ended with {result.returncode}: {result.stderr.strip()}")
         return read_table(out)
 
 
 def knows(barreno, model, parameter):
     """Whether this build's model has a parameter of that name."""
-    command = [str(barreno), "describe", model]
-    text = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, check=True).stdout
-    return parameter in (line.strip() for line in text.splitlines())
+    described = call(barreno, ["describe", model])
+    described.check_returncode()
+    return parameter in (line.strip() for line in described.stdout.splitlines())

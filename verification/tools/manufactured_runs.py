@@ -87,7 +87,7 @@ def attempt(barreno, deck, settings):
         reason = json.loads((folder / "summary.json").read_text())["reason"]
         at = re.search(r"at t = [\d.e+-]+ ?\w*", reason)
         return Failed("stopped " + (at.group(0) if at else reason))
-    lost = int((run.particles()["status"] < 0.5).sum())
+    lost = int((run.particles(only=("status",))["status"] < 0.5).sum())
     return Failed(f"{lost} particles left the grid") if lost else run
 
 
@@ -99,11 +99,11 @@ def centres(particles):
 def displacement_error(run, motion):
     """Largest over the written instants of the rms and of the greatest |x - x_exact| over all particles [length]; and the
     largest exact displacement, for scale."""
-    start = run.particles(0)
+    start = run.particles(0, only=())
     X = centres(start)
     rms = greatest = scale = 0.0
     for step in range(1, run.instants()):
-        now = run.particles(step)
+        now = run.particles(step, only=())
         wanted = np.array(motion(list(X), now["time"]))
         square = ((centres(now) - wanted) ** 2).sum(axis=0)
         rms, greatest = max(rms, float(np.sqrt(square.mean()))), max(greatest, float(np.sqrt(square.max())))

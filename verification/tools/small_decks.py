@@ -8,7 +8,7 @@ import subprocess
 import time
 from xml.sax.saxutils import quoteattr
 
-from runs import DECKS, Run, mpi_environment, scratch_folder  # noqa: F401
+from runs import DECKS, Run, call, scratch_folder  # noqa: F401
 
 HANGS = "does not end"
 
@@ -53,14 +53,12 @@ def attempt(barreno, sections, settings=None, longest=60.0, ranks=1):
 
 def attempt_file(barreno, deck, settings=None, longest=60.0, folder=None, ranks=1):
     folder = folder or pathlib.Path(scratch_folder()) / "run"
-    command = [str(barreno), "run", str(deck), "--out", str(folder)]
+    words = ["run", str(deck), "--out", str(folder)]
     for path, value in (settings or {}).items():
-        command += ["--set", f"{path}={text_of(value)}"]
-    if ranks > 1:
-        command = ["mpirun", "--quiet", "-n", str(ranks)] + command
+        words += ["--set", f"{path}={text_of(value)}"]
     began = time.monotonic()
     try:
-        result = subprocess.run(command, env=mpi_environment(ranks), capture_output=True, text=True, timeout=longest)
+        result = call(barreno, words, ranks, longest)
     except subprocess.TimeoutExpired:
         return Outcome(HANGS, f"no end in {longest:g} s", None, longest)
     summary = folder / "summary.json"
@@ -77,10 +75,10 @@ def check_notes(barreno, sections, settings=None):
     """What `barreno check` says of a deck."""
     folder = pathlib.Path(scratch_folder())
     write_deck(folder / "deck.xml", sections)
-    command = [str(barreno), "check", str(folder / "deck.xml")]
+    words = ["check", str(folder / "deck.xml")]
     for path, value in (settings or {}).items():
-        command += ["--set", f"{path}={text_of(value)}"]
-    result = subprocess.run(command, env=mpi_environment(), capture_output=True, text=True, timeout=60)
+        words += ["--set", f"{path}={text_of(value)}"]
+    result = call(barreno, words, longest=60)
     return result.returncode, result.stdout, result.stderr
 
 
