@@ -45,7 +45,7 @@ def run(barreno, full):
          "jet error", "slug error", "share error", "energy ledger remainder"],
         [],
     )  # fmt: skip
-    for h in (1.0, 0.5, 0.25) if full else (1.0, 0.5):
+    for h in (1.0, 0.5, 0.25) if full else (2.0 / 3.0,):  # three cells in the plate are the fewest for what is asked of the jet
         finished = run_deck(barreno, "driven_wedge.xml", {"Grid/Cell Size": f"{h} mm"})
         speeds, found, exact = measure(finished)
         errors = found / exact - 1.0

@@ -19,7 +19,7 @@ def refine(what, shape, amplitude, cells, attempt, result):
             result.rows.append([what, shape, amplitude, h, run.why, "", "", "", ""])
             continue
         rms, greatest, _ = displacement_error(run, motion)
-        least = min(float(run.particles(step)["volume_ratio"].min()) for step in range(run.instants()))
+        least = min(float(run.particles(step, only=("volume_ratio",))["volume_ratio"].min()) for step in range(run.instants()))
         rate = order([found[-1][0], rms])[0] if found and found[-1] else float("nan")
         found.append((rms, least))
         result.rows.append([what, shape, amplitude, h, rms, rate, greatest, least, run.summary["balances"]["energy"]["error"]])
@@ -49,7 +49,7 @@ def vortices(barreno, shape, full, result):
 
 
 def rings(barreno, shape, full, result):
-    levels = (0.05, 0.025, 0.0125) if full else (0.05, 0.025)
+    levels = (0.05, 0.025, 0.0125) if full else (1 / 15, 1 / 30)
     for amplitude in (0.001, 0.1) if full else (0.001,):
         found = refine("ring", shape, amplitude, levels, lambda h: ring_run(barreno, shape, amplitude, h), result)
         if amplitude == 0.001 and shape != "linear":

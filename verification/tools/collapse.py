@@ -24,7 +24,7 @@ def arrival_speeds(run, of, masses, count, near):
     times = range(run.instants())
     history = np.full((len(times), count, 2), np.nan)
     for step in times:
-        now = run.particles(step)
+        now = run.particles(step, only=("status", "velocity_x", "velocity_y"))
         for number in range(count):
             part = (of == number) & (now["status"] == 1)
             if part.any():
