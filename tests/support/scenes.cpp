@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <barreno/models.hpp>
+#include <chrono>
+#include <exception>
 #include <limits>
 #include <map>
+#include <thread>
 
 namespace barreno::testing {
 
@@ -77,6 +80,26 @@ State start(const Scene& scene) {
 
 State start_alone(const Scene& scene) {
   return start_on(scene, Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF)));
+}
+
+bool is_alone() {
+  return Tpetra::getDefaultComm()->getSize() == 1;
+}
+
+void on_root(const std::function<void()>& check) {
+  std::exception_ptr thrown;
+  if (is_root(*Tpetra::getDefaultComm())) {
+    try {
+      check();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+  }
+  MPI_Request arrived{};
+  MPI_Ibarrier(MPI_COMM_WORLD, &arrived);
+  for (int all = 0; all == 0; MPI_Test(&arrived, &all, MPI_STATUS_IGNORE))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 void advance_to(const Scene& scene, double time, State& state, long steps) {

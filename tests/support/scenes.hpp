@@ -5,6 +5,7 @@
 #include "state/build_state.hpp"
 #include "step/advance.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,12 @@ void add_symmetry(Scene& scene, Face face);
 /// State at t = 0 on all ranks, or on this rank alone.
 State start(const Scene& scene);
 State start_alone(const Scene& scene);
+
+/// Whether the program has one rank only.
+bool is_alone();
+
+/// Does `check` on the root, with a run of its own for example; the other ranks sleep meanwhile.
+void on_root(const std::function<void()>& check);
 
 /// Steps until `time`, at most `steps` of them.
 void advance_to(const Scene& scene, double time, State& state, long steps = 1000000000);

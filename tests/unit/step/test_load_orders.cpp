@@ -21,10 +21,12 @@ using testing::advance_to;
 using testing::all_modes;
 using testing::all_rows;
 using testing::all_shapes;
-using testing::all_steps;
+using testing::is_alone;
+using testing::on_root;
 using testing::start;
 using testing::start_alone;
 using testing::StepCase;
+using testing::steps_in_turn;
 
 constexpr double density = 2300.0, pressure = 50e6;
 const double free_speed = pressure / (density * std::sqrt(24e9 / density));
@@ -107,9 +109,10 @@ long steps_in(Mode mode) {
 }
 
 template <class Check>
-void for_each_step(const Check& check) {
+void for_each_step(Mode mode, const Check& check) {
+  int turn = static_cast<int>(mode);
   for (const std::string& shape : all_shapes())
-    for (const StepCase& one : all_steps(shape)) {
+    for (const StepCase& one : steps_in_turn(shape, turn++)) {
       SCOPED_TRACE(one.name);
       check(one.step);
     }
@@ -118,7 +121,7 @@ void for_each_step(const Check& check) {
 class LoadOrders : public ::testing::TestWithParam<Mode> {};
 
 TEST_P(LoadOrders, ConfinedBodiesStayAtRest) {
-  for_each_step([&](const StepSpec& step) {
+  for_each_step(GetParam(), [&](const StepSpec& step) {
     for (const auto& make : {block, ball}) {
       if (make == block && !rests_on_cells(GetParam(), step)) continue;
       const Scene scene = make(GetParam(), step, true);
@@ -137,7 +140,7 @@ TEST_P(LoadOrders, ConfinedBodiesStayAtRest) {
 
 /// p A t goes into the free block, and all terms of its ledger close.
 TEST_P(LoadOrders, ImpulseIsPressureTimesAreaAndTheLedgerCloses) {
-  for_each_step([&](const StepSpec& step) {
+  for_each_step(GetParam(), [&](const StepSpec& step) {
     const Scene scene = block(GetParam(), step, false);
     const Vector width = std::get<Box>(scene.bodies[0].shape).upper;  // from planes of symmetry
     const double area = GetParam() == Mode::axisymmetric   ? pi * width[0] * width[0]
@@ -156,7 +159,7 @@ TEST_P(LoadOrders, ImpulseIsPressureTimesAreaAndTheLedgerCloses) {
 }
 
 TEST_P(LoadOrders, SqueezedBallsKeepTheirLedger) {
-  for_each_step([&](const StepSpec& step) {
+  for_each_step(GetParam(), [&](const StepSpec& step) {
     const Scene scene = ball(GetParam(), step, false);
     State state = start(scene);
     advance_to(scene, 1.0, state, steps_in(GetParam()));
@@ -171,16 +174,21 @@ TEST_P(LoadOrders, SqueezedBallsKeepTheirLedger) {
 }
 
 TEST_P(LoadOrders, AnyRankCountGivesTheSameBits) {
-  for_each_step([&](const StepSpec& step) {
+  if (is_alone()) return;
+  for_each_step(GetParam(), [&](const StepSpec& step) {
     if (step.shape != "GIMP" && step.shape != "CPDI") return;
     for (const auto& make : {block, ball}) {
       const Scene scene = make(GetParam(), step, false);
-      State together = start(scene), alone = start_alone(scene);
+      State together = start(scene);
       advance_to(scene, 1.0, together, 8);
-      advance_to(scene, 1.0, alone, 8);
-      EXPECT_EQ(all_rows(alone), all_rows(together));
-      for (std::size_t l = 0; l < alone.cavities.size(); ++l)
-        EXPECT_EQ(alone.cavities[l].volume, together.cavities[l].volume);
+      const auto rows = all_rows(together);
+      on_root([&] {
+        State alone = start_alone(scene);
+        advance_to(scene, 1.0, alone, 8);
+        EXPECT_EQ(all_rows(alone), rows);
+        for (std::size_t l = 0; l < alone.cavities.size(); ++l)
+          EXPECT_EQ(alone.cavities[l].volume, together.cavities[l].volume);
+      });
     }
   });
 }

@@ -3,6 +3,8 @@
 
 #include "shape/visit_kernels.hpp"
 
+#include <cstdlib>
+
 namespace barreno::testing {
 namespace {
 
@@ -36,6 +38,17 @@ std::vector<StepCase> all_steps(const std::string& shape) {
       one.name += std::string(", ") + word_of(order) + ", " + shape;
       out.push_back(one);
     }
+  return out;
+}
+
+std::vector<StepCase> steps_in_turn(const std::string& shape, int turn) {
+  const std::vector<StepCase> all = all_steps(shape);
+  if (std::getenv("BARRENO_EVERY_STEP") != nullptr) return all;
+  const std::size_t transfers = all_transfers().size();
+  std::vector<StepCase> out;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if ((i / transfers + i % transfers + static_cast<std::size_t>(turn)) % 2 == 0)
+      out.push_back(all[i]);
   return out;
 }
 

@@ -20,6 +20,10 @@ std::vector<StepCase> all_transfers();
 /// Every transfer in every order of the step, for one shape function.
 std::vector<StepCase> all_steps(const std::string& shape);
 
+/// Every second of them, so that every transfer and every order is among them; which ones is told
+/// by whether `turn` is even. BARRENO_EVERY_STEP in the environment: all of them.
+std::vector<StepCase> steps_in_turn(const std::string& shape, int turn);
+
 /// The words of all shape functions.
 std::vector<std::string> all_shapes();
 

@@ -18,6 +18,8 @@ using testing::advance_to;
 using testing::all_modes;
 using testing::all_rows;
 using testing::box_scene;
+using testing::is_alone;
+using testing::on_root;
 using testing::start;
 using testing::start_alone;
 
@@ -57,16 +59,22 @@ TEST_P(Contact, KeepsMassAndAxialMomentumAndItsEnergyLedgerCloses) {
 
 TEST_P(Contact, AnyRankCountGivesTheSameBits) {
   const Scene scene = oblique(GetParam());
-  State together = start(scene), alone = start_alone(scene);
+  if (is_alone()) return;
+  State together = start(scene);
   advance_to(scene, 1.2e-5, together);
-  advance_to(scene, 1.2e-5, alone);
-  EXPECT_NE(alone.ledger.friction, 0.0);
-  EXPECT_EQ(all_rows(alone), all_rows(together));
+  const auto rows = all_rows(together);
+  on_root([&] {
+    State alone = start_alone(scene);
+    advance_to(scene, 1.2e-5, alone);
+    EXPECT_NE(alone.ledger.friction, 0.0);
+    EXPECT_EQ(all_rows(alone), rows);
+  });
 }
 
 /// Two bonded blocks of different materials that rebound from a third, in small cells: where all
 /// three meet, a push that another pair has made needless would do work in every step.
 TEST(ContactOfThreeFields, NodesOfThreeFieldsGainNoEnergy) {
+  if (!is_alone()) return;  // any rank count gives the same bits
   testing::ObliqueBlocks blocks;
   for (Box* box : {&blocks.high, &blocks.beside}) {
     box->lower[1] = 0.0184;

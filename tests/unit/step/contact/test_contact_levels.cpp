@@ -22,8 +22,10 @@ using testing::advance_to;
 using testing::all_modes;
 using testing::all_rows;
 using testing::box_scene;
+using testing::is_alone;
 using testing::oblique_blocks;
 using testing::ObliqueBlocks;
+using testing::on_root;
 using testing::start;
 using testing::start_alone;
 
@@ -110,11 +112,16 @@ TEST_P(ContactLevels, KeepMassAndAxialMomentumAndTheEnergyLedgerCloses) {
 
 TEST_P(ContactLevels, AnyRankCountGivesTheSameBits) {
   const Scene scene = across_borders(GetParam());
-  State together = start(scene), alone = start_alone(scene);
+  if (is_alone()) return;
+  State together = start(scene);
   advance_to(scene, 4e-6, together);
-  advance_to(scene, 4e-6, alone);
-  EXPECT_NE(alone.ledger.friction, 0.0);
-  EXPECT_EQ(all_rows(alone), all_rows(together));
+  const auto rows = all_rows(together);
+  on_root([&] {
+    State alone = start_alone(scene);
+    advance_to(scene, 4e-6, alone);
+    EXPECT_NE(alone.ledger.friction, 0.0);
+    EXPECT_EQ(all_rows(alone), rows);
+  });
 }
 
 /// Blocks side by side whose faces touch: the first slides along the second through cells of three
@@ -135,6 +142,7 @@ Scene sliding_blocks(Mode mode) {
 /// Along a flat face the normals of all nodes are across it, whatever the cells, and nothing
 /// pushes.
 TEST(ContactOfFlatFaces, ExchangesNothingAcrossBordersOfCells) {
+  if (!is_alone()) return;  // any rank count gives the same bits
   for (const Mode mode : {Mode::plane_strain, Mode::axisymmetric}) {
     const Scene scene = sliding_blocks(mode);
     State state = start(scene);
