@@ -8,7 +8,7 @@ file(RELATIVE_PATH barreno_bin_to_lib /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${
 configure_file(${PROJECT_SOURCE_DIR}/src/installed.sh.in ${CMAKE_CURRENT_BINARY_DIR}/installed.sh @ONLY)
 install(PROGRAMS ${CMAKE_CURRENT_BINARY_DIR}/installed.sh DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME barreno)
 install(FILES ${PROJECT_SOURCE_DIR}/src/commands.sh DESTINATION ${data}/barreno)
-install(TARGETS barreno RUNTIME DESTINATION ${libexec}/barreno)
+install(TARGETS barreno barreno_multigrid RUNTIME DESTINATION ${libexec}/barreno LIBRARY DESTINATION ${libexec}/barreno)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/ DESTINATION ${data}/barreno/python FILES_MATCHING PATTERN "*.py")
 # What draws the pictures of `barreno drive --plot`.
 install(FILES ${PROJECT_SOURCE_DIR}/verification/tools/plot_drive.py DESTINATION ${data}/barreno/tools)

@@ -31,9 +31,7 @@ Teuchos::ParameterList defaults() {
   return list;
 }
 
-}  // namespace
-
-Teuchos::RCP<SparseOperator> make_multigrid(
+Teuchos::RCP<SparseOperator> make(
     const Teuchos::RCP<SparseMatrix>& matrix,
     const Teuchos::ParameterList& lists,
     const Teuchos::RCP<SparseOperator>& old
@@ -51,4 +49,11 @@ Teuchos::RCP<SparseOperator> make_multigrid(
   return MueLu::CreateTpetraPreconditioner<double, int, long long>(as_operator, list);
 }
 
+}  // namespace
 }  // namespace barreno
+
+/// What load_multigrid.cpp looks for.
+extern "C" {
+extern const barreno::MakeMultigrid barreno_multigrid;
+const barreno::MakeMultigrid barreno_multigrid = &barreno::make;
+}

@@ -4,8 +4,8 @@
 
     check_tidy.py BUILD [--recent | FILE ...]
 
-With --recent, files are left out that were last changed more than half a day before the newest commit, and, of the code itself,
-so was every header of this repository that they include.
+With --recent, files are left out that were last changed more than five hours before the newest commit, and, of the code itself,
+so was every header of this repository that they name.
 
 Most of clang-tidy's time goes into the headers of the libraries, so files are looked at together, in few translation
 units that include them. The same name in two unnamed namespaces cannot stand in one: such files are dealt out to
@@ -26,7 +26,7 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-RECENT = 12 * 3600  # s
+RECENT = 5 * 3600  # s
 SKIPPED = 77  # what ctest counts as skipped
 RULES = ROOT / ".clang-tidy"
 TOGETHER = 75  # files, at most
@@ -138,7 +138,7 @@ def units_of(entries):
 
 
 def recently_changed():
-    """Names of the files of the commits of half a day, and of what is not committed; None without a repository."""
+    """Names of the files of the commits of five hours, and of what is not committed; None without a repository."""
     git = ["git", "-C", str(ROOT)]
     newest = subprocess.run([*git, "log", "-1", "--format=%ct"], capture_output=True, text=True)
     if newest.returncode != 0:
@@ -163,18 +163,12 @@ def headers_of(file, folders):
 
 
 def is_recent(file, folders, changed):
-    """Whether a file was changed or, of the code itself, what it includes."""
-    name = str(pathlib.Path(file).relative_to(ROOT))
+    """Whether a file was changed or, of the code itself, a header that it names."""
+    path = pathlib.Path(file).resolve()
+    name = str(path.relative_to(ROOT))
     if not name.startswith(("src/", "materials/")):
         return name in changed
-    seen, todo = set(), {pathlib.Path(file).resolve()}
-    while todo:
-        path = todo.pop()
-        if str(path.relative_to(ROOT)) in changed:
-            return True
-        seen.add(path)
-        todo |= headers_of(path, folders) - seen
-    return False
+    return any(str(one.relative_to(ROOT)) in changed for one in {path} | headers_of(path, folders))
 
 
 def own_files(options, files):

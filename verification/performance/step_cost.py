@@ -116,7 +116,10 @@ def main():
     if options.text:
         text = options.text.read_text()
     else:
-        done = subprocess.run([options.build / "verification" / "barreno_benchmark"], capture_output=True, text=True)
+        program = options.build / "verification" / "barreno_benchmark"
+        if not program.exists():
+            sys.exit(f"there is no '{program}'; build the target barreno_benchmark.")
+        done = subprocess.run([program], capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"step_cost.py: the benchmark ended with {done.returncode}: {done.stderr[-400:]}")
         text = done.stdout
