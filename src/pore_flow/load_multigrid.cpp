@@ -13,7 +13,7 @@ namespace {
 std::filesystem::path find_multigrid() {
   const char* const name = "barreno_multigrid.so";
   std::error_code ignored;
-  const auto beside = std::filesystem::canonical("/proc/self/exe", ignored).parent_path() / name;
+  auto beside = std::filesystem::canonical("/proc/self/exe", ignored).parent_path() / name;
   if (std::filesystem::exists(beside, ignored)) return beside;
   return std::filesystem::path(BARRENO_BUILD_FOLDER) / name;
 }
