@@ -3,7 +3,9 @@
 """Every deck of input_xml takes its first steps on one and on two ranks, with sound files that agree bit for bit; those
 with a Pore Flow, whose linear solver sums in the order of ranks, to 1e-7 of the largest value of each variable.
 
-    test_shipped_decks.py BARRENO [--ranks 2]     on these alone, and without the comparison
+    test_shipped_decks.py BARRENO [--ranks 2 [--coarse]]
+
+With --ranks on these alone and without the comparison; with --coarse the decks that have most particles have larger cells.
 """
 import argparse
 import pathlib
@@ -26,6 +28,12 @@ SETTINGS = {"perforation_drainage.xml": {"Materials/Sandstone/Tolerance": "1e-6"
 # Share of a deck's time; less of those that have most particles.
 SHARE = {"perforation_refined.xml": 0.002, "perforation_3d.xml": 0.003, "jet_formation_3d.xml": 0.004}
 
+COARSE = {
+    "jet_formation_3d.xml": {"Grid/Cell Size": "4 mm", "Grid/Upper": "{42 mm, 150 mm, 44 mm}", "Time/End Time": "0.256 us"},
+    "perforation_3d.xml": {"Grid/Cell Size": "4 mm"},
+    "perforation_refined.xml": {"Grid/Cell Size": "2 mm", "Jet/Cells Per Radius": "2"},
+}
+
 
 def early(deck):
     """The first hundredth of a deck's time, or less."""
@@ -46,8 +54,8 @@ def same_to(tolerance, one, two):
         assert off <= tolerance * size, f"{name} differs by {off:g}, its largest value is {size:g}"
 
 
-def check_deck(barreno, deck, folder, all_ranks):
-    settings = {**early(deck), **SETTINGS.get(deck, {})}
+def check_deck(barreno, deck, folder, all_ranks, coarse):
+    settings = {**early(deck), **SETTINGS.get(deck, {}), **(COARSE.get(deck, {}) if coarse else {})}
     runs = [run_deck(barreno, deck, settings, ranks=ranks, folder=folder / f"{deck}-{ranks}") for ranks in all_ranks]
     for run in runs:
         assert run.summary["finished"], run.summary["reason"]
@@ -76,12 +84,13 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("barreno")
     parser.add_argument("--ranks", type=int)
+    parser.add_argument("--coarse", action="store_true")
     options = parser.parse_args()
     decks = sorted(path.name for path in DECKS.glob("*.xml"))
     assert decks, f"no decks in {DECKS}"
     with tempfile.TemporaryDirectory() as folder:
         for deck in decks:
-            check_deck(options.barreno, deck, pathlib.Path(folder), [options.ranks] if options.ranks else (1, 2))
+            check_deck(options.barreno, deck, pathlib.Path(folder), [options.ranks] if options.ranks else (1, 2), options.coarse)
 
 
 if __name__ == "__main__":

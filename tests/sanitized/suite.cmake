@@ -49,7 +49,7 @@ set_tests_properties(sanitized.build PROPERTIES LABELS "sanitized;slow" TIMEOUT 
 # What every run of the tests has: all decks, and what a run leaves for the next.
 barreno_sanitized_script(runs mpi ${CMAKE_CURRENT_SOURCE_DIR}/sanitized/test_runs.py)
 # One rank: sanitized.orders.
-barreno_sanitized_script(shipped_decks deck ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_shipped_decks.py --ranks 2)
+barreno_sanitized_script(shipped_decks deck ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_shipped_decks.py --ranks 2 --coarse)
 set_tests_properties(sanitized.runs sanitized.shipped_decks PROPERTIES PROCESSORS 2 COST 100)
 # Every deck with every order of the step, transfers and shape functions in turn; all with all under slow.
 set(orders ${CMAKE_CURRENT_SOURCE_DIR}/sanitized/test_orders.py $<TARGET_FILE_DIR:barreno>/../verification)

@@ -5,8 +5,8 @@ checked: none may end otherwise than with a result, a reason (no numerical answe
 
     test_orders.py BUILD/verification [--all]
 
-Without --all every deck comes with one transfer for each order, every transfer with every order over the decks; the shape
-functions and the expansion beyond which particles go take their turn. --all: every deck with every pair, and every shape
+Without --all every deck comes once, every transfer with every order over the decks; the shape functions and the expansion
+beyond which particles go take their turn. --all: every deck with every pair, and every shape
 function with each.
 """
 import argparse
@@ -37,11 +37,13 @@ def combinations(decks, words, everything):
     if everything:
         return [(d, o, t, s, EXPANSIONS[i % len(EXPANSIONS)]) for i, (d, o, t, s) in enumerate(itertools.product(decks, orders, transfers, shapes))]
     found = []
-    for (k, deck), (j, order) in itertools.product(enumerate(decks), enumerate(orders)):
-        shape = shapes[(k + k // len(transfers) + 2 * j) % len(shapes)]
-        found.append((deck, order, transfers[(k + j) % len(transfers)], shape, EXPANSIONS[(k + k // len(EXPANSIONS) + j) % len(EXPANSIONS)]))
+    for k, deck in enumerate(decks):
+        turn = k // len(orders)
+        shape, expansion = shapes[(k + turn) % len(shapes)], EXPANSIONS[(k + turn // len(transfers)) % len(EXPANSIONS)]
+        found.append((deck, orders[k % len(orders)], transfers[turn % len(transfers)], shape, expansion))
     pairs = {(order, transfer) for _, order, transfer, _, _ in found}
     assert len(pairs) == len(orders) * len(transfers), f"not every transfer comes with every order: {sorted(pairs)}"
+    assert {shape for _, _, _, shape, _ in found} == set(shapes), "a shape function is missing"
     return found
 
 
