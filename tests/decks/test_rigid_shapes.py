@@ -105,7 +105,7 @@ def deck(mode, shape, parameters, parts, target):
         "Schema Version": 1,
         "Grid": {
             "Mode": mode,
-            "Lower": f"{{{left} mm, -12 mm{third['lower']}}}",
+            "Lower": f"{{{left} mm, -9 mm{third['lower']}}}",
             "Upper": f"{{8 mm, 8 mm{third['upper']}}}",
             "Cell Size": "1 mm",
         },
@@ -124,7 +124,7 @@ def deck(mode, shape, parameters, parts, target):
             },
         },
         "Contact": {"Face": {"Material": "Soft", "Other Material": "Hard", "Kind": "friction" if plate else "frictionless"}},
-        "Time": {"End Time": "9 us"},
+        "Time": {"End Time": "6 us"},
     }
     if plate:
         lists["Contact"]["Face"]["Friction Coefficient"] = 0.2
