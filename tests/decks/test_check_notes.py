@@ -3,7 +3,9 @@
 """What `check` and a run say of a deck that is valid but may not be meant: each warning on a deck with that mistake, and none on a deck of input_xml
 that has not made it.
 
-    test_check_notes.py BARRENO
+    test_check_notes.py BARRENO SERVE_RUNS
+
+Plans come from a server (verification/adversary/serve_runs.cpp), which starts MPI once for all of them.
 """
 import json
 import pathlib
@@ -11,7 +13,9 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
+VERIFICATION = pathlib.Path(__file__).resolve().parents[2] / "verification"
+sys.path[:0] = [str(VERIFICATION / folder) for folder in ("tools", "adversary")]
+from run_server import RunServer  # noqa: E402
 from runs import DECKS, mpi_environment  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
@@ -44,22 +48,28 @@ def barreno(*words, code=0):
     return result.stdout
 
 
+def plan_of(server, *words):
+    ended = server.run("check", *words, limit=120)
+    assert ended.text() == "exit 0", f"{words}: {ended.text()}\n{ended.err}"
+    return ended.out
+
+
 def notes_of(text):
     return [line.removeprefix("Note: ") for line in text.splitlines() if line.startswith("Note: ")]
 
 
-def check_shipped_decks():
+def check_shipped_decks(server):
     for deck in sorted(DECKS.glob("*.xml")):
-        notes = notes_of(barreno("check", deck))
+        notes = notes_of(plan_of(server, deck))
         early, thin, cells = ([note for note in notes if words in note] for words in (EARLY, THIN, "Grid/Cell Size = "))
         assert len(early) == (deck.name in ENDS_EARLY) and notes == cells + early + thin, f"{deck.name}: {notes}"
         assert len(thin) == (deck.name in THIN_WALLS), f"{deck.name}: {notes}"
         assert len(cells) == ('"Cell Size"' not in deck.read_text()), f"{deck.name}: {notes}"
 
 
-def check_mistakes():
+def check_mistakes(server):
     for what, (settings, words) in MISTAKES.items():
-        notes = notes_of(barreno("check", QUICK, *[x for one in settings for x in ("--set", one)]))
+        notes = notes_of(plan_of(server, QUICK, *[x for one in settings for x in ("--set", one)]))
         assert sum(words in note for note in notes) == 1, f"{what}: {notes}"
         assert all(". " not in note for note in notes), f"{what}: more than one sentence in {notes}"
 
@@ -101,12 +111,14 @@ def check_print_deck(folder):
 
 
 def main():
-    check_mistakes()
     check_thin_liner()
     check_plan()
-    check_shipped_decks()
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
+        server = RunServer(pathlib.Path(sys.argv[2]).resolve(), folder)
+        check_mistakes(server)
+        check_shipped_decks(server)
+        server.end()
         check_run(folder)
         check_print_deck(folder)
 
