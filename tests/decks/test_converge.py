@@ -5,9 +5,7 @@ smooth motion and an interval that holds its exact answer, refuses a jet that it
 
     test_converge.py BARRENO
 """
-import contextlib
 import csv
-import io
 import json
 import os
 import pathlib
@@ -16,47 +14,22 @@ import subprocess
 import sys
 import tempfile
 import time
-import unittest.mock
 
 import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification"), str(ROOT / "src" / "python")]
-from barreno_converge import command as commands  # noqa: E402
+sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification"), str(ROOT / "tests" / "scripts")]
 from cases import shell_coasting  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
+from python_commands import process_of, said_by  # noqa: E402
+from runs import DECKS  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
 TARGET = ("--set", "Bodies/Rock/Upper={50.8 mm, 112.7 mm}")
 SHORT = (*TARGET, "--set", "Time/End Time=2 us")
 
 
-def environment_of_runs():
-    return {**mpi_environment(), "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()), "PYTHONPATH": str(ROOT / "src" / "python")}
-
-
-def command(*words):
-    return {"args": [sys.executable, "-m", "barreno_converge", *map(str, words)], "env": environment_of_runs(), "text": True}
-
-
-@contextlib.contextmanager
-def signals_kept():
-    """Those that a command watches go back to whoever had them."""
-    kept = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
-    try:
-        yield
-    finally:
-        for number, handler in kept.items():
-            signal.signal(number, handler)
-
-
 def converge(*words, code=0):
-    """What it prints on success, its sentences otherwise; in this process, because a start takes a second to load what draws."""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), unittest.mock.patch.dict(os.environ, environment_of_runs()), signals_kept():
-        found = commands.main(list(map(str, words)))
-    assert found == code, f"{words}: exit {found}\n{out.getvalue()}{err.getvalue()}"
-    return out.getvalue() if code == 0 else err.getvalue()
+    return said_by("barreno_converge", *words, code=code)
 
 
 def results_of(folder, stem="converge"):
@@ -113,7 +86,7 @@ def check_interruption(out, folder):
     other = folder / "cut"
     words = (QUICK, *SHORT, "--out", other)
     log = other / "cells-1mm" / "run.log"
-    with subprocess.Popen(**command(*words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+    with subprocess.Popen(**process_of("barreno_converge", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         wait_for(lambda: log.exists() and " % " in log.read_text(), "progress of the third run")
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)

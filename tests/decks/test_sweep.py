@@ -5,10 +5,7 @@ a failure stops nothing else, the array job and what is collected of it, and a s
 
     test_sweep.py BARRENO
 """
-import contextlib
 import csv
-import importlib
-import io
 import json
 import os
 import pathlib
@@ -18,10 +15,10 @@ import subprocess
 import sys
 import tempfile
 import time
-import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python")]
+sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "tests" / "scripts")]
+from python_commands import process_of, said_by  # noqa: E402
 from runs import DECKS, mpi_environment  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
@@ -29,37 +26,6 @@ TARGET = ("--set", "Grid/Upper={80 mm, 90 mm}", "--set", "Bodies/Rock/Upper={50.
 SHORT = (*TARGET, "--set", "Time/End Time=2 us")
 PRESSURES = ("--vary", "Confinement/Pressure=0,34,69 MPa")
 TWO = ("--vary", "Confinement/Pressure=0,69 MPa")
-
-
-def environment_of_runs():
-    return {**mpi_environment(), "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()), "PYTHONPATH": str(ROOT / "src" / "python")}
-
-
-def command(package, *words):
-    return {"args": [sys.executable, "-m", package, *map(str, words)], "env": environment_of_runs(), "text": True}
-
-
-@contextlib.contextmanager
-def signals_kept():
-    """Those that a command watches go back to whoever had them."""
-    kept = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
-    try:
-        yield
-    finally:
-        for number, handler in kept.items():
-            signal.signal(number, handler)
-
-
-def said_by(package, *words, code=0, **more):
-    """What it prints on success, its sentences otherwise; in this process, because a start takes a second to load what draws."""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), unittest.mock.patch.dict(os.environ, {**environment_of_runs(), **more}), signals_kept():
-        try:
-            found = importlib.import_module(f"{package}.command").main(list(map(str, words)))
-        except SystemExit as end:
-            found = end.code
-    assert found == code, f"{words}: exit {found}\n{out.getvalue()}{err.getvalue()}"
-    return out.getvalue() if code == 0 else err.getvalue()
 
 
 def sweep(*words, **more):
@@ -116,7 +82,7 @@ def check_interruption(folder):
     other = folder / "cut"
     words = (QUICK, *TARGET, "--set", "Time/End Time=8 us", *PRESSURES, "--jobs", "1", "--out", other)
     log = other / "Pressure-34MPa" / "run.log"
-    with subprocess.Popen(**command("barreno_sweep", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+    with subprocess.Popen(**process_of("barreno_sweep", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         wait_for(lambda: log.exists() and " % " in log.read_text(), "progress of the second run")
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that go wrong without any bad particle end with a sentence.
+#include "state/balance.hpp"
 #include "support/scenes.hpp"
 #include "watch_run.hpp"
 
@@ -74,6 +75,21 @@ TEST(WatchRun, LooksAtTheEndToo) {
     for (int p = 0; p < particles.count; ++p) particles.velocity(p, 1) = 100.0;
   EXPECT_NE(watched(scene, state, 5), "");
   EXPECT_LT(state.clock.step, energy_interval);
+}
+
+/// A plate that moves strains the block in a first step; its force does work from the next one on.
+TEST(WatchRun, LetsAPlateStrainABlockAtRestInAFirstStep) {
+  Scene scene = flying_block(0.0);
+  scene.materials.push_back(scene.materials[0]);
+  BodySpec& plate = testing::add_box(scene, "plate", {2.1, 3.2}, {3.1, 4.2}, 2);
+  plate.material = 1;
+  plate.motion.prescribed = true;
+  plate.motion.velocity = {0.0, -1.0, 0.0};
+  scene.end_time = 1e-6;
+  State state = testing::start(scene);
+  EXPECT_EQ(watched(scene, state, 1), "");
+  EXPECT_EQ(state.clock.step, 1);
+  EXPECT_GT(sum_over_ranks(*state.grid.comm, state.ledger).elastic, 0.0);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::vector<StepCase> all_steps(const std::string& shape) {
 }
 
 std::vector<StepCase> steps_in_turn(const std::string& shape, int turn) {
-  const std::vector<StepCase> all = all_steps(shape);
+  std::vector<StepCase> all = all_steps(shape);
   if (std::getenv("BARRENO_EVERY_STEP") != nullptr) return all;
   const std::size_t transfers = all_transfers().size();
   std::vector<StepCase> out;
