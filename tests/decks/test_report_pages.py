@@ -6,8 +6,6 @@ a film by ffmpeg, and the script for ParaView, whose names VTK's reader must kno
     test_report_pages.py BARRENO
 """
 import ast
-import contextlib
-import io
 import os
 import pathlib
 import subprocess
@@ -19,13 +17,13 @@ import unittest.mock
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python")]
-from barreno_report import command as commands  # noqa: E402
+sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python"), str(ROOT / "tests" / "scripts")]
 from barreno_report import hole as holes  # noqa: E402
 from barreno_report.deck import read_deck  # noqa: E402
 from barreno_report.files import read_csv  # noqa: E402
 from barreno_report.particles import ParticleFile  # noqa: E402
 from barreno_report.penetration import volumes_of  # noqa: E402
+from python_commands import process_of, said_by  # noqa: E402
 from runs import run_deck  # noqa: E402
 
 TARGET = {"Grid/Upper": "{80 mm, 130 mm}", "Bodies/Rock/Upper": "{50.8 mm, 112.7 mm}"}
@@ -34,19 +32,13 @@ SHORT = {**TARGET, "Time/End Time": "8 us", "Output/Field Interval": "4 us", "Ou
 
 def started(*words):
     """A command in a process of its own."""
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "src" / "python")}
-    result = subprocess.run([sys.executable, "-m", "barreno_report", *map(str, words)], env=environment, capture_output=True, text=True, timeout=300, check=False)
+    result = subprocess.run(**process_of("barreno_report", *words), capture_output=True, timeout=300, check=False)
     assert result.returncode == 0, f"{words}: exit {result.returncode}\n{result.stdout}{result.stderr}"
 
 
 def command(*words, code=0, path=None):
-    """A command in this process: a start takes a second to load what draws."""
-    out, err = io.StringIO(), io.StringIO()
-    environment = {"PATH": f"{path}:{os.environ['PATH']}"} if path else {}
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), unittest.mock.patch.dict(os.environ, environment):
-        found = commands.main(list(map(str, words)))
-    assert found == code, f"{words}: exit {found}\n{out.getvalue()}{err.getvalue()}"
-    return out.getvalue() if code == 0 else err.getvalue()
+    more = {"PATH": f"{path}:{os.environ['PATH']}"} if path else {}
+    return said_by("barreno_report", *words, code=code, **more)
 
 
 def check_page(run):

@@ -51,12 +51,14 @@ barreno_sanitized_script(runs mpi ${CMAKE_CURRENT_SOURCE_DIR}/sanitized/test_run
 # One rank: sanitized.orders.
 barreno_sanitized_script(shipped_decks deck ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_shipped_decks.py --ranks 2 --coarse)
 set_tests_properties(sanitized.runs sanitized.shipped_decks PROPERTIES PROCESSORS 2 COST 100)
-# Every deck with every order of the step, transfers and shape functions in turn; all with all under slow.
+# Every deck once, with orders of the step, transfers and shape functions in turn; all with all under slow.
 set(orders ${CMAKE_CURRENT_SOURCE_DIR}/sanitized/test_orders.py $<TARGET_FILE_DIR:barreno>/../verification)
 add_test(NAME sanitized.orders COMMAND ${BARRENO_PYTHON} ${orders})
 add_test(NAME slow.sanitized_orders COMMAND ${BARRENO_PYTHON} ${orders} --all)
 set_tests_properties(sanitized.orders PROPERTIES LABELS "sanitized;deck" TIMEOUT 900 ENVIRONMENT "${sanitized_environment}")
 set_tests_properties(slow.sanitized_orders PROPERTIES LABELS slow TIMEOUT 20000 ENVIRONMENT "${sanitized_environment}")
+# With the cells that the largest decks have.
+barreno_sanitized_script(shipped_decks_as_they_are slow ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_shipped_decks.py --ranks 2)
 foreach(script bad_decks bad_particles clipped_domains drive file_sets pore_flow quick_perforation resume rigid_shapes)
   barreno_sanitized_script(${script} slow ${CMAKE_CURRENT_SOURCE_DIR}/decks/test_${script}.py)
 endforeach()

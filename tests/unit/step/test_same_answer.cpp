@@ -254,7 +254,7 @@ TEST(SameAnswer, AnyRankCountGivesTheSameBitsInSpace) {
   expect_same_alone(impact_in_space());
 }
 TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithEveryShapeFunction) {
-  if (is_alone()) return;
+  if (is_alone()) GTEST_SKIP() << "compares rank counts";
   for_each_shape([](auto shape) {
     SCOPED_TRACE(decltype(shape)::word);
     expect_same_alone(with_shape(impact(), decltype(shape)::word));
@@ -262,7 +262,7 @@ TEST(SameAnswer, AnyRankCountGivesTheSameBitsWithEveryShapeFunction) {
   });
 }
 TEST(SameAnswer, AnyRankCountGivesTheSameBitsOnLevelsWithEveryShapeFunction) {
-  if (is_alone()) return;
+  if (is_alone()) GTEST_SKIP() << "compares rank counts";
   for_each_shape([](auto shape) {
     SCOPED_TRACE(decltype(shape)::word);
     expect_same_alone(impact_on_levels(with_shape(impact(), decltype(shape)::word)));

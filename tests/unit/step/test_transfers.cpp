@@ -4,6 +4,7 @@
 #include "base/gather.hpp"
 #include "output/reactions.hpp"
 #include "state/balance.hpp"
+#include "support/expect_same_alone.hpp"
 #include "support/scenes.hpp"
 #include "unit/step/transfer_cases.hpp"
 
@@ -21,10 +22,9 @@ using testing::all_modes;
 using testing::all_rows;
 using testing::all_shapes;
 using testing::all_steps;
+using testing::expect_same_alone;
 using testing::is_alone;
-using testing::on_root;
 using testing::start;
-using testing::start_alone;
 using testing::StepCase;
 using testing::steps_in_turn;
 
@@ -105,7 +105,7 @@ TEST_P(Transfers, ReproduceAUniformVelocity) {
 }
 
 TEST_P(Transfers, AnyRankCountGivesTheSameBits) {
-  if (is_alone()) return;
+  if (is_alone()) GTEST_SKIP() << "compares rank counts";
   int turn = 0;
   for (const char* shape : {"GIMP", "CPDI"})
     for (const StepCase& one : steps_in_turn(shape, turn++)) {
@@ -113,15 +113,9 @@ TEST_P(Transfers, AnyRankCountGivesTheSameBits) {
       Scene scene = free_box(GetParam(), one.step);
       add_symmetry(scene, Face::y_lower);
       scene.bodies[0].velocity[1] = -1500.0;
-      State together = start(scene);
-      shake(together);
-      advance_to(scene, 1.0, together, 12);
-      const auto rows = all_rows(together);
-      on_root([&] {
-        State alone = start_alone(scene);
-        shake(alone);
-        advance_to(scene, 1.0, alone, 12);
-        EXPECT_EQ(all_rows(alone), rows);
+      expect_same_alone(scene, [&](State& state) {
+        shake(state);
+        advance_to(scene, 1.0, state, 12);
       });
     }
 }
@@ -168,22 +162,23 @@ TEST_P(Transfers, BalanceAtWallsContactsAndRigidBodies) {
     }
 }
 
+/// And the impulses on rigid bodies, as one more row.
+std::vector<std::vector<double>> rows_and_reactions(const State& state) {
+  std::vector<std::vector<double>> out = all_rows(state);
+  out.push_back(reaction_impulses(state));
+  return out;
+}
+
 TEST_P(Transfers, AnyRankCountGivesTheSameBitsAtContactsAndRigidBodies) {
-  if (is_alone()) return;
+  if (is_alone()) GTEST_SKIP() << "compares rank counts";
   for (const StepCase& one : steps_in_turn("GIMP", static_cast<int>(GetParam()))) {
     SCOPED_TRACE(one.name);
     const Scene scene = pressed(GetParam(), one.step);
-    State together = start(scene);
-    advance_to(scene, 1.0, together, steps_in(GetParam(), 12));
-    const auto rows = all_rows(together);
-    const std::vector<double> reaction = reaction_impulses(together);
-    EXPECT_GT(reaction[GetParam() == Mode::axisymmetric ? 0 : 1], 0.0);
-    on_root([&] {
-      State alone = start_alone(scene);
-      advance_to(scene, 1.0, alone, steps_in(GetParam(), 12));
-      EXPECT_EQ(all_rows(alone), rows);
-      EXPECT_EQ(reaction_impulses(alone), reaction);
-    });
+    const auto run = [&](State& state) {
+      advance_to(scene, 1.0, state, steps_in(GetParam(), 12));
+      EXPECT_GT(reaction_impulses(state)[GetParam() == Mode::axisymmetric ? 0 : 1], 0.0);
+    };
+    expect_same_alone(scene, run, rows_and_reactions);
   }
 }
 
