@@ -141,9 +141,9 @@ struct SolveVelocity {
 
   /// What an impedance Z takes of the force on a mass: Z dt / (m + Z dt). Nearly all nodes have
   /// none, and are spared a division.
-  KOKKOS_INLINE_FUNCTION static double resisted_part(double mass, double impulse_per_velocity) {
+  KOKKOS_INLINE_FUNCTION static double resisted_part(double mass, double dt, double impedance) {
     if (!(mass > 0.0)) return 1.0;
-    return impulse_per_velocity == 0.0 ? 0.0 : 1.0 - mass / (mass + impulse_per_velocity);
+    return impedance == 0.0 ? 0.0 : 1.0 - mass / (mass + dt * impedance);
   }
 
   /// @param velocities  null in a row without conditions
@@ -161,7 +161,7 @@ struct SolveVelocity {
     const double mass = node[0];
     const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
     // An impedance Z resists the change of velocity too: f - Z (v' - v).
-    const double resisted_share = resisted_part(mass, dt * node[impedance_component]);
+    const double resisted_share = resisted_part(mass, dt, node[impedance_component]);
     SolvedNode out;
     double net_force[D];
     for (int d = 0; d < dimensions; ++d) {

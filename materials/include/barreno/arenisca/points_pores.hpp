@@ -90,8 +90,7 @@ struct FilledOf {
 /// Pressure and volumes at the end of a volume strain.
 ///
 /// The volume that grains and fluid want falls with p and is convex: Newton's method converges from
-/// any start, kept at p = 0, where gas comes in. Near the answer the second derivative, which costs
-/// no exponential, makes it third order (Chebyshev's method), so that one evaluation mostly does.
+/// any start, kept at p = 0, where gas comes in.
 /// @param guess of the rise of the pressure [stress]
 template <class R>
 BARRENO_FUNCTION FilledOf<R> fill_pores(
@@ -103,11 +102,9 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
 ) {
   constexpr int max_iterations = 50;
   constexpr double nothing = 1e-13;  // of volume: beyond round-off
-  constexpr double near = 0.1;       // farther away a parabola may turn back
   const R volume = real::exp(volume_strain);
   const R least = -n.pressure;
   const MaskOf<R> dry = !(n.fluid > 0.0);
-  const R fastest = real::larger(R(real::abs(grains.slope)), c.per_fluid);
   R rise = real::select(dry, least, larger_of(guess, least));
   R solid{}, fluid{};
   // A point that has its answer keeps it: its bits must not depend on the other points.
@@ -117,21 +114,15 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
     const R fluid_here = n.fluid * real::exp(R(-c.per_fluid * rise));
     const R excess = solid_here + fluid_here - volume;
     const R softness = fluid_here * c.per_fluid - solid_here * grains.slope;
-    const R curvature =
-        solid_here * grains.slope * grains.slope + fluid_here * c.per_fluid * c.per_fluid;
-    const R first = excess / softness;
-    const R second = 0.5 * curvature / softness * first * first;
-    const R whole = first + real::select(real::abs(first) * fastest < near, second, 0.0);
-    const R next = real::select(dry, rise, larger_of(R(rise + whole), least));
+    const R next = real::select(dry, rise, larger_of(R(rise + excess / softness), least));
     const R step = next - rise;
-    // What is left is of third order.
-    const R left = real::abs(step) * fastest;
+    // The error that is left is that of the parabola: (step/Kf)^2.
+    const R left = step * c.per_fluid;
     rise = real::select(open, next, rise);
-    // To second order beyond what was evaluated.
-    const R of_solid = grains.slope * step, of_fluid = R{} - c.per_fluid * step;
-    solid = real::select(open, R(solid_here * (1.0 + of_solid + 0.5 * of_solid * of_solid)), solid);
-    fluid = real::select(open, R(fluid_here * (1.0 + of_fluid + 0.5 * of_fluid * of_fluid)), fluid);
-    open = open & (left * left * left > nothing);
+    // To first order beyond what was evaluated.
+    solid = real::select(open, R(solid_here * (1.0 + grains.slope * step)), solid);
+    fluid = real::select(open, R(fluid_here * (1.0 - left)), fluid);
+    open = open & (left * left > nothing);
     if (!real::any(open)) break;
   }
   const R per_volume = 1.0 / volume;
