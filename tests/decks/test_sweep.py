@@ -156,6 +156,8 @@ BAD = [  # words behind the deck, exit code, sentence
     ([*TWO, "--set", "Confinement/Pressure=1 MPa"], 1, "varies what --set or --fidelity fixes"),
     ([*TWO, "--fidelity", "best"], 1, "best"),
     ([*TWO, "--only", "3"], 1, "--only 3 is not the number of a run (1 to 2)"),
+    ([*TWO, "--submit"], 1, "--submit does not say which batch system; write --submit slurm."),
+    ([*TWO, "--submit", "pbs"], 1, "--submit pbs is not a batch system that scripts are written for; write --submit slurm."),
     ([*TWO, "--collect"], 2, "none of the runs has finished"),
 ]
 

@@ -33,7 +33,7 @@ def parse(words):
     add("--out", metavar="FOLDER", help="folder of the runs and of the results (default runs/DECK-sweep)")
     add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"', help="changes a value of the deck in all runs, as often as needed")
     add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
-    add("--submit", metavar="slurm", help="print the script of an array job, one task per run, instead of computing")
+    add("--submit", nargs="?", const="", metavar="slurm", help="print the script of an array job, one task per run, instead of computing")
     add("--collect", action="store_true", help="compute nothing: table and pictures of the runs that are there")
     add("--only", type=int, metavar="N", help="compute the run of this number alone, from 1, without table and pictures (a task of the array job)")
     return parser.parse_args(words)
@@ -57,7 +57,8 @@ def check_sample(options):
 
 def check_modes(options):
     if options.submit is not None and options.submit != "slurm":
-        raise Fault(f"--submit {options.submit} is not a batch system that scripts are written for; write --submit slurm.")
+        named = f"--submit {options.submit} is not a batch system that scripts are written for" if options.submit else "--submit does not say which batch system"
+        raise Fault(f"{named}; write --submit slurm.")
     chosen = [name for name in ("submit", "collect", "only") if getattr(options, name) not in (None, False)]
     if len(chosen) > 1:
         raise Fault(f"--{chosen[0]} and --{chosen[1]} exclude each other (one prints a script, one collects, one computes a single run); choose one.")
