@@ -42,15 +42,6 @@ struct NodeConditions {
   double time = 0.0;     ///< at the start of the step
   double last_dt = 0.0;  ///< of the step before it
 
-  /// Whether one holds at a node of a row along x: faces cut it in two, so the ends tell.
-  KOKKOS_INLINE_FUNCTION bool hold_in_row(const int (&first)[3], int level, int nodes) const {
-    const int last[3] = {first[0] + nodes - 1, first[1], first[2]};
-    bool hold = false;
-    for (int i = 0; i < count; ++i)
-      hold = hold || list[i].holds(first, level) || list[i].holds(last, level);
-    return hold;
-  }
-
   /// Of a step of `dt`. Velocities of the scheme belong to the middles of steps: so a path is
   /// followed exactly where it is a parabola.
   KOKKOS_INLINE_FUNCTION PrescribedVelocities over_step(double dt) const {

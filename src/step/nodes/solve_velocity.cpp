@@ -139,19 +139,11 @@ struct SolveVelocity {
     bool prescribed;  ///< a condition acts on it
   };
 
-  /// What an impedance Z takes of the force on a mass: Z dt / (m + Z dt). Nearly all nodes have
-  /// none, and are spared a division.
-  KOKKOS_INLINE_FUNCTION static double resisted_part(double mass, double dt, double impedance) {
-    if (!(mass > 0.0)) return 1.0;
-    return impedance == 0.0 ? 0.0 : 1.0 - mass / (mass + dt * impedance);
-  }
-
-  /// @param velocities  null in a row without conditions
-  /// @param node        its whole sums
-  /// @param contact     its impulses; null where there are none
-  /// @param own         gets what conditions do to it
+  /// @param node     its whole sums
+  /// @param contact  its impulses; null where there are none
+  /// @param own      gets what conditions do to it
   KOKKOS_INLINE_FUNCTION SolvedNode solve_node(
-      const PrescribedVelocities* velocities,
+      const PrescribedVelocities& velocities,
       const NodePlace& place,
       double dt,
       const double* node,
@@ -161,7 +153,8 @@ struct SolveVelocity {
     const double mass = node[0];
     const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
     // An impedance Z resists the change of velocity too: f - Z (v' - v).
-    const double resisted_share = resisted_part(mass, dt, node[impedance_component]);
+    const double resisted_share =
+        mass > 0.0 ? 1.0 - mass / (mass + dt * node[impedance_component]) : 1.0;
     SolvedNode out;
     double net_force[D];
     for (int d = 0; d < dimensions; ++d) {
@@ -175,14 +168,9 @@ struct SolveVelocity {
     }
     if (contact != nullptr) add_contact(dt, contact, inverse, net_force, out.v);
     ConditionTally of_conditions;
-    out.prescribed = velocities != nullptr && prescribe_velocities(
-                                                  rule.conditions,
-                                                  *velocities,
-                                                  place,
-                                                  NodeForces<D>{dt, mass, net_force},
-                                                  out.v,
-                                                  of_conditions
-                                              );
+    out.prescribed = prescribe_velocities(
+        rule.conditions, velocities, place, NodeForces<D>{dt, mass, net_force}, out.v, of_conditions
+    );
     own[3] = of_conditions.work;
     own[4] = of_conditions.axial_impulse;
     own[5] = of_conditions.axial_of_start;
@@ -221,8 +209,6 @@ struct SolveVelocity {
     for (int d = 0; d < 3; ++d) place.index[d] = at[d] * patch.tile_cells - patch.reach;
     place.index[1] += y;
     place.index[2] += z;
-    const PrescribedVelocities* const in_row =
-        rule.conditions.hold_in_row(place.index, at.level, patch.nodes) ? &velocities : nullptr;
     bool prescribed = false;
     for (int x = 0; x < patch.nodes; ++x, ++place.index[0]) {
       const double* const node = total + x * sum_components;
@@ -233,7 +219,7 @@ struct SolveVelocity {
       }
       const double* const of_contact = contact != nullptr ? contact + x * impulses : nullptr;
       double own[tally_components] = {};
-      const SolvedNode solved = solve_node(in_row, place, dt, node, of_contact, own);
+      const SolvedNode solved = solve_node(velocities, place, dt, node, of_contact, own);
       const Velocity& v = solved.v;
       prescribed |= solved.prescribed;
       for (int d = 0; d < dimensions; ++d) {
