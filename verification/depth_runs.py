@@ -16,8 +16,9 @@ import statistics
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE)]
-from runs import run_deck  # noqa: E402
+sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
+from runs import DECKS, run_deck  # noqa: E402
+from scaling import Problem, run_once, step_seconds  # noqa: E402
 
 STORED = HERE / "results" / "depth_runs.json"
 DIAMETER = 4e-3  # of the rod [m]
@@ -38,10 +39,10 @@ def reference(barreno):
 
 
 def ranks(barreno):
-    settings = {"Time/End Time": "10 us", "Output/Field Interval": "0 us"}
+    deck = DECKS / "perforation_refined.xml"
     rounds = []
     for _ in range(3):
-        one, two = (run_deck(barreno, "perforation_refined.xml", settings, n).summary["phases"]["advance"]["largest_rank_seconds"] for n in (1, 2))
+        one, two = (step_seconds(run_once(barreno, Problem(deck.name, deck, "", "10 us"), n, "10 us")) for n in (1, 2))
         rounds.append({"one": one, "two": two})
     return {"rounds": rounds, "speedup": statistics.median(r["one"] / r["two"] for r in rounds)}
 
