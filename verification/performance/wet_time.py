@@ -4,8 +4,8 @@
 
     wet_time.py BARRENO [--document] [--rounds N] [--end "120 us"]
 
-runs both on one rank, in turn, as far as the deck goes, and keeps the shorter processor time of each; --document writes verification/results/wet_time.json and the
-table of docs/performance.md.
+runs both on one rank, in turn, as far as the deck goes, keeps the shorter processor time of each, and the least and the greatest ratio of a
+round; --document writes verification/results/wet_time.json and the table of docs/performance.md.
 """
 import argparse
 import json
@@ -36,7 +36,8 @@ def stored_part():
         for name, run in data["runs"].items()
     ]
     ratio = data["runs"]["wet"]["seconds"] / data["runs"]["dry"]["seconds"]
-    verdict = "met" if ratio <= MOST else "missed"
+    least, most = min(data["ratios"]), max(data["ratios"])
+    verdict = "met" if most <= MOST else "missed" if least > MOST else "met in some rounds"
     steps = data["runs"]["wet"]["particle_steps"] / data["runs"]["dry"]["particle_steps"]
     return [
         f"`{DECK}` to {data['end']}, one rank; dormant particles are not counted.",
@@ -45,8 +46,8 @@ def stored_part():
         "|---|---|---|---|---|",
         *rows,
         "",
-        f"Wet rock takes {ratio:.2f} times as long as dry rock (at most {MOST} required: {verdict}), of which the shorter steps of the stiffer rock"
-        f" make {steps:.2f}.",
+        f"Wet rock takes {ratio:.2f} times as long as dry rock, {least:.2f} to {most:.2f} over {len(data['ratios'])} rounds (at most {MOST} required: {verdict}). It takes"
+        f" {steps:.2f} times as many particle-steps, as the rock is stiffer.",
     ]
 
 
@@ -57,14 +58,17 @@ def main():
     parser.add_argument("--rounds", type=int, default=2)
     parser.add_argument("--end", default="120 us")
     options = parser.parse_args()
-    found = {}
+    found, ratios = {}, []
     for _ in range(options.rounds):
+        seconds = {}
         for name, settings in (("dry", {}), ("wet", WATER)):
             run = measured(options.barreno.resolve(), {**settings, "Time/End Time": options.end})
             print(name, run, flush=True)
+            seconds[name] = run["seconds"]
             if name not in found or run["seconds"] < found[name]["seconds"]:
                 found[name] = run
-    data = {"end": options.end, "rounds": options.rounds, "runs": found}
+        ratios.append(seconds["wet"] / seconds["dry"])
+    data = {"end": options.end, "ratios": ratios, "runs": found}
     if options.document:
         STORED.write_text(json.dumps(data, indent=1) + "\n")
         from pages import write_pages  # it asks this file for its part
