@@ -10,12 +10,6 @@ EDGES = np.arange(15e-3, 40e-3, 3e-3)  # of the slices, along the plate from whe
 NEAR = 4e-3  # twice the thickness: where a slice's velocity is taken, before the middle is felt [m]
 
 
-def areas(start):
-    """Of the undeformed particles [m2]: their masses over the density."""
-    x, y = start["corners"][..., 0], start["corners"][..., 1]
-    return 0.5 * np.abs(np.sum(x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1), axis=1))
-
-
 def theory(speed):
     """(jet, slug, share) of plates that arrive with one velocity: collapse.theory of a straight plate, which is that of Birkhoff."""
     along = np.linspace(0.01, 0.05, 5)
@@ -26,7 +20,7 @@ def theory(speed):
 def measure(run):
     """V0 and its range over the slices, (jet, slug, share) of all slices together."""
     start = run.particles(0)
-    area, count = areas(start), len(EDGES) - 1
+    area, count = collapse.areas(start), len(EDGES) - 1
     of = collapse.slices(start, np.isnan(start["burn"]), (np.sin(ANGLE), np.cos(ANGLE)), EDGES)
     speeds = collapse.arrival_speeds(run, of, area, count, NEAR)
     exact = theory(float(np.mean(speeds)))

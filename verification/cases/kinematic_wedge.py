@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plates that meet at an angle, moved by their own inertia: velocity of jet and slug, and share of the mass in the jet."""
+import collapse
 import numpy as np
 from case import Result
 from runs import run_deck
@@ -12,12 +13,6 @@ JET, SLUG = SPEED / np.tan(0.5 * HALF_ANGLE), SPEED * np.tan(0.5 * HALF_ANGLE)
 SHARE = np.sin(0.5 * HALF_ANGLE) ** 2
 INFLOW = THICKNESS * SPEED / np.tan(HALF_ANGLE)  # [m2/s] of the undeformed plate
 START = 5e-6  # the first jet, that of a plate's corner, is left out [s]
-
-
-def areas(start):
-    """Of the undeformed particles [m2]: their masses over the density."""
-    x, y = start["corners"][..., 0], start["corners"][..., 1]
-    return 0.5 * np.abs(np.sum(x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1), axis=1))
 
 
 def mean_velocity(particles, area, chosen):
@@ -39,7 +34,7 @@ def at(particles, area):
 
 def measure(run):
     """Velocities, the means over the outputs of the last quarter of the run, and the share: the slope of the jet's area over what comes in."""
-    area = areas(run.particles(0))
+    area = collapse.areas(run.particles(0))
     times = run.times()
     late = [step for step in range(run.instants()) if times[step] >= 0.75 * times[-1]]
     jet, slug = np.mean([at(run.particles(step), area)[1:] for step in late], axis=0)

@@ -8,6 +8,12 @@ makes the angle b with the axis, and it splits: jet V0 cos(a + d - b/2) / sin(b/
 import numpy as np
 
 
+def areas(start):
+    """Of the undeformed particles of a plane run or of a section through the axis [m2]."""
+    x, y = start["corners"][..., 0], start["corners"][..., 1]
+    return 0.5 * np.abs(np.sum(x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1), axis=1))
+
+
 def slices(start, chosen, axis, edges):
     """Index of the slice between edges along the direction `axis` (x, y) that each particle starts in; -1 outside and where not chosen."""
     along = start["x"] * axis[0] + start["y"] * axis[1]
@@ -20,7 +26,7 @@ def mean_of(values, masses, part):
 
 
 def arrival_speeds(run, of, masses, count, near):
-    """Speed of the mean motion of each slice when its mean distance from x = 0 falls below `near` [m/s]; nan if it does not."""
+    """Speed of the mean motion of each slice when its mean distance from x = 0 falls below `near`, one for all or one for each [m/s]; nan if it does not."""
     times = range(run.instants())
     history = np.full((len(times), count, 2), np.nan)
     for step in times:
@@ -30,7 +36,7 @@ def arrival_speeds(run, of, masses, count, near):
             if part.any():
                 speed = np.hypot(mean_of(now["velocity_x"], masses, part), mean_of(now["velocity_y"], masses, part))
                 history[step, number] = mean_of(now["x"], masses, part), speed
-    return np.array([speed_at(history[:, number], near) for number in range(count)])
+    return np.array([speed_at(history[:, number], limit) for number, limit in enumerate(np.broadcast_to(near, count))])
 
 
 def speed_at(history, near):

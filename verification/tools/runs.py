@@ -100,7 +100,7 @@ def scratch_folder():
 
 
 @functools.lru_cache(None)
-def server():
+def server(ranks=1):
     """serve_runs, if the environment names it: a run begins in a fifth of the time; None: every call is a start of the program."""
     program = os.environ.get("BARRENO_SERVER")
     if not program:
@@ -108,23 +108,23 @@ def server():
     sys.path.append(str(ROOT / "verification" / "adversary"))
     from run_server import RunServer
 
-    one = RunServer(program, scratch_folder())
+    one = RunServer(program, scratch_folder(), ranks)
     atexit.register(one.end)
     return one
 
 
 def call(barreno, words, ranks=1, longest=None):
     """A call of the program that has ended, as subprocess tells of it. @param longest  [s], if any; beyond, TimeoutExpired"""
-    if ranks == 1 and server():
-        return served(words, longest)
+    if server(ranks):
+        return served(words, ranks, longest)
     command = [str(barreno), *map(str, words)]
     if ranks > 1:
         command = ["mpirun", "--quiet", "-n", str(ranks)] + command
     return subprocess.run(command, env=mpi_environment(ranks), capture_output=True, text=True, timeout=longest)
 
 
-def served(words, longest):
-    ended = server().run(*words, limit=round(longest or NO_END))
+def served(words, ranks, longest):
+    ended = server(ranks).run(*words, limit=round(longest or NO_END))
     if ended.kind == "hang":
         raise subprocess.TimeoutExpired(ended.words, longest or NO_END)
     if ended.kind == "lost":

@@ -39,15 +39,21 @@ double error_along(const MeasuredDepths& row, double depth, DepthOf whose) {
   return last;
 }
 
+/// How far the finest row is from half its cells, the most where that was measured.
+double doubt() {
+  double most = 0.0;
+  for (std::size_t t = 0; t < measured_times.size(); ++t)
+    if (finest_depths[t] > 0.0)
+      most = std::max(most, std::abs(finest().depth[t] / finest_depths[t] - 1.0));
+  return most;
+}
+
 /// All errors that were measured with the cells of a row.
 DepthError row_error(std::size_t index, double depth, DepthOf whose) {
   const MeasuredDepths& row = measured_depths[index];
   DepthError error{
       error_along(row, depth, whose), steady_errors[index].low, steady_errors[index].high};
-  if (index + 1 == measured_depths.size()) {
-    const double doubt = std::abs(finest().depth[1] / finest_depth - 1.0);
-    return {0.0, -doubt, doubt};
-  }
+  if (index + 1 == measured_depths.size()) return {0.0, -doubt(), doubt()};
   for (std::size_t t = 0; t < measured_times.size(); ++t) {
     if (row.depth[t] == 0.0) continue;
     error.low = std::min(error.low, error_at(row, t));

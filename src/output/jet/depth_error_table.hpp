@@ -27,8 +27,9 @@ inline constexpr std::array<MeasuredDepths, 4> measured_depths{{
 /// What estimate_jet() finds at those times, so that an estimate can stand for a depth [length].
 inline constexpr std::array<double, 7> estimated_depths{
     20.09e-3, 42.90e-3, 79.48e-3, 108.00e-3, 149.25e-3, 178.43e-3, 199.63e-3};
-/// With cells of 0.125 mm at the second of the times: what the comparison is worth.
-inline constexpr double finest_depth = 43.8e-3;  ///< [length]
+/// With cells of 0.125 mm at those times, 0: not measured: what the comparison is worth [length].
+inline constexpr std::array<double, 7> finest_depths{
+    20.45e-3, 43.8e-3, 84.56e-3, 119.93e-3, 0.0, 0.0, 0.0};
 
 /// Range of the error of steady penetration (steady_penetration.csv), rows as above.
 struct SteadyError {

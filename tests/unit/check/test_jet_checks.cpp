@@ -113,16 +113,17 @@ TEST(DepthErrorTable, IsThatOfTheResultsFiles) {
     depths[{1e-3 * std::stod(row[0]), 1e-6 * std::stod(row[1])}] = 1e-3 * std::stod(row[2]);
   std::size_t compared = 0;
   for (const auto& [where, depth] : depths) {
-    for (const MeasuredDepths& row : measured_depths)
-      for (std::size_t t = 0; t < measured_times.size(); ++t)
-        if (std::abs(row.cell - where.first) < 1e-9 &&
-            std::abs(measured_times[t] - where.second) < 1e-9) {
+    for (std::size_t t = 0; t < measured_times.size(); ++t) {
+      if (std::abs(measured_times[t] - where.second) > 1e-9) continue;
+      for (const MeasuredDepths& row : measured_depths)
+        if (std::abs(row.cell - where.first) < 1e-9) {
           EXPECT_NEAR(row.depth[t], depth, 1e-9) << where.first << " " << where.second;
           ++compared;
         }
-    if (std::abs(where.first - 0.125e-3) < 1e-9) {
-      EXPECT_NEAR(finest_depth, depth, 1e-9);
-      ++compared;
+      if (std::abs(where.first - 0.125e-3) < 1e-9) {
+        EXPECT_NEAR(finest_depths[t], depth, 1e-9) << where.second;
+        ++compared;
+      }
     }
   }
   EXPECT_EQ(compared, depths.size());
@@ -149,6 +150,7 @@ TEST(DepthError, GivesBackWhatWasMeasuredAndLiesBetween) {
   const DepthError coarse = measured_depth_error(0.5, 271.5);
   EXPECT_NEAR(coarse.low, 13.87 / 20.74 - 1.0, 1e-12);  // beyond that of steady penetration
   EXPECT_EQ(measured_depth_error(4.0, 100.0).value, 0.0);
+  EXPECT_NEAR(measured_depth_error(4.0, 100.0).high, 20.74 / 20.45 - 1.0, 1e-12);
   const double middle = measured_depth_error(std::sqrt(0.5), 1000.0).value;
   EXPECT_NEAR(middle, 0.5 * ((232.3 + 182.6) / 271.5 - 2.0), 1e-12);
   EXPECT_EQ(depth_error_text({-0.137, -0.15, 0.0049}), "-14 % (-15 to 0 %)");
