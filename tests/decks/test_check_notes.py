@@ -21,7 +21,7 @@ from runs import DECKS, mpi_environment  # noqa: E402
 QUICK = DECKS / "perforation_quick.xml"
 # Their jets still fly when they end.
 ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml", "perforation_refined.xml"}
-THIN_WALLS = {"jet_formation_3d.xml"}
+THIN_WALLS = {"driven_cone_3d.xml", "jet_formation_3d.xml"}
 THIN = " cells beside the explosive, fewer than 2"
 EARLY = "ends the run before the jet stops"
 SLUG = "1x5:{{0, {velocity}, {radius}, 0.01, 17600}}"

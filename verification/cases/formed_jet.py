@@ -92,7 +92,7 @@ def run(barreno, full):
         plane = PLANE if h == 1.0 else NEARER
         single = run_deck(barreno, DECK, {**settings, "Jet Monitor/Position": f"{plane} m"})
         for kind in kinds:
-            deck = import_deck(scratch_folder(), table_of(single, h, kind), kind, plane)
+            deck = import_deck(scratch_folder(), table_of(single, h), kind, plane)
             add_shot(result, h, kind, single, run_deck(barreno, deck, settings))
         result.demand(f"{h:g} mm: energy ledger remainder of the single run", abs(single.summary["balances"]["energy"]["error"]), 1e-3)
         if full and h == 1.0:
@@ -101,10 +101,10 @@ def run(barreno, full):
     return result
 
 
-def table_of(single, h, kind):
-    """That of the single run; for a thinned jet without what is thinner than a cell."""
+def table_of(single, h):
+    """That of the single run; where cells resolve the jet, without what is thinner than a cell."""
     table = single.folder / "jet_table.csv"
-    return whole_part(scratch_folder(), table, 0.5e-3 * h) if kind == "thinned" else table
+    return whole_part(scratch_folder(), table, 0.5e-3 * h) if h < 1.0 else table
 
 
 def add_shot(result, h, kind, single, shot):
