@@ -88,7 +88,7 @@ def draw(file, title, picture, curves):
     for i, (label, points) in enumerate(curves.items()):
         # Hollow marks of several sizes: curves that coincide are all seen.
         axes.plot(*zip(*points), "-", marker=MARKS[i % len(MARKS)], mfc="none", ms=4.0 + 1.2 * (len(curves) - 1 - i), lw=1.2, color=f"C{i}", label=label or None)
-    if "over" not in picture:
+    if "over" not in picture and not picture.get("linear"):
         axes.set(xscale="log", yscale="log")
         ticks = sorted({x for points in curves.values() for x, _ in points})
         if len(ticks) > MOST_TICKS:  # measured, not chosen
@@ -100,7 +100,7 @@ def draw(file, title, picture, curves):
             x, y = next(iter(curves.values()))[0]
             axes.plot([x, ticks[-1]], [y, y * (ticks[-1] / x) ** picture["slope"]], "k--", lw=0.8, label=f"slope {picture['slope']}")
         number_errors(axes.yaxis, *axes.get_ylim())
-    axes.set(title=title, xlabel=picture["x"], ylabel=picture["y"][0] if len(picture["y"]) == 1 else "error")
+    axes.set(title=title, xlabel=picture["x"], ylabel=picture["y"][0] if len(picture["y"]) == 1 else picture.get("label", "error"))
     axes.grid(alpha=0.3)
     if len(curves) > 1 or "slope" in picture:
         few = len(axes.get_legend_handles_labels()[1]) <= 3
