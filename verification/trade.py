@@ -27,7 +27,7 @@ from choices import shape_functions, words  # noqa: E402
 from runs import DECKS, mpi_environment, run_deck  # noqa: E402
 from trade_checks import demands, verdict_lines  # noqa: E402
 from trade_problems import PROBLEMS, Lost, has  # noqa: E402
-from uniform_cells import REFERENCE, depth_of, doubt  # noqa: E402
+from uniform_cells import REFERENCE, depth_of  # noqa: E402
 from verify import failures  # noqa: E402
 
 STORED = HERE / "results" / "trade.json"
@@ -191,7 +191,7 @@ def judge_depths(points):
         if p["problem"] == "depth" and "error" in p:
             p["depth"] = p["second"] = p["error"]
             p["error"] = abs(p["depth"] - reference) / reference
-    return {"reference": reference, "cells": REFERENCE, "time": DEPTH_TIME, "doubt": doubt()}
+    return {"reference": reference, "cells": REFERENCE, "time": DEPTH_TIME}
 
 
 def judged(points, tiny, barreno):

@@ -9,23 +9,23 @@ ANGLE, WALL, SPEED, FIRST = np.radians(21.0), 2e-3, 7980.0, -47.43728e-3  # of d
 LENGTH, CHARGE = 60e-3 / np.cos(ANGLE), 15e-3  # of the liner along its inner face, thickness of the charge [m]
 AXIS = np.array([np.sin(ANGLE), np.cos(ANGLE)])  # along the liner from its apex
 EDGES = np.arange(18e-3, 55e-3, 4e-3)  # of the slices along it [m]
+ALONG = 0.5 * (EDGES[1:] + EDGES[:-1])  # their middles [m]
 HALFWAY = 0.5  # V0 is taken where this share of a slice's way is left
 
 
 def middles():
     """Of the slices' undeformed walls, (x, y) [m]."""
-    along = 0.5 * (EDGES[1:] + EDGES[:-1])
-    return along[:, None] * AXIS + 0.5 * WALL * np.array([np.cos(ANGLE), -np.sin(ANGLE)])
+    return ALONG[:, None] * AXIS + 0.5 * WALL * np.array([np.cos(ANGLE), -np.sin(ANGLE)])
 
 
 def asked():
     """Slices of which something is asked: they start six walls from the axis or more, so that the wall is thin beside the way, and no nearer to the open end than the charge is thick."""
-    return (middles()[:, 0] >= 6.0 * WALL) & (0.5 * (EDGES[1:] + EDGES[:-1]) <= LENGTH - CHARGE)
+    return (middles()[:, 0] >= 6.0 * WALL) & (ALONG <= LENGTH - CHARGE)
 
 
 def arrivals():
     """Times at which the front is at the slices' outer faces [s]."""
-    return (0.5 * (EDGES[1:] + EDGES[:-1]) * np.cos(ANGLE) - WALL * np.sin(ANGLE) - FIRST) / SPEED
+    return (ALONG * np.cos(ANGLE) - WALL * np.sin(ANGLE) - FIRST) / SPEED
 
 
 def ring_volumes(start):
@@ -38,7 +38,7 @@ def measure(run, masses_of=ring_volumes):
     start = run.particles(0)
     masses = masses_of(start)
     of = collapse.slices(start, np.isnan(start["burn"]), AXIS, EDGES)
-    speeds = collapse.arrival_speeds(run, of, masses, len(EDGES) - 1, HALFWAY * middles()[:, 0])
+    speeds = collapse.arrival_speeds(run, of, masses, len(ALONG), HALFWAY * middles()[:, 0])
     exact = collapse.theory(middles(), ANGLE, speeds, arrivals())
     return speeds, collapse.what_became(run, of, masses, exact[:, :2].mean(axis=1)), exact
 

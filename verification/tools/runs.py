@@ -100,7 +100,7 @@ def scratch_folder():
 
 
 @functools.lru_cache(None)
-def server(ranks=1):
+def server(ranks):
     """serve_runs, if the environment names it: a run begins in a fifth of the time; None: every call is a start of the program."""
     program = os.environ.get("BARRENO_SERVER")
     if not program:
