@@ -16,7 +16,7 @@ int power(int base, int exponent) {
 }  // namespace
 
 Patch make_patch(int dimensions, int reach) {
-  return make_patch(dimensions, reach, tile_bits(dimensions));
+  return make_patch(dimensions, reach, tile_bits);
 }
 
 Patch make_patch(int dimensions, int reach, int bits) {

@@ -67,8 +67,7 @@ void check_tiles(
     const Deck& deck, const GridSpec& grid, double tiles, double most, const std::string& reason
 ) {
   if (tiles <= most) return;
-  const int d = dimensions(grid.mode);
-  const double cells = std::pow(tile_cells(d), d);
+  const double cells = std::pow(tile_cells, dimensions(grid.mode));
   deck.refuse_value(
       path_of(&GridSpec::cell_size),
       "divides the box into " + text_of("%.3g", tiles * cells) + " cells (at most " +

@@ -110,9 +110,9 @@ double cell_steps(const GridSpec& grid, const std::vector<unsigned char>& levels
 }  // namespace
 
 int tile_bits_of(const GridSpec& grid) {
-  const int usual = tile_bits(dimensions(grid.mode));
   const std::size_t levels = grid.level_of_tile.size();
-  return levels == 0 || levels == count_of(box_tiles_of(grid, usual)) ? usual : small_tile_bits;
+  return levels == 0 || levels == count_of(box_tiles_of(grid, tile_bits)) ? tile_bits
+                                                                          : small_tile_bits;
 }
 
 double tile_size_of(const GridSpec& grid) {
@@ -127,7 +127,7 @@ std::vector<unsigned char> find_tile_levels(
     const GridSpec& grid, const std::vector<RefinedRegion>& regions
 ) {
   if (regions.empty()) return {};
-  return levels_of_tiles(grid, regions, tile_bits(dimensions(grid.mode)));
+  return levels_of_tiles(grid, regions, tile_bits);
 }
 
 std::vector<unsigned char> find_cheapest_levels(
@@ -135,11 +135,10 @@ std::vector<unsigned char> find_cheapest_levels(
 ) {
   constexpr double worth_it = 6.0 / 7.0;
   std::vector<unsigned char> usual = find_tile_levels(grid, regions);
-  const int bits = tile_bits(dimensions(grid.mode));
-  if (usual.empty() || bits == small_tile_bits) return usual;
+  if (usual.empty()) return usual;
   std::vector<unsigned char> small = levels_of_tiles(grid, regions, small_tile_bits);
   const bool saves =
-      cell_steps(grid, small, small_tile_bits) < worth_it * cell_steps(grid, usual, bits);
+      cell_steps(grid, small, small_tile_bits) < worth_it * cell_steps(grid, usual, tile_bits);
   // The number of levels tells the two apart (tile_bits_of).
   return saves && small.size() != usual.size() ? small : usual;
 }

@@ -3,15 +3,11 @@
 
 namespace barreno {
 
-/// A tile has 2^tile_bits cells in each direction: 8 in the plane, 4 in space, where a patch of 8
-/// would not fit into the first-level cache.
-constexpr int tile_bits(int dimensions) {
-  return dimensions == 3 ? 2 : 3;
-}
-constexpr int tile_cells(int dimensions) {
-  return 1 << tile_bits(dimensions);
-}
-/// In the plane they may be half as large, so that a narrow region is refined alone.
+/// A tile has 2^tile_bits cells in each direction. Smaller ones would work on more copies of nodes:
+/// of 4 x 4 x 4 cells a patch has 5 to 11 nodes for each of its cells, of 8 x 8 x 8 3 to 4.
+constexpr int tile_bits = 3;
+constexpr int tile_cells = 1 << tile_bits;
+/// They may be half as large, so that a narrow region is refined alone.
 constexpr int small_tile_bits = 2;
 
 }  // namespace barreno

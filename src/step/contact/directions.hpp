@@ -17,13 +17,27 @@ struct Directions {
   static constexpr int turned = D == 2 ? 8 : 16;
   static constexpr std::size_t turns = D == 2 ? 8 : 16;
   static constexpr int count = directions_about(D);
+  static constexpr std::size_t all = directions_about(D);
   static_assert(count == 1 + turned + dimensions, "itself, turned ones and the axes");
 
   double along[turns], aside[turns];  ///< cosine and sine of the turns
-  double across[turns][2];            ///< of the second turn, about the normal (3D)
+  double across[2][turns];            ///< of the second turn, about the normal (3D)
   bool axes;
+  int different;  ///< so many to compare, the first ones
 
-  Directions(double spread, bool with_axes) : axes(with_axes) {
+  /// About one normal.
+  struct About {
+    double n[D];
+    double side[2][3];  ///< unit vectors across it
+
+    KOKKOS_INLINE_FUNCTION explicit About(const double* normal) {
+      for (int d = 0; d < dimensions; ++d) n[d] = normal[d];
+      find_sides(n, side);
+    }
+  };
+
+  Directions(double spread, bool with_axes)
+      : axes(with_axes), different(with_axes ? count : 1 + turned) {
     const int steps = D == 2 ? 4 : 2;
     const int sides = turned / steps;
     const double turn = 2.0 * std::acos(-1.0) / sides;
@@ -32,13 +46,14 @@ struct Directions {
       const double angle = spread * ring / steps;
       along[i] = std::cos(angle);
       aside[i] = std::sin(angle);
-      across[i][0] = D == 2 ? 1.0 - 2.0 * (i % sides) : std::cos(turn * (i % sides));
-      across[i][1] = D == 2 ? 0.0 : std::sin(turn * (i % sides));
+      across[0][i] = D == 2 ? 1.0 - 2.0 * (i % sides) : std::cos(turn * (i % sides));
+      across[1][i] = D == 2 ? 0.0 : std::sin(turn * (i % sides));
     }
   }
 
-  /// The k-th direction about n; n itself where there is none.
-  KOKKOS_INLINE_FUNCTION void find(const double* n, int k, double (&out)[D]) const {
+  /// The k-th direction; the normal itself where there is none.
+  KOKKOS_INLINE_FUNCTION void find(const About& about, int k, double (&out)[D]) const {
+    const auto& n = about.n;
     for (int d = 0; d < dimensions; ++d) out[d] = n[d];
     if (k == 0) return;
     if (k > turned) {
@@ -48,15 +63,27 @@ struct Directions {
       out[axis] = n[axis] > 0.0 ? 1.0 : -1.0;
       return;
     }
-    double side[2][3];
-    find_sides(n, side);
     for (int d = 0; d < dimensions; ++d)
-      out[d] = along[k - 1] * n[d] +
-               aside[k - 1] * (across[k - 1][0] * side[0][d] + across[k - 1][1] * side[1][d]);
+      out[d] = along[k - 1] * n[d] + aside[k - 1] * (across[0][k - 1] * about.side[0][d] +
+                                                     across[1][k - 1] * about.side[1][d]);
   }
 
-  /// Unit vectors across the normal.
-  KOKKOS_INLINE_FUNCTION static void find_sides(const double* n, double (&side)[2][3]) {
+  /// All that differ, [axis][k]; loops that the compiler turns into vectors.
+  KOKKOS_INLINE_FUNCTION void find_all(const About& about, double (&out)[D][all]) const {
+    for (int d = 0; d < dimensions; ++d) {
+      out[d][0] = about.n[d];
+      for (int i = 0; i < turned; ++i)
+        out[d][i + 1] = along[i] * about.n[d] + aside[i] * (across[0][i] * about.side[0][d] +
+                                                            across[1][i] * about.side[1][d]);
+    }
+    for (int k = turned + 1; k < different; ++k) {
+      double one[D];
+      find(about, k, one);
+      for (int d = 0; d < dimensions; ++d) out[d][k] = one[d];
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION static void find_sides(const double (&n)[D], double (&side)[2][3]) {
     for (auto& vector : side) vector[0] = vector[1] = vector[2] = 0.0;
     if constexpr (D == 2) {
       side[0][0] = -n[1];

@@ -24,15 +24,19 @@ struct ParticleEllipse {
                      particles.half_size(p, i) * particle.per_cell;
   }
 
-  /// How far it reaches along n from its centre.
-  KOKKOS_INLINE_FUNCTION double reach(const double* n) const {
-    double squared = 0.0;
-    for (int i = 0; i < dimensions; ++i) {
-      double along = 0.0;
-      for (int d = 0; d < dimensions; ++d) along += axis[i][d] * n[d];
-      squared += along * along;
+  /// How far it reaches from its centre along each of the first `count` directions, [axis][k].
+  template <std::size_t N>
+  KOKKOS_INLINE_FUNCTION void reach(const double (&directions)[D][N], int count, double (&out)[N])
+      const {
+    for (int k = 0; k < count; ++k) {
+      double squared = 0.0;
+      for (int i = 0; i < dimensions; ++i) {
+        double along = 0.0;
+        for (int d = 0; d < dimensions; ++d) along += axis[i][d] * directions[d][k];
+        squared += along * along;
+      }
+      out[k] = std::sqrt(squared);
     }
-    return std::sqrt(squared);
   }
 };
 

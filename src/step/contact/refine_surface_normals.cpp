@@ -20,6 +20,14 @@ constexpr double spreads[] = {40.0 / 360.0 * two_pi, 10.0 / 360.0 * two_pi, 2.5 
 /// By how much another direction must be better [smallest cells of the grid].
 constexpr double margin = 1e-3;
 
+/// Without the calls that fmin and fmax cost.
+KOKKOS_INLINE_FUNCTION double smaller(double a, double b) {
+  return b < a ? b : a;
+}
+KOKKOS_INLINE_FUNCTION double larger(double a, double b) {
+  return b > a ? b : a;
+}
+
 template <class M, class S>
 struct FindReach {
   static constexpr unsigned extent = M::dimensions;
@@ -29,7 +37,8 @@ struct FindReach {
   NodeCopies copies;
   Directions<extent> directions;
   ParticlesAtNodes<M, S> particles;
-  bool second;  ///< the set belongs to the pair's second field
+  unsigned bits;  ///< of both fields
+  bool second;    ///< the set belongs to the second one
   ArrayView<unsigned char> shared_tile, fields;
   ArrayView<double> normal, reach;
 
@@ -39,7 +48,7 @@ struct FindReach {
     const double* const n = &normal(first_value(patch, tile, normals));
     double* const out = &reach(first_value(patch, tile, 2 * count));
     particles.for_each(tile, [&](const ParticleEllipse<extent>& ellipse, int slot, double /*s*/) {
-      if (fields(tile * patch.size + slot) != 0)
+      if ((fields(tile * patch.size + slot) & bits) == bits)
         extend(ellipse, slot, n + slot * normals, out + slot * 2 * count);
     });
   }
@@ -48,17 +57,21 @@ struct FindReach {
   ) const {
     int at[3];
     copies.position(slot, at);
-    for (int k = 0; k < count; ++k, out += 2) {
-      double direction[extent];
-      directions.find(n, k, direction);
-      double along = 0.0;
-      for (int d = 0; d < dimensions; ++d) along += (ellipse.x[d] - at[d]) * direction[d];
-      const double own = ellipse.reach(direction);
-      if (second)
-        out[1] = std::fmin(out[1], along - own);
-      else
-        out[0] = std::fmax(out[0], along + own);
+    double from_node[extent];
+    for (int d = 0; d < dimensions; ++d) from_node[d] = ellipse.x[d] - at[d];
+    double direction[extent][Directions<extent>::all];
+    double along[Directions<extent>::all], own[Directions<extent>::all];
+    directions.find_all(typename Directions<extent>::About(n), direction);
+    const int different = directions.different;
+    for (int k = 0; k < different; ++k) {
+      along[k] = 0.0;
+      for (int d = 0; d < dimensions; ++d) along[k] += from_node[d] * direction[d][k];
     }
+    ellipse.reach(direction, different, own);
+    for (int k = 0; second && k < different; ++k)
+      out[2 * k + 1] = smaller(out[2 * k + 1], along[k] - own[k]);
+    for (int k = 0; !second && k < different; ++k)
+      out[2 * k] = larger(out[2 * k], along[k] + own[k]);
   }
 };
 
@@ -66,6 +79,7 @@ template <unsigned D>
 struct ChooseNormals {
   static constexpr int dimensions = D;
   static constexpr int count = Directions<D>::count;
+  static constexpr std::size_t all = Directions<D>::all;
   NodeCopies copies;
   ArrayView<TileFrame> tile_frame;
   double smallest_cell;
@@ -95,52 +109,41 @@ struct ChooseNormals {
   }
 
   KOKKOS_INLINE_FUNCTION void choose(int tile, int slot, double* n) const {
-    double best = gap(tile, slot, 0);
+    const int compared = mirrored(tile, slot) ? 1 : directions.different;
+    double gap[all];
+    find_gaps(tile, slot, compared, gap);
+    double best = gap[0];
     const double enough = best + margin * (smallest_cell / tile_frame(tile).cell_size);
     int chosen = 0;
-    for (int k = 1; k < (mirrored(tile, slot) ? 1 : count); ++k) {
-      const double other = gap(tile, slot, k);
-      if (!(other > enough) || !(other > best)) continue;
-      best = other;
+    for (int k = 1; k < compared; ++k) {
+      if (!(gap[k] > enough) || !(gap[k] > best)) continue;
+      best = gap[k];
       chosen = k;
     }
     double direction[D];
-    directions.find(n, chosen, direction);
+    directions.find(typename Directions<D>::About(n), chosen, direction);
     for (int d = 0; d < dimensions; ++d) n[d] = direction[d];
     n[dimensions] = best;
   }
 
-  KOKKOS_INLINE_FUNCTION double gap(int tile, int slot, int k) const {
-    double top = -std::numeric_limits<double>::max();
-    double bottom = std::numeric_limits<double>::max();
+  KOKKOS_INLINE_FUNCTION void find_gaps(int tile, int slot, int compared, double (&gap)[all])
+      const {
+    double top[all], bottom[all];
+    for (int k = 0; k < compared; ++k) {
+      top[k] = -std::numeric_limits<double>::max();
+      bottom[k] = std::numeric_limits<double>::max();
+    }
     copies.for_each(tile, slot, [&](int other, int there) {
       const double* const at =
-          &reach(first_value(copies.patch, other, 2 * count)) + (there * count + k) * 2;
-      top = std::fmax(top, at[0]);
-      bottom = std::fmin(bottom, at[1]);
+          &reach(first_value(copies.patch, other, 2 * count)) + there * count * 2;
+      for (int k = 0; k < compared; ++k) {
+        top[k] = larger(top[k], at[2 * k]);
+        bottom[k] = smaller(bottom[k], at[2 * k + 1]);
+      }
     });
-    return bottom - top;
+    for (int k = 0; k < compared; ++k) gap[k] = bottom[k] - top[k];
   }
 };
-
-void clear_reach(const Grid& grid, const ContactNodes& contact, const ArrayView<double>& reach) {
-  const Patch patch = grid.patch;
-  const int count = 2 * directions_about(patch.dimensions);
-  const auto shared_tile = contact.shared_tile;
-  constexpr double far = std::numeric_limits<double>::max();
-  launch(
-      "clear_reach",
-      range(grid.active),
-      KOKKOS_LAMBDA(const int tile) {
-        if (shared_tile(tile) == 0) return;
-        double* const values = &reach(first_value(patch, tile, count));
-        for (int i = 0; i < patch.size * count; i += 2) {
-          values[i] = -far;
-          values[i + 1] = far;
-        }
-      }
-  );
-}
 
 /// One pair of fields, what of the nodes belongs to it, and the particles of all sets.
 struct PairSurfaces {
@@ -152,10 +155,34 @@ struct PairSurfaces {
   ArrayView<double> normal, reach;
 };
 
+/// Of nodes where both fields meet, at which alone it is asked for.
+void clear_reach(const PairSurfaces& of) {
+  const Patch patch = of.grid.patch;
+  const int count = 2 * directions_about(patch.dimensions);
+  const unsigned bits = bits_of(of.pair);
+  const auto shared_tile = of.contact.shared_tile;
+  const auto fields = of.contact.fields;
+  const auto reach = of.reach;
+  constexpr double far = std::numeric_limits<double>::max();
+  launch(
+      "clear_reach",
+      range(of.grid.active),
+      KOKKOS_LAMBDA(const int tile) {
+        if (shared_tile(tile) == 0) return;
+        double* values = &reach(first_value(patch, tile, count));
+        for (int slot = 0; slot < patch.size; ++slot, values += count)
+          for (int i = 0; (fields(tile * patch.size + slot) & bits) == bits && i < count; i += 2) {
+            values[i] = -far;
+            values[i + 1] = far;
+          }
+      }
+  );
+}
+
 template <class M, class S>
 void find_reach(const PairSurfaces& of, const Directions<M::dimensions>& directions) {
   const Grid& grid = of.grid;
-  clear_reach(grid, of.contact, of.reach);
+  clear_reach(of);
   for (const Particles& particles : of.sets) {
     if (particles.field != of.pair.a && particles.field != of.pair.b) continue;
     launch(
@@ -166,6 +193,7 @@ void find_reach(const PairSurfaces& of, const Directions<M::dimensions>& directi
             NodeCopies(grid),
             directions,
             ParticlesAtNodes<M, S>(grid, of.contact.passes_up, particles),
+            bits_of(of.pair),
             particles.field == of.pair.b,
             of.contact.shared_tile,
             of.contact.fields,

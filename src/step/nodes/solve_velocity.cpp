@@ -182,6 +182,35 @@ struct SolveVelocity {
     return rule.damping == 0.0 && node[impedance_component] == 0.0;
   }
 
+  /// Sums of a row of nodes.
+  KOKKOS_INLINE_FUNCTION bool are_zero(const double* row) const {
+    for (int i = 0; i < patch.nodes * sum_components; ++i)
+      if (row[i] != 0.0) return false;
+    return true;
+  }
+  /// Whether a tile wants nothing of the nodes that share y and z: neither its particles nor loads
+  /// reach them, and they count elsewhere. Particles that have spread leave most rows so.
+  KOKKOS_INLINE_FUNCTION bool is_unreached(int tile, int row) const {
+    if (!are_zero(&sums(first_sum(patch, tile)) + row * sum_components)) return false;
+    const unsigned char* const counted = &counts(tile * patch.size + row);
+    for (int x = 0; x < patch.nodes; ++x)
+      if (counted[x] != 0) return false;
+    return true;
+  }
+  /// Whole sums of a row. Of a tile that may be dormant all nodes are asked whether they move.
+  /// @return whether the tile wants anything of them
+  KOKKOS_INLINE_FUNCTION bool sum_row(int tile, int y, int z, double* total) const {
+    const bool may_rest = !dormant.is_candidate(tile);
+    if (may_rest && is_unreached(tile, (z * patch.nodes + y) * patch.nodes)) return false;
+    add_parts(tile, y, z, total);
+    return !(may_rest && are_zero(total));
+  }
+  KOKKOS_INLINE_FUNCTION void rest_row(int tile, int row) const {
+    constexpr int width = motion_components(dimensions);
+    double* const moved = &motion(first_motion(patch, tile)) + row * width;
+    for (int i = 0; i < patch.nodes * width; ++i) moved[i] = 0.0;
+  }
+
   /// @return whether a condition acts on one of its nodes
   KOKKOS_INLINE_FUNCTION bool solve_row(
       int tile,
@@ -191,9 +220,12 @@ struct SolveVelocity {
       const NodeScales& scales,
       double (&part)[tally_components][2]
   ) const {
-    alignas(64) double total[max_patch_nodes * sum_components];
-    add_parts(tile, y, z, total);
     const int row = (z * patch.nodes + y) * patch.nodes;
+    alignas(64) double total[max_patch_nodes * sum_components];
+    if (!sum_row(tile, y, z, total)) {
+      rest_row(tile, row);
+      return false;
+    }
     double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(dimensions);
     constexpr int impulses = impulse_components(dimensions);
     const double* const contact =

@@ -35,7 +35,7 @@ Grid alone(int reach) {
 }
 
 TEST(Patch, HasTheNodesOfItsTileAndThoseInReach) {
-  const Patch flat = make_patch(2, 1), solid = make_patch(3, 2);
+  const Patch flat = make_patch(2, 1), solid = make_patch(3, 2, 2);
   EXPECT_EQ(flat.tile_cells, 8);
   EXPECT_EQ(flat.nodes, 11);  // 9 of the tile, one more on either side
   EXPECT_EQ(flat.size, 121);

@@ -12,15 +12,19 @@ namespace {
 template <unsigned D>
 void expect_cone(const double (&n)[D]) {
   const Directions<D> directions(0.5, true);
+  double together[D][Directions<D>::all];
+  directions.find_all(typename Directions<D>::About(n), together);
+  EXPECT_EQ(directions.different, Directions<D>::count);
   for (int k = 0; k < Directions<D>::count; ++k) {
     double out[D];
-    directions.find(n, k, out);
+    directions.find(typename Directions<D>::About(n), k, out);
     double squared = 0.0;
     double along = 0.0;
     for (unsigned d = 0; d < D; ++d) {
       squared += out[d] * out[d];
       along += out[d] * n[d];
     }
+    for (unsigned d = 0; d < D; ++d) EXPECT_NEAR(together[d][k], out[d], 1e-15);
     EXPECT_NEAR(squared, 1.0, 1e-14);
     EXPECT_GT(along, k <= Directions<D>::turned ? std::cos(0.5) - 1e-14 : 0.5 - 1e-14);
   }
@@ -39,7 +43,7 @@ TEST(Directions, AreTurnedByFractionsOfTheSpread) {
   const double n[2] = {1.0, 0.0};
   for (int k = 1; k <= Directions<2>::turned; ++k) {
     double out[2];
-    directions.find(n, k, out);
+    directions.find(Directions<2>::About(n), k, out);
     const int turn = (k + 1) / 2;
     const double angle = 0.1 * turn;
     EXPECT_NEAR(std::atan2(out[1], out[0]), k % 2 == 1 ? angle : -angle, 1e-15);
@@ -49,12 +53,14 @@ TEST(Directions, AreTurnedByFractionsOfTheSpread) {
 TEST(Directions, AxesAreThoseLessThan60DegreesAwayInTheFirstRoundOnly) {
   const double n[2] = {0.28, -0.96};
   double out[2];
-  Directions<2>(0.4, true).find(n, Directions<2>::turned + 2, out);
+  Directions<2>(0.4, true).find(Directions<2>::About(n), Directions<2>::turned + 2, out);
   EXPECT_EQ(out[0], 0.0);
   EXPECT_EQ(out[1], -1.0);
-  Directions<2>(0.4, true).find(n, Directions<2>::turned + 1, out);  // further: the normal again
+  Directions<2>(0.4, true).find(
+      Directions<2>::About(n), Directions<2>::turned + 1, out
+  );  // further: the normal again
   EXPECT_EQ(out[0], n[0]);
-  Directions<2>(0.4, false).find(n, Directions<2>::turned + 2, out);
+  Directions<2>(0.4, false).find(Directions<2>::About(n), Directions<2>::turned + 2, out);
   EXPECT_EQ(out[1], n[1]);
 }
 

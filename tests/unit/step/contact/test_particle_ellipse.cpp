@@ -24,10 +24,12 @@ TEST(ParticleEllipse, ReachesAlongADirectionAsFarAsItsDeformedBoxLets) {
   const ParticleEllipse<2> ellipse(place, particles, 0);
   EXPECT_EQ(ellipse.x[0], 3.0);
   EXPECT_EQ(ellipse.x[1], 5.0);
-  const double across[2] = {1.0, 0.0}, up[2] = {0.0, -1.0}, aslant[2] = {0.6, 0.8};
-  EXPECT_DOUBLE_EQ(ellipse.reach(across), 1.0);
-  EXPECT_DOUBLE_EQ(ellipse.reach(up), 0.5);
-  EXPECT_DOUBLE_EQ(ellipse.reach(aslant), std::sqrt(0.36 + 0.16));
+  const double across_up_aslant[2][3] = {{1.0, 0.0, 0.6}, {0.0, -1.0, 0.8}};
+  double reach[3];
+  ellipse.reach(across_up_aslant, 3, reach);
+  EXPECT_DOUBLE_EQ(reach[0], 1.0);
+  EXPECT_DOUBLE_EQ(reach[1], 0.5);
+  EXPECT_DOUBLE_EQ(reach[2], std::sqrt(0.36 + 0.16));
 }
 
 }  // namespace
