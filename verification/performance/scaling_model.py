@@ -31,8 +31,7 @@ STATE_BYTES = {2: 285.0, 3: 420.0}  # per particle, in a checkpoint about
 MOST_VALUES = 2**31  # of one gathered field
 
 
-def tile_cells(d):
-    return 8 if d == 2 else 4
+TILE_CELLS = 8  # along each axis (src/scene/tile_size.hpp)
 
 
 def size_constant(name):
@@ -66,28 +65,24 @@ def lines_of_counts():
     return counts, line_through(counts, "largest_rank_peak_bytes"), line_through(counts, "largest_rank_candidate_points")
 
 
-def patch_nodes(d):
-    """Nodes of a patch along an axis."""
-    return tile_cells(d) + 1 + 2 * REACH
-
-
+PATCH_NODES = TILE_CELLS + 1 + 2 * REACH  # along an axis
 SHARED = 1 + 2 * REACH  # of them, those that the patch of the tile beside it has too
 
 
 def border_bytes(d):
     """Sums of the nodes that a tile shares with one across a face."""
-    return SHARED * patch_nodes(d) ** (d - 1) * NODE_BYTES
+    return SHARED * PATCH_NODES ** (d - 1) * NODE_BYTES
 
 
 def particles_per_tile(d):
-    return tile_cells(d) ** d * 2**d
+    return TILE_CELLS**d * 2**d
 
 
 def halo_bytes(d, particles):
     """Of a cube of tiles inside many others: what it shares with tiles across its faces, edges and corners."""
     side = (particles / particles_per_tile(d)) ** (1.0 / d)
     return sum(
-        2**k * math.comb(d, k) * side ** (d - k) * SHARED**k * patch_nodes(d) ** (d - k) * NODE_BYTES for k in range(1, d + 1)
+        2**k * math.comb(d, k) * side ** (d - k) * SHARED**k * PATCH_NODES ** (d - k) * NODE_BYTES for k in range(1, d + 1)
     )
 
 
@@ -144,8 +139,8 @@ def across(name):
     slab out of the middle, so there are two cuts."""
     if name.startswith("elastic block"):
         cells = [int(n) for n in name.split(",")[1].split()[0].split("x")]
-        return 3, math.ceil(cells[0] / tile_cells(3)) * math.ceil(cells[2] / tile_cells(3))
-    return 2, 2 * math.ceil(50.8 / tile_cells(2))
+        return 3, math.ceil(cells[0] / TILE_CELLS) * math.ceil(cells[2] / TILE_CELLS)
+    return 2, 2 * math.ceil(50.8 / TILE_CELLS)
 
 
 def comparison():

@@ -3,6 +3,7 @@
 #include "base/exchange.hpp"
 #include "grid/grid.hpp"
 #include "grid/halo.hpp"
+#include "grid/make_patch.hpp"
 #include "grid/parcels.hpp"
 #include "grid/patch.hpp"
 #include "grid/tile_directory.hpp"

@@ -20,24 +20,20 @@ using testing::box_scene;
 
 constexpr double h = 1e-3;
 
-/// 6 tiles along x and y, of 8 cells in the plane and 4 in space, where there are 2 along z.
+constexpr double tile = 8 * h;
+
+/// 6 tiles along x and y, and 2 along z.
 Scene scene_of(Mode mode) {
-  const double tile = mode == Mode::three_dimensional ? 4 * h : 8 * h;
   return box_scene(mode, h, {}, {6 * tile, 6 * tile, 2 * tile}, testing::copper());
 }
-double tile_of(Mode mode) {
-  return mode == Mode::three_dimensional ? 4 * h : 8 * h;
-}
-RefinedRegion corner_region(Mode mode, int level) {
-  const double tile = tile_of(mode);
+RefinedRegion corner_region(int level) {
   return {Box{{}, {0.5 * tile, 0.5 * tile, 0.5 * tile}}, level};
 }
 
 TEST(TileLevels, NeighboursDifferByOneCornersIncluded) {
   for (const Mode mode : all_modes) {
     Scene scene = scene_of(mode);
-    scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(mode, 3)});
-    const double tile = tile_of(mode);
+    scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(3)});
     const auto level = [&](int x, int y) {
       return level_at(scene.grid, {(x + 0.5) * tile, (y + 0.5) * tile, 0.5 * tile});
     };
@@ -50,17 +46,14 @@ TEST(TileLevels, NeighboursDifferByOneCornersIncluded) {
 
 TEST(TileLevels, TheFinestOfTwoRegionsCounts) {
   Scene scene = scene_of(Mode::plane_strain);
-  const double tile = tile_of(Mode::plane_strain);
   const RefinedRegion all{Box{{}, {6 * tile, 6 * tile, 0.0}}, 1};
-  scene.grid.level_of_tile =
-      find_tile_levels(scene.grid, {corner_region(Mode::plane_strain, 2), all});
+  scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(2), all});
   EXPECT_EQ(level_at(scene.grid, {0.0, 0.0, 0.0}), 2);
   EXPECT_EQ(level_at(scene.grid, {5.5 * tile, 5.5 * tile, 0.0}), 1);
 }
 
 TEST(TileLevels, ARegionThatOnlyTouchesATileLeavesIt) {
   const Scene scene = scene_of(Mode::plane_strain);
-  const double tile = tile_of(Mode::plane_strain);
   const RefinedRegion region{Box{{tile, tile, 0.0}, {2 * tile, 2 * tile, 0.0}}, 1};
   const auto levels = find_tile_levels(scene.grid, {region});
   EXPECT_EQ(std::count(levels.begin(), levels.end(), 1), 1);
@@ -68,15 +61,13 @@ TEST(TileLevels, ARegionThatOnlyTouchesATileLeavesIt) {
 }
 
 /// A strip along y, that many usual tiles wide, of half as large cells.
-RefinedRegion strip(Mode mode, double width) {
-  const double tile = tile_of(mode);
+RefinedRegion strip(double width) {
   return {Box{{}, {width * tile, 6 * tile, 2 * tile}}, 1};
 }
 
 TEST(TileLevels, ANarrowStripHasSmallTiles) {
-  const double tile = tile_of(Mode::plane_strain);
   Scene scene = scene_of(Mode::plane_strain);
-  scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {strip(Mode::plane_strain, 0.4)});
+  scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {strip(0.4)});
   EXPECT_EQ(tile_size_of(scene.grid), 0.5 * tile);
   EXPECT_EQ(box_tiles(scene.grid), (std::array<int, 3>{12, 12, 1}));
   EXPECT_EQ(level_at(scene.grid, {0.49 * tile, 3.1 * tile, 0.0}), 1);
@@ -88,9 +79,9 @@ TEST(TileLevels, ANarrowStripHasSmallTiles) {
 TEST(TileLevels, TilesAreAsUsualWhereSmallOnesSaveNothing) {
   for (const Mode mode : all_modes) {
     Scene scene = scene_of(mode);
-    scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {strip(mode, 0.9)});
-    EXPECT_EQ(scene.grid.level_of_tile, find_tile_levels(scene.grid, {strip(mode, 0.9)}));
-    EXPECT_EQ(tile_size_of(scene.grid), tile_of(mode));
+    scene.grid.level_of_tile = find_cheapest_levels(scene.grid, {strip(0.9)});
+    EXPECT_EQ(scene.grid.level_of_tile, find_tile_levels(scene.grid, {strip(0.9)}));
+    EXPECT_EQ(tile_size_of(scene.grid), tile);
   }
   EXPECT_TRUE(find_cheapest_levels(scene_of(Mode::plane_strain).grid, {}).empty());
 }
@@ -105,7 +96,6 @@ TEST(TileLevels, WithoutRegionsNothingIsKept) {
 TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
   for (const Mode mode : all_modes) {
     Scene scene = scene_of(mode);
-    const double tile = tile_of(mode);
     const BodySpec& body = add_box(scene, "body", {}, {2.3 * tile, 3.1 * tile, 1.2 * tile}, 2);
     const auto sums_of = [&] {
       std::array<long double, 4> sums{};
@@ -118,7 +108,7 @@ TEST(TileLevels, BodiesKeepTheirVolumeAndCentroid) {
       return sums;
     };
     const auto uniform = sums_of();
-    scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(mode, 2)});
+    scene.grid.level_of_tile = find_tile_levels(scene.grid, {corner_region(2)});
     const auto refined = sums_of();
     for (std::size_t i = 0; i < 3; ++i) {
       if (mode == Mode::axisymmetric && i == 1) continue;

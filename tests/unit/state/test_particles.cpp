@@ -148,7 +148,7 @@ TEST(Nodes, HaveTheirValuesTileByTile) {
   EXPECT_EQ(impedance_component, 7);
   EXPECT_EQ(first_sum(patch, 3), 3U * 121U * 8U);
   EXPECT_EQ(first_motion(patch, 3), 3U * 121U * 4U);
-  EXPECT_EQ(first_motion(make_patch(3, 1), 1), 343U * 8U);
+  EXPECT_EQ(first_motion(make_patch(3, 1), 1), 1331U * 8U);
   Nodes nodes;
   EXPECT_FALSE(nodes.keeps_sums(0));
   nodes.sums_kept = view_of<unsigned char>("kept", {0, 1});
