@@ -40,7 +40,7 @@ Scene three_bodies() {
 Scene refined_bodies() {
   Scene scene = three_bodies();
   scene.grid.level_of_tile =
-      find_tile_levels(scene.grid, {{Box{{0.012, 0.0, 0.0}, {0.02, 0.02, 0.02}}, 1}});
+      find_cheapest_levels(scene.grid, {{Box{{0.012, 0.0, 0.0}, {0.02, 0.02, 0.02}}, 1}});
   return scene;
 }
 
