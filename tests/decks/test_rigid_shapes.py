@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from runs import Run, mpi_environment  # noqa: E402
+from runs import Run, call  # noqa: E402
 
 MODES = {"axisymmetric": 2, "plane strain": 2, "3D": 3}
 ACROSS = {"axisymmetric": "", "plane strain": "x", "3D": "xz"}  # where a reaction has components beside y
@@ -141,10 +141,7 @@ def run_sample(barreno, folder, mode, shape, target, ranks=1):
     path = folder / f"{MODES[mode]}-{mode[0]}-{shape}-{target}-{ranks}.xml"
     path.write_text(deck(mode, shape, parameters, parts, target))
     out = path.with_suffix("")
-    command = [barreno, "run", path, "--out", out]
-    if ranks > 1:
-        command = ["mpirun", "--quiet", "-n", str(ranks)] + command
-    result = subprocess.run(command, env=mpi_environment(ranks), capture_output=True, text=True, timeout=120)
+    result = call(barreno, ["run", path, "--out", out], ranks, 120)
     assert result.returncode == 0, f"exit {result.returncode}: {result.stderr.strip()}"
     return Run(out)
 
