@@ -10,6 +10,8 @@
 #include "step/contact/particles_at_nodes.hpp"
 #include "step/nodes/node_copies.hpp"
 
+#include <barreno/real.hpp>
+
 #include <limits>
 
 namespace barreno {
@@ -19,14 +21,6 @@ namespace {
 constexpr double spreads[] = {40.0 / 360.0 * two_pi, 10.0 / 360.0 * two_pi, 2.5 / 360.0 * two_pi};
 /// By how much another direction must be better [smallest cells of the grid].
 constexpr double margin = 1e-3;
-
-/// Without the calls that fmin and fmax cost.
-KOKKOS_INLINE_FUNCTION double smaller(double a, double b) {
-  return b < a ? b : a;
-}
-KOKKOS_INLINE_FUNCTION double larger(double a, double b) {
-  return b > a ? b : a;
-}
 
 template <class M, class S>
 struct FindReach {
@@ -69,9 +63,9 @@ struct FindReach {
     }
     ellipse.reach(direction, different, own);
     for (int k = 0; second && k < different; ++k)
-      out[2 * k + 1] = smaller(out[2 * k + 1], along[k] - own[k]);
+      out[2 * k + 1] = real::smaller(along[k] - own[k], out[2 * k + 1]);
     for (int k = 0; !second && k < different; ++k)
-      out[2 * k] = larger(out[2 * k], along[k] + own[k]);
+      out[2 * k] = real::larger(along[k] + own[k], out[2 * k]);
   }
 };
 
@@ -137,8 +131,8 @@ struct ChooseNormals {
       const double* const at =
           &reach(first_value(copies.patch, other, 2 * count)) + there * count * 2;
       for (int k = 0; k < compared; ++k) {
-        top[k] = larger(top[k], at[2 * k]);
-        bottom[k] = smaller(bottom[k], at[2 * k + 1]);
+        top[k] = real::larger(at[2 * k], top[k]);
+        bottom[k] = real::smaller(at[2 * k + 1], bottom[k]);
       }
     });
     for (int k = 0; k < compared; ++k) gap[k] = bottom[k] - top[k];

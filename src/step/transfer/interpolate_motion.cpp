@@ -9,13 +9,10 @@
 #include "state/shape_fields.hpp"
 #include "step/transfer/space_stress.hpp"
 
+#include <barreno/real.hpp>
+
 namespace barreno {
 namespace {
-
-/// Without the call that fmax costs.
-KOKKOS_INLINE_FUNCTION double larger(double a, double b) {
-  return b > a ? b : a;
-}
 
 template <class M, class S>
 struct InterpolateMotion {
@@ -36,7 +33,7 @@ struct InterpolateMotion {
     const Motion* const patch = as_packs<components>(&values(first_motion(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)
-      largest = larger(largest, batch(tile, BatchRows(particles.order, k, end), patch));
+      largest = real::larger(batch(tile, BatchRows(particles.order, k, end), patch), largest);
   }
 
   /// Rows of a tile that is left as it is move by nothing, as far as they are in a chunk that is
@@ -108,7 +105,7 @@ struct InterpolateMotion {
       for (int i = 0; i < dimensions; ++i)
         for (int j = 0; j < dimensions; ++j) increment(p, dimensions * i + j) = dt * at.d[j][i];
       if constexpr (dimensions == 2) increment(p, 4) = dt * at.hoop[0];
-      largest = larger(largest, dt * dt * rate_squared(at.d, at.hoop[0]));
+      largest = real::larger(dt * dt * rate_squared(at.d, at.hoop[0]), largest);
     }
     return largest;
   }
@@ -139,7 +136,7 @@ double interpolate_motion(
         Kokkos::Max<double>(largest)
     );
   });
-  return std::sqrt(larger(largest, 0.0));
+  return std::sqrt(real::larger(largest, 0.0));
 }
 
 }  // namespace barreno
