@@ -33,7 +33,8 @@ from verify import failures  # noqa: E402
 STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
 FIDELITIES = ("fast", "balanced", "reference")
-JET_WORDS = {"Shape Function": "Step/Shape Function", "cells per radius of the jet": "Jet/Cells Per Radius", "Subcycles": "Step/Subcycles"}
+JET_WORDS = {"Shape Function": "Step/Shape Function", "cells per radius of the jet": "Jet/Cells Per Radius",
+             "particles per cell of bodies": "Bodies/Rock/Particles Per Cell", "Subcycles": "Step/Subcycles"}  # fmt: skip
 FINEST_SHAPES = ("default", "quadratic B-spline", "CPDI")  # whose depths are measured with FINEST cells too
 FINEST = 0.5  # mm
 DEPTH_TIME = 20  # us
@@ -53,12 +54,13 @@ def fidelity_words(barreno, name):
     out = {path.removeprefix("Step/"): value for path, value in said.items() if path.startswith("Step/")}
     out["Tolerance"] = with_jet["Materials/Sandstone/Tolerance"]
     out["Jet"] = with_jet["Jet/Particles Per Cell"]
-    return out, int(with_jet["Bodies/Rock/Particles Per Cell"])
+    (per_cell,) = {value for path, value in said.items() if path.endswith("/Particles Per Cell")}
+    return out, int(per_cell)
 
 
 def jet_words(barreno, name):
-    """What it chooses differently, or only, for a deck with a jet."""
-    said = choices_in(barreno, "perforation_quick.xml", name)
+    """What it chooses differently, or only, for a deck with a jet that leaves its cells open."""
+    said = choices_in(barreno, "perforation.xml", name)
     return {word: said.get(path, "as the deck's") for word, path in JET_WORDS.items()}
 
 

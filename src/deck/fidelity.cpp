@@ -36,7 +36,8 @@ struct Choices {
   const char* jet_shape;        ///< of decks with a jet
   double jet_courant_fraction;  ///< of decks with a jet: that of Subcycles
   double jet_cells_per_radius;  ///< along the jet's path
-  bool refines_given_cells;     ///< along the path, also where the deck gives Grid/Cell Size
+  double given_cells;           ///< the same where the deck gives Grid/Cell Size; 0: its cells
+  int path_per_cell;            ///< of bodies, per direction, where it refines the path
   int jet_subcycles;            ///< of decks with a jet
 };
 
@@ -55,8 +56,9 @@ constexpr Choices fidelities[] = {
      "6 %, 3 %",
      "GIMP",
      0.8,
-     1.4,
-     false,
+     1.8,
+     0.0,
+     1,
      4},
     {"balanced",
      "GIMP",
@@ -71,8 +73,9 @@ constexpr Choices fidelities[] = {
      "11 %, 3 %",
      "GIMP",
      0.8,
+     2.4,
      2.0,
-     true,
+     1,
      4},
     {"reference",
      "CPDI",
@@ -88,7 +91,8 @@ constexpr Choices fidelities[] = {
      "GIMP",
      0.8,
      4.0,
-     true,
+     4.0,
+     2,
      4},
 };
 
@@ -165,6 +169,17 @@ std::string fidelity_errors(const std::string& name) {
   return choices == nullptr ? "" : choices->errors;
 }
 
+namespace {
+
+std::string given_cells_text(const Choices& choices) {
+  if (choices.given_cells == choices.jet_cells_per_radius) return "";
+  const std::string given = "where Grid/Cell Size is given";
+  return choices.given_cells > 0.0 ? " (" + choice_text(choices.given_cells) + " " + given + ")"
+                                   : " (those of the deck " + given + ")";
+}
+
+}  // namespace
+
 std::string fidelity_text() {
   std::string text;
   for (const Choices& c : fidelities)
@@ -175,8 +190,8 @@ std::string fidelity_text() {
             std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
             "; with a jet " + c.jet_shape + ", " + name_of(&StepSpec::courant_fraction) + " " +
             choice_text(c.jet_courant_fraction) + ", " + name_of(&JetSpec::cells_per_radius) + " " +
-            choice_text(c.jet_cells_per_radius) +
-            (c.refines_given_cells ? ", " : " where Grid/Cell Size is left open, ") +
+            choice_text(c.jet_cells_per_radius) + given_cells_text(c) + " and then " +
+            std::to_string(c.path_per_cell) + " per cell and direction in bodies, " +
             name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles);
   return text;
 }
@@ -240,18 +255,25 @@ void Fidelity::choose_for_deck(const XMLObject& root) {
   const std::string jet = table_of<JetSpec>().path;
   const auto jet_list = input::find_list(root, jet);
   choose_for_step(add_list(step), step, jet_list.has_value());
+  if (jet_list) {
+    choose(*jet_list, jet, &JetSpec::particles_per_cell, choices->jet_per_cell);
+    const double cells =
+        gives_cell_size(root) ? choices->given_cells : choices->jet_cells_per_radius;
+    if (cells > 0.0) choose(*jet_list, jet, &JetSpec::cells_per_radius, cells);
+  }
+  const bool refines = chosen_paths_.count(path_of(&JetSpec::cells_per_radius)) > 0;
   if (const auto bodies = input::find_list(root, table_of<BodySpec>().path))
     for (int i = 0; i < bodies->numChildren(); ++i) {
       const XMLObject& body = bodies->getChild(i);
       if (body.getTag() != "ParameterList" || !body.hasAttribute("name")) continue;
       const std::string path = list_of<BodySpec>(body.getAttribute("name"));
-      choose(body, path, &BodySpec::particles_per_cell, choices->per_cell);
+      choose(
+          body,
+          path,
+          &BodySpec::particles_per_cell,
+          refines ? choices->path_per_cell : choices->per_cell
+      );
     }
-  if (jet_list) {
-    choose(*jet_list, jet, &JetSpec::particles_per_cell, choices->jet_per_cell);
-    if (choices->refines_given_cells || !gives_cell_size(root))
-      choose(*jet_list, jet, &JetSpec::cells_per_radius, choices->jet_cells_per_radius);
-  }
   const auto time = end_time(root, units_);
   if (!time) return;
   const XMLObject list = add_list(output);
@@ -272,6 +294,11 @@ void Fidelity::choose_tolerance(
   if (card_decides && !same(tolerance, *card, value, units_))
     return keep(input::join(path, tolerance.name), *card, value);
   choose(material, path, tolerance, value);
+}
+
+int Fidelity::particles_without_path() const {
+  const Choices* const choices = choices_of(name_);
+  return choices == nullptr ? 0 : choices->per_cell;
 }
 
 std::vector<std::string> Fidelity::notes() const {

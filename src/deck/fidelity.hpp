@@ -49,6 +49,8 @@ public:
   /// Paths of the values in force that it would choose itself: a scene that cannot have one of them
   /// may leave it out.
   const std::set<std::string>& chosen_paths() const { return chosen_paths_; }
+  /// Per cell and direction of bodies, where the jet's path cannot be refined; 0 without a name.
+  int particles_without_path() const;
 
 private:
   void choose_for_step(const Teuchos::XMLObject& list, const std::string& path, bool jet);

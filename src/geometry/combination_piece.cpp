@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/piece.hpp"
+#include "geometry/slices.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace barreno {
@@ -24,6 +26,10 @@ std::optional<Cut> flat_side(const Shape& shape, const Box& box, int dimension) 
       for (const double place : {own->lower[i], own->upper[i]})
         if (const auto cut = cut_between(box, i, place)) return cut;
   }
+  if (const auto* cone = std::get_if<Cone>(&shape))
+    if (const auto round = round_of(*cone))
+      for (const double place : {round->from, round->to})
+        if (const auto cut = cut_between(box, round->axis, place)) return cut;
   const auto* polygon = std::get_if<Polygon>(&shape);
   if (polygon != nullptr && dimension == 3) {
     for (const double place : {polygon->from, polygon->to})
@@ -81,6 +87,31 @@ Piece piece_of_halves(
 }
 
 }  // namespace
+
+bool holds(const Combination& combination, const Vector& x, int dimension) {
+  const auto in = [&](const Shape& part) { return holds(part, x, dimension); };
+  const auto& parts = combination.parts;
+  if (combination.operation == Operation::unite) return std::any_of(parts.begin(), parts.end(), in);
+  if (combination.operation == Operation::intersect)
+    return std::all_of(parts.begin(), parts.end(), in);
+  return in(parts.front()) && std::none_of(parts.begin() + 1, parts.end(), in);
+}
+
+Side side_of(const Combination& combination, const Box& box, int dimension) {
+  const auto& parts = combination.parts;
+  std::size_t inside = 0, outside = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Side part = side_of(parts[i], box, dimension);
+    if (combination.operation == Operation::subtract && i > 0 && part != Side::cut)
+      part = part == Side::inside ? Side::outside : Side::inside;
+    inside += part == Side::inside ? 1U : 0U;
+    outside += part == Side::outside ? 1U : 0U;
+  }
+  const bool unite = combination.operation == Operation::unite;
+  if (unite ? inside > 0 : inside == parts.size()) return Side::inside;
+  if (unite ? outside == parts.size() : outside > 0) return Side::outside;
+  return Side::cut;
+}
 
 Piece piece_of_combination(
     const Combination& combination, const Box& box, int dimension, int splits

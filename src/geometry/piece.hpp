@@ -41,6 +41,9 @@ double measure_bound(const Shape& shape, int dimension);
 /// All pieces of a shape are exact to 1e-7 of their box at least.
 bool has_exact_pieces(const Shape& shape);
 
+/// Part of a box by which a flat surface may miss its face and still lie on it: round-off of the
+/// coordinates, far below what pieces are exact to.
+inline constexpr double face_margin = 1e-11;
 inline constexpr int splits_2d = 6, splits_3d = 3, cone_splits = 3;
 
 // What the above are made of.
@@ -72,6 +75,11 @@ Piece piece_of_half_space(const HalfSpace& half, const Box& box, int dimension);
 Piece piece_of_combination(
     const Combination& combination, const Box& box, int dimension, int splits
 );
+
+Side side_of_cone(const Cone& cone, const Box& box);
+Side side_of(const Combination& combination, const Box& box, int dimension);
+bool holds(const Combination& combination, const Vector& x, int dimension);
+bool holds(const Cone& cone, const Vector& x);
 
 /// Of a cone's surface, negative inside [length].
 double distance_to(const Cone& cone, const Vector& x);

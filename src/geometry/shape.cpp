@@ -21,7 +21,7 @@ bool holds_point(const Ball& ball, const Vector& x, int dimension) {
   return square < ball.radius * ball.radius && square >= ball.inner_radius * ball.inner_radius;
 }
 bool holds_point(const Cone& cone, const Vector& x, int /*dimension*/) {
-  return distance_to(cone, x) < 0.0;
+  return holds(cone, x);
 }
 bool holds_point(const Polygon& polygon, const Vector& x, int dimension) {
   return holds(polygon, x, dimension);
@@ -36,12 +36,7 @@ bool holds_point(const Faceted& faceted, const Vector& x, int /*dimension*/) {
   return faceted.surface->winding(x) > 0;
 }
 bool holds_point(const Combination& combination, const Vector& x, int dimension) {
-  const auto in = [&](const Shape& part) { return holds(part, x, dimension); };
-  const auto& parts = combination.parts;
-  if (combination.operation == Operation::unite) return std::any_of(parts.begin(), parts.end(), in);
-  if (combination.operation == Operation::intersect)
-    return std::all_of(parts.begin(), parts.end(), in);
-  return in(parts.front()) && std::none_of(parts.begin() + 1, parts.end(), in);
+  return holds(combination, x, dimension);
 }
 
 Side side(const Box& shape, const Box& box, int dimension) {
@@ -56,11 +51,7 @@ Side side(const Ball& ball, const Box& box, int dimension) {
   return side_of(ball, box, dimension);
 }
 Side side(const Cone& cone, const Box& box, int /*dimension*/) {
-  double square = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) square += std::pow(box.upper[i] - box.lower[i], 2);
-  const double distance = distance_to(cone, whole(box, 3).centroid);
-  if (std::abs(distance) < 0.5 * std::sqrt(square)) return Side::cut;
-  return distance < 0.0 ? Side::inside : Side::outside;
+  return side_of_cone(cone, box);
 }
 Side side(const Polygon& polygon, const Box& box, int dimension) {
   return side_of_polygon(polygon, box, dimension);
@@ -71,27 +62,15 @@ Side side(const HalfSpace& half, const Box& box, int dimension) {
     middle += (0.5 * (box.lower[i] + box.upper[i]) - half.point[i]) * half.normal[i];
     reach += 0.5 * (box.upper[i] - box.lower[i]) * std::abs(half.normal[i]);
   }
-  if (middle >= reach) return Side::outside;
-  return middle <= -reach ? Side::inside : Side::cut;
+  if (middle >= (1.0 - face_margin) * reach) return Side::outside;
+  return middle <= -(1.0 - face_margin) * reach ? Side::inside : Side::cut;
 }
 Side side(const Faceted& faceted, const Box& box, int /*dimension*/) {
   if (faceted.surface->comes_near(box)) return Side::cut;
   return faceted.surface->winding(whole(box, 3).centroid) > 0 ? Side::inside : Side::outside;
 }
 Side side(const Combination& combination, const Box& box, int dimension) {
-  const auto& parts = combination.parts;
-  std::size_t inside = 0, outside = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    Side part = side_of(parts[i], box, dimension);
-    if (combination.operation == Operation::subtract && i > 0 && part != Side::cut)
-      part = part == Side::inside ? Side::outside : Side::inside;
-    inside += part == Side::inside ? 1U : 0U;
-    outside += part == Side::outside ? 1U : 0U;
-  }
-  const bool unite = combination.operation == Operation::unite;
-  if (unite ? inside > 0 : inside == parts.size()) return Side::inside;
-  if (unite ? outside == parts.size() : outside > 0) return Side::outside;
-  return Side::cut;
+  return side_of(combination, box, dimension);
 }
 
 Piece piece(const Box& shape, const Box& box, int dimension) {

@@ -3,6 +3,8 @@
 
 #include "geometry/piece.hpp"
 
+#include <optional>
+
 namespace barreno {
 
 /// Volume and first moments about the centre, in place of the centroid, of what a ball fills of a
@@ -20,6 +22,8 @@ struct Round {
   double radius_from = 0.0, radius_to = 0.0;
 };
 Piece slice_round(const Round& round, const Box& box);
+/// A cone as a round body along a coordinate axis; nothing if it points elsewhere.
+std::optional<Round> round_of(const Cone& cone);
 
 Side side_of(const Ball& ball, const Box& box, int dimension);
 

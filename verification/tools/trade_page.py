@@ -41,8 +41,8 @@ def fidelity_section(data):
     for name in FIDELITIES:
         said, per_cell = data["chosen"][name]
         lines.append(f"| {name} | " + " | ".join(said[word] for word in WORDS[:-1]) + f" | {per_cell} | {said['Jet']} |")
-    lines += ["", "In decks with a jet it also sets the cells along the jet's path, where they are larger, and lets slow tiles take longer steps (in decks that can have "
-              "neither, both are left out, with a note). What that does to the depth and the price of the main job: [verification/fidelities.md](verification/fidelities.md).", "",
+    lines += ["", "In decks with a jet it also sets the cells along the jet's path, with fewer particles in each of the bodies' cells, and lets slow tiles take longer steps (in decks that can have "
+              "neither, both are left out, with a note; where the deck gives Grid/Cell Size, *fast* leaves the path as it is and *balanced* refines it to 2 cells per radius). What that does to the depth and the price of the main job: [verification/fidelities.md](verification/fidelities.md).", "",
               "| fidelity | " + " | ".join(data["with_jet"]["balanced"]) + " |", "|---|" + "---|" * len(data["with_jet"]["balanced"])]  # fmt: skip
     lines += [f"| {name} | " + " | ".join(data["with_jet"][name].values()) + " |" for name in FIDELITIES]
     lines += ["", "Error (and cost relative to balanced) at equal cells, one step for all:", "",

@@ -334,6 +334,32 @@ std::optional<std::string> settle_cell_size(
   return cells.note;
 }
 
+/// A fidelity gives bodies few particles where it refines the jet's path. Where that does not work
+/// they get as many as with equal cells. @return what to say of it then
+std::optional<std::string> settle_particles(
+    const Reading& reading, const XMLObject& root, ParameterList& values
+) {
+  const std::set<std::string>& chosen = reading.fidelity.chosen_paths();
+  if (chosen.count(path_of(&JetSpec::cells_per_radius)) == 0) return {};
+  const Deck open(reading.source.name, values, root);
+  const std::string conflict = conflict_with_levels(open);
+  if (conflict.empty()) return {};
+  const int count = reading.fidelity.particles_without_path();
+  const std::string& name = name_of(&BodySpec::particles_per_cell);
+  ParameterList& bodies = values.sublist(table_of<BodySpec>().path);
+  int few = 0;
+  for (const std::string& body : open.lists(table_of<BodySpec>().path)) {
+    const std::string path = join(list_of<BodySpec>(body), name);
+    if (chosen.count(path) == 0 || open.integer(path) == count) continue;
+    few = open.integer(path);
+    bodies.sublist(body).set(name, count);
+  }
+  if (few == 0) return {};
+  return "Bodies have " + std::to_string(count) + " particles per cell and direction, not " +
+         std::to_string(few) + " as the fidelity chose for a refined path: " + conflict +
+         " does not work across cells of different sizes yet.";
+}
+
 ParameterList read_values(
     const XMLObject& root, Reading& reading, const std::vector<NewList>& made
 ) {
@@ -381,6 +407,7 @@ Deck read_deck(
   std::vector<SurfaceFile> surface_files;
   const auto surfaces = read_surfaces(reading, values, surface_files);
   std::vector<std::string> notes = reading.fidelity.notes();
+  if (const auto note = settle_particles(reading, root, values)) notes.push_back(*note);
   if (const auto note = settle_cell_size(reading, root, values)) notes.push_back(*note);
   Deck deck(name, values, root);
   deck.surfaces = surfaces;

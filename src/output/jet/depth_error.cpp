@@ -147,6 +147,10 @@ DepthError with_length(DepthError error, double cells_per_radius, double length_
       std::max(error.high, error.high + change)};
 }
 
+/// With fewer the error of one particle per cell and direction exceeds that of two by far: 15 %
+/// with 1.4, where it is 7 % (docs/verification/fidelities.md).
+constexpr double fewest_cells_of_one = 1.8;
+
 std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius) {
   if (scene.grid.mode == Mode::plane_strain) return "it was measured with round jets only";
   if (scene.grid.mode == Mode::three_dimensional) return "it was measured in axisymmetry only";
@@ -156,8 +160,8 @@ std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius)
   const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));
   if (layers.empty()) return "the jet meets no target";
   const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
-  const MaterialSpec& target =
-      scene.materials[static_cast<std::size_t>(main_body(scene, layers).material)];
+  const BodySpec& body = main_body(scene, layers);
+  const MaterialSpec& target = scene.materials[static_cast<std::size_t>(body.material)];
   if (target.is_porous()) return "it was measured in dry rock only";
   if (!is_measured_pair(jet, target))
     return "it was measured with tungsten in dry Berea sandstone only, not with " + jet.name() +
@@ -169,6 +173,9 @@ std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius)
       cells_per_radius > range.most * (1.0 + round_off))
     return "it was measured with " + number("%g", range.fewest) + " to " +
            number("%g cells per radius only", range.most);
+  if (body.particles_per_cell == 1 && cells_per_radius < fewest_cells_of_one * (1.0 - round_off))
+    return "with one particle per cell and direction it was measured from " +
+           number("%g cells per radius on only", fewest_cells_of_one);
   return {};
 }
 

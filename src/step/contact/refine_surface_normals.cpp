@@ -11,7 +11,6 @@
 #include "step/nodes/node_copies.hpp"
 
 #include <barreno/real.hpp>
-
 #include <limits>
 
 namespace barreno {

@@ -243,13 +243,15 @@ TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
 
 TEST_F(ReadDeck, AFidelityChoosesCellsAndStepsForAJet) {
   const Deck balanced = read("deck.xml", {"Fidelity=balanced", "Step/Subcycles=2"});
-  EXPECT_EQ(balanced.number("Jet/Cells Per Radius"), 2.0);
+  EXPECT_EQ(balanced.number("Jet/Cells Per Radius"), 2.0);  // the deck gives Cell Size
+  EXPECT_EQ(balanced.integer("Bodies/Back/Particles Per Cell"), 1);
   EXPECT_EQ(balanced.integer("Step/Subcycles"), 2);
   EXPECT_EQ(balanced.chosen_by_fidelity.count("Jet/Cells Per Radius"), 1U);
   EXPECT_EQ(balanced.chosen_by_fidelity.count("Step/Subcycles"), 0U);
   const Deck reference = read("deck.xml", {"Fidelity=reference"});
   EXPECT_EQ(reference.word("Step/Shape Function"), "GIMP");
   EXPECT_EQ(reference.number("Jet/Cells Per Radius"), 4.0);
+  EXPECT_EQ(reference.integer("Bodies/Back/Particles Per Cell"), 2);
   const Scene scene = build_scene(reference);
   EXPECT_EQ(scene.step.subcycles, 4);
   EXPECT_FALSE(scene.grid.level_of_tile.empty());
@@ -263,13 +265,21 @@ TEST_F(ReadDeck, CellsFollowTheJetWhereTheDeckLeavesThemOpen) {
   EXPECT_DOUBLE_EQ(plain.number("Grid/Cell Size"), 1e-3);
   EXPECT_TRUE(notes_say(plain, "Grid/Cell Size = 0.001 m follows from the jet (1 cell in the"));
   const Deck fast = read("deck.xml", {open, "Fidelity=fast"});
-  EXPECT_DOUBLE_EQ(fast.number("Jet/Cells Per Radius"), 1.4);
-  EXPECT_DOUBLE_EQ(fast.number("Grid/Cell Size"), 2e-3 / 1.4);  // one level: 1.4 in a radius
+  EXPECT_DOUBLE_EQ(fast.number("Jet/Cells Per Radius"), 1.8);
+  EXPECT_DOUBLE_EQ(fast.number("Grid/Cell Size"), 2e-3 / 1.8);  // one level: 1.8 in a radius
+  EXPECT_EQ(fast.integer("Bodies/Back/Particles Per Cell"), 1);
   EXPECT_DOUBLE_EQ(read("deck.xml", {open, "Fidelity=reference"}).number("Grid/Cell Size"), 1e-3);
   const std::vector<std::string> many = {open, "Jet/Cells Per Radius=40"};
   EXPECT_DOUBLE_EQ(read("deck.xml", many).number("Grid/Cell Size"), 0.4e-3);  // at most four levels
   const std::vector<std::string> no_path = {open, "Fidelity=fast", "Step/Transfer=XPIC"};
-  EXPECT_DOUBLE_EQ(read("deck.xml", no_path).number("Grid/Cell Size"), 1e-3);
+  const Deck without = read("deck.xml", no_path);
+  EXPECT_DOUBLE_EQ(without.number("Grid/Cell Size"), 1e-3);
+  EXPECT_EQ(without.integer("Bodies/Back/Particles Per Cell"), 2);
+  EXPECT_TRUE(notes_say(
+      without,
+      "Bodies have 2 particles per cell and direction, not 1 as the fidelity chose for a refined "
+      "path: Step/Transfer = XPIC does not work across cells of different sizes yet."
+  ));
   const std::vector<std::string> taller = {open, "Grid/Upper={20, 40.5}"};
   EXPECT_DOUBLE_EQ(read("deck.xml", taller).number("Grid/Cell Size"), 0.5e-3);  // divides both
   EXPECT_THROW(read("deck.xml", {open, "Grid/Upper={20, 40.01}"}), DeckError);

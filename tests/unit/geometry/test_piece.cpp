@@ -168,6 +168,27 @@ TEST(PieceOf, BoxesInCombinationAreExact) {
   EXPECT_NEAR(sum_of_pieces(drilled, 2, 13), 4.0 - 0.75 * 0.53, 1e-13);
 }
 
+/// A hollow cone: two surfaces end in one plane, which cuts boxes or lies on their faces.
+TEST(PieceOf, ConesThatEndInOnePlaneAreExactTogether) {
+  const Cone outer{{0.0, -1.5, 0.0}, {0.0, 1.3, 0.0}, 0.0, 2.0};
+  const Cone inner{{0.0, -0.5, 0.0}, {0.0, 1.3, 0.0}, 0.0, 1.1};
+  const Shape hollow = Combination{Operation::subtract, {outer, inner}};
+  const double exact = pi / 3.0 * (2.0 * 2.0 * 2.8 - 1.1 * 1.1 * 1.8);
+  EXPECT_NEAR(sum_of_pieces(hollow, 3, 13), exact, 1e-9);
+}
+
+TEST(SideOf, AFaceOnTheEndOfAConeIsNotCutWhateverTheRoundOff) {
+  const Cone cone{{0.0, 0.0, 0.0}, {0.0, 1.3, 0.0}, 2.0, 1.0};
+  for (const double end : {std::nextafter(1.3, 0.0), 1.3, std::nextafter(1.3, 2.0)}) {
+    EXPECT_EQ(side_of(cone, {{0.0, 1.0, 0.0}, {0.3, end, 0.3}}, 3), Side::inside);
+    EXPECT_EQ(side_of(cone, {{0.0, end, 0.0}, {0.3, 1.6, 0.3}}, 3), Side::outside);
+  }
+  EXPECT_EQ(side_of(cone, {{0.0, 1.2, 0.0}, {0.3, 1.4, 0.3}}, 3), Side::cut);
+  // Beside the surface, where a ball around the box would meet it.
+  EXPECT_EQ(side_of(cone, {{1.1, 1.2, -0.5}, {1.5, 1.29, 0.5}}, 3), Side::outside);
+  EXPECT_EQ(side_of(cone, {{0.5, 1.2, -0.5}, {0.8, 1.29, 0.5}}, 3), Side::inside);
+}
+
 TEST(PieceOf, NeighboursShareNoPointAndLeaveNone) {
   const Polygon left{{{-1.0, -1.0}, {0.3, -1.0}, {-0.2, 1.0}, {-1.0, 1.0}}};
   const Polygon right{{{0.3, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-0.2, 1.0}}};
