@@ -23,6 +23,9 @@ struct NodeCondition {
   KOKKOS_INLINE_FUNCTION bool holds(const int (&node)[3], int level) const {
     return lower ? node[axis] <= bound << level : node[axis] >= bound << level;
   }
+  /// It moves nodes, or sets their axial velocity: then it gives work or axial momentum, which
+  /// change with the step. What only stops a component across y gives neither.
+  KOKKOS_INLINE_FUNCTION bool gives() const { return table >= 0 || sets[1]; }
 };
 
 /// One on each face, and that of the axis of revolution.

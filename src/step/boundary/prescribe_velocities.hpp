@@ -56,7 +56,7 @@ struct ConditionTally {
 /// material. (Nodes behind a symmetry plane get the mirrored velocity: mirror_nodes.hpp.)
 ///
 /// @param velocities  of this tile's step (NodeConditions::over_step)
-/// @return whether a condition acts at the node
+/// @return whether a condition gives work or axial momentum at the node (NodeCondition::gives)
 template <unsigned D>
 KOKKOS_INLINE_FUNCTION bool prescribe_velocities(
     const NodeConditions& conditions,
@@ -68,11 +68,11 @@ KOKKOS_INLINE_FUNCTION bool prescribe_velocities(
 ) {
   const double raw = v.before[1];
   bool set[D] = {};
-  bool acts = false;
+  bool gives = false;
   for (int i = 0; i < conditions.count; ++i) {
     const NodeCondition& c = conditions.list[i];
     if (!c.holds(node.index, node.level)) continue;
-    acts = true;
+    gives = gives || c.gives();
     for (unsigned d = 0; d < D; ++d) {
       if (!c.sets[d]) continue;
       v.before[d] = velocities.before[i][d];
@@ -87,7 +87,7 @@ KOKKOS_INLINE_FUNCTION bool prescribe_velocities(
     if (d == 1) tally.axial_impulse += reaction;
   }
   if (set[1]) tally.axial_of_start += forces.mass * (v.before[1] - raw);
-  return acts;
+  return gives;
 }
 
 }  // namespace barreno

@@ -87,8 +87,8 @@ struct DormantNodes {
 
   /// Notes the bounds of a tile that was solved, and whether it is motionless.
   /// @param motion      v' and v' - v of its nodes
-  /// @param prescribed  a condition or contact acts on one of them: its impulse counts, and may
-  ///                    change
+  /// @param prescribed  a condition gives work or axial momentum at one of them, or contact acts:
+  ///                    its impulse counts, and may change
   /// @return that it is motionless and all that it has of energy may be dropped
   KOKKOS_INLINE_FUNCTION bool enter(int tile, const double* motion, bool prescribed) const {
     if (!is_candidate(tile)) return false;

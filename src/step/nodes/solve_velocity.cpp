@@ -136,7 +136,7 @@ struct SolveVelocity {
   struct SolvedNode {
     Velocity v;
     double force[D], drag[D], resisted[D];
-    bool prescribed;  ///< a condition acts on it
+    bool prescribed;  ///< a condition gives work or axial momentum there
   };
 
   /// @param node     its whole sums
@@ -211,7 +211,7 @@ struct SolveVelocity {
     for (int i = 0; i < patch.nodes * width; ++i) moved[i] = 0.0;
   }
 
-  /// @return whether a condition acts on one of its nodes
+  /// @return whether a condition gives work or axial momentum at one of its nodes
   KOKKOS_INLINE_FUNCTION bool solve_row(
       int tile,
       int y,
