@@ -8,7 +8,6 @@ TITLE = "Depth at 10 µs against cost, equal and refined cells"
 PICTURE = {"x": "processor time [s]", "y": ["depth at 10 µs [mm]"]}
 TIP = 1.0  # mm, radius of the jet's tip
 OF_LEVELS = {"1 mm": (1.0, True), "refined to 0.25 mm": (0.25, False), "0.25 mm": (0.25, True)}  # name -> smallest cells [mm], everywhere
-FEW = "refined to 0.25 mm, as fidelities do"
 
 
 def rows(case):
@@ -20,8 +19,7 @@ def points():
     """(kind, smallest cells [mm], processor time [s], depth [mm])"""
     out = []
     for row in rows("levels"):
-        if row["cells"] == FEW:
-            out.append(("one particle per cell", 0.25, row["processor time [s]"], row["at 10 us [mm]"]))
+        if row["cells"] not in OF_LEVELS:  # with fewer particles
             continue
         cells, everywhere = OF_LEVELS[row["cells"]]
         kind = "equal cells" if everywhere else "small cells along the path"
