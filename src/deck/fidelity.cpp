@@ -145,6 +145,12 @@ std::string choice_text(double value) {
   return text;
 }
 
+/// Cells per radius of a deck that gives Grid/Cell Size, where they are others.
+std::string given_cells_text(const Choices& choices) {
+  if (choices.given_cells == 0.0 || choices.given_cells == choices.jet_cells_per_radius) return "";
+  return " (" + choice_text(choices.given_cells) + " where Grid/Cell Size is given)";
+}
+
 /// Whether two texts say the same of an entry: "0.80" and "0.8", "5 us" and "5e-06 s".
 bool same(
     const input::Entry& entry,
@@ -169,17 +175,6 @@ std::string fidelity_errors(const std::string& name) {
   return choices == nullptr ? "" : choices->errors;
 }
 
-namespace {
-
-std::string given_cells_text(const Choices& choices) {
-  if (choices.given_cells == choices.jet_cells_per_radius) return "";
-  const std::string given = "where Grid/Cell Size is given";
-  return choices.given_cells > 0.0 ? " (" + choice_text(choices.given_cells) + " " + given + ")"
-                                   : " (those of the deck " + given + ")";
-}
-
-}  // namespace
-
 std::string fidelity_text() {
   std::string text;
   for (const Choices& c : fidelities)
@@ -190,8 +185,9 @@ std::string fidelity_text() {
             std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
             "; with a jet " + c.jet_shape + ", " + name_of(&StepSpec::courant_fraction) + " " +
             choice_text(c.jet_courant_fraction) + ", " + name_of(&JetSpec::cells_per_radius) + " " +
-            choice_text(c.jet_cells_per_radius) + given_cells_text(c) + " and then " +
-            std::to_string(c.path_per_cell) + " per cell and direction in bodies, " +
+            choice_text(c.jet_cells_per_radius) + given_cells_text(c) + " and " +
+            std::to_string(c.path_per_cell) + " per cell and direction in bodies" +
+            (c.given_cells > 0.0 ? ", " : " where Grid/Cell Size is left open, ") +
             name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles);
   return text;
 }

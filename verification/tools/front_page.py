@@ -59,7 +59,7 @@ def figures():
         f"{with_interval(whole['depth at 50 us [mm]'], 1.0)}, {with_interval(whole['depth at 90 us [mm]'], 1.0)} and {whole['final depth [mm]']:.0f} mm |",
         f"| its depth at 50 us with cells of 2, 1 and 0.5 mm, and the error against cells of {REFERENCE:g} mm ([docs/trade.md](docs/trade.md#perforation-depth-at-20-us-axisymmetric-small-target)) | "
         f"{depths[0]:.0f}, {depths[1]:.0f} and {depths[2]:.0f} mm; {errors[0]:.0f}, {errors[1]:.0f} and {errors[2] + 0.0:.1f} % |",
-        *(fidelity_row(name, cells, jobs[name]) for name, cells in (("fast", 1.8), ("balanced", 2.4))),
+        *(fidelity_row(name, jobs[name]["cells per radius"], jobs[name]) for name in ("fast", "balanced")),
         f"| stress update of one rock point: yielding; elastic ([docs/materials/arenisca_cost.md](docs/materials/arenisca_cost.md)) | {1e-3 * point['ns_lanes']:.2g} us; {elastic} |",
     ]  # fmt: skip
 
