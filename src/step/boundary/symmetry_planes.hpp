@@ -68,14 +68,17 @@ struct SymmetryPlanes {
   ) {
     if (!reaches(plane, patch, position)) return;
     const int first = position[plane.axis] * patch.tile_cells - patch.reach;
+    const int on_plane = (plane.node << position.level) - first;  // place along the axis
+    const int last = patch.nodes - 1;
+    const int farthest = 2 * on_plane;  // the image of place 0
+    const int begin = plane.lower ? (farthest > last ? farthest - last : 0) : on_plane + 1;
+    const int end = plane.lower ? on_plane : (farthest < last ? farthest + 1 : patch.nodes);
     int stride = 1;
     for (int axis = 0; axis < plane.axis; ++axis) stride *= patch.nodes;
-    for (int slot = 0; slot < patch.size; ++slot) {
-      const int i = slot / stride % patch.nodes;
-      const int image = 2 * ((plane.node << position.level) - first) - i;
-      if (plane.is_behind(first + i, position.level) && image >= 0 && image < patch.nodes)
-        visit(slot, slot + (image - i) * stride);
-    }
+    for (int block = 0; block < patch.size; block += stride * patch.nodes)
+      for (int i = begin; i < end; ++i)
+        for (int slot = block + i * stride; slot < block + (i + 1) * stride; ++slot)
+          visit(slot, slot + (farthest - 2 * i) * stride);
   }
 };
 

@@ -11,13 +11,12 @@
 
 namespace barreno {
 
-/// Which tiles solve_velocity need not solve: candidates with the sums of the step before in them
-/// and around them, and so slow then that they are motionless now. Whether one is skipped changes
-/// no bit of the answer: what nodes of a motionless tile have of energy is dropped (docs/method.md
-/// 9).
+/// Which tiles solve_velocity need not solve (find_unsolved_tiles): candidates with the sums of the
+/// step before in them and around them, and so slow then that they are motionless now. Whether one
+/// is skipped changes no bit of the answer: what nodes of a motionless tile have of energy is
+/// dropped (docs/method.md 9).
 ///
-/// With several velocity fields the first to be solved decides for all whether a tile is; its nodes
-/// are motionless if those of all fields are.
+/// With several velocity fields a tile's nodes are motionless if those of all fields are.
 struct DormantNodes {
   Dormancy dormancy;
   bool first_field;  ///< the first of the step that is solved
@@ -78,11 +77,9 @@ struct DormantNodes {
     return true;
   }
 
-  /// What stays_motionless says in the first field; the others follow, whose bounds it has not yet.
+  /// What find_unsolved_tiles found before the first field was solved.
   KOKKOS_INLINE_FUNCTION bool leaves_unsolved(int tile) const {
-    if (!dormancy.on) return false;
-    if (first_field) dormancy.unsolved(tile) = stays_motionless(tile) ? 1 : 0;
-    return dormancy.unsolved(tile) != 0;
+    return dormancy.on && dormancy.unsolved(tile) != 0;
   }
 
   /// Notes the bounds of a tile that was solved, and whether it is motionless.

@@ -6,7 +6,7 @@
 #include "base/row_sum.hpp"
 #include "grid/coarse_nodes.hpp"
 #include "shape/kinematics.hpp"
-#include "step/dormant/dormant_nodes.hpp"
+#include "step/dormant/find_unsolved_tiles.hpp"
 
 #include <vector>
 
@@ -343,6 +343,10 @@ GridTally solve_velocity(
   const Region region("solve_velocity");
   const auto values = static_cast<std::size_t>(grid.active) * tally_values;
   if (nodes.tally.extent(0) < values) nodes.tally = ArrayView<double>("tally", 2 * values);
+  const DormantNodes dormant(
+      grid, special.dormancy, special.first_field, special.subcycling, nodes
+  );
+  if (special.first_field) find_unsolved_tiles(grid, dormant);
   visit_mode(grid.mode, [&](auto mode) {
     const SolveVelocity<decltype(mode)::dimensions> solve{
         rule,
@@ -358,7 +362,7 @@ GridTally solve_velocity(
         special.shared,
         special.passes_up,
         nodes.impulse,
-        DormantNodes(grid, special.dormancy, special.first_field, special.subcycling, nodes)};
+        dormant};
     for (int level = 0; level < grid.box.levels; ++level)  // finer tiles ask coarser ones
       launch(
           "solve_velocity",
