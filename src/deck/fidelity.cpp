@@ -39,6 +39,9 @@ struct Choices {
   double given_cells;           ///< the same where the deck gives Grid/Cell Size; 0: its cells
   int path_per_cell;            ///< of bodies, per direction, where it refines the path
   int jet_subcycles;            ///< of decks with a jet
+  /// Of decks with a jet. A particle of debris that runs into single others can be crushed by a
+  /// third in a step, and explodes: a kilojoule and more that the run has not been given.
+  double jet_largest_strain;
 };
 
 /// One row for each name. The numbers come from the curves of docs/trade.md.
@@ -59,7 +62,8 @@ constexpr Choices fidelities[] = {
      1.8,
      0.0,
      1,
-     4},
+     4,
+     0.1},
     {"balanced",
      "GIMP",
      Transfer::flip,
@@ -76,7 +80,8 @@ constexpr Choices fidelities[] = {
      2.4,
      2.0,
      1,
-     4},
+     4,
+     0.1},
     {"reference",
      "CPDI",
      Transfer::flip,
@@ -93,7 +98,8 @@ constexpr Choices fidelities[] = {
      4.0,
      4.0,
      2,
-     4},
+     4,
+     0.1},
 };
 
 const Choices* choices_of(const std::string& name) {
@@ -188,7 +194,8 @@ std::string fidelity_text() {
             choice_text(c.jet_cells_per_radius) + given_cells_text(c) + " and " +
             std::to_string(c.path_per_cell) + " per cell and direction in bodies" +
             (c.given_cells > 0.0 ? ", " : " where Grid/Cell Size is left open, ") +
-            name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles);
+            name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles) + ", " +
+            name_of(&StepSpec::largest_strain) + " " + choice_text(c.jet_largest_strain);
   return text;
 }
 
@@ -233,7 +240,9 @@ void Fidelity::choose_for_step(const XMLObject& list, const std::string& path, b
       &StepSpec::courant_fraction,
       jet ? choices.jet_courant_fraction : choices.courant_fraction
   );
-  if (jet) choose(list, path, &StepSpec::subcycles, choices.jet_subcycles);
+  if (!jet) return;
+  choose(list, path, &StepSpec::subcycles, choices.jet_subcycles);
+  choose(list, path, &StepSpec::largest_strain, choices.jet_largest_strain);
 }
 
 void Fidelity::choose_for_deck(const XMLObject& root) {

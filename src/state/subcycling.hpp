@@ -24,7 +24,7 @@ struct Subcycling {
   ArrayView<double> elapsed;        ///< of its own step before this part [time]
   ArrayView<double> gain;   ///< in the layout of Nodes::motion: displacement, change of velocity
   ArrayView<double> whole;  ///< the same of a whole step: mean velocity, change of velocity
-  ArrayView<double> reach;  ///< scratch of plan_subcycles, with ghosts
+  ArrayView<double> reach;  ///< what plan_subcycles tells of tiles (tile_exits.hpp), also of ghosts
   ArrayView<int> entrants;  ///< scratch of plan_subcycles
   long activation = -1;     ///< Grid::activations that all this belongs to
 

@@ -8,6 +8,7 @@
 #include "step/ranks/place_particles.hpp"
 #include "step/stable_step.hpp"
 #include "step/subcycle/plan_subcycles.hpp"
+#include "step/subcycle/reached_tiles.hpp"
 #include "step/transfer/start_affine.hpp"
 
 #include <algorithm>
@@ -53,6 +54,24 @@ void split_sets(const Scene& scene, State& state) {
   }
 }
 
+/// How the step is divided, with all tiles active that particles may enter before it is over.
+void plan_parts(const Scene& scene, double dt, double left, State& state) {
+  const auto reaches_others = [&] {
+    return plan_subcycles(
+        scene.step, state.grid, state.particles, state.dormancy, dt, left, state.subcycling
+    );
+  };
+  while (reaches_others())
+    activate_reached_tiles(
+        reached_tiles(state.grid, state.subcycling),
+        state.clock.step,
+        state.grid,
+        state.particles,
+        state.ledger,
+        state.effort
+    );
+}
+
 }  // namespace
 
 StepStart prepare_step(const Scene& scene, double next_time, State& state) {
@@ -73,8 +92,7 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   place_particles(placement, clock.step, grid, sets, ledger, effort);  // ranks, tiles, order
   if (clock.step == 0) start_affine(grid, sets);                       // APIC
   // The first step settles what materials make of their initial states: together.
-  const double left = clock.step == 0 ? 0.0 : next_time - clock.time;
-  plan_subcycles(scene.step, grid, sets, state.dormancy, dt, left, state.subcycling);
+  plan_parts(scene, dt, clock.step == 0 ? 0.0 : next_time - clock.time, state);
   return {dt, placement.interrupt};
 }
 

@@ -182,11 +182,11 @@ struct SolveVelocity {
     return rule.damping == 0.0 && node[impedance_component] == 0.0;
   }
 
-  /// Sums of a row of nodes.
+  /// Sums of a row of nodes. Without branches for the compiler to vectorise.
   KOKKOS_INLINE_FUNCTION bool are_zero(const double* row) const {
-    for (int i = 0; i < patch.nodes * sum_components; ++i)
-      if (row[i] != 0.0) return false;
-    return true;
+    int others = 0;
+    for (int i = 0; i < patch.nodes * sum_components; ++i) others |= row[i] != 0.0 ? 1 : 0;
+    return others == 0;
   }
   /// Whether a tile wants nothing of the nodes that share y and z: neither its particles nor loads
   /// reach them, and they count elsewhere. Particles that have spread leave most rows so.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/ranks/place_particles.hpp"
 
+#include "base/exchange.hpp"
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "grid/tiles.hpp"
@@ -8,6 +9,7 @@
 #include "step/ranks/migrate_particles.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace barreno {
@@ -51,9 +53,36 @@ void sort_out_repeats(std::vector<int>& tiles) {
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
 }
 
-/// Tiles that hold particles of this rank, and the coarser ones around them, by number, ascending.
-/// Most are active already; no place of the box is looked at beside them.
-std::vector<int> occupied_tiles(const Grid& grid, const std::vector<Particles>& sets) {
+/// Of tiles that hold particles so many active ones may be empty: a tile that the pieces of a jet
+/// enter and leave one after the other would else be new with each of them.
+constexpr double empty_share = 0.125;
+
+/// The active tiles by number, ascending.
+std::vector<int> active_tiles(const Grid& grid) {
+  const auto frame = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), grid.tile_frame);
+  std::vector<int> active(static_cast<std::size_t>(grid.active));
+  for (std::size_t t = 0; t < active.size(); ++t) active[t] = grid.box.id(frame(t).position);
+  return active;
+}
+
+/// Adds those of the active tiles that are empty, unless they are many.
+void keep_empty_tiles(const std::vector<int>& active, std::vector<int>& tiles) {
+  std::vector<int> empty;
+  std::set_difference(
+      active.begin(), active.end(), tiles.begin(), tiles.end(), std::back_inserter(empty)
+  );
+  if (static_cast<double>(empty.size()) > empty_share * static_cast<double>(tiles.size())) return;
+  const auto middle = static_cast<std::ptrdiff_t>(tiles.size());
+  tiles.insert(tiles.end(), empty.begin(), empty.end());
+  std::inplace_merge(tiles.begin(), tiles.begin() + middle, tiles.end());
+}
+
+/// Tiles that hold particles of this rank, those that some are about to enter, the coarser ones
+/// around both, and few that are empty, by number, ascending. Most are active already; no place of
+/// the box is looked at beside them.
+std::vector<int> tiles_to_activate(
+    const Grid& grid, const std::vector<Particles>& sets, const std::vector<int>& reached
+) {
   const auto rows = std::accumulate(sets.begin(), sets.end(), 0, [](int sum, const Particles& set) {
     return sum + set.count;
   });
@@ -65,16 +94,53 @@ std::vector<int> occupied_tiles(const Grid& grid, const std::vector<Particles>& 
   const auto on_host = [](const auto& view) {
     return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
   };
-  const auto active = on_host(holding.active);
-  const auto frame = on_host(grid.tile_frame);
+  const auto holds = on_host(holding.active);
   const auto others = on_host(holding.others);
   std::vector<int> tiles(others.data(), others.data() + on_host(holding.count)(0));
+  tiles.insert(tiles.end(), reached.begin(), reached.end());
   sort_out_repeats(tiles);
-  for (std::size_t t = 0; t < active.extent(0); ++t)
-    if (active(t) != 0) tiles.push_back(grid.box.id(frame(t).position));
+  const std::vector<int> active = active_tiles(grid);
+  for (std::size_t t = 0; t < active.size(); ++t)
+    if (holds(t) != 0) tiles.push_back(active[t]);
   add_coarser_tiles(grid.box, tiles);
   sort_out_repeats(tiles);
+  keep_empty_tiles(active, tiles);
   return tiles;
+}
+
+/// With the tiles that hold particles, and those that some are about to enter; all get new numbers.
+void make_active(
+    const std::vector<int>& reached,
+    Grid& grid,
+    std::vector<Particles>& sets,
+    OwnLedger& ledger,
+    Effort& effort
+) {
+  activate_tiles(grid, tiles_to_activate(grid, sets, reached));
+  forget_keys(sets);
+  locate_particles(grid, sets, ledger, effort);
+  for (Particles& particles : sets) particles.sorted = false;
+}
+
+void sort_sets(long step, const Grid& grid, std::vector<Particles>& sets, Effort& effort) {
+  const Stopwatch watch;
+  for (Particles& particles : sets) {
+    if (particles.sorted) continue;
+    sort_by_cell(grid, particles);
+    if (step % steps_per_permutation == 0) permute_rows(particles);
+  }
+  effort.tile_seconds += watch.seconds();
+}
+
+/// @param tiles  of any ranks
+/// @return those of this rank that any rank has in its list
+std::vector<int> tell_owners(const Grid& grid, const std::vector<int>& tiles) {
+  std::vector<std::vector<double>> told(static_cast<std::size_t>(grid.comm->getSize()));
+  for (const int tile : tiles)
+    told[static_cast<std::size_t>(owner_of(grid, grid.box.box_tile(grid.box.position(tile))))]
+        .push_back(tile);
+  const std::vector<double> heard = exchange_rows(*grid.comm, told);
+  return {heard.begin(), heard.end()};
 }
 
 }  // namespace
@@ -96,19 +162,21 @@ void place_particles(
     const std::vector<int> first_row = migrate_particles(grid, sets);
     for (std::size_t s = 0; s < sets.size(); ++s) locate_newcomers(grid, sets[s], first_row[s]);
   }
-  if (agreed.new_tile) {
-    activate_tiles(grid, occupied_tiles(grid, sets));
-    forget_keys(sets);
-    locate_particles(grid, sets, ledger, effort);
-    for (Particles& particles : sets) particles.sorted = false;
-  }
-  const Stopwatch watch;
-  for (Particles& particles : sets) {
-    if (particles.sorted) continue;
-    sort_by_cell(grid, particles);
-    if (step % steps_per_permutation == 0) permute_rows(particles);
-  }
-  effort.tile_seconds += watch.seconds();
+  if (agreed.new_tile) make_active({}, grid, sets, ledger, effort);
+  sort_sets(step, grid, sets, effort);
+}
+
+void activate_reached_tiles(
+    const std::vector<int>& reached,
+    long step,
+    Grid& grid,
+    std::vector<Particles>& sets,
+    OwnLedger& ledger,
+    Effort& effort
+) {
+  const Region region("activate_reached_tiles");
+  make_active(tell_owners(grid, reached), grid, sets, ledger, effort);
+  sort_sets(step, grid, sets, effort);
 }
 
 void give_parcels(

@@ -28,6 +28,18 @@ void place_particles(
     Effort& effort
 );
 
+/// Activate tiles that particles are about to enter too, whichever rank they belong to. Collective.
+///
+/// @param reached  what reached_tiles found on this rank
+void activate_reached_tiles(
+    const std::vector<int>& reached,
+    long step,
+    Grid& grid,
+    std::vector<Particles>& sets,
+    OwnLedger& ledger,
+    Effort& effort
+);
+
 /// Give the parcels of the box to other ranks, `owner` by parcel; every particle goes home.
 /// Collective.
 void give_parcels(

@@ -8,6 +8,7 @@
 #include "state/row_frames.hpp"
 #include "step/order/remove_lost.hpp"
 #include "step/subcycle/stray_rule.hpp"
+#include "step/subcycle/tile_exits.hpp"
 
 namespace barreno {
 namespace {
@@ -46,13 +47,22 @@ struct LookAtRow {
   KOKKOS_INLINE_FUNCTION bool is_stray(int p) const {
     return rule.is_stray(p, frames.tile_frame(frames.tile(p)));
   }
-  KOKKOS_INLINE_FUNCTION bool is_early(const Cell& cell, int from) const {
+  KOKKOS_INLINE_FUNCTION bool is_foreseen_of(int p, int from) const {
+    int away[3] = {};
+    for (int d = 0; d < rule.dimensions; ++d)
+      away[d] = rule.tiles_away(rule.cells_along(d, p, frames.tile_frame(from)));
+    return is_foreseen(subcycling, from, away);
+  }
+  /// What was not foreseen is early even if an active tile is there: which of the empty ones are
+  /// active depends on what was before, and no answer must.
+  KOKKOS_INLINE_FUNCTION bool is_early(int p, const Cell& cell, int from) const {
     // Of another rank's finer tiles it is not known here which are active.
     if (level_of_tile.extent(0) > 0 &&
         level_of_tile(cell.box_tile) > frames.tile_frame(from).position.level)
       return true;
     const int to = directory(cell.tile);
-    return to != from && (to < 0 || (subcycling.part + 1) % subcycling.period(to) != 0);
+    if (to == from) return false;
+    return !is_foreseen_of(p, from) || to < 0 || (subcycling.part + 1) % subcycling.period(to) != 0;
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(int p, Found& found) const {
@@ -61,7 +71,7 @@ struct LookAtRow {
       ++found.lost;
     } else if (is_stray(p)) {
       ++found.strays;
-      found.early += is_early(lattice.cell_at(removal.position, p), frames.tile(p)) ? 1 : 0;
+      found.early += is_early(p, lattice.cell_at(removal.position, p), frames.tile(p)) ? 1 : 0;
     }
   }
 };

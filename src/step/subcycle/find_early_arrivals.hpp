@@ -15,7 +15,8 @@ namespace barreno {
 struct Arrivals {
   bool strays = false;  ///< some are too far from their tile to stay in it (StrayRule), or lost
   bool early = false;  ///< such a one is where it cannot be taken in: in a tile whose own step goes
-                       ///< on, that is not active or has smaller cells than the one it comes from
+                       ///< on, that has smaller cells than the one it comes from, or where
+                       ///< plan_subcycles has not foreseen it
 };
 
 /// If a particle is early, all tiles must end their steps. plan_subcycles foresees most of that.

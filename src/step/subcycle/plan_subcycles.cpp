@@ -7,7 +7,9 @@
 #include "grid/halo.hpp"
 #include "state/nodes.hpp"
 #include "step/stable_step_rule.hpp"
+#include "step/subcycle/reached_tiles.hpp"
 #include "step/subcycle/stray_rule.hpp"
+#include "step/subcycle/tile_exits.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,22 +17,8 @@
 namespace barreno {
 namespace {
 
-/// What the ranks tell each other of a tile: its period, and the directions, as bits, in which
-/// particles may leave it.
-constexpr int told_of_tile = 2;
-enum { told_period, told_exits };
-
 /// How far beyond its path at its present speed a particle is looked for: it may be accelerated.
 constexpr double path_margin = 1.25;
-
-/// Number of the direction to a tile of the 3^d around one, and of the one that leads back.
-KOKKOS_INLINE_FUNCTION int direction(int x, int y, int z) {
-  return (z + 1) * 9 + (y + 1) * 3 + x + 1;
-}
-constexpr int directions = 27;
-KOKKOS_INLINE_FUNCTION int back(int towards) {
-  return directions - 1 - towards;
-}
 
 /// Periods of tiles, and where their particles may go before the step is over.
 struct TileReach {
@@ -57,9 +45,7 @@ struct TileReach {
         told(subcycling.reach),
         remembers(dormancy.activation == grid.activations) {}
 
-  KOKKOS_INLINE_FUNCTION unsigned exits(int tile) const {
-    return static_cast<unsigned>(told(tile * told_of_tile + told_exits));
-  }
+  KOKKOS_INLINE_FUNCTION unsigned exits(int tile) const { return exits_of_tile(told, tile); }
   KOKKOS_INLINE_FUNCTION void tell(int tile, unsigned exits) const {
     told(tile * told_of_tile + told_period) = period(tile);
     told(tile * told_of_tile + told_exits) = exits;
@@ -110,12 +96,14 @@ struct FindTileSteps {
 
   KOKKOS_INLINE_FUNCTION unsigned exits_of(int p, const TileFrame& of) const {
     int way[3] = {};
+    bool leaves = false;
     for (int d = 0; d < reach.patch.dimensions; ++d) {
       const double path = path_margin * step * particles.velocity(p, d);
       const double to = stray.cells_along(d, p, of) + path / of.cell_size;
-      way[d] = stray.side_of(to, d, p, of);
+      leaves = leaves || stray.side_of(to, d, p, of) != 0;
+      way[d] = to < 0.0 ? -1 : to < stray.tile_cells ? 0 : 1;
     }
-    if ((way[0] | way[1] | way[2]) == 0) return 0;
+    if (!leaves) return 0;
     unsigned out = 0;
     for (int k = 1; k < 8; ++k) {
       const int x = (k & 1) != 0 ? way[0] : 0;
@@ -292,7 +280,7 @@ int parts_in(double time, double dt, int most) {
 
 }  // namespace
 
-void plan_subcycles(
+bool plan_subcycles(
     const StepSpec& step,
     const Grid& grid,
     const std::vector<Particles>& sets,
@@ -304,7 +292,7 @@ void plan_subcycles(
   subcycling.part = 0;
   subcycling.ends_all = false;
   subcycling.parts = parts_in(time_left, dt, subcycling.most);
-  if (!subcycling.on()) return;
+  if (!subcycling.on()) return false;
   const Region region("plan_subcycles");
   make_rooms(grid, subcycling);
   const TileReach reach(grid, dormancy, subcycling);
@@ -320,12 +308,15 @@ void plan_subcycles(
         FindTileSteps{reach, rule, particles, dormancy, StrayRule(grid, particles), dt, parts * dt}
     );
   }
-  for (std::array<double, 1> shorter{1.0}; shorter[0] > 0.0;) {
+  const double reached = count_reached_tiles(grid, subcycling);
+  std::array<double, 2> found{1.0, 0.0};  // a period is shorter; tiles are not active yet
+  while (found[0] > 0.0) {
     ask_finer_tiles(grid, reach);
     exchange_tiles(grid, reach.told, told_of_tile);
     find_entrants(grid, reach);
-    shorter[0] = take_entrants(grid, reach) ? 1.0 : 0.0;
-    max_over_ranks(*grid.comm, shorter);
+    found = {take_entrants(grid, reach) ? 1.0 : 0.0, reached};
+    max_over_ranks(*grid.comm, found);
+    if (found[1] > 0.0) return true;
   }
   launch(
       "periods_of_ghosts",
@@ -334,6 +325,7 @@ void plan_subcycles(
         reach.period(tile) = static_cast<int>(reach.told(tile * told_of_tile + told_period));
       }
   );
+  return false;
 }
 
 }  // namespace barreno

@@ -18,7 +18,9 @@ namespace barreno {
 /// @pre  the particles are in their tiles (place_particles)
 /// @param dt         length of a part: the least stable step of all particles [time]
 /// @param time_left  a step ends no later than in this time [time]
-void plan_subcycles(
+/// @return whether particles of any rank may come into tiles that are not active (reached_tiles):
+///         then these must be, and the step be planned again
+bool plan_subcycles(
     const StepSpec& step,
     const Grid& grid,
     const std::vector<Particles>& sets,

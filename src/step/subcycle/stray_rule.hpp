@@ -5,6 +5,8 @@
 #include "shape/gimp.hpp"
 #include "state/particles.hpp"
 
+#include <cmath>
+
 namespace barreno {
 
 /// How far a particle may be beyond the cells of its tile and still reach no node beyond the tile's
@@ -27,6 +29,10 @@ struct StrayRule {
   /// Cells from a tile's lower face to a particle.
   KOKKOS_INLINE_FUNCTION double cells_along(int d, int p, const TileFrame& of) const {
     return (position(p, d) - lower[d]) / of.cell_size - of.position[d] * tile_cells;
+  }
+  /// So many tiles before or behind it are the cells that hold a particle at `cells`.
+  KOKKOS_INLINE_FUNCTION int tiles_away(double cells) const {
+    return static_cast<int>(std::floor(cells / tile_cells));
   }
   /// On which side a particle at `cells` is too far from the tile: 1, -1 or, if on none, 0.
   KOKKOS_INLINE_FUNCTION int side_of(double cells, int d, int p, const TileFrame& of) const {

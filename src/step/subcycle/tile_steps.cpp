@@ -26,6 +26,7 @@ struct EndTileStep {
     const std::size_t first = first_motion(patch, tile);
     const bool gained = subcycling.gained(tile) != 0;
     const bool moved = subcycling.solved(tile) != 0;  // what is not solved is motionless
+    if (!gained && !moved) return;  // it is dormant: its particles ask for no motion
     const double lead = 0.5 * subcycling.elapsed(tile);
     for (int node = 0; node < patch.size; ++node) {
       const double* const of_part = &motion(first) + node * width;

@@ -230,6 +230,7 @@ bool notes_say(const Deck& deck, const std::string& text) {
 TEST_F(ReadDeck, AFidelityFillsWhatTheDeckDoesNotSay) {
   const Deck plain = read("deck.xml"), fast = read("deck.xml", {"Fidelity=fast"});
   EXPECT_EQ(plain.word("Step/Shape Function"), "GIMP");
+  EXPECT_EQ(plain.number("Step/Largest Strain"), 0.5);
   EXPECT_EQ(fast.word("Step/Shape Function"), "GIMP");  // as it has a jet
   EXPECT_EQ(fast.number("Step/Courant Fraction"), 0.8);
   EXPECT_EQ(fast.integer("Jet/Particles Per Cell"), 2);
@@ -246,6 +247,7 @@ TEST_F(ReadDeck, AFidelityChoosesCellsAndStepsForAJet) {
   EXPECT_EQ(balanced.number("Jet/Cells Per Radius"), 2.0);  // the deck gives Cell Size
   EXPECT_EQ(balanced.integer("Bodies/Back/Particles Per Cell"), 1);
   EXPECT_EQ(balanced.integer("Step/Subcycles"), 2);
+  EXPECT_EQ(balanced.number("Step/Largest Strain"), 0.1);
   EXPECT_EQ(balanced.chosen_by_fidelity.count("Jet/Cells Per Radius"), 1U);
   EXPECT_EQ(balanced.chosen_by_fidelity.count("Step/Subcycles"), 0U);
   const Deck reference = read("deck.xml", {"Fidelity=reference"});

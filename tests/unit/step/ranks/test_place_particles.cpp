@@ -32,6 +32,28 @@ TEST(PlaceParticles, TilesThatHoldParticlesAreActive) {
   EXPECT_EQ(particles.tile_begin(2) - particles.tile_begin(1), 1);
 }
 
+/// A stone flies past a block of eight tiles: one empty tile is few beside those, two are not.
+TEST(PlaceParticles, FewEmptyTilesStayActive) {
+  Scene scene = testing::box_scene(
+      Mode::plane_strain, 1.0, {0.0, 0.0}, {64.0, 64.0}, testing::elastic(1e6, 0.3, 1000.0)
+  );
+  testing::add_box(scene, "block", {0.0, 0.0}, {32.0, 16.0}, 1);
+  testing::add_box(scene, "stone", {40.0, 40.0}, {41.0, 41.0}, 1);
+  State state = testing::start_alone(scene);
+  Particles& particles = state.particles[0];
+  const auto tiles_with_stone_at = [&](double x, double y) {
+    int stone = 0;
+    for (int p = 0; p < particles.count; ++p)
+      if (particles.body(p) == 1) stone = p;
+    put(particles, stone, x, y);
+    place(state, 1);
+    return state.grid.active;
+  };
+  EXPECT_EQ(tiles_with_stone_at(40.5, 40.5), 9);
+  EXPECT_EQ(tiles_with_stone_at(48.5, 48.5), 10);
+  EXPECT_EQ(tiles_with_stone_at(56.5, 56.5), 9);
+}
+
 TEST(PlaceParticles, RowsAreStoredInOrderOnceInSoManySteps) {
   State state = testing::start_alone(four_particles());
   Particles& particles = state.particles[0];

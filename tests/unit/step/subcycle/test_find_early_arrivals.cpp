@@ -2,6 +2,7 @@
 // Particles that come where they cannot be taken in yet.
 #include "base/rows.hpp"
 #include "step/subcycle/find_early_arrivals.hpp"
+#include "step/subcycle/tile_exits.hpp"
 #include "support/tiles.hpp"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,8 @@ protected:
     subcycling.period(0) = 1;
     subcycling.period(1) = 2;
     subcycling.ends(0) = 1;
+    subcycling.reach = ArrayView<double>("reach", 2 * told_of_tile);
+    foresee(1U << direction(1, 0, 0) | 1U << direction(0, 1, 0));
     Particles& particles = state.particles[0];
     std::fill_n(particles.chunk_part.data(), particles.chunk_part.extent(0), whole_chunk);
   }
@@ -32,6 +35,8 @@ protected:
     testing::add_box(scene, "block", {0.0, 0.0}, {16.0, 8.0}, 2);
     return scene;
   }
+  /// Directions in which particles may leave the first tile.
+  void foresee(unsigned exits) { state.subcycling.reach(told_exits) = exits; }
   /// Of a particle of the first tile, which goes to a place.
   Arrivals arrivals(double x, double y) {
     Particles& particles = state.particles[0];
@@ -58,6 +63,15 @@ TEST_F(EarlyArrivals, AreThoseWhereNoTileIsButNotThoseThatHaveLeftTheGrid) {
   EXPECT_TRUE(arrivals(4.0, 8.3).early);
   EXPECT_FALSE(arrivals(-0.1, 4.0).early);
   EXPECT_TRUE(arrivals(-0.1, 4.0).strays);
+}
+
+/// Whether a tile that nobody was to enter is active depends on what was before.
+TEST_F(EarlyArrivals, AreThoseThatNobodyHasForeseen) {
+  state.subcycling.part = 1;
+  EXPECT_FALSE(arrivals(8.3, 4.0).early);
+  foresee(1U << direction(0, 1, 0));
+  EXPECT_TRUE(arrivals(8.3, 4.0).early);
+  EXPECT_FALSE(arrivals(7.9, 4.0).early);
 }
 
 /// Particles are half a cell wide: a quarter of a cell beyond its tile one still gives to nodes of

@@ -2,11 +2,13 @@
 // How many parts of a step tiles take at once.
 #include "step/stable_step.hpp"
 #include "step/subcycle/plan_subcycles.hpp"
+#include "step/subcycle/reached_tiles.hpp"
 #include "support/tiles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 namespace barreno {
 namespace {
@@ -31,9 +33,9 @@ double least_step(const Scene& scene, const State& state) {
   return stable_step_of_rows(scene.step, state.grid, state.particles[0], 0);
 }
 
-void plan(const Scene& scene, double dt, double left, State& state) {
+bool plan(const Scene& scene, double dt, double left, State& state) {
   state.subcycling.most = scene.step.subcycles;
-  plan_subcycles(
+  return plan_subcycles(
       scene.step, state.grid, state.particles, state.dormancy, dt, left, state.subcycling
   );
 }
@@ -81,6 +83,30 @@ TEST(PlanSubcycles, ATileFollowsThoseWhoseParticlesMayComeIntoIt) {
   EXPECT_EQ(state.subcycling.period(0), 1);
   EXPECT_EQ(state.subcycling.period(1), 1);
   EXPECT_EQ(state.subcycling.period(2), 4);
+}
+
+/// Tiles that particles may enter are active before the step begins, whatever was there before:
+/// three behind the corner of the block, towards which a particle moves.
+TEST(PlanSubcycles, TilesAheadOfParticlesAreAskedFor) {
+  Scene scene = three_tiles();
+  scene.grid.upper = {24.0, 16.0, 0.0};
+  scene.bodies.pop_back();
+  State state = testing::in_tiles(scene, 0.0);
+  Particles& stiff = state.particles[0];
+  int last = 0;
+  for (int p = 0; p < stiff.count; ++p)
+    if (stiff.position(p, 0) > 7.7 && stiff.position(p, 1) > 7.7) last = p;
+  const double dt = least_step(scene, state);
+  EXPECT_FALSE(plan(scene, dt, forever, state));
+  EXPECT_TRUE(reached_tiles(state.grid, state.subcycling).empty());
+  stiff.velocity(last, 0) = stiff.velocity(last, 1) = 0.05 / dt;
+  EXPECT_TRUE(plan(scene, dt, forever, state));
+  const std::vector<int> reached = reached_tiles(state.grid, state.subcycling);
+  EXPECT_EQ(reached, (std::vector<int>{1, 3, 4}));
+  ASSERT_EQ(state.grid.active, 1);
+  activate_reached_tiles(reached, 0, state.grid, state.particles, state.ledger, state.effort);
+  EXPECT_EQ(state.grid.active, 4);
+  EXPECT_FALSE(plan(scene, dt, forever, state));
 }
 
 TEST(PlanSubcycles, OneStepForAllIsOnePart) {
