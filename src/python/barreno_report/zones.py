@@ -58,8 +58,9 @@ class Rock:
         shapes, of = frame.shapes
         porosity = permanent_porosity(frame, deck)[of]
         keep = np.isfinite(porosity) & ~jet_particles(frame, deck)[of]
-        centre = shapes[keep].mean(axis=1)
+        centre, half = shapes[keep].mean(axis=1), 0.5 * np.ptp(shapes[keep], axis=1)
         self.r, self.depth = np.abs(centre[:, 0]), deck.direction * (centre[:, 1] - face)
+        self.half_width, self.half_height = half[:, 0], half[:, 1]
         names = [frame.file.block_names[b] for b in np.unique(frame.block[of][keep])]
         self.virgin = virgin_porosity(deck, names[0]) if names else float("nan")
         bulk = areas_of(shapes[keep]) * (self.r if deck.mode == "axisymmetric" else 1.0)
@@ -75,14 +76,24 @@ class Rock:
         return float(self.r.max(initial=0.0))
 
 
+def shares(middle, half, edges):
+    """(particle, interval between edges): which part of its extent a particle has in each."""
+    low, high = (middle - half)[:, None], (middle + half)[:, None]
+    common = np.minimum(high, edges[1:]) - np.maximum(low, edges[:-1])
+    return np.maximum(common, 0.0) / np.maximum(high - low, np.finfo(float).tiny)
+
+
 def rings_at(rock, hole, depth):
-    """Rings one cell wide from the wall outwards, averaged over four cells of depth."""
+    """Rings one cell wide from the wall outwards, averaged over four cells of depth. A particle that is wider than a ring has its part in each
+    that it covers."""
     wall = hole.radius_at(depth)
     count = max(1, int((rock.width - wall) / hole.cell))
     edges = wall + hole.cell * np.arange(count + 1)
-    row = np.abs(rock.depth - depth) <= HIGH * hole.cell
-    total = np.histogram(rock.r[row], edges, weights=rock.bulk[row])[0]
-    pores = np.histogram(rock.r[row], edges, weights=(rock.bulk * rock.porosity)[row])[0]
+    within = depth + HIGH * hole.cell * np.array([-1.0, 1.0])
+    row = np.abs(rock.depth - depth) < HIGH * hole.cell + rock.half_height
+    bulk = rock.bulk[row] * shares(rock.depth[row], rock.half_height[row], within)[:, 0]
+    in_rings = bulk[:, None] * shares(rock.r[row], rock.half_width[row], edges)
+    total, pores = in_rings.sum(axis=0), rock.porosity[row] @ in_rings
     with np.errstate(invalid="ignore", divide="ignore"):
         return Rings(depth, edges, np.where(total > 0.0, pores / total, np.nan), rock.virgin)
 

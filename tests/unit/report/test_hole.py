@@ -122,6 +122,22 @@ def check_zones(folder):
     assert abs(rings.skin - by_hand) < 0.03 * abs(by_hand), (rings.skin, by_hand)
 
 
+def check_wide_particles(folder):
+    """Particles four cells wide around a layer of small ones: every ring that they cover has their porosity."""
+    radius, e, virgin = 3.25 * CELL, -0.1, 1.0 - np.exp(-0.2231)
+    small = lattice(radius, radius + 4.0 * CELL, 0.0, LENGTH)
+    middle = CELL * (np.arange(4, 20, 4) + 2.0)
+    wide = np.stack([m.ravel() for m in np.meshgrid(radius + middle, np.arange(2.0, 20.0, 4.0) * CELL)], axis=1)
+    shapes = np.concatenate([squares(small, 0.25 * CELL), squares(wide, 2.0 * CELL)])
+    block = rock(np.concatenate([small, wide]), e=np.repeat([0.0, e], [len(small), len(wide)]))
+    block.start, block.end = shapes, shapes
+    hole, frame, deck = measured(folder / "wide", [block])
+    rings = zones.rings_at(zones.Rock(frame, deck, 0.0), hole, 10.0 * CELL)
+    crushed = 1.0 - (1.0 - virgin) * np.exp(-e)
+    assert np.allclose(rings.porosity[:4], virgin, atol=2e-3) and len(rings.porosity) >= 16, rings.porosity
+    assert np.allclose(rings.porosity[5:16], crushed, atol=1e-12), rings.porosity
+
+
 def check_porosity():
     """Hawkins' formula for one zone; closed pores let next to nothing through."""
     assert abs(porosity.skin(np.array([1.0, 2.0, 9.0]), np.array([0.1, 1.0])) - 9.0 * np.log(2.0)) < 1e-12
@@ -132,7 +148,7 @@ def check_porosity():
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_zones):
+        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_zones, check_wide_particles):
             check(folder)
     check_porosity()
     print("holes and their zones are measured as they were laid")
