@@ -278,12 +278,14 @@ JetPath jet_path(const Scene& scene, const JetOrigin& origin) {
 }
 
 void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result) {
-  const auto closed =
-      std::find_if(radii.begin(), radii.end(), [](double radius) { return radius <= 0.0; });
-  const auto open = static_cast<std::size_t>(closed - radii.begin());
+  const auto is_closed = [&](std::size_t bin) { return radii[bin] <= 0.0; };
+  const std::size_t last = radii.size() - 1;
+  std::size_t open = 0;
+  while (open < radii.size() && !(is_closed(open) && is_closed(std::min(open + 1, last)))) ++open;
   result.channel_depth =
       std::min(static_cast<double>(open) * path.bin, path.direction * (path.end - path.face));
-  result.channel_radius_mid = open == 0 ? 0.0 : radii[open / 2];
+  const std::size_t middle = open > 0 && is_closed(open / 2) ? open / 2 + 1 : open / 2;
+  result.channel_radius_mid = open == 0 ? 0.0 : radii[middle];
 }
 
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path) {

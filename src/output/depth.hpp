@@ -68,8 +68,8 @@ struct Penetration {
   /// the target [length].
   double depth = 0.0;
   /// Length of the channel that is open from the outer face on: whole bins of one cell along the
-  /// axis, open while target fills less than half of the cell at the axis, so that single particles
-  /// in the channel do not close it [length].
+  /// axis, open while target fills less than half of the cell at the axis or of the next one, so
+  /// that crumbs in the channel, which fill one of them and then none, do not close it [length].
   double channel_depth = 0.0;
   /// Distance from the axis to the first cell that target fills by half, in the bin at half the
   /// channel depth; 0 without a channel, the width of the grid if there is no target [length].

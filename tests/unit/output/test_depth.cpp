@@ -53,10 +53,13 @@ TEST(Channel, EndsAtTheFirstClosedBin) {
   path.end = 4.0;
   path.bins = 4;
   Penetration result;
-  measure_channel({3.0, 2.0, 0.0, 5.0}, path, result);
+  measure_channel({3.0, 2.0, 0.0, 0.0}, path, result);
   EXPECT_EQ(result.channel_depth, 2.0);
   EXPECT_EQ(result.channel_radius_mid, 2.0);
-  measure_channel({0.0, 2.0, 2.0, 2.0}, path, result);
+  measure_channel({3.0, 0.0, 2.0, 0.0}, path, result);  // a crumb, and what is left at the end
+  EXPECT_EQ(result.channel_depth, 3.0);
+  EXPECT_EQ(result.channel_radius_mid, 2.0);
+  measure_channel({0.0, 0.0, 2.0, 2.0}, path, result);
   EXPECT_EQ(result.channel_depth, 0.0);
   EXPECT_EQ(result.channel_radius_mid, 0.0);
   measure_channel({9.0, 9.0, 9.0, 9.0}, path, result);
