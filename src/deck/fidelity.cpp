@@ -39,8 +39,8 @@ struct Choices {
   double given_cells;           ///< the same where the deck gives Grid/Cell Size; 0: its cells
   int path_per_cell;            ///< of bodies, per direction, where it refines the path
   int jet_subcycles;            ///< of decks with a jet
-  /// Of decks with a jet. A particle of debris that runs into single others can be crushed by a
-  /// third in a step, and explodes: a kilojoule and more that the run has not been given.
+  /// Of decks with a jet. A particle of debris that runs into single others is strained so much in
+  /// one step that it explodes: a kilojoule and more that nobody has put in (docs/method.md 4).
   double jet_largest_strain;
 };
 

@@ -5,8 +5,7 @@
 #include "scene/tile_levels.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/dormant/find_unsolved_tiles.hpp"
-#include "step/ranks/place_particles.hpp"
-#include "support/scenes.hpp"
+#include "support/two_tiles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +18,7 @@ namespace {
 /// did not move.
 class UnsolvedTilesTest : public ::testing::Test {
 protected:
-  UnsolvedTilesTest() : scene(half_refined()), state(testing::start_alone(scene)) {
-    const Placement seen =
-        locate_particles(state.grid, state.particles, state.ledger, state.effort);
-    place_particles(
-        seen, steps_per_permutation, state.grid, state.particles, state.ledger, state.effort
-    );
+  UnsolvedTilesTest() : state(testing::start_in_tiles(half_refined())) {
     set_tile_steps(state.grid, 1e-6);
     find_dormant_candidates(
         state.grid,
@@ -62,7 +56,6 @@ protected:
   /// More than a tile may have, so that it is solved.
   void let_move(int tile) { state.dormancy.speed(tile) = 1.0; }
 
-  Scene scene;
   State state;
 };
 
