@@ -232,8 +232,23 @@ def check_tests(machine):
         (tests,) = [call for call in calls if call.startswith("ctest")]
         assert f" -LE {left_out} " in tests and tests.endswith(" -R deck"), tests
         packages = [call for call in calls if " install " in call][0].split()
-        assert ("clang-tidy" in packages) == ("gfortran" in packages) == bool(more) and "libgtest-dev" in packages, packages
+        assert ("clang-tidy" in packages) == ("gfortran" in packages) == ("mkdocs" in packages) == bool(more) and "libgtest-dev" in packages, packages
         assert any("-DBARRENO_TESTS=ON" in call for call in calls) and any(call.endswith("build/release " + ("all" if more else "user_tests")) for call in calls), calls
+
+
+def check_ci(machine):
+    """.ci/run: first the tests of a user, with nothing set and from an empty build folder, then the rest of a build of everything."""
+    machine.built()
+    machine.file(".ci/run", (ROOT / ".ci" / "run").read_text(), executable=True)
+    (machine.notes / "calls").write_text("")
+    environment = {**machine.environment, "BARRENO_ALL_TESTS": "1", "BARRENO_HOSTS": "required"}
+    result = subprocess.run([machine.tree / ".ci" / "run"], env=environment, capture_output=True, text=True, timeout=60, check=False)
+    calls = (machine.notes / "calls").read_text().splitlines()
+    assert result.returncode == 0 and not (machine.tree / "build/release/CMakeCache.txt").exists(), result.stderr
+    builds = [call.split()[-1] for call in calls if call.startswith("ninja") and " -n " not in call]
+    first, second = [call for call in calls if call.startswith("ctest")]
+    assert builds == ["user_tests", "all"] and " -LE slow|style|sanitized|hosts " in first and " -L " not in first, calls
+    assert " -LE slow " in second and second.endswith(" -L style|sanitized|hosts"), second
 
 
 def check_batch_job(machine):
@@ -264,7 +279,7 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, check_import, check_join, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, check_import, check_join, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_ci(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 1: domain scaling in two dimensions, drawn from the corners that the code computes (src/shape/domain.hpp)."""
+import os
+import pathlib
 import subprocess
 
 import matplotlib.pyplot as plt
@@ -28,7 +30,7 @@ def corners_of(edges):
 
 def scaled(lab, many):
     """Corners of domains after the code's scaling, (domain, corner, axis)."""
-    program = lab.barreno.parents[1] / "verification" / "barreno_scaled_domains"
+    program = pathlib.Path(os.environ.get("BARRENO_SCALED_DOMAINS") or lab.barreno.parents[1] / "verification" / "barreno_scaled_domains")
     if not program.exists():
         raise RuntimeError(f"{program} is missing; build the target barreno_scaled_domains.")
     lines = "\n".join(" ".join(f"{x!r}" for x in [*map(float, edges.ravel()), L_CRIT]) for edges in many)
