@@ -81,6 +81,10 @@ std::string reason_of(const std::string& message) {
 }  // namespace
 
 Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source) {
+  // Editors put a byte-order mark in front, which XML allows and Teuchos does not know.
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) return parse_xml(text.substr(3), source);
+  if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
+    refuse(source, "", "is text in UTF-16 (decks and cards are in UTF-8); save it as UTF-8");
   if (text.size() > largest_text) {
     refuse(
         source,

@@ -68,6 +68,7 @@ struct Driven {
   std::string table;
   std::size_t rows = 0;
   std::vector<DrivenState> states;  ///< every step, where there is to be a picture
+  std::vector<std::string> notes;   ///< of the path, a sentence each
 };
 
 /// A picture knows of every step, the table of every `stride`-th.
@@ -95,21 +96,28 @@ Driven drive_along(
     return units_line(material, motion, frame) + "\n" + column_line(material, columns) + "\n";
   };
   if (is_mixed_path(text)) {
-    return driven(
+    const MixedPath path = read_mixed_path(text, name);
+    Driven answer = driven(
         request,
-        drive_mixed(material, read_mixed_path(text, name), steps, name),
+        drive_mixed(material, path, steps, name),
         head(
             "strain -, logarithmic",
             "axes of the material",
             "strain_xx,strain_yy,strain_zz,strain_xy,strain_yz,strain_zx"
         )
     );
+    answer.notes = path.notes;
+    return answer;
   }
-  return driven(
+  std::vector<std::string> notes;
+  const std::vector<PathRow> path = read_path(text, name, &notes);
+  Driven answer = driven(
       request,
-      drive_point(material, read_path(text, name), steps, name),
+      drive_point(material, path, steps, name),
       head("F -", "space frame", "F11,F12,F13,F21,F22,F23,F31,F32,F33")
   );
+  answer.notes = notes;
+  return answer;
 }
 
 /// An answer must not replace what was asked.
@@ -205,6 +213,7 @@ std::string drive(const DriveRequest& request, const Comm& comm) {
 
   std::string screen;
   for (const std::string& note : notes) screen += "note: " + note + "\n";
+  for (const std::string& note : driven.notes) screen += "note: " + name + ": " + note + "\n";
   return screen + screen_text(request, material, driven.rows, !surface.empty());
 }
 

@@ -2,6 +2,7 @@
 #include "drive/drive_mixed.hpp"
 
 #include "base/error.hpp"
+#include "drive/compression_limit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -256,6 +257,7 @@ std::string rounded(double value) {
     const Goal& goal,
     const Sym3& reached,
     double time,
+    const std::string& limit,
     const std::string& source
 ) {
   const Six miss = missed(reached, goal);
@@ -263,6 +265,10 @@ std::string rounded(double value) {
   for (std::size_t c = 0; c < 6; ++c)
     if (std::fabs(miss[c]) > std::fabs(miss[worst])) worst = c;
   const std::string where = source + ": line " + std::to_string(row.line) + " cannot be reached: ";
+  if (!limit.empty())
+    throw NumericalError(
+        where + "at time " + rounded(time) + " s '" + material.name + "' meets " + limit + "."
+    );
   if (!goal.by_stress[worst]) {
     throw NumericalError(
         where + "at time " + rounded(time) + " s the update of '" + material.name +
@@ -298,6 +304,20 @@ Goal start_of(
       start.target[c] = row.by_stress[c] ? stress[c] : strain[c];
   if (row.drained && !from.drained) start.pore_pressure = pore_pressure_of(model, point);
   return start;
+}
+
+/// The limit of compression that a failed step met. Where the volume is prescribed it is known;
+/// else the point has come close, since a step that fails is halved.
+template <class Model>
+std::string limit_of(const Model& model, const PointState<Model>& point, const Goal& goal) {
+  constexpr double close = 0.97;
+  double asked = point.volume_strain;
+  const Six strain = six_of(point.strain);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!goal.by_stress[c]) asked += goal.target[c] - strain[c];
+  const std::string found = beyond_compression_limit(model, std::exp(asked));
+  return found.empty() ? beyond_compression_limit(model, std::exp(point.volume_strain), close)
+                       : found;
 }
 
 /// So far along a row.
@@ -347,8 +367,10 @@ std::vector<MixedAnswer> drive_model(
       const double part = static_cast<double>(k) / steps.per_row, duration = row.time - from.time;
       const double time = last ? row.time : from.time + part * duration;
       const Goal goal = goal_at(part, start, row, duration / steps.per_row);
-      if (!driver.reach(before, goal))
-        refuse_stress(material, row, goal, driver.point().stress, time, source);
+      if (!driver.reach(before, goal)) {
+        const std::string limit = limit_of(model, driver.point(), goal);
+        refuse_stress(material, row, goal, driver.point().stress, time, limit, source);
+      }
       before = goal;
       if (last || steps.every) answers.push_back(answer_of<Model>(time, driver.point()));
     }

@@ -2,6 +2,7 @@
 #include "drive/drive_point.hpp"
 
 #include "base/error.hpp"
+#include "drive/compression_limit.hpp"
 #include "drive/matrix.hpp"
 
 #include <barreno/history_values.hpp>
@@ -71,6 +72,8 @@ public:
     return model_.update(increment, stress_, history_);
   }
 
+  double volume_ratio() const { return std::exp(volume_strain_); }
+
   DrivenRow row(double time, const Mat3& f) const {
     DrivenRow row{time, f, rotate(rotation_, stress_), stress_, {}};
     const double* const values = history_values<Model>(history_);
@@ -94,8 +97,14 @@ private:
     const PathRow& row,
     double time,
     Status status,
+    const std::string& limit,
     const std::string& source
 ) {
+  if (!limit.empty())
+    throw NumericalError(
+        source + ": line " + std::to_string(row.line) + " cannot be reached: at time " +
+        exact_text(time) + " s '" + material.name + "' meets " + limit + "."
+    );
   throw NumericalError(
       source + ": line " + std::to_string(row.line) + " cannot be reached: at time " +
       exact_text(time) + " s the " + model + " of '" + material.name + "' fails (" +
@@ -125,7 +134,10 @@ std::vector<DrivenRow> drive_model(
       const double time = last ? row.time : before.time + k * dt;
       f = last ? row.deformation_gradient : growth * f;
       const Outcome outcome = point.step(gradient, f, dt);
-      if (outcome.failed()) refuse_step(material, Model::name, row, time, outcome.status, source);
+      if (outcome.failed()) {
+        const std::string limit = beyond_compression_limit(model, point.volume_ratio());
+        refuse_step(material, Model::name, row, time, outcome.status, limit, source);
+      }
       if (last || steps.every) rows.push_back(point.row(time, f));
     }
   }

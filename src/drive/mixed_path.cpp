@@ -2,13 +2,13 @@
 #include "drive/mixed_path.hpp"
 
 #include "deck/files/read_table.hpp"
+#include "drive/laboratory_columns.hpp"
 #include "drive/path_table.hpp"
 
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
 #include <cmath>
-#include <sstream>
 
 namespace barreno {
 namespace {
@@ -36,64 +36,62 @@ const std::vector<TableColumn>& all_columns() {
 }
 constexpr std::size_t pore_pressure_column = 12, time_column = 13;
 
-struct Header {
-  int line = 0;
-  std::vector<std::string> names;
-};
-
-Header header_of(const std::string& text) {
-  std::istringstream stream(text);
-  Header header;
-  for (std::string line; std::getline(stream, line);) {
-    ++header.line;
-    std::string packed;
-    for (const char c : line)
-      if (c != ' ' && c != '\t' && c != '\r') packed += c;
-    if (packed.empty() || packed.front() == '#') continue;
-    std::istringstream cells(packed);
-    for (std::string cell; std::getline(cells, cell, ',');) header.names.push_back(cell);
-    break;
-  }
-  return header;
-}
-
-/// Index in all_columns() of each column of the file.
-std::vector<std::size_t> columns_of(const Header& header, const std::string& source) {
-  const std::string line = "line " + std::to_string(header.line);
+std::vector<std::string> known_names() {
   std::vector<std::string> known;
   for (const TableColumn& column : all_columns()) known.emplace_back(column.name);
-  std::vector<std::size_t> columns;
-  for (const std::string& name : header.names) {
-    const auto found = std::find(known.begin(), known.end(), name);
-    if (found == known.end()) {
-      const std::string nearest = input::nearest_name(name, known);
-      input::refuse_value(
-          source,
-          line,
-          name,
-          "is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, "
-          "pore_pressure and time are); " +
-              (nearest.empty() ? "correct its name" : "did you mean '" + nearest + "'?")
-      );
+  for (const LaboratoryColumn& column : laboratory_columns()) known.emplace_back(column.name);
+  return known;
+}
+
+/// Of the columns that a column of the file prescribes, their index in all_columns().
+using Columns = std::vector<std::vector<std::size_t>>;
+
+[[noreturn]] void refuse_name(
+    const TableText& table, const std::string& name, const std::string& source
+) {
+  const std::string nearest = input::nearest_name(name, known_names());
+  input::refuse_value(
+      source,
+      "line " + std::to_string(table.header_line),
+      name,
+      "is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, "
+      "axial_strain, radial_strain, axial_stress, confinement, pore_pressure and time are); " +
+          (nearest.empty() ? "correct its name" : "did you mean '" + nearest + "'?")
+  );
+}
+
+void check_columns(const TableText& table, const Columns& columns, const std::string& source) {
+  const std::string line = "line " + std::to_string(table.header_line);
+  std::vector<std::size_t> seen;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (const std::size_t c : columns[i]) {
+      if (std::find(seen.begin(), seen.end(), c) != seen.end())
+        input::refuse_value(
+            source,
+            line,
+            table.names[i],
+            "is there twice (every column has its own name); take one of them out"
+        );
+      seen.push_back(c);
     }
-    columns.push_back(static_cast<std::size_t>(found - known.begin()));
+  if (std::find(seen.begin(), seen.end(), time_column) != seen.end()) return;
+  input::refuse_value(
+      source, line, table.header, "has no column of times (a path needs it); begin with time"
+  );
+}
+
+Columns columns_of(const TableText& table, const std::string& source) {
+  Columns columns;
+  for (const std::string& name : table.names) {
+    columns.emplace_back();
+    for (std::size_t c = 0; c < all_columns().size(); ++c)
+      if (name == all_columns()[c].name) columns.back().push_back(c);
+    if (const LaboratoryColumn* const found = find_laboratory_column(name))
+      for (const std::size_t component : found->components)
+        columns.back().push_back(component + (found->is_strain ? 0 : 6));
+    if (columns.back().empty()) refuse_name(table, name, source);
   }
-  if (columns.empty() || columns.front() != time_column) {
-    input::refuse_value(
-        source, line, header.names.front(), "is the first column of a path; begin with time"
-    );
-  }
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (std::find(columns.begin(), columns.begin() + static_cast<long>(i), columns[i]) ==
-        columns.begin() + static_cast<long>(i))
-      continue;
-    input::refuse_value(
-        source,
-        line,
-        header.names[i],
-        "is there twice (every column has its own name); take one of them out"
-    );
-  }
+  check_columns(table, columns, source);
   return columns;
 }
 
@@ -145,28 +143,29 @@ void check_taken(
 }
 
 MixedRow row_of(
-    const TableRows& table,
-    const std::vector<std::size_t>& columns,
-    std::size_t row,
-    const std::string& source
+    const TableRows& table, const Columns& columns, std::size_t row, const std::string& source
 ) {
   MixedRow out;
   out.line = table.lines[row];
   std::array<bool, 6> taken{};
+  std::vector<std::size_t> all;
   for (std::size_t i = 0; i < columns.size(); ++i) {
+    all.insert(all.end(), columns[i].begin(), columns[i].end());
     const double value = table.values[row * columns.size() + i];
     if (std::isnan(value)) continue;  // an empty cell
-    if (columns[i] == time_column) {
-      out.time = value;
-    } else if (columns[i] == pore_pressure_column) {
-      out.pore_pressure = value;
-      out.drained = true;
-    } else {
-      take_cell(out, taken, columns[i], source);
-      out.target[columns[i] % 6] = value;
+    for (const std::size_t column : columns[i]) {
+      if (column == time_column) {
+        out.time = value;
+      } else if (column == pore_pressure_column) {
+        out.pore_pressure = value;
+        out.drained = true;
+      } else {
+        take_cell(out, taken, column, source);
+        out.target[column % 6] = value;
+      }
     }
   }
-  check_taken(out, taken, columns, source);
+  check_taken(out, taken, all, source);
   return out;
 }
 
@@ -186,21 +185,30 @@ void check_first(const MixedPath& path, const std::string& source) {
 }  // namespace
 
 bool is_mixed_path(const std::string& text) {
-  const Header header = header_of(text);
-  return std::any_of(header.names.begin(), header.names.end(), [](const std::string& name) {
-    return name.rfind("stress", 0) == 0 || name.rfind("strain", 0) == 0 ||
-           name.rfind("pore", 0) == 0;
+  std::vector<std::string> known = known_names();
+  known.emplace_back("F11");
+  const TableText table = split_table(text, known, "the path");
+  if (has_column(table, "F11") || has_column(table, "F22") || has_column(table, "F33"))
+    return false;
+  return std::any_of(table.names.begin(), table.names.end(), [](const std::string& name) {
+    return name.find("str") != std::string::npos || name.find("press") != std::string::npos ||
+           name.rfind("conf", 0) == 0;
   });
 }
 
 MixedPath read_mixed_path(const std::string& text, const std::string& source) {
-  const std::vector<std::size_t> columns = columns_of(header_of(text), source);
+  const TableText table_text = split_table(text, known_names(), source);
+  const Columns columns = columns_of(table_text, source);
   std::vector<TableColumn> asked;
-  asked.reserve(columns.size());
-  for (const std::size_t c : columns) asked.push_back(all_columns()[c]);
-  const TableRows table = read_table(text, asked, "a path", source);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    asked.push_back(all_columns()[columns[i].front()]);
+    asked.back().name = table_text.names[i].c_str();
+  }
+  TableRows table = read_rows(table_text, asked, source);
+  from_laboratory(table_text, table, source);
   check_row_count(table.lines.size(), source);
   MixedPath path;
+  path.notes = table.notes;
   for (std::size_t i = 0; i < table.lines.size(); ++i) {
     const MixedRow row = row_of(table, columns, i, source);
     if (i > 0) {

@@ -22,6 +22,7 @@ struct MixedRow {
 /// of the two may change from row to row.
 struct MixedPath {
   std::vector<MixedRow> rows;
+  std::vector<std::string> notes;  ///< what was guessed of the table, a sentence each
 };
 
 inline constexpr std::array<const char*, 6> component_names = {"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -32,6 +33,7 @@ bool is_mixed_path(const std::string& text);
 /// A path's text: header of `time` and any of strain_xx ... strain_zx, stress_xx ... stress_zx and
 /// pore_pressure. A component without a column keeps a strain of zero; one with both columns has
 /// one of them filled in each row, and an empty pore_pressure closes the rock for its fluid.
+/// Columns of laboratories (laboratory_columns.hpp) prescribe the axis, xx, and both other axes.
 ///
 /// Throws DeckError with line and column: header, text in a number, a component that is given twice
 /// or not at all, too few rows, times that do not increase, strains at the first row.

@@ -68,8 +68,11 @@ void check_times(double before, int line_before, double time, int line, const st
   );
 }
 
-std::vector<PathRow> read_path(const std::string& text, const std::string& source) {
+std::vector<PathRow> read_path(
+    const std::string& text, const std::string& source, std::vector<std::string>* notes
+) {
   const TableRows table = read_table(text, columns(), "a path", source);
+  if (notes != nullptr) *notes = table.notes;
   check_row_count(table.lines.size(), source);
   std::vector<PathRow> path;
   for (std::size_t i = 0; i < table.lines.size(); ++i) {

@@ -18,7 +18,10 @@ struct PathRow {
 ///
 /// Throws DeckError with line and column: header, text in a number, too few rows, times that do not
 /// increase, det F <= 0.
-std::vector<PathRow> read_path(const std::string& text, const std::string& source);
+/// @param notes  what was guessed of the table, a sentence each
+std::vector<PathRow> read_path(
+    const std::string& text, const std::string& source, std::vector<std::string>* notes = nullptr
+);
 
 /// What every path must fulfil: at least two rows, and times that increase.
 void check_row_count(std::size_t count, const std::string& source);

@@ -104,7 +104,7 @@ BAD = {  # name: (arguments, exit code, sentence)
         "too_far.csv: line 4 cannot be reached: at time 2e-06 s the Arenisca of 'berea_sandstone' fails (the strain of one step is too large for it); check F of that row, or take smaller steps with --steps-per-row."),
     "a column that is none": (
         CARD + ["--path", "misspelt.csv"] + OUT, 1,
-        "misspelt.csv: line 1 = \"stres_yy\" is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, pore_pressure and "
+        "misspelt.csv: line 1 = \"stres_yy\" is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, axial_strain, radial_strain, axial_stress, confinement, pore_pressure and "
         "time are); did you mean 'stress_yy'?"),
     "both controls": (
         CARD + ["--path", "both.csv"] + OUT, 1,
@@ -414,6 +414,42 @@ def check_place_of_cards(barreno, folder):
         yield f"BARRENO_MATERIALS goes before the shipped cards: {result.stdout}{result.stderr}"
 
 
+def check_extension(barreno, folder):
+    """What docs/materials/arenisca.md says of rock that is pulled in uniaxial strain: with the associated flow of the shipped card its mean stress becomes
+    compressive, with BETA_nonassociativity = 0.5 it stays in tension."""
+    (folder / "pull.csv").write_text("time,strain_xx\n0,0\n1 us,0.001\n2 us,0.01\n3 us,0.1\n")
+    pressures = []
+    for beta in ("1", "0.5"):
+        result = drive(barreno, folder, ["--material", "berea_sandstone", "--path", "pull.csv", "--steps-per-row", "100", "--set", f"BETA_nonassociativity={beta}", *OUT])
+        if result.returncode != 0:
+            yield f"extension with beta = {beta}: {result.stderr}"
+            return
+        lines = [line.split(",") for line in (folder / OUT[1]).read_text().splitlines()[1:]]
+        at = [lines[0].index(f"stress_{name}") for name in ("xx", "yy", "zz")]
+        pressures.append([-sum(float(line[i]) for i in at) / 3.0 for line in lines[1:]])
+        if not all(float(line[at[0]]) > 0.0 for line in lines[2:]):
+            yield f"the axis is not in tension: {lines}"
+    associated, less = pressures
+    if not (associated[1] < 0.0 < associated[2] < associated[3] and max(less[1:]) < 0.0):
+        yield f"pressures of extension: {pressures}"
+
+
+def check_compression_limit(barreno, folder):
+    """Smaller steps do not move the limit of a law: the sentence names it, on both kinds of paths, and where a stress is asked for."""
+    crush = {
+        "strain": "time,strain_xx,strain_yy,strain_zz\n0,0,0,0\n1 us,-0.3,-0.3,-0.3\n3 us,-0.6,-0.6,-0.6\n",
+        "gradient": "time,F11,F12,F13,F21,F22,F23,F31,F32,F33\n0,1,0,0,0,1,0,0,0,1\n2 us,0.3,0,0,0,1,0,0,0,1\n",
+        "stress": "time,stress_xx,strain_yy\n0,0,0\n1 us,-1e17,0\n",
+    }  # fmt: skip
+    for name, text in crush.items():
+        (folder / "crush.csv").write_text(text)
+        for steps in ("10", "1000"):
+            result = drive(barreno, folder, ["--material", "copper", "--path", "crush.csv", "--steps-per-row", steps, *OUT])
+            said = result.stderr
+            if result.returncode != 3 or "the compression limit of its Mie-Grueneisen law, V/V0 = 0.33" not in said or "smaller steps" in said:
+                yield f"{name}, {steps} steps: exit {result.returncode}: {said}"
+
+
 def check_ranks(barreno, folder):
     """Two ranks give the bytes of one, and say an error once."""
     example = ["--material", "copper.xml", "--path", str(EXAMPLE)]
@@ -434,7 +470,7 @@ def check_ranks(barreno, folder):
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
     checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_shipped_paths, check_every_step, check_surfaces,
-              check_place_of_cards, check_ranks]  # fmt: skip
+              check_place_of_cards, check_extension, check_compression_limit, check_ranks]  # fmt: skip
     failed = 0
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:

@@ -13,9 +13,11 @@ from barreno_material import load
 from barreno_fit import card, data, report, solve
 from barreno_fit.answers import Laboratory
 from barreno_fit.faults import FILE, NUMERICAL, Fault, Rejected
-from barreno_fit.kinds import KINDS, STRENGTH
+from barreno_fit.kinds import DIMENSIONS, KINDS, STRENGTH
+from barreno_fit.laboratory import RAW, Said
 from barreno_fit.parameters import fixed_values, given_bounds
 from barreno_fit.specimens import opened
+from barreno_fit.table import name_of
 
 DEFAULT_START = "berea_sandstone"
 
@@ -32,14 +34,44 @@ def parse(words):
     parser.add_argument("--start", metavar="CARD.xml", help=f"start, and what the data do not determine (a path or a name; default {DEFAULT_START})")
     parser.add_argument("--fix", action="append", default=[], metavar="NAME=value", help='holds a parameter, "PEAKI1=12 MPa"')
     parser.add_argument("--bounds", action="append", default=[], metavar="NAME=low,high", help="holds a parameter between two values")
+    parser.add_argument("--column", action="append", default=[], metavar="NAME=column", help='what a column of the files is, "Force=axial_force"')
+    parser.add_argument("--sign", action="append", default=[], metavar="column=negative", help="sign of compression in a column, positive or negative")
+    parser.add_argument("--say", action="append", default=[], metavar="[FILE:]key=value", help='a line of the header, "tri40.csv:confinement=40 MPa"')
     parser.add_argument("--name", metavar="NAME", help="name of the rock in the card (default: from the name of the file)")
     return parser.parse_args(words)
 
 
-def read_tests(files):
+def said_of(options):
+    """What the words say of the files."""
+    said = Said()
+    for word in options.column:
+        name, equal, column = word.rpartition("=")
+        if not equal or not name.strip() or not column.strip():
+            raise Fault(f"--column {word} is no assignment; write for example --column \"Force=axial_force\".")
+        said.columns[name_of(name)] = column.strip().lower()
+    for word in options.sign:
+        column, _, sign = word.partition("=")
+        if sign not in ("positive", "negative") or not (column in DIMENSIONS or column in RAW):
+            raise Fault(f"--sign {word} is no column with positive or negative; write for example --sign volume_strain=negative.")
+        said.signs[column] = sign == "negative"
+    for word in options.say:
+        left, equal, value = word.partition("=")
+        file, _, key = left.rpartition(":")
+        if not equal or key.strip() not in (*data.KEYS, "decimal"):
+            raise Fault(f"--say {word} is no line of a header; write for example --say \"tri40.csv:confinement=40 MPa\" (keys: {', '.join((*data.KEYS, 'decimal'))}).")
+        if file and file not in {pathlib.Path(name).name for name in options.data}:
+            raise Fault(f"--say {word} names no file of the data; write its name without a folder.")
+        said.keys.append((file, key.strip(), value.strip()))
+    return said
+
+
+def read_tests(files, said):
     if len(set(map(os.path.realpath, files))) < len(files):
         raise Fault("a file is given twice as data; name each test once.")
-    tests = [data.read_test(file) for file in files]
+    tests = [data.read_test(file, said) for file in files]
+    unused = [name for name in said.columns if name not in said.used]
+    if unused:
+        raise Fault(f"--column {unused[0]}={said.columns[unused[0]]} names no column of the files; write the name as it stands there, without its unit.")
     return sorted(tests, key=lambda test: (list(KINDS).index(test.kind), test.confinement))
 
 
@@ -114,7 +146,7 @@ def run(words):
     options = parse(words)
     out = check_out(options.out)
     fixed, bounds = fixed_values(options.fix), given_bounds(options.bounds)
-    tests = read_tests(options.data)
+    tests = read_tests(options.data, said_of(options))
     check_scope(tests, options.start)
     fix_porosity(tests, fixed)
     start_name = options.start or DEFAULT_START

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A test from its CSV file: units, signs and strains are brought to SI, compression positive, logarithmic."""
 
-import csv
 import difflib
 import hashlib
-import io
 import pathlib
 import re
 from dataclasses import dataclass, field
@@ -14,6 +12,11 @@ import numpy
 from barreno_fit import units
 from barreno_fit.faults import FILE, Fault
 from barreno_fit.kinds import DIMENSIONS, KINDS, columns_of
+from barreno_fit.laboratory import (
+    RAW, Said, check_elastic_signs, confinement_of_column, dimension_of, keys_of_titles, known_names, renamed, strains_from_lengths,
+    stress_from_force, tell_rate, turn_signs,
+)  # fmt: skip
+from barreno_fit.table import decoded, is_number, split_table
 
 LEAST_ROWS = 8  # of a curve
 MOST_ROWS = 150  # of a curve that are compared
@@ -21,7 +24,9 @@ MOST_TURNS = 12  # of the strain: three loops of unloading, with room
 LARGEST_STRAIN = 0.7
 LARGEST_STRESS = 200e9
 CURVE_UNCERTAINTY, TABLE_UNCERTAINTY = 0.02, 0.10
-KEYS = ("kind", "compression", "confinement", "porosity", "uncertainty", "strain", "strain_limit", "source")
+KEYS = ("kind", "compression", "confinement", "porosity", "uncertainty", "strain", "strain_limit", "source", "diameter", "length")
+EXAMPLES = {"stress": "MPa", "strain": "%", "force": "kN", "length": "mm", "time": "s"}  # of units
+RAW_OF = {"axial_strain": ("axial_displacement",), "axial_stress": ("axial_force", "differential_force")}
 
 
 @dataclass
@@ -52,32 +57,34 @@ class Test:
 def text_of(file):
     path = pathlib.Path(file)
     try:
+        if path.exists() and not path.is_file():
+            raise Fault(f"{file} is no plain file (needed as the data of a test); give the path of a CSV file.", FILE)
         raw = path.read_bytes()
     except FileNotFoundError:
         raise Fault(f"{file} does not exist (needed as the data of a test); check the path.", FILE) from None
     except OSError as error:
         raise Fault(f"{file} cannot be read ({error.strerror}); check the path and its permissions.", FILE) from None
-    try:
-        return raw.decode("utf-8-sig"), hashlib.sha256(raw).hexdigest()[:16]
-    except UnicodeDecodeError:
-        raise Fault(f"{file} is not text in UTF-8 (a spreadsheet?); save it as CSV.") from None
+    text = decoded(raw)
+    if text is None or raw[:4] in (b"PK\x03\x04", b"%PDF"):
+        raise Fault(f"{file} is not text in UTF-8 (a spreadsheet?); save it as CSV.")
+    return text, hashlib.sha256(raw).hexdigest()[:16]
 
 
-def header_keys(file, text):
+def header_keys(file, comments):
     """`# key: value` of the comments."""
     keys = {}
-    for line in text.splitlines():
-        found = re.match(r"#\s*([a-z_]+)\s*:\s*(.+?)\s*$", line)
-        if found and found.group(1) in KEYS:
-            if found.group(1) in keys and found.group(1) != "source":
-                raise Fault(f"{file} gives '{found.group(1)}' twice; keep one of the two lines.")
-            keys[found.group(1)] = (keys.get("source", "") + " " + found.group(2)).strip() if found.group(1) == "source" else found.group(2)
+    for _, key, value in comments:
+        if key not in KEYS or not value:
+            continue
+        if key in keys and key != "source":
+            raise Fault(f"{file} gives '{key}' twice; keep one of the two lines.")
+        keys[key] = (keys.get("source", "") + " " + value).strip() if key == "source" else value
     return keys
 
 
 def kind_of(file, keys):
     if "kind" not in keys:
-        raise Fault(f"{file} does not say which kind of test it is; add a line '# kind: NAME' with one of {', '.join(KINDS)}.")
+        raise Fault(f"{file} does not say which kind of test it is; add a line '# kind: NAME', or --say \"{pathlib.Path(file).name}:kind=NAME\", with one of {', '.join(KINDS)}.")
     name = keys["kind"].lower()
     if name in KINDS:
         return name
@@ -86,53 +93,34 @@ def kind_of(file, keys):
     raise Fault(f"{file} has the kind '{keys['kind']}', which is not known; {advice}")
 
 
-def table_of(file, text):
-    """Header cells, units per column ('' if none), and the rows with their line numbers. Units stand in brackets behind the names,
-    or in a row of their own."""
-    lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
-    rows = [(n, [c.strip() for c in next(csv.reader(io.StringIO(line), skipinitialspace=True))]) for n, line in lines]
-    if not rows:
-        raise Fault(f"{file} contains no table; write a line of column names, then rows of numbers.")
-    names, given = [], []
-    for cell in rows[0][1]:
-        found = re.fullmatch(r"([^\[]*?)\s*(?:\[\s*(.*?)\s*\])?", cell)
-        names.append((found.group(1) if found else cell).strip().lower())
-        given.append((found.group(2) or "") if found else "")
-    rows = rows[1:]
-    if rows and not any(given) and not any(is_number(cell) for cell in rows[0][1]):
-        given = [cell.strip("[]() ") for cell in rows[0][1]] + [""] * len(names)
-        rows = rows[1:]
-    for number, cells in rows:
-        if len(cells) != len(names):
-            raise Fault(f"{file}, line {number} has {len(cells)} cells under {len(names)} column names; complete it (text with commas goes in quotes).")
-    return names, given, rows
-
-
-def is_number(cell):
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True
-
-
 def numbers_of(file, name, unit, at, rows):
     """A column in SI."""
-    dimension = DIMENSIONS[name]
+    dimension = dimension_of(name)
     if not unit:
-        if dimension != "ratio":
-            raise Fault(f"{file} gives no unit for the column '{name}'; write for example '{name} [{'MPa' if dimension == 'stress' else '%'}]'.")
-        unit = "-"
+        if dimension != "ratio" and any(is_number(cells[at]) for _, cells in rows):
+            raise Fault(f"{file} gives no unit for the column '{name}'; write for example '{name} [{EXAMPLES[dimension]}]'.")
+        unit = "-" if dimension == "ratio" else next(iter(units.UNITS[dimension]))
     scale = units.factor(unit, dimension, f"{file}, column '{name}'")
     values = []
     for number, cells in rows:
+        own = re.fullmatch(r"([-+.\deE]*\d\.?)\s*([^\d\s.+-]\S*)", cells[at])
+        if own and is_number(own.group(1)) and units.is_unit(own.group(2)):
+            values.append(float(own.group(1)) * units.factor(own.group(2), dimension, f"{file}, line {number}"))
+            continue
         if not is_number(cells[at]) or not numpy.isfinite(float(cells[at])):
             raise Fault(f"{file}, line {number} has '{cells[at]}' in the column '{name}', which is not a number; correct the row or take it out.")
         values.append(float(cells[at]) * scale)
     return numpy.array(values)
 
 
-def check_columns(file, kind, names):
+def check_rows(file, names, rows):
+    for number, cells in rows:
+        if len(cells) != len(names):
+            commas = "decimal commas need semicolons between the cells" if len(cells) == 2 * len(names) else "text with commas goes in quotes"
+            raise Fault(f"{file}, line {number} has {len(cells)} cells under {len(names)} column names; complete it ({commas}).")
+
+
+def check_columns(file, kind, names, heads):
     """The columns that are needed are there, one of each group of alternatives."""
     what = KINDS[kind]
     for name in names:
@@ -143,28 +131,14 @@ def check_columns(file, kind, names):
         if any(name in names for name in group):
             continue
         like = [found for name in names if name not in DIMENSIONS for found in near(name, group, 1, 0.7)]
+        if any(name in names for name in RAW_OF.get(group[0], ())):
+            continue
         advice = f" (is one misspelt? they are {', '.join(names)})" if like else ""
-        raise Fault(f"{file} lacks the column '{group[0]}', which a test of kind '{kind}' needs{advice}; its columns are {', '.join(columns_of(what))}.")
+        raise Fault(f"{file} lacks the column '{group[0]}', which a test of kind '{kind}' needs{advice}; its columns are {', '.join(columns_of(what))}; say which it is with --column \"NAME={group[0]}\", NAME one of {', '.join(heads)}.")
     for group in what.channels:
         both = [name for name in group if name in names]
         if len(both) > 1:
             raise Fault(f"{file} has the columns {' and '.join(both)}, which say the same; keep one.")
-
-
-def positive_in_compression(file, keys, columns):
-    """Turns signs that are those of mechanics, and checks that the data are as the file says."""
-    said = keys.get("compression", "").lower()
-    if said not in ("positive", "negative"):
-        raise Fault(f"{file} does not say its sign convention; add a line '# compression: positive' (or negative).")
-    if said == "negative":
-        for name in columns:
-            if DIMENSIONS[name] in ("stress", "strain"):
-                columns[name] = -columns[name] + 0.0
-    for name, values in columns.items():
-        checked = name in ("pressure", "axial_stress", "differential_stress", "axial_strain")
-        if checked and values[numpy.argmax(numpy.abs(values))] < 0.0:
-            other = "negative" if said == "positive" else "positive"
-            raise Fault(f"{file} says that compression is {said}, but the largest value of '{name}' has the other sign; correct the column, or write '# compression: {other}'.")
 
 
 def check_curve(file, control, columns, confinement):
@@ -218,25 +192,52 @@ def header_value(file, keys, key, dimension, default, low, high):
     return value
 
 
-def read_test(file):
-    """The test of a file, or a Fault that says what to correct."""
-    file = str(file)
+def read_table(file, said):
+    """The table of a file, what its header says, its kind, its columns' names, and its digest."""
     text, digest = text_of(file)
-    keys = header_keys(file, text)
+    extra = said.keys_of(file)
+    table = split_table(file, text, known_names(said), extra.get("decimal", ""))
+    keys = header_keys(file, table.comments)
+    titles = {key: value for key, value in keys_of_titles(file, table).items() if key not in keys}
+    keys = {**titles, **keys, **extra}
     kind = kind_of(file, keys)
-    what = KINDS[kind]
-    names, given, rows = table_of(file, text)
-    check_columns(file, kind, names)
-    if not rows:
+    if not table.header_line:
+        raise Fault(f"{file} contains no table; write a line of column names, then rows of numbers.")
+    names = renamed(file, table, KINDS[kind], said)
+    check_rows(file, names, table.rows)
+    check_columns(file, kind, names, table.heads)
+    if not table.rows:
         raise Fault(f"{file} has no row of numbers; write them under the column names.")
-    used = [name for name in names if name in columns_of(what)]
-    columns = {name: numbers_of(file, name, given[names.index(name)], names.index(name), rows) for name in used}
+    return table, keys, kind, names, digest
+
+
+def confinement_of(file, kind, keys, columns, notes):
+    column = confinement_of_column(file, columns, notes) if kind == "triaxial" else None
+    if kind == "triaxial" and "confinement" not in keys and column is None:
+        raise Fault(f"{file} does not say its confinement; add a line such as '# confinement: 40 MPa' (0 MPa for an unconfined test), or --say \"{pathlib.Path(file).name}:confinement=40 MPa\".")
+    return header_value(file, keys, "confinement", "stress", 0.0 if column is None else column, 0.0, LARGEST_STRESS)
+
+
+def read_test(file, said=None):
+    """The test of a file, or a Fault that says what to correct.
+
+    @param said  what the words of the command add
+    """
+    file, said = str(file), said or Said()
+    table, keys, kind, names, digest = read_table(file, said)
+    what, rows = KINDS[kind], table.rows
+    used = [name for name in names if name in columns_of(what) or (what.curve and name in RAW)]
+    columns = {name: numbers_of(file, name, table.units[names.index(name)], names.index(name), rows) for name in used}
     labels = [cells[names.index("source")] for _, cells in rows] if "source" in names else [""] * len(rows)
-    positive_in_compression(file, keys, columns)
+    notes = [f"{file}: {note}" for note in table.notes]
+    turn_signs(file, keys, said, columns)
+    confinement = confinement_of(file, kind, keys, columns, notes)
+    if what.curve:
+        strains_from_lengths(file, keys, columns, notes)
+        stress_from_force(file, kind, keys, columns, confinement, notes)
+        tell_rate(file, what.control, columns, notes)
+        columns = {name: values for name, values in columns.items() if name in columns_of(what)}
     check_magnitudes(file, columns)
-    if kind == "triaxial" and "confinement" not in keys:
-        raise Fault(f"{file} does not say its confinement; add a line such as '# confinement: 40 MPa' (0 MPa for an unconfined test).")
-    confinement = header_value(file, keys, "confinement", "stress", 0.0, 0.0, LARGEST_STRESS)
     default = header_value(file, keys, "uncertainty", "ratio", CURVE_UNCERTAINTY if what.curve else TABLE_UNCERTAINTY, 1e-4, 10.0)
     uncertainty = columns.pop("uncertainty", numpy.full(len(rows), default))
     if not (uncertainty > 0.0).all():
@@ -244,11 +245,13 @@ def read_test(file):
     test = Test(
         file, kind, digest, keys.get("source", ""), columns, labels, uncertainty, confinement,
         header_value(file, keys, "porosity", "ratio", 0.0, 1e-3, 0.6), header_value(file, keys, "strain_limit", "strain", 0.1, 1e-3, LARGEST_STRAIN),
+        notes,
     )  # fmt: skip
-    extra = [name for name in names if name not in columns_of(what) and name != "source"]
+    extra = [name for name in names if name not in used and name != "source"]
     if extra:
         test.notes.append(f"{file}: not used: {', '.join(extra)}.")
     if what.curve:
+        check_elastic_signs(file, kind, test.columns)
         finish_curve(test, what, keys)
     elif any((test.columns[name] <= 0.0).any() for name in test.channels):
         raise Fault(f"{file} has a value of '{test.channels[0]}' that is not above 0; correct the row.")

@@ -7,7 +7,9 @@
 
 namespace barreno {
 
-Teuchos::TwoDArray<double> read_jet_table(const std::string& text, const std::string& source) {
+Teuchos::TwoDArray<double> read_jet_table(
+    const std::string& text, const std::string& source, std::vector<std::string>* notes
+) {
   const std::vector<TableColumn> columns = {
       {"time", dimension::time},
       {"velocity", dimension::velocity},
@@ -15,6 +17,7 @@ Teuchos::TwoDArray<double> read_jet_table(const std::string& text, const std::st
       {"length", dimension::length},
       {"density", dimension::density}};
   const TableRows rows = read_table(text, columns, "a jet table", source);
+  if (notes != nullptr) *notes = rows.notes;
   if (rows.lines.empty()) {
     input::refuse(
         source,

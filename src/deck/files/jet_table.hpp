@@ -4,6 +4,7 @@
 #include <Teuchos_TwoDArray.hpp>
 
 #include <string>
+#include <vector>
 
 namespace barreno {
 
@@ -11,6 +12,9 @@ namespace barreno {
 ///
 /// '#' starts a comment; a comment "# units: mm-us-g" names the system of the plain numbers
 /// (default SI). The first other line is the header. Throws DeckError with the line's number.
-Teuchos::TwoDArray<double> read_jet_table(const std::string& text, const std::string& source);
+/// @param notes  what was guessed of the table, a sentence each
+Teuchos::TwoDArray<double> read_jet_table(
+    const std::string& text, const std::string& source, std::vector<std::string>* notes = nullptr
+);
 
 }  // namespace barreno

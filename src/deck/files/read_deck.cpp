@@ -170,7 +170,7 @@ std::string load_beside(
 }
 
 /// The table's rows become part of the deck, so that the effective deck needs no other file.
-std::string include_jet_table(const Reading& reading, ParameterList& values) {
+std::string include_jet_table(Reading& reading, ParameterList& values) {
   const std::string &path = table_of<JetSpec>().path, &file = name_of(&JetSpec::table_file);
   const std::string& slugs = name_of(&JetSpec::slugs);
   if (!values.isSublist(path)) return {};
@@ -187,7 +187,9 @@ std::string include_jet_table(const Reading& reading, ParameterList& values) {
   auto table = jet.get<std::string>(file);
   const std::string source = included(reading, join(path, file), table);
   const std::string text = load_beside(reading, table, source, input::largest_text, "a jet table");
-  jet.set(slugs, read_jet_table(text, source));
+  std::vector<std::string> notes;
+  jet.set(slugs, read_jet_table(text, source, &notes));
+  for (const std::string& note : notes) reading.notes.push_back(table + ": " + note);
   jet.remove(file);
   return table;
 }

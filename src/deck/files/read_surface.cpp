@@ -2,6 +2,7 @@
 #include "deck/files/read_surface.hpp"
 
 #include "base/error.hpp"
+#include "deck/files/stl_text.hpp"
 
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
@@ -37,12 +38,13 @@ std::size_t announced_facets(const std::string& text) {
 
 /// What begins with "solid" is text, unless its size is just that of the facets that it announces.
 bool is_binary(const std::string& text, const std::string& source) {
+  if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
+    refuse(source, "is text in UTF-16 (STL files are in ASCII); save it as plain text");
   if (text.size() < header_bytes) return false;
   const std::size_t facets = announced_facets(text);
   const std::size_t size = header_bytes + facets * facet_bytes;
   if (size == text.size()) return true;
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin != std::string::npos && text.compare(begin, 5, "solid") == 0) return false;
+  if (begins_as_stl_text(text)) return false;
   if (size > text.size())
     refuse(
         source,
@@ -55,9 +57,12 @@ bool is_binary(const std::string& text, const std::string& source) {
 
 Soup read_soup(const std::string& text, const std::string& source) {
   Soup soup;
-  std::istringstream stream(text);
+  std::istringstream stream;
   // The reader takes a header that begins with "solid" for text.
-  if (is_binary(text, source)) stream.str(std::string(5, '-') + text.substr(5));
+  if (is_binary(text, source))
+    stream.str(std::string(5, '-') + text.substr(5));
+  else if (begins_as_stl_text(text))
+    stream.str(plain_stl_text(text, source));
   bool sound = false;
   try {
     sound = CGAL::IO::read_STL(stream, soup.points, soup.triangles);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "deck/files/table_text.hpp"
+
 #include <barreno/describe.hpp>
 #include <string>
 #include <vector>
@@ -17,11 +19,13 @@ struct TableColumn {
 struct TableRows {
   std::vector<double> values;
   std::vector<int> lines;
+  std::vector<std::string> notes;  ///< what was guessed, a sentence each
 };
 
-/// A CSV table's text in SI. The first line that is neither empty nor a '#' comment is the header,
-/// which must be the columns' names in their order; a comment "# units: mm-us-g" names the system
-/// of the plain numbers (default SI).
+/// A table's text in SI, as TableText reads it. The first line that is not a '#' comment and has
+/// one of the columns' names is the header, which must have each of them once, in any order. Units
+/// stand behind the names, in a row below them or in cells; a comment "# units: mm-us-g" names the
+/// system of the plain numbers (default SI). Ratios may be in percent.
 /// @param what  "a jet table", for sentences
 /// Throws DeckError with the line's number and the column's name.
 TableRows read_table(
@@ -29,6 +33,12 @@ TableRows read_table(
     const std::vector<TableColumn>& columns,
     const std::string& what,
     const std::string& source
+);
+
+/// The same for a table that is split, whose columns are known.
+/// @param columns  in the order of the file
+TableRows read_rows(
+    const TableText& table, const std::vector<TableColumn>& columns, const std::string& source
 );
 
 }  // namespace barreno

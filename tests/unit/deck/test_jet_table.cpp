@@ -40,6 +40,22 @@ TEST(JetTable, ACommentMayNameTheUnits) {
   EXPECT_DOUBLE_EQ((table(0, 4)), 17600.0);
 }
 
+TEST(JetTable, AMarkAndSemicolonsOfASpreadsheetAreRead) {
+  std::vector<std::string> notes;
+  const auto table = read_jet_table(
+      "\xEF\xBB\xBF"
+      "time [us];velocity [km/s];radius [mm];length [mm];density [g/cm3]\r\n"
+      "2;7,83;1;1,5;17,6\r\n",
+      "t",
+      &notes
+  );
+  EXPECT_DOUBLE_EQ((table(0, 0)), 2e-6);
+  EXPECT_DOUBLE_EQ((table(0, 1)), 7830.0);
+  EXPECT_DOUBLE_EQ((table(0, 3)), 1.5e-3);
+  EXPECT_DOUBLE_EQ((table(0, 4)), 17600.0);
+  EXPECT_EQ(notes.size(), 2U);
+}
+
 TEST(JetTable, RefusalsNameTheLine) {
   EXPECT_NE(problem_of("").find("contains no slug"), std::string::npos);
   EXPECT_NE(problem_of(header).find("contains no slug"), std::string::npos);

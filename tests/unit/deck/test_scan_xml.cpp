@@ -69,6 +69,17 @@ std::string parameter(const std::string& name, const std::string& value) {
   return "<Parameter name=\"" + name + "\" value=\"" + value + "\"/>";
 }
 
+TEST(ParseXml, AByteOrderMarkIsSkippedAndUtf16Named) {
+  const std::string text = R"(<?xml version="1.0"?><ParameterList name="Deck"/>)";
+  EXPECT_EQ(parse_xml("\xEF\xBB\xBF" + text, "deck.xml").getTag(), "ParameterList");
+  try {
+    parse_xml(std::string("\xFF\xFE<\0?\0", 6), "deck.xml");
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("UTF-16"), std::string::npos) << error.what();
+  }
+}
+
 TEST(ScanXml, FillsDefaultsAndConverts) {
   const auto list = scan(length);
   EXPECT_EQ(list.get<double>("Length"), 0.002);

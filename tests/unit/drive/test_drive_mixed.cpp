@@ -53,7 +53,7 @@ TEST(MixedPath, BadHeadersAreRefusedWithWhatIsMeant) {
     return sentence_of<InputError>([&] { read_mixed_path(header + "\n0,0\n1,0\n", "path"); });
   };
   EXPECT_NE(sentence("time,stres_xx").find("did you mean 'stress_xx'?"), std::string::npos);
-  EXPECT_NE(sentence("stress_xx,time").find("begin with time"), std::string::npos);
+  EXPECT_NE(sentence("stress_xx,stress_yy").find("begin with time"), std::string::npos);
   EXPECT_NE(sentence("time,stress_xx,stress_xx").find("is there twice"), std::string::npos);
   const auto first =
       sentence_of<InputError>([] { read_mixed_path("time,strain_xx\n0,1e-3\n1,2e-3\n", "path"); });
@@ -68,6 +68,50 @@ TEST(MixedPath, ComponentsAndUnitsAreRead) {
   EXPECT_EQ(path.rows[1].target[1], 3e6);
   EXPECT_TRUE(path.rows[1].by_stress[1] && !path.rows[1].by_stress[5] && !path.rows[1].drained);
   EXPECT_TRUE(is_mixed_path("time,stress_xx\n") && !is_mixed_path("time,F11\n"));
+}
+
+TEST(MixedPath, ColumnsOfLaboratoriesPrescribeAxisAndSide) {
+  const MixedPath path = read_mixed_path(
+      "# compression: positive\nTime [s];Axial strain [%];Confinement [MPa]\n0;0;0\n1;2,5;40\n",
+      "path"
+  );
+  const MixedRow& row = path.rows[1];
+  EXPECT_DOUBLE_EQ(row.target[0], std::log1p(-0.025));
+  EXPECT_EQ(row.target[1], -40e6);
+  EXPECT_EQ(row.target[2], -40e6);
+  EXPECT_TRUE(!row.by_stress[0] && row.by_stress[1] && row.by_stress[2]);
+  EXPECT_FALSE(path.notes.empty());
+  const MixedPath other = read_mixed_path(
+      "# compression: negative\n# strain: logarithmic\ntime,axial_strain [%],radial_stress [MPa]\n"
+      "0,0,0\n1,-2.5,-40\n",
+      "path"
+  );
+  EXPECT_DOUBLE_EQ(other.rows[1].target[0], -0.025);
+  EXPECT_EQ(other.rows[1].target[2], -40e6);
+  EXPECT_EQ(read_mixed_path("time,strain_xx [%]\n0,0\n1,-3\n", "path").rows[1].target[0], -0.03);
+}
+
+TEST(MixedPath, WhatALaboratoryLeavesOpenIsAskedFor) {
+  const auto sentence = [](const std::string& text) {
+    return sentence_of<InputError>([&] { read_mixed_path(text, "path"); });
+  };
+  const std::string said = "# compression: positive\n", table = "time,axial_strain [%]\n0,0\n1,3\n";
+  EXPECT_NE(sentence(table).find("add a line \"# compression: positive\""), std::string::npos);
+  EXPECT_NE(
+      sentence("# compression: up\n" + table).find("neither positive nor"), std::string::npos
+  );
+  EXPECT_NE(
+      sentence(said + "time,axial_strain\n0,0\n1,3\n").find("line 4, axial_strain = 3 has no unit"),
+      std::string::npos
+  );
+  EXPECT_NE(
+      sentence(said + "time,axial_strain [-]\n0,0\n1,3\n").find("leaves nothing of the specimen"),
+      std::string::npos
+  );
+  EXPECT_NE(
+      sentence(said + "time,axial_strain [%],strain_xx\n0,0,0\n1,3,0\n").find("is there twice"),
+      std::string::npos
+  );
 }
 
 TEST(MixedPath, AnEmptyCellLeavesTheComponentToTheOtherControl) {

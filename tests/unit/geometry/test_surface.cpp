@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -243,6 +245,71 @@ TEST(Surface, WhatIsNoStlIsRefused) {
         std::string(500, '\0'),
         std::string("solid a\nendsolid a\n")})
     EXPECT_NE(refusal(bad).find("is not a complete STL file"), std::string::npos) << bad.size();
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+std::string in_capitals(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+TEST(Surface, WordsOfOtherProgramsAreRead) {
+  const std::string text = as_text(cube(0.0, 2.0));
+  const std::string variants[] = {
+      text,
+      in_capitals(text),
+      "\xEF\xBB\xBF" + text,
+      "\xEF\xBB\xBF\r\n  " + in_capitals(replaced(text, "\n", "\r\n")),
+      replaced(text, "\n", "\r"),
+      replaced(text, "endloop", "end loop"),
+      replaced(text, "endfacet", "end facet"),
+      replaced(text, "endsolid", "end solid"),
+      replaced(replaced(text, "end", "End "), "vertex", "Vertex"),
+      replaced(text, "endsolid", "endsolid facet of a solid"),
+      "solid facet vertex endsolid" + text.substr(text.find('\n')),
+      replaced(text, "normal 0 0 0", "normal nan nan -nan(ind)"),
+      replaced(text, "vertex ", "\tvertex\t+"),
+      replaced(text, "vertex ", "vertex\n"),
+      text + text.substr(0, text.find('\n')) + "\nendsolid\n"};
+  for (const std::string& variant : variants) {
+    SCOPED_TRACE(variant.substr(0, 200));
+    const auto surface = read(variant);
+    EXPECT_EQ(surface->facets().size(), 12U);
+    EXPECT_DOUBLE_EQ(surface->volume(), 8.0);
+  }
+}
+
+/// The sentence has the line and the word.
+TEST(Surface, WhatIsNoNumberIsNamedWithItsLine) {
+  const std::string text = as_text(cube(0.0, 2.0));
+  const std::size_t vertex = text.find("vertex ");
+  const std::string line =
+      std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<long>(vertex), '\n'));
+  const auto spoilt = [&](const std::string& number) {
+    std::string bad = text;
+    bad.replace(vertex + 7, bad.find(' ', vertex + 7) - vertex - 7, number);
+    return refusal(bad);
+  };
+  EXPECT_EQ(
+      spoilt("0,5"),
+      "part.stl: line " + line +
+          " has 0,5 (STL files have decimal points, no commas); export it with points."
+  );
+  for (const char* word : {"nan", "inf", "-nan(ind)", "1e999", "1.#QNAN", "0.5mm", "x"}) {
+    const std::string said = spoilt(word);
+    EXPECT_NE(said.find("part.stl: line " + line + " has "), std::string::npos) << said;
+    EXPECT_NE(said.find(word), std::string::npos) << said;
+  }
+  EXPECT_NE(
+      refusal(replaced(text, "outer loop", "outer lop")).find("has \"lop\" where \"loop\""),
+      std::string::npos
+  );
+  EXPECT_NE(refusal("\xFF\xFEs\0o\0").find("UTF-16"), std::string::npos);
 }
 
 TEST(Surface, BytesAtRandomAreRefusedOrRead) {
