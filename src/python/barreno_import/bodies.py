@@ -3,9 +3,11 @@
 
 import dataclasses
 
+from barreno_import.bounds import used_shapes
 from barreno_import.deck import name_of
-from barreno_import.materials import ROOM, Unknown, check_cards, read_material
-from barreno_import.shapes import Left, Shapes
+from barreno_import.materials import NEVER_MELTS, ROOM, Unknown, check_cards, read_material
+from barreno_import.motion import rigid_materials
+from barreno_import.shapes import PIECES, Left, Shapes
 
 
 @dataclasses.dataclass
@@ -26,18 +28,19 @@ class Contents:
     shapes: dict = dataclasses.field(default_factory=dict)
     pieces: list = dataclasses.field(default_factory=list)
     names: list = dataclasses.field(default_factory=list)  # by the index that Uintah gives materials; None: left out
+    left: list = dataclasses.field(default_factory=list)  # names of materials that are left out
 
 
 def particles_of(piece, space, where, notes):
     counts = [round(count) for count in space.point(piece.vector("res", default=(2, 2, 2)))]
     if len(set(counts)) > 1:
-        notes.add(f"{where}: of {' x '.join(map(str, counts))} particles per cell the largest is taken along each axis (a deck has one number).")
+        notes.add(f"of {' x '.join(map(str, counts))} particles per cell the largest is taken along each axis (a deck has one number).", where)
     return max(1, *counts)
 
 
 def body_of(piece, shape, material, space, where, notes):
     out = {"Material": material, **shape, "Particles Per Cell": particles_of(piece, space, where, notes)}
-    velocity = space.point(piece.vector("velocity", default=(0.0, 0.0, 0.0)))
+    velocity = space.in_plane(piece.vector("velocity", default=(0.0, 0.0, 0.0)), "the velocity", where, notes)
     if any(velocity):
         out["Velocity"] = velocity
     return out
@@ -45,31 +48,49 @@ def body_of(piece, shape, material, space, where, notes):
 
 def check_temperature(piece, parameters, where, notes):
     """The metal of a deck starts at its Room Temperature, below which it does not harden."""
-    if parameters.get("Model") != "Johnson-Cook" or not piece.has("temperature"):
+    if parameters.get("Model") != "Johnson-Cook" or parameters.get("Melt Temperature") == NEVER_MELTS or not piece.has("temperature"):
         return
     start, room = piece.number("temperature"), parameters.get("Room Temperature", ROOM)
     if start != room:
-        notes.add(f"{where}: the start at {start:g} K is left out (metals start at their Room Temperature, {room:g} K, that of the flow rule).")
+        notes.lost(f"the start at {start:g} K is left out (metals start at their Room Temperature, {room:g} K, that of the flow rule).", where)
 
 
 def label_of(piece):
-    named = next(iter(piece.children()), None)
+    named = next((child for child in piece.children() if child.tag in PIECES), None)
     return (named.attribute("label") or named.attribute("name")) if named else ""
+
+
+def shape_of(piece, shapes):
+    """Of a geom_object, whose several pieces are one together. @raises Left"""
+    forms = [child for child in piece.children() if child.tag in PIECES]
+    forms = forms or [child for child in piece.children() if child.tag not in PROPERTIES]
+    if not forms:
+        raise Left("a <geom_object> holds no piece")
+    if len(forms) == 1:
+        return shapes.body_of(forms[0])
+    return shapes.inside(shapes.combination("union", shapes.parts_of("union", forms)))
+
+
+def look_at_properties(piece, where, notes):
+    """Those that say what a deck has anyway."""
+    if piece.has("volumeFraction") and piece.number("volumeFraction") != 1.0:
+        notes.lost(f"volumeFraction = {piece.number('volumeFraction'):g} is left out (particles of a deck fill the body).", where)
 
 
 def read_pieces(material, name, contents, shapes, space, notes):
     index = len(contents.names) - 1
     for piece in material.children("geom_object"):
         body = name_of(label_of(piece) or name, contents.bodies, "Body")
-        forms = [child for child in piece.children() if child.tag not in PROPERTIES]
-        try:
-            if len(forms) != 1:
-                raise Left(f"a <geom_object> holds {len(forms)} pieces, not one")
-            shape = shapes.body_of(forms[0])
-        except Left as reason:
-            notes.add(f"The body {body} of {name} is left out ({reason}); add its shape in the deck.")
-            continue
         where = f"Body {body}"
+        try:
+            shape = shape_of(piece, shapes)
+        except Left as reason:
+            for child in piece.children():
+                shapes.remember(child)
+            piece.cover()
+            notes.lost(f"left out ({reason}); add its shape in the deck.", f"{where} of {name}")
+            continue
+        look_at_properties(piece, where, notes)
         check_temperature(piece, contents.materials[name], where, notes)
         contents.bodies[body] = body_of(piece, shape, name, space, where, notes)
         contents.pieces.append(Piece(piece, name, index, body, shape))
@@ -80,8 +101,23 @@ PROPERTIES = ("res", "velocity", "temperature", "color", "volumeFraction", "affi
 
 
 def refuse_turned(material, name, notes):
-    if any(piece.has("affineTransformation_A0") for piece in material.children("geom_object")):
-        notes.add(f"{name}: affine transformations of pieces are left out (shapes of a deck are given where they are); turn the shape.")
+    turned = [piece for piece in material.children("geom_object") if piece.has("affineTransformation_A0", "affineTransformation_b")]
+    for piece in turned:
+        for child in piece.children("affineTransformation_A0", "affineTransformation_A1", "affineTransformation_A2", "affineTransformation_b"):
+            child.cover()
+    if turned:
+        notes.lost(f"affine transformations of pieces are left out (shapes of a deck are given where they are); turn the shape.", name)
+
+
+def leave_out(material, name, reason, contents, shapes, notes):
+    """Its pieces stay known by their labels."""
+    for piece in material.children("geom_object"):
+        for child in piece.children():
+            shapes.remember(child)
+    material.cover()
+    contents.names.append(None)
+    contents.left.append(name)
+    notes.lost(f'The material {name} is left out with its bodies ({reason}); choose a card for it with --card "{name}=CARD".')
 
 
 def read_contents(root, space, cards, notes):
@@ -92,15 +128,15 @@ def read_contents(root, space, cards, notes):
     for number, material in enumerate(materials, 1):
         names.append(name_of(material.attribute("name"), names, f"Material {number}"))
     check_cards(cards, names)
+    rigid = {names[index] for index in rigid_materials(root) if index < len(names)}
     for material, name in zip(materials, names):
         try:
-            contents.materials[name] = read_material(material, name, cards, notes)
+            contents.materials[name] = read_material(material, name, name in rigid, cards, notes)
         except Unknown as reason:
-            contents.names.append(None)
-            notes.add(f'The material {name} is left out with its bodies ({reason}); choose a card for it with --card "{name}=CARD".')
+            leave_out(material, name, reason, contents, shapes, notes)
             continue
         contents.names.append(name)
         refuse_turned(material, name, notes)
         read_pieces(material, name, contents, shapes, space, notes)
-    contents.shapes = shapes.lists
+    contents.shapes = used_shapes(contents.bodies, shapes.lists)
     return contents

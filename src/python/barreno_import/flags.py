@@ -1,19 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time, flags of the method and saved outputs."""
 
-SHAPES = {"linear": "linear", "gimp": "GIMP", "3rdorderBS": "quadratic B-spline", "4thorderBS": "cubic B-spline", "cpdi": "CPDI"}
+SHAPES = {"linear": "linear", "gimp": "GIMP", "3rdorderBS": "quadratic B-spline", "4thorderBS": "cubic B-spline", "cpdi": "CPDI", "fast_cpdi": "CPDI"}
 VISCOSITY = (0.2, 2.0)  # Uintah's defaults where it is on
 DEFAULT_FIELDS = 20  # instants of particles.e where Uintah counts steps
+MANY_STEPS = 2e9  # about the largest integer: no limit
 LONGEST = 1e29  # Uintah's way to say: no limit
 # What particles.e and history.csv have without being asked.
 SAVED = {"p.x", "p.velocity", "p.mass", "p.volume", "p.stress", "p.deformationMeasure", "p.deformationGradient", "p.particleID", "p.plasticStrain", "p.temperature", "p.damage",
          "p.evp", "p.porosity", "p.PorePressure", "TotalMass", "TotalMomentum", "KineticEnergy", "StrainEnergy", "AccStrainEnergy", "p.displacement"}  # fmt: skip
-# Flags that say what Barreno does anyway, or that only choose how Uintah computes.
-SILENT = {"time_integrator", "interpolator", "axisymmetric", "artificial_viscosity", "artificial_viscosity_coeff1", "artificial_viscosity_coeff2", "artificial_damping_coeff",
-          "withColor", "use_load_curves", "InsertParticles", "InsertParticlesFile", "minimum_particle_mass", "minimum_mass_for_acc", "maximum_particle_velocity",
-          "do_grid_reset", "ForceBC_force_increment_factor", "create_new_particles", "manual_new_material", "UseMomentumForm", "extra_solver_flushes",
-          "use_CBDI_boundary_condition", "cpdi_lcrit", "artificial_viscosity_heating", "do_contact_friction_heating", "DoExplicitHeatConduction",
-          "DoImplicitHeatConduction", "minimum_subcycles_for_F", "computeScaleFactor", "nodes8or27", "erosion", "gravity"}  # fmt: skip
 
 
 def time_of(root):
@@ -27,9 +22,9 @@ def step_of(root, notes):
     if kind in SHAPES:
         out["Shape Function"] = SHAPES[kind]
     else:
-        notes.add(f"The interpolator {kind} has no counterpart; the default, GIMP, is taken.")
+        notes.lost(f"The interpolator {kind} has no counterpart; the default, GIMP, is taken.")
     if flags.text("time_integrator", default="explicit") != "explicit":
-        notes.add(f"The time integrator {flags.text('time_integrator')} is left out (a deck is computed explicitly; Quasi-Static is its way to slow loading).")
+        notes.lost(f"The time integrator {flags.text('time_integrator')} is left out (a deck is computed explicitly; Quasi-Static is its way to slow loading).")
     viscous = flags.flag("artificial_viscosity")
     linear, quadratic = (flags.number(f"artificial_viscosity_coeff{i}", default=VISCOSITY[i - 1]) if viscous else 0.0 for i in (1, 2))
     out |= {"Linear Viscosity": linear, "Quadratic Viscosity": quadratic}
@@ -44,46 +39,60 @@ def step_of(root, notes):
         value = time.number(tag, default=0.0)
         if 0.0 < value < LONGEST:
             out[entry] = value
-    if time.has("max_timesteps", "max_Timesteps"):
-        notes.add("The largest number of steps is left out (a run of a deck ends at its End Time).")
+    steps = time.number("max_Timesteps", "max_timesteps", default=0.0)
+    if 0.0 < steps < MANY_STEPS:
+        notes.lost(f"The largest number of steps, {steps:g}, is left out (a run of a deck ends at its End Time).")
     if time.number("initTime", "init_Time", default=0.0):
-        notes.add("initTime is left out (a run of a deck begins at 0).")
+        notes.lost("initTime is left out (a run of a deck begins at 0).")
     note_flags(flags, notes)
+    return out | transfer_of(flags, out)
+
+
+def transfer_of(flags, step):
+    out = {"Transfer": "XPIC", "XPIC Order": 2} if flags.flag("XPIC2") else {}
+    if flags.has("cpdi_lcrit"):
+        largest = flags.number("cpdi_lcrit")  # of other shape functions it says nothing
+        out |= {"Largest Domain": largest} if step.get("Shape Function") == "CPDI" else {}
     return out
 
 
 def note_flags(flags, notes):
-    """Flags that are on and mean something that a deck does not have."""
-    for child in flags.children():
-        text = (child.element.text or "").strip()
-        if child.tag == "erosion":
-            kind = child.attribute("algorithm")
-            if kind not in ("", "none"):
-                notes.add(f"erosion {kind} is left out (a metal that is broken bears no tension and no shear; particles that fail are treated as Bad Particles says).")
-        elif child.tag not in SILENT and text.lower() not in ("", "false", "none", "[]", "0", "0.0"):
-            notes.add(f"The flag {child.tag} = {text} has no counterpart; it is left out.")
-    if flags.flag("DoExplicitHeatConduction") or flags.flag("DoImplicitHeatConduction"):
-        notes.add("Conduction of heat is left out (Barreno's metals keep their heat where it arises).")
+    """Flags that are on, mean something that a deck does not have, and deserve their own sentence; others are listed as unread."""
+    erosion = flags.find("erosion")
+    kind = erosion.attribute("algorithm")
+    if kind not in ("", "none"):
+        erosion.cover()
+        notes.lost(f"erosion {kind} is left out (a metal that is broken bears no tension and no shear; particles that fail are treated as Bad Particles says).")
+    if flags.flag("delete_rogue_particles"):
+        notes.lost("The flag delete_rogue_particles = true has no counterpart; it is left out.")
+    heat = [flags.flag(tag) for tag in ("DoExplicitHeatConduction", "DoImplicitHeatConduction")]
+    if any(heat):
+        notes.lost("Conduction of heat is left out (Barreno's metals keep their heat where it arises).")
+    if not flags.flag("do_grid_reset", default=True):
+        notes.lost("do_grid_reset = false is left out (the grid of a deck is the same in every step).")
+    if flags.number("ForceBC_force_increment_factor", default=1.0) != 1.0:
+        notes.lost("ForceBC_force_increment_factor is left out (forces of a deck are pressures with Times).")
 
 
-def gravity_of(root, space):
-    place = root.find("PhysicalConstants") if root.has("PhysicalConstants") else root.find("MPM")
-    gravity = place.vector("gravity", default=(0.0, 0.0, 0.0))
-    return {"Kind": "gravity", "Acceleration": space.point(gravity)} if any(gravity) else {}
+def gravity_of(root, space, notes):
+    found = [root.find(name).vector("gravity", default=(0.0, 0.0, 0.0)) for name in ("PhysicalConstants", "MPM")]
+    gravity = space.in_plane(found[0] if any(found[0]) else found[1], "Gravity", "", notes)
+    return {"Kind": "gravity", "Acceleration": gravity} if any(gravity) else {}
 
 
 def output_of(root, end_time, notes):
     archive, out = root.find("DataArchiver"), {}
-    if archive.has("outputInterval"):
+    if archive.number("outputInterval", default=0.0) > 0.0:
         out["Field Interval"] = archive.number("outputInterval")
     elif archive.has("outputTimestepInterval"):
         out["Field Interval"] = end_time / DEFAULT_FIELDS
-        notes.add(f"Output every {archive.text('outputTimestepInterval')} steps becomes one every {end_time / DEFAULT_FIELDS:g} of time (a deck knows no steps).")
-    checkpoint = archive.find("checkpoint").element
-    if checkpoint.get("interval"):
-        out["Checkpoint Interval"] = float(checkpoint.get("interval"))
-    elif checkpoint.get("timestepInterval"):
-        out["Checkpoint Steps"] = int(float(checkpoint.get("timestepInterval")))
+        notes.add(f"Output every {archive.number('outputTimestepInterval'):g} steps becomes one every {end_time / DEFAULT_FIELDS:g} of time (a deck knows no steps).")
+    checkpoint = archive.find("checkpoint")
+    interval, steps = checkpoint.attribute_number("interval"), checkpoint.attribute_number("timestepInterval")
+    if interval and 0.0 < interval < LONGEST:
+        out["Checkpoint Interval"] = interval
+    elif steps and 1.0 <= steps < MANY_STEPS:
+        out["Checkpoint Steps"] = int(steps)
     saved = [save.attribute("label") for save in archive.children("save")]
     left = sorted(label for label in set(saved) - SAVED if not label.startswith("g."))
     if left:

@@ -2,8 +2,10 @@
 """A jet of inserted particles as slugs: Uintah keeps pieces aside, and at its time moves each by a translation, with a new
 velocity (InsertParticlesFile: time, colour, translation, velocity; pieces are named by their colours)."""
 
+import math
 import pathlib
 
+from barreno_import.files import found_beside
 from barreno_runs.faults import FILE, Fault
 
 ACROSS = 1e-3  # of the speed, from which a velocity is not along y
@@ -11,7 +13,7 @@ ACROSS = 1e-3  # of the speed, from which a velocity is not along y
 
 def read_rows(path):
     try:
-        lines = pathlib.Path(path).read_text().splitlines()
+        lines = pathlib.Path(path).read_text(encoding="latin-1").splitlines()
     except OSError as error:
         raise Fault(f"{path} cannot be read ({error.strerror}; named by InsertParticlesFile); bring the file to its place.", FILE) from None
     rows = []
@@ -21,7 +23,7 @@ def read_rows(path):
             row = [float(word) for word in words]
         except ValueError:
             row = []
-        if words and len(row) != 8:
+        if words and (len(row) != 8 or not all(map(math.isfinite, row))):
             raise Fault(f"{path}, line {number} has not eight numbers (time, colour, three of the translation, three of the velocity); correct it.")
         if words:
             rows.append(row)
@@ -58,12 +60,12 @@ def read_jet(root, folder, contents, space, notes):
     flags = root.find("MPM")
     if not flags.flag("InsertParticles"):
         return {}
-    path = folder / flags.text("InsertParticlesFile")
+    path = found_beside(flags.text("InsertParticlesFile"), folder, "InsertParticlesFile")
     rows = read_rows(path)
     slugs = [slug_of(row, contents.pieces, contents, space) for row in rows]
     kinds = {(slug[2], slug[3].material) for slug in slugs if slug}
     if not rows or None in slugs or len(kinds) != 1:
-        notes.add(f"The particles that {path.name} inserts are left out (a jet is of one material, with slugs that are cylinders on the axis and fly along y, each of a colour of its own, and with density in the file); write a Jet.")
+        notes.lost(f"The particles that {path.name} inserts are left out (a jet is of one material, with slugs that are cylinders on the axis and fly along y, each of a colour of its own, and with density in the file); write a Jet.")
         return {}
     places = [slug[1] for slug in slugs]
     direction, material = kinds.pop()

@@ -25,28 +25,49 @@ class Unknown(Exception):
 
 def linear_elastic(model, material, name, notes):
     """<G>, <K> of hypo_elastic, small strains alike."""
-    notes.add(f"{name}: hypo_elastic becomes Linear Elastic, in logarithmic strain instead of the integrated rate; the same at small strains.")
+    notes.add("hypo_elastic becomes Linear Elastic, in logarithmic strain instead of the integrated rate; the same at small strains.", name)
     return {"Model": "Linear Elastic", "Bulk Modulus": model.number("K", "bulk_modulus"), "Shear Modulus": model.number("G", "shear_modulus")}
 
 
 def neo_hookean(model, material, name, notes):
-    notes.add(f"{name}: comp_neo_hook becomes Neo-Hookean, whose volumetric part is lambda ln J instead of K (J^2 - 1)/2; the same at small strains.")
+    if model.flag("useInitialStress"):
+        pressure = model.number("initial_pressure", default=0.0)
+        notes.lost(f"the initial stress, initial_pressure = {pressure:g}, is left out (Confinement starts bodies in equilibrium under a pressure that stays on their surfaces); add it in the deck.", name)
+    if model.flag("usePlasticity") and material.has("specific_heat"):
+        return plastic_neo_hookean(model, material, name, notes)
+    if model.flag("usePlasticity"):
+        notes.lost("usePlasticity is left out (a metal of a deck needs the specific_heat, which the file lacks); the material is elastic.", name)
+        for tag in ("yield_stress", "hardening_modulus", "K", "alpha"):
+            model.find(tag).cover()
+    notes.add("comp_neo_hook becomes Neo-Hookean, whose volumetric part is lambda ln J instead of K (J^2 - 1)/2; the same at small strains.", name)
     return {"Model": "Neo-Hookean", "Bulk Modulus": model.number("bulk_modulus"), "Shear Modulus": model.number("shear_modulus")}
+
+
+def plastic_neo_hookean(model, material, name, notes):
+    """Isotropic hardening as the special case of the flow rule of Johnson and Cook."""
+    density, bulk = material.number("density"), model.number("bulk_modulus")
+    notes.add("comp_neo_hook with usePlasticity becomes Johnson-Cook with linear hardening alone, and a pressure of a constant bulk modulus; the same at small elastic strains.", name)
+    return {"Model": "Johnson-Cook", "Shear Modulus": model.number("shear_modulus"), "Specific Heat": material.number("specific_heat"),
+            "Sound Speed": math.sqrt(bulk / density), "Hugoniot Slope": 0.0, "Gruneisen": 0.0, "A": model.number("yield_stress"),
+            "B": model.number("hardening_modulus", default=0.0), "C": 0.0, "n": 1.0, "m": 1.0, "Melt Temperature": NEVER_MELTS}  # fmt: skip
 
 
 def arenisca(model, material, name, notes):
     out = {"Model": "Arenisca", **{key: model.number(key) for key in ARENISCA if model.has(key)}}
     for key, reason in ARENISCA_LEFT.items():
         if model.number(key, default=0.0) != 0.0:
-            notes.add(f"{name}: {key} is left out ({reason}).")
+            notes.add(f"{key} is left out ({reason}).", name)
     if out.get("BETA_nonassociativity", 1.0) > 1.0:
-        notes.add(f"{name}: BETA_nonassociativity = {out['BETA_nonassociativity']:g} is above 1 (plastic work could be negative); it becomes 1.")
+        notes.add(f"BETA_nonassociativity = {out['BETA_nonassociativity']:g} is above 1 (plastic work could be negative); it becomes 1.", name)
         out["BETA_nonassociativity"] = 1.0
     if out.get("fluid_B0", 0.0) > 0.0:
         out |= {"Backstress strain": "plastic", "Undrained moduli": "arenisca3"}
-        notes.add(f"{name}: the pore fluid keeps the published form (Backstress strain = plastic, Undrained moduli = arenisca3), for which its parameters were made; it is ten times as expensive as the default, poroplastic.")
+        notes.add("the pore fluid keeps the published form (Backstress strain = plastic, Undrained moduli = arenisca3), for which its parameters were made; it is ten times as expensive as the default, poroplastic.", name)
     if any(key.startswith(("PEAKI1IDIST", "peakI1")) for key in (child.tag for child in model.children())):
-        notes.add(f"{name}: the distribution of PEAKI1 is left out (Uintah's random numbers cannot be drawn again); set Weibull modulus.")
+        for child in model.children():
+            if child.tag.startswith(("PEAKI1IDIST", "peakI1")):
+                child.cover()
+        notes.lost("the distribution of PEAKI1 is left out (Uintah's random numbers cannot be drawn again); set Weibull modulus.", name)
     return out
 
 
@@ -54,10 +75,13 @@ def flow_of(model, material, name, notes):
     """Strength: johnson_cook, or isotropic linear hardening as its special case."""
     flow = model.find("flow_model", "plasticity_model")
     kind = flow.attribute("type")
-    melt = material.number("melt_temp", default=MELT)
     if kind == "johnson_cook":
+        melt = flow.number("T_m", default=MELT)  # that of the flow rule, whatever melt_temp is
+        if material.has("melt_temp") and material.number("melt_temp") != melt:
+            notes.add(f"melt_temp = {material.number('melt_temp'):g} K is left out (strength ends at T_m of the flow rule, {melt:g} K).", name)
+        material.find("room_temp").own_text()
         return {**{key: flow.number(key) for key in ("A", "B", "C", "n", "m")}, "Reference Strain Rate": flow.number("epdot_0", default=1.0),
-                "Room Temperature": flow.number("T_r", default=ROOM), "Melt Temperature": flow.number("T_m", default=melt)}  # fmt: skip
+                "Room Temperature": flow.number("T_r", default=ROOM), "Melt Temperature": melt}  # fmt: skip
     if kind in ("isotropic_hardening", "isotropic"):
         return {"A": flow.number("sigma_Y", "sigma_0"), "B": flow.number("K"), "C": 0.0, "n": 1.0, "m": 1.0,
                 "Room Temperature": material.number("room_temp", default=294.0), "Melt Temperature": NEVER_MELTS}  # fmt: skip
@@ -72,24 +96,27 @@ def pressure_of(model, density, name, notes):
         speed = law.number("C_0")
         modulus = density * speed**2
         if abs(modulus / bulk - 1.0) > CHANGED:
-            notes.add(f"{name}: bulk_modulus = {bulk:g} is left out (Barreno takes rho C_0^2 = {modulus:g} from the pressure law, for elastic waves too).")
+            notes.add(f"bulk_modulus = {bulk:g} is left out (Barreno takes rho C_0^2 = {modulus:g} from the pressure law, for elastic waves too).", name)
         return {"Sound Speed": speed, "Hugoniot Slope": law.number("S_alpha"), "Gruneisen": law.number("Gamma_0")}
     if kind not in ("", "default_hypo", "default_hyper"):
-        notes.add(f"{name}: the pressure law {kind} is left out (Barreno has Mie-Grueneisen); bulk_modulus alone gives the pressure.")
+        law.cover()
+        notes.lost(f"the pressure law {kind} is left out (Barreno has Mie-Grueneisen); bulk_modulus alone gives the pressure.", name)
     else:
-        notes.add(f"{name}: the pressure of a constant bulk modulus becomes Mie-Grueneisen with Hugoniot Slope = Gruneisen = 0; the same at small volume changes.")
+        notes.add("the pressure of a constant bulk modulus becomes Mie-Grueneisen with Hugoniot Slope = Gruneisen = 0; the same at small volume changes.", name)
     return {"Sound Speed": math.sqrt(bulk / density), "Hugoniot Slope": 0.0, "Gruneisen": 0.0}
 
 
-def damage_of(model, name, notes):
-    damage = model.find("damage_model")
-    kind = damage.attribute("type")
+def damage_of(model, material, name, notes):
+    """A child of the material in newer inputs, of the model in older ones."""
+    place = material if material.has("damage_model") else model
+    damage, kind = place.find("damage_model"), place.find("damage_model").attribute("type")
     if kind == "johnson_cook":
         if damage.number("D0", default=0.0) or damage.number("Dc", default=0.7) != 1.0:
-            notes.add(f"{name}: D0 and Dc of the damage are left out (here damage begins at 0, and a point is broken at 1; Uintah's default is Dc = 0.7).")
+            notes.add("D0 and Dc of the damage are left out (here damage begins at 0, and a point is broken at 1; Uintah's default is Dc = 0.7).", name)
         return {key: damage.number(key) for key in ("D1", "D2", "D3", "D4", "D5")}
     if kind not in ("", "none"):
-        notes.add(f"{name}: the damage model {kind} is left out (Barreno has that of Johnson and Cook).")
+        damage.cover()
+        notes.lost(f"the damage model {kind} is left out (Barreno has that of Johnson and Cook).", name)
     return {}
 
 
@@ -97,35 +124,82 @@ MODEL_PARTS = {  # child of an elastic-plastic model: kinds that need no word
     "yield_condition": ("", "vonMises", "von_mises"), "stability_check": ("", "none"), "shear_modulus_model": ("", "constant_shear"),
     "melting_temp_model": ("", "constant_Tm"), "specific_heat_model": ("", "constant_Cp"),
 }  # fmt: skip
-POROSITY = ("initial_mean_porosity", "initial_mean_scalar_damage", "evolve_porosity")
+POROSITY = ("initial_mean_porosity", "initial_std_porosity", "critical_porosity", "frac_nucleation", "meanstrain_nucleation", "stddevstrain_nucleation", "initial_porosity_distrib",
+            "initial_mean_scalar_damage", "initial_std_scalar_damage", "critical_scalar_damage", "initial_scalar_damage_distrib")  # fmt: skip
+
+
+def heat_of(model, name, notes):
+    """The share of plastic work that becomes heat."""
+    if model.flag("isothermal"):
+        notes.lost("isothermal = true is left out (a metal of a deck is heated by what it dissipates).", name)
+    return {"Taylor Quinney": model.number("taylor_quinney_coeff")} if model.has("taylor_quinney_coeff") else {}
 
 
 def elastic_plastic(model, material, name, notes):
     density = material.number("density")
     out = {"Model": "Johnson-Cook", "Shear Modulus": model.number("shear_modulus"), "Specific Heat": material.number("specific_heat"),
-           **pressure_of(model, density, name, notes), **flow_of(model, material, name, notes), **damage_of(model, name, notes)}  # fmt: skip
+           **pressure_of(model, density, name, notes), **flow_of(model, material, name, notes), **damage_of(model, material, name, notes), **heat_of(model, name, notes)}  # fmt: skip
     for tag, plain in MODEL_PARTS.items():
-        kind = model.find(tag).attribute("type")
-        if kind not in plain:
-            notes.add(f"{name}: {tag} {kind} is left out (Barreno's metal has von Mises' condition, constant shear modulus, melting point and heat capacity).")
-    if any(model.has(tag) for tag in POROSITY):
-        notes.add(f"{name}: porosity and scattered damage are left out (Barreno's metal is dense and the same everywhere).")
+        part = model.find(tag)
+        kind = part.attribute("type")
+        if kind in plain:
+            continue
+        part.cover()
+        notes.lost(f"{tag} {kind} is left out (Barreno's metal has von Mises' condition, constant shear modulus, melting point and heat capacity).", name)
+    if porous := model.children(*POROSITY):
+        for child in porous:
+            child.cover()
+        notes.lost("porosity and scattered damage are left out (Barreno's metal is dense and the same everywhere).", name)
     return out
 
 
+METALS = ("elastic_plastic", "elastic_plastic_hp")
 MODELS = {"hypo_elastic": linear_elastic, "comp_neo_hook": neo_hookean, "CompNeoHook": neo_hookean, "Arenisca3": arenisca, "elastic_plastic": elastic_plastic,
           "elastic_plastic_hp": elastic_plastic}  # fmt: skip
 
 
-def read_material(material, name, cards, notes):
-    """Parameters of a list of Materials. @param cards  name to card, of the user's words  @raises Unknown"""
+def rigid_material(model, material, name, notes):
+    """Of a body with Motion, whose stress moves nothing."""
+    notes.add(f"{model.attribute('type')} becomes Linear Elastic (its bodies have a Motion of their own, whatever the stress).", name)
+    bulk = model.number("bulk_modulus", "K", default=1.0)
+    return {"Model": "Linear Elastic", "Bulk Modulus": bulk, "Shear Modulus": model.number("shear_modulus", "G", default=bulk)}
+
+
+def look_at_rest(material, model, is_rigid, name, notes):
+    """Parts of a material that every model has."""
+    erosion = material.find("erosion")
+    if erosion.attribute("algorithm") not in ("", "none"):
+        erosion.cover()
+        notes.lost(f"erosion {erosion.attribute('algorithm')} is left out (a metal that is broken bears no tension and no shear; particles that fail are treated as Bad Particles says).", name)
+    if material.flag("is_rigid") and not is_rigid:
+        notes.lost("is_rigid = true is left out (no contact moves the material); give its bodies a Motion in the deck.", name)
+    if not material.flag("is_active", default=True):
+        notes.lost("is_active = false is left out (bodies of a deck are there from the start).", name)
+        material.find("activation_time").own_text()
+    damage = material.find("damage_model")
+    if damage.attribute("type") not in ("", "none") and model.attribute("type") not in METALS:
+        damage.cover()
+        notes.lost(f"the damage model {damage.attribute('type')} is left out (Barreno has that of Johnson and Cook, for metals).", name)
+
+
+def read_material(material, name, is_rigid, cards, notes):
+    """Parameters of a list of Materials. @param is_rigid  a contact moves it  @param cards  name to card, of the user's words  @raises Unknown"""
     if name in cards:
+        for child in material.children():
+            if child.tag != "geom_object":
+                child.cover()
         return {"Card": cards[name]}
     model = material.find("constitutive_model")
     kind = model.attribute("type")
+    if is_rigid and kind not in METALS:
+        parameters = rigid_material(model, material, name, notes)
+        model.cover()
+        look_at_rest(material, model, is_rigid, name, notes)
+        return {"Model": parameters.pop("Model"), "Density": material.number("density"), **parameters}
     if kind not in MODELS:
         raise Unknown(f'its model "{kind}" is none of {", ".join(MODELS)}')
     parameters = MODELS[kind](model, material, name, notes)
+    look_at_rest(material, model, is_rigid, name, notes)
     return {"Model": parameters.pop("Model"), "Density": material.number("density"), **parameters}
 
 

@@ -3,9 +3,13 @@
 
 import math
 
+from barreno_import.bounds import COMBINED, bounds_of, is_cut_there, ring_of
 from barreno_import.deck import name_of, table
+from barreno_runs.faults import Fault
 
-COMBINED = ("union", "difference", "intersection")
+# Pieces of Uintah, with and without a counterpart.
+PIECES = (*COMBINED, "box", "sphere", "cylinder", "cone", "parallelepiped", "ellipsoid", "torus", "tri", "file", "smoothcyl", "smooth_sphere", "sphere_membrane", "corrugated", "shell",
+          "plane", "null", "abaqus_mesh", "convex_polyhedron", "image", "naaba", "cubic_sphere", "svg", "linesegment")  # fmt: skip
 
 
 class Left(Exception):
@@ -27,7 +31,9 @@ class Shapes:
     def shape_of(self, piece):
         """Parameters of a body or of a shape. @raises Left"""
         label = piece.attribute("label") or piece.attribute("name")
-        if label and not piece.children() and label in self.labelled:
+        if label and not piece.children():
+            if label not in self.labelled:
+                raise Left(f'the piece <{piece.tag} label="{label}"> has no dimensions, and no piece of that label with a counterpart stands before it')
             return self.labelled[label]
         makers = {"box": self.box, "sphere": self.ball, "cylinder": self.cylinder, "cone": self.cone, "parallelepiped": self.parallelepiped}
         if piece.tag in COMBINED:
@@ -40,9 +46,40 @@ class Shapes:
             self.labelled[label] = shape
         return shape
 
+    def remember(self, piece):
+        """Labels within a piece that becomes no body, for pieces that name them."""
+        for child in piece.children():
+            self.remember(child)
+        if piece.tag in PIECES and piece.children() and (piece.element.get("label") or piece.element.get("name")):
+            try:
+                self.shape_of(piece)
+            except (Left, Fault):  # whoever names the label is told so
+                pass
+
+    def width_in_plane(self, z, radius):
+        """Of a disk about z, its half-width where the layer of the grid cuts it. @raises Left"""
+        low, high = self.space.layer
+        distance = max(low - z, z - high, 0.0)
+        if distance >= radius:
+            raise Left(f"it lies beside the plane of the grid, which reaches from z = {low:g} to {high:g}")
+        if distance == 0.0:
+            return radius
+        distance = min(abs(z - (low + high) / 2.0), radius * (1.0 - 1e-6))  # from the middle of the layer, where its particles are
+        return math.sqrt(radius**2 - distance**2)
+
+    def check_in_plane(self, low, high):
+        """Of a piece between two heights. @raises Left"""
+        bottom, top = self.space.layer
+        if self.space.axes == 2 and (high <= bottom or low >= top) and not (self.space.mode == "axisymmetric" and low <= bottom <= high):
+            raise Left(f"it lies beside the plane of the grid, which reaches from z = {bottom:g} to {top:g}")
+        if self.space.mode == "plane strain" and not low <= (bottom + top) / 2.0 <= high:
+            self.notes.lost(f"pieces that fill a part of the plane's thickness alone, from z = {low:g} to {high:g}, fill all of it.")
+
     def body_of(self, piece):
         """The shape of a body, cut at the grid, beyond which Uintah makes no particles. @raises Left"""
-        shape = self.shape_of(piece)
+        return self.inside(self.shape_of(piece))
+
+    def inside(self, shape):
         low, high = bounds_of(shape, self.lists)
         outside = [(i, edge) for i in range(len(low)) for edge, out in ((self.space.lower[i], low[i] < self.space.lower[i]), (self.space.upper[i], high[i] > self.space.upper[i])) if out]
         if not outside or all(is_cut_there(shape, i, edge) for i, edge in outside):
@@ -59,11 +96,15 @@ class Shapes:
 
     def box(self, piece):
         low, high = piece.vector("min", "lower"), piece.vector("max", "upper")
-        return {"Shape": "box", "Lower": self.space.point(low), "Upper": self.space.point(high)}
+        self.check_in_plane(min(low[2], high[2]), max(low[2], high[2]))
+        return {"Shape": "box", "Lower": self.space.point([min(x) for x in zip(low, high)]), "Upper": self.space.point([max(x) for x in zip(low, high)])}
 
     def ball(self, piece):
         centre = piece.vector("origin", "center", default=(0.0, 0.0, 0.0))
-        return {"Shape": "ball", "Centre": self.space.point(centre), "Radius": piece.number("radius")}
+        radius = piece.number("radius")
+        if self.space.axes == 2:
+            radius = self.width_in_plane(centre[2], radius)
+        return {"Shape": "ball", "Centre": self.space.point(centre), "Radius": radius}
 
     def cylinder(self, piece):
         bottom, top, radius = piece.vector("bottom"), piece.vector("top"), piece.number("radius")
@@ -85,7 +126,10 @@ class Shapes:
         axis = axis_of(bottom, top)
         if axis is None:
             raise Left("a cylinder or cone that is not along an axis is no shape of two dimensions")
-        if axis == 2:
+        if axis != 2:
+            start, end = (self.width_in_plane(bottom[2], radius) if radius else 0.0 for radius in (start, end))
+        else:
+            self.check_in_plane(*sorted((bottom[2], top[2])))
             if start != end or self.space.mode == "axisymmetric":
                 raise Left("a cylinder or cone normal to the plane is a disk in plane strain alone, and only if its radius is constant")
             return {"Shape": "cylinder", "Centre": bottom[:2], "Radius": start}
@@ -119,66 +163,35 @@ class Shapes:
             raise Left("a <parallelepiped> with edges that are not along the axes is no box")
         ends = [sum(x) for x in zip(p1, *edges)]
         low, high = [min(x) for x in zip(p1, ends)], [max(x) for x in zip(p1, ends)]
+        self.check_in_plane(low[2], high[2])
         return {"Shape": "box", "Lower": self.space.point(low), "Upper": self.space.point(high)}
 
     def combined(self, piece):
-        parts = [self.shape_of(child) for child in piece.children()]
-        if len(parts) < 2:
-            raise Left(f"<{piece.tag}> has fewer than two pieces")
-        if piece.tag == "difference" and (ring := ring_of(parts)):
+        found = [child for child in piece.children() if child.tag in PIECES] or piece.children()
+        return self.combination(piece.tag, self.parts_of(piece.tag, found))
+
+    def parts_of(self, kind, found):
+        """Pieces beside the plane add nothing to a union and cut nothing from the first of a difference."""
+        parts = []
+        for position, child in enumerate(found):
+            try:
+                parts.append(self.shape_of(child))
+            except Left as reason:
+                if "beside the plane" not in str(reason) or kind == "intersection" or (kind == "difference" and position == 0):
+                    raise
+        if len(found) < 2 and kind != "union":
+            raise Left(f"<{kind}> has fewer than two pieces")
+        if not parts:
+            raise Left(f"<{kind}> has no piece in the plane of the grid")
+        return parts
+
+    def combination(self, kind, parts):
+        if len(parts) == 1:
+            return parts[0]
+        if kind == "difference" and (ring := ring_of(parts)):
             return ring
         names = []
         for part in parts:
-            names.append(name_of(f"{piece.tag} part", self.lists, "part"))
+            names.append(name_of(f"{kind} part", self.lists, "part"))
             self.lists[names[-1]] = part
-        return {"Shape": piece.tag, "Parts": names}
-
-
-def bounds_of(shape, lists):
-    """Corners of the smallest box around a shape, or of a larger one."""
-    kind = shape["Shape"]
-    if kind == "box":
-        return shape["Lower"], shape["Upper"]
-    if kind == "polygon":
-        return [min(x) for x in zip(*shape["Points"])], [max(x) for x in zip(*shape["Points"])]
-    if kind in COMBINED:
-        boxes = [bounds_of(lists[name], lists) for name in shape["Parts"]]
-        if kind == "difference":
-            return boxes[0]
-        nearest, farthest = (min, max) if kind == "union" else (max, min)
-        return [nearest(x) for x in zip(*(box[0] for box in boxes))], [farthest(x) for x in zip(*(box[1] for box in boxes))]
-    if "Centre" in shape:
-        return [x - shape["Radius"] for x in shape["Centre"]], [x + shape["Radius"] for x in shape["Centre"]]
-    return bounds_of_axis(shape)
-
-
-def bounds_of_axis(shape):
-    """Of a cylinder or cone: each end is a disk normal to the axis."""
-    line = [b - a for a, b in zip(shape["Start"], shape["End"])]
-    length = math.sqrt(sum(x * x for x in line))
-    across = [math.sqrt(max(0.0, 1.0 - (x / length) ** 2)) for x in line]
-    second = shape.get("End Radius", 0.0) if shape["Shape"] == "cone" else shape["Radius"]
-    ends = [(shape["Start"], shape["Radius"]), (shape["End"], second)]
-    return [min(p[i] - r * across[i] for p, r in ends) for i in range(3)], [max(p[i] + r * across[i] for p, r in ends) for i in range(3)]
-
-
-def is_cut_there(shape, axis, edge):
-    """A face of the grid through its centre or centre line cuts a body by itself."""
-    places = [shape[key] for key in ("Centre", "Start", "End") if key in shape]
-    return bool(places) and all(place[axis] == edge for place in places)
-
-
-def ring_of(parts):
-    """A box without another that reaches through it along one axis, and from its lower side on along the other: a tube in
-    axisymmetry, say. It is a box itself, which may bear loads."""
-    if len(parts) != 2 or any(part["Shape"] != "box" or len(part["Lower"]) != 2 for part in parts):
-        return None
-    outer, inner = parts
-    for axis in (0, 1):
-        other = 1 - axis
-        through = inner["Lower"][other] <= outer["Lower"][other] and inner["Upper"][other] >= outer["Upper"][other]
-        if through and inner["Lower"][axis] <= outer["Lower"][axis] < inner["Upper"][axis] < outer["Upper"][axis]:
-            lower = list(outer["Lower"])
-            lower[axis] = inner["Upper"][axis]
-            return {"Shape": "box", "Lower": lower, "Upper": outer["Upper"]}
-    return None
+        return {"Shape": kind, "Parts": names}

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Mode, grid and conditions on its faces."""
+"""Mode and grid."""
 
 import dataclasses
 import math
 
 from barreno_runs.faults import Fault
 
-SIDES = {"x-": "x_lower", "x+": "x_upper", "y-": "y_lower", "y+": "y_upper", "z-": "z_lower", "z+": "z_upper"}
 NEAR = 1e-9  # of a length, relative
 
 
@@ -18,6 +17,7 @@ class Space:
     lower: list
     upper: list
     cell: float
+    layer: tuple = (0.0, 0.0)  # of the file's grid along z, for grids of two coordinates
 
     @property
     def axes(self):
@@ -26,25 +26,45 @@ class Space:
     def point(self, vector):
         return vector[: self.axes]
 
+    def in_plane(self, vector, what, subject, notes):
+        """The coordinates that the deck has. What is lost of the third is said."""
+        if self.axes == 2 and vector[2] != 0.0:
+            notes.lost(f"{what} has the component {vector[2]:g} along z, which is left out (the deck is {self.mode}).", subject)
+        return self.point(vector)
+
 
 def spacing_of(level, box, lower, upper):
-    if level.has("spacing"):
-        return level.vector("spacing")
-    if box.has("spacing"):
-        return box.vector("spacing")
+    """Where both stand, Uintah takes the spacing; the numbers of cells say the same then."""
+    for place in (level, box):
+        if place.has("spacing"):
+            spacing = place.vector("spacing")
+            if min(spacing) <= 0.0:
+                raise Fault(f"{place.where}/spacing is [{', '.join(f'{s:g}' for s in spacing)}], which is not positive everywhere; write three lengths of a cell.")
+            if box.has("resolution"):
+                box.vector("resolution")
+            return spacing
+    if any(high <= low for low, high in zip(lower, upper)):
+        raise Fault(f"{box.where} has an upper corner that is not above its lower corner along every axis; correct lower or upper.")
     cells = box.vector("resolution")
     if min(cells) < 1:
         raise Fault(f"{box.where}/resolution has fewer than one cell along an axis; write three numbers of cells.")
     return [(high - low) / count for low, high, count in zip(lower, upper, cells)]
 
 
-def read_box(level):
+def read_box(level, notes):
     """Corners of all boxes of a level together, and the spacing of its cells."""
     boxes = level.children("Box")
     if not boxes:
         raise Fault(f"{level.where} has no <Box> (the grid of the deck is that box); add it.")
     lowers, uppers = [box.vector("lower") for box in boxes], [box.vector("upper") for box in boxes]
     lower, upper = [min(x) for x in zip(*lowers)], [max(x) for x in zip(*uppers)]
+    if any(high <= low for low, high in zip(lower, upper)):
+        raise Fault(f"{level.where}/Box has an upper corner that is not above its lower corner along every axis; correct lower or upper.")
+    for box in boxes[1:]:
+        if box.has("resolution", "spacing"):
+            other = spacing_of(level, box, box.vector("lower"), box.vector("upper"))
+            if any(abs(a - b) > NEAR * a for a, b in zip(other, spacing_of(level, boxes[0], lowers[0], uppers[0]))):
+                notes.lost("boxes of the grid have cells of several sizes; those of the first box are taken everywhere (cells of several sizes are regions of Refinement); add them in the deck.")
     return lower, upper, spacing_of(level, boxes[0], lowers[0], uppers[0])
 
 
@@ -54,13 +74,17 @@ def read_space(root, notes):
     if not levels:
         raise Fault(f"{root.where} has no <Grid> with a <Level> (the grid of the deck is that level's); add it.")
     if len(levels) > 1:
-        notes.add(f"Of {len(levels)} levels of the grid the first is taken (cells of several sizes are regions of Refinement, which do not follow); add them in the deck.")
-    lower, upper, spacing = read_box(levels[0])
+        notes.lost(f"Of {len(levels)} levels of the grid the first is taken (cells of several sizes are regions of Refinement, which do not follow); add them in the deck.")
+    for level in levels[1:]:
+        level.cover()
+    lower, upper, spacing = read_box(levels[0], notes)
     if root.find("MPM").flag("axisymmetric"):
         mode = "axisymmetric"
     else:
         mode = "plane strain" if round((upper[2] - lower[2]) / spacing[2]) <= 1 else "3D"
-    space = Space(mode, [], [], 0.0)
+    space = Space(mode, [], [], 0.0, (lower[2], upper[2]))
+    if mode == "axisymmetric" and round((upper[2] - lower[2]) / spacing[2]) > 1:
+        notes.add("The grid has several cells along z; in axisymmetry the plane of its first layer is meant.")
     lower, upper, spacing = (space.point(vector) for vector in (lower, upper, spacing))
     space.cell = min(spacing)
     if max(spacing) > space.cell * (1 + NEAR):
@@ -74,37 +98,3 @@ def read_space(root, notes):
 
 def grid_of(space):
     return {"Mode": space.mode, "Lower": space.lower, "Upper": space.upper, "Cell Size": space.cell}
-
-
-def condition_of(face, entry, space, notes):
-    """One BCType as the deck has it, or nothing."""
-    kind, label = entry.attribute("var").lower(), entry.attribute("label").lower()
-    if kind == "symmetry" or label == "symmetric":
-        return {"Kind": "symmetry"}
-    if label != "velocity" or kind == "neumann":  # Neumann: nothing is prescribed, as without a condition
-        if label not in ("velocity", "temperature"):
-            notes.add(f"The condition {entry.attribute('label') or kind} on {face} has no counterpart; it is left out.")
-        return None
-    velocity = entry.vector("value", default=(0.0, 0.0, 0.0))
-    if not any(velocity):
-        return {"Kind": "fixed"}
-    return {"Kind": "prescribed velocity", "Velocity": space.point(velocity)}
-
-
-def read_conditions(root, space, notes):
-    axis = space.mode == "axisymmetric" and space.lower[0] == 0.0
-    out = {"Axis": {"Face": "x_lower", "Kind": "symmetry"}} if axis else {}
-    for face in root.find("Grid").find("BoundaryConditions").children("Face"):
-        side = face.attribute("side")
-        if side not in SIDES:
-            notes.add(f'A condition on a part of a face, <Face {" ".join(face.element.attrib)}>, is left out (those of a deck hold on whole faces of the grid).')
-            continue
-        if side[0] == "z" and space.axes == 2:
-            continue  # the mode says it
-        if axis and side == "x-":
-            continue
-        for entry in face.children("BCType"):
-            condition = condition_of(side, entry, space, notes)
-            if condition:
-                out[f"Face {SIDES[side].replace('_', ' ')}"] = {"Face": SIDES[side], **condition}
-    return out

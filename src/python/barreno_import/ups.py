@@ -1,37 +1,63 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Input files of Uintah (.ups): elements with text in XML, and files that they include."""
+"""One element of an input file of Uintah (.ups), which keeps a record of what was read of the file: an element that was sought
+by its name, an attribute, a text. What nobody read is listed in the end (unread.py)."""
 
-import pathlib
+import math
 import re
 import xml.etree.ElementTree as ElementTree
 
-from barreno_runs.faults import FILE, Fault
+from barreno_runs.faults import Fault
 
-MOST_INCLUDES = 100  # a file that includes itself
+TEXT, ALL = "#text", "*"  # of the record, beside names of attributes; "" is the element itself
 
 
 class Ups:
-    """One element of the file. @param where  its path, for sentences"""
+    """@param where  its path, for sentences  @param record  (element, what was read of it), shared by the whole file"""
 
-    def __init__(self, element, where):
-        self.element, self.where = element, where
+    def __init__(self, element, where, record=None):
+        self.element, self.where, self.record = element, where, set() if record is None else record
 
     @property
     def tag(self):
         return self.element.tag
 
+    def mark(self, what=""):
+        self.record |= {(self.element, ""), (self.element, what)}
+
+    def cover(self):
+        """A sentence tells of the whole element."""
+        self.mark(ALL)
+
     def attribute(self, name):
+        self.mark("@" + name)
         return self.element.get(name, "").strip()
 
+    def attribute_number(self, name):
+        """None without the attribute."""
+        return to_number(self.attribute(name), f"{self.where}, {name}") if name in self.element.attrib else None
+
     def children(self, *tags):
-        return [Ups(child, f"{self.where}/{child.tag}") for child in self.element if isinstance(child.tag, str) and (not tags or child.tag in tags)]
+        """Those of these names are read; without names it is a look that reads nothing."""
+        found = [Ups(child, f"{self.where}/{child.tag}", self.record) for child in self.element if isinstance(child.tag, str) and (not tags or child.tag in tags)]
+        for child in found if tags else ():
+            child.mark()
+        return found
 
     def find(self, *tags):
         """The first child of these names, or an empty element: what is sought in it is not there either."""
-        return next(iter(self.children(*tags)), Ups(ElementTree.Element(tags[0]), f"{self.where}/{tags[0]}"))
+        for child in self.element:
+            if child.tag in tags:
+                found = Ups(child, f"{self.where}/{child.tag}", self.record)
+                found.mark()
+                return found
+        return Ups(ElementTree.Element(tags[0]), f"{self.where}/{tags[0]}", self.record)
 
     def has(self, *tags):
         return any(child.tag in tags for child in self.element)
+
+    def own_text(self):
+        self.mark(TEXT)
+        return (self.element.text or "").strip()
 
     def text(self, *tags, default=None):
         """Of the child of one of these names. @raises Fault if there is none and no default"""
@@ -39,14 +65,12 @@ class Ups:
             if default is None:
                 raise Fault(f"{self.where} has no <{tags[0]}> (the deck needs it); add it.")
             return default
-        return (self.find(*tags).element.text or "").strip()
+        return self.find(*tags).own_text()
 
     def number(self, *tags, default=None):
-        text = self.text(*tags, default=None if default is None else str(default))
-        try:
-            return float(text)
-        except ValueError:
-            raise Fault(f'{self.where}/{tags[0]} is "{text}", which is not a number; write one, for example 1.5e-6.') from None
+        if default is not None and not self.has(*tags):
+            return float(default)
+        return to_number(self.text(*tags), f"{self.where}/{tags[0]}")
 
     def vector(self, *tags, default=None):
         """[x, y, z] as three numbers."""
@@ -58,7 +82,7 @@ class Ups:
             numbers = [float(part) for part in parts.group(1).split(",")] if parts else []
         except ValueError:
             numbers = []
-        if len(numbers) != 3:
+        if len(numbers) != 3 or not all(map(math.isfinite, numbers)):
             raise Fault(f'{self.where}/{tags[0]} is "{" ".join(text.split())}", which is not a vector; write three numbers, for example [0.0, 1.0, 0.0].')
         return numbers
 
@@ -66,44 +90,11 @@ class Ups:
         return self.text(*tags, default=str(default)).lower() == "true"
 
 
-def parse(path):
+def to_number(text, where):
     try:
-        return ElementTree.parse(path).getroot()
-    except OSError as error:
-        raise Fault(f"{path} cannot be read ({error.strerror}); check the path.", FILE) from None
-    except ElementTree.ParseError as error:
-        raise Fault(f"{path} is not XML ({error}); correct it.") from None
-
-
-def found_include(name, beside):
-    """Beside the file or above it: Uintah resolves such names from the folder it is started in."""
-    for folder in (beside, *beside.parents):
-        if (folder / name).is_file():
-            return folder / name
-    raise Fault(f'{name} does not exist (named by an <include> in {beside}, and sought there and in the folders above); bring the file to its place.', FILE)
-
-
-def insert_includes(element, beside, left):
-    """Replaces every <include href="..."/> by what its file holds. @param left  how many more may come"""
-    for position, child in reversed(list(enumerate(element))):
-        if child.tag != "include":
-            left = insert_includes(child, beside, left)
-            continue
-        if left == 0:
-            raise Fault(f"more than {MOST_INCLUDES} files are included (one of them may include itself); remove the circle.")
-        path = found_include(child.get("href", ""), beside)
-        root = parse(path)
-        left = insert_includes(root, path.resolve().parent, left - 1)
-        # A file of one material constant is that element; others hold several in a root of their own.
-        element[position : position + 1] = list(root) if root.tag in ("Uintah_Include", "Uintah_specification") else [root]
-    return left
-
-
-def read_ups(path):
-    """@return the root of the file, with what it includes"""
-    path = pathlib.Path(path)
-    root = parse(path)
-    if root.tag != "Uintah_specification":
-        raise Fault(f"{path} begins with <{root.tag}>, not with <Uintah_specification> (it is no input file of Uintah); give another file.")
-    insert_includes(root, path.resolve().parent, MOST_INCLUDES)
-    return Ups(root, path.name)
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if math.isnan(value):
+        raise Fault(f'{where} is "{" ".join(text.split())}", which is not a number; write one, for example 1.5e-6.')
+    return value

@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""barreno import-ups names what it does not know: an unknown element, attribute or text at every place of two rich inputs, one
+at a time, appears in the remarks or in the sentence that refuses the file."""
+import copy
+import pathlib
+import sys
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+UPS = ROOT / "tests" / "decks" / "ups"
+sys.path.insert(0, str(ROOT / "src" / "python"))
+from barreno_import import files  # noqa: E402
+from barreno_import.command import convert  # noqa: E402
+from barreno_import.notes import Notes  # noqa: E402
+from barreno_import.ups import Ups  # noqa: E402
+from barreno_runs.faults import Fault  # noqa: E402
+
+
+def remarks_of(root, folder):
+    notes = Notes()
+    whole = Ups(root, "fuzz.ups")
+    whole.mark()
+    convert(whole, folder, "SI", {}, notes)
+    return "\n".join(notes.sentences)
+
+
+def rich_inputs():
+    """The inputs of the other test, without what is left out whole, in whose place one remark stands."""
+    projectile, jet = (files.read_ups(UPS / name).element for name in ("projectile.ups", "jet.ups"))
+    place = jet.find("MaterialProperties/MPM")
+    place.remove(place.findall("material")[2])
+    projectile.find("MPM").remove(projectile.find("MPM/erosion"))
+    for metal in projectile.iter("constitutive_model"):
+        for part in metal.findall("yield_condition"):
+            metal.remove(part)
+    return projectile, jet
+
+
+def with_unknown(root, position, kind):
+    """A copy with something new in the element at that position of the walk, or None."""
+    new = copy.deepcopy(root)
+    element = list(new.iter())[position]
+    if kind == "element":
+        ElementTree.SubElement(element, "zz_new").text = "7.5"
+    elif kind == "attribute":
+        element.set("zz_new", "7.5")
+    elif len(element) or not (element.text or "").strip():
+        (element if not len(element) else element[-1]).__setattr__("tail" if len(element) else "text", " zz_new ")
+    else:
+        return None
+    return new
+
+
+def main():
+    count = 0
+    for root in rich_inputs():
+        assert "zz_new" not in remarks_of(root, UPS)
+        for position, element in enumerate(root.iter()):
+            for kind in ("element", "attribute", "text"):
+                new = with_unknown(root, position, kind)
+                if new is None:
+                    continue
+                try:
+                    answer = remarks_of(new, UPS)
+                except Fault as fault:
+                    answer = str(fault)
+                assert "zz_new" in answer, f"{kind} in <{element.tag}> (number {position}) is lost in silence:\n{answer}"
+                count += 1
+    assert count > 600, count
+    print(f"{count} unknown things are all in the remarks")
+
+
+if __name__ == "__main__":
+    main()
