@@ -41,6 +41,7 @@ def check_jet(folder):
     out = folder / "jet"
     said = converge(QUICK, *SHORT, "--out", out)
     assert "Grid/Upper is moved out to {0.08 m, 0.332 m} on all levels" in said and said.count("computing in") == 3, said
+    assert 'The same command with --set "Grid/Cell Size=0.001 m" adds a level of smaller cells' in said, said
     assert "wider than the radius of the jet" in said and "Error of the depth at the end with the smallest cells, which are 1 per jet radius" in said, said
     found = results_of(out)
     assert [level["cells"] for level in found["levels"]] == [0.001, 0.002, 0.004] and len(found["results"]) == 4, found

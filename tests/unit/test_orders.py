@@ -1,12 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Order and interval of `barreno converge`, against sequences whose order is known exactly."""
+import json
 import math
 import pathlib
 import sys
+import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_converge import levels, order  # noqa: E402
+from barreno_converge import levels, order, report  # noqa: E402
 
 LIMIT, SLOPE = 93.5, -7.0
 
@@ -59,7 +61,8 @@ REFUSED = {  # what: (cells, values, words of judge, kind, words of the sentence
     "order above that of a method of first order": ([0.5, 1, 2], power_law([0.5, 1, 2], 2.5), {"formal": 1.0}, order.OUT_OF_RANGE, "0.5 to 2"),
     "two that agree": ([0.5, 1, 2], [4.0, 4.0, 5.0], {}, order.OUT_OF_RANGE, "above any bound"),
     "two levels": ([0.5, 1], [4.0, 5.0], {}, order.FEW, "two levels"),
-    "unresolved": ([0.5, 1, 2], power_law([0.5, 1, 2], 1.0), {"resolved": False}, order.UNRESOLVED, "wider than the radius"),
+    "unresolved": ([0.5, 1, 2], power_law([0.5, 1, 2], 1.0), {"resolved": 1}, order.UNRESOLVED, "wider than the radius"),
+    "two that resolve and differ": ([0.5, 1, 2], [88.2, 80.0, 79.5], {"resolved": 2}, order.UNRESOLVED, "wider than the radius"),
 }
 
 
@@ -72,6 +75,57 @@ def check_refusals():
         assert abs(found.low - (values[0] - width)) < 1e-12 and abs(found.high - (values[0] + width)) < 1e-12, f"{what}: {found}"
         sentence = order.sentence(found, words.get("formal", 2.0))
         assert said in sentence and "without a level of confidence" in sentence, f"{what}: {sentence}"
+
+
+def check_two_that_agree():
+    """Depths of 88.2, 88.0 and 79.5 mm, the last with cells that do not resolve the jet: the spread, 79.5 to 96.9 mm, says less than the two that do."""
+    cells = [0.5, 1.0, 2.0]
+    found = order.judge(cells, [88.2, 88.0, 79.5], resolved=2)
+    assert found.kind == order.TWO_AGREE and found.limit is None and found.order_used is None and 86.5 < found.low < 88.0 and 88.4 < found.high < 90.0, found
+    assert order.judge(cells, [88.2, 88.0, 79.5], resolved=1).kind == order.UNRESOLVED
+    said = order.sentence(found)
+    assert "are left out" in said and "agree to 2 %" in said and "3 times" in said, said
+
+
+def check_coverage():
+    """The interval of two that agree holds the limit of every sequence, whatever the cells say that do not resolve it."""
+    count = 0
+    for ratio in (1.3, 1.5, 2.0, 3.0, 4.0):
+        cells = [1.0, ratio, ratio**2]
+        for p in (0.5, 0.6, 0.75, 1.0, 1.5, 2.0, 3.0):
+            for slope in (-3.0, -1.0, -0.3, 0.02, 0.3, 1.0, 3.0):
+                for second in (0.0, 0.3 * slope, slope):  # a term of twice the order beside the first
+                    values = [LIMIT + slope * h**p + second * h ** (2.0 * p) for h in cells]
+                    for coarse in (values[2], 0.5 * LIMIT, 0.9 * LIMIT, 1.2 * LIMIT):
+                        found = order.judge(cells, [*values[:2], coarse], resolved=2)
+                        if found.kind != order.TWO_AGREE:
+                            assert found.kind in (order.UNRESOLVED, order.EQUAL), found
+                            continue
+                        count += 1
+                        assert found.low <= LIMIT + 1e-9 and LIMIT - 1e-9 <= found.high, f"ratio {ratio}, order {p}, slope {slope}, {second}: {found}"
+    assert count > 300, count
+
+
+def check_equal_by_chance():
+    """Two errors of opposite sign that happen to be equal: the difference to the cells left out widens the interval."""
+    found = order.judge([0.5, 1.0, 2.0], [90.0, 90.0, 80.0], resolved=2)
+    assert found.kind == order.TWO_AGREE and found.high - found.low > 3.0, found
+
+
+def check_names():
+    """Cells are named with where they lie: those along the path of a jet are smaller than the others."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        deck = '<ParameterList><ParameterList name="Jet"><Parameter name="Cells Per Radius" value="{}"/></ParameterList></ParameterList>'
+        for along, shares, name in (
+            ("1.8", {"0.555556 mm": 0.7, "1.11111 mm": 0.3}, "0.001111 m (0.0005556 m along the jet's path)"),
+            ("0", {"0.555556 mm": 0.7, "1.11111 mm": 0.3}, "0.001111 m (0.0005556 m where refined)"), ("1.8", None, "0.001111 m"),
+        ):  # fmt: skip
+            (folder / "summary.json").write_text(json.dumps({"particle_steps_by_cell_size": shares} if shares else {}))
+            level = levels.Level([], deck.format(along), folder, cells=1.0 / 900.0)
+            assert level.name() == name, level.name()
+            assert name in report.table("depth", [level], [(1e-5, [0.09], order.spread(order.FEW, [0.09]))])
+    assert '--set "Grid/Cell Size=0.0005 m" --set "Jet/Cells Per Radius=8.0"' in report.offer(["Grid/Cell Size=0.0005 m", "Jet/Cells Per Radius=8.0"])
 
 
 def check_equal():
@@ -108,7 +162,8 @@ def check_cells():
 
 
 def main():
-    for check in (check_cells, check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal, check_three_smallest):
+    for check in (check_cells, check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal, check_three_smallest,
+                  check_two_that_agree, check_coverage, check_equal_by_chance, check_names):
         check()
     print("orders and intervals are those of the sequences")
 

@@ -12,6 +12,7 @@ from barreno_converge.quantity import Quantity
 from barreno_runs.effective_deck import value_in
 from barreno_runs.faults import FILE, Fault, exit_code
 from barreno_runs.program import as_set, found_program
+from barreno_runs.ranks import check_ranks
 from barreno_runs.run_folder import read_summary
 from barreno_runs.tables import make_folder, place
 from barreno_runs.words import TIME_UNITS, Words, quantity_of
@@ -41,8 +42,7 @@ def check_words(options):
         raise Fault(f"--refine {options.refine:g} is not a ratio from 1.1 to 4 (levels that are closer tell nothing apart); write for example --refine 2.")
     if not 0.0 < options.formal_order <= 10.0:
         raise Fault(f"--formal-order {options.formal_order:g} is not an order above 0 and at most 10; write for example --formal-order 2.")
-    if options.ranks < 1:
-        raise Fault(f"--ranks {options.ranks} is not a number of ranks (1 or more); write for example --ranks 2.")
+    check_ranks(options.ranks)
     if not pathlib.Path(options.deck).is_file():
         raise Fault(f"{options.deck} does not exist (needed as the deck); check the path.", FILE)
 
@@ -73,12 +73,15 @@ def check_quantity(name, deck):
         raise Fault('--quantity depth needs a jet, and the deck has none; name a column of history.csv or a number of summary.json, for example --quantity kinetic.')
 
 
-def resolves_jet(levels, quantity):
-    """Whether the largest of the three smallest cells is no wider than the jet's radius where a depth is followed."""
-    if quantity.table != "depth.csv":
-        return True
-    cells = read_summary(levels[min(2, len(levels) - 1)].folder).get("penetration", {}).get("cells_per_radius")
-    return not isinstance(cells, dict) or cells["tip"] >= 1.0 - 1e-6
+def resolving(levels, quantity):
+    """How many of the three levels of the smallest cells have none wider than the jet's radius, where a depth is followed."""
+    count = 0
+    for level in levels[:3]:
+        cells = read_summary(level.folder).get("penetration", {}).get("cells_per_radius") if quantity.table == "depth.csv" else None
+        if cells and cells.get("tip", 1.0) < 1.0 - 1e-6:
+            return count
+        count += 1
+    return 3
 
 
 def refuse_no_depth(levels, quantity):
@@ -93,7 +96,7 @@ def compare(levels, quantity, times, formal):
     found = [quantity.at(level.folder, times) for level in levels]
     if any(not math.isfinite(value) for values in found for value in values):
         raise Fault(f"{quantity.name} is not a finite number in a run; choose another quantity.")
-    resolved, sizes = resolves_jet(levels, quantity), [level.cells for level in levels]
+    resolved, sizes = resolving(levels, quantity), [level.cells for level in levels]
     rows = []
     for i, time in enumerate(times if quantity.table else times[-1:]):
         values = [values[i] for values in found]
@@ -148,6 +151,8 @@ def run(words):
     print(report.table(quantity.name, levels, rows))
     for line in report.remarks(rows, options.formal_order):
         print(line)
+    if rows[-1][2].kind == order.UNRESOLVED:
+        print(report.offer(level_runs.cell_settings(base, sizes[0])))
     if any(row[2].order_used for row in rows):
         print(f"Interval: {report.METHOD}.")
     measured = report.measured_error(quantity, levels[0])

@@ -4,6 +4,7 @@
 import dataclasses
 import fractions
 import math
+import re
 
 from barreno_runs.effective_deck import find_list, value_in
 from barreno_runs.faults import Fault
@@ -17,7 +18,22 @@ ROUND_OFF = 1e-9
 
 @dataclasses.dataclass
 class Level(Run):
-    cells: float = 0.0  # [m]
+    cells: float = 0.0  # Grid/Cell Size [m]
+
+    def refined_to(self):
+        """Size of the smallest cells that its run had, [m]."""
+        shares = read_summary(self.folder).get("particle_steps_by_cell_size")
+        found = [re.fullmatch(r"(\d[\d.e+-]*) mm", name) for name in shares] if isinstance(shares, dict) else []
+        sizes = [1e-3 * float(one.group(1)) for one in found if one]
+        return min([self.cells, *sizes])
+
+    def name(self):
+        """Of its cells, and where they lie."""
+        finest = self.refined_to()
+        if finest > 0.999 * self.cells:
+            return f"{self.cells:.4g} m"
+        where = "along the jet's path" if float(value_in(self.deck, CELLS_PER_RADIUS) or 0.0) > 0.0 else "where refined"
+        return f"{self.cells:.4g} m ({finest:.4g} m {where})"
 
 
 def cells_of(size, count, ratio):

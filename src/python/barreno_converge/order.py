@@ -9,7 +9,8 @@ Three levels h1 < h2 < h3 with values f1, f2, f3, r21 = h2/h1 and r32 = h3/h2. I
 is the interval f1 +- F |f1 - f2|/(r21^p - 1) (Roache, J. Fluids Eng. 116, 405, 1994). F = 1.25 with the observed order of three levels. The order in
 the last two is at most the formal one, because chance gives a sequence a high order and too narrow an interval; where the observed order is above
 it by more than a tenth, the levels confirm no order, and F = 3 as for two levels and the formal order (Roache; Oberkampf and Roy, Verification and
-Validation in Scientific Computing, 2010, section 8.6).
+Validation in Scientific Computing, 2010, section 8.6). Cells that do not resolve what a number depends on are in no sequence with others: where the two
+smaller sizes resolve it and agree, they alone give an interval.
 """
 
 import dataclasses
@@ -22,7 +23,8 @@ LARGEST_ROOT = 50.0
 ROUND_OFF = 1e-12
 
 CONVERGES, EQUAL, OSCILLATES, DIVERGES = "converges", "equal", "oscillates", "diverges"
-OUT_OF_RANGE, UNRESOLVED, FEW = "order out of range", "unresolved", "two levels"
+OUT_OF_RANGE, UNRESOLVED, FEW, TWO_AGREE = "order out of range", "unresolved", "two levels", "two agree"
+AGREE = 0.02  # of a value: how far two levels may differ that stand for themselves
 
 
 @dataclasses.dataclass
@@ -71,9 +73,17 @@ def spread(kind, values, order=None):
     return Verdict(kind, values[0], values[0] - width, values[0] + width, order)
 
 
-def judge(cells, values, formal=2.0, resolved=True):
+def two_that_agree(cells, values, formal):
+    """Of two levels that resolve what a third does not: the value of the smallest cells, give or take what cells of first order would leave of it, with the
+    factor of two levels. Two values may be equal by chance: their difference counts as if it fell with no more than twice the formal order."""
+    difference = max(abs(values[0] - values[1]), abs(values[1] - values[2]) * (cells[1] / cells[2]) ** (2.0 * formal))
+    width = UNCONFIRMED_SAFETY * difference / (cells[1] / cells[0] - 1.0)
+    return Verdict(TWO_AGREE, values[0], values[0] - width, values[0] + width)
+
+
+def judge(cells, values, formal=2.0, resolved=3):
     """The verdict on a sequence, the smallest cells first; the three smallest count.
-    @param resolved  the largest of these cells resolve what the number depends on"""
+    @param resolved  how many of these, from the smallest on, resolve what the number depends on"""
     cells, values = cells[:3], values[:3]
     scale = max(abs(value) for value in values)
     if max(values) - min(values) <= ROUND_OFF * scale:
@@ -81,7 +91,9 @@ def judge(cells, values, formal=2.0, resolved=True):
     if len(values) < 3:
         return spread(FEW, values)
     order = observed_order(cells, values)
-    if not resolved:
+    if resolved == 2 and abs(values[0] - values[1]) <= AGREE * abs(values[0]):
+        return two_that_agree(cells, values, formal)
+    if resolved < 3:
         return spread(UNRESOLVED, values, order)
     if (values[2] - values[1]) * (values[1] - values[0]) < 0.0:
         return spread(OSCILLATES, values)
@@ -99,6 +111,9 @@ def sentence(verdict, formal=2.0):
     """Why there is no limit; empty where there is one."""
     if verdict.kind in (CONVERGES, EQUAL):
         return ""
+    if verdict.kind == TWO_AGREE:
+        return (f"not extrapolated: the largest cells are wider than the radius of the jet and are left out, and two levels show no order; these two agree to {100.0 * AGREE:g} %, and "
+                f"the interval is {UNCONFIRMED_SAFETY:g} times what cells of first order would leave")  # fmt: skip
     if verdict.kind == OUT_OF_RANGE:
         seen = "above any bound" if math.isinf(verdict.order) else f"{verdict.order:.2f}"
         why = f"the observed order, {seen}, is outside of {LEAST_ORDER:g} to {2.0 * formal:g}"

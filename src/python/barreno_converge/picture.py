@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture: the quantity over time for every level, and over the cell size at the end."""
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
+from barreno_runs.plots import plt
 
 LENGTHS = ("depth", "channel_depth", "channel_radius_mid", "inner_radius", "outer_radius")
 ENERGIES = ("kinetic", "elastic", "plastic", "viscous", "friction", "stress_integration", "transfer", "removed_kinetic", "launched_kinetic", "boundary_work",
@@ -23,7 +19,7 @@ def unit_of(name):
 
 def draw_over_time(axes, scale, levels, series, rows):
     for level, (time, values) in reversed(list(zip(levels, series))):
-        axes.plot(1e6 * time, values / scale, lw=1.2, label=f"cells of {1e3 * level.cells:.4g} mm")
+        axes.plot(1e6 * time, values / scale, lw=1.2, label=f"cells of {level.name()}")
     for i, (time, _, verdict) in enumerate(rows):
         label = {} if i else {"label": "interval" if verdict.limit is not None else "spread of the levels"}
         value, low, high = (number / scale for number in (verdict.value, verdict.low, verdict.high))
@@ -42,7 +38,7 @@ def draw_over_cells(axes, scale, levels, row):
         words = f"extrapolated, order {verdict.order_used:.2f}" if verdict.order_used else "extrapolated"
         axes.plot([0.0], [verdict.limit / scale], "C3D", label=words)
     axes.set_xlim(left=-0.05 * max(cells))
-    axes.set_xlabel("cell size [mm]")
+    axes.set_xlabel("Grid/Cell Size [mm]")
     axes.set_title(f"over the cell size, at {1e6 * time:.4g} µs", fontsize=10)
 
 

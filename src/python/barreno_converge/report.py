@@ -26,7 +26,7 @@ def interval_text(verdict):
 
 def table(name, levels, rows):
     """Lines of the screen; lengths in m, times in s."""
-    heads = ["time [s]", *(f"{level.cells:.4g} m" for level in levels), "order", "extrapolated", "interval"]
+    heads = ["time [s]", *(level.name() for level in levels), "order", "extrapolated", "interval"]
     body = []
     for time, values, verdict in rows:
         body.append([number(time, 4), *(number(value) for value in values), number(verdict.order, 3), number(verdict.limit), interval_text(verdict)])
@@ -41,6 +41,12 @@ def remarks(rows, formal):
         if said:
             times.setdefault(said, []).append(f"{time:.4g}")
     return [f"At {', '.join(when)} s {said}." for said, when in times.items()]
+
+
+def offer(settings):
+    """What one more level, of smaller cells, takes.  @param settings  of the smallest cells so far, which then are the middle ones"""
+    words = " ".join(f'--set "{setting}"' for setting in settings)
+    return f"The same command with {words} adds a level of smaller cells, whose run takes about eight times as long, and leaves the largest out."
 
 
 def measured_error(quantity, finest):
@@ -77,7 +83,7 @@ def as_json(deck, name, levels, rows, formal):
             "time": time, "values": values, "verdict": verdict.kind, "order": finite(verdict.order), "order_used": verdict.order_used,
             "extrapolated": verdict.limit, "low": verdict.low, "high": verdict.high, "why": order.sentence(verdict, formal),
         })  # fmt: skip
-    runs = [{"cells": level.cells, "folder": str(level.folder), "how": level.how} for level in levels]
+    runs = [{"cells": level.cells, "refined_to": level.refined_to(), "folder": str(level.folder), "how": level.how} for level in levels]
     return json.dumps({"deck": str(deck), "quantity": name, "formal_order": formal, "method": METHOD, "levels": runs, "results": results}, indent=1) + "\n"
 
 
