@@ -76,20 +76,45 @@ stay_on_this_machine() {
   export OMPI_MCA_pml="${OMPI_MCA_pml-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl-self,vader}"
 }
 
-# mpirun, told to be quiet, would end without a word where ranks find no memory or no open files.
-refuse_many() {  # ranks
+# mpirun, told to be quiet, would end without a word where ranks find no memory or no open files. The sentence on too many of
+# them, and nothing where they can be started; barreno_runs/ranks.py asks this function too.
+too_many() {  # option, its number of ranks
   local files memory most
-  [[ -z ${SLURM_JOB_ID-}${PBS_NODEFILE-} ]] || return 0  # they may go to other machines
+  [[ -z ${SLURM_JOB_ID-}${PBS_NODEFILE-} || ${#2} -gt 9 ]] || return 0  # they may go to other machines
   files=$(ulimit -n)
   [[ $files == unlimited ]] && files=1000000
   memory=$(sed -n 's/^MemAvailable: *\([0-9]*\) kB$/\1/p' /proc/meminfo 2>/dev/null || true)
   most=$((files / 10))  # mpirun holds pipes and sockets to each
   [[ -n $memory && $((memory / 65536)) -lt $most ]] && most=$((memory / 65536))  # 64 MB for each, without a particle
   most=$((most > 0 ? most : 1))
-  if ((${#1} > 9 || $1 > most)); then
-    say "--ranks $1 is more than this machine can start ($most: each takes 64 MB of free memory and ten open files); it has $(cores) cores, and more ranks than cores are not faster."
+  if ((${#2} > 9 || $2 > most)); then
+    printf '%s\n' "$1 is more than this machine can start ($most: each takes 64 MB of free memory and ten open files); it has $(cores) cores, and more ranks than cores are not faster."
+  fi
+}
+
+check_ranks() {  # text behind --ranks
+  local sentence
+  if ! [[ $1 =~ ^[1-9][0-9]*$ ]]; then
+    say "--ranks \"$1\" is not a number of ranks (1 or more); write for example --ranks 2."
     exit 1
   fi
+  sentence=$(too_many "--ranks $1" "$1")
+  if [[ -n $sentence ]]; then
+    say "$sentence"
+    exit 1
+  fi
+}
+
+# Of converge and sweep, before anything is installed or built. A script for a batch system is for other machines.
+check_ranks_in() {  # the words of the command
+  local word ranks="" before=""
+  for word in "$@"; do
+    [[ $word != --submit* ]] || return 0
+    [[ $before != --ranks ]] || ranks=$word
+    [[ $word != --ranks=* ]] || ranks=${word#--ranks=}
+    before=$word
+  done
+  [[ -z $ranks ]] || check_ranks "$ranks"
 }
 
 # mpirun answers Ctrl-C and the like by killing its ranks a second later and ends with 1; SIGUSR1 it passes on, and the
@@ -149,17 +174,13 @@ compute() {  # run or resume, and its arguments
   while (($#)); do
     if [[ $1 == --ranks ]]; then
       ranks=${2-}
+      check_ranks "$ranks"
       shift $(($# > 1 ? 2 : 1))
-      if ! [[ $ranks =~ ^[1-9][0-9]*$ ]]; then
-        say "--ranks \"$ranks\" is not a number of ranks (1 or more); write for example --ranks 2."
-        exit 1
-      fi
     else
       arguments+=("$1")
       shift
     fi
   done
-  [[ -n $ranks ]] && refuse_many "$ranks"
   prepare OFF
   mpi_environment
   local available
@@ -254,6 +275,7 @@ carry_out() {  # the words of the command line
     converge)
       shift
       demand_deck converge "--levels 3" "$@"
+      check_ranks_in "$@"
       need_packages "${plot_packages[@]}"
       prepare OFF
       mpi_environment
@@ -264,12 +286,13 @@ carry_out() {  # the words of the command line
     sweep)
       shift
       demand_deck sweep '--vary "Confinement/Pressure=0,34,69 MPa"' "$@"
+      check_ranks_in "$@"
       need_packages "${report_packages[@]}"
       prepare OFF
       mpi_environment
-      export BARRENO_PROGRAM=$binary BARRENO_COMMAND="$0 sweep"
+      BARRENO_COMMAND="$(printf '%q' "$0") sweep"
       BARRENO_CORES=$(cores)
-      export BARRENO_CORES
+      export BARRENO_PROGRAM=$binary BARRENO_COMMAND BARRENO_CORES
       start_python barreno_sweep "$@"
       ;;
     compare)

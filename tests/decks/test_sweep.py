@@ -18,7 +18,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "tests" / "scripts")]
-from python_commands import process_of, said_by  # noqa: E402
+from python_commands import environment_of_runs, process_of, said_by  # noqa: E402
 from runs import DECKS, mpi_environment  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
@@ -123,12 +123,12 @@ def check_array_job(out, folder):
     """The script's tasks, run here one after the other, and what is collected in between."""
     job = folder / "job"
     words = (QUICK, *SHORT, *PRESSURES, "--out", job)
-    script = sweep(*words, "--submit", "slurm", BARRENO_COMMAND="./barreno sweep")
-    assert "#SBATCH --array=1-3\n" in script and f"./barreno sweep {QUICK}" in script and [file.name for file in job.iterdir()] == ["sweep.json"], script
+    script = sweep(*words, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno_sweep")
+    assert "#SBATCH --array=1-3\n" in script and f"exec {sys.executable} -m barreno_sweep {QUICK}" in script and [file.name for file in job.iterdir()] == ["sweep.json"], script
     found = sweep(*words, "--collect", code=2)
     assert found == "barreno: none of the runs has finished; the command without --collect computes them.\n", found
     for task in ("1", "3"):
-        result = subprocess.run(["bash", "-c", script], env={**mpi_environment(), "SLURM_ARRAY_TASK_ID": task}, capture_output=True, text=True, timeout=300)
+        result = subprocess.run(["bash", "-c", script], env={**environment_of_runs(), "SLURM_ARRAY_TASK_ID": task}, capture_output=True, text=True, timeout=300)
         assert result.returncode == 0 and "[1/1] Pressure = " in result.stdout, result.stderr
     found = sweep(*words, "--collect", code=2)
     assert found.count("\n") == 1 and "1 of 3 runs have not finished (Pressure = 34 MPa)" in found and "the tasks 2 of the array job" in found, found

@@ -159,7 +159,7 @@ def check_sweep(machine, folder):
     (folder / "a deck.xml").write_text("")
     result, calls = machine.run("sweep", folder / "a deck.xml", "--vary", "A/B C=1,2 mm")
     assert result.returncode == 0 and f"swept ['{folder / 'a deck.xml'}', '--vary', 'A/B C=1,2 mm']" in result.stdout, result.stderr
-    assert re.search(r"a tree/build/release/src/barreno [1-9][0-9]* .*a tree/barreno sweep$", result.stdout.strip()), result.stdout
+    assert re.search(r"a tree/build/release/src/barreno [1-9][0-9]* .*a\\ tree/barreno sweep$", result.stdout.strip()), result.stdout
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
     assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
 
@@ -216,6 +216,10 @@ def check_words(machine):
     refused(*machine.run("run", "deck.xml", "--ranks", "100000000"), 1, "--ranks 100000000 is more than this machine can start")
     refused(*machine.run("resume", "run", "--ranks", "9" * 30), 1, "is more than this machine can start")
     refused(*machine.run("run", "deck.xml", "--ranks", "0"), 1, "is not a number of ranks")
+    machine.file("deck.xml", "")
+    for command in ("sweep", "converge"):
+        for words in (["--ranks", "1000000000"], ["--ranks=1000000000"]):
+            refused(*machine.run(command, machine.tree / "deck.xml", *words), 1, "--ranks 1000000000 is more than this machine can start")
     refused(*machine.run("rnu", "deck.xml"), 1, '"rnu" is not a command')
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["film", "-h"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)

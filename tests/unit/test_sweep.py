@@ -5,15 +5,19 @@ import argparse
 import contextlib
 import csv
 import io
+import os
 import pathlib
+import subprocess
 import sys
 import tempfile
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
 import synthetic_runs  # noqa: E402
 
 from barreno_compare import command as compare  # noqa: E402
 from barreno_compare import differences  # noqa: E402
+from barreno_converge import command as converge  # noqa: E402
 from barreno_runs import effective_deck, make_runs, results, run_folder  # noqa: E402
 from barreno_runs.faults import Fault  # noqa: E402
 from barreno_sweep import compute, plan, sample, slurm, variation, words, write  # noqa: E402
@@ -186,9 +190,43 @@ def check_slurm():
     assert slurm.without_submit(["a.xml", "--submit", "slurm", "--out", "x", "--submit=slurm"]) == ["a.xml", "--out", "x"]
     points = [plan.Point([], "", pathlib.Path("x"), how=how) for how in ("reused", "", "")]
     options = argparse.Namespace(deck="a deck.xml", ranks=4)
-    text = slurm.script(options, ["a deck.xml", "--vary", "A/B=1,2,3 mm", "--submit", "slurm"], "barreno", points, pathlib.Path("out"))
-    for line in ("#SBATCH --array=2-3\n", "#SBATCH --ntasks=4\n", "#SBATCH --output=out/task-%a.log\n", "'a deck.xml' --vary 'A/B=1,2,3 mm' --only \"$SLURM_ARRAY_TASK_ID\"\n", "--collect\n"):
+    vary = ["a deck.xml", "--vary", "A/B=1,2,3 mm", "--submit", "slurm"]
+    with unittest.mock.patch.dict(os.environ, {"BARRENO_COMMAND": "./barreno sweep", "OMPI_MCA_btl": "self", "PYTHONPATH": "/of/this/machine", "BARRENO_PROGRAM": "/of/this/machine/barreno"}):
+        text = slurm.script(options, vary, points, pathlib.Path("out"))
+    for line in ("#SBATCH --array=2-3\n", "#SBATCH --ntasks=4\n", "#SBATCH --output=out/task-%a.log\n", "exec ./barreno sweep 'a deck.xml' --vary 'A/B=1,2,3 mm' --only \"$SLURM_ARRAY_TASK_ID\"\n", "--collect\n"):
         assert line in text, f"{line}: {text}"
+    # Nothing of the machine that wrote it.
+    assert not any(word in text for word in ("export", "OMPI", "/of/this/machine", os.getcwd(), sys.executable)), text
+
+
+def check_script_lines(folder):
+    """A line end in a name never becomes a line of the script: it is refused; what a shell would read in other names is quoted."""
+    points, trap = [plan.Point([], "", pathlib.Path("x"))], folder / "executed"
+    for evil in (f"a\ntouch {trap}\n.xml", f"a\rtouch {trap}", f"a\x85touch {trap}", "a\x00b", "a\x1b[2J.xml", "a\udc80"):
+        for deck, out, more in ((evil, "out", []), ("a.xml", evil, []), ("a.xml", "out", ["--set", f"Title={evil}"])):
+            options = argparse.Namespace(deck=deck, ranks=1)
+            refused(lambda options=options, more=more, out=out: slurm.script(options, [options.deck, "--vary", "A/B=1", *more], points, pathlib.Path(out)), "line end or another control character", "rename it")
+        with unittest.mock.patch.object(slurm, "start_of_command", lambda evil=evil: f"{evil} sweep"):
+            refused(lambda: slurm.script(argparse.Namespace(deck="a.xml", ranks=1), ["a.xml"], points, pathlib.Path("out")), "the path of barreno")
+    with unittest.mock.patch.dict(os.environ, {"BARRENO_COMMAND": "true"}):
+        odd = f"$(touch {trap}) `touch {trap}`; touch {trap} #'\" & b.xml"
+        text = slurm.script(argparse.Namespace(deck=odd, ranks=1), [odd, "--out", odd], points, pathlib.Path(odd))
+    subprocess.run(["bash", "-c", text], cwd=folder, check=True, timeout=60)
+    assert not trap.exists() and all(line.startswith("#") or line.startswith("exec true ") for line in text.splitlines()), text
+
+
+def check_ranks():
+    """sweep and converge refuse what run refuses, by the launcher's rule: processes that this machine cannot hold."""
+    with unittest.mock.patch.dict(os.environ):
+        for name in ("SLURM_JOB_ID", "PBS_NODEFILE"):
+            os.environ.pop(name, None)
+        base = ["a.xml", "--vary", "A/B=1"]
+        for count in ("1000000000", "9" * 30, "999999"):
+            refused(lambda count=count: words.check_words(words.parse([*base, "--ranks", count])), f"--ranks {count} is more than this machine can start")
+            refused(lambda count=count: converge.check_words(converge.parse(["a.xml", "--ranks", count])), f"--ranks {count} is more than this machine can start")
+        refused(lambda: words.check_words(words.parse([*base, "--ranks", "999999", "--submit", "slurm"])), "a.xml does not exist")  # for other machines
+        refused(lambda: words.jobs_of(words.parse([*base, "--jobs", "999999"]), 10000), "--jobs 999999, which is 10000 processes at a time, is more than")
+        assert words.jobs_of(words.parse([*base, "--jobs", "999999"]), 3) == 3 and words.jobs_of(words.parse(base), 10000) >= 1
 
 
 def swept(folder, line, count=3):
@@ -307,8 +345,8 @@ def check_bad_compare(folder):
         assert found[0] == code and said in found[1] and found[1].count("\n") == 1 and found[1].startswith("barreno: "), f"{runs}: {found}"
 
 
-CHECKS = (check_values, check_bad_values, check_samples, check_latin, check_folders, check_lists, check_words, check_slurm)
-IN_FOLDERS = (check_out, check_taken, check_time_left, check_results, check_columns, check_pictures, check_differences, check_compare, check_bad_compare)
+CHECKS = (check_values, check_bad_values, check_samples, check_latin, check_folders, check_lists, check_words, check_slurm, check_ranks)
+IN_FOLDERS = (check_script_lines, check_out, check_taken, check_time_left, check_results, check_columns, check_pictures, check_differences, check_compare, check_bad_compare)
 
 
 def main():

@@ -77,7 +77,7 @@ def submit(options, words, program, points, places, out):
     missing = take_all(program, points, places, lambda *_: None)
     if not missing:
         raise Fault("all runs have finished, so there is nothing to submit; write --collect instead of --submit slurm.")
-    print(slurm.script(options, words, program.binary, points, out), end="")
+    print(slurm.script(options, words, points, out), end="")
     collect_words = [*slurm.without_submit(words), "--collect"]
     print(f"barreno: {len(missing)} tasks; send what was printed to sbatch, and when they have ended: {slurm.user_command(collect_words)}", file=sys.stderr)
     return 0
@@ -104,10 +104,11 @@ def run(words):
         return submit(options, words, program, points, places, out)
     if options.collect:
         return collect(program, points, places, write)
-    program.watch_signals()
     if options.only is not None:
         points = chosen(points, options.only)
-    compute_all(program, points, places, min(jobs_of(options), len(points)))
+    jobs = jobs_of(options, len(points))
+    program.watch_signals()
+    compute_all(program, points, places, jobs)
     refuse_interrupted(program, points)
     if options.only is None:
         plan.write_record(options, base, variations, points, out)

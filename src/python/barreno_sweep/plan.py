@@ -12,6 +12,7 @@ from barreno_runs.effective_deck import lists_in, value_in
 from barreno_runs.faults import FILE, Fault
 from barreno_runs.make_runs import Run
 from barreno_runs.program import as_set
+from barreno_runs.regular_file import read_text
 from barreno_runs.tables import make_folder, place
 
 # Lists whose entries have names of the user's own: --set would make a new one of a name that is misspelled.
@@ -97,8 +98,8 @@ def digest_of(deck):
 
 def recorded_base(file):
     try:
-        return json.loads(file.read_text(encoding="utf-8"))["base"]
-    except (OSError, ValueError, LookupError, TypeError):
+        return json.loads(read_text(file))["base"]
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return None
 
 

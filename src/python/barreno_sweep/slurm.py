@@ -1,26 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sweep as an array job of Slurm: one task for every run, and a command that collects afterwards."""
+"""A sweep as an array job of Slurm: one task for every run, and a command that collects afterwards. The script holds the user's command and nothing of
+the machine that wrote it: Slurm hands the environment of sbatch on, and the command itself knows what MPI needs (docs/cluster.md)."""
 
 import os
 import pathlib
+import re
 import shlex
-import sys
+
+from barreno_runs.faults import Fault, printable
 
 SCRIPT = """\
 #!/bin/bash
 #SBATCH --job-name={name}
 #SBATCH --array={tasks}
 #SBATCH --ntasks={ranks}
-#SBATCH --chdir={folder}
 #SBATCH --output={out}/task-%a.log
 # {count} of the {total} runs of {deck}; give sbatch a --time that suits them (barreno check DECK predicts it).
-# When all have ended:
+# Paths are seen from the folder in which sbatch is called. When all have ended:
 #   {collect}
-{exports}
 exec {command} --only "$SLURM_ARRAY_TASK_ID"
 """
-# What Open MPI needs of its surroundings, and where the program is.
-PASSED = ("BARRENO_PROGRAM", "BARRENO_COMMAND", "PYTHONPATH")
+OWN_START = "/usr/bin/python3 -m barreno_sweep"  # without the launcher; it needs PYTHONPATH and BARRENO_PROGRAM where sbatch is called
+CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
 
 
 def ranges_of(numbers):
@@ -47,32 +48,36 @@ def without_submit(words):
     return out
 
 
+def start_of_command():
+    """As the user has called sweep; the launcher says it, quoted."""
+    return os.environ.get("BARRENO_COMMAND", OWN_START)
+
+
 def user_command(words):
     """As the user would write it."""
-    start = os.environ.get("BARRENO_COMMAND", "/usr/bin/python3 -m barreno_sweep")
-    return f"{start} {shlex.join(words)}"
+    return f"{start_of_command()} {shlex.join(words)}"
 
 
-def exports(binary):
-    """@param binary  of the program, which may be on the path of this machine alone"""
-    names = {**{name: os.environ[name] for name in PASSED if name in os.environ}, "BARRENO_PROGRAM": str(pathlib.Path(binary).absolute())}
-    names.update({name: value for name, value in os.environ.items() if name.startswith("OMPI_")})
-    return "\n".join(f"export {name}={shlex.quote(value)}" for name, value in sorted(names.items()))
+def refuse_control_characters(texts):
+    """A line end in a name would end a line of the script, and what follows it would be a command.  @param texts  {what: text}"""
+    for what, text in texts.items():
+        if CONTROL.search(text):
+            raise Fault(f'{what} is "{printable(text)}", which has a line end or another control character (a script has one command in a line); rename it.')
 
 
-def script(options, words, binary, points, out):
+def script(options, words, points, out):
     """@param words  of the command, with --submit"""
     tasks, words = [i for i, point in enumerate(points, 1) if not point.how], without_submit(words)
+    named = {"the deck": str(options.deck), "--out": str(out), "the path of barreno": start_of_command()}
+    refuse_control_characters({**named, **{f"word {i} of the command": word for i, word in enumerate(words, 1)}})
     return SCRIPT.format(
-        name=f"{pathlib.Path(options.deck).stem}-sweep".replace(" ", "_"),
+        name=re.sub(r"[^\w.+-]", "_", f"{pathlib.Path(options.deck).stem}-sweep"),
         tasks=ranges_of(tasks),
         ranks=options.ranks,
-        folder=shlex.quote(os.getcwd()),
         out=shlex.quote(str(out)),
         count=len(tasks),
         total=len(points),
         deck=options.deck,
         collect=user_command([*words, "--collect"]),
-        exports=exports(binary),
-        command=shlex.join([sys.executable, "-m", "barreno_sweep", *words]),
+        command=user_command(words),
     )

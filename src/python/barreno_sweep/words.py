@@ -5,6 +5,7 @@ import os
 import pathlib
 
 from barreno_runs.faults import FILE, Fault
+from barreno_runs.ranks import check_ranks
 from barreno_runs.words import Words
 
 EXAMPLE = 'write for example barreno sweep input_xml/perforation_quick.xml --vary "Confinement/Pressure=0,34,69 MPa"'
@@ -68,6 +69,8 @@ def check_words(options):
     check_counts(options)
     check_sample(options)
     check_modes(options)
+    if options.submit is None:  # a batch system puts them on other machines
+        check_ranks(options.ranks)
     if not pathlib.Path(options.deck).is_file():
         raise Fault(f"{options.deck} does not exist (needed as the deck); check the path.", FILE)
 
@@ -76,7 +79,10 @@ def out_folder(options):
     return pathlib.Path(options.out) if options.out else pathlib.Path("runs") / f"{pathlib.Path(options.deck).stem}-sweep"
 
 
-def jobs_of(options):
-    """The launcher knows physical cores, of which each carries one rank."""
+def jobs_of(options, runs):
+    """Of so many runs. The launcher knows physical cores, of which each carries one rank."""
     cores = int(os.environ.get("BARRENO_CORES") or len(os.sched_getaffinity(0)))
-    return options.jobs or max(1, cores // options.ranks)
+    jobs = min(options.jobs or max(1, cores // options.ranks), runs)
+    if options.jobs:
+        check_ranks(jobs * options.ranks, f"--jobs {options.jobs}, which is {jobs * options.ranks} processes at a time,")
+    return jobs
