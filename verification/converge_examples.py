@@ -15,6 +15,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
+import foreign_python  # noqa: E402, F401
 from runs import mpi_environment  # noqa: E402
 
 STORED = HERE / "results" / "converge.json"

@@ -13,6 +13,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
+import foreign_python  # noqa: E402, F401
 from deck_table import STORED, decks  # noqa: E402
 from runs import run_deck  # noqa: E402
 

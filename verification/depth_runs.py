@@ -17,6 +17,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
+import foreign_python  # noqa: E402, F401
 from runs import DECKS, run_deck  # noqa: E402
 from scaling import Problem, run_once, step_seconds  # noqa: E402
 

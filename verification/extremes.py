@@ -20,6 +20,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "tools"))
 sys.path.insert(0, str(HERE))
+import foreign_python  # noqa: E402, F401
 
 from demands import open_demands  # noqa: E402
 from extreme import HOLDS, RED, STOPS, Row, Table  # noqa: E402

@@ -13,6 +13,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "tools"))
 sys.path.insert(0, str(HERE))
+import foreign_python  # noqa: E402, F401
 
 from cases.arenisca_against_oracle import KEPT, cheap_rows, digest_of, kept_answer  # noqa: E402
 

@@ -18,6 +18,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE), str(HERE / "performance"), str(HERE / "fits")]
+import foreign_python  # noqa: E402, F401
 
 import case_pictures  # noqa: E402
 import extremes  # noqa: E402

@@ -18,12 +18,13 @@ import pathlib
 import sys
 import time
 
-import matplotlib
-
-matplotlib.use("Agg")
-
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE / "oracles"), str(HERE / "cases"), str(HERE), str(HERE.parent / "src" / "python")]
+import foreign_python  # noqa: E402, F401
+
+import matplotlib  # noqa: E402
+
+matplotlib.use("Agg")
 from barreno_sweep.compute import duration  # noqa: E402
 from paper_figures import FIGURES, figure  # noqa: E402
 from paper_figures.lab import PICTURES, RESULTS, ROOT, Lab, cost_of, read_table, write_cost, write_table  # noqa: E402

@@ -17,6 +17,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
+import foreign_python  # noqa: E402, F401
 from runs import DECKS, run_deck  # noqa: E402
 
 STORED = HERE / "results" / "predictions.json"

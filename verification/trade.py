@@ -23,6 +23,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
+import foreign_python  # noqa: E402, F401
 from choices import shape_functions, words  # noqa: E402
 from runs import DECKS, mpi_environment, run_deck  # noqa: E402
 from trade_checks import demands, verdict_lines  # noqa: E402

@@ -18,6 +18,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "tools"))
 sys.path.insert(0, str(HERE))
+import foreign_python  # noqa: E402, F401
 
 from case_list import RESULTS, cases  # noqa: E402
 from demands import FAILS, judge_all, open_demands  # noqa: E402

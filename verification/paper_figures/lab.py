@@ -11,6 +11,7 @@ import subprocess
 import tempfile
 import time
 
+import matplotlib
 import numpy as np
 from demands import met
 from paper_figures.progress import Progress
@@ -105,6 +106,7 @@ class Lab:
     """
 
     def __init__(self, barreno, form="default", folder=None, keep=True, jobs=None, numbers=()):
+        matplotlib.rcParams["text.parse_math"] = True  # the pictures of the commands, which some figures import, have no formulas
         self.barreno, self.form, self.keep = pathlib.Path(barreno).resolve(), form, keep
         self.scratch = tempfile.TemporaryDirectory(prefix="paper-")
         self.folder = pathlib.Path(folder).resolve() if folder else pathlib.Path(self.scratch.name)

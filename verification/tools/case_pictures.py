@@ -82,6 +82,7 @@ def draw(file, title, picture, curves):
     import matplotlib
 
     matplotlib.use("Agg")
+    matplotlib.rcParams["text.parse_math"] = True  # the commands, whose pictures have no formulas, may be loaded too
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")

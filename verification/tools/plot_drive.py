@@ -243,7 +243,7 @@ def draw(words, path, curves):
     words_row = figure.add_subplot(grid[2, :])
     words_row.axis("off")
     words_row.legend(*zip(*lines), loc="center", ncols=2, fontsize=9, frameon=False)
-    figure.suptitle(f"{words['title']} (compression positive)")
+    figure.suptitle(f"{words['title']} (compression positive)", parse_math=False)  # names of the user's: a dollar sign is no formula
     return figure
 
 
