@@ -12,7 +12,7 @@ from barreno_material import load
 
 from barreno_fit import card, data, report, solve
 from barreno_fit.answers import Laboratory
-from barreno_fit.faults import FILE, NUMERICAL, Fault, Rejected
+from barreno_fit.faults import FILE, INTERNAL, NUMERICAL, Fault, Rejected, internal
 from barreno_fit.kinds import DIMENSIONS, KINDS, STRENGTH
 from barreno_fit.laboratory import RAW, Said
 from barreno_fit.parameters import fixed_values, given_bounds
@@ -176,3 +176,6 @@ def main(words=None):
         return fault.code
     except KeyboardInterrupt:
         return 130
+    except Exception as error:  # noqa: BLE001
+        print(f"barreno: {internal(error)}", file=sys.stderr)
+        return INTERNAL

@@ -6,8 +6,11 @@ import pathlib
 import matplotlib
 
 matplotlib.use("Agg")
+matplotlib.rcParams["text.usetex"] = False
+matplotlib.rcParams["text.parse_math"] = False  # names of files are drawn letter by letter
 import matplotlib.pyplot as pyplot  # noqa: E402
 import numpy  # noqa: E402
+from matplotlib.ticker import FormatStrFormatter, NullFormatter  # noqa: E402
 
 from barreno_fit.kinds import DIMENSIONS, KINDS  # noqa: E402
 
@@ -47,6 +50,8 @@ def draw_table(axes, test, answer):
     x, x_label = scaled(control, test.columns[control]) if control else (numpy.arange(1, test.rows + 1.0), "row of the file")
     if x.min() > 0.0 and x.max() > 30.0 * x.min():
         axes.set_xscale("log")
+        axes.xaxis.set_major_formatter(FormatStrFormatter("%g"))
+        axes.xaxis.set_minor_formatter(NullFormatter())
     order = numpy.argsort(x)
     axes.errorbar(x, data, yerr=test.uncertainty * data, fmt="o", ms=4, color="0.35", mfc="none", elinewidth=0.8, capsize=2, label="data")
     axes.plot(x[order], model[order], "s:" if control else "s", ms=4, lw=1.0, color=MODEL, label="model")

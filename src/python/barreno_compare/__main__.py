@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import sys
 
-from barreno_compare.command import main
+from barreno_runs.faults import start
 
-sys.exit(main())
+sys.exit(start("barreno_compare.command"))

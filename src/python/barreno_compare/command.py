@@ -7,7 +7,7 @@ import re
 import sys
 
 from barreno_compare.differences import against, as_csv, deck_differences, decks_as_csv, quantities_of, shortened
-from barreno_runs.faults import FILE, Fault, exit_code
+from barreno_runs.faults import FILE, Fault, exit_code, printable
 from barreno_runs.results import finished_row, write_results
 from barreno_runs.run_folder import deck_in
 from barreno_runs.tables import aligned, make_folder, number, place
@@ -53,8 +53,10 @@ def labels_of(runs):
     for parts in (1, 2, 3):
         names = ["/".join(run.resolve().parts[-parts:]) for run in runs]
         if len(set(names)) == len(names):
-            return names
-    return [str(run.resolve()) for run in runs]
+            break
+    else:
+        names = [str(run.resolve()) for run in runs]
+    return [printable(name) for name in names]
 
 
 def out_folder(options, labels):
@@ -70,7 +72,7 @@ def out_folder(options, labels):
 def deck_lines(labels, differences):
     if not differences:
         return ["The decks are the same."]
-    rows = [["decks differ in", *labels], *([path, *shortened(values)] for path, values in differences.items())]
+    rows = [["decks differ in", *labels], *([printable(path), *map(printable, shortened(values))] for path, values in differences.items())]
     return aligned(rows)
 
 
@@ -87,7 +89,7 @@ def result_lines(labels, quantities):
 
 
 def unfinished_lines(rows):
-    return [f"{row.label} has not finished: it ended at {row.scalars.get('time', 0.0):.4g} s ({row.scalars.get('reason') or 'no reason given'})." for row in rows if row.scalars.get("finished") is not True]
+    return [f"{row.label} has not finished: it ended at {row.scalars.get('time', 0.0):.4g} s ({printable(row.scalars.get('reason') or 'no reason given')})." for row in rows if row.scalars.get("finished") is not True]
 
 
 def write(out, options, labels, rows, differences, quantities):

@@ -3,8 +3,6 @@
 
 import dataclasses
 
-import matplotlib.pyplot as plt
-
 from barreno_report.fields import PLASTIC_STRAIN, check_field, known_fields
 from barreno_report.files import make_folder, reading, written, write_text
 from barreno_report.pages import as_html, as_markdown, write_pdf
@@ -14,6 +12,7 @@ from barreno_report.run import opened
 from barreno_report.sections import all_sections, tip_of
 from barreno_report.strength_picture import NEAR
 from barreno_runs.faults import on_one_line
+from barreno_runs.plots import plt
 
 
 @dataclasses.dataclass

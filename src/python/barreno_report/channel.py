@@ -3,7 +3,6 @@
 
 import dataclasses
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm
@@ -12,6 +11,7 @@ from matplotlib.lines import Line2D
 from barreno_report.fields import look_of, range_of, values_of
 from barreno_report.outline import draw_outline
 from barreno_report.particles import areas_of
+from barreno_runs.plots import plain_log, plt
 
 MILLI, MICRO = 1e-3, 1e-6
 WITHOUT = "0.75"  # colour of a material that does not carry the field
@@ -129,6 +129,8 @@ def draw_bar(figure, axes, quads, label, side, wide):
     if len(values):
         bar.set_ticks(values, labels=[f"{value:.3g}" for value in values])
         bar.minorticks_off()
+    elif isinstance(quads.norm, LogNorm):
+        plain_log(place.yaxis)
     place.yaxis.set_ticks_position(side)
     place.yaxis.set_label_position(side)
     bar.solids.set_edgecolor("face")

@@ -5,17 +5,14 @@ import pathlib
 import sys
 import warnings
 
-import matplotlib
-
-matplotlib.use("Agg")
-from barreno_report.build import Wishes, make_report  # noqa: E402
-from barreno_report.fields import check_field, known_fields  # noqa: E402
-from barreno_report.files import make_folder  # noqa: E402
-from barreno_report.film import check_out, write_film  # noqa: E402
-from barreno_report.progress import Progress  # noqa: E402
-from barreno_report.run import opened  # noqa: E402
-from barreno_report.words import check_folder, depths_of, film_parser, report_parser, time_of  # noqa: E402
-from barreno_runs.faults import FILE, BadRun, Fault, exit_code, on_one_line  # noqa: E402
+from barreno_report.build import Wishes, make_report
+from barreno_report.fields import check_field, known_fields
+from barreno_report.files import make_folder
+from barreno_report.film import check_out, write_film
+from barreno_report.progress import Progress
+from barreno_report.run import opened
+from barreno_report.words import check_folder, depths_of, film_parser, report_parser, time_of
+from barreno_runs.faults import FILE, BadRun, Fault, exit_code, on_one_line
 
 
 def report(words):

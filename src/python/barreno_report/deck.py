@@ -7,6 +7,7 @@ import xml.etree.ElementTree as xml
 import numpy as np
 
 from barreno_report.files import reading
+from barreno_runs.regular_file import read_text
 
 
 class Deck:
@@ -88,4 +89,4 @@ def read_deck(file):
     if not file.exists():
         return Deck(xml.Element("ParameterList"))
     with reading(file):
-        return Deck(xml.fromstring(file.read_text(encoding="utf-8")))
+        return Deck(xml.fromstring(read_text(file)))

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Depth against time with its interval, the rate at which it grows, and the share of the jet that is spent."""
 
-import matplotlib.pyplot as plt
 import numpy as np
+
+from barreno_runs.plots import plt
 
 MILLI, MICRO, KILO = 1e-3, 1e-6, 1e3
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where the energy that was put in went, by term; the rest is the error of the balance."""
 
-import matplotlib.pyplot as plt
 import numpy as np
+
+from barreno_runs.plots import plt
 
 MICRO = 1e-6
 KEPT = ("kinetic", "elastic", "plastic", "viscous", "friction", "removed_kinetic", "damped")

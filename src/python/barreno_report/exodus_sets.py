@@ -10,6 +10,8 @@ import tempfile
 import numpy as np
 from netCDF4 import Dataset
 
+from barreno_runs.regular_file import checked
+
 # What only a file of a set has: its place in the set, and its own numbers of the nodes and elements inside it.
 NEMESIS = re.compile(
     r".*_global|(node|elem)_map[ibe].*|(nem_ftype|(int|bor|ext)_[ne]_stat|num_(int|bor|ext)_(node|elem)s?)"
@@ -48,7 +50,7 @@ class Set:
     """The open files, and how many elements of each block they have."""
 
     def __init__(self, files):
-        self.parts = [Dataset(file) for file in files]
+        self.parts = [Dataset(checked(file)) for file in files]
         for part in self.parts:
             part.set_auto_mask(False)
         self.blocks = range(1, length(self.parts[0], "num_el_blk") + 1)
@@ -154,7 +156,7 @@ def open_whole(path):
     files = files_of(path)
     if len(files) > 1:
         return WholeData(files)
-    data = Dataset(files[0])
+    data = Dataset(checked(files[0]))
     data.set_auto_mask(False)
     return data
 

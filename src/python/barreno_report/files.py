@@ -10,6 +10,7 @@ import xml.etree.ElementTree
 import numpy as np
 
 from barreno_runs.faults import BadRun, on_one_line
+from barreno_runs.regular_file import read_bytes, read_text
 
 
 @contextlib.contextmanager
@@ -42,7 +43,7 @@ def written(file):
 
 def write_text(file, text):
     with written(file) as aside:
-        aside.write_text(text, encoding="utf-8")
+        aside.write_text(text, encoding="utf-8", errors="backslashreplace")
 
 
 def make_folder(folder):
@@ -71,7 +72,7 @@ def read_csv(file):
     is left out too; line ends of other systems are line ends."""
     file = pathlib.Path(file)
     with reading(file):
-        lines = file.read_bytes().decode("utf-8").replace("\r\n", "\n").split("\n")
+        lines = read_bytes(file).decode("utf-8").replace("\r\n", "\n").split("\n")
     rows = [(number, line.strip().split(",")) for number, line in enumerate(lines[:-1], 1) if line.strip() and not line.startswith("#")]
     if len(rows) < 2:
         raise BadRun(f"{file.name} contains no row of numbers")
@@ -93,7 +94,7 @@ def read_summary(file):
     if not file.exists():
         return {}
     with reading(file):
-        summary = json.loads(file.read_text(encoding="utf-8"))
+        summary = json.loads(read_text(file))
         if not isinstance(summary, dict):
             raise ValueError("it is not a JSON object")
         return summary

@@ -3,7 +3,6 @@
 
 import shutil
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.animation import FFMpegWriter
 from PIL import Image
@@ -13,6 +12,7 @@ from barreno_report.fields import look_of, range_of, values_of
 from barreno_report.files import written
 from barreno_report.particles import areas_of
 from barreno_runs.faults import FILE, Fault
+from barreno_runs.plots import plt
 
 DPI = 80
 

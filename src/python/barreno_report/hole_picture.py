@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The hole in its rock: wall and zones against depth, porosity and permeability against radius."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import TwoSlopeNorm
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
+
+from barreno_runs.plots import plt
 
 MILLI = 1e-3
 SPREAD = 0.5  # of the virgin porosity, at the ends of the colours

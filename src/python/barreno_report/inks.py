@@ -4,6 +4,8 @@
 import numpy as np
 from matplotlib.colors import ListedColormap
 
+from barreno_runs.plots import plain_log
+
 PRESSURES, SHEARS = (30.0, 3000.0), (10.0, 600.0)  # MPa: from white to full ink, logarithmic
 
 
@@ -25,4 +27,5 @@ def draw_inks(axes):
     colours = colour_of(*np.meshgrid(pressure, shear))
     number = np.arange(colours[..., 0].size).reshape(colours.shape[:2])
     axes.pcolormesh(pressure, shear, number, cmap=ListedColormap(colours.reshape(-1, 3)), vmin=-0.5, vmax=number.size - 0.5, rasterized=True)
-    axes.set(xscale="log", yscale="log", xlim=(pressure[0], pressure[-1]), ylim=(shear[0], shear[-1]), xlabel="pressure [MPa]", ylabel=r"$\sqrt{J_2}$ [MPa]", title="colours (tension: yellow)")
+    axes.set(xscale="log", yscale="log", xlim=(pressure[0], pressure[-1]), ylim=(shear[0], shear[-1]), xlabel="pressure [MPa]", ylabel="√J₂ [MPa]", title="colours (tension: yellow)")
+    plain_log(axes.xaxis, axes.yaxis)

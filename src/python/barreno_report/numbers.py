@@ -19,7 +19,8 @@ def depth_text(depth, penetration):
     study, error = penetration.get("convergence"), penetration.get("depth_error", {})
     if study:
         cells = ", ".join(f"{size / MILLI:.3g}" for size in sorted(study["cells"], reverse=True))
-        what = "grid convergence index" if study["extrapolated"] is not None else "spread, without an order"
+        alone = "the two smallest, which agree" if study.get("verdict") == "two agree" else "spread, without an order"
+        what = "grid convergence index" if study["extrapolated"] is not None else alone
         text += f"; {study['low'] / MILLI:.1f} to {study['high'] / MILLI:.1f} mm by cells of {cells} mm ({what})"
     if "value" in error:
         text += f"; error from the size of the cells {error_text(error)} at {count_text(error['cells_per_radius'])} per jet radius, as {error['source']}"

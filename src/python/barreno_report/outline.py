@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Outlines of bodies: the border of what their particles cover."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
+
+from barreno_runs.plots import plt
 
 MOST_PIXELS = 1500  # along an edge of the picture
 

@@ -5,10 +5,11 @@ import base64
 import html
 import textwrap
 
-import matplotlib.pyplot as plt
 from matplotlib.backends.backend_pdf import PdfPages
 
 from barreno_runs.faults import on_one_line
+from barreno_runs.plots import plt
+from barreno_runs.regular_file import read_bytes
 
 STYLE = """body { font: 15px/1.45 sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc; }
@@ -46,7 +47,7 @@ def html_table(heads, rows):
 
 
 def html_picture(picture, folder):
-    data = base64.b64encode((folder / f"{picture.name}.png").read_bytes()).decode("ascii")
+    data = base64.b64encode(read_bytes(folder / f"{picture.name}.png")).decode("ascii")
     caption = html.escape(picture.caption)
     return f'<figure><img alt="{html.escape(picture.name)}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
 
@@ -94,7 +95,7 @@ def captioned(picture, title):
     letters = max(40, int(figure.get_figwidth() * LETTERS_PER_INCH))
     return [
         figure.text(0.0, 1.0 + GAP / figure.get_figheight(), title, ha="left", va="bottom", fontsize=13, weight="bold"),
-        figure.text(0.0, -GAP / figure.get_figheight(), textwrap.fill(picture.caption, letters).replace("$", r"\$"), ha="left", va="top", fontsize=10),
+        figure.text(0.0, -GAP / figure.get_figheight(), textwrap.fill(picture.caption, letters), ha="left", va="top", fontsize=10),
     ]
 
 
@@ -104,7 +105,7 @@ def write_pdf(file, title, sections):
     with PdfPages(file, metadata={"Title": on_one_line(title), "CreationDate": None}) as pdf:
         for begin in range(0, len(lines), PAGE):
             page = plt.figure(figsize=PAPER)
-            page.text(0.08, 0.95, "\n".join(lines[begin : begin + PAGE]).replace("$", r"\$"), va="top", family="monospace", fontsize=8.5, linespacing=1.35)
+            page.text(0.08, 0.95, "\n".join(lines[begin : begin + PAGE]), va="top", family="monospace", fontsize=8.5, linespacing=1.35)
             pdf.savefig(page)
             plt.close(page)
         for section in sections:

@@ -2,7 +2,6 @@
 """Pictures of stress paths: where the particles are in the pressure-shear map, and their paths in the meridional plane, in the octahedral
 view and in the space of principal stresses, with the surfaces of their cards."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.ticker import MaxNLocator
@@ -11,6 +10,7 @@ from barreno_report.channel import VOID, draw_outlines, set_limits, set_up, time
 from barreno_report.inks import draw_inks, colour_of
 from barreno_report.principal import ACROSS, AXIS, UP, lode_of_turn, revolved
 from barreno_report.stress_paths import surface_now
+from barreno_runs.plots import plt
 
 MILLI, MEGA = 1e-3, 1e6
 COLOURS = ("#d62728", "#ff9f1c", "#2a9d8f", "#1f77b4", "#9467bd", "#8c564b", "#e377c2", "#17becf")
@@ -146,7 +146,7 @@ def draw_row(figure, grid, time, deck, paths, surfaces, most, wet):
     """Three views of the paths up to a pressure. @return the first of them"""
     meridian = figure.add_subplot(grid[0])
     draw_meridians(meridian, time, paths, surfaces, most)
-    meridian.set(xlabel="effective pressure p - pore pressure [MPa]" if wet else "pressure p [MPa]", ylabel=r"$\sqrt{J_2}$ [MPa]")
+    meridian.set(xlabel="effective pressure p - pore pressure [MPa]" if wet else "pressure p [MPa]", ylabel="√J₂ [MPa]")
     draw_octahedral(figure.add_subplot(grid[1]), time, deck, paths, surfaces, most)
     draw_space(figure.add_subplot(grid[2], projection="3d"), deck, paths, surfaces, most)
     return meridian

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pressure-shear map: where the rock at the tip of the hole stands in its strength."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from barreno_report.hole import jet_particles
 from barreno_report.particles import offsets
 from barreno_report.strength import strength_of
+from barreno_runs.plots import plt
 
 MILLI, MEGA = 1e-3, 1e6
 NEAR = 8.0  # cells: distance from the tip within which rock is shown
@@ -66,7 +66,7 @@ def strength_figure(frame, deck, tip, distance):
     wet = "pore_pressure" in frame.names
     for axes, part in zip(panels[0], parts):
         points = draw_points(axes, found, deck, max(part, MEGA))
-        axes.set(xlabel="effective pressure p - pore pressure [MPa]" if wet else "pressure p [MPa]", ylabel=r"$\sqrt{J_2}$ [MPa]")
+        axes.set(xlabel="effective pressure p - pore pressure [MPa]" if wet else "pressure p [MPa]", ylabel="√J₂ [MPa]")
     panels[0, -1].legend(fontsize=8, loc="upper left")
     if len(parts) > 1:
         panels[0, 0].set_title("up to twice the crushing pressure of virgin rock", fontsize=10)

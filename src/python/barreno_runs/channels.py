@@ -4,19 +4,17 @@
 import dataclasses
 import textwrap
 
-import matplotlib
+import numpy as np
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-
-from barreno_report.channel import Half, draw_half, set_limits, set_up, size_of, time_text  # noqa: E402
-from barreno_report.deck import Deck, read_deck  # noqa: E402
-from barreno_report.fields import PLASTIC_STRAIN  # noqa: E402
-from barreno_report.hole import jet_particles  # noqa: E402
-from barreno_report.particles import Frame, ParticleFile  # noqa: E402
-from barreno_runs.faults import BadRun, NothingToDraw  # noqa: E402
-from barreno_runs.pictures import save  # noqa: E402
+from barreno_report.channel import Half, draw_half, set_limits, set_up, size_of, time_text
+from barreno_report.deck import Deck, read_deck
+from barreno_report.fields import PLASTIC_STRAIN
+from barreno_report.files import reading
+from barreno_report.hole import jet_particles
+from barreno_report.particles import Frame, ParticleFile
+from barreno_runs.faults import BadRun, NothingToDraw
+from barreno_runs.pictures import save
+from barreno_runs.plots import plt
 
 TALL, LEAST, MOST, WIDEST = 4.2, 1.5, 6.0, 14.0  # of a channel, and of the picture [in]
 MARGIN = 0.6  # in, beside a channel
@@ -39,7 +37,17 @@ def read_channel(folder):
     frame = ParticleFile(folder / "particles.e").frame()
     if len(frame.corners) == 0:
         raise ValueError("its last step has no particle")
-    return Channel(frame, read_deck(folder / "deck.xml"))
+    return Channel(frame, checked_deck(folder / "deck.xml"))
+
+
+def checked_deck(file):
+    """A deck that was changed by hand may have words for the numbers that a picture needs."""
+    deck = read_deck(file)
+    with reading(file):
+        deck.materials_of_bodies()
+        deck.mirrored()
+        deck.slugs()
+    return deck
 
 
 def read_all(rows):
@@ -53,7 +61,7 @@ def read_all(rows):
             found[-1] = read_channel(row.folder)
         except UNREADABLE as error:
             why = " ".join(str(error).split())[:LONGEST_REASON]
-            remarks.append(f"channels.png lacks {row.label}, because {row.folder / 'particles.e'} cannot be read ({why}).")
+            remarks.append(f"channels.png lacks {row.label}, because {row.folder} cannot be drawn ({why}).")
     return found, remarks
 
 

@@ -5,6 +5,8 @@ import xml.etree.ElementTree as xml
 
 from barreno_runs.faults import FILE, Fault
 
+DEEPEST = 40  # lists in lists; a deck has five
+
 
 def find_list(deck, path):
     """The element of a list, or None."""
@@ -32,8 +34,11 @@ def value_in(deck, path):
 def values_of(node, path=""):
     """{path: text} of all parameters in an element and in the lists in it."""
     found = {}
+    if path.count("/") > DEEPEST:
+        raise ValueError(f"its lists are nested more than {DEEPEST} times")
     for child in node:
-        whole = f"{path}/{child.get('name')}" if path else child.get("name")
+        name = child.get("name", "")
+        whole = f"{path}/{name}" if path else name
         if child.tag == "ParameterList":
             found.update(values_of(child, whole))
         else:
@@ -45,5 +50,5 @@ def all_values(deck, file="deck.xml"):
     """@param file  that a sentence names"""
     try:
         return values_of(xml.fromstring(deck))
-    except xml.ParseError as error:
+    except (xml.ParseError, ValueError, RecursionError) as error:
         raise Fault(f"{file} is not a deck ({error}); make the run again.", FILE) from None

@@ -11,7 +11,13 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from barreno_report.exodus_sets import as_one_file, files_of, join  # noqa: E402, F401
+from barreno_runs.faults import FILE, Fault, exit_code, missing_package, on_one_line, say  # noqa: E402
+
+try:
+    from barreno_report.exodus_sets import as_one_file, files_of, join  # noqa: E402, F401
+except ModuleNotFoundError as error:
+    say(missing_package(error) or on_one_line(error))
+    sys.exit(FILE)
 
 
 def join_set(name, out):
@@ -31,17 +37,22 @@ def join_set(name, out):
         aside.unlink(missing_ok=True)
 
 
-def main():
+def run(words):
     parser = argparse.ArgumentParser(prog="barreno join", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("set", metavar="SET", help="a run's folder, its particles.e or a file of the set")
     parser.add_argument("--out", required=True, metavar="FILE", help="the single file to be written")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(words)
     try:
         join_set(arguments.set, arguments.out)
     except (OSError, RuntimeError) as error:  # netCDF reports a full disk with the latter
-        print(f"cannot join '{arguments.set}' ({error}).", file=sys.stderr)
-        return 2
+        raise Fault(f"cannot join '{arguments.set}' ({error}).", FILE) from None
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise Fault(f"cannot join '{arguments.set}' (a file of it is truncated or was changed: {error}).", FILE) from None
     return 0
+
+
+def main(words=None):
+    return exit_code(run, sys.argv[1:] if words is None else words)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Curves of several runs."""
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+from barreno_runs.plots import plt
 
 TOLD_APART = 10  # colours that the eye tells apart
 MOST_LABELS = 24

@@ -6,12 +6,13 @@ import dataclasses
 import io
 import pathlib
 
-from barreno_runs.faults import Fault, NothingToDraw
+from barreno_runs.faults import Fault, NothingToDraw, on_one_line
 from barreno_runs.run_folder import read_summary, read_table, scalars_of
 from barreno_runs.tables import place
 
 FINISHED = "finished"
 DEPTH = "penetration.depth"
+CHANGED = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # what files that no run wrote lead to
 MOST_CHANNELS = 40  # one picture of more would show nothing
 
 
@@ -104,7 +105,10 @@ def write_channels(out, rows, columns, remarks):
     def draw(aside):
         from barreno_runs.channels import draw_channels  # slow to load
 
-        remarks.extend(draw_channels(aside, rows[:MOST_CHANNELS], columns))
+        try:
+            remarks.extend(draw_channels(aside, rows[:MOST_CHANNELS], columns))
+        except CHANGED as error:
+            raise NothingToDraw(f"a file of a run was changed ({on_one_line(error)[:200]})") from error
 
     return draw_into(out / "channels.png", draw, "python3-netcdf4" if has_matplotlib() else "python3-matplotlib", remarks)
 

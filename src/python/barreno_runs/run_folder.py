@@ -8,15 +8,52 @@ import re
 
 from barreno_runs.faults import FILE, Fault
 from barreno_runs.program import body_of
+from barreno_runs.regular_file import open_regular, read_text
+
+
+DEEPEST = 40  # objects in objects; a summary has four
+MOST_DIGITS = 18  # of a whole number
+NUMBER, LIST = (int, float), dict
+KINDS = {  # what commands reckon with, where a summary has it: a number, an object, or the word that says so
+    "time": NUMBER, "wall_seconds": NUMBER, "steps": NUMBER, "exit_code": NUMBER, "reason": str, "version": str, "penetration": LIST, "penetration.depth": NUMBER,
+    "penetration.channel_depth": NUMBER, "penetration.cells_per_radius": LIST, "penetration.cells_per_radius.tip": NUMBER, "penetration.depth_error": LIST,
+    "penetration.depth_error.value": NUMBER, "penetration.depth_error.low": NUMBER, "penetration.depth_error.high": NUMBER, "penetration.depth_error.cells_per_radius": NUMBER,
+    "penetration.depth_error.source": str, "balances": LIST, "balances.energy": LIST, "balances.energy.error": NUMBER,
+}  # fmt: skip
+WORDS = {NUMBER: "a number", LIST: "an object", str: "a text"}
+
+
+def check_depth(tree, left=DEEPEST):
+    if left == 0:
+        raise ValueError(f"it is nested more than {DEEPEST} times")
+    for value in tree.values() if isinstance(tree, dict) else tree:
+        if isinstance(value, (dict, list)):
+            check_depth(value, left - 1)
+
+
+def check_kinds(summary):
+    """A file that was changed by hand may have a text where a number belongs."""
+    for path, kind in KINDS.items():
+        value = summary
+        for name in path.split("."):
+            value = value.get(name) if isinstance(value, dict) else None
+        if value is not None and (not isinstance(value, kind) or isinstance(value, bool)):
+            raise ValueError(f"{path} is {json.dumps(value)[:60]}, where {WORDS[kind]} belongs")
+
+
+def whole_number(text):
+    return int(text) if len(text) <= MOST_DIGITS else float(text)
 
 
 def read_summary(folder):
     file = pathlib.Path(folder) / "summary.json"
     try:
-        found = json.loads(file.read_text(encoding="utf-8"))
+        found = json.loads(read_text(file), parse_int=whole_number)
         if not isinstance(found, dict):
             raise ValueError("it is not a JSON object")
-    except (OSError, ValueError) as error:
+        check_depth(found)
+        check_kinds(found)
+    except (OSError, ValueError, RecursionError) as error:
         raise Fault(f"{file} cannot be read ({error}); remove the folder, so that the run is made again.", FILE) from None
     return found
 
@@ -26,7 +63,7 @@ def read_table(file):
     import numpy as np  # slow to load, and help does without
 
     try:
-        with open(file, newline="", encoding="utf-8") as stream:
+        with open_regular(file, newline="") as stream:
             rows = list(csv.reader(line for line in stream if line.strip() and not line.startswith("#")))
         whole = [row for row in rows[1:] if len(row) == len(rows[0])]
         values = np.array([[float(cell) for cell in row] for row in whole], float).reshape(len(whole), len(rows[0]))
@@ -55,7 +92,7 @@ def numbers_of(tree):
 def deck_in(folder):
     """The effective deck of a run, without the comment that names its file; None where there is none."""
     try:
-        return body_of((folder / "deck.xml").read_text(encoding="utf-8"))
+        return body_of(read_text(folder / "deck.xml"))
     except (OSError, UnicodeDecodeError):
         return None
 
@@ -72,7 +109,7 @@ def state_of(folder):
 def progress_of(folder):
     """Share of a run that is done, as the last line of progress in its run.log has it."""
     try:
-        with open(folder / "run.log", "rb") as stream:
+        with open_regular(folder / "run.log", "rb") as stream:
             stream.seek(0, 2)
             stream.seek(max(0, stream.tell() - 4096))
             found = re.findall(rb"^ *(\d+) %  t ", stream.read(), re.MULTILINE)

@@ -23,7 +23,7 @@ def place(file, content):
         if callable(content):
             content(aside)
         else:
-            aside.write_text(content, encoding="utf-8")
+            aside.write_text(content, encoding="utf-8", errors="backslashreplace")
         os.replace(aside, file)
     except OSError as error:
         with contextlib.suppress(OSError):
