@@ -2,35 +2,37 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A jet table as it stands at another plane, further along the jet's flight.
 
-    python3 move_jet.py TABLE --by 0.05 > moved.csv
+    python3 move_jet.py TABLE --by "50 mm" > moved.csv
 
 Every row is a slice that flies on with its own speed u: it passes the new plane at t2 = t + D / u, D being the distance
-(--by, m). Rows touch there: a slice lasts dt2, from half-way to the row before it to half-way to the row behind it, so that
+(--by). Rows touch there: a slice lasts dt2, from half-way to the row before it to half-way to the row behind it, so that
 dt2 / dt = 1 - D u' / u^2 for short slices, u' = du/dt along the table. As long as the jet is whole its metal keeps its
 density and thins, r2 = r sqrt(dt / dt2), length u dt2. A slice that has broken up keeps radius and length; gaps grow.
 
 Rows that catch up with those before them (an inverse velocity gradient, at the tip of a formed jet) merge on the way:
 mass and momentum stay, the kinetic energy that is lost is reported as heat.
 
-When a slice breaks (--break-up), counted from the virtual origin, --origin m before the plane of the table:
+When a slice breaks (--break-up), counted from the virtual origin, --origin before the plane of the table:
   never            it stays whole (default)
-  TIME             seconds
-  hirsch           t_b = 2 r / V_PL: E. Hirsch's plastic velocity, --plastic-velocity (m/s). Recalled, not found again: the
+  TIME             "90 us"
+  hirsch           t_b = 2 r / V_PL: E. Hirsch's plastic velocity, --plastic-velocity. Recalled, not found again: the
                    formula, and 80 to 200 m/s, usually 100 to 120, for copper
   chou-carleone    t_b = (r / Cp) (3.75 - 0.125 r s / Cp + Cp / (r s)), Cp = sqrt(Y / rho), s the stretch rate -u' / u, Y
-                   --yield (Pa). Recalled, not found again: form and numbers of P. C. Chou and J. Carleone
+                   --yield. Recalled, not found again: form and numbers of P. C. Chou and J. Carleone
 They differ by a factor of two to four: treat a break-up time as an input with a range.
 
 --target DENSITY --cut-off SPEED prints on stderr the depth of penetration from the virtual origin into a strengthless
 target (W. A. Allison, R. Vitali, BRL report 1184, 1963; R. DiPersio, J. Simon, BRL memorandum report 1542, 1964; derived
 anew, see virtual_origin_depth).
 
-A table may be of any kind of Jet/Kind. Input and output are in SI. Only the standard library is used.
+A table may be of any kind of Jet/Kind. Quantities have the units of decks, "50 mm", or are in SI without one; tables are in SI. Only the standard library is used.
 """
 
 import argparse
 import math
 import sys
+
+from quantity import quantity, value_of
 
 HEADER = "time,velocity,radius,length,density"
 
@@ -200,13 +202,13 @@ def move(rows, distance, origin=0.0, choice=None):
 def arguments(given):
     parser = argparse.ArgumentParser(description="A jet table at another plane.", allow_abbrev=False)
     parser.add_argument("table")
-    parser.add_argument("--by", type=float, required=True, help="distance to the new plane [m]")
-    parser.add_argument("--origin", type=float, default=0.0, help="of the virtual origin before the table's plane [m]")
-    parser.add_argument("--break-up", default="never", help="never, seconds, hirsch or chou-carleone")
-    parser.add_argument("--plastic-velocity", type=float, default=110.0, help="of hirsch [m/s]; recalled")
-    parser.add_argument("--yield", dest="yield_stress", type=float, default=200e6, help="of chou-carleone [Pa]")
-    parser.add_argument("--target", type=float, help="density of a strengthless target [kg/m3]")
-    parser.add_argument("--cut-off", type=float, help="speed below which nothing penetrates [m/s]")
+    parser.add_argument("--by", type=quantity("length"), required=True, help='distance to the new plane, "50 mm"')
+    parser.add_argument("--origin", type=quantity("length"), default=0.0, help="of the virtual origin before the table's plane")
+    parser.add_argument("--break-up", default="never", help='never, a time ("90 us"), hirsch or chou-carleone')
+    parser.add_argument("--plastic-velocity", type=quantity("speed"), default=110.0, help="of hirsch (default 110 m/s); recalled")
+    parser.add_argument("--yield", dest="yield_stress", type=quantity("stress"), default=200e6, help="of chou-carleone (default 200 MPa)")
+    parser.add_argument("--target", type=quantity("density"), help='density of a strengthless target, "2.3 g/cm3"')
+    parser.add_argument("--cut-off", type=quantity("speed"), help='speed below which nothing penetrates, "2 km/s"')
     return parser.parse_args(given)
 
 
@@ -223,11 +225,11 @@ def choice_of(asked):
             raise TableError("--yield must be above 0 Pa; give the flow stress of the jet.")
         return lambda radius, rate, density: chou_carleone(radius, rate, asked.yield_stress, density)
     try:
-        time = float(asked.break_up)
-    except ValueError:
-        time = math.nan
-    if not time >= 0.0:
-        raise TableError(f"--break-up = {asked.break_up} is none of never, hirsch, chou-carleone or seconds; write one of them.")
+        time = value_of(asked.break_up, "time")
+    except ValueError as error:
+        raise TableError(f"--break-up is none of never, hirsch and chou-carleone, and {error}.") from None
+    if time < 0.0:
+        raise TableError(f"--break-up = {asked.break_up} is before the virtual origin; give a time of 0 or more.")
     return lambda radius, rate, density: time
 
 

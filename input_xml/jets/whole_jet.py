@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The whole part of a formed jet's table: without what flies ahead of it.
 
-    python3 whole_jet.py TABLE --thinnest 0.125e-3 > whole.csv
+    python3 whole_jet.py TABLE --thinnest "0.125 mm" > whole.csv
 
 The first rows of a table that a Jet Monitor has written are single particles, thrown ahead of the jet. Launched as a thinned jet they are
 filaments far thinner than a cell, which take short steps. In the faster half of the table, the rows are left out
-up to the last one whose metal has a radius below --thinnest (m; half a cell is a good choice), and those before a gap.
+up to the last one whose metal has a radius below --thinnest (half a cell is a good choice), and those before a gap.
 What they had of mass, momentum and kinetic energy is written into the table.
 
-Input and output are in SI. Only the standard library is used.
+Tables are in SI. Only the standard library is used.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import math
 import sys
 
 from move_jet import HEADER, TableError, read_table, totals
+from quantity import quantity
 
 
 def metal_radius(row, density):
@@ -40,7 +41,7 @@ def first_of_whole(rows, thinnest):
 def main(given=None):
     parser = argparse.ArgumentParser(description="The whole part of a formed jet's table.", allow_abbrev=False)
     parser.add_argument("table")
-    parser.add_argument("--thinnest", type=float, required=True, help="radius of the metal below which a row is no part of the jet [m]")
+    parser.add_argument("--thinnest", type=quantity("length"), required=True, help='radius of the metal below which a row is no part of the jet, "0.125 mm"')
     asked = parser.parse_args(given)
     try:
         with open(asked.table, encoding="utf-8") as stream:

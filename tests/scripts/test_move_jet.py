@@ -12,8 +12,10 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JETS = ROOT / "input_xml" / "jets"
-sys.path.insert(0, str(JETS))
+sys.path[:0] = [str(JETS), str(ROOT / "materials" / "python")]
 import move_jet  # noqa: E402
+import quantity  # noqa: E402
+from barreno_fit import units  # noqa: E402
 
 DENSITY, TIP, ORIGIN = 8930.0, 7000.0, 0.05
 RADIUS = 1.5e-3
@@ -128,6 +130,9 @@ class MoveJet(unittest.TestCase):
             (["--by", "0"], good, "is not above 0"),
             (["--by", "0.1", "--origin", "-1"], good, "is negative"),
             (["--by", "0.1", "--break-up", "soon"], good, "is none of never"),
+            (["--by", "0.1", "--break-up", "90 mm"], good, 'has the unit "mm", which is none of a time'),
+            (["--by", "0.1", "--break-up", "nan"], good, "is not a time"),
+            (["--by", "0.1", "--break-up", "-1 us"], good, "before the virtual origin"),
             (["--by", "0.1", "--break-up", "hirsch", "--plastic-velocity", "0"], good, "--plastic-velocity must be above 0"),
             (["--by", "0.1", "--break-up", "chou-carleone", "--yield", "0"], good, "--yield must be above 0"),
             (["--by", "0.1", "--target", "2300"], good, "--cut-off must be given"),
@@ -158,6 +163,30 @@ class MoveJet(unittest.TestCase):
             self.assertTrue(all(row[5] > 0.999 for row in move_jet.with_filled_part(rows[kind])[1:-1]))
         bad = subprocess.run([sys.executable, JETS / "make_jet.py", "solid"], capture_output=True, text=True)
         self.assertEqual((bad.returncode, "is no kind of a jet" in bad.stderr), (1, True))
+
+    def test_quantities_with_units(self):
+        """Words are as in decks: the same table as with plain numbers in SI."""
+        plain = ("--by", "0.05", "--origin", "0.12", "--break-up", "90e-6", "--target", "2300", "--cut-off", "2000")
+        named = ("--by", "50 mm", "--origin", "12cm", "--break-up", "90 us", "--target", "2.3 g/cm3", "--cut-off", "2 km/s")
+        calls = [[sys.executable, JETS / "move_jet.py", JETS / "tungsten_154.csv", *words] for words in (plain, named)]
+        first, second = [subprocess.run(call, capture_output=True, text=True, check=True) for call in calls]
+        rows = [[line for line in done.stdout.splitlines() if not line.startswith("# Made by")] for done in (first, second)]
+        self.assertEqual(rows[0], rows[1])
+        self.assertEqual(first.stderr, second.stderr)
+        for words in (["--by", "50 kg"], ["--by", "far"], ["--by", "1", "--yield", "3 mm"], ["--by", "1", "--plastic-velocity", "3 s"]):
+            done = subprocess.run([sys.executable, JETS / "move_jet.py", JETS / "tungsten_154.csv", *words], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("write for example", done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+
+    def test_units_are_those_of_decks(self):
+        """A unit has one factor in all tools."""
+        for kind in ("stress", "density"):
+            both = quantity.UNITS[kind].keys() & units.UNITS[kind].keys()
+            self.assertGreaterEqual(len(both), 2)
+            self.assertEqual({unit: quantity.UNITS[kind][unit] for unit in both}, {unit: units.UNITS[kind][unit] for unit in both})
+        self.assertEqual(quantity.value_of("90 us", "time"), 90e-6)
+        self.assertEqual(quantity.value_of("7 mm/us", "speed"), 7000.0)
 
     def test_what_it_prints_is_a_table(self):
         done = subprocess.run(
