@@ -22,6 +22,13 @@ import numpy
 
 ABI_VERSION = 1
 STRESS, ELASTIC, CONSISTENT = 0, 1, 2  # what an update is asked for: stress alone, or with one of two tangents
+OK, SUBSTEP_LIMIT, NOT_CONVERGED, BAD_INPUT = 0, 1, 2, 3  # status of a point
+STATUS = {
+    OK: "the step is taken",
+    SUBSTEP_LIMIT: "the step needs more substeps than are allowed: try a smaller step",
+    NOT_CONVERGED: "the step did not converge: try a smaller step",
+    BAD_INPUT: "the step or the state is impossible (not finite, too large, or a volume ratio, `initialized` or initial stress out of range): check what was passed",
+}
 
 Answer = collections.namedtuple("Answer", "stress state tangent status")
 
@@ -124,9 +131,15 @@ class Material:
         """Stress and state of points that a host has not touched."""
         return numpy.zeros((count, 6)), numpy.zeros((count, self.state_count))
 
+    def why(self):
+        """The library's sentence on the first point that failed in the last update of this thread; "" if none did in any."""
+        return self.library.barreno_last_error().decode()
+
     def update(self, strain, stress, state, dt=1.0, want=CONSISTENT):
-        """One increment of each point: new stress, new state, tangent (zeros if it is not wanted), and a status that is
-        not 0 where the update failed and stress and state are the old ones."""
+        """One increment of each point: new stress, new state, tangent (zeros if it is not wanted) and status.
+
+        A point whose status is not OK (0) has failed, and its stress and state are the old ones: SUBSTEP_LIMIT (1) and NOT_CONVERGED (2)
+        may succeed with a smaller step, BAD_INPUT (3) will not. STATUS has words for each; why() says it of the first that failed."""
         strain, stress, state = (numpy.ascontiguousarray(a, dtype=float) for a in (strain, stress, state))
         count = len(strain)
         for name, array, width in (("strain", strain, 6), ("stress", stress, 6), ("state", state, self.state_count)):
