@@ -2,6 +2,7 @@
 """Numbers with units in the words of the tools in this folder, written as decks have them: "90 us", "50 mm", "200 MPa"; a plain number is in SI."""
 
 import argparse
+import decimal
 import math
 import re
 
@@ -25,7 +26,8 @@ def value_of(text, kind):
     unit = found.group(2)
     if unit and unit not in UNITS[kind]:
         raise ValueError(f'"{text}" has the unit "{unit}", which is none of a {kind} ({", ".join(UNITS[kind])}); write for example "{EXAMPLES[kind]}"')
-    return float(found.group(1)) * (UNITS[kind][unit] if unit else 1.0)
+    factor = UNITS[kind][unit] if unit else 1.0
+    return float(decimal.Decimal(found.group(1)) * decimal.Decimal(repr(factor)))  # 90 us is 90e-6 to the last bit, as in a deck
 
 
 def quantity(kind):
