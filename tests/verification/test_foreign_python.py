@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = ("docs", "input_xml", "tests", "verification", "cmake")
+FOLDERS = ("cmake", "docs", "input_xml", "verification")
 SCRIPTS = ("verify.py", "pages.py", "trade.py", "predictions.py", "extremes.py", "paper.py", "deck_times.py", "depth_runs.py", "converge_examples.py")
 
 
