@@ -25,7 +25,7 @@ def parse(words):
         EXAMPLE,
         "sweep.md",
         description="Runs side by side: what their decks and results differ in, curves and channels (docs/sweep.md).",
-        epilog="Example:\n  barreno compare runs/perforation-1 runs/perforation-2\n\nExit codes: 0 compared, 1 bad arguments, 2 file.",
+        epilog="Example:\n  barreno compare runs/perforation-1 runs/perforation-2\n\nExit codes: 0 compared, 1 bad arguments, 2 file, 4 internal.",
     )
     parser.add_argument("runs", nargs="*", metavar="RUN", help="folders of runs; differences are those from the first")
     parser.add_argument("--out", metavar="FOLDER", help="folder of the results (default runs/FIRST-compare)")
