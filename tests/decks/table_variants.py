@@ -35,12 +35,23 @@ def filled(table, separator=";"):
     return "".join(line + (2 * separator if not line.startswith("#") else "") + "\n" for line in text.splitlines()).encode() + 5 * separator.encode() + b"\n"
 
 
+def with_channels(table, below):
+    """One more row of text beside that of the units."""
+    lines = form_of(table, cells=(";", ","), style="row").decode().splitlines()
+    at = next(i for i, line in enumerate(lines) if line.startswith(table[2][0])) + (1 if below else 0)
+    return "\n".join(lines[:at] + [";".join(f"Kanal {chr(65 + i)}" for i in range(len(table[1])))] + lines[at:]).encode() + b"\n"
+
+
 def forms(table):
     """Name and bytes of each form."""
     for encoding, cells in itertools.product(ENCODINGS, CELLS):
         yield f"{encoding} {cells}", form_of((("Müller",) + tuple(table[0]), *table[1:]), encoding, cells)
     for style, end, title in itertools.product(UNITS, ENDS, TITLES):
         yield f"{style} {end!r} {title[:5]}", form_of(table, "latin-1", (";", ","), style, end, title)
+    for mark, gap, style in ((".", " ", "brackets"), (",", "   ", "brackets"), (".", " ", "row"), (",", "\t ", "row in brackets")):
+        yield f"blanks {mark}", form_of(table, cells=(gap, mark), style=style)
+    yield "names of channels above units", with_channels(table, below=False)
+    yield "names of channels below units", with_channels(table, below=True)
     yield "filled", filled(table)
     yield "filled with tabs", filled(table, "\t")
 

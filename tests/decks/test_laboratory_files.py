@@ -103,6 +103,22 @@ def check_read(folder):
         assert notes or not test.notes, f"{name}: {test.notes}"
 
 
+def check_hydrostatic(folder):
+    """The volume strain of strains on the axis and on the side, or of one of them where all sides are alike."""
+    head = "# kind: hydrostatic\n# compression: positive\n"
+    axial, radial = AXIAL, 0.7 * AXIAL
+    expected = -numpy.log1p(-axial) - 2 * numpy.log1p(-radial)
+    both = {"axial_strain [%]": 100 * axial, "radial strain [%]": 100 * radial, "confining pressure [MPa]": STRESS}
+    test = read(folder, head + table(both))
+    numpy.testing.assert_allclose(test.columns["volume_strain"], expected, rtol=1e-9, atol=1e-12)
+    assert list(test.columns) == ["pressure", "volume_strain"] and any("volume_strain is that of axial_strain and radial_strain" in note for note in test.notes), test
+    logarithmic = {"axial_strain [-]": -numpy.log1p(-axial), "radial_strain [-]": -numpy.log1p(-radial), "pressure [MPa]": STRESS}
+    numpy.testing.assert_allclose(read(folder, head + "# strain: logarithmic\n" + table(logarithmic)).columns["volume_strain"], expected, rtol=1e-9, atol=1e-12)
+    one = read(folder, head + table({"axial_strain [%]": 100 * axial, "pressure [MPa]": STRESS}))
+    numpy.testing.assert_allclose(one.columns["volume_strain"], -3 * numpy.log1p(-axial), rtol=1e-9, atol=1e-12)
+    assert any("alike on all sides" in note for note in one.notes), one.notes
+
+
 def check_refused(folder):
     for name, (text, words, sentence) in REFUSED.items():
         try:
@@ -126,7 +142,7 @@ def check_scatter(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as scratch:
-        for check in (check_read, check_refused, check_scatter):
+        for check in (check_read, check_hydrostatic, check_refused, check_scatter):
             check(pathlib.Path(scratch))
     print(f"{len(READ)} files of laboratories are read, {len(REFUSED)} refused with what to say")
 

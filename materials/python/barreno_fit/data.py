@@ -13,7 +13,7 @@ from barreno_fit import units
 from barreno_fit.faults import FILE, Fault
 from barreno_fit.kinds import DIMENSIONS, KINDS, columns_of
 from barreno_fit.laboratory import (
-    RAW, Said, check_elastic_signs, confinement_of_column, dimension_of, keys_of_titles, known_names, renamed, strains_from_lengths,
+    Said, check_elastic_signs, confinement_of_column, dimension_of, keys_of_titles, known_names, raw_columns, renamed, strains_from_lengths,
     stress_from_force, tell_rate, turn_signs,
 )  # fmt: skip
 from barreno_fit.table import decoded, is_number, split_table
@@ -26,7 +26,7 @@ LARGEST_STRESS = 200e9
 CURVE_UNCERTAINTY, TABLE_UNCERTAINTY = 0.02, 0.10
 KEYS = ("kind", "compression", "confinement", "porosity", "uncertainty", "strain", "strain_limit", "source", "diameter", "length")
 EXAMPLES = {"stress": "MPa", "strain": "%", "force": "kN", "length": "mm", "time": "s"}  # of units
-RAW_OF = {"axial_strain": ("axial_displacement",), "axial_stress": ("axial_force", "differential_force")}
+RAW_OF = {"volume_strain": ("axial_strain", "radial_strain", "axial_displacement", "diameter_change"), "axial_strain": ("axial_displacement",), "axial_stress": ("axial_force", "differential_force")}
 
 
 @dataclass
@@ -226,14 +226,14 @@ def read_test(file, said=None):
     file, said = str(file), said or Said()
     table, keys, kind, names, digest = read_table(file, said)
     what, rows = KINDS[kind], table.rows
-    used = [name for name in names if name in columns_of(what) or (what.curve and name in RAW)]
+    used = [name for name in names if name in columns_of(what) or name in raw_columns(what)]
     columns = {name: numbers_of(file, name, table.units[names.index(name)], names.index(name), rows) for name in used}
     labels = [cells[names.index("source")] for _, cells in rows] if "source" in names else [""] * len(rows)
     notes = [f"{file}: {note}" for note in table.notes]
     turn_signs(file, keys, said, columns)
     confinement = confinement_of(file, kind, keys, columns, notes)
     if what.curve:
-        strains_from_lengths(file, keys, columns, notes)
+        strains_from_lengths(file, kind, keys, columns, notes)
         stress_from_force(file, kind, keys, columns, confinement, notes)
         tell_rate(file, what.control, columns, notes)
         columns = {name: values for name, values in columns.items() if name in columns_of(what)}

@@ -73,9 +73,16 @@ def keys_of_titles(file, table):
     return keys
 
 
+def raw_columns(what):
+    """From which stresses and strains of a kind may follow."""
+    if not what.curve:
+        return ()
+    return (*RAW, "axial_strain", "radial_strain") if what.control == "volume_strain" else tuple(RAW)
+
+
 def renamed(file, table, what, said):
     """Names of the columns: as said, as known, or as guessed."""
-    possible = {*columns_of(what), *(RAW if what.curve else ()), "source"}
+    possible = {*columns_of(what), *raw_columns(what), "source"}
     names = []
     for name in table.names:
         if name in said.columns:
@@ -132,7 +139,7 @@ def dimensions_of_specimen(file, keys, key, need):
     return value
 
 
-def strains_from_lengths(file, keys, columns, notes):
+def strains_from_lengths(file, kind, keys, columns, notes):
     if "axial_displacement" in columns and "axial_strain" not in columns:
         length = dimensions_of_specimen(file, keys, "length", "axial_displacement")
         columns["axial_strain"] = columns["axial_displacement"] / length
@@ -140,6 +147,15 @@ def strains_from_lengths(file, keys, columns, notes):
     if "diameter_change" in columns and not {"radial_strain", "volume_strain"} & set(columns):
         columns["radial_strain"] = columns["diameter_change"] / dimensions_of_specimen(file, keys, "diameter", "diameter_change")
         notes.append(f"{file}: radial_strain is diameter_change over the diameter.")
+    if kind == "hydrostatic" and "volume_strain" not in columns:
+        axial, radial = (columns.get(name) for name in ("axial_strain", "radial_strain"))
+        axial, radial = radial if axial is None else axial, axial if radial is None else radial
+        if keys.get("strain", "").lower() == "logarithmic":
+            columns["volume_strain"] = axial + 2.0 * radial
+        else:
+            columns["volume_strain"] = 1.0 - (1.0 - axial) * (1.0 - radial) ** 2
+        names = sorted({"axial_strain", "radial_strain"} & set(columns))
+        notes.append(f"{file}: volume_strain is that of {' and '.join(names)}{' alike on all sides' if len(names) == 1 else ''}.")
 
 
 def stress_from_force(file, kind, keys, columns, confinement, notes):

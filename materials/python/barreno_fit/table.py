@@ -11,7 +11,8 @@ from barreno_fit.units import is_unit
 
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 DIGITS = re.compile(r"[-+]?([\d.,]*\d[\d.,]*)")  # that a cell begins with
-SEPARATORS = {";": "semicolons", "\t": "tabs"}
+PLAIN_NUMBER = re.compile(r"[-+]?[\d.,]*\d(\.|[eE][-+]?\d+)?")  # whatever its marks mean
+SEPARATORS = {";": "semicolons", "\t": "tabs", " ": "blanks"}
 
 
 @dataclass
@@ -61,13 +62,15 @@ def head_and_unit(cell):
 def separator_of(lines):
     """The sign that more than half of the lines of the second half, where titles are not, have outside of quotes."""
     lines = lines[len(lines) // 2 :]
-    for sign in SEPARATORS:
+    for sign in (";", "\t"):
         if 2 * sum(sign in re.sub(r'"[^"]*"', "", line) for _, line in lines) > len(lines):
             return sign
-    return ","
+    return " " if all(len(line.split()) > 1 and all(map(PLAIN_NUMBER.fullmatch, line.split())) for _, line in lines) else ","
 
 
 def cells_of(line, separator):
+    if separator == " ":
+        return re.sub(r"\s+(?=[\[(])", "", line).split()  # "Stress [MPa]" is one cell
     return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
 
 
@@ -101,6 +104,20 @@ def take_header(table, line):
         table.units.append(unit)
 
 
+def take_unit_row(table):
+    """Of the rows of text below the names the one that holds units; further ones, channels for instance, are not read."""
+    texts = next((i for i, (_, cells) in enumerate(table.rows) if not is_text_row(cells)), len(table.rows))
+    stripped = [[cell.strip("[]() ") for cell in cells] for _, cells in table.rows[:texts]]
+    found = next((i for i, cells in enumerate(stripped) if all(not cell or is_unit(cell) for cell in cells)), None)
+    if any(table.units) or not texts:
+        return
+    table.units = (stripped[found or 0] + [""] * len(table.names))[: len(table.names)]
+    skipped = [number for i, (number, _) in enumerate(table.rows[: texts if found is not None else 0]) if i != found]
+    if skipped:
+        table.notes.append(f"text below the column names is not read: line {skipped[0]}.")
+    table.rows = table.rows[texts if found is not None else 1 :]
+
+
 def split_table(file, text, known, decimal=""):
     """The table of a text; a Fault where the marks in its numbers leave open what they mean.
 
@@ -121,7 +138,10 @@ def split_table(file, text, known, decimal=""):
     separator = separator_of(lines)
     if separator in SEPARATORS:
         table.notes.append(f"cells are separated by {SEPARATORS[separator]}.")
-    lines = [(number, cells_of(line, separator)) for number, line in lines]
+    try:
+        lines = [(number, cells_of(line, separator)) for number, line in lines]
+    except csv.Error as error:
+        raise Fault(f"{file} is no table ({error}); is it the right file?") from None
     at = header_at(lines, known)
     table.titles = lines[:at]
     if at:
@@ -129,9 +149,7 @@ def split_table(file, text, known, decimal=""):
         table.notes.append(f"line {first} stands above the column names." if at == 1 else f"lines {first} to {last} stand above the column names.")
     take_header(table, lines[at])
     table.rows = [line for line in lines[at + 1 :] if any(line[1])]
-    if table.rows and not any(table.units) and is_text_row(table.rows[0][1]):
-        cells = [cell.strip("[]() ") for cell in table.rows.pop(0)[1]]
-        table.units = (cells + [""] * len(table.names))[: len(table.names)]
+    take_unit_row(table)
     for _, cells in table.rows:
         while len(cells) > len(table.names) and not cells[-1]:
             cells.pop()

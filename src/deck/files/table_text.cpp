@@ -69,6 +69,36 @@ bool has_outside_quotes(const std::string& line, char sign) {
   return false;
 }
 
+/// Between blanks; "Stress [MPa]" is one word.
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream stream(line);
+  for (std::string word; stream >> word;) {
+    if (!words.empty() && (word[0] == '[' || word[0] == '('))
+      words.back() += word;
+    else
+      words.push_back(word);
+  }
+  return words;
+}
+
+/// Two numbers at least, whatever the marks in them mean.
+bool is_row_of_numbers(const std::vector<std::string>& words) {
+  const auto is_number = [](const std::string& word) {
+    const std::size_t begin = word[0] == '+' || word[0] == '-' ? 1 : 0;
+    const std::size_t end = word.find_first_not_of("0123456789.,", begin);
+    const std::string rest = end == std::string::npos ? "" : word.substr(end);
+    const std::string digits = word.substr(begin, end == std::string::npos ? end : end - begin);
+    const bool exponent =
+        rest.size() > 1 && (rest[0] == 'e' || rest[0] == 'E') &&
+        rest.find_first_not_of("0123456789", rest[1] == '+' || rest[1] == '-' ? 2 : 1) ==
+            std::string::npos;
+    return digits.find_first_of("0123456789") != std::string::npos && digits.back() != ',' &&
+           (rest.empty() || exponent);
+  };
+  return words.size() > 1 && std::all_of(words.begin(), words.end(), is_number);
+}
+
 /// More than half of the lines of the second half, where titles are not, have it.
 char separator_of(const std::vector<TableLine>& lines) {
   const std::size_t begin = lines.size() / 2;
@@ -78,10 +108,13 @@ char separator_of(const std::vector<TableLine>& lines) {
       if (has_outside_quotes(lines[i].cells[0], sign)) ++with;
     if (2 * with > lines.size() - begin) return sign;
   }
-  return ',';
+  for (std::size_t i = begin; i < lines.size(); ++i)
+    if (!is_row_of_numbers(words_of(lines[i].cells[0]))) return ',';
+  return ' ';
 }
 
 std::vector<std::string> cells_of(const std::string& line, char separator) {
+  if (separator == ' ') return words_of(line);
   std::vector<std::string> cells(1);
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -153,6 +186,15 @@ bool is_unit_row(const std::vector<std::string>& cells) {
   });
 }
 
+/// No cell begins with a number.
+bool is_text_row(const std::vector<std::string>& cells) {
+  return std::none_of(cells.begin(), cells.end(), [](const std::string& cell) {
+    const std::size_t begin = cell.find_first_not_of("+-.,");
+    return begin != std::string::npos && begin < 3 &&
+           std::isdigit(static_cast<unsigned char>(cell[begin])) != 0;
+  });
+}
+
 void take_comment(const std::string& line, int number, TableText& table) {
   const std::size_t colon = line.find(':');
   if (colon == std::string::npos) return;
@@ -174,13 +216,23 @@ void take_header(const TableLine& line, TableText& table) {
   table.header_line = line.number;
 }
 
+/// Of the rows of text below the names the one that holds units; further ones, channels for
+/// instance, are not read.
 void take_unit_row(TableText& table) {
-  const bool given = !all_empty(table.units);
-  if (given || table.rows.empty() || !is_unit_row(table.rows.front().cells)) return;
-  const TableLine& row = table.rows.front();
-  for (std::size_t i = 0; i < table.units.size() && i < row.cells.size(); ++i)
-    table.units[i] = trimmed(row.cells[i], " []()");
-  table.rows.erase(table.rows.begin());
+  if (!all_empty(table.units)) return;
+  std::size_t texts = 0, found = 0;
+  while (texts < table.rows.size() && is_text_row(table.rows[texts].cells)) ++texts;
+  while (found < texts && !is_unit_row(table.rows[found].cells)) ++found;
+  if (found == texts) return;
+  const TableLine units = table.rows[found];
+  for (std::size_t i = 0; i < table.units.size() && i < units.cells.size(); ++i)
+    table.units[i] = trimmed(units.cells[i], " []()");
+  if (texts > 1)
+    table.notes.push_back(
+        "text below the column names is not read: line " +
+        std::to_string(table.rows[found == 0 ? 1 : 0].number) + "."
+    );
+  table.rows.erase(table.rows.begin(), table.rows.begin() + static_cast<std::ptrdiff_t>(texts));
 }
 
 /// A spreadsheet fills short rows up with empty cells.
@@ -199,7 +251,7 @@ std::string line_words(const std::vector<int>& numbers) {
 }  // namespace
 
 std::optional<int> scale_of_ratio(const std::string& unit) {
-  if (unit == "%") return -2;
+  if (unit == "%" || unit == "percent") return -2;
   if (unit == "\xE2\x80\xB0" || unit == "permille" || unit == "millistrain") return -3;
   if (unit == "microstrain" || unit == "ustrain") return -6;
   return std::nullopt;
@@ -238,7 +290,9 @@ TableText split_table(
   const char separator = separator_of(lines);
   if (separator != ',')
     table.notes.push_back(
-        std::string("cells are separated by ") + (separator == ';' ? "semicolons." : "tabs.")
+        std::string("cells are separated by ") + (separator == ';'   ? "semicolons."
+                                                  : separator == ' ' ? "blanks."
+                                                                     : "tabs.")
     );
   std::vector<std::string> as_they_stand;
   for (TableLine& line : lines) {
