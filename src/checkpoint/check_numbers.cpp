@@ -48,7 +48,7 @@ std::string fault_of_list(
 /// Rules of the numbers in for_each_number; any other is finite.
 Rule rule_of(const Scene& scene, const std::string& name) {
   constexpr double most = std::numeric_limits<double>::max();
-  if (name == "time" || name == "dt" || name == "pore_flow_interval" ||
+  if (name == "time" || name == "dt" || name == "begin" || name == "pore_flow_interval" ||
       name == "pore_flow_waiting" || name == "pore_flow_iterations")
     return {name, 0.0, most, false};
   if (name == "step" || name == "retried_steps" || name == "pore_flow_solves")
@@ -57,11 +57,19 @@ Rule rule_of(const Scene& scene, const std::string& name) {
   return {name, -most, most, false};
 }
 
+/// The last step began before it ended, at least its last part before.
+std::string fault_of_begin(const RunNumbers& numbers) {
+  const double time = number_of(numbers, "time"), begin = number_of(numbers, "begin");
+  const double round_off = 1e-9 * time;
+  if (begin <= time - number_of(numbers, "dt") + round_off) return {};
+  return "run/begin is " + to_text(begin) + ", which does not belong to its time";
+}
+
 /// A slug is launched at the beginning of the first step that begins at its time or later.
 std::string fault_of_launches(const Scene& scene, const RunNumbers& numbers) {
   const auto next = static_cast<std::size_t>(number_of(numbers, "next_slug"));
   const double time = number_of(numbers, "time");
-  const double begin = time - number_of(numbers, "dt");
+  const double begin = number_of(numbers, "begin");
   const double round_off = 1e-9 * time;
   const auto& slugs = scene.jet.slugs;
   const bool early = next > 0 && slugs[next - 1].time > begin + round_off;
@@ -120,7 +128,9 @@ std::string fault_of_output(const Scene& scene, const State& state, const Checkp
 
 }  // namespace
 
-std::string fault_of_numbers(const Scene& scene, const State& state, const Checkpoint& checkpoint) {
+std::string fault_of_run_numbers(
+    const Scene& scene, const State& state, const Checkpoint& checkpoint
+) {
   const RunNumbers& numbers = checkpoint.numbers;
   std::string fault;
   for_each_number(state, [&](const char* name, const auto&) {
@@ -132,7 +142,12 @@ std::string fault_of_numbers(const Scene& scene, const State& state, const Check
         numbers, "run/", {"stable_step", std::numeric_limits<double>::denorm_min(), infinity, false}
     );
   if (fault.empty()) fault = fault_of_list(numbers, "run/", "cavities", state.cavities.size());
-  if (fault.empty()) fault = fault_of_launches(scene, numbers);
+  if (fault.empty()) fault = fault_of_begin(numbers);
+  return fault.empty() ? fault_of_launches(scene, numbers) : fault;
+}
+
+std::string fault_of_numbers(const Scene& scene, const State& state, const Checkpoint& checkpoint) {
+  std::string fault = fault_of_run_numbers(scene, state, checkpoint);
   return fault.empty() ? fault_of_output(scene, state, checkpoint) : fault;
 }
 

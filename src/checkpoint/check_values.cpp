@@ -63,6 +63,14 @@ void check_owners(const Hdf5File& file, const State& state, long long ranks) {
   );
 }
 
+void check_tile_steps(const Hdf5File& file, const BoxTiles& box) {
+  const std::string name = "grid/step_length";
+  const auto tiles = static_cast<std::size_t>(box.first_id[box.levels]);
+  for_each_value<double>(file, name, tiles, [&](std::size_t row, double step) {
+    if (!(step >= 0.0 && std::isfinite(step))) refuse_value(name, row, step);
+  });
+}
+
 /// Whole sums in their one form, far from what a part can hold.
 void check_reproducible_sums(const Hdf5File& file, const std::string& name, std::size_t rows) {
   constexpr long long part = 1LL << ReproducibleSum::bits_per_part;
@@ -126,6 +134,7 @@ void check_tables(const Scene& scene, const State& state, const Checkpoint& chec
   if (!fault.empty()) throw WrongTable{fault, 0};
   const auto ranks = static_cast<long long>(number_of(checkpoint.numbers, "ranks"));
   check_owners(*checkpoint.open, state, ranks);
+  if (has_tile_steps(state)) check_tile_steps(*checkpoint.open, state.grid.box);
   check_sums(*checkpoint.open, state);
   for (const Particles& particles : state.particles)
     check_sizes(particles, *checkpoint.open, ranks);

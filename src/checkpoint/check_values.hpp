@@ -14,6 +14,11 @@ namespace barreno {
 /// sentence's part that names the first such; empty if there is none.
 std::string fault_of_numbers(const Scene& scene, const State& state, const Checkpoint& checkpoint);
 
+/// The same of the group run alone.
+std::string fault_of_run_numbers(
+    const Scene& scene, const State& state, const Checkpoint& checkpoint
+);
+
 /// Runs a check of a checkpoint's tables. @throws FileError in the place of a WrongTable: it names
 /// the file, and says what can be done
 void name_checkpoint(const Checkpoint& checkpoint, const std::function<void()>& check);

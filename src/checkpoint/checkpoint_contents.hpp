@@ -13,6 +13,11 @@ inline std::string particle_group(const Particles& particles) {
   return "particles/" + std::to_string(particles.material) + "/";
 }
 
+/// Tiles take steps of several lengths, which fields tell (output.md); else none are kept.
+inline bool has_tile_steps(const State& state) {
+  return state.subcycling.most > 1;
+}
+
 /// visit(name, number) for all of a state's numbers that are the same on every rank: a checkpoint
 /// writes and reads this one list.
 /// @param state  a State to be changed, or a const one
@@ -21,6 +26,7 @@ void for_each_number(AnyState& state, Visitor&& visit) {
   visit("time", state.clock.time);
   visit("dt", state.clock.dt);
   visit("step", state.clock.step);
+  visit("begin", state.clock.begin);
   visit("next_slug", state.jet.next_slug);
   visit("retried_steps", state.ledger.retried_steps);
   visit("pore_flow_waiting", state.pore_flow.waiting);

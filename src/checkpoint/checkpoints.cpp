@@ -43,7 +43,7 @@ bool Checkpoints::is_due(const State& state) {
 void Checkpoints::write_if_due(Output& output, State& state) {
   if (last_step_ < 0) {
     last_step_ = state.clock.step - 1;
-    last_time_ = state.clock.time - state.clock.dt;
+    last_time_ = state.clock.begin;
   }
   if (is_due(state) && may_write(state)) write(output, state);
 }

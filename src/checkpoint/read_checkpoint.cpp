@@ -140,6 +140,7 @@ void read_checkpoint(
   for_each_number(state, [&](const char* name, auto& value) {
     value = static_cast<std::decay_t<decltype(value)>>(checkpoint.numbers.at(name).at(0));
   });
+  if (has_tile_steps(state)) state.resumed_tile_steps = file.read<double>("grid/step_length");
   const std::vector<double>& volumes = checkpoint.numbers.at("cavities");
   for (std::size_t l = 0; l < state.cavities.size(); ++l) state.cavities[l].volume = volumes[l];
 }

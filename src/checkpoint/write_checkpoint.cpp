@@ -9,6 +9,7 @@
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_rows.hpp"
 #include "state/balance.hpp"
+#include "state/last_tile_steps.hpp"
 #include "step/order/remove_lost.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -221,7 +222,11 @@ struct CheckpointLayout {
 
 /// What rank 0 alone has or knows.
 void write_run(
-    const std::string& deck_text, const RunNumbers& output, const State& state, Hdf5File& file
+    const std::string& deck_text,
+    const RunNumbers& output,
+    const State& state,
+    std::vector<double> tile_steps,
+    Hdf5File& file
 ) {
   const Grid& grid = state.grid;
   file.write("deck", deck_text);
@@ -232,6 +237,7 @@ void write_run(
   file.write(
       "grid/owner", one_column(std::vector<long long>(grid.owner.begin(), grid.owner.end()))
   );
+  if (!tile_steps.empty()) file.write("grid/step_length", one_column(std::move(tile_steps)), "s");
 }
 
 /// Rank 0 writes the file but for the rows of particles. Collective. @throws FileError on every
@@ -247,12 +253,14 @@ CheckpointLayout lay_out(
   CheckpointLayout layout;
   for (const Particles& particles : state.particles)
     layout.first.push_back(first_rows(comm, particles.count));
+  std::vector<double> tile_steps;
+  if (has_tile_steps(state)) tile_steps = last_tile_steps(state);
   RootWork work(comm);
   std::unique_ptr<Hdf5File> file;
   work.run([&] {
     refuse_full_disk(aside.parent_path(), bytes);
     file = std::make_unique<Hdf5File>(aside, Hdf5File::Mode::create);
-    write_run(deck_text, output, state, *file);
+    write_run(deck_text, output, state, std::move(tile_steps), *file);
   });
   write_sums(comm, state, work, file);
   work.run([&] {

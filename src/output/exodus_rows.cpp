@@ -33,11 +33,17 @@ double id_as_double(ParticleId id) {
 
 /// The id, node positions, the element variables, then the radius of a point.
 std::vector<double> ExodusWriter::pack_rows(
-    const Scene& scene, const State& state, std::size_t set, std::vector<int>& counts
+    const Scene& scene,
+    const State& state,
+    const std::vector<double>& tile_steps,
+    std::size_t set,
+    std::vector<int>& counts
 ) const {
   const HostParticles particles(state.particles[set]);
   const MaterialSpec& material = scene.materials[set];
-  const CellsAndSteps own(optional_fields(scene, material), state.grid, state.particles[set]);
+  const CellsAndSteps own(
+      optional_fields(scene, material), state.grid, tile_steps, state.particles[set]
+  );
   const std::size_t width = row_width(scene, set);
   const auto ranks = static_cast<int>(counts.size());
   std::vector<int> holders(static_cast<std::size_t>(particles.count));
@@ -62,11 +68,12 @@ std::vector<double> ExodusWriter::pack_rows(
   return values;
 }
 
-ExodusWriter::Rows ExodusWriter::bring_rows(const Scene& scene, const State& state, std::size_t set)
-    const {
+ExodusWriter::Rows ExodusWriter::bring_rows(
+    const Scene& scene, const State& state, const std::vector<double>& tile_steps, std::size_t set
+) const {
   const Comm& comm = *state.grid.comm;
   std::vector<int> counts(static_cast<std::size_t>(comm.getSize()), 0);
-  const std::vector<double> mine = pack_rows(scene, state, set, counts);
+  const std::vector<double> mine = pack_rows(scene, state, tile_steps, set, counts);
   Rows rows;
   rows.values = exchange(comm, mine, counts);
   rows.of_file.resize(open_files_.size());

@@ -7,6 +7,7 @@
 #include "output/particle_fields.hpp"
 #include "scene/jet.hpp"
 #include "shape/shape_facts.hpp"
+#include "state/last_tile_steps.hpp"
 
 #include <algorithm>
 #include <array>
@@ -145,7 +146,7 @@ std::vector<ExodusLayout> ExodusWriter::record_start(
     if (nodes_ == 1) layouts.back().radius.assign(open.begin.back(), launched_size);
   }
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
-    const Rows rows = bring_rows(scene, state, b);
+    const Rows rows = bring_rows(scene, state, {}, b);
     const std::size_t radius = node_values() + common.blocks[b].variables.size();
     for (std::size_t h = 0; h < open_files_.size(); ++h)
       for (const Rows::Row& row : rows.of_file[h]) {
@@ -226,8 +227,10 @@ void ExodusWriter::write(const Scene& scene, const State& state) {
     for (const OpenFile& open : open_files_) open.file->begin_step(state.clock.time);
   });
   std::array<double, 1> present{0.0};
+  std::vector<double> tile_steps;
+  if (scene.step.subcycles > 1) tile_steps = last_tile_steps(state);
   for (std::size_t b = 0; b < shares_.blocks.size(); ++b) {
-    const Rows rows = bring_rows(scene, state, b);
+    const Rows rows = bring_rows(scene, state, tile_steps, b);
     present[0] += static_cast<double>(state.particles[b].count);
     work.run([&] {
       for (std::size_t h = 0; h < open_files_.size(); ++h) {

@@ -81,9 +81,15 @@ private:
   /// Values of a particle on their way, see pack_rows.
   std::size_t row_width(const Scene& scene, std::size_t set) const;
   std::vector<double> pack_rows(
-      const Scene& scene, const State& state, std::size_t set, std::vector<int>& counts
+      const Scene& scene,
+      const State& state,
+      const std::vector<double>& tile_steps,
+      std::size_t set,
+      std::vector<int>& counts
   ) const;
-  Rows bring_rows(const Scene& scene, const State& state, std::size_t set) const;
+  Rows bring_rows(
+      const Scene& scene, const State& state, const std::vector<double>& tile_steps, std::size_t set
+  ) const;
   void move_nodes(const Rows& rows, std::size_t h);
   void put_block(const Scene& scene, std::size_t set, const Rows& rows, std::size_t h);
   void end_step(const State& state, double present);

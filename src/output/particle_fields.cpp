@@ -128,6 +128,25 @@ void HostParticles::append_corners(int p, std::vector<double>& values) const {
   append(domain_corners_3d(x, F, h));
 }
 
+namespace {
+
+/// Tile and level around a point, read on the host; tile -1: outside.
+struct HostCell {
+  int tile = -1;
+  int level = 0;
+};
+HostCell host_cell_of(const Grid& grid, const Vector& x) {
+  const CellLattice lattice(grid);
+  const auto along = [&](int d) { return x[static_cast<std::size_t>(d)]; };
+  HostCell cell{lattice.cell_of_level(along, 0).tile, 0};
+  if (!grid.is_refined()) return cell;
+  cell.level = grid.host_level_of_tile[static_cast<std::size_t>(cell.tile)];
+  if (cell.level > 0) cell.tile = lattice.cell_of_level(along, cell.level).tile;
+  return cell;
+}
+
+}  // namespace
+
 OptionalFields optional_fields(const Scene& scene, const MaterialSpec& material) {
   OptionalFields fields;
   fields.clipped = follows_deformation(scene);
@@ -138,25 +157,25 @@ OptionalFields optional_fields(const Scene& scene, const MaterialSpec& material)
 }
 
 CellsAndSteps::CellsAndSteps(
-    const OptionalFields& wanted, const Grid& grid, const Particles& particles
+    const OptionalFields& wanted,
+    const Grid& grid,
+    const std::vector<double>& tile_steps,
+    const Particles& particles
 ) {
   if (!wanted.cell_size && !wanted.step_length) return;
-  const auto key = on_host(particles.key);
-  const auto frame = on_host(grid.tile_frame);
+  const double longest =
+      tile_steps.empty() ? 0.0 : *std::max_element(tile_steps.begin(), tile_steps.end());
   const auto position = on_host(particles.position.values);
-  const CellLattice lattice(grid);
   for (int p = 0; p < particles.count; ++p) {
-    double size = grid.cell_size, step = 0.0;
-    if (is_placed(key(p))) {
-      const TileFrame& tile = frame(index_of(key(p)) / grid.patch.cells);
-      size = tile.cell_size;
-      step = tile.dt;
-    } else if (grid.is_refined()) {  // before the first step: of the tile around it
-      const int tile = lattice.cell_of_level([&](int d) { return position(p, d); }, 0).tile;
-      size /= 1 << grid.host_level_of_tile[static_cast<std::size_t>(tile)];
-    }
-    if (wanted.cell_size) cell_size.push_back(size);
-    if (wanted.step_length) step_length.push_back(step);
+    // By its position alone: a run that was just resumed has placed no particle yet.
+    Vector x{};
+    for (int d = 0; d < grid.patch.dimensions; ++d) x[static_cast<std::size_t>(d)] = position(p, d);
+    const HostCell cell = grid.holds(x) ? host_cell_of(grid, x) : HostCell{};
+    if (wanted.cell_size) cell_size.push_back(grid.cell_size / (1 << cell.level));
+    if (!wanted.step_length) continue;
+    const double step =
+        cell.tile < 0 || tile_steps.empty() ? 0.0 : tile_steps[static_cast<std::size_t>(cell.tile)];
+    step_length.push_back(step > 0.0 ? step : longest);
   }
 }
 

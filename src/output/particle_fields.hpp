@@ -59,11 +59,18 @@ struct OptionalFields {
 };
 OptionalFields optional_fields(const Scene& scene, const MaterialSpec& material);
 
-/// Size of the cell and length of the step that each row of a set had last, where these differ
-/// between particles; empty without. No step: 0.
+/// Size of the cell that each row of a set is in and length of the last step of its tile, where
+/// these differ between particles; empty without. A tile that was not active has the longest step
+/// of all, a run that has taken none 0.
 struct CellsAndSteps {
   CellsAndSteps() = default;
-  CellsAndSteps(const OptionalFields& wanted, const Grid& grid, const Particles& particles);
+  /// @param tile_steps  last_tile_steps()
+  CellsAndSteps(
+      const OptionalFields& wanted,
+      const Grid& grid,
+      const std::vector<double>& tile_steps,
+      const Particles& particles
+  );
   std::vector<double> cell_size, step_length;
 
   void append(int p, std::vector<double>& values) const;

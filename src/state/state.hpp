@@ -48,6 +48,7 @@ struct State {
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
   double skipped_steps = 0.0;   ///< of those that were left as they were
   StepShares step_shares;       ///< of particle_steps
+  std::vector<double> resumed_tile_steps;  ///< last_tile_steps() of a checkpoint, until a step
   Effort effort;
   LoadBalance sharing;
 };

@@ -115,6 +115,13 @@ void step_usf(const Scene& scene, double& dt, State& state, StepTally& tally, St
   accelerate_and_move_sets(set_update(scene, state.clock.time + dt, state), tally);
 }
 
+/// What is left of a step after its parts is their rounding: a step of that length would double a
+/// row of the history.
+double end_of_part(double time, double dt, double next_time) {
+  constexpr double round_off = 1e-9;  // of a part
+  return next_time - time <= (1.0 + round_off) * dt ? next_time : time + dt;
+}
+
 /// All of a step, or one of the parts of Subcycling, in which all nodes move and the particles of
 /// tiles that end their own steps.
 void take_part(const Scene& scene, double next_time, double& dt, State& state, StepResult& result) {
@@ -135,18 +142,20 @@ void take_part(const Scene& scene, double next_time, double& dt, State& state, S
       state.grid, state.particles, state.dormancy, state.subcycling, state.step_shares
   );
   state.stable_step = std::min(tally.stress.stable_step, state.dormancy.stable_step);
-  const double left = next_time - clock.time;
-  clock = {dt >= left ? next_time : clock.time + dt, dt, clock.step};
+  clock.time = end_of_part(clock.time, dt, next_time);
+  clock.dt = dt;
 }
 
 }  // namespace
 
 StepResult advance(const Scene& scene, double next_time, State& state) {
   const Region region("advance");
+  state.resumed_tile_steps.clear();
   const StepStart start = prepare_step(scene, next_time, state);  // cells, ranks, jet; dt
   StepResult result;
   result.interrupt = start.interrupt;
   double dt = start.dt;
+  state.clock.begin = state.clock.time;
   take_part(scene, next_time, dt, state, result);
   while (goes_on(state.subcycling)) {
     prepare_next_part(state);

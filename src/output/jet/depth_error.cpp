@@ -62,6 +62,12 @@ DepthError row_error(std::size_t index, double depth, DepthOf whose) {
   return error;
 }
 
+/// How far a jet may be from the measured one, in density and velocity.
+constexpr double largest_ratio = 1.3;
+bool is_near(double ratio) {
+  return ratio < largest_ratio && ratio > 1.0 / largest_ratio;
+}
+
 /// The longest body in the jet's path.
 const BodySpec& main_body(const Scene& scene, const std::vector<PathLayer>& layers) {
   const auto longest =
@@ -73,10 +79,9 @@ const BodySpec& main_body(const Scene& scene, const std::vector<PathLayer>& laye
 
 /// Densities of jet over rock as measured, tungsten over Berea, by less than a third.
 bool is_measured_pair(const MaterialSpec& jet, const MaterialSpec& target) {
-  constexpr double measured = 8.3, share = 1.3;
-  const double ratio = jet.density() / target.density();
-  return target.model_name().rfind("Arenisca", 0) == 0 && ratio > measured / share &&
-         ratio < measured * share;
+  constexpr double measured = 8.3;
+  return target.model_name().rfind("Arenisca", 0) == 0 &&
+         is_near(jet.density() / target.density() / measured);
 }
 
 std::string number(const char* pattern, double x) {
@@ -145,6 +150,25 @@ DepthError with_length(DepthError error, double cells_per_radius, double length_
       error.value + change,
       std::min(error.low, error.low + change),
       std::max(error.high, error.high + change)};
+}
+
+MeasuredReach measured_reach() {
+  return {finest().depth.back() / measured_radius, measured_times.back()};
+}
+
+std::string why_reach_unknown(double time, double radius, double velocity, double depth) {
+  if (!is_near(velocity / measured_velocity))
+    return "it was measured with a tip of " + number("%g m/s only", measured_velocity);
+  const MeasuredReach reach = measured_reach();
+  // A time that a step has met is not met to the last digit, and finer cells go a little deeper.
+  constexpr double round_off = 1e-6, finer = 1.05;
+  const double scale = radius / measured_radius * measured_velocity / velocity;
+  if (time > scale * reach.time * (1.0 + round_off))
+    return "it was measured until " + number("%.3g us only", 1e6 * scale * reach.time);
+  if (depth > finer * reach.depth_over_radius * radius)
+    return "it was measured to a depth of " +
+           number("%.4g mm only", 1e3 * reach.depth_over_radius * radius);
+  return {};
 }
 
 /// With fewer the error of one particle per cell and direction exceeds that of two by far: 15 %

@@ -37,6 +37,20 @@ struct CellRange {
 /// Cells per radius that were measured.
 CellRange measured_cells();
 
+/// The deepest that was measured, and the latest: no error is known beyond either. Depths and times
+/// scale with the jet's radius.
+struct MeasuredReach {
+  double depth_over_radius;
+  double time;  ///< of a jet with the measured radius and tip velocity [time]
+};
+MeasuredReach measured_reach();
+
+/// Why the measurements say nothing of a time or depth; empty if they do.
+/// @param time  since the first slug was launched
+/// @param radius, velocity  of the thinnest part that digs, and of the tip
+/// @param depth  that a run has; 0: none yet
+std::string why_reach_unknown(double time, double radius, double velocity, double depth);
+
 /// Why the measurements say nothing of this scene; empty if they do. They are of a round tungsten
 /// jet in dry sandstone, axisymmetric, with FLIP.
 std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius);

@@ -10,7 +10,8 @@ namespace barreno {
 /// compares these numbers with their files in verification/results.
 
 /// Depths of perforation.xml, whose jet has a tip of 1 mm radius (perforation_cells.csv).
-inline constexpr double measured_radius = 1e-3;  ///< [length]
+inline constexpr double measured_radius = 1e-3;      ///< [length]
+inline constexpr double measured_velocity = 7830.0;  ///< of its tip [velocity]
 inline constexpr std::array<double, 7> measured_times{
     5e-6, 10e-6, 20e-6, 30e-6, 50e-6, 70e-6, 90e-6};  ///< [time]
 struct MeasuredDepths {

@@ -133,6 +133,10 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
   const double shape = estimate.length / estimate.thinnest;
   if (doubt.unknown.empty() && shape < shortest_measured_length())
     doubt.unknown = "it was measured with slugs that are at least half as long as their radius";
+  if (doubt.unknown.empty()) {
+    const JetSlug& tip = scene.jet.slugs.front();
+    doubt.unknown = why_reach_unknown(time - tip.time, estimate.thinnest, tip.velocity, depth);
+  }
   if (!doubt.unknown.empty()) return doubt;
   const DepthOf whose = depth > 0.0 ? DepthOf::run : DepthOf::estimate;
   const double reached = whose == DepthOf::run ? depth : estimate.depth;

@@ -91,21 +91,31 @@ TEST(ParticleFields, SayCellAndStepWhereTheyDiffer) {
 
   Particles& set = state.particles[1];
   ASSERT_GT(set.count, 1);
-  set.key(0) = CellKey{grid.patch.cells};  // in the second tile
-  set.key(1) = CellKey::unplaced;
-  grid.tile_frame = ArrayView<TileFrame>("frame", 2);
-  grid.tile_frame(1).cell_size = 0.25 * grid.cell_size;
-  grid.tile_frame(1).dt = 3e-7;
-  grid.box.levels = 2;
-  const auto columns = static_cast<std::size_t>(grid.tiles[0]);
-  grid.host_level_of_tile.assign(columns * static_cast<std::size_t>(grid.tiles[1]), 1);
-  const CellsAndSteps own(both, grid, set);
+  const int box[3] = {grid.tiles[0], grid.tiles[1], 1};
+  grid.box = BoxTiles(2, 2, box);
+  const auto tiles = static_cast<std::size_t>(box[0] * box[1]);
+  grid.host_level_of_tile.assign(tiles, 1);
+  const auto tile_of = [&](int p) {
+    return CellLattice(grid).cell_of_level([&](int d) { return set.position(p, d); }, 1).tile;
+  };
+  ASSERT_NE(tile_of(0), tile_of(set.count - 1));
+  std::vector<double> tile_steps(static_cast<std::size_t>(grid.box.first_id[2]), 0.0);
+  tile_steps[static_cast<std::size_t>(tile_of(0))] = 3e-7;
+  tile_steps.back() = 4e-7;
+  const CellsAndSteps own(both, grid, tile_steps, set);
   std::vector<double> values;
   own.append(0, values);
-  own.append(1, values);
-  EXPECT_EQ(values, (std::vector<double>{0.25 * grid.cell_size, 3e-7, 0.5 * grid.cell_size, 0.0}));
+  own.append(set.count - 1, values);
+  const double half = 0.5 * grid.cell_size;
+  // The tile of the last particle was not active: the longest step.
+  EXPECT_EQ(values, (std::vector<double>{half, 3e-7, half, 4e-7}));
+  // Nor does it matter whether particles have been placed.
+  set.key(0) = CellKey::unplaced;
   values.clear();
-  CellsAndSteps(alike, grid, set).append(0, values);
+  CellsAndSteps(both, grid, tile_steps, set).append(0, values);
+  EXPECT_EQ(values, (std::vector<double>{half, 3e-7}));
+  values.clear();
+  CellsAndSteps(alike, grid, {}, set).append(0, values);
   EXPECT_TRUE(values.empty());
 }
 
