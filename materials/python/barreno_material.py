@@ -32,23 +32,20 @@ STATUS = {
 
 Answer = collections.namedtuple("Answer", "stress state tangent status")
 
-_doubles = ctypes.POINTER(ctypes.c_double)
-_integers = ctypes.POINTER(ctypes.c_int)
-
 
 class _Batch(ctypes.Structure):
     _fields_ = [
         ("count", ctypes.c_int),
         ("want", ctypes.c_int),
         ("time_increment", ctypes.c_double),
-        ("strain_increment", _doubles),
-        ("stress_old", _doubles),
-        ("stress_new", _doubles),
-        ("state_old", _doubles),
-        ("state_new", _doubles),
-        ("tangent", _doubles),
-        ("work", _doubles),
-        ("status", _integers),
+        ("strain_increment", ctypes.c_void_p),
+        ("stress_old", ctypes.c_void_p),
+        ("stress_new", ctypes.c_void_p),
+        ("state_old", ctypes.c_void_p),
+        ("state_new", ctypes.c_void_p),
+        ("tangent", ctypes.c_void_p),
+        ("work", ctypes.c_void_p),
+        ("status", ctypes.c_void_p),
     ]
 
 
@@ -153,11 +150,11 @@ class Material:
         )
 
         def pointer(array):
-            return array.ctypes.data_as(_doubles)
+            return array.ctypes.data
 
         batch = _Batch(
             count, want, dt, pointer(strain), pointer(stress), pointer(answer.stress), pointer(state), pointer(answer.state),
-            pointer(answer.tangent) if want != STRESS else None, None, answer.status.ctypes.data_as(_integers),
+            pointer(answer.tangent) if want != STRESS else None, None, pointer(answer.status),
         )  # fmt: skip
         if self.library.barreno_material_update(self.handle, ctypes.byref(batch)) < 0:
             raise ValueError(self.library.barreno_last_error().decode())

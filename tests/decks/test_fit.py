@@ -19,7 +19,7 @@ import numpy
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "materials" / "python"))
 from barreno_fit import card as cards  # noqa: E402
-from barreno_fit import command, solve, units  # noqa: E402
+from barreno_fit import command, ranges, solve, units  # noqa: E402
 from barreno_fit.answers import Laboratory  # noqa: E402
 from barreno_fit.data import Test, read_test  # noqa: E402
 from barreno_fit.faults import Fault  # noqa: E402
@@ -161,6 +161,61 @@ def check_restart(folder, library):
     assert refused(lambda: solve.together(search, found, found))
 
 
+def check_bound(folder, library):
+    """A parameter that its bounds keep from the truth is said to stand at its bound, and is not given a range."""
+    truth = true_card()
+    strain = numpy.linspace(0, 0.008, 16)
+    test = test_of("elastic", "hydrostatic", {"volume_strain": strain}, "pressure")
+    with opened(cards.in_a_test(truth), library) as rock:
+        pressure = Laboratory([test]).answers(rock)[0]["pressure"]
+    lines = ["# kind: hydrostatic", "# compression: positive", "# strain: logarithmic", "volume_strain [-],pressure [Pa]"]
+    (folder / "elastic.csv").write_text("\n".join([*lines, *(f"{e!r},{p!r}" for e, p in zip(strain.tolist(), pressure.tolist()))]) + "\n")
+    held = [word for name in OF_CRUSHING for word in ("--fix", f"{name}={truth[name]!r}")]
+    low, high = 1.2 * truth["B0"], 2.0 * truth["B0"]
+    out, found = fitted([str(folder / "elastic.csv")], folder, "--start", "arenisca_demonstration", "--fix", "G1=0.2", *held, "--bounds", f"B0={low!r},{high!r}")
+    assert found["B0"]["low"] is None and abs(found["B0"]["value"] / low - 1) < 0.03, found["B0"]
+    assert "B0 stands at its bound and is kept at" in out, out
+
+
+def check_better_minimum(folder, library):
+    """Ranges that are asked for beside the minimum find it: a profile that goes below the solution begins the fit again."""
+    truth = true_card()
+    tests = [read_test(file) for file in write_data(folder, truth, 0.0, library)]
+    search = solve.Search(solve.Problem(library, truth, {}, {}), tests, ["FSLOPE", "PEAKI1"], truth)
+    beside = {"FSLOPE": truth["FSLOPE"], "PEAKI1": 1.1 * truth["PEAKI1"]}
+    z = search.seen_start(beside)
+    squares = float((search.residuals(z) ** 2).sum())
+    lower = None
+    try:
+        ranges.grown(search, z, search.names.index("FSLOPE"), z[search.names.index("FSLOPE")], z, squares)
+    except ranges.Better as better:
+        (lower,) = better.args
+    assert lower and abs(lower["PEAKI1"] / truth["PEAKI1"] - 1) < 0.02, lower
+    asked, true_range = [], solve.range_of
+    solve.range_of = lambda *given, **more: true_range(*given, **more) if asked else once(asked, lower)
+    try:
+        (values, _, _), _, found = solve.ranges_of(search, ({**truth, **beside}, squares, z))
+    finally:
+        solve.range_of = true_range
+    assert set(found) == set(beside) and abs(values["PEAKI1"] / truth["PEAKI1"] - 1) <= EXACT, (values["PEAKI1"], found)
+
+
+def once(asked, values):
+    asked.append(True)
+    raise ranges.Better(values)
+
+
+def check_many_starts(folder, library):
+    """A stage that leaves the cap and the limit surface in a corner does not keep the joint fit there."""
+    truth = {**true_card(), "YSLOPE": 0.02}
+    tests = [read_test(file) for file in write_data(folder, truth, 0.0, library)]
+    names = ["FSLOPE", "YSLOPE", "CR"]
+    search = solve.Search(solve.Problem(library, truth, {}, {}), tests, names, truth)
+    values, squares, _ = solve.together(search, {"FSLOPE": 1.3 * truth["FSLOPE"], "YSLOPE": 0.0, "CR": 0.021}, truth)
+    assert squares < 1e-2, squares
+    assert abs(values["CR"] / truth["CR"] - 1) < 0.01, values["CR"]
+
+
 def check_against_drive(folder, library, barreno):
     """The laboratory's unconfined, oedometer and hydrostatic tests are those of `barreno drive`."""
     strain = numpy.linspace(0, 0.02, 21)
@@ -260,7 +315,8 @@ def main():
     barreno, library = pathlib.Path(sys.argv[2]).resolve(), load()
     checks = {
         "reading": lambda f: check_reading(f), "bad inputs": lambda f: check_bad_inputs(f), "drive": lambda f: check_against_drive(f, library, barreno),
-        "left open": lambda f: check_left_open(f, library), "restart": lambda f: check_restart(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library, sys.argv[3:] == ["--full"]),
+        "left open": lambda f: check_left_open(f, library), "restart": lambda f: check_restart(f, library), "bound": lambda f: check_bound(f, library), "better minimum": lambda f: check_better_minimum(f, library),
+        "many starts": lambda f: check_many_starts(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library, sys.argv[3:] == ["--full"]),
     }  # fmt: skip
     for name, check in checks.items():
         with tempfile.TemporaryDirectory() as scratch:

@@ -118,3 +118,10 @@ def given_bounds(texts):
             raise Fault(f'--bounds "{text}" is not an interval{sign}; give the lower one first.')
         out[name] = (low, high)
     return out
+
+
+def shown(name, value):
+    p = PARAMETERS[name]
+    large = p.dimension == "stress" and abs(value) >= 2e9
+    scale, unit = (1e9, " GPa") if large else {"stress": (1e6, " MPa"), "compliance": (1e-9, " 1/GPa")}.get(p.dimension, (1.0, ""))
+    return f"{value / scale:.4g}{unit}"

@@ -8,9 +8,9 @@ import numpy
 
 from barreno_fit import card as cards
 from barreno_fit.kinds import DIMENSIONS, KINDS
-from barreno_fit.parameters import PARAMETERS
+from barreno_fit.parameters import PARAMETERS, shown
 from barreno_fit.picture import draw
-from barreno_fit.solve import residuals_of, shown
+from barreno_fit.search import residuals_of
 
 DIGITS = 6
 

@@ -11,7 +11,7 @@ from barreno_material import CONSISTENT, STRESS, Material
 from barreno_fit.card import text_of
 from barreno_fit.faults import Rejected
 
-EXACT = 1e-8  # of the stress
+EXACT = 1e-7  # of the stress
 ENOUGH = 1e-4  # where Newton's method stalls at a jump of the update
 MOST_STEPS = 60
 
