@@ -85,6 +85,7 @@ def check_materials(folder):
     for kind in ("hancock_mackenzie", "Threshold", "Brittle"):
         for model in (METAL.format(""), NEO_HOOK.format("")):
             folder.incomplete(ups(material(model=model, extra=f'<damage_model type="{kind}"><x>1</x></damage_model>')), f"the damage model {kind} is left out")
+    folder.incomplete(ups(material(model=NEO_HOOK.format("").replace("comp_neo_hook", "cnh_damage"), extra='<damage_model type="Threshold"/>')), "the damage model Threshold")
     deck = folder.valid(ups(material(model=METAL.format("<do_melting>true</do_melting><coeff_thermal_expansion>0.0</coeff_thermal_expansion><taylor_quinney_coeff>0.6</taylor_quinney_coeff>"))))
     assert deck.value("Materials/Block/Taylor Quinney") == "0.6"
     for tag in ("<isothermal>true</isothermal>", "<do_melting>false</do_melting>", "<initial_material_temperature>696</initial_material_temperature>",
@@ -144,6 +145,8 @@ def check_conditions(folder):
     assert deck.value("Conditions/Face x lower/Kind") == "fixed"
     two = material() + material("Other", objects=piece("c", left=0.6))
     folder.incomplete(ups(two, faces=face("x-", velocity("[0, 0, 0]", 1))), "holds for the material 1 alone")
+    gas = '<BCType id="0" label="Pressure" var="Neumann"><value>0</value></BCType>'
+    folder.incomplete(ups(two, faces=face("x-", gas) + face("y+", gas)), "x-, y+: the condition Neumann Pressure has no counterpart")
     folder.incomplete(ups(faces=face("z-", velocity("[0, 0, 0]"))), "a face normal to the plane")
     folder.valid(ups(faces=face("z-", symmetric.replace("/>", "><value>[0, 0, 0]</value></BCType>")) + face("x+", velocity("[0, 0, 0]", 0))))
     folder.incomplete(ups(time="<max_Timesteps>50</max_Timesteps>"), "The largest number of steps, 50,")

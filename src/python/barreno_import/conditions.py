@@ -17,7 +17,7 @@ def condition_of(face, entry, space, notes):
         notes.add_neutral(f"BCType {entry.attribute('var')} {entry.attribute('label')}")
     else:
         entry.cover()
-        notes.lost(f"The condition {entry.attribute('label') or kind} on {face} has no counterpart; it is left out.")
+        notes.lost(f"the condition {entry.attribute('var')} {entry.attribute('label') or kind} has no counterpart; it is left out.", face)
     return None
 
 
@@ -33,10 +33,10 @@ def velocity_of(face, entry, space, notes):
 
 def is_for_all(face, entry, count, notes):
     """A condition for one material, where there are several, is none of a deck."""
-    index = entry.attribute("id").lower() or "all"
-    if index == "all" or (count == 1 and index == "0"):
+    index, label = entry.attribute("id").lower() or "all", entry.attribute("label").lower()
+    if index == "all" or (count == 1 and index == "0") or label not in ("velocity", "symmetric"):
         return True
-    notes.lost(f"A condition on {face} holds for the material {index} alone and is left out (those of a deck hold for all materials).")
+    notes.lost(f"a {label} condition holds for the material {index} alone and is left out (those of a deck hold for all materials).", face)
     entry.cover()
     return False
 

@@ -82,7 +82,7 @@ def bodies_of(pressure, contents):
     curve = pressure.find("load_curve")
     if not curve.has("material"):
         return contents.bodies
-    index = int(curve.number("material"))
+    index = curve.index("material")
     name = contents.names[index] if 0 <= index < len(contents.names) else None
     return {key: body for key, body in contents.bodies.items() if body["Material"] == name}
 

@@ -39,14 +39,14 @@ def neo_hookean(model, material, name, notes):
         notes.lost("usePlasticity is left out (a metal of a deck needs the specific_heat, which the file lacks); the material is elastic.", name)
         for tag in ("yield_stress", "hardening_modulus", "K", "alpha"):
             model.find(tag).cover()
-    notes.add("comp_neo_hook becomes Neo-Hookean, whose volumetric part is lambda ln J instead of K (J^2 - 1)/2; the same at small strains.", name)
+    notes.add(f"{model.attribute('type')} becomes Neo-Hookean, whose volumetric part is lambda ln J instead of K (J^2 - 1)/2; the same at small strains.", name)
     return {"Model": "Neo-Hookean", "Bulk Modulus": model.number("bulk_modulus"), "Shear Modulus": model.number("shear_modulus")}
 
 
 def plastic_neo_hookean(model, material, name, notes):
     """Isotropic hardening as the special case of the flow rule of Johnson and Cook."""
-    density, bulk = material.number("density"), model.number("bulk_modulus")
-    notes.add("comp_neo_hook with usePlasticity becomes Johnson-Cook with linear hardening alone, and a pressure of a constant bulk modulus; the same at small elastic strains.", name)
+    density, bulk = material.positive("density"), model.positive("bulk_modulus")
+    notes.add(f"{model.attribute('type')} with usePlasticity becomes Johnson-Cook with linear hardening alone, and a pressure of a constant bulk modulus; the same at small elastic strains.", name)
     return {"Model": "Johnson-Cook", "Shear Modulus": model.number("shear_modulus"), "Specific Heat": material.number("specific_heat"),
             "Sound Speed": math.sqrt(bulk / density), "Hugoniot Slope": 0.0, "Gruneisen": 0.0, "A": model.number("yield_stress"),
             "B": model.number("hardening_modulus", default=0.0), "C": 0.0, "n": 1.0, "m": 1.0, "Melt Temperature": NEVER_MELTS}  # fmt: skip
@@ -90,10 +90,10 @@ def flow_of(model, material, name, notes):
 
 def pressure_of(model, density, name, notes):
     """Pressure: Mie-Grueneisen as it is, a constant bulk modulus as its special case."""
-    law, bulk = model.find("equation_of_state"), model.number("bulk_modulus")
+    law, bulk = model.find("equation_of_state"), model.positive("bulk_modulus")
     kind = law.attribute("type")
     if kind == "mie_gruneisen":
-        speed = law.number("C_0")
+        speed = law.positive("C_0")
         modulus = density * speed**2
         if abs(modulus / bulk - 1.0) > CHANGED:
             notes.add(f"bulk_modulus = {bulk:g} is left out (Barreno takes rho C_0^2 = {modulus:g} from the pressure law, for elastic waves too).", name)
@@ -136,7 +136,7 @@ def heat_of(model, name, notes):
 
 
 def elastic_plastic(model, material, name, notes):
-    density = material.number("density")
+    density = material.positive("density")
     out = {"Model": "Johnson-Cook", "Shear Modulus": model.number("shear_modulus"), "Specific Heat": material.number("specific_heat"),
            **pressure_of(model, density, name, notes), **flow_of(model, material, name, notes), **damage_of(model, material, name, notes), **heat_of(model, name, notes)}  # fmt: skip
     for tag, plain in MODEL_PARTS.items():
@@ -154,13 +154,17 @@ def elastic_plastic(model, material, name, notes):
 
 
 METALS = ("elastic_plastic", "elastic_plastic_hp")
-MODELS = {"hypo_elastic": linear_elastic, "comp_neo_hook": neo_hookean, "CompNeoHook": neo_hookean, "Arenisca3": arenisca, "elastic_plastic": elastic_plastic,
+MODELS = {"hypo_elastic": linear_elastic, "comp_neo_hook": neo_hookean, "CompNeoHook": neo_hookean, "UCNH": neo_hookean, "cnh_damage": neo_hookean, "Arenisca3": arenisca, "elastic_plastic": elastic_plastic,
           "elastic_plastic_hp": elastic_plastic}  # fmt: skip
 
 
 def rigid_material(model, material, name, notes):
     """Of a body with Motion, whose stress moves nothing."""
-    notes.add(f"{model.attribute('type')} becomes Linear Elastic (its bodies have a Motion of their own, whatever the stress).", name)
+    rest = [child for child in model.children() if child.tag not in ("bulk_modulus", "K", "shear_modulus", "G")]
+    for child in rest:
+        child.cover()
+    without = f" without {', '.join(child.tag for child in rest)}" if rest else ""
+    notes.add(f"{model.attribute('type')} becomes Linear Elastic{without} (its bodies have a Motion of their own, whatever the stress).", name)
     bulk = model.number("bulk_modulus", "K", default=1.0)
     return {"Model": "Linear Elastic", "Bulk Modulus": bulk, "Shear Modulus": model.number("shear_modulus", "G", default=bulk)}
 
@@ -193,7 +197,6 @@ def read_material(material, name, is_rigid, cards, notes):
     kind = model.attribute("type")
     if is_rigid and kind not in METALS:
         parameters = rigid_material(model, material, name, notes)
-        model.cover()
         look_at_rest(material, model, is_rigid, name, notes)
         return {"Model": parameters.pop("Model"), "Density": material.number("density"), **parameters}
     if kind not in MODELS:

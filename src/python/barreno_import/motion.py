@@ -19,7 +19,7 @@ def told_contacts(root):
 
 def told_material(contact):
     """The index of the material that moves."""
-    return int(contact.number("master_material", "rigid_material", "material", default=0))
+    return contact.index("master_material", "rigid_material", "material", default=0)
 
 
 def rigid_materials(root):

@@ -16,6 +16,11 @@ class Left(Exception):
     """A piece that no shape of a deck is."""
 
 
+def refuse_flat(bottom, top, radius):
+    if bottom == top or not radius > 0.0:
+        raise Left("a cylinder or cone without length or radius holds nothing")
+
+
 def axis_of(bottom, top):
     """The coordinate along which a cylinder or cone stands, or None."""
     along = [i for i in range(3) if bottom[i] != top[i]]
@@ -108,6 +113,7 @@ class Shapes:
 
     def cylinder(self, piece):
         bottom, top, radius = piece.vector("bottom"), piece.vector("top"), piece.number("radius")
+        refuse_flat(bottom, top, radius)
         if self.space.mode == "3D":
             return {"Shape": "cylinder", "Start": bottom, "End": top, "Radius": radius}
         return self.slice_of(bottom, top, radius, radius)
@@ -115,6 +121,7 @@ class Shapes:
     def cone(self, piece):
         bottom, top = piece.vector("bottom"), piece.vector("top")
         start, end = piece.number("bottom_radius", default=0.0), piece.number("top_radius", default=0.0)
+        refuse_flat(bottom, top, max(start, end))
         if self.space.mode != "3D":
             return self.slice_of(bottom, top, start, end)
         if start == 0.0:  # the tip of a cone of the deck is at its end

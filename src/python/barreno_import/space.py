@@ -6,6 +6,7 @@ import math
 
 from barreno_runs.faults import Fault
 
+MOST_CELLS = 1e9  # along an axis
 NEAR = 1e-9  # of a length, relative
 
 
@@ -78,6 +79,8 @@ def read_space(root, notes):
     for level in levels[1:]:
         level.cover()
     lower, upper, spacing = read_box(levels[0], notes)
+    if not all((high - low) / min(spacing) < MOST_CELLS for low, high in zip(lower, upper)):
+        raise Fault(f"{levels[0].where} has more than {MOST_CELLS:g} cells along an axis (a grid of a deck has fewer); correct lower, upper or the cells.")
     if root.find("MPM").flag("axisymmetric"):
         mode = "axisymmetric"
     else:

@@ -8,6 +8,8 @@ import xml.etree.ElementTree as ElementTree
 
 from barreno_runs.faults import Fault
 
+MOST = 2e9  # of what is counted
+LARGEST = 1e100  # of a property of a material
 TEXT, ALL = "#text", "*"  # of the record, beside names of attributes; "" is the element itself
 
 
@@ -71,6 +73,17 @@ class Ups:
         if default is not None and not self.has(*tags):
             return float(default)
         return to_number(self.text(*tags), f"{self.where}/{tags[0]}")
+
+    def index(self, *tags, default=None):
+        """A whole number that counts something, -1 for what counts nothing."""
+        value = self.number(*tags, default=default)
+        return int(value) if 0.0 <= value < MOST and value == int(value) else -1
+
+    def positive(self, *tags):
+        value = self.number(*tags)
+        if not 0.0 < value < LARGEST:
+            raise Fault(f"{self.where}/{tags[0]} is {value:g}, which is not positive and finite; correct it.")
+        return value
 
     def vector(self, *tags, default=None):
         """[x, y, z] as three numbers."""
