@@ -232,8 +232,7 @@ void Output::write_if_due(const Scene& scene, const State& state) {
 }
 
 double Output::next_time(double now) const {
-  const Schedule& schedule = parts_->field_schedule;
-  return schedule.on() ? std::min(schedule.next(now), parts_->end_time) : parts_->end_time;
+  return parts_->field_schedule.next_until(now, parts_->end_time);
 }
 
 void Output::warn(const std::string& kind, const std::string& sentence) {

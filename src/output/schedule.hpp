@@ -15,6 +15,14 @@ public:
   }
   void done(double time) { count_ = index_after(time); }
   double next(double time) const { return static_cast<double>(index_after(time)) * interval_; }
+  /// The next multiple, or the end. A multiple may be a rounding before the end, which would take a
+  /// step of its own, and rows and fields twice.
+  double next_until(double now, double end) const {
+    if (!on()) return end;
+    constexpr double small = 1e-9;
+    const double multiple = next(now);
+    return end - multiple > small * end ? multiple : end;
+  }
   bool on() const { return interval_ > 0.0; }
 
 private:

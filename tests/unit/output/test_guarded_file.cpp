@@ -87,6 +87,15 @@ TEST(Schedule, IsDueAtMultiplesOfItsInterval) {
   EXPECT_TRUE(schedule.due(0.4));
   EXPECT_FALSE(Schedule(0.0).on());
   EXPECT_FALSE(Schedule(0.0).due(1.0));
+  EXPECT_EQ(Schedule(0.0).next_until(1.0, 3.0), 3.0);
+}
+
+TEST(Schedule, ARoundingBeforeTheEndIsTheEnd) {
+  const Schedule schedule(1e-6);
+  ASSERT_LT(schedule.next(4.5e-6), 5e-6);  // 5 * 1e-6 is less than 5e-6
+  EXPECT_EQ(schedule.next_until(4.5e-6, 5e-6), 5e-6);
+  EXPECT_EQ(schedule.next_until(3.5e-6, 5e-6), schedule.next(3.5e-6));
+  EXPECT_EQ(schedule.next_until(4.5e-6, 4.7e-6), 4.7e-6);
 }
 
 TEST_F(GuardedFile, WatchLedgerWarnsOnceForEachCauseAndCounts) {
