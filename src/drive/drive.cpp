@@ -95,7 +95,7 @@ Driven drive_along(
   const auto head = [&](const char* motion, const char* frame, const char* columns) {
     return units_line(material, motion, frame) + "\n" + column_line(material, columns) + "\n";
   };
-  if (is_mixed_path(text)) {
+  if (is_mixed_path(text, name)) {
     const MixedPath path = read_mixed_path(text, name);
     Driven answer = driven(
         request,

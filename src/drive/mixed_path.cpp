@@ -184,10 +184,10 @@ void check_first(const MixedPath& path, const std::string& source) {
 
 }  // namespace
 
-bool is_mixed_path(const std::string& text) {
+bool is_mixed_path(const std::string& text, const std::string& source) {
   std::vector<std::string> known = known_names();
   known.emplace_back("F11");
-  const TableText table = split_table(text, known, "the path");
+  const TableText table = split_table(text, known, source);
   if (has_column(table, "F11") || has_column(table, "F22") || has_column(table, "F33"))
     return false;
   return std::any_of(table.names.begin(), table.names.end(), [](const std::string& name) {

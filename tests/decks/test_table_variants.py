@@ -85,7 +85,7 @@ def check_agreement(barreno, folder):
 def check_unclear(barreno, folder):
     for name, (raw, words) in UNCLEAR.items():
         answer, said = driven(barreno, folder, raw)
-        assert answer is None and words in said and said.count("\n") == 1, f"{name}: {said}"
+        assert answer is None and words in said and said.startswith("barreno: path.csv") and said.count("\n") == 1, f"{name}: {said}"
         try:
             columns_of(raw)
         except Fault as fault:
