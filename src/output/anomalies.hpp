@@ -35,6 +35,21 @@ KOKKOS_INLINE_FUNCTION void add(const Anomalies& part, Anomalies& sum) {
       part.largest_speed > sum.largest_speed ? part.largest_speed : sum.largest_speed;
 }
 
+/// The particle with the largest value of all; of equal ones the first.
+struct ExtremeParticle {
+  ParticleId id = -1;  ///< -1: there is none
+  int material = -1;
+  double value = 0.0;
+  Vector position{};
+};
+struct Extremes {
+  ExtremeParticle hottest;         ///< of the materials that know their temperature
+  ExtremeParticle most_stretched;  ///< by the largest singular value of F
+};
+
+/// Held debris and rigid bodies are left out. Collective, the same on every rank.
+Extremes find_extremes(const Scene& scene, const State& state);
+
 /// By material; held debris is left out. Collective, the same on every rank.
 std::vector<Anomalies> count_anomalies(const Scene& scene, const State& state);
 

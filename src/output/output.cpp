@@ -296,6 +296,19 @@ void write_summary(const std::filesystem::path& folder, const std::string& text,
   }
 }
 
+/// Whether numerical errors were too large at any row of the run.
+void judge_energy(
+    const Scene& scene,
+    const std::filesystem::path& history,
+    const RunTotals& totals,
+    const Extremes& extremes,
+    RunSummary& summary
+) {
+  summary.numerical = largest_shares(energy_rows(history, totals.ledger, totals.time));
+  summary.numerical_warning = numerical_energy_sentence(scene, summary.numerical, extremes);
+  if (!summary.numerical_warning.empty()) summary.warnings[numerical_energy_kind] = 1;
+}
+
 }  // namespace
 
 void Output::finish(const Scene& scene, const State& state, const RunVerdict& verdict) {
@@ -306,12 +319,14 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   const double mass_beyond = o.monitor.on() ? o.monitor.mass_beyond(state) : 0.0;
   RunSummary summary = summarise(scene, state, seconds(), cpu_seconds() - o.cpu_start);
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
+  const Extremes extremes = find_extremes(scene, state);
   RootWork work(*o.comm);
   work.run([&] {
     watch_ledger(o.totals.ledger, state.clock.time, o.watched, *o.progress);
     o.show_progress(state);
     o.progress->list_warnings();
     summary.warnings = o.progress->warnings();
+    judge_energy(scene, o.run.folder / "history.csv", o.totals, extremes, summary);
     if (o.monitor.on()) summary.formed_jet = o.write_jet_table(mass_beyond);
     write_summary(
         o.run.folder,
@@ -321,6 +336,8 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
     const auto numbers = result_numbers(scene, o.totals, penetration, summary, o.run.prediction);
     for (const std::string& line : result_lines(scene, state, o.run, verdict, numbers))
       o.progress->say(line);
+    if (!summary.numerical_warning.empty())
+      o.progress->warn(numerical_energy_kind, summary.numerical_warning);
     // Whoever sends the screen to a file still sees why.
     if (!verdict.finished) std::cerr << "barreno: " << verdict.reason << std::endl;
   });

@@ -199,6 +199,17 @@ void put_balances(Json& json, const Ledger& l) {
   energy["transfer_share"] = number(numerical_energy(l).transfer);
 }
 
+/// The largest numerical errors of the run; `since` is null and `warning` empty where they are
+/// small.
+void put_numerical_energy(Json& json, const RunSummary& summary) {
+  Json& one = json["numerical_energy"];
+  one["bound"] = number(largest_numerical_share);
+  one["largest_stress_integration_share"] = number(summary.numerical.stress_integration);
+  one["largest_transfer_share"] = number(summary.numerical.transfer);
+  one["since"] = number(summary.numerical.since);
+  one["warning"] = as_utf8(summary.numerical_warning);
+}
+
 void put_jet(Json& json, const Scene& scene, const State& state, const Ledger& l) {
   const JetTotals table = jet_table_totals(scene, state.jet.next_slug);
   Json& jet = json["jet"];
@@ -330,6 +341,7 @@ std::string summary_text(
   if (recorded_path(scene, run.monitor))
     put_penetration(json, scene, state.clock.time, penetration);
   put_balances(json, totals.ledger);
+  put_numerical_energy(json, summary);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
   if (summary.formed_jet) put_formed_jet(json, run.monitor, *summary.formed_jet);
   put_removed(json, totals.ledger);

@@ -5,6 +5,7 @@
 #include "output/depth.hpp"
 #include "output/history_writer.hpp"
 #include "output/jet/jet_table.hpp"
+#include "output/numerical_energy.hpp"
 #include "output/output.hpp"
 
 #include <map>
@@ -36,6 +37,8 @@ struct RunSummary {
   std::vector<PhaseSummary> phases;
   std::vector<WorkSummary> work;
   std::vector<Anomalies> anomalies;  ///< by material
+  NumericalShares numerical;         ///< largest of the run
+  std::string numerical_warning;     ///< of them; empty: they are small
   std::map<std::string, long> warnings;
   std::optional<JetAudit> formed_jet;  ///< of a Jet Monitor
 };

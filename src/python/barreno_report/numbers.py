@@ -70,7 +70,9 @@ def energy_rows(summary):
     shares = numerical_shares(summary)
     if shares is None:
         return []
+    warning = summary.get("numerical_energy", {}).get("warning")
     return [
+        *([("warning", warning)] if warning else []),
         (
             "energy that the method itself has added (+) or lost (-)",
             f"{sum(shares):+.2g} % of the energy put in (stress integration {shares[0]:+.2g} %, transfer between particles and grid {shares[1]:+.2g} %)",

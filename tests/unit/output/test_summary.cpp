@@ -82,6 +82,52 @@ TEST(Summary, CountsKinematicAnomalies) {
     EXPECT_NE(text.find(word), std::string::npos) << word;
 }
 
+/// Errors that cancel at the end, or have gone by then, are told all the same, with their first
+/// row.
+TEST(Summary, WarnsOfNumericalErrorsSinceTheirFirstRow) {
+  const auto shares_of_rows = [](double stress, double transfer) {
+    return largest_shares({{1e-6, 10.0, 0.5, -0.5}, {2e-6, 50.0, stress, transfer}, {3e-6, 100.0}});
+  };
+  EXPECT_FALSE(shares_of_rows(9.0, -9.0).too_large()) << "a tenth of the most that was put in";
+  EXPECT_FALSE(largest_shares({}).too_large());
+  const NumericalShares shares = shares_of_rows(30.0, -40.0);
+  EXPECT_TRUE(shares.too_large());
+  EXPECT_EQ(shares.since, 2e-6);
+  EXPECT_DOUBLE_EQ(shares.stress_integration, 0.3);
+  EXPECT_DOUBLE_EQ(shares.transfer, -0.4);
+
+  Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  State state = synthetic::make_state(scene, comm);
+  Particles& particles = state.particles[0];
+  if (particles.count > 0) particles.deformation_gradient(0, 3) = 7.0;
+  const Extremes extremes = find_extremes(scene, state);
+  EXPECT_DOUBLE_EQ(extremes.most_stretched.value, 7.0);
+  EXPECT_EQ(extremes.most_stretched.material, 0);
+  EXPECT_EQ(extremes.hottest.id, -1) << "no material knows its temperature";
+  EXPECT_EQ(numerical_energy_sentence(scene, {}, extremes), "");
+  std::string text = numerical_energy_sentence(scene, shares, extremes);
+  for (const char* word :
+       {"since t = 2e-06 s",
+        "cancel in the sum",
+        "'steel'",
+        "7 times",
+        "modified stress last",
+        "2 mm now",
+        "Courant Fraction"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+  EXPECT_EQ(text.find("Volume Relaxation"), std::string::npos) << text;
+
+  // What the run does already is no advice.
+  scene.step.order = Order::modified_stress_last;
+  scene.step.courant_fraction = 0.4;
+  scene.materials[2].volume_relaxation = 20.0;
+  text = numerical_energy_sentence(scene, shares, extremes);
+  EXPECT_EQ(text.find("modified stress last"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Courant Fraction"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"Volume Relaxation\" of 'tungsten' to 0"), std::string::npos) << text;
+}
+
 TEST(Summary, SaysWhichCellsAndStepsTheWorkWentTo) {
   StepShares shares;
   EXPECT_TRUE(shares_by_cell_size(1e-3, shares).empty());
