@@ -70,10 +70,16 @@ std::string body_lines(const Scene& scene) {
   for (const BodySpec& body : scene.bodies) {
     double volume = 0.0;
     long long count = 0;
-    for_each_body_particle(scene.grid, body, 1, [&](const NewParticle& particle) {
-      volume += particle.volume;
-      ++count;
-    });
+    for_each_body_particle(
+        scene.grid,
+        body,
+        1,
+        [&](const NewParticle& particle) {
+          volume += particle.volume;
+          ++count;
+        },
+        box_cuts(scene)
+    );
     text += format(
         "  %-22s %.6g m3%s (%s), %lld particles\n",
         body.name.c_str(),

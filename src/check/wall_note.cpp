@@ -100,18 +100,25 @@ bool is_beside_explosive(const Scene& scene, const BodySpec& body) {
 double cells_of_wall(const Scene& scene, const BodySpec& body) {
   const MirroredBody mirrored(scene, body);
   const std::vector<Vector> directions = directions_in(dimensions(scene.grid.mode));
-  const long long stride = count_body_particles(scene.grid, body) / most_places + 1;
+  const long long stride =
+      count_body_particles(scene.grid, body, box_cuts(scene)) / most_places + 1;
   long long particle = 0;
   double sum = 0.0, count = 0.0;
-  for_each_body_particle(scene.grid, body, 0, [&](const NewParticle& p) {
-    if (particle++ % stride != 0) return;
-    const double cell = scene.grid.cell_size / (1 << level_at(scene.grid, p.x));
-    double least = cell;
-    for (const Vector& direction : directions)
-      least = std::min(least, mirrored.way_out(p.x, direction, least));
-    sum += least / cell;
-    count += 1.0;
-  });
+  for_each_body_particle(
+      scene.grid,
+      body,
+      0,
+      [&](const NewParticle& p) {
+        if (particle++ % stride != 0) return;
+        const double cell = scene.grid.cell_size / (1 << level_at(scene.grid, p.x));
+        double least = cell;
+        for (const Vector& direction : directions)
+          least = std::min(least, mirrored.way_out(p.x, direction, least));
+        sum += least / cell;
+        count += 1.0;
+      },
+      box_cuts(scene)
+  );
   return count > 0.0 ? 4.0 * sum / count : 0.0;
 }
 

@@ -72,8 +72,8 @@ BodyCensus take_census(const Scene& scene, const Teuchos::RCP<const Comm>& comm)
   for (std::size_t i = 0; i < in_shares.size(); ++i) census.parcels[i].particles = in_shares[i];
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!is_box(scene.bodies[b])) continue;
-    census.counts[b] = count_body_particles(scene.grid, scene.bodies[b]);
-    count_box_in_parcels(scene.grid, scene.bodies[b], grid, census.parcels);
+    census.counts[b] = count_body_particles(scene.grid, scene.bodies[b], box_cuts(scene));
+    count_box_in_parcels(scene, scene.bodies[b], grid, census.parcels);
   }
   census.first = first_ids(scene, census.counts);
   return census;

@@ -141,13 +141,15 @@ void for_each_body_particle(
     const GridSpec& grid,
     const BodySpec& body,
     ParticleId first,
-    const std::function<void(const NewParticle&)>& visit
+    const std::function<void(const NewParticle&)>& visit,
+    BoxCuts where
 ) {
   if (const auto* box = std::get_if<Box>(&body.shape)) {
     for_each_box_part(
         grid,
         body,
         *box,
+        where,
         [&](const GridSpec& own, const Divisions& divisions, unsigned ends) {
           for_each_particle(own, divisions, first, [&](NewParticle p) {
             p.loaded_sides &= ends;
@@ -184,12 +186,13 @@ void for_each_lattice_particle(
   for_each_lattice_piece(body.shape, dimensions(grid.mode), lattice, span, take);
 }
 
-long long count_body_particles(const GridSpec& grid, const BodySpec& body) {
+long long count_body_particles(const GridSpec& grid, const BodySpec& body, BoxCuts where) {
   long long count = 0;
   if (const auto* box = std::get_if<Box>(&body.shape)) {
-    for_each_box_part(grid, body, *box, [&](const GridSpec&, const Divisions& part, unsigned) {
+    const auto add = [&](const GridSpec&, const Divisions& part, unsigned) {
       count += count_places(part);
-    });
+    };
+    for_each_box_part(grid, body, *box, where, add);
     return count;
   }
   for_each_body_particle(grid, body, 0, [&](const NewParticle&) { ++count; });
@@ -245,7 +248,7 @@ std::vector<ParticleId> first_ids(const Scene& scene, const std::vector<long lon
 std::vector<long long> particle_counts(const Scene& scene) {
   std::vector<long long> counts;
   for (const BodySpec& body : scene.bodies)
-    counts.push_back(count_body_particles(scene.grid, body));
+    counts.push_back(count_body_particles(scene.grid, body, box_cuts(scene)));
   for (const JetSlug& slug : scene.jet.slugs) counts.push_back(count_slug_particles(scene, slug));
   return counts;
 }
@@ -276,6 +279,7 @@ double smallest_half_size(const Scene& scene, int material) {
         scene.grid,
         body,
         *box,
+        box_cuts(scene),
         [&](const GridSpec& own, const Divisions& part, unsigned) {
           h = own.cell_size;
           for (int d = 0; d < dimensions(own.mode); ++d) take(part.along[d]);
@@ -313,6 +317,7 @@ double largest_corner(const Scene& scene) {
           scene.grid,
           body,
           *box,
+          box_cuts(scene),
           [&](const GridSpec& own, const Divisions& d, unsigned) {
             h = own.cell_size;
             take(d.along[0].size, d.along[1].size, d.along[2].size);

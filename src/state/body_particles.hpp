@@ -19,6 +19,14 @@ struct NewParticle {
   Vector velocity{};          ///< at the start
 };
 
+/// Where boxes are cut before they are divided, if cells are of several sizes: at the borders of
+/// tiles, and at the lines of cells next to the box's ends too.
+enum class BoxCuts { at_tiles, at_cells };
+
+/// CPDI knows faces by their corners. On the two sides of a border between cells of different sizes
+/// these give the same forces only if the faces lie within cells. docs/method.md 11
+BoxCuts box_cuts(const Scene& scene);
+
 /// Fill a body with particles, in the order of their ids from `first` on.
 ///
 /// A box is divided evenly, so that its mass and its faces are exact; other shapes take the pieces
@@ -28,9 +36,12 @@ void for_each_body_particle(
     const GridSpec& grid,
     const BodySpec& body,
     ParticleId first,
-    const std::function<void(const NewParticle&)>& visit
+    const std::function<void(const NewParticle&)>& visit,
+    BoxCuts where = BoxCuts::at_tiles
 );
-long long count_body_particles(const GridSpec& grid, const BodySpec& body);
+long long count_body_particles(
+    const GridSpec& grid, const BodySpec& body, BoxCuts where = BoxCuts::at_tiles
+);
 
 /// The lattice that a body is cut from which is no box.
 Lattice body_lattice(const GridSpec& grid, const BodySpec& body);

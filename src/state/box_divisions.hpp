@@ -34,7 +34,11 @@ double wanted_size(const GridSpec& grid, const BodySpec& body);
 /// different cells, in the order of ids; where nothing is refined there is one.
 using VisitPart = std::function<void(const GridSpec&, const Divisions&, unsigned)>;
 void for_each_box_part(
-    const GridSpec& grid, const BodySpec& body, const Box& box, const VisitPart& visit
+    const GridSpec& grid,
+    const BodySpec& body,
+    const Box& box,
+    BoxCuts where,
+    const VisitPart& visit
 );
 
 }  // namespace barreno

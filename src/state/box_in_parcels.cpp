@@ -84,7 +84,7 @@ void for_each_own_place(const Grid& grid, const Runs& runs, Visitor&& visit) {
 }  // namespace
 
 void count_box_in_parcels(
-    const GridSpec& spec, const BodySpec& body, const Grid& grid, std::vector<ParcelCost>& parcels
+    const Scene& scene, const BodySpec& body, const Grid& grid, std::vector<ParcelCost>& parcels
 ) {
   const CellLattice cells(grid);
   const auto count = [&](const GridSpec& /*own*/, const Divisions& divisions, unsigned /*ends*/) {
@@ -96,11 +96,11 @@ void count_box_in_parcels(
               .particles +=
               static_cast<double>((z.end - z.begin) * (y.end - y.begin) * (x.end - x.begin));
   };
-  for_each_box_part(spec, body, std::get<Box>(body.shape), count);
+  for_each_box_part(scene.grid, body, std::get<Box>(body.shape), box_cuts(scene), count);
 }
 
 void for_each_own_box_particle(
-    const GridSpec& spec,
+    const Scene& scene,
     const BodySpec& body,
     const Grid& grid,
     const std::function<void(const NewParticle&)>& visit
@@ -118,7 +118,7 @@ void for_each_own_box_particle(
     });
     first += count_places(divisions);
   };
-  for_each_box_part(spec, body, std::get<Box>(body.shape), fill);
+  for_each_box_part(scene.grid, body, std::get<Box>(body.shape), box_cuts(scene), fill);
 }
 
 }  // namespace barreno

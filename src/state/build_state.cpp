@@ -421,7 +421,7 @@ void fill_bodies(const Scene& scene, const BodyCensus& census, State& state) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const BodySpec& body = scene.bodies[b];
     if (std::holds_alternative<Box>(body.shape))
-      for_each_own_box_particle(scene.grid, body, state.grid, [&](const NewParticle& particle) {
+      for_each_own_box_particle(scene, body, state.grid, [&](const NewParticle& particle) {
         filler.take(b, particle);
       });
     else

@@ -143,6 +143,38 @@ TEST_P(Levels, PreloadedBodyStaysAtRest) {
   for (const auto& row : all_rows(state)) EXPECT_LT(std::hypot(row[2], row[3]), 1e-9 * free_speed);
 }
 
+/// Largest speed of a body under pressure that does not lie on cells, over that of a free face.
+double speed_under_pressure(Mode mode, const char* shape) {
+  Scene scene = box_scene(
+      mode, 1e-3, {0.0, 0.0, 0.0}, {0.032, 0.048, 0.012}, testing::elastic(20e9, 0.25, 2300.0)
+  );
+  scene.step.shape = shape;
+  const bool in_space = mode == Mode::three_dimensional;
+  // Ends a fifth and seven tenths of a cell beyond lines of cells, at borders of tiles too.
+  add_box(scene, "core", {0.0, 0.0082, 0.0}, {in_space ? 0.0083 : 0.0203, 0.0357, 0.0053}, 2)
+      .initial_pressure = 70e6;
+  PressureLoadSpec load;
+  for (const Face face : {Face::x_upper, Face::y_lower, Face::y_upper})
+    load.faces[static_cast<std::size_t>(face)] = true;
+  load.faces[static_cast<std::size_t>(Face::z_upper)] = in_space;
+  load.pressure = {{0.0}, {70e6}};
+  scene.loads.push_back(load);
+  add_symmetry(scene, Face::x_lower);
+  if (in_space) add_symmetry(scene, Face::z_lower);
+  refine(scene, {{0.0, 0.017, 0.0}, {0.003, 0.022, 0.003}}, level_in(mode));
+  State state = start(scene);
+  advance_to(scene, 1e-6, state);
+  double largest = 0.0;
+  for (const auto& row : all_rows(state)) largest = std::max(largest, std::hypot(row[2], row[3]));
+  return largest / (70e6 / (2300.0 * std::sqrt(24e9 / 2300.0)));
+}
+
+/// Whatever the shape function that has exact faces, and wherever the box ends.
+TEST_P(Levels, PreloadedBodyOffTheCellsStaysAtRest) {
+  for (const char* shape : {"GIMP", "contiguous GIMP", "CPDI"})
+    EXPECT_LT(speed_under_pressure(GetParam(), shape), 1e-9) << shape;
+}
+
 /// Of velocities of a body that flies freely, over its speed.
 double change_of_uniform_motion(const char* shape) {
   Scene scene = collision(Mode::plane_strain);
