@@ -5,7 +5,7 @@
 #include "output/depth.hpp"
 #include "output/history_writer.hpp"
 #include "output/jet/jet_table.hpp"
-#include "output/numerical_energy.hpp"
+#include "output/warnings/numerical_energy.hpp"
 #include "output/output.hpp"
 
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/numerical_energy.hpp"
+#include "output/warnings/numerical_energy.hpp"
 
 #include "output/text_file.hpp"
 #include "scene/tile_levels.hpp"
