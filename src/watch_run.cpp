@@ -86,19 +86,38 @@ Energies sum_energies(const State& state) {
   return {l.kinetic, l.elastic, supplied};
 }
 
+/// What makes steps stable, without what the run does already. Returned losses come first: sprays
+/// of metal that failed with them were stable without, and those need Order stress last.
+std::string stability_advice(const Scene& scene) {
+  const StepSpec& step = scene.step;
+  std::string text;
+  const auto advise = [&](bool applies, const std::string& words) {
+    if (applies) text += (text.empty() ? "" : ", or ") + words;
+  };
+  advise(step.return_losses, "set \"Return Losses\" to false");
+  advise(
+      !step.stable_alone && !step.return_losses,
+      "set \"Stable Alone\" if particles fly in isolation"
+  );
+  advise(true, "halve the \"Courant Fraction\"");
+  advise(
+      step.order == Order::stress_last && !step.return_losses,
+      "set \"Order\" to modified stress last"
+  );
+  advise(true, "set \"Bad Particles\" to remove with a smaller \"Largest Expansion\"");
+  return text;
+}
+
 std::string gain_sentence(
     const Scene& scene, const State& state, const Energies& energies, double max_energy_input
 ) {
   std::ostringstream text;
-  text
-      << "The particles have more than " << max_gain
-      << " times the energy supplied at t = " << state.clock.time << " s, step " << state.clock.step
-      << ", dt = " << state.clock.dt << " s: " << energies.kinetic << " J kinetic and "
-      << energies.elastic << " J elastic of " << max_energy_input << " J ("
-      << fastest_words(scene, state)
-      << "). The steps are unstable: set \"Stable Alone\" if particles fly in isolation, halve the "
-         "\"Courant Fraction\", set \"Order\" to modified stress last, or set \"Bad Particles\" to "
-         "remove with a smaller \"Largest Expansion\".";
+  text << "The particles have more than " << max_gain
+       << " times the energy supplied at t = " << state.clock.time << " s, step "
+       << state.clock.step << ", dt = " << state.clock.dt << " s: " << energies.kinetic
+       << " J kinetic and " << energies.elastic << " J elastic of " << max_energy_input << " J ("
+       << fastest_words(scene, state) << "). The steps are unstable: " << stability_advice(scene)
+       << ".";
   return text.str();
 }
 

@@ -67,6 +67,27 @@ TEST(WatchRun, SaysThatEnergyCameFromNowhere) {
   EXPECT_EQ(state.clock.step, energy_interval);
 }
 
+/// What the run does already, or what its deck would be refused with, is no advice.
+TEST(WatchRun, AdvisesWhatTheRunDoesNotFollow) {
+  Scene scene = flying_block(1.0);
+  const auto sentence = [&] {
+    State state = testing::start(scene);
+    watched(scene, state, 10);
+    for (Particles& particles : state.particles)
+      for (int p = 0; p < particles.count; ++p) particles.velocity(p, 1) = 4.0;
+    return watched(scene, state, energy_interval);
+  };
+  EXPECT_NE(sentence().find("unstable: set \"Stable Alone\""), std::string::npos);
+  scene.step.stable_alone = true;
+  std::string wrong = sentence();
+  EXPECT_EQ(wrong.find("Stable Alone"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("unstable: halve the \"Courant Fraction\""), std::string::npos) << wrong;
+  scene.step.return_losses = true;
+  wrong = sentence();
+  EXPECT_NE(wrong.find("unstable: set \"Return Losses\" to false"), std::string::npos) << wrong;
+  EXPECT_EQ(wrong.find("modified stress last"), std::string::npos) << wrong;
+}
+
 TEST(WatchRun, LooksAtTheEndToo) {
   Scene scene = flying_block(10.0);
   scene.end_time = 1e-6;
