@@ -5,8 +5,8 @@
 #include "output/depth.hpp"
 #include "output/history_writer.hpp"
 #include "output/jet/jet_table.hpp"
-#include "output/warnings/numerical_energy.hpp"
 #include "output/output.hpp"
+#include "output/warnings/numerical_energy.hpp"
 
 #include <map>
 #include <optional>
