@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run in which numerical errors move more than a tenth of the energy put in ends with a warning: on the screen, in summary.json and in the report,
-the same on one and two ranks and after a resume, also where the errors cancel in their sum.
+"""A run in which numerical errors move more than a tenth of the energy put in ends with a warning: on the screen, in summary.json and in
+the report, the same on one and two ranks and after a resume, also where the errors cancel in their sum.
 
     test_numerical_energy.py BARRENO
 """
