@@ -113,39 +113,104 @@ bool is_jet(const HostParticles& particles, int p, const JetOrigin& origin) {
          (!origin.formed || origin.direction * (particles.position(p, 1) - origin.plane) > 0.0);
 }
 
-/// Filled part of the cells along the path (rows) by distance from the axis (columns), of this
-/// rank.
-std::vector<long long> fill_cells(
-    const std::vector<HostParticles>& sets, const Scene& scene, const JetPath& path, int columns
-) {
-  const GridSpec& grid = scene.grid;
-  const bool ring = grid.mode != Mode::plane_strain;
-  const double h = path.bin;
-  // Of a ring or of the two sides of a plane, what the grid holds.
-  double part = 1.0;
-  if (grid.mode == Mode::plane_strain && grid.lower[0] < 0.0) part = 2.0;
+/// Bins along the path (rows) and away from the axis (columns), all of one width.
+struct PathBins {
+  double width = 0.0;  ///< [length]
+  int rows = 0, columns = 0;
+  bool ring = false;
+  double part = 1.0;  ///< of a ring, or of the two sides of a plane, that the grid holds
+
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  double volume(int column) const {
+    return width * width * part * (ring ? two_pi * (column + 0.5) * width : 1.0);
+  }
+};
+
+PathBins path_bins(const GridSpec& grid, const JetPath& path) {
+  PathBins bins;
+  bins.width = path.bin;
+  bins.rows = path.bins;
+  const double across = std::max(std::abs(grid.lower[0]), std::abs(grid.upper[0]));
+  bins.columns = static_cast<int>(std::ceil(across / path.bin));
+  bins.ring = grid.mode != Mode::plane_strain;
+  if (grid.mode == Mode::plane_strain && grid.lower[0] < 0.0) bins.part = 2.0;
   if (grid.mode == Mode::three_dimensional)
-    for (const std::size_t across : {0U, 2U}) part *= grid.lower[across] < 0.0 ? 1.0 : 0.5;
-  std::vector<long long> fill(
-      static_cast<std::size_t>(path.bins) * static_cast<std::size_t>(columns), 0
-  );
-  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (const std::size_t axis : {0U, 2U}) bins.part *= grid.lower[axis] < 0.0 ? 1.0 : 0.5;
+  return bins;
+}
+
+/// Length that two intervals share.
+double overlap(double from, double to, double lower, double upper) {
+  return std::max(0.0, std::min(to, upper) - std::max(from, lower));
+}
+
+/// Half of the extent of a particle's deformed domain along an axis.
+double half_extent(const HostParticles& particles, int p, int axis) {
+  double x[3], h[3];
+  for (int d = 0; d < particles.dimensions(); ++d) {
+    x[d] = particles.position(p, d);
+    h[d] = particles.half_size(p, d);
+  }
+  std::vector<double> corners;
+  particles.append_corners(p, corners);
+  double most = h[axis];
+  const auto stride = static_cast<std::size_t>(particles.dimensions());
+  for (std::size_t c = static_cast<std::size_t>(axis); c < corners.size(); c += stride)
+    most = std::max(most, std::abs(corners[c] - x[axis]));
+  return most;
+}
+
+/// Adds the volume that a particle fills to the bins that the rectangle around its domain covers,
+/// each by its share of the rectangle: particles may be wider than a bin.
+void fill_around(
+    const PathBins& bins,
+    double depth,
+    double radius,
+    const double (&half)[2],
+    double filled,
+    std::vector<long long>& fill
+) {
+  const double inner = std::max(0.0, radius - half[0]), outer = radius + half[0];
+  const double near = depth - half[1], far = depth + half[1];
+  const auto bin_of = [&](double at, int count) {
+    return static_cast<int>(std::clamp(std::floor(at / bins.width), 0.0, count - 1.0));
+  };
+  const double area = (outer - inner) * (far - near);
+  for (int row = bin_of(near, bins.rows); row <= bin_of(far, bins.rows); ++row)
+    for (int column = bin_of(inner, bins.columns); column <= bin_of(outer, bins.columns);
+         ++column) {
+      const double along = overlap(near, far, row * bins.width, (row + 1) * bins.width);
+      const double across = overlap(inner, outer, column * bins.width, (column + 1) * bins.width);
+      const double share = along * across / area * filled / bins.volume(column);
+      fill[bins.index(row, column)] += std::llround(share / fill_quantum);
+    }
+}
+
+/// Filled part of the bins, of this rank.
+std::vector<long long> fill_bins(
+    const std::vector<HostParticles>& sets,
+    const Scene& scene,
+    const JetPath& path,
+    const PathBins& bins
+) {
+  std::vector<long long> fill(bins.index(bins.rows, 0));
+  for (std::size_t set = 0; set < sets.size() && bins.rows > 0; ++set) {
     const HostParticles& particles = sets[set];
     const double density = scene.materials[set].density();
     // Gas that has formed the jet follows it into the channel, and does not fill it.
     if (path.origin.formed && scene.materials[set].detonation_speed()) continue;
     for (int p = 0; p < particles.count; ++p) {
       if (is_of(path.origin.bodies, particles.body(p) & ~debris_bit)) continue;  // the jet itself
-      const double bin = std::floor(path.depth(particles.position(p, 1)) / h);
-      const double z = grid.mode == Mode::three_dimensional ? particles.position(p, 2) : 0.0;
-      const double column = std::floor(std::hypot(particles.position(p, 0), z) / h);
-      if (!(bin >= 0.0 && bin < path.bins && column < columns)) continue;
-      const double cell = h * h * part * (ring ? two_pi * (column + 0.5) * h : 1.0);
+      const bool space = scene.grid.mode == Mode::three_dimensional;
+      const double radius =
+          std::hypot(particles.position(p, 0), space ? particles.position(p, 2) : 0.0);
+      const double half[2] = {half_extent(particles, p, 0), half_extent(particles, p, 1)};
       // Expanded debris fills no more than it did as rock.
-      const double filled = std::min(particles.volume(p, 0), particles.mass(p, 0) / density) / cell;
-      fill
-          [static_cast<std::size_t>(bin) * static_cast<std::size_t>(columns) +
-           static_cast<std::size_t>(column)] += std::llround(filled / fill_quantum);
+      const double filled = std::min(particles.volume(p, 0), particles.mass(p, 0) / density);
+      fill_around(bins, path.depth(particles.position(p, 1)), radius, half, filled, fill);
     }
   }
   return fill;
@@ -166,6 +231,14 @@ std::vector<double> open_radii(
         break;
       }
   return radii;
+}
+
+/// The channel is measured with the smallest cells of the grid, so that larger ones elsewhere do
+/// not change its measure.
+double finest_cell(const GridSpec& grid) {
+  unsigned char level = 0;
+  for (const unsigned char one : grid.level_of_tile) level = std::max(level, one);
+  return grid.cell_size / (1 << level);
 }
 
 /// Bodies that a jet meets, the nearest first.
@@ -261,7 +334,7 @@ JetPath jet_path(const Scene& scene, const JetOrigin& origin) {
   JetPath path;
   path.origin = origin;
   path.direction = origin.direction;
-  path.bin = scene.grid.cell_size;
+  path.bin = finest_cell(scene.grid);
   const double launch = path.direction * origin.plane;
   double face = infinity, end = -infinity;
   for (const PathLayer& layer : layers_ahead(scene, origin)) {
@@ -296,9 +369,8 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
     for (int p = 0; p < particles.count; ++p)
       if (is_jet(particles, p, path.origin))
         follow_jet_particle(particles, p, path, masses, deepest);
-  const double width = std::max(std::abs(scene.grid.lower[0]), std::abs(scene.grid.upper[0]));
-  const int columns = static_cast<int>(std::ceil(width / path.bin));
-  std::vector<long long> fill = fill_cells(sets, scene, path, columns);
+  const PathBins bins = path_bins(scene.grid, path);
+  std::vector<long long> fill = fill_bins(sets, scene, path, bins);
   const Comm& comm = *state.grid.comm;
   sum_over_ranks(comm, fill);
   std::vector<long long> mass{deepest.mass};
@@ -307,7 +379,7 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
   Penetration result;
   combine_reach(comm, path, deepest, result);
   result.jet_mass_inside = masses.mass(mass[0]);
-  measure_channel(open_radii(fill, path, columns), path, result);
+  measure_channel(open_radii(fill, path, bins.columns), path, result);
   return result;
 }
 
