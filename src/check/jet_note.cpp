@@ -60,6 +60,12 @@ std::string jet_note(const Scene& scene) {
   );
 }
 
+std::string through_note(const Scene& scene) {
+  if (!scene.jet.present || !estimate_jet(scene, scene.end_time).passed) return {};
+  return "the jet comes out of the rear of the target before Time/End Time, according to a "
+         "hydrodynamic estimate, so there will be no depth; for one, make the last body longer";
+}
+
 std::string early_end_note(const Scene& scene) {
   if (!scene.jet.present) return {};
   constexpr double small_share = 0.05;

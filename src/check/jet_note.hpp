@@ -15,4 +15,8 @@ std::string jet_note(const Scene& scene);
 /// it does not, or if the jet does not reach the target at all.
 std::string early_end_note(const Scene& scene);
 
+/// A warning that the jet will be through the target, which has no depth then. Empty if it will
+/// not.
+std::string through_note(const Scene& scene);
+
 }  // namespace barreno

@@ -216,7 +216,8 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
   if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
     if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
-  for (std::string note : {jet_note(scene), early_end_note(scene), wall_note(scene)})
+  for (std::string note :
+       {jet_note(scene), through_note(scene), early_end_note(scene), wall_note(scene)})
     if (!note.empty()) notes.push_back(std::move(note));
   for (const auto& find : {gap_notes, scale_notes})
     for (std::string& note : find(scene)) notes.push_back(std::move(note));

@@ -276,7 +276,10 @@ void combine_reach(
     result.tip_velocity = values[2 * r + 1];
   }
   result.met = path.has_target && depth > 0.0;
-  if (result.met) result.depth = depth;
+  if (!result.met) return;
+  const double length = path.direction * (path.end - path.face);
+  result.through = depth > length;
+  result.depth = std::min(depth, length);
 }
 
 }  // namespace
@@ -285,6 +288,10 @@ double widest_radius(const Scene& scene) {
   double radius = 0.0;
   for (const JetSlug& slug : scene.jet.slugs) radius = std::max(radius, slug.radius);
   return radius;
+}
+
+double depth_in(const PathLayer& layer, const JetPath& path, double depth) {
+  return std::clamp(depth - (layer.near - path.direction * path.face), 0.0, layer.far - layer.near);
 }
 
 std::vector<PathLayer> path_layers(const Scene& scene, double radius) {

@@ -57,6 +57,9 @@ struct PathLayer {
 /// Bodies that a jet of this radius around the axis meets, the nearest first.
 std::vector<PathLayer> path_layers(const Scene& scene, double radius);
 
+/// How much of a body's layer lies above a depth [length].
+double depth_in(const PathLayer& layer, const JetPath& path, double depth);
+
 /// Of the slugs; 0 without a jet [length].
 double widest_radius(const Scene& scene);
 
@@ -65,11 +68,13 @@ double widest_radius(const Scene& scene);
 struct Penetration {
   bool met = false;  ///< jet material is beyond the target's outer face
   /// Depth of the leading edge of the deepest jet particle, its box undeformed; 0 until it has met
-  /// the target [length].
+  /// the target, the length of the target once it is through [length].
   double depth = 0.0;
-  /// Length of the channel that is open from the outer face on: whole bins of one cell along the
-  /// axis, open while target fills less than half of the cell at the axis or of the next one, so
-  /// that crumbs in the channel, which fill one of them and then none, do not close it [length].
+  bool through = false;  ///< jet material has come out of the rear of the target
+  /// Length of the channel that is open from the outer face on: whole bins of one cell, the
+  /// smallest of the grid, along the axis, open while target fills less than half of the cell at
+  /// the axis or of the next one, so that crumbs in the channel, which fill one of them and then
+  /// none, do not close it [length].
   double channel_depth = 0.0;
   /// Distance from the axis to the first cell that target fills by half, in the bin at half the
   /// channel depth; 0 without a channel, the width of the grid if there is no target [length].

@@ -25,6 +25,27 @@ void add_work_lines(const Scene& scene, const RunTotals& totals, std::vector<std
 
 }  // namespace
 
+namespace {
+
+/// Depth from the outer face, and in the last body that the jet has reached.
+std::string depth_words(const Scene& scene, const Penetration& p) {
+  std::string text = p.through ? number_line("depth: through the target of %.2f mm", 1e3 * p.depth)
+                               : number_line("depth %.2f mm", 1e3 * p.depth);
+  if (scene.jet.present && !p.through) {
+    const JetPath path = jet_path(scene);
+    const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));
+    for (auto layer = layers.rbegin(); layer != layers.rend() && layers.size() > 1; ++layer) {
+      const double depth = depth_in(*layer, path, p.depth);
+      if (depth == 0.0) continue;
+      text += number_line(" (%.2f mm in ", 1e3 * depth) + scene.bodies[layer->body].name + ")";
+      break;
+    }
+  }
+  return text + number_line(", open channel %.2f mm", 1e3 * p.channel_depth);
+}
+
+}  // namespace
+
 std::vector<std::string> result_numbers(
     const Scene& scene,
     const RunTotals& totals,
@@ -35,17 +56,12 @@ std::vector<std::string> result_numbers(
   std::vector<std::string> lines;
   if (scene.jet.present || penetration.met)
     lines.push_back(
-        penetration.met ? number_line(
-                              "depth %.2f mm, open channel %.2f mm",
-                              1e3 * penetration.depth,
-                              1e3 * penetration.channel_depth
-                          )
-                        : "no depth: the jet has hit no target"
+        penetration.met ? depth_words(scene, penetration) : "no depth: the jet has hit no target"
     );
   if (scene.jet.present && penetration.met)
     lines.push_back(
         "error of the depth from the size of the cells: " +
-        depth_doubt_text(depth_doubt(scene, totals.time, penetration.depth))
+        depth_doubt_text(depth_doubt(scene, totals.time, penetration))
     );
   const Ledger& ledger = totals.ledger;
   const NumericalEnergy energy = numerical_energy(ledger);

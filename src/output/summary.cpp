@@ -128,7 +128,11 @@ void put_resolution(Json& json, const Scene& scene, double time, const Penetrati
   put_cells(json, "cells_per_radius", slug_cells(scene, &JetSlug::radius));
   put_cells(json, "cells_per_length", slug_cells(scene, &JetSlug::length));
   if (!p.met) return;
-  const DepthDoubt doubt = depth_doubt(scene, time, p.depth);
+  const JetPath path = jet_path(scene);
+  for (const PathLayer& layer : path_layers(scene, widest_radius(scene)))
+    json["depth_in_body"][as_utf8(scene.bodies[layer.body].name)] =
+        number(depth_in(layer, path, p.depth));
+  const DepthDoubt doubt = depth_doubt(scene, time, p);
   Json& error = json["depth_error"];
   if (!doubt.unknown.empty()) {
     error["unknown"] = as_utf8(doubt.unknown);
@@ -145,6 +149,7 @@ void put_penetration(Json& json, const Scene& scene, double time, const Penetrat
   Json& reached = json["penetration"];
   reached["met_target"] = p.met;
   reached["depth"] = number(p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
+  reached["through"] = p.through;
   reached["channel_depth"] = number(p.channel_depth);
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["jet_mass_inside"] = number(p.jet_mass_inside);

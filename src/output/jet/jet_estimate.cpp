@@ -145,6 +145,12 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
   return doubt;
 }
 
+DepthDoubt depth_doubt(const Scene& scene, double time, const Penetration& found) {
+  DepthDoubt doubt = depth_doubt(scene, time, found.depth);
+  if (found.through) doubt.unknown = "the jet has come out of the rear of the target";
+  return doubt;
+}
+
 std::string depth_doubt_text(const DepthDoubt& doubt) {
   if (!doubt.unknown.empty()) return "unknown (" + doubt.unknown + ")";
   char cells[96];

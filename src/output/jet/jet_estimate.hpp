@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "output/depth.hpp"
 #include "output/jet/depth_error.hpp"
 #include "scene/scene.hpp"
 
@@ -39,6 +40,9 @@ struct DepthDoubt {
 };
 /// @param depth  that a run has found; 0: as estimated
 DepthDoubt depth_doubt(const Scene& scene, double time, double depth = 0.0);
+
+/// Of a run. Nothing is known of a jet that is through its target.
+DepthDoubt depth_doubt(const Scene& scene, double time, const Penetration& found);
 
 /// One sentence without a full stop: "error of the depth from the cells -14 % (...)".
 std::string depth_doubt_text(const DepthDoubt& doubt);

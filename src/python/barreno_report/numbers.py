@@ -15,7 +15,12 @@ def depth_text(depth, penetration):
     """The depth with its interval: of a convergence study of the deck, or else the error that was measured with cells of that size."""
     if depth["depth"] <= 0.0:
         return "none: the jet has hit no target"
+    if penetration.get("through"):
+        return f"through: the jet has come out of the rear of the target, {depth['depth'] / MILLI:.2f} mm from its face"
+    bodies = [(name, value) for name, value in penetration.get("depth_in_body", {}).items() if value > 0.0]
     text = f"{depth['depth'] / MILLI:.2f} mm"
+    if len(bodies) > 1:
+        text += " (" + ", ".join(f"{value / MILLI:.2f} mm in {name}" for name, value in reversed(bodies)) + ")"
     study, error = penetration.get("convergence"), penetration.get("depth_error", {})
     if study:
         cells = ", ".join(f"{size / MILLI:.3g}" for size in sorted(study["cells"], reverse=True))
@@ -53,7 +58,7 @@ def depth_rows(summary, depth):
         ("depth", depth_text(depth, summary.get("penetration", {}))),
         *resolution_rows(summary.get("penetration", {})),
         ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm"),
-        ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm (in whole cells)"),
+        ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm (in whole cells of the finest size)"),
         ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),
     ]
 

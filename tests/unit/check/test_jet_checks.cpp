@@ -364,6 +364,9 @@ TEST(JetNote, NamesAnEndBeforeTheJetStops) {
   Scene thin = main_job();
   std::get<Box>(thin.bodies[1].shape).upper[1] = 0.1;
   EXPECT_EQ(early_end_note(thin), "");  // the jet is through
+  EXPECT_TRUE(says(through_note(thin), "comes out of the rear of the target"))
+      << through_note(thin);
+  EXPECT_EQ(through_note(done), "");
   thin.end_time = 15e-6;
   EXPECT_TRUE(says(early_end_note(thin), "when the jet comes out of the back"));
   Scene late = main_job();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/depth.hpp"
+#include "output/jet/jet_estimate.hpp"
 #include "synthetic_run.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
@@ -97,7 +98,31 @@ TEST(Penetration, FollowsAJetOfKnownMotion) {
         result.channel_radius_mid, 0.004 * std::exp(-20.0 * 0.0075), 0.5 * scene.grid.cell_size
     );
     EXPECT_GT(result.jet_mass_inside, 0.0);
+    EXPECT_FALSE(result.through);
   }
+}
+
+TEST(Penetration, IsNoDepthBeyondTheRearOfTheTarget) {
+  const Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  JetPath path = jet_path(scene);
+  State state = synthetic::make_state(scene, comm);
+  synthetic::move_to(scene, state, 5e-6);
+  const double length = 0.5 * (launch_plane + tip_speed * 5e-6 - path.face);
+  path.end = path.face + path.direction * length;
+  path.bins = static_cast<int>(std::ceil(length / path.bin));
+  const Penetration result = measure_penetration(scene, state, path);
+  if (comm->getRank() == 0) {
+    EXPECT_TRUE(result.through);
+    EXPECT_NEAR(result.depth, length, 1e-15);
+    EXPECT_NE(depth_doubt(scene, 5e-6, result).unknown, "");
+  }
+  const PathLayer layer{0, 0.02, 0.05};
+  JetPath straight;
+  straight.face = 0.01;
+  EXPECT_EQ(depth_in(layer, straight, 0.005), 0.0);
+  EXPECT_NEAR(depth_in(layer, straight, 0.03), 0.02, 1e-15);
+  EXPECT_NEAR(depth_in(layer, straight, 0.09), 0.03, 1e-15);
 }
 
 /// The synthetic scene with its jet said to come from a liner behind the launch plane.
