@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 namespace barreno::input {
 namespace {
@@ -61,6 +62,18 @@ int control_character_of(const Teuchos::XMLObject& xml) {
   for (int i = 0; i < xml.numChildren(); ++i)
     if (const int found = control_character_of(xml.getChild(i)); found >= 0) return found;
   return -1;
+}
+
+/// The first name of a tree that holds a line end or a tab. Names are printed in tables, logs and
+/// notes, where a line end would begin a line of its own.
+std::optional<std::string> name_of_lines(const Teuchos::XMLObject& xml) {
+  if (xml.hasAttribute("name")) {
+    const std::string& name = xml.getAttribute("name");
+    if (on_one_line(name) != name) return name;
+  }
+  for (int i = 0; i < xml.numChildren(); ++i)
+    if (auto found = name_of_lines(xml.getChild(i))) return found;
+  return std::nullopt;
 }
 
 /// Teuchos' message carries the throw's location and number around the part that a user can act on.
@@ -124,6 +137,14 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
         "",
         "holds the control character " + std::to_string(code) +
             " in a name or a value (XML has none but tab and line end); is it the right file?"
+    );
+  }
+  if (const auto name = name_of_lines(root)) {
+    refuse(
+        source,
+        "",
+        "has the name " + shown(*name) +
+            ", which holds a line end or a tab (a name is one line of text); write it with blanks"
     );
   }
   if (root.getTag() != "ParameterList") {

@@ -8,6 +8,7 @@
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
+#include <barreno/input/scan_xml.hpp>
 #include <barreno/models.hpp>
 #include <barreno/registry.hpp>
 #include <cmath>
@@ -126,7 +127,8 @@ void check_returned_losses(const Deck& deck, const Scene& scene) {
 
 Scene build_scene(const Deck& deck) {
   Scene scene;
-  scene.title = read_section<HeadSection>(deck).title;
+  // One line, as screens, run.log and files have it: a line end in it would begin a line of theirs.
+  scene.title = input::on_one_line(read_section<HeadSection>(deck).title);
   scene.end_time = read_section<TimeSpec>(deck).end_time;
   scene.grid = read_grid(deck);
   add_materials(deck, scene);

@@ -28,7 +28,7 @@ def draw_rate(axes, time, rate, window):
 
 def draw_shares(axes, shares):
     time, spent, stopped = np.array(shares).T
-    axes.plot(time / MICRO, 100.0 * spent, "o-", ms=3, color="C3", label="slower than the hole grows")
+    axes.plot(time / MICRO, 100.0 * spent, "o-", ms=3, color="C3", label="can no longer reach the bottom of the hole")
     axes.plot(time / MICRO, 100.0 * stopped, "s--", ms=3, color="0.3", label="stopped")
     axes.set_ylabel("share of the launched jet's mass [%]")
     axes.set_ylim(bottom=0.0)

@@ -202,6 +202,22 @@ TEST(ScanXml, OverridesTakeAway) {
     }
 }
 
+TEST(ParseXml, NamesAreOneLine) {
+  for (const char* end : {"&#10;", "&#13;", "&#9;"}) {
+    const std::string name = std::string("a") + end + "Note: forged";
+    for (const char* tag : {"Parameter", "ParameterList"}) try {
+        parse_xml(
+            "<ParameterList name=\"t\"><" + (tag + (" name=\"" + name)) + "\"/></ParameterList>",
+            "t"
+        );
+        ADD_FAILURE() << name;
+      } catch (const InputError& error) {
+        const std::string said = error.what();
+        EXPECT_NE(said.find("has the name \"a Note: forged\""), std::string::npos) << said;
+      }
+  }
+}
+
 TEST(ParseXml, HostileTextsAreRefused) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<ParameterList name=\"a\">";
