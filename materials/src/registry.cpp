@@ -7,6 +7,7 @@
 #include "barreno/models.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -169,6 +170,32 @@ const ModelDescription& model_named(
   }
 }
 
+/// Rock whose pores a fluid fills is heavier than its card's density, that of the dry rock. Only
+/// the mass changes, so this stands beside the density and not among the model's parameters.
+constexpr const char* fluid_density_word = "Fluid Density";
+bool may_hold_fluid(const std::string& model) {
+  return model == Arenisca::name;
+}
+
+/// rho = rho_dry + phi rho_fluid with phi = 1 - exp(-p3) [kg/m3].
+double density_at_start(
+    const ParameterList& values, const std::string& source, const std::string& path
+) {
+  const double density = values.get<double>("Density");
+  if (!values.isType<double>(fluid_density_word)) return density;
+  const double fluid = values.get<double>(fluid_density_word);
+  const double pores = values.get<double>("p3_crush_curve");
+  if (values.get<double>("fluid_B0") <= 0.0 || pores <= 0.0) {
+    input::refuse_value(
+        source,
+        input::join(path, fluid_density_word),
+        input::exact_text(fluid),
+        "needs pores with a fluid (p3_crush_curve and fluid_B0 above 0); set both, or remove it"
+    );
+  }
+  return density - std::expm1(-pores) * fluid;
+}
+
 void check_version(int version, const std::string& source, const std::string& path) {
   if (version == card_schema_version) return;
   input::refuse_value(
@@ -211,6 +238,18 @@ input::Section card_section(const ModelDescription& model) {
       input::text("Source", "source of the numbers").if_given(),
       input::word("Model", names, "constitutive model"),
       input::number("Density", dimension::density, above(0.0), "reference density")};
+  if (may_hold_fluid(model.name))
+    section.entries.push_back(
+        input::number(
+            fluid_density_word,
+            dimension::density,
+            above(0.0),
+            "of the fluid in the pores (water: 1000 kg/m3); Density is then that of the dry rock, "
+            "and the rock starts with Density + porosity x Fluid Density; without it Density is "
+            "that of the rock with its fluid"
+        )
+            .if_given()
+    );
   section.entries.insert(section.entries.end(), model.parameters.begin(), model.parameters.end());
   return section;
 }
@@ -226,7 +265,7 @@ Material make_material(
   const ModelDescription& model = model_named(word, source, path);
   const ParameterList values = checked(list, card_section(model), source, path);
   check_version(values.get<int>(card_version_word), source, path);
-  const double density = values.get<double>("Density");
+  const double density = density_at_start(values, source, path);
   const auto index = static_cast<std::size_t>(&model - describe_models().data());
   std::string problem;
   AnyModel built = builders[index](values, density, problem);

@@ -27,6 +27,16 @@ double bulk_over_shear(const Material& material) {
   );
 }
 
+/// Whether the deck gives all particles of a material the size of a cell. Some may be smaller all
+/// the same: in a wall that ends inside a cell, in a short slug, after a division.
+bool asks_for_whole_cells(const Scene& scene, int material) {
+  const bool flies = scene.jet.present && scene.jet.material == material;
+  return (!flies || scene.jet.particles_per_cell == 1) &&
+         std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& body) {
+           return body.material != material || body.particles_per_cell == 1;
+         });
+}
+
 }  // namespace
 
 std::string locking_note(const Scene& scene, int material) {
@@ -38,8 +48,10 @@ std::string locking_note(const Scene& scene, int material) {
   text << "material '" << rock.name << "' is nearly incompressible (K "
        << (ratio < most_said ? "= " : "above ") << std::min(ratio, most_said)
        << " G) and will respond too stiffly, through volumetric locking, with " << scene.step.shape
-       << " and more than one particle per cell; take Particles Per Cell 1 or Shape Function "
-          "quadratic B-spline";
+       << (asks_for_whole_cells(scene, material)
+               ? " and particles smaller than a cell; take "
+               : " and more than one particle per cell; take Particles Per Cell 1 or ")
+       << "Shape Function quadratic B-spline";
   return text.str();
 }
 

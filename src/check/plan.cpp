@@ -5,14 +5,9 @@
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
 #include "check/format.hpp"
-#include "check/gap_notes.hpp"
 #include "check/jet_lines.hpp"
-#include "check/jet_note.hpp"
-#include "check/locking_note.hpp"
 #include "check/predict_cost.hpp"
-#include "check/scale_notes.hpp"
 #include "check/update_row.hpp"
-#include "check/wall_note.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
@@ -27,6 +22,7 @@
 #include "state/particles.hpp"
 
 #include <algorithm>
+#include <barreno/input/scan_xml.hpp>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -210,20 +206,6 @@ void refuse_unreachable_end(const Deck& deck, const Scene& scene) {
   );
 }
 
-std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
-  std::vector<std::string> notes = deck.notes;
-  notes.insert(notes.end(), scene.left_out.begin(), scene.left_out.end());
-  if (const char* const warning = shape_warning(scene)) notes.emplace_back(warning);
-  for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
-    if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
-  for (std::string note :
-       {jet_note(scene), through_note(scene), early_end_note(scene), wall_note(scene)})
-    if (!note.empty()) notes.push_back(std::move(note));
-  for (const auto& find : {gap_notes, scale_notes})
-    for (std::string& note : find(scene)) notes.push_back(std::move(note));
-  return notes;
-}
-
 /// The error of the depth that the cells of a scene let expect; empty without a jet.
 std::string depth_error(const Scene& scene) {
   if (!scene.jet.present) return {};
@@ -269,8 +251,9 @@ std::string plan_text(
   const Prediction cost = predict_cost(scene, probe, counts, ranks);
   const int most = scene.step.subcycles;
   const std::string parts = most > 1 ? format(" of %d parts", most) : std::string();
-  std::string text = scene.title.empty() ? std::string("The deck is valid.\n")
-                                         : scene.title + "\nThe deck is valid.\n";
+  std::string text = scene.title.empty()
+                         ? std::string("The deck is valid.\n")
+                         : input::on_one_line(scene.title) + "\nThe deck is valid.\n";
   text += format(
       "Grid      %s, %s m, cells of %s\n",
       word_of(scene.grid.mode).c_str(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "check/notes.hpp"
 #include "check/probe_cost.hpp"
 #include "deck/deck.hpp"
 #include "scene/scene.hpp"
@@ -16,9 +17,6 @@ void refuse_short_domains(const Deck& deck, const Scene& scene);
 
 /// Refuses an end that no number of steps reaches. @throws DeckError
 void refuse_unreachable_end(const Deck& deck, const Scene& scene);
-
-/// What the user should know of deck and scene besides errors, a sentence each.
-std::vector<std::string> notes_of(const Deck& deck, const Scene& scene);
 
 /// What the run would cost with each fidelity, a line each.
 /// @param scene_with  the scene of the same deck with that fidelity

@@ -3,85 +3,21 @@
 
 #include "base/error.hpp"
 #include "deck/deck_schema.hpp"
+#include "deck/describe_entry.hpp"
 #include "deck/describe_results.hpp"
 #include "deck/describe_words.hpp"
+#include "deck/search_words.hpp"
 
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
-#include <cmath>
-#include <cstdio>
 #include <sstream>
 
 namespace barreno {
 namespace {
 
 using input::Entry;
-using input::Kind;
 using input::Presence;
 using input::Section;
-
-std::string number_text(double x) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%g", x);
-  return buffer;
-}
-
-std::string columns_text(const Entry& entry) {
-  std::vector<std::string> units;
-  for (const Dimension& column : entry.columns) {
-    const std::string unit = input::si_unit_of(column);
-    units.push_back(unit.empty() ? "-" : unit);
-  }
-  return "table of [" + with_commas(units) + "]";
-}
-
-std::string type_text(const Entry& entry) {
-  const std::string unit = input::si_unit_of(entry.dimension);
-  const std::string suffix = unit.empty() ? "" : " [" + unit + "]";
-  switch (entry.kind) {
-    case Kind::number:
-      return "number" + suffix;
-    case Kind::integer:
-      return "integer";
-    case Kind::text:
-      return "text";
-    case Kind::file:
-      return "file";
-    case Kind::flag:
-      return "true or false";
-    case Kind::word:
-      return "one of: " + with_commas(entry.words);
-    case Kind::words:
-      return entry.words.empty() ? "array of names" : "array of: " + with_commas(entry.words);
-    case Kind::vector:
-      return "array" + suffix;
-    case Kind::table:
-      return columns_text(entry);
-  }
-  return {};
-}
-
-std::string bounds_text(const Bounds& b) {
-  std::string text;
-  if (std::isfinite(b.lower)) text = (b.lower_open ? "> " : ">= ") + number_text(b.lower);
-  if (std::isfinite(b.upper)) {
-    text += (text.empty() ? "" : ", ") + std::string(b.upper_open ? "< " : "<= ") +
-            number_text(b.upper);
-  }
-  return text;
-}
-
-std::string default_text(const Entry& entry) {
-  if (entry.presence == Presence::required) return "required";
-  if (entry.presence == Presence::optional) return "optional";
-  return entry.default_text.empty() ? "default: empty" : "default: " + entry.default_text;
-}
-
-void write_entry(const Entry& entry, std::ostream& out) {
-  const std::string bounds = bounds_text(entry.bounds);
-  out << "  " << entry.name << "\n      " << entry.meaning << "\n      " << type_text(entry)
-      << (bounds.empty() ? "" : ", " + bounds) << "; " << default_text(entry) << '\n';
-}
 
 /// Lists of free name are there when they are written, so only fixed ones can be missing.
 std::string presence_text(const Section& section) {
@@ -104,7 +40,7 @@ void write_history(const HistoryField& field, std::ostream& out) {
 
 void write_model(const ModelDescription& model, std::ostream& out) {
   out << "Model \"" << model.name << "\": " << model.summary << '\n';
-  for (const Entry& entry : card_section(model).entries) write_entry(entry, out);
+  for (const Entry& entry : card_section(model).entries) write_entry(entry, out, model.name);
   if (!model.history.empty()) out << "  history of every particle:\n";
   for (const HistoryField& field : model.history) write_history(field, out);
   if (model.more_history.empty()) return;
@@ -156,18 +92,34 @@ void write_in_deck(const std::string& asked, std::ostream& out) {
 
 /// What it means in a card or as a history variable of a model.
 void write_in_model(const ModelDescription& model, const std::string& asked, std::ostream& out) {
-  if (model.name == asked) write_model(model, out);
+  if (is_asked(asked, model.name)) write_model(model, out);
   for (const Entry& entry : card_section(model).entries) {
-    if (entry.name != asked) continue;
+    if (!is_asked(asked, entry.name)) continue;
     out << "Model \"" << model.name << "\"\n";
-    write_entry(entry, out);
+    write_entry(entry, out, model.name);
   }
   for (const auto& fields : {model.history, model.more_history})
     for (const HistoryField& field : fields) {
-      if (field.name != asked) continue;
+      if (!is_asked(asked, field.name)) continue;
       out << "Model \"" << model.name << "\", history of every particle\n";
       write_history(field, out);
     }
+}
+
+/// All that has a name.
+void write_named(const std::string& asked, std::ostream& out) {
+  write_in_deck(asked, out);
+  for (const ModelDescription& model : describe_models()) write_in_model(model, asked, out);
+  out << describe_result(result_page(), asked);
+}
+
+/// Where to look for a word that users search for, and what its names mean.
+void write_search_word(const std::string& asked, std::ostream& out) {
+  const SearchWord* const found = find_search_word(asked);
+  if (found == nullptr) return;
+  out << asked << ": " << found->answer << '\n';
+  for (const char* const name : found->names)
+    if (in_small_letters(name) != in_small_letters(asked)) write_named(name, out);
 }
 
 /// The nearest of all names, or those of sections and models where none is near.
@@ -194,14 +146,16 @@ std::string cell(const std::string& text) {
   return result;
 }
 
-void write_rows(const std::vector<Entry>& entries, std::ostream& out) {
+void write_rows(
+    const std::vector<Entry>& entries, std::ostream& out, const std::string& model = {}
+) {
   if (entries.empty()) return;
   out << "| name | value | bounds | default | meaning |\n|---|---|---|---|---|\n";
   for (const Entry& entry : entries) {
     const std::string text = default_text(entry);
     const std::string value = text.rfind("default: ", 0) == 0 ? text.substr(9) : text;
     out << "| " << cell(entry.name) << " | " << cell(type_text(entry)) << " | "
-        << bounds_text(entry.bounds) << " | " << cell(value) << " | " << cell(entry.meaning)
+        << limits_text(entry, model) << " | " << cell(value) << " | " << cell(entry.meaning)
         << " |\n";
   }
   out << '\n';
@@ -241,9 +195,9 @@ std::string describe_text(const std::string& name) {
     write_overview(out);
     return out.str();
   }
-  write_in_deck(name, out);
-  for (const ModelDescription& model : describe_models()) write_in_model(model, name, out);
-  out << describe_result(result_page(), name);
+  write_named(name, out);
+  if (out.str().empty()) write_named(in_small_letters(name), out);
+  write_search_word(name, out);
   if (out.str().empty()) {
     throw DeckError(
         "describe " + input::shown(name) +
@@ -266,7 +220,7 @@ std::string describe_markdown() {
     write_markdown_section(section, section.name, out);
   for (const ModelDescription& model : describe_models()) {
     out << "## Model " << model.name << "\n\n" << model.summary << "\n\n";
-    write_rows(card_section(model).entries, out);
+    write_rows(card_section(model).entries, out, model.name);
     if (model.history.empty()) continue;
     write_history_rows("history", model.history, out);
     if (model.more_history.empty()) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/describe_results.hpp"
 
+#include "deck/search_words.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -43,7 +45,11 @@ std::vector<std::string> words_in_cell(const std::string& cell) {
 /// Whether a user who asks for a name means a word: all of it, or one of the names in it that dots
 /// part.
 bool word_means(const std::string& asked, const std::string& word) {
-  return !asked.empty() && ("." + word + ".").find("." + asked + ".") != std::string::npos;
+  const auto stands_in = [&](const std::string& text) {
+    return ("." + text + ".").find("." + asked + ".") != std::string::npos;
+  };
+  const bool small = asked == in_small_letters(asked);
+  return !asked.empty() && (stands_in(word) || (small && stands_in(in_small_letters(word))));
 }
 
 /// Text of a page for the screen: links as their words, no marks of code.

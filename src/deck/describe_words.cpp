@@ -2,6 +2,7 @@
 #include "deck/describe_words.hpp"
 
 #include "deck/deck_schema.hpp"
+#include "deck/search_words.hpp"
 
 #include <barreno/input/scan_xml.hpp>
 
@@ -35,11 +36,11 @@ std::vector<PlacedSection> placed_sections() {
 }
 
 bool is_meant(const std::string& asked, const std::string& path) {
-  if (asked == path.substr(path.rfind('/') + 1)) return asked != "*";
+  if (is_asked(asked, path.substr(path.rfind('/') + 1))) return asked != "*";
   std::string left = asked, right = path;
   while (!left.empty() && !right.empty()) {
     const std::string name = next_name(right);
-    if (next_name(left) != name && name != "*") return false;
+    if (!is_asked(next_name(left), name) && name != "*") return false;
   }
   return left.empty() && right.empty() && !asked.empty();
 }

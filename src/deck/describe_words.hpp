@@ -17,7 +17,8 @@ struct PlacedSection {
 std::vector<PlacedSection> placed_sections();
 
 /// Whether a user who asks for `asked` means what lies at `path`: its whole path, with any name in
-/// place of a *, or its last name alone ("Rocks", "Permeability").
+/// place of a *, or its last name alone ("Rocks", "Permeability"); small letters stand for letters
+/// of any case.
 bool is_meant(const std::string& asked, const std::string& path);
 
 }  // namespace barreno

@@ -27,6 +27,12 @@ EARLY = "ends the run before the jet stops"
 SLUG = "1x5:{{0, {velocity}, {radius}, 0.01, 17600}}"
 SLUGS = ("Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=7000, radius=0.002)}")
 TWO_SLUGS = ("Jet/Table=", "Jet/Slugs=2x5:{0, 7000, 0.002, 0.005, 17600, 2e-6, 6000, 0.004, 0.005, 17600}")
+# Rock that holds water and is written with the density of the dry rock, and a deck with the step's own Largest Strain where its jet meets refined cells.
+DRY_WITH_WATER = {"perforation_drainage.xml": "Materials/Sandstone/Density = 2120 kg/m3 looks like that of the dry rock"}
+LARGE_STRAIN = {"perforation_refined.xml", "steady_penetration.xml"}
+DRY = "looks like that of the dry rock"
+STRAIN = "Step/Largest Strain = 0.5 lets single particles of spent jet gain energy"
+WATER = "Materials/Sandstone/fluid_B0=2.25 GPa"
 BORE = ("Bodies/Casing/Lower={3 mm, 0 mm}", "Bodies/Rock/Lower={3 mm, 12.7 mm}")
 
 MISTAKES = {  # what: (settings, words)
@@ -38,6 +44,14 @@ MISTAKES = {  # what: (settings, words)
     "end of two minutes": (["Time/End Time=120 s"], "Time/End Time = 120 s takes"),
     "jet in a bore": ([*SLUGS, *BORE], "the jet hits no body"),
     "jet that grazes its bore": ([*TWO_SLUGS, *BORE], "the thinnest slugs of the jet hit no body along +y"),
+    "pressure without its unit": (["Materials/Sandstone/fluid_B0=2.25", "Materials/Sandstone/Fluid Density=1000"], 'Materials/Sandstone/fluid_B0 = 2.25 Pa is outside the usual range (50000 to 3e+10 Pa); if a unit was forgotten, write it behind the number, "2.25 MPa" or "2.25 GPa"'),
+    "strength in MPa": (["Materials/Steel/A=792"], 'Materials/Steel/A = 792 Pa is outside the usual range (10000 to 2e+10 Pa); if a unit was forgotten, write it behind the number, "792 MPa"'),
+    "modulus in GPa": (["Materials/Sandstone/B1=28.6"], "Materials/Sandstone/B1 = 28.6 Pa is outside the usual range (100000 to 1e+12 Pa)"),
+    "water without its mass": ([WATER], "while fluid_B0 fills its pores (0.2 of the volume); write Fluid Density, for water 1000 kg/m3, and the rock starts with 2320 kg/m3"),
+    "refined cells": (["Jet/Cells Per Radius=2"], STRAIN + " where they collide in refined cells (docs/method.md, 4); take 0.1"),
+    "splines in motion": (["Step/Shape Function=quadratic B-spline", "Bodies/Rock/Velocity={0 m/s, 10 m/s}"], "will ring under its confinement with Shape Function quadratic B-spline"),
+    "cubic splines": (["Step/Shape Function=cubic B-spline"], "will ring under its confinement with Shape Function cubic B-spline, because its faces bear a pressure"),
+    "linear functions": (["Step/Shape Function=linear"], "will ring under its confinement with Shape Function linear"),
     "early end": ([], f"Time/End Time = 4e-05 s {EARLY} (69 % of its mass and 34 % of its energy"),
 }  # fmt: skip
 
@@ -58,9 +72,22 @@ def notes_of(text):
     return [line.removeprefix("Note: ") for line in text.splitlines() if line.startswith("Note: ")]
 
 
+NOT_MISTAKEN = {  # what: (settings, words that no note has)
+    "water with its mass": ([WATER, "Materials/Sandstone/Fluid Density=1000 kg/m3"], DRY),
+    "density of the wet rock": ([WATER, "Materials/Sandstone/Density=2320 kg/m3"], DRY),
+    "small strains of a step": (["Jet/Cells Per Radius=2", "Step/Largest Strain=0.1"], STRAIN),
+    "fidelity": (["Jet/Cells Per Radius=2", "Fidelity=balanced"], STRAIN),
+    "GIMP": (["Step/Shape Function=GIMP"], "will ring"),
+}
+
+
 def check_shipped_decks(server):
     for deck in sorted(DECKS.glob("*.xml")):
         notes = notes_of(plan_of(server, deck))
+        dry, strain = ([note for note in notes if words in note] for words in (DRY, STRAIN))
+        assert [DRY_WITH_WATER.get(deck.name, "") in note for note in dry] == [True] * (deck.name in DRY_WITH_WATER), f"{deck.name}: {notes}"
+        assert len(strain) == (deck.name in LARGE_STRAIN), f"{deck.name}: {notes}"
+        notes = [note for note in notes if note not in dry + strain]
         early, thin, cells = ([note for note in notes if words in note] for words in (EARLY, THIN, "Grid/Cell Size = "))
         assert len(early) == (deck.name in ENDS_EARLY) and notes == cells + early + thin, f"{deck.name}: {notes}"
         assert len(thin) == (deck.name in THIN_WALLS), f"{deck.name}: {notes}"
@@ -72,6 +99,9 @@ def check_mistakes(server):
         notes = notes_of(plan_of(server, QUICK, *[x for one in settings for x in ("--set", one)]))
         assert sum(words in note for note in notes) == 1, f"{what}: {notes}"
         assert all(". " not in note for note in notes), f"{what}: more than one sentence in {notes}"
+    for what, (settings, words) in NOT_MISTAKEN.items():
+        notes = notes_of(plan_of(server, QUICK, *[x for one in settings for x in ("--set", one)]))
+        assert not any(words in note for note in notes), f"{what}: {notes}"
 
 
 def check_thin_liner():
@@ -103,6 +133,29 @@ def check_run(folder):
     assert -0.34 < error["value"] < -0.32 and error["low"] <= error["value"] < error["high"] < 0.0 and error["cells_per_radius"] == 0.5, error
 
 
+def check_density_of_wet_rock(server):
+    """Materials of the plan: dry, and with water in a fifth of the volume."""
+    for settings, density in (([], "2120 kg"), ([WATER], "2120 kg"), ([WATER, "Materials/Sandstone/Fluid Density=1 g/cm3"], "2319.9")):
+        plan = plan_of(server, QUICK, *[x for one in settings for x in ("--set", one)])
+        assert f"Arenisca, {density}" in plan, plan
+
+
+def check_title_of_lines(folder):
+    """A line end in a title begins no line: not of the plan, the screen, run.log or the summary."""
+    deck = folder / "lines.xml"
+    forged = "barreno: forged line"
+    text = QUICK.read_text()
+    (title,) = [line for line in text.splitlines() if 'name="Title"' in line]
+    text = text.replace(title, f'<Parameter name="Title" type="string" value="a&#10;{forged}&#13;x"/>').replace("jets/", f"{DECKS}/jets/")
+    deck.write_text(text)
+    plan = barreno("check", deck)
+    assert plan.startswith(f"a {forged} x\nThe deck is valid.\n"), plan
+    said = barreno("run", deck, "--set", "Time/End Time=0.1 us", "--out", folder / "lines")
+    for lines in (plan, said, (folder / "lines" / "run.log").read_text()):
+        assert not any(line.startswith(forged) for line in lines.splitlines()), lines
+    assert json.loads((folder / "lines" / "summary.json").read_text())["title"] == f"a {forged} x"
+
+
 def check_print_deck(folder):
     """--print-deck is what a run writes."""
     (printed,) = [barreno("check", QUICK, "--set", "Time/End Time=0.1 us", "--print-deck")]
@@ -118,8 +171,10 @@ def main():
         server = RunServer(pathlib.Path(sys.argv[2]).resolve(), folder)
         check_mistakes(server)
         check_shipped_decks(server)
+        check_density_of_wet_rock(server)
         server.end()
         check_run(folder)
+        check_title_of_lines(folder)
         check_print_deck(folder)
 
 

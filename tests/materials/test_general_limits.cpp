@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The general form of Arenisca at the ends of its parameters' ranges.
+#include "barreno/input/error.hpp"
 #include "barreno/registry.hpp"
 #include "sample_models.hpp"
 
@@ -52,6 +53,23 @@ TEST(GeneralLimits, NothingAskedForIsTheDrainedForm) {
   }
   EXPECT_TRUE(std::holds_alternative<WetArenisca>(from_list("fluid_B0", 2.2e9).model));
   EXPECT_TRUE(std::holds_alternative<RatedArenisca>(from_list("T1_rate_dependence", 1e-6).model));
+}
+
+/// rho = rho_dry + phi rho_fluid where the card has Fluid Density, and else the card's own bits.
+TEST(GeneralLimits, FluidInPoresWeighs) {
+  Teuchos::ParameterList list;
+  list.set("Model", std::string("Arenisca"));
+  list.set("Density", 2120.0);
+  const Parameters p = wet_rock();
+  for (const auto& entry : Arenisca::parameter_table().numbers)
+    list.set(entry.name, p.*entry.member);
+  EXPECT_EQ(make_material("rock", list).density, 2120.0);
+  list.set("Fluid Density", 1000.0);
+  const double porosity = 1.0 - std::exp(-p.p3_crush_curve);
+  EXPECT_NEAR(make_material("rock", list).density, 2120.0 + 1000.0 * porosity, 1e-9);
+  list.set("fluid_B0", 0.0);
+  list.set("fluid_pressure_initial", 0.0);
+  EXPECT_THROW(make_material("rock", list), InputError);
 }
 
 /// Grains without pores hold no fluid.

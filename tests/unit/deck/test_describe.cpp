@@ -4,10 +4,15 @@
 #include "deck/describe_deck.hpp"
 #include "deck/describe_results.hpp"
 #include "deck/describe_words.hpp"
+#include "deck/search_words.hpp"
 
 #include <gtest/gtest.h>
 
 #include <barreno/input/scan_xml.hpp>
+#include <barreno/input/units.hpp>
+#include <barreno/plausible.hpp>
+#include <barreno/registry.hpp>
+#include <filesystem>
 #include <string>
 
 namespace barreno {
@@ -116,6 +121,57 @@ TEST(Describe, WordsOfAPageStandInItsMarkedTables) {
   for (const char* name : {"early", "late", "v", "", ".", "column"})
     EXPECT_TRUE(describe_result(page, name).empty()) << name;
   EXPECT_TRUE(describe_result("", "v_x").empty());
+}
+
+TEST(Describe, SmallLettersStandForLettersOfAnyCase) {
+  EXPECT_EQ(describe_text("permeability"), describe_text("Permeability"));
+  EXPECT_EQ(describe_text("pore flow/rocks"), describe_text("Pore Flow/Rocks"));
+  EXPECT_EQ(describe_text("arenisca"), describe_text("Arenisca"));
+  EXPECT_EQ(describe_text("peaki1"), describe_text("PEAKI1"));
+  EXPECT_EQ(describe_text("CHANNEL_DEPTH"), describe_text("channel_depth"));
+  // A parameter and a field of that name.
+  EXPECT_TRUE(has(describe_text("density"), "reference density"));
+  EXPECT_TRUE(has(describe_text("density"), "particles.e of a run"));
+  EXPECT_FALSE(has(describe_text("Density"), "particles.e of a run"));
+}
+
+TEST(Describe, WordsThatUsersSearchForLeadToNames) {
+  for (const char* word : {"skin", "hole", "gun", "water", "Water", "casing", "holes", "mesh"})
+    EXPECT_TRUE(has(describe_text(word), ".md)")) << word;
+  EXPECT_TRUE(has(describe_text("water"), "  fluid_B0\n"));
+  EXPECT_TRUE(has(describe_text("hole"), "depth.csv of a run\n  channel_depth\n"));
+  EXPECT_TRUE(has(describe_text("gun"), "Jet\n  Launch Position\n"));
+}
+
+TEST(Describe, SearchWordsNameWhatThereIs) {
+  const std::filesystem::path root =
+      std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
+  for (const SearchWord& each : search_words()) {
+    for (const char* const name : each.names) EXPECT_FALSE(describe_text(name).empty()) << name;
+    const std::string answer = each.answer;
+    const std::size_t begin = answer.find("docs/"), end = answer.find(".md");
+    if (begin == std::string::npos) continue;
+    const std::string page = answer.substr(begin, end + 3 - begin);
+    EXPECT_TRUE(std::filesystem::exists(root / page)) << page;
+  }
+}
+
+TEST(Describe, ParametersOfModelsHaveUsualRanges) {
+  EXPECT_TRUE(has(describe_text("fluid_B0"), "number [Pa], >= 0; usual 50000 to 3e+10; default: 0")
+  );
+  for (const ModelDescription& model : describe_models()) {
+    for (const input::Entry& entry : card_section(model).entries) {
+      const PlausibleRange* const range = find_plausible_range(model.name, entry.name);
+      if (range == nullptr) continue;
+      EXPECT_FALSE(input::si_unit_of(entry.dimension).empty()) << entry.name;
+      EXPECT_LT(0.0, range->lower) << entry.name;
+      EXPECT_LT(range->lower, range->upper) << entry.name;
+      EXPECT_TRUE(entry.bounds.contain(range->lower) || range->of_magnitude) << entry.name;
+    }
+    for (const PlausibleRange& range : plausible_ranges(model.name))
+      EXPECT_TRUE(has(describe_text(range.parameter), std::string("Model \"") + model.name))
+          << range.parameter;
+  }
 }
 
 TEST(Describe, WhatNobodyHasIsRefusedWithTheNearestName) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace barreno {
+
+/// The range that a parameter usually lies in, in SI. A value outside it is allowed; more often a
+/// unit was forgotten.
+struct PlausibleRange {
+  const char* parameter;
+  double lower, upper;
+  /// The range bounds the magnitude, and the sign is free.
+  bool of_magnitude = false;
+  bool holds(double value) const;
+};
+
+/// Ranges of the parameters of a model that have a dimension, Density first. Zero, where a
+/// parameter may be zero, turns something off and lies in every range.
+const std::vector<PlausibleRange>& plausible_ranges(const std::string& model);
+
+/// The range of one parameter; null where none is known.
+const PlausibleRange* find_plausible_range(const std::string& model, const std::string& parameter);
+
+}  // namespace barreno
