@@ -33,9 +33,10 @@ class Hole:
 
     @property
     def open_rows(self):
-        """Rows from the face to where the hole is closed or leaves the target."""
-        walled = np.isfinite(self.radius)
-        ended = (self.radius < CLOSED * self.cell) | (~walled & (np.arange(len(walled)) > self.first_row)) | ~walled.any()
+        """Rows from the face to where the hole is closed or leaves the target; a gap between bodies has no wall, and the hole goes on behind it."""
+        walled = np.flatnonzero(np.isfinite(self.radius))
+        last = walled[-1] if len(walled) else -1
+        ended = (self.radius < CLOSED * self.cell) | (np.arange(len(self.radius)) > last)
         return int(np.argmax(ended)) if ended.any() else len(walled)
 
     @property
@@ -46,6 +47,11 @@ class Hole:
     @property
     def entrance_diameter(self):
         return 2.0 * float(self.radius[self.first_row]) if self.open_rows else 0.0
+
+    def diameter_below(self, depth):
+        """In the first row with a whole wall below a depth; 0 where the hole does not reach it [m]."""
+        rows = np.flatnonzero(np.isfinite(self.radius) & (self.depth >= depth + 0.5 * self.cell))
+        return 2.0 * float(self.radius[rows[0]]) if len(rows) and rows[0] < self.open_rows else 0.0
 
     @property
     def volume(self):

@@ -16,12 +16,29 @@ MILLI = 1e-3
 COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall"
 
 
-def hole_rows(hole, mark, time):
+def rows_in_rock(hole, top, across):
+    """Length and entrance in the rock, which begins at a depth; none without rock or above it."""
+    if top is None or hole.length <= top:
+        return []
+    return [
+        ("length in rock", f"{(hole.length - top) / MILLI:.1f} mm below the face of the rock, which was {top / MILLI:.1f} mm below the outer face"),
+        (f"entrance {across} in rock", f"{hole.diameter_below(top) / MILLI:.2f} mm"),
+    ]
+
+
+def face_of_rock(frame, deck, face):
+    """Depth of the rock's face at the start; None without rock."""
+    rock = Rock(frame.file.frame(0), deck, face)
+    return max(0.0, float(rock.depth.min())) if len(rock) else None
+
+
+def hole_rows(hole, mark, time, top):
     per = "mm2 per thickness" if hole.plane else "cm3"
     scale = MILLI**2 if hole.plane else 1e-6
     across = "width" if hole.plane else "diameter"
     rows = [
         ("time", time_text(time)),
+        *rows_in_rock(hole, top, across),
         ("length of the hole", f"{hole.length / MILLI:.1f} mm below the outer face, to where it is closed or leaves the target"),
         (f"entrance {across}", f"{hole.entrance_diameter / MILLI:.2f} mm, in the first row with a wall, {hole.depth[hole.first_row] / MILLI:.2g} mm below the outer face"),
         ("volume", f"{hole.volume / scale:.3g} {per}"),
@@ -103,7 +120,7 @@ def hole_section(frame, deck, table, wanted, folder):
     rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(rock, hole, wanted)]
     zones = zones_of(rock, hole) if len(rock) else []
     write_text(folder / "profile.csv", profile_text(hole, rock))
-    section = Section("Hole", hole_rows(hole, mark, frame.time) + (rock_rows(rock) if len(rock) else []), [WALL])
+    section = Section("Hole", hole_rows(hole, mark, frame.time, face_of_rock(frame, deck, hole.face)) + (rock_rows(rock) if len(rock) else []), [WALL])
     if rings:
         section.heads, section.table = ring_table(rings)
         section.words.append(ROCK)

@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
 from barreno_report import hole as holes  # noqa: E402
-from barreno_report import porosity, zones  # noqa: E402
+from barreno_report import hole_section, porosity, zones  # noqa: E402
 from barreno_report.deck import read_deck  # noqa: E402
 from barreno_report.particles import ParticleFile  # noqa: E402
 from synthetic_run import CELL, jet, lattice, moved, rock, squares, write_run  # noqa: E402
@@ -106,6 +106,19 @@ def check_through(folder):
     assert abs(hole.radius_at(0.0) - radius) < TENTH
 
 
+def check_gap(folder):
+    """A gap between two bodies has no wall: the hole goes on behind it, and each body has its entrance."""
+    near, far = 3.37 * CELL, 2.43 * CELL
+    bodies = np.concatenate([lattice(near, near + WIDTH, 0.0, 4.0 * CELL), lattice(far, far + WIDTH, 9.0 * CELL, LENGTH)])
+    hole, _, _ = measured(folder / "gap", [rock(bodies)])
+    assert abs(hole.length - LENGTH) < CELL and not np.isfinite(hole.radius[12]), (hole.length, hole.radius)
+    assert abs(hole.diameter_below(0.0) - 2.0 * near) < 2.0 * TENTH and abs(hole.diameter_below(9.0 * CELL) - 2.0 * far) < 2.0 * TENTH, hole.radius / CELL
+    assert hole.diameter_below(LENGTH + CELL) == 0.0
+    rows = dict(hole_section.rows_in_rock(hole, 9.0 * CELL, "diameter"))
+    assert rows["length in rock"].startswith(f"{(hole.length - 9.0 * CELL) / 1e-3:.1f} mm") and rows["entrance diameter in rock"].startswith(f"{2.0 * far / 1e-3:.2f}"[:3]), rows
+    assert hole_section.rows_in_rock(hole, None, "diameter") == [] == hole_section.rows_in_rock(hole, 2.0 * LENGTH, "diameter")
+
+
 def check_zones(folder):
     """Two rings of crushed rock, then one that is dilated: porosity, permeability and skin by hand."""
     radius, e, virgin = 3.25 * CELL, -0.1, 1.0 - np.exp(-0.2231)
@@ -148,7 +161,7 @@ def check_porosity():
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_zones, check_wide_particles):
+        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_gap, check_zones, check_wide_particles):
             check(folder)
     check_porosity()
     print("holes and their zones are measured as they were laid")
