@@ -3,7 +3,7 @@
 """What tries to break a run (docs/adversary.md): random valid option sets over the shipped decks, straight, killed and
 resumed, on one to three ranks, by two processes and under sanitizers; odd numbers in decks; forged checkpoints.
 
-    adversary.py BUILD [--sets N] [--odd-numbers N] [--forgeries N] [--seed S] [--jobs J] [--out results.json]
+    adversary.py BUILD [--sets N] [--odd-numbers N] [--forgeries N] [--perforations N] [--seed S] [--jobs J] [--out results.json]
     adversary.py BUILD --only SEED:NUMBER
 
 BUILD is the build folder. With --out what is found is added to what is there already: a seed goes on behind its last
@@ -26,6 +26,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import numpy as np  # noqa: E402
+from disk_faults import build_library, drawn_words, try_perforation  # noqa: E402
 from described import described_options  # noqa: E402
 from forged import SCENES, forgeries_of, prepared, try_forgery  # noqa: E402
 from odd_numbers import all_odd_numbers, try_number  # noqa: E402
@@ -37,7 +38,7 @@ from try_set import try_set  # noqa: E402
 SHARE = {"kills": 0.15, "ranks": 0.1, "two": 0.04, "group": 0.01, "sanitized": 0.3}
 # Every checkpoint is brought to the disk, which takes its time on one: in memory, where there is some.
 SCRATCH = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-EMPTY = {"sets": {}, "odd numbers": {}, "forgeries": {}, "counts": {}, "drawn": [], "decks": [], "refusals": {}, "findings": []}
+EMPTY = {"sets": {}, "odd numbers": {}, "forgeries": {}, "perforations": {}, "counts": {}, "drawn": [], "decks": [], "refusals": {}, "findings": []}
 
 
 def servers_of(build, folder):
@@ -96,7 +97,19 @@ def try_forgeries(numbers, seed, table, servers, folder, tally):
         yield number, lambda deck=deck, forgery=forgery: [deck, *forgery], trial
 
 
-TRIALS = {"sets": try_sets, "odd numbers": try_numbers, "forgeries": try_forgeries}
+def try_perforations(numbers, seed, table, servers, folder, tally):
+    library = build_library(folder) if numbers else None
+    for number in numbers:
+        rng = np.random.default_rng([seed, number])
+        words = drawn_words(rng)
+
+        def trial(words=words, rng=rng):
+            try_perforation(servers["program"], servers["plain"], words, folder / "perforation", library, rng, tally)
+
+        yield number, lambda words=words: words, trial
+
+
+TRIALS = {"sets": try_sets, "odd numbers": try_numbers, "forgeries": try_forgeries, "perforations": try_perforations}
 
 
 def worker(build, table, seed, shares, until):
@@ -137,6 +150,7 @@ def parsed():
     parser.add_argument("--sets", type=int, default=0)
     parser.add_argument("--odd-numbers", type=int, default=0)
     parser.add_argument("--forgeries", type=int, default=0)
+    parser.add_argument("--perforations", type=int, default=0, help="with fidelities, failing disks and kills")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
@@ -164,8 +178,8 @@ def main():
         return 0
     results = json.loads(options.out.read_text()) if options.out and options.out.exists() else json.loads(json.dumps(EMPTY))
     seed, before, begun = str(options.seed), len(results["findings"]), time.time()
-    asked = {"sets": options.sets, "odd numbers": options.odd_numbers, "forgeries": options.forgeries}
-    first = {kind: results[kind].get(seed, 0) for kind in TRIALS}
+    asked = {"sets": options.sets, "odd numbers": options.odd_numbers, "forgeries": options.forgeries, "perforations": options.perforations}
+    first = {kind: results.setdefault(kind, {}).get(seed, 0) for kind in TRIALS}
     shares = [{kind: range(first[kind] + job, first[kind] + asked[kind], options.jobs) for kind in TRIALS} for job in range(options.jobs)]
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         jobs = [pool.submit(worker, build, table, options.seed, share, begun + 60.0 * options.minutes) for share in shares]

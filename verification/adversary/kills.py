@@ -16,7 +16,8 @@ def said_all(ended):
 def killed(barreno, deck, folder, seconds, rng, tally):
     """A run that gets a signal, and is resumed until it has ended. @return whether there was something to resume"""
     kind = int(rng.choice(KINDS))
-    ended = barreno.run("run", deck, "--out", folder, signal=kind, after=rng.uniform(0.0, 1.0) * seconds)
+    words = deck if isinstance(deck, list) else [deck]
+    ended = barreno.run("run", *words, "--out", folder, signal=kind, after=rng.uniform(0.0, 1.0) * seconds)
     for turn in range(3):
         tally.add("kills")
         if ended.kind == "signal" and ended.code in (9, kind):
