@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check/format.hpp"
+#include "base/format.hpp"
 
 #include <cstdarg>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/feature_table.hpp"
 
+#include "base/format.hpp"
 #include "check/choices.hpp"
-#include "check/format.hpp"
 #include "scene/velocity_fields.hpp"
 #include "shape/shape_facts.hpp"
 #include "state/particles.hpp"

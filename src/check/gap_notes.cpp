@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/gap_notes.hpp"
 
-#include "check/format.hpp"
+#include "base/format.hpp"
 #include "deck/section_table.hpp"
 #include "output/depth.hpp"
 #include "scene/geometry.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/jet_lines.hpp"
 
-#include "check/format.hpp"
+#include "base/format.hpp"
 #include "output/jet/jet_estimate.hpp"
 #include "scene/jet_kinds.hpp"
 

@@ -4,10 +4,10 @@
 #include "check/gap_notes.hpp"
 #include "check/jet_note.hpp"
 #include "check/locking_note.hpp"
-#include "check/material_notes.hpp"
 #include "check/scale_notes.hpp"
 #include "check/step_notes.hpp"
 #include "check/wall_note.hpp"
+#include "deck/material_notes.hpp"
 #include "shape/shape_facts.hpp"
 
 #include <barreno/input/scan_xml.hpp>

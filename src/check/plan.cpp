@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/plan.hpp"
 
+#include "base/format.hpp"
 #include "check/awake_parts.hpp"
 #include "check/choices.hpp"
 #include "check/feature_table.hpp"
-#include "check/format.hpp"
 #include "check/jet_lines.hpp"
 #include "check/predict_cost.hpp"
 #include "check/update_row.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/scale_notes.hpp"
 
-#include "check/format.hpp"
+#include "base/format.hpp"
 #include "check/predict_cost.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"

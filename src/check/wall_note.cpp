@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/wall_note.hpp"
 
+#include "base/format.hpp"
 #include "base/numbers.hpp"
-#include "check/format.hpp"
 #include "deck/section_table.hpp"
 #include "geometry/piece.hpp"
 #include "scene/geometry.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check/material_notes.hpp"
+#include "deck/material_notes.hpp"
 
-#include "check/format.hpp"
+#include "base/format.hpp"
 #include "deck/deck.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/material_section.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/format.hpp"
 #include "check/choices.hpp"
 #include "check/cost_growth.hpp"
 #include "check/feature_table.hpp"
-#include "check/format.hpp"
 #include "check/jet_note.hpp"
 #include "check/locking_note.hpp"
 #include "check/plan.hpp"
