@@ -51,12 +51,27 @@ RunVerdict cut_off(
   verdict.files_failed = !fault.empty();
   verdict.may_be_resumed = true;
   if (!fault.empty()) output.give_up_files();
-  const bool kept = checkpoints.write(output, state);
+  const std::string lost = checkpoints.write_last(output, state);
   verdict.reason = fault.empty() ? "The run was interrupted by " + signal_name(signal) : fault;
-  verdict.reason += fault.empty() ? (kept ? "; the checkpoint was written at this step."
-                                          : ", and no checkpoint could be written.")
-                                  : (kept ? " The checkpoint was written at this step."
-                                          : " No checkpoint of this step could be written either.");
+  if (lost.empty())
+    verdict.reason += fault.empty() ? "; the checkpoint was written at this step."
+                                    : " The checkpoint was written at this step.";
+  else
+    verdict.reason +=
+        fault.empty() ? "; " + lost : " No checkpoint of this step could be written either.";
+  return verdict;
+}
+
+/// The verdict on a run that has reached its end. A run whose last checkpoint is lost has not
+/// finished: nobody could prolong it, and its folder belongs to an older step.
+RunVerdict end_run(State& state, Output& output, Checkpoints& checkpoints) {
+  const std::string lost = checkpoints.write_last(output, state);
+  if (lost.empty()) return {true, "", static_cast<int>(ExitCode::finished)};
+  RunVerdict verdict;
+  verdict.exit_code = static_cast<int>(ExitCode::file);
+  verdict.files_failed = true;
+  verdict.may_be_resumed = true;
+  verdict.reason = "The run reached its end time, but its last checkpoint is lost: " + lost;
   return verdict;
 }
 
@@ -142,8 +157,7 @@ RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& ch
       return cut_off(fault, interrupt, state, output, checkpoints);
     checkpoints.write_if_due(output, state);
   }
-  checkpoints.write(output, state);
-  return {true, "", static_cast<int>(ExitCode::finished)};
+  return end_run(state, output, checkpoints);
 }
 
 int run_to_end(

@@ -48,18 +48,22 @@ void Checkpoints::write_if_due(Output& output, State& state) {
   if (is_due(state) && may_write(state)) write(output, state);
 }
 
-bool Checkpoints::write(Output& output, State& state) {
+void Checkpoints::write(Output& output, State& state) {
+  const std::string fault = write_last(output, state);
+  if (!fault.empty()) output.warn("checkpoints that could not be written", fault);
+}
+
+std::string Checkpoints::write_last(Output& output, State& state) {
   last_step_ = state.clock.step;
   last_time_ = state.clock.time;
   watch_ = {};
   try {
     write_checkpoint(folder_, deck_text_, output.position(), state);
   } catch (const FileError& error) {
-    output.warn("checkpoints that could not be written", error.what());
-    return false;
+    return error.what();
   }
   forget_scratch(state);
-  return true;
+  return {};
 }
 
 }  // namespace barreno

@@ -6,6 +6,8 @@
 #include "state/effort.hpp"
 #include "state/state.hpp"
 
+#include <string>
+
 namespace barreno {
 
 /// When a run's checkpoints are written: every so many steps, so much simulated time or so many
@@ -23,8 +25,11 @@ public:
   /// Whether the present step is one behind which a checkpoint may be written.
   static bool may_write(const State& state);
   /// A disk that is full is a warning: the run goes on and the last good file stays.
-  /// @return whether the checkpoint was written. Collective
-  bool write(Output& output, State& state);
+  /// Collective
+  void write(Output& output, State& state);
+  /// The checkpoint with which a run ends. @return why it could not be written; empty: it was.
+  /// Collective
+  std::string write_last(Output& output, State& state);
 
 private:
   bool is_due(const State& state);

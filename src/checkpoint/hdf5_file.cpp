@@ -6,6 +6,10 @@
 #include "output/guarded_file.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace barreno {
 namespace {
@@ -33,14 +37,42 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode)
     H5Pset_userblock(creation.get(), user_block);
     remove_leftover(path);  // a link of that name would be followed; a new file follows none
     file_ = H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), H5P_DEFAULT);
+    if (file_ < 0) refuse("it cannot be created");
+    write_into_memory();
   } else {
     file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   }
-  if (file_ < 0) refuse(writes_ ? "it cannot be created" : "it is not a complete HDF5 file");
+  if (file_ < 0) refuse("it is not a complete HDF5 file");
 }
 
 Hdf5File::~Hdf5File() {
   if (file_ >= 0) H5Fclose(file_);
+  close_target();
+}
+
+/// From here on HDF5's writes go into memory, and close() copies them to the disk.
+void Hdf5File::write_into_memory() {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
+  target_ = open(path_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+  const bool opened = target_ >= 0;
+  const int why = errno;
+  memory_ = std::make_unique<MemoryFile>();
+  void* handle = nullptr;
+  const bool fine = opened && !memory_->failed() &&
+                    H5Fget_vfd_handle(file_, H5P_DEFAULT, &handle) >= 0 &&
+                    memory_->replace(*static_cast<int*>(handle));
+  if (fine) return;
+  H5Fclose(file_);  // no destructor runs
+  file_ = -1;
+  close_target();
+  refuse(opened ? "this machine has no memory for its tables" : std::strerror(why));
+}
+
+/// @return false, with errno, if the system had to report a write that failed late
+bool Hdf5File::close_target() {
+  const bool fine = target_ < 0 || ::close(target_) == 0;
+  target_ = -1;
+  return fine;
 }
 
 void Hdf5File::refuse(const std::string& what) const {
@@ -56,7 +88,13 @@ void Hdf5File::close() {
   const bool fine = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
   const bool closed = H5Fclose(file_) >= 0;
   file_ = -1;
-  if (!fine || !closed) refuse("the disk did not accept all of it");
+  if (!fine || !closed) refuse("this machine has no memory for its tables");
+  if (!memory_) return;
+  const bool copied = memory_->copy_to(target_);
+  const int why = errno;
+  memory_.reset();
+  const bool kept = close_target();
+  if (!copied || !kept) refuse(std::strerror(copied ? errno : why));
 }
 
 std::size_t rows_of_chunk(std::size_t rows, std::size_t columns) {

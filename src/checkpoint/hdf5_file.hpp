@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "checkpoint/memory_file.hpp"
+
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,10 +67,13 @@ public:
   /// Whether it is the same file as one that is open under this handle of the system.
   bool is(int file) const;
 
-  /// All is handed to the system when this returns.
+  /// Brings a new file to the disk: all is handed to the system when this returns. Without it, the
+  /// file on the disk stays empty.
   void close();
 
 private:
+  void write_into_memory();
+  bool close_target();
   [[noreturn]] void refuse(const std::string& what) const;
   /// @throws FileError for a table that has not two dimensions, or more numbers than its file
   long long open_table(const std::string& name, std::size_t& rows, std::size_t& columns) const;
@@ -97,7 +103,9 @@ private:
 
   std::filesystem::path path_;
   bool writes_;
-  long long file_ = -1;  ///< HDF5's handle
+  int target_ = -1;                     ///< the file on the disk, while it is written
+  std::unique_ptr<MemoryFile> memory_;  ///< what HDF5 writes into
+  long long file_ = -1;                 ///< HDF5's handle
 };
 
 }  // namespace barreno

@@ -19,6 +19,7 @@
 #include <barreno/input/units.hpp>
 #include <fcntl.h>
 #include <memory>
+#include <sys/resource.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -178,6 +179,14 @@ void read_back(const fs::path& path) {
 
 void refuse_full_disk(const fs::path& folder, double bytes) {
   constexpr double spare = 1.1;
+  rlimit most{};
+  if (getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY &&
+      static_cast<double>(most.rlim_cur) < spare * bytes)
+    throw FileError(
+        "cannot write a checkpoint of " + std::to_string(static_cast<long long>(bytes * 1e-6) + 1) +
+        " MB into '" + folder.string() + "' (files here may have " +
+        std::to_string(most.rlim_cur / 1000000) + " MB); raise the limit (ulimit -f)."
+    );
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
   if (error || static_cast<double>(space.available) > spare * bytes) return;
