@@ -91,11 +91,8 @@ std::string reason_of(const std::string& message) {
   return "at " + place + " (" + cut_middle(reason, 200) + ")";
 }
 
-}  // namespace
-
-Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source) {
-  // Editors put a byte-order mark in front, which XML allows and Teuchos does not know.
-  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) return parse_xml(text.substr(3), source);
+/// Refuses what Teuchos is not to read.
+void check_text(const std::string& text, const std::string& source) {
   if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
     refuse(source, "", "is text in UTF-16 (decks and cards are in UTF-8); save it as UTF-8");
   if (text.size() > largest_text) {
@@ -123,14 +120,10 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
             " levels (no section needs that); is a closing tag missing?"
     );
   }
-  Teuchos::XMLObject root;
-  try {
-    root = Teuchos::StringInputSource(text).getObject();
-  } catch (const std::exception& error) {
-    refuse(
-        source, "", "is not well-formed XML " + reason_of(error.what()) + "; correct the file there"
-    );
-  }
+}
+
+/// Refuses what XML and decks do not have.
+void check_tree(const Teuchos::XMLObject& root, const std::string& source) {
   if (const int code = control_character_of(root); code >= 0) {
     refuse(
         source,
@@ -155,6 +148,23 @@ Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source)
             "' (a Teuchos ParameterList is expected); write <ParameterList name=\"...\">"
     );
   }
+}
+
+}  // namespace
+
+Teuchos::XMLObject parse_xml(const std::string& text, const std::string& source) {
+  // Editors put a byte-order mark in front, which XML allows and Teuchos does not know.
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) return parse_xml(text.substr(3), source);
+  check_text(text, source);
+  Teuchos::XMLObject root;
+  try {
+    root = Teuchos::StringInputSource(text).getObject();
+  } catch (const std::exception& error) {
+    refuse(
+        source, "", "is not well-formed XML " + reason_of(error.what()) + "; correct the file there"
+    );
+  }
+  check_tree(root, source);
   return root;
 }
 

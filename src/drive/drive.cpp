@@ -212,8 +212,9 @@ std::string drive(const DriveRequest& request, const Comm& comm) {
   write(request, driven, plot, surface, comm);
 
   std::string screen;
-  for (const std::string& note : notes) screen += "note: " + note + "\n";
-  for (const std::string& note : driven.notes) screen += "note: " + name + ": " + note + "\n";
+  for (const std::string& note : notes) screen.append("note: ").append(note).append("\n");
+  for (const std::string& note : driven.notes)
+    screen.append("note: ").append(name).append(": ").append(note).append("\n");
   return screen + screen_text(request, material, driven.rows, !surface.empty());
 }
 

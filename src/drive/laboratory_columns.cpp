@@ -25,9 +25,13 @@ bool is_second_word(
     if (word == first || word == second) return word == second;
     input::refuse_value(
         source,
-        "line " + std::to_string(comment.line) + ", " + key,
+        std::string("line ").append(std::to_string(comment.line)).append(", ").append(key),
         comment.value,
-        "is neither " + first + " nor " + second + "; write one of the two"
+        std::string("is neither ")
+            .append(first)
+            .append(" nor ")
+            .append(second)
+            .append("; write one of the two")
     );
   }
   if (!missing.empty()) input::refuse(source, "", missing);

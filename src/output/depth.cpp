@@ -158,7 +158,7 @@ double half_extent(const HostParticles& particles, int p, int axis) {
   particles.append_corners(p, corners);
   double most = h[axis];
   const auto stride = static_cast<std::size_t>(particles.dimensions());
-  for (std::size_t c = static_cast<std::size_t>(axis); c < corners.size(); c += stride)
+  for (auto c = static_cast<std::size_t>(axis); c < corners.size(); c += stride)
     most = std::max(most, std::abs(corners[c] - x[axis]));
   return most;
 }

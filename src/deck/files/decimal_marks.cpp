@@ -15,7 +15,7 @@ bool is_digit(char c) {
 /// The number that a cell begins with, before its exponent and its unit; empty where it is text.
 std::string digits_of(const std::string& cell) {
   const std::size_t begin = cell.find_first_not_of("+-");
-  if (begin == std::string::npos || begin > 1) return "";
+  if (begin > 1) return "";  // or there is none
   std::size_t end = begin;
   bool any = false;
   for (; end < cell.size() && (is_digit(cell[end]) || cell[end] == '.' || cell[end] == ','); ++end)

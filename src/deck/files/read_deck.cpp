@@ -189,7 +189,8 @@ std::string include_jet_table(Reading& reading, ParameterList& values) {
   const std::string text = load_beside(reading, table, source, input::largest_text, "a jet table");
   std::vector<std::string> notes;
   jet.set(slugs, read_jet_table(text, source, &notes));
-  for (const std::string& note : notes) reading.notes.push_back(table + ": " + note);
+  for (const std::string& note : notes)
+    reading.notes.push_back(std::string(table).append(": ").append(note));
   jet.remove(file);
   return table;
 }

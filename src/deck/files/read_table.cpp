@@ -118,6 +118,7 @@ TableRows read_table(
     const std::string& source
 ) {
   std::vector<std::string> known;
+  known.reserve(columns.size());
   for (const TableColumn& column : columns) known.emplace_back(column.name);
   const TableText table = split_table(text, known, source);
   if (table.header_line == 0) {

@@ -190,8 +190,7 @@ bool is_unit_row(const std::vector<std::string>& cells) {
 bool is_text_row(const std::vector<std::string>& cells) {
   return std::none_of(cells.begin(), cells.end(), [](const std::string& cell) {
     const std::size_t begin = cell.find_first_not_of("+-.,");
-    return begin != std::string::npos && begin < 3 &&
-           std::isdigit(static_cast<unsigned char>(cell[begin])) != 0;
+    return begin < 3 && std::isdigit(static_cast<unsigned char>(cell[begin])) != 0;
   });
 }
 

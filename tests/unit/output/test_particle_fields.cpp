@@ -93,7 +93,7 @@ TEST(ParticleFields, SayCellAndStepWhereTheyDiffer) {
   ASSERT_GT(set.count, 1);
   const int box[3] = {grid.tiles[0], grid.tiles[1], 1};
   grid.box = BoxTiles(2, 2, box);
-  const auto tiles = static_cast<std::size_t>(box[0] * box[1]);
+  const std::size_t tiles = static_cast<std::size_t>(box[0]) * static_cast<std::size_t>(box[1]);
   grid.host_level_of_tile.assign(tiles, 1);
   const auto tile_of = [&](int p) {
     return CellLattice(grid).cell_of_level([&](int d) { return set.position(p, d); }, 1).tile;
