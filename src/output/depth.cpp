@@ -147,24 +147,8 @@ double overlap(double from, double to, double lower, double upper) {
   return std::max(0.0, std::min(to, upper) - std::max(from, lower));
 }
 
-/// Half of the extent of a particle's deformed domain along an axis.
-double half_extent(const HostParticles& particles, int p, int axis) {
-  double x[3], h[3];
-  for (int d = 0; d < particles.dimensions(); ++d) {
-    x[d] = particles.position(p, d);
-    h[d] = particles.half_size(p, d);
-  }
-  std::vector<double> corners;
-  particles.append_corners(p, corners);
-  double most = h[axis];
-  const auto stride = static_cast<std::size_t>(particles.dimensions());
-  for (auto c = static_cast<std::size_t>(axis); c < corners.size(); c += stride)
-    most = std::max(most, std::abs(corners[c] - x[axis]));
-  return most;
-}
-
-/// Adds the volume that a particle fills to the bins that the rectangle around its domain covers,
-/// each by its share of the rectangle: particles may be wider than a bin.
+/// Adds the volume that a particle fills to the bins that its box covers,
+/// each by its share of the box: particles may be wider than a bin.
 void fill_around(
     const PathBins& bins,
     double depth,
@@ -207,7 +191,8 @@ std::vector<long long> fill_bins(
       const bool space = scene.grid.mode == Mode::three_dimensional;
       const double radius =
           std::hypot(particles.position(p, 0), space ? particles.position(p, 2) : 0.0);
-      const double half[2] = {half_extent(particles, p, 0), half_extent(particles, p, 1)};
+      // The undeformed box, as for the depth.
+      const double half[2] = {particles.half_size(p, 0), particles.half_size(p, 1)};
       // Expanded debris fills no more than it did as rock.
       const double filled = std::min(particles.volume(p, 0), particles.mass(p, 0) / density);
       fill_around(bins, path.depth(particles.position(p, 1)), radius, half, filled, fill);
