@@ -8,8 +8,8 @@
 namespace barreno {
 
 /// Length of the last step that each tile of the box took, by the tile's number (BoxTiles) [time];
-/// 0: the tile was not active. The same on every rank, and from a checkpoint until the first step
-/// after a resume. Collective.
+/// 0: the tile held no particle. The same on every rank and in a resumed run, and from a checkpoint
+/// until the first step after a resume. Collective.
 std::vector<double> last_tile_steps(const State& state);
 
 }  // namespace barreno

@@ -69,6 +69,33 @@ TEST_P(LaunchChecks, NeverRefuseWhatTheProgramWrote) {
   EXPECT_EQ(state.jet.next_slug, 10U);
 }
 
+// A tile that its last particle has left stays active until tiles are numbered anew, but not in a
+// resumed run: the steps that are kept must not tell.
+TEST_P(LaunchChecks, StepsOfTilesAreThoseOfAResumedRun) {
+  const Scene scene = jet_scene(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  State state = testing::start(scene);
+  const Comm& comm = *state.grid.comm;
+  const synthetic::TemporaryFolder folder{comm};
+  testing::advance_to(scene, scene.end_time, state, 1);
+  int compared = 0;
+  while (state.clock.time < scene.end_time) {
+    testing::advance_to(scene, scene.end_time, state, 1);
+    write_checkpoint(folder.path(), "deck", {{"seconds", {0.0}}}, state);
+    comm.barrier();
+    const Checkpoint found = find_checkpoint(comm, folder.path());
+    const BodyCensus census = take_census(scene, state.grid.comm);
+    State resumed = build_empty_state(scene, census, state.grid.comm);
+    read_checkpoint(scene, particle_id_ranges(scene, census.first), found, resumed);
+    testing::advance_to(scene, scene.end_time, resumed, 1);
+    testing::advance_to(scene, scene.end_time, state, 1);
+    ASSERT_EQ(resumed.clock.time, state.clock.time);
+    EXPECT_EQ(last_tile_steps(resumed), last_tile_steps(state)) << "step " << state.clock.step;
+    ++compared;
+    comm.barrier();
+  }
+  EXPECT_GT(compared, 5);  // else nothing was compared
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Jets,
     LaunchChecks,
