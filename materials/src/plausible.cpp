@@ -30,7 +30,7 @@ constexpr double weakest = 1e3, strongest = 1e11;
 /// Pressures of pore fluids, from a centimetre of water to 2 GPa [Pa].
 constexpr double least_pressure = 1e2, most_pressure = 2e9;
 
-const Ranges arenisca = {
+const Ranges arenisca_ranges = {
     density,
     {"PEAKI1", weakest, strongest},
     {"STREN", weakest, strongest},
@@ -93,7 +93,7 @@ bool PlausibleRange::holds(double value) const {
 
 const std::vector<PlausibleRange>& plausible_ranges(const std::string& model) {
   static const std::map<std::string, Ranges> ranges = {
-      {"Arenisca", arenisca},
+      {"Arenisca", arenisca_ranges},
       {"Johnson-Cook", johnson_cook},
       {"JWL Explosive", explosive},
       {"Linear Elastic", elastic},
