@@ -66,6 +66,17 @@ TEST(LockingNote, WarnsOfWhatHardlyChangesItsVolume) {
   EXPECT_EQ(locking_note(block(), 0), "");
 }
 
+TEST(LockingNote, DoesNotAdviseWhatTheDeckHas) {
+  Scene scene = block(0.4999);
+  scene.bodies[0].particles_per_cell = 1;
+  std::get<Box>(scene.bodies[0].shape).upper[0] = 0.93;  // ends inside a cell
+  const std::string note = locking_note(scene, 0);
+  EXPECT_TRUE(says(note, "particles smaller than a cell; take Shape Function quadratic")) << note;
+  EXPECT_FALSE(says(note, "Particles Per Cell")) << note;
+  scene.bodies[0].particles_per_cell = 2;
+  EXPECT_TRUE(says(locking_note(scene, 0), "take Particles Per Cell 1 or Shape Function"));
+}
+
 TEST(JetNote, WarnsOfAJetThatMissesOrComesTooLate) {
   Scene scene = block();
   EXPECT_EQ(jet_note(scene), "");
