@@ -26,11 +26,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import numpy as np  # noqa: E402
-from disk_faults import build_library, drawn_words, try_perforation  # noqa: E402
 from described import described_options  # noqa: E402
 from forged import SCENES, forgeries_of, prepared, try_forgery  # noqa: E402
 from odd_numbers import all_odd_numbers, try_number  # noqa: E402
 from one_set import DECKS, Finding, OptionSet, Tally  # noqa: E402
+from perforations import try_perforations  # noqa: E402
 from run_server import RunServer  # noqa: E402
 from try_set import try_set  # noqa: E402
 
@@ -95,18 +95,6 @@ def try_forgeries(numbers, seed, table, servers, folder, tally):
 
         tally.add("forged checkpoints")
         yield number, lambda deck=deck, forgery=forgery: [deck, *forgery], trial
-
-
-def try_perforations(numbers, seed, table, servers, folder, tally):
-    library = build_library(folder) if numbers else None
-    for number in numbers:
-        rng = np.random.default_rng([seed, number])
-        words = drawn_words(rng)
-
-        def trial(words=words, rng=rng):
-            try_perforation(servers["program"], servers["plain"], words, folder / "perforation", library, rng, tally)
-
-        yield number, lambda words=words: words, trial
 
 
 TRIALS = {"sets": try_sets, "odd numbers": try_numbers, "forgeries": try_forgeries, "perforations": try_perforations}

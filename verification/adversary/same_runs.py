@@ -10,6 +10,7 @@ import numpy as np
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "tools")]
 from resumed import different_fields, different_sums  # noqa: E402
 
+NUMERICAL_ERRORS = "numerical errors above 10 % of the energy"
 TABLES = ("history.csv", "depth.csv", "radii.csv", "cavities.csv")
 # Of a checkpoint: who had what, and how the work was shared, which follows measured times.
 OF_THE_RANKS = ("run/ranks", "grid/owner", "rank_counts", "output/fields_files")
@@ -89,6 +90,15 @@ def different(one, other, tolerance=0.0, same_ranks=True):
     return wrong
 
 
+def unwarned(summary):
+    """Numerical errors above a tenth of the energy that nobody is told of."""
+    energy = summary["balances"]["energy"]
+    shares = {name: energy.get(f"{name}_share") or 0.0 for name in ("stress_integration", "transfer")}
+    if NUMERICAL_ERRORS in summary.get("warnings", {}):
+        return []
+    return [f"summary.json: {name} is {share:+.0%} of the energy put in, without a warning" for name, share in shares.items() if abs(share) > 0.1]
+
+
 def unsound(folder):
     """Numbers of a run that no run may give."""
     wrong = []
@@ -102,6 +112,7 @@ def unsound(folder):
     error = summary["balances"]["mass"]["error"]
     if error is None or not abs(error) <= 1e-12:
         wrong.append(f"summary.json: the mass balance is off by {error}")
+    wrong += unwarned(summary)
     with h5py.File(folder / "checkpoint.h5", "r") as file:
         tables = []
         file.visititems(lambda name, item: tables.append(item) if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
