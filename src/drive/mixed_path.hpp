@@ -28,7 +28,7 @@ struct MixedPath {
 inline constexpr std::array<const char*, 6> component_names = {"xx", "yy", "zz", "xy", "yz", "zx"};
 
 /// Whether the header asks for strain, stress or pore pressure rather than F11 to F33.
-bool is_mixed_path(const std::string& text, const std::string& source = "the path");
+bool is_mixed_path(const std::string& text, const std::string& source);
 
 /// A path's text: header of `time` and any of strain_xx ... strain_zx, stress_xx ... stress_zx and
 /// pore_pressure. A component without a column keeps a strain of zero; one with both columns has

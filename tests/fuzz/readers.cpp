@@ -31,7 +31,7 @@ const char* file_of(Reader reader) {
 
 /// Of deformation, or of strain and stress.
 void read_any_path(const std::string& text, const std::string& name) {
-  if (is_mixed_path(text))
+  if (is_mixed_path(text, name))
     read_mixed_path(text, name);
   else
     read_path(text, name);

@@ -96,8 +96,9 @@ def near(a, b, within=ROUND):
 def work_of(material, strain, stress, state, dt):
     """Recoverable and dissipated work of a step, which the module does not hand out."""
     work, new_stress, new_state = numpy.zeros(2), numpy.zeros(6), numpy.zeros(material.state_count)
-    batch = barreno_material._Batch(count=1, want=barreno_library.STRESS, time_increment=dt, strain_increment=pointer(strain), stress_old=pointer(stress[0]),
-                                    stress_new=pointer(new_stress), state_old=pointer(state[0]), state_new=pointer(new_state), work=pointer(work))  # fmt: skip
+    address = [array.ctypes.data for array in (strain, stress[0], new_stress, state[0], new_state, work)]
+    fields = ("strain_increment", "stress_old", "stress_new", "state_old", "state_new", "work")
+    batch = barreno_material._Batch(count=1, want=barreno_library.STRESS, time_increment=dt, **dict(zip(fields, address)))
     assert material.library.barreno_material_update(material.handle, ctypes.byref(batch)) == 0
     return work
 

@@ -67,7 +67,7 @@ TEST(MixedPath, ComponentsAndUnitsAreRead) {
   EXPECT_EQ(path.rows[1].target[5], 0.1);
   EXPECT_EQ(path.rows[1].target[1], 3e6);
   EXPECT_TRUE(path.rows[1].by_stress[1] && !path.rows[1].by_stress[5] && !path.rows[1].drained);
-  EXPECT_TRUE(is_mixed_path("time,stress_xx\n") && !is_mixed_path("time,F11\n"));
+  EXPECT_TRUE(is_mixed_path("time,stress_xx\n", "p") && !is_mixed_path("time,F11\n", "p"));
 }
 
 TEST(MixedPath, ColumnsOfLaboratoriesPrescribeAxisAndSide) {
