@@ -45,7 +45,7 @@ std::optional<Probe> probe_run(const Scene& scene, const Comm& comm) {
   if (!is_root(comm)) return {};
   try {
     return probe_cost(scene);
-  } catch (const NumericalError&) {
+  } catch (const DeckError&) {
     return {};
   }
 }

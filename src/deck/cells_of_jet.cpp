@@ -55,11 +55,13 @@ std::string note_of(double size, double cells, double radius) {
 
 }  // namespace
 
-std::string conflict_with_levels(const Deck& deck) {
-  const std::string& flow = table_of<PoreFlowSpec>().path;
-  if (deck.has(flow) &&
-      DeckValue<Drainage>::read(deck, path_of(&PoreFlowSpec::drainage)) == Drainage::on)
-    return flow;
+std::string conflict_with_levels(const Deck& deck, bool flow_decided) {
+  const std::string drainage = path_of(&PoreFlowSpec::drainage);
+  if (deck.has(table_of<PoreFlowSpec>().path)) {
+    const auto asked = DeckValue<Drainage>::read(deck, drainage);
+    if (asked == Drainage::on || (asked == Drainage::automatic && !flow_decided))
+      return drainage + " = " + word_of(asked);
+  }
   const auto step = read_section<StepSpec>(deck);
   if (step.transfer == Transfer::xpic || step.transfer == Transfer::apic)
     return path_of(&StepSpec::transfer) + " = " + word_of(step.transfer);

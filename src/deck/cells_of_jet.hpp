@@ -8,7 +8,8 @@ namespace barreno {
 class Deck;
 
 /// What does not work across cells of different sizes yet, as the deck calls it; empty: all does.
-std::string conflict_with_levels(const Deck& deck);
+/// Automatic drainage, which build_scene decides by the rock's storage, counts until then.
+std::string conflict_with_levels(const Deck& deck, bool flow_decided = false);
 
 struct JetCells {
   double size = 0.0;  ///< of level 0 [length]

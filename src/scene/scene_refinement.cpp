@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/cells_of_jet.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/pore_flow_section.hpp"
 #include "deck/sections/refinement_section.hpp"
 #include "scene/jet.hpp"
 #include "scene/scene_parts.hpp"
@@ -75,7 +76,9 @@ void add_refinement(const Deck& deck, Scene& scene) {
 
 void check_refinement(const Deck& deck, const Scene& scene) {
   if (scene.grid.level_of_tile.empty()) return;
-  const std::string conflict = conflict_with_levels(deck);
+  const bool flows = scene.pore_flow.on();
+  const std::string conflict =
+      flows ? table_of<PoreFlowSpec>().path : conflict_with_levels(deck, true);
   if (conflict.empty()) return;
   const bool by_region = !deck.lists(table_of<RefinedRegion>().path).empty();
   deck.refuse(

@@ -127,7 +127,7 @@ void enter(const Particles& particles, int first, double stored_energy, OwnLedge
 }
 
 /// Elastic energy of the initial equilibrium per mass.
-/// @throws NumericalError if the material cannot hold the pressure
+/// @throws DeckError if the material cannot hold the pressure
 double initial_energy(const Scene& scene, const BodySpec& body) {
   const Material& material = scene.materials[static_cast<std::size_t>(body.material)].material();
   return std::visit(
@@ -138,7 +138,7 @@ double initial_energy(const Scene& scene, const BodySpec& body) {
         text << "Bodies/" << body.name << " starts under " << body.initial_pressure
              << " Pa, which its material '" << material.name
              << "' cannot hold elastically. Lower the confinement or take a stronger material.";
-        throw NumericalError(text.str());
+        throw DeckError(text.str());
       },
       material.model
   );
@@ -391,12 +391,12 @@ public:
     work_counts().particles_made += static_cast<long long>(made_[b].size());
     made_[b].clear();
   }
-  /// Collective. @throws NumericalError  on every rank, where the detonation never comes to one
+  /// Collective. @throws DeckError  on every rank, where the detonation never comes to one
   void refuse_unlit() {
     max_over_ranks(*state_.grid.comm, unlit_);
     const auto first = std::find(unlit_.begin(), unlit_.end(), 1);
     if (first == unlit_.end()) return;
-    throw NumericalError(
+    throw DeckError(
         "Bodies/" + scene_.bodies[static_cast<std::size_t>(first - unlit_.begin())].name +
         " has a part thinner than a cell that the detonation does not reach around obstacles. Make "
         "cells smaller, or write Detonation/Lighting = straight."

@@ -104,6 +104,15 @@ def check_mistakes(server):
         assert not any(words in note for note in notes), f"{what}: {notes}"
 
 
+def check_pore_flow_keeps_equal_cells(server):
+    """Pore fluid flows between cells of one size: a fidelity leaves its refined path out, whether drainage is on or automatic."""
+    for drainage in ("automatic", "on"):
+        notes = notes_of(plan_of(server, DECKS / "perforation_drainage.xml", "--fidelity", "balanced", "--set", f"Pore Flow/Drainage={drainage}"))
+        assert any(f"Cells Per Radius is left out: Pore Flow/Drainage = {drainage} does not work across" in note for note in notes), notes
+    plan = plan_of(server, DECKS / "perforation_drainage.xml", "--fidelity", "balanced", "--set", "Pore Flow/Drainage=off")
+    assert "refined to" in plan, plan
+
+
 def check_thin_liner():
     """A wall of 1.5 mm in cells of 1 mm; with cells of 0.5 mm there is no note (check_shipped_decks)."""
     (note,) = notes_of(barreno("check", DECKS / "jet_formation.xml", "--set", "Grid/Cell Size=1 mm"))
@@ -170,6 +179,7 @@ def main():
         folder = pathlib.Path(scratch)
         server = RunServer(pathlib.Path(sys.argv[2]).resolve(), folder)
         check_mistakes(server)
+        check_pore_flow_keeps_equal_cells(server)
         check_shipped_decks(server)
         check_density_of_wet_rock(server)
         server.end()

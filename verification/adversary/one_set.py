@@ -14,6 +14,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECKS = ROOT / "input_xml"
 # Particle-steps of one run: a twentieth of a second, and half a second of it under sanitizers.
 WORK = {"plain": 6e4, "sanitized": 1.5e4}
+# Of a fidelity or Cells Per Radius that makes a small deck large again, six steps may be more.
+TOO_MUCH = {"plain": 2e6, "sanitized": 2e5}
 MOST_STEPS = 200
 MOST_REFUSALS = 12
 # Exit codes of a run: finished; refused by a sentence; a file; no numerical answer. Signals are 128 and their number.
@@ -69,11 +71,11 @@ def tolerance_of(deck):
 
 
 def shortened(plan, work, most):
-    """End time and steps of so many particle-steps, but not of more steps than `most`, by the plan that `check` printed."""
+    """End time, steps and particles of so many particle-steps, but not of more steps than `most`, by the plan that `check` printed."""
     particles = max(float(re.search(r"^Particles ([\d.e+]+)", plan, re.MULTILINE).group(1)), 1.0)
     step = float(re.search(r"first steps of ([-+.\dei]+) s", plan).group(1))
     steps = int(min(most, max(6, work / particles))) + 1
-    return steps * step, steps
+    return steps * step, steps, particles
 
 
 class OptionSet:
@@ -117,9 +119,11 @@ class OptionSet:
         """Of what is still changed, the paths in the deck reference."""
         return {self.reference[path] for path, _ in self.changes}
 
-    def shorten(self, plan, work):
-        """So many particle-steps, by what `check` says of particles and the first step; output and checkpoints within them."""
-        end, steps = shortened(plan, work, MOST_STEPS * self.rng.uniform(0.3, 1.0))
+    def shorten(self, plan, which):
+        """So many particle-steps, by what `check` says of particles and the first step; output and checkpoints within them.
+
+        @return whether that is few enough"""
+        end, steps, particles = shortened(plan, WORK[which], MOST_STEPS * self.rng.uniform(0.3, 1.0))
         self.deck.set("Time/End Time", repr(end))
         for name in ("Field Interval", "History Interval", "Checkpoint Interval"):
             if name != "Checkpoint Interval" or self.deck.find("Output/Checkpoint Interval") is not None:
@@ -128,3 +132,4 @@ class OptionSet:
         least = 1.0 if self.rng.random() < 0.05 else max(1.0, steps / 6)
         self.deck.set("Output/Checkpoint Steps", round(least * (max(2, steps) / least) ** self.rng.random()))
         self.deck.write(self.file)
+        return particles * steps <= TOO_MUCH[which]

@@ -44,7 +44,7 @@ exit code 0 or "Finished" after a failed write that lost something, and numerica
 """
 
 ROWS = (
-    ("option sets", "sets"), ("valid", "accepted"), ("finished", "finished"), ("ended with a reason (exit 3)", "stopped with a reason"),
+    ("option sets", "sets"), ("valid", "accepted"), ("not run, because a fidelity made it large", "too large"), ("finished", "finished"), ("ended with a reason (exit 3)", "stopped with a reason"),
     ("changes that were refused and undone", "refused"), ("run under sanitizers", "under sanitizers"), ("kills", "kills"),
     ("killed, resumed and identical", "killed, resumed and the same"),
     ("killed, resumed on more ranks and identical", "killed, resumed on more ranks and the same"),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is tried with one random option set: it is checked, run, run under sanitizers, killed and resumed, run on more ranks."""
 from kills import try_kills, try_ranks
-from one_set import FINISHED, MOST_REFUSALS, NUMERICAL, REFUSED, WORK, Finding, must_end, sentence_of
+from one_set import FINISHED, MOST_REFUSALS, NUMERICAL, REFUSED, Finding, must_end, sentence_of
 from same_runs import unsound
 from two_processes import try_group, try_two
 
@@ -22,7 +22,9 @@ def try_set(one, servers, share, tally):
     tally.add("accepted")
     tally.decks.add(one.source.name)
     tally.drawn.update(one.drawn_paths())
-    one.shorten(plan.out, WORK["plain"])
+    if not one.shorten(plan.out, "plain"):
+        tally.add("too large")
+        return refusals
     straight = one.folder / "straight"
     begun = plain.run("run", one.file, "--out", straight)
     code = must_end(begun, FINISHED, NUMERICAL)
@@ -40,8 +42,7 @@ def try_set(one, servers, share, tally):
             try_two(one, servers, straight, seconds, tally)
         if one.rng.random() < share["group"]:
             try_group(one, servers, straight, servers["program"], tally)
-    if one.rng.random() < share["sanitized"]:
-        one.shorten(plan.out, WORK["sanitized"])
+    if one.rng.random() < share["sanitized"] and one.shorten(plan.out, "sanitized"):
         must_end(servers["sanitized"].run("run", one.file, "--out", one.folder / "sanitized"), FINISHED, NUMERICAL)
         tally.add("under sanitizers")
     return refusals

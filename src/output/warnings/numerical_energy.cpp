@@ -75,7 +75,10 @@ NumericalShares largest_shares(const std::vector<EnergyRow>& rows) {
   for (const EnergyRow& row : rows) most = std::max(most, row.put_in);
   if (!(most > 0.0)) return shares;
   for (const EnergyRow& row : rows) {
-    const double stress = row.stress_integration / most, transfer = row.transfer / most;
+    // At the end relative to what stays put in, as the balance has it: waves may have left again.
+    const double whole = &row == &rows.back() ? row.put_in : most;
+    if (!(whole > 0.0)) continue;
+    const double stress = row.stress_integration / whole, transfer = row.transfer / whole;
     if (std::abs(stress) > std::abs(shares.stress_integration)) shares.stress_integration = stress;
     if (std::abs(transfer) > std::abs(shares.transfer)) shares.transfer = transfer;
     const double larger = std::max(std::abs(stress), std::abs(transfer));

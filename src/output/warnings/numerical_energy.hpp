@@ -26,7 +26,8 @@ struct EnergyRow {
 
 /// What numerical errors did to the energy of a run.
 struct NumericalShares {
-  /// Largest of the run, with their signs, relative to the most energy that was put in [-].
+  /// Largest of the run, with their signs, relative to the most energy that was put in, and at the
+  /// end to the balance's [-].
   double stress_integration = 0.0, transfer = 0.0;
   /// First row at which one of them exceeds largest_numerical_share [time]; not a number: none does
   double since = std::numeric_limits<double>::quiet_NaN();

@@ -90,6 +90,8 @@ TEST(Summary, WarnsOfNumericalErrorsSinceTheirFirstRow) {
   };
   EXPECT_FALSE(shares_of_rows(9.0, -9.0).too_large()) << "a tenth of the most that was put in";
   EXPECT_FALSE(largest_shares({}).too_large());
+  EXPECT_EQ(largest_shares({{1e-6, 50.0}, {2e-6, 10.0, 2.0, 0.0}}).since, 2e-6)
+      << "a fifth of what the balance counts at the end";
   const NumericalShares shares = shares_of_rows(30.0, -40.0);
   EXPECT_TRUE(shares.too_large());
   EXPECT_EQ(shares.since, 2e-6);

@@ -72,7 +72,7 @@ TEST(Explosives, APartThatIsNeverLitIsRefusedByEveryRank) {
   const Box upper_end{{0.0, 0.026, 0.0}, {0.012, 0.030, 0.0}};
   const std::vector<Shape> apart{lower_end, upper_end};
   scene.detonation.map = std::make_shared<LightingMap>(scene.grid, apart, scene.detonation);
-  EXPECT_THROW(testing::start(scene), NumericalError);
+  EXPECT_THROW(testing::start(scene), DeckError);
 }
 
 TEST(Explosives, TheLedgerHasWhatTheExplosiveGaveAndCloses) {
