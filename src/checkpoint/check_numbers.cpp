@@ -108,6 +108,7 @@ std::string fault_of_output(const Scene& scene, const State& state, const Checkp
            {"fields_files", 1.0, max_ranks, true},
            {"history_bytes", 1.0, max_exact_integer, true},
            {"depth_bytes", 0.0, max_exact_integer, true},
+           {"through_since", 0.0, time, false},
            {"radii_bytes", 0.0, max_exact_integer, true},
            {"cavities_bytes", 0.0, max_exact_integer, true}}) {
     std::string fault = fault_of_number(numbers, "output/", rule);

@@ -113,9 +113,14 @@ bool is_jet(const HostParticles& particles, int p, const JetOrigin& origin) {
          (!origin.formed || origin.direction * (particles.position(p, 1) - origin.plane) > 0.0);
 }
 
-/// Bins along the path (rows) and away from the axis (columns), all of one width.
+/// Cells across the path are divided, so that a wall is found between their faces.
+constexpr int parts_across = 4;
+/// Half of a window one cell wide, in these parts.
+constexpr int half_window = parts_across / 2;
+
+/// Bins along the path (rows, a cell high) and away from the axis (columns, a part of a cell wide).
 struct PathBins {
-  double width = 0.0;  ///< [length]
+  double height = 0.0, width = 0.0;  ///< [length]
   int rows = 0, columns = 0;
   bool ring = false;
   double part = 1.0;  ///< of a ring, or of the two sides of a plane, that the grid holds
@@ -124,17 +129,19 @@ struct PathBins {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(column);
   }
-  double volume(int column) const {
-    return width * width * part * (ring ? two_pi * (column + 0.5) * width : 1.0);
+  /// Area that a volume around a radius has in the plane through the axis.
+  double section(double volume, double radius) const {
+    return volume / (part * (ring ? two_pi * radius : 1.0));
   }
 };
 
 PathBins path_bins(const GridSpec& grid, const JetPath& path) {
   PathBins bins;
-  bins.width = path.bin;
+  bins.height = path.bin;
+  bins.width = path.bin / parts_across;
   bins.rows = path.bins;
   const double across = std::max(std::abs(grid.lower[0]), std::abs(grid.upper[0]));
-  bins.columns = static_cast<int>(std::ceil(across / path.bin));
+  bins.columns = parts_across * static_cast<int>(std::ceil(across / path.bin));
   bins.ring = grid.mode != Mode::plane_strain;
   if (grid.mode == Mode::plane_strain && grid.lower[0] < 0.0) bins.part = 2.0;
   if (grid.mode == Mode::three_dimensional)
@@ -147,7 +154,7 @@ double overlap(double from, double to, double lower, double upper) {
   return std::max(0.0, std::min(to, upper) - std::max(from, lower));
 }
 
-/// Adds the volume that a particle fills to the bins that its box covers,
+/// Adds the section that a particle fills to the bins that its box covers,
 /// each by its share of the box: particles may be wider than a bin.
 void fill_around(
     const PathBins& bins,
@@ -159,18 +166,34 @@ void fill_around(
 ) {
   const double inner = std::max(0.0, radius - half[0]), outer = radius + half[0];
   const double near = depth - half[1], far = depth + half[1];
-  const auto bin_of = [&](double at, int count) {
-    return static_cast<int>(std::clamp(std::floor(at / bins.width), 0.0, count - 1.0));
+  const auto bin_of = [](double at, double width, int count) {
+    return static_cast<int>(std::clamp(std::floor(at / width), 0.0, count - 1.0));
   };
   const double area = (outer - inner) * (far - near);
-  for (int row = bin_of(near, bins.rows); row <= bin_of(far, bins.rows); ++row)
-    for (int column = bin_of(inner, bins.columns); column <= bin_of(outer, bins.columns);
-         ++column) {
-      const double along = overlap(near, far, row * bins.width, (row + 1) * bins.width);
+  const double dense = bins.section(filled, 0.5 * (inner + outer)) / area;
+  const int first = bin_of(inner, bins.width, bins.columns),
+            last = bin_of(outer, bins.width, bins.columns);
+  for (int row = bin_of(near, bins.height, bins.rows); row <= bin_of(far, bins.height, bins.rows);
+       ++row)
+    for (int column = first; column <= last; ++column) {
+      const double along = overlap(near, far, row * bins.height, (row + 1) * bins.height);
       const double across = overlap(inner, outer, column * bins.width, (column + 1) * bins.width);
-      const double share = along * across / area * filled / bins.volume(column);
+      const double share = dense * along * across / (bins.height * bins.width);
       fill[bins.index(row, column)] += std::llround(share / fill_quantum);
     }
+}
+
+/// Half the extent along an axis of the box whose moments are those of the deformed particle
+/// [length]: h_i^2 = sum_j (F_ij h_j)^2.
+double half_extent(const HostParticles& particles, int p, int axis) {
+  const int dimension = static_cast<int>(particles.half_size.extent(1));
+  double square = 0.0;
+  for (int j = 0; j < dimension; ++j) {
+    const double edge =
+        particles.deformation_gradient(p, axis * dimension + j) * particles.half_size(p, j);
+    square += edge * edge;
+  }
+  return std::sqrt(square);
 }
 
 /// Filled part of the bins, of this rank.
@@ -191,30 +214,43 @@ std::vector<long long> fill_bins(
       const bool space = scene.grid.mode == Mode::three_dimensional;
       const double radius =
           std::hypot(particles.position(p, 0), space ? particles.position(p, 2) : 0.0);
-      // The undeformed box, as for the depth.
-      const double half[2] = {particles.half_size(p, 0), particles.half_size(p, 1)};
       // Expanded debris fills no more than it did as rock.
       const double filled = std::min(particles.volume(p, 0), particles.mass(p, 0) / density);
+      const double shrunk = std::sqrt(filled / particles.volume(p, 0));
+      const double half[2] = {
+          shrunk * half_extent(particles, p, 0), shrunk * half_extent(particles, p, 1)};
       fill_around(bins, path.depth(particles.position(p, 1)), radius, half, filled, fill);
     }
   }
   return fill;
 }
 
-/// Distance from the axis to the first cell that target fills by half, in every bin.
-std::vector<double> open_radii(
-    const std::vector<long long>& fill, const JetPath& path, int columns
-) {
-  constexpr double half = 0.5 / fill_quantum;
-  std::vector<double> radii(static_cast<std::size_t>(path.bins), columns * path.bin);
-  for (std::size_t b = 0; b < radii.size(); ++b)
-    for (int c = 0; c < columns; ++c)
-      if (static_cast<double>(
-              fill[b * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)]
-          ) >= half) {
-        radii[b] = c * path.bin;
-        break;
-      }
+/// Filled part of a window one cell wide around the inner face of a column. The other side of the
+/// axis looks the same.
+double window_fill(const long long* row, int column) {
+  long long sum = 0;
+  for (int c = column - half_window; c < column + half_window; ++c) sum += row[c < 0 ? -1 - c : c];
+  return static_cast<double>(sum) * fill_quantum / parts_across;
+}
+
+/// Distance from the axis to where target fills half of such a window, linear in between; the width
+/// of the bins where it does so nowhere.
+double wall_radius(const PathBins& bins, const long long* row) {
+  double before = 0.0;
+  for (int c = 0; c + half_window <= bins.columns; ++c) {
+    const double fill = window_fill(row, c);
+    if (fill >= 0.5) return c == 0 ? 0.0 : (c - 1 + (0.5 - before) / (fill - before)) * bins.width;
+    before = fill;
+  }
+  return bins.columns * bins.width;
+}
+
+/// The same of every row.
+std::vector<double> wall_radii(const std::vector<long long>& fill, const PathBins& bins) {
+  std::vector<double> radii;
+  radii.reserve(static_cast<std::size_t>(bins.rows));
+  for (int row = 0; row < bins.rows; ++row)
+    radii.push_back(wall_radius(bins, fill.data() + bins.index(row, 0)));
   return radii;
 }
 
@@ -342,15 +378,46 @@ JetPath jet_path(const Scene& scene, const JetOrigin& origin) {
   return path;
 }
 
+/// Below this radius a hole is closed, as in the report [cells].
+constexpr double closed_radius = 0.25;
+
+namespace {
+
+/// Radius at a depth in rows, linear between the middles of open rows: crumbs fill the others.
+double radius_at(const std::vector<double>& radii, std::size_t open, double depth, double closed) {
+  double before = -1.0, radius = 0.0;
+  for (std::size_t row = 0; row < open; ++row) {
+    if (radii[row] < closed) continue;
+    const double middle = static_cast<double>(row) + 0.5;
+    if (middle >= depth)
+      return before < 0.0 ? radii[row]
+                          : radius + (radii[row] - radius) * (depth - before) / (middle - before);
+    before = middle;
+    radius = radii[row];
+  }
+  return radius;
+}
+
+}  // namespace
+
 void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result) {
-  const auto is_closed = [&](std::size_t bin) { return radii[bin] <= 0.0; };
+  const double closed = closed_radius * path.bin;
   const std::size_t last = radii.size() - 1;
   std::size_t open = 0;
-  while (open < radii.size() && !(is_closed(open) && is_closed(std::min(open + 1, last)))) ++open;
+  while (open < radii.size() && (radii[open] >= closed || radii[std::min(open + 1, last)] >= closed)
+  )
+    ++open;
   result.channel_depth =
       std::min(static_cast<double>(open) * path.bin, path.direction * (path.end - path.face));
-  const std::size_t middle = open > 0 && is_closed(open / 2) ? open / 2 + 1 : open / 2;
-  result.channel_radius_mid = open == 0 ? 0.0 : radii[middle];
+  result.channel_radius_mid = radius_at(radii, open, 0.5 * static_cast<double>(open), closed);
+}
+
+double entrance_diameter(const PathLayer& layer, const JetPath& path, const Penetration& found) {
+  constexpr double round_off = 1e-9;
+  const double rows = (layer.near - path.direction * path.face) / path.bin;
+  const auto row = static_cast<std::size_t>(std::max(0.0, std::ceil(rows - round_off)));
+  if (row >= found.walls.size() || found.walls[row] < closed_radius * path.bin) return 0.0;
+  return 2.0 * found.walls[row];
 }
 
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path) {
@@ -371,14 +438,19 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
   Penetration result;
   combine_reach(comm, path, deepest, result);
   result.jet_mass_inside = masses.mass(mass[0]);
-  measure_channel(open_radii(fill, path, bins.columns), path, result);
+  result.walls = wall_radii(fill, bins);
+  measure_channel(result.walls, path, result);
   return result;
 }
 
 DepthWriter::DepthWriter(
-    JetPath path, const Comm& comm, const std::filesystem::path& file, std::uintmax_t kept
+    JetPath path,
+    const Comm& comm,
+    const std::filesystem::path& file,
+    std::uintmax_t kept,
+    double through_since
 )
-    : path_(std::move(path)) {
+    : path_(std::move(path)), through_since_(through_since) {
   RootWork work(comm);
   work.run([&] {
     file_ = std::make_unique<LineFile>(file, kept);
@@ -386,20 +458,27 @@ DepthWriter::DepthWriter(
     file_->append(
         "# SI units: time s; depth, channel_depth, channel_radius_mid m; jet_mass_inside kg (plane "
         "strain: "
-        "kg per m); tip_velocity m/s"
+        "kg per m); tip_velocity m/s; through 1 once the jet has come out of the rear of the target"
     );
     file_->append(
         path_.has_target ? "# depths from the outer face at y = " + to_text(path_.face) +
                                " along the jet's direction, 0 until the jet has met the target"
                          : std::string("# no depth: the jet meets no target")
     );
-    file_->append("time,depth,channel_depth,channel_radius_mid,jet_mass_inside,tip_velocity");
+    file_->append("time,depth,channel_depth,channel_radius_mid,jet_mass_inside,tip_velocity,through"
+    );
   });
   work.agree();
 }
 
 void DepthWriter::measure(const Scene& scene, const State& state) {
   last_ = measure_penetration(scene, state, path_);
+  if (last_.through && !(through_since_ > 0.0)) through_since_ = state.clock.time;
+  if (!(through_since_ > 0.0)) return;
+  // What has left the grid or was consumed since does not close the target again.
+  last_.met = last_.through = true;
+  last_.through_since = through_since_;
+  last_.depth = path_.direction * (path_.end - path_.face);
 }
 
 void DepthWriter::write(const Scene& scene, const State& state) {
@@ -413,7 +492,8 @@ void DepthWriter::write(const Scene& scene, const State& state) {
          last_.channel_depth,
          last_.channel_radius_mid,
          last_.jet_mass_inside,
-         last_.tip_velocity}
+         last_.tip_velocity,
+         last_.through ? 1.0 : 0.0}
     ));
   });
   work.agree();

@@ -70,21 +70,29 @@ struct Penetration {
   /// Depth of the leading edge of the deepest jet particle, its box undeformed; 0 until it has met
   /// the target, the length of the target once it is through [length].
   double depth = 0.0;
-  bool through = false;  ///< jet material has come out of the rear of the target
-  /// Length of the channel that is open from the outer face on: whole bins of one cell, the
-  /// smallest of the grid, along the axis, open while target fills less than half of the cell at
-  /// the axis or of the next one, so that crumbs in the channel, which fill one of them and then
-  /// none, do not close it [length].
+  bool through = false;  ///< jet material has come out of the rear of the target, once for all
+  double through_since = 0.0;  ///< when that was first seen; 0: it has not [time]
+  /// Length of the channel that is open from the outer face on: whole rows of one cell, the
+  /// smallest of the grid, along the axis, open while the wall of the row or of the next one is at
+  /// least a quarter of a cell away from the axis, so that crumbs in the channel, which fill one of
+  /// them and then none, do not close it [length].
   double channel_depth = 0.0;
-  /// Distance from the axis to the first cell that target fills by half, in the bin at half the
-  /// channel depth; 0 without a channel, the width of the grid if there is no target [length].
+  /// Distance from the axis to the wall, at half the channel depth; 0 without a channel,
+  /// the width of the grid if there is no target [length]. The wall is where the target's
+  /// particles, as they are deformed, fill half of a window one cell wide and high, as in the
+  /// report: for a sharp wall that is the wall itself, wherever it lies in its cell.
   double channel_radius_mid = 0.0;
+  std::vector<double> walls;  ///< the same of every row from the outer face on [length]
   /// Mass of the jet particles whose centre is beyond the outer face of a target [mass].
   double jet_mass_inside = 0.0;
   /// Velocity along the jet's direction of the particle that reaches deepest, in free flight too; 0
   /// before the first launch [length/time].
   double tip_velocity = 0.0;
 };
+
+/// Diameter of the hole (plane strain: its width) in the first whole row behind the front face of a
+/// layer; 0 where it is closed there [length].
+double entrance_diameter(const PathLayer& layer, const JetPath& path, const Penetration& found);
 
 /// Collective; the result is valid on the root.
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path);
@@ -96,18 +104,24 @@ void measure_channel(const std::vector<double>& radii, const JetPath& path, Pene
 class DepthWriter {
 public:
   DepthWriter(
-      JetPath path, const Comm& comm, const std::filesystem::path& file, std::uintmax_t kept = 0
+      JetPath path,
+      const Comm& comm,
+      const std::filesystem::path& file,
+      std::uintmax_t kept = 0,
+      double through_since = 0.0
   );
   /// Collective; last() without a row.
   void measure(const Scene& scene, const State& state);
   /// Collective. @throws FileError on every rank
   void write(const Scene& scene, const State& state);
-  const Penetration& last() const { return last_; }  ///< valid on the root
+  const Penetration& last() const { return last_; }        ///< valid on the root
+  double through_since() const { return through_since_; }  ///< valid on the root; 0: it is not
 
   std::uintmax_t bytes() const { return file_ ? file_->bytes() : 0; }
 
 private:
   JetPath path_;
+  double through_since_;
   std::unique_ptr<LineFile> file_;  ///< root only
   Penetration last_;
 };

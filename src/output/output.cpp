@@ -140,8 +140,13 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
       scene, *comm, run.folder / "history.csv", kept("history_bytes"), before
   );
   if (const std::optional<JetPath> path = recorded_path(scene, run.monitor))
-    depth =
-        std::make_unique<DepthWriter>(*path, *comm, run.folder / "depth.csv", kept("depth_bytes"));
+    depth = std::make_unique<DepthWriter>(
+        *path,
+        *comm,
+        run.folder / "depth.csv",
+        kept("depth_bytes"),
+        position.empty() ? 0.0 : number_of(position, "through_since")
+    );
   if (!hollow_balls(scene).empty())
     radii = std::make_unique<RadiiWriter>(
         scene,
@@ -255,6 +260,7 @@ RunNumbers Output::Parts::position() const {
       {"row_reactions", history->last_row().reactions},
       {"history_bytes", {bytes(history)}},
       {"depth_bytes", {bytes(depth)}},
+      {"through_since", {depth ? depth->through_since() : 0.0}},
       {"radii_bytes", {bytes(radii)}},
       {"cavities_bytes", {bytes(cavities)}}};
 }

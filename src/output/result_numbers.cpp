@@ -29,8 +29,10 @@ namespace {
 
 /// Depth from the outer face, and in the last body that the jet has reached.
 std::string depth_words(const Scene& scene, const Penetration& p) {
-  std::string text = p.through ? number_line("depth: through the target of %.2f mm", 1e3 * p.depth)
-                               : number_line("depth %.2f mm", 1e3 * p.depth);
+  std::string text = p.through
+                         ? number_line("depth: through the target of %.2f mm", 1e3 * p.depth) +
+                               number_line(" since %.4g us", 1e6 * p.through_since)
+                         : number_line("depth %.2f mm", 1e3 * p.depth);
   if (scene.jet.present && !p.through) {
     const JetPath path = jet_path(scene);
     const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));

@@ -129,9 +129,11 @@ void put_resolution(Json& json, const Scene& scene, double time, const Penetrati
   put_cells(json, "cells_per_length", slug_cells(scene, &JetSlug::length));
   if (!p.met) return;
   const JetPath path = jet_path(scene);
-  for (const PathLayer& layer : path_layers(scene, widest_radius(scene)))
-    json["depth_in_body"][as_utf8(scene.bodies[layer.body].name)] =
-        number(depth_in(layer, path, p.depth));
+  for (const PathLayer& layer : path_layers(scene, widest_radius(scene))) {
+    const std::string name = as_utf8(scene.bodies[layer.body].name);
+    json["depth_in_body"][name] = number(depth_in(layer, path, p.depth));
+    json["entrance_diameter_in_body"][name] = number(entrance_diameter(layer, path, p));
+  }
   const DepthDoubt doubt = depth_doubt(scene, time, p);
   Json& error = json["depth_error"];
   if (!doubt.unknown.empty()) {
@@ -150,6 +152,7 @@ void put_penetration(Json& json, const Scene& scene, double time, const Penetrat
   reached["met_target"] = p.met;
   reached["depth"] = number(p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
   reached["through"] = p.through;
+  if (p.through) reached["through_since"] = number(p.through_since);
   reached["channel_depth"] = number(p.channel_depth);
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["jet_mass_inside"] = number(p.jet_mass_inside);

@@ -153,6 +153,12 @@ def check_no_depth(folder):
     assert "the jet has met no target by the end of the runs" in found and found.count("\n") == 1, found
 
 
+def check_through(folder):
+    thin = ("--set", "Bodies/Rock/Upper={50.8 mm, 14.7 mm}", "--set", "Time/End Time=8 us")
+    found = converge(QUICK, *thin, "--levels", "2", "--out", folder / "thin", code=1)
+    assert "the jet has come out of the rear of the target in 2 of the 2 runs" in found and found.count("\n") == 1, found
+
+
 def check_summary_number(out):
     """A number of summary.json has one time, the end."""
     converge(QUICK, *SHORT, "--out", out, "--quantity", "balances.energy.transfer_share")
@@ -174,6 +180,7 @@ def main():
         out = check_jet(folder)
         check_bad_quantity(out)
         check_no_depth(folder)
+        check_through(folder)
         check_summary_number(out)
         check_reuse(out, folder)
         check_interruption(out, folder)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A jet that meets no target has no depth: `check` and the run say so, and no file holds one.
+"""A jet that meets no target has no depth: `check` and the run say so, and no file holds one. One that comes out of the rear of its
+target is through, for good. The hole is the same in equal and in refined cells of one size, and the same in the report.
 
     test_jet_targets.py BARRENO
 """
@@ -11,6 +12,11 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
+from barreno_report import hole as holes  # noqa: E402
+from barreno_report.deck import read_deck  # noqa: E402
+from barreno_report.files import read_csv  # noqa: E402
+from barreno_report.particles import ParticleFile  # noqa: E402
 from runs import DECKS, Run, mpi_environment  # noqa: E402
 
 COARSE = ("Grid/Cell Size=5 mm", "Time/End Time=3 us")
@@ -45,12 +51,58 @@ def check_case(folder, words, met, *settings):
         assert (depths[name] == 0.0).all(), f"{name}: {depths[name]}"
 
 
+def run_quick(folder, *settings):
+    """(words on the screen, penetration of the summary) of the perforation in cells of 2 mm, in a smaller box."""
+    box = ("Grid/Upper={80 mm, 120 mm}", "Bodies/Rock/Upper={50.8 mm, 110 mm}", "Output/Checkpoint Steps=0")
+    words = [sys.argv[1], "run", DECKS / "perforation_quick.xml", "--out", folder, *[x for s in (*box, *settings) for x in ("--set", s)]]
+    result = subprocess.run(words, env=mpi_environment(), capture_output=True, text=True, timeout=120)
+    assert result.returncode == 0, result.stderr
+    return result.stdout, json.loads((folder / "summary.json").read_text())["penetration"]
+
+
+def check_through(folder):
+    """Rock of 2 mm behind the casing: the depth stays that of the rear, whatever becomes of the jet's tip."""
+    said, reached = run_quick(folder, "Bodies/Rock/Upper={50.8 mm, 14.7 mm}", "Time/End Time=12 us")
+    assert "depth: through the target of 14.70 mm since" in said, said
+    table = Run(folder).table("depth.csv")
+    first = int(table["through"].argmax())
+    assert reached["through"] and reached["through_since"] == table["time"][first], reached
+    assert first > 0 and (table["through"][first:] == 1).all() and (abs(table["depth"][first:] - 0.0147) < 1e-12).all(), table["depth"]
+
+
+def hole_in_report(folder):
+    """(hole as the report measures it, its radius half way down the channel)."""
+    table, file = read_csv(folder / "depth.csv"), ParticleFile(folder / "particles.e")
+    hole = holes.measure_hole(file.frame(), read_deck(folder / "deck.xml"), 0.0)
+    return hole, hole.radius_at(0.5 * table["channel_depth"][-1])
+
+
+def check_refined_hole(folder):
+    """Cells of 2 mm everywhere, however they are made: one depth of the channel, and its radius to 1 %."""
+    everywhere = ("Refinement/All/Lower={0 mm, -40 mm}", "Refinement/All/Upper={80 mm, 120 mm}")
+    kinds = {
+        "equal": (),
+        "from 4 mm": ("Grid/Cell Size=4 mm", *everywhere, "Refinement/All/Level=1"),
+        "from 8 mm": ("Grid/Cell Size=8 mm", *everywhere, "Refinement/All/Level=2"),
+    }
+    found = {name: run_quick(folder / name, "Time/End Time=14 us", "Output/Field Interval=7 us", *more)[1] for name, more in kinds.items()}
+    first = found["equal"]
+    for name, one in found.items():
+        assert one["channel_depth"] == first["channel_depth"] > 0.04, f"{name}: {one['channel_depth']} beside {first['channel_depth']}"
+        for measure in (one["channel_radius_mid"] / first["channel_radius_mid"], *(one["entrance_diameter_in_body"][b] / first["entrance_diameter_in_body"][b] for b in ("Casing", "Rock"))):
+            assert abs(measure - 1.0) < 0.01, f"{name}: {one} beside {first}"
+        hole, radius = hole_in_report(folder / name)
+        assert abs(hole.length - one["channel_depth"]) <= hole.cell and abs(radius - one["channel_radius_mid"]) < hole.cell / 6.0, (name, hole.length, radius, one)
+
+
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         check_case(folder / "down", None, True)
         check_case(folder / "up", "hits no body (none lies in its path along -y", False, "Jet/Direction=-y")
         check_case(folder / "late", "not before Time/End Time", False, "Jet/Launch Position=-35 mm")
+        check_through(folder / "through")
+        check_refined_hole(folder)
 
 
 if __name__ == "__main__":

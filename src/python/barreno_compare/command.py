@@ -15,7 +15,7 @@ from barreno_runs.words import Words
 
 EXAMPLE = "write for example barreno compare runs/perforation-1 runs/perforation-2"
 RECORD = "compare.json"
-SHOWN = re.compile(r"penetration\.(depth|channel_depth|channel_radius_mid|jet_mass_inside|tip_velocity)|balances\.energy\.(kinetic|elastic|plastic|viscous|error)|"
+SHOWN = re.compile(r"penetration\.(depth|through_since|channel_depth|channel_radius_mid|jet_mass_inside|tip_velocity)|balances\.energy\.(kinetic|elastic|plastic|viscous|error)|"
                    r"time|steps|particle_steps|wall_seconds|peak_resident_bytes")  # fmt: skip
 
 

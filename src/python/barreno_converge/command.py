@@ -90,9 +90,22 @@ def refuse_no_depth(levels, quantity):
         raise Fault("the jet has met no target by the end of the runs, so there is no depth; barreno check says why.")
 
 
+def refuse_through(levels, quantity):
+    """Behind a target there is no depth: its length, which all levels would then share, has no error."""
+    if quantity.name != "depth":
+        return
+    through = [level for level in levels if read_summary(level.folder).get("penetration", {}).get("through")]
+    if through:
+        raise Fault(
+            f"the jet has come out of the rear of the target in {len(through)} of the {len(levels)} runs, so depth is the length of the target there;"
+            " make the target thicker, or choose an earlier Time/End Time."
+        )
+
+
 def compare(levels, quantity, times, formal):
     """[(time, values, verdict)]"""
     refuse_no_depth(levels, quantity)
+    refuse_through(levels, quantity)
     found = [quantity.at(level.folder, times) for level in levels]
     if any(not math.isfinite(value) for values in found for value in values):
         raise Fault(f"{quantity.name} is not a finite number in a run; choose another quantity.")

@@ -3,7 +3,7 @@
 
 Lines across the axis, eight per cell, find which lengths the target's particles cover. The wall of a row is where they cover half of a
 window one cell wide and one cell high: for a sharp wall that is the wall itself, wherever it lies in its cell, and single particles that
-fly through the hole do not move it. Expanded debris covers no more than it did as rock, as for channel_depth of depth.csv.
+fly through the hole do not move it. Expanded debris covers no more than it did as rock. depth.csv has the same measure from boxes along the axes.
 """
 
 import dataclasses
@@ -169,6 +169,13 @@ def face_of(table, file, deck):
     return float(y.min() if deck.direction > 0.0 else y.max())
 
 
+def rear_of(file, deck, face):
+    """Depth of the target's rear at the start: debris that flies behind it has no hole."""
+    frame = file.frame(0)
+    shapes, of = frame.shapes
+    return float((deck.direction * (shapes[~jet_particles(frame, deck)[of]][:, :, 1] - face)).max(initial=0.0))
+
+
 def rows_of(side, lines, bins, width, cell):
     """Radius of every row on one side of the axis, from shapes whose y is the depth and whose x counts from the axis."""
     lines_of = 0.5 * cell / LINES + cell / LINES * np.arange(lines)
@@ -189,7 +196,7 @@ def measure_hole(frame, deck, face):
     cell = cell_along_path(frame.file, deck)
     shapes = target_shapes(frame, deck).copy()
     shapes[:, :, 1] = deck.direction * (shapes[:, :, 1] - face)
-    end = float(shapes[:, :, 1].max(initial=cell))
+    end = min(float(shapes[:, :, 1].max(initial=cell)), max(cell, rear_of(frame.file, deck, face)))
     lines = LINES * max(2, int(np.ceil(end / cell)))
     widest = float(np.abs(shapes[:, :, 0]).max(initial=cell))
     width = cell / BINS

@@ -29,7 +29,7 @@ def rows_in_rock(hole, top, across):
 def face_of_rock(frame, deck, face):
     """Depth of the rock's face at the start; None without rock."""
     rock = Rock(frame.file.frame(0), deck, face)
-    return max(0.0, float(rock.depth.min())) if len(rock) else None
+    return max(0.0, float((rock.depth - rock.half_height).min())) if len(rock) else None
 
 
 def hole_rows(hole, mark, time, top):
@@ -44,7 +44,7 @@ def hole_rows(hole, mark, time, top):
         ("volume", f"{hole.volume / scale:.3g} {per}"),
     ]
     if mark:
-        rows.append(("radius at half the depth of the channel", f"{hole.radius_at(mark[0]) / MILLI:.2f} mm; in whole cells (depth.csv) {mark[1] / MILLI:.2f} mm"))
+        rows.append(("radius at half the depth of the channel", f"{hole.radius_at(mark[0]) / MILLI:.2f} mm; depth.csv, without the shear of particles, has {mark[1] / MILLI:.2f} mm"))
     return rows
 
 
@@ -78,16 +78,15 @@ ROCK = (
 )
 
 
-def profile_text(hole, rock):
+def profile_text(hole, rock, top):
     lines = [
         "# SI units: depth below the outer face, radius of the wall, inner and outer radius of the crushed zone, outer radius of the dilated zone m;"
         " nan where there is no rock with pores",
         COLUMNS,
     ]
-    top = float(rock.depth.min()) if len(rock) else np.inf
     for depth, radius in zip(hole.depth[: hole.open_rows], hole.radius[: hole.open_rows]):
         values = [np.nan] * 4
-        if depth >= top and np.isfinite(radius):
+        if top is not None and depth >= top and np.isfinite(radius):
             ring = rings_at(rock, hole, depth)
             values = [*ring.crushed, ring.dilated[1], float(ring.porosity[0])]
         lines.append(",".join(f"{value:.9g}" for value in (depth, radius, *values)))
@@ -100,15 +99,14 @@ def mark_at(table, time):
     return (0.5 * at("channel_depth"), at("channel_radius_mid")) if at("channel_depth") > 0.0 else None
 
 
-def depths_in_rock(rock, hole, wanted):
+def depths_in_rock(hole, top, wanted):
     """The wanted depths, or three where none is wanted; none without rock. @raises Fault  for one that is beside the hole in rock"""
-    if not len(rock):
+    if top is None:
         return []
-    top = float(rock.depth.min())
     for depth in wanted:
         if not top <= depth <= hole.length:
             raise Fault(f"--depths has {depth / MILLI:g} mm, where there is no hole in rock ({top / MILLI:.1f} to {hole.length / MILLI:.1f} mm); choose depths in between.")
-    return wanted or chosen_depths(rock, hole)
+    return wanted or chosen_depths(hole, top)
 
 
 def hole_section(frame, deck, table, wanted, folder):
@@ -117,10 +115,11 @@ def hole_section(frame, deck, table, wanted, folder):
     if hole.open_rows == 0:
         return Section("Hole", words=["There is no hole in the target yet."])
     mark, rock = mark_at(table, frame.time), Rock(frame, deck, hole.face)
-    rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(rock, hole, wanted)]
-    zones = zones_of(rock, hole) if len(rock) else []
-    write_text(folder / "profile.csv", profile_text(hole, rock))
-    section = Section("Hole", hole_rows(hole, mark, frame.time, face_of_rock(frame, deck, hole.face)) + (rock_rows(rock) if len(rock) else []), [WALL])
+    top = face_of_rock(frame, deck, hole.face) if len(rock) else None
+    rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(hole, top, wanted)]
+    zones = zones_of(rock, hole, top) if top is not None else []
+    write_text(folder / "profile.csv", profile_text(hole, rock, top))
+    section = Section("Hole", hole_rows(hole, mark, frame.time, top) + (rock_rows(rock) if len(rock) else []), [WALL])
     if rings:
         section.heads, section.table = ring_table(rings)
         section.words.append(ROCK)

@@ -51,14 +51,21 @@ def resolution_rows(penetration):
     return [("cells per radius of the jet at impact", f"{cells['least']:.3g} to {cells['most']:.3g} (tip {cells['tip']:.3g}, tail {cells['tail']:.3g})")]
 
 
+def entrance_rows(penetration):
+    """Diameter of the hole in the face of every body on the path, the jet's nearest last."""
+    found = [(name, value) for name, value in penetration.get("entrance_diameter_in_body", {}).items() if value > 0.0]
+    return [("entrance diameter by body", ", ".join(f"{value / MILLI:.2f} mm in {name}" for name, value in reversed(found)))] if found else []
+
+
 def depth_rows(summary, depth):
     if not depth:
         return []
     return [
         ("depth", depth_text(depth, summary.get("penetration", {}))),
         *resolution_rows(summary.get("penetration", {})),
-        ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm"),
-        ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm (in whole cells of the finest size)"),
+        ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm (in whole cells of the finest size)"),
+        ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
+        *entrance_rows(summary.get("penetration", {})),
         ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),
     ]
 

@@ -98,13 +98,11 @@ def rings_at(rock, hole, depth):
         return Rings(depth, edges, np.where(total > 0.0, pores / total, np.nan), rock.virgin)
 
 
-def chosen_depths(rock, hole):
-    """A quarter, half and three quarters of the hole's length in rock."""
-    top = float(rock.depth.min())
+def chosen_depths(hole, top):
+    """A quarter, half and three quarters of the hole's length in rock, which begins at a depth."""
     return [top + part * (hole.length - top) for part in (0.25, 0.5, 0.75)] if hole.length > top + 2.0 * hole.cell else []
 
 
-def zones_of(rock, hole):
+def zones_of(rock, hole, top):
     """Rings in rows of two cells where the hole is open and has rock around it."""
-    top = float(rock.depth.min())
     return [rings_at(rock, hole, depth) for depth in np.arange(top + hole.cell, hole.length, HIGH * hole.cell)]

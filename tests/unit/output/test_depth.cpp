@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <string>
 
 namespace barreno {
 namespace {
@@ -56,10 +58,10 @@ TEST(Channel, EndsAtTheFirstClosedBin) {
   Penetration result;
   measure_channel({3.0, 2.0, 0.0, 0.0}, path, result);
   EXPECT_EQ(result.channel_depth, 2.0);
-  EXPECT_EQ(result.channel_radius_mid, 2.0);
+  EXPECT_EQ(result.channel_radius_mid, 2.5);
   measure_channel({3.0, 0.0, 2.0, 0.0}, path, result);  // a crumb, and what is left at the end
   EXPECT_EQ(result.channel_depth, 3.0);
-  EXPECT_EQ(result.channel_radius_mid, 2.0);
+  EXPECT_EQ(result.channel_radius_mid, 2.5) << "between the open rows around the crumb";
   measure_channel({0.0, 0.0, 2.0, 2.0}, path, result);
   EXPECT_EQ(result.channel_depth, 0.0);
   EXPECT_EQ(result.channel_radius_mid, 0.0);
@@ -93,9 +95,8 @@ TEST(Penetration, FollowsAJetOfKnownMotion) {
     EXPECT_TRUE(result.met);
     EXPECT_NEAR(result.depth, launch_plane + tip_speed * inside, 1e-12);
     EXPECT_NEAR(result.channel_depth, 0.014, 1e-12);
-    // Whole cells: the radius is found to half of one.
     EXPECT_NEAR(
-        result.channel_radius_mid, 0.004 * std::exp(-20.0 * 0.0075), 0.5 * scene.grid.cell_size
+        result.channel_radius_mid, 0.004 * std::exp(-20.0 * 0.007), 0.1 * scene.grid.cell_size
     );
     EXPECT_GT(result.jet_mass_inside, 0.0);
     EXPECT_FALSE(result.through);
@@ -123,6 +124,36 @@ TEST(Penetration, IsNoDepthBeyondTheRearOfTheTarget) {
   EXPECT_EQ(depth_in(layer, straight, 0.005), 0.0);
   EXPECT_NEAR(depth_in(layer, straight, 0.03), 0.02, 1e-15);
   EXPECT_NEAR(depth_in(layer, straight, 0.09), 0.03, 1e-15);
+}
+
+TEST(DepthWriter, StaysThroughWhenTheTipIsGone) {
+  const Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  JetPath path = jet_path(scene);
+  path.end = path.face + 0.5 * (launch_plane + tip_speed * 5e-6 - path.face);
+  path.bins = static_cast<int>(std::ceil((path.end - path.face) / path.bin));
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("depth_through" + std::to_string(comm->getSize()) + ".csv");
+  DepthWriter writer(path, *comm, file);
+  State state = synthetic::make_state(scene, comm);
+  for (const double time : {1e-6, 5e-6, 1e-6}) {
+    state.clock.time = time;
+    synthetic::move_to(scene, state, time);
+    writer.measure(scene, state);
+    if (comm->getRank() != 0) continue;
+    EXPECT_EQ(writer.last().through, writer.through_since() > 0.0);
+  }
+  if (comm->getRank() == 0) {
+    EXPECT_EQ(writer.last().through_since, 5e-6);
+    EXPECT_EQ(writer.last().depth, path.end - path.face);
+    std::filesystem::remove(file);
+  }
+  DepthWriter resumed(path, *comm, file, 0, 5e-6);
+  resumed.measure(scene, state);
+  if (comm->getRank() == 0) {
+    EXPECT_TRUE(resumed.last().through);
+    std::filesystem::remove(file);
+  }
 }
 
 /// The synthetic scene with its jet said to come from a liner behind the launch plane.

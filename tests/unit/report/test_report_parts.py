@@ -220,7 +220,7 @@ def check_refusals(run, folder):
         assert found == f"barreno: cannot report on '{empty}' (it contains no history.csv; give the folder of a run).\n", found
     assert sorted(run.rglob("*")) == before, "a refusal leaves files"
     found = said("report", run, "--depths", "40 mm", code=1)
-    assert "--depths has 40 mm, where there is no hole in rock (0.2 to 19.8 mm); choose depths in between." in found, found
+    assert "--depths has 40 mm, where there is no hole in rock (0.0 to 19.8 mm); choose depths in between." in found, found
     assert not list((run / "report").iterdir()), "a refusal leaves files"
 
 
