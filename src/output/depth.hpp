@@ -24,6 +24,8 @@ struct JetOrigin {
   double radius = 0.0;  ///< around the axis, in which a body is met [length]
   double mass = 0.0;    ///< no jet has more [mass]
 };
+/// Whether a body's particles are the jet, or would be once they form it.
+bool is_jet_body(const JetOrigin& origin, int body);
 JetOrigin launched_jet(const Scene& scene);
 JetOrigin formed_jet(const Scene& scene, const JetMonitorSpec& monitor);
 
@@ -90,15 +92,8 @@ struct Penetration {
   double tip_velocity = 0.0;
 };
 
-/// Diameter of the hole (plane strain: its width) in the first whole row behind the front face of a
-/// layer; 0 where it is closed there [length].
-double entrance_diameter(const PathLayer& layer, const JetPath& path, const Penetration& found);
-
 /// Collective; the result is valid on the root.
 Penetration measure_penetration(const Scene& scene, const State& state, const JetPath& path);
-
-/// Open channel from the open radius of every bin: depth, and radius in the middle.
-void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result);
 
 /// depth.csv, a row per call.
 class DepthWriter {

@@ -5,6 +5,7 @@
 #include "base/region.hpp"
 #include "base/utf8.hpp"
 #include "base/work_counts.hpp"
+#include "output/jet/channel.hpp"
 #include "output/jet/jet_estimate.hpp"
 #include "output/share_numbers.hpp"
 #include "scene/input_speeds.hpp"

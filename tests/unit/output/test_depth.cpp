@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/depth.hpp"
+#include "output/jet/channel.hpp"
 #include "output/jet/jet_estimate.hpp"
 #include "synthetic_run.hpp"
 
