@@ -19,7 +19,7 @@ import numpy
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "materials" / "python"))
 from barreno_fit import card as cards  # noqa: E402
-from barreno_fit import command, ranges, solve, units  # noqa: E402
+from barreno_fit import command, profiles, ranges, solve, units, weights  # noqa: E402
 from barreno_fit.answers import Laboratory  # noqa: E402
 from barreno_fit.data import Test, read_test  # noqa: E402
 from barreno_fit.faults import Fault  # noqa: E402
@@ -155,10 +155,10 @@ def check_restart(folder, library):
     simpler = {"FSLOPE": 0.9 * truth["FSLOPE"], "PEAKI1": 1.2 * truth["PEAKI1"]}
     found = {"FSLOPE": 0.1 * truth["YSLOPE"], "PEAKI1": truth["PEAKI1"]}  # the slope at the vertex is less than that far from it
     assert refused(lambda: search.solve([found])), "the card that must be refused is not"
-    values, _, _ = solve.together(search, found, simpler)
+    values, _, _ = solve.together(search, [found], simpler)
     off = {name: abs(values[name] / truth[name] - 1) for name in simpler}
     assert all(value <= EXACT for value in off.values()), off
-    assert refused(lambda: solve.together(search, found, found))
+    assert refused(lambda: solve.together(search, [found], found))
 
 
 def check_bound(folder, library):
@@ -187,14 +187,14 @@ def check_better_minimum(folder, library):
     squares = float((search.residuals(z) ** 2).sum())
     lower = None
     try:
-        ranges.grown(search, z, search.names.index("FSLOPE"), z[search.names.index("FSLOPE")], z, squares)
-    except ranges.Better as better:
+        profiles.grown(search, ranges.spread_of(search, z), search.names.index("FSLOPE"), z[search.names.index("FSLOPE")], z)
+    except profiles.Better as better:
         (lower,) = better.args
     assert lower and abs(lower["PEAKI1"] / truth["PEAKI1"] - 1) < 0.02, lower
     asked, true_range = [], solve.range_of
     solve.range_of = lambda *given, **more: true_range(*given, **more) if asked else once(asked, lower)
     try:
-        (values, _, _), _, found = solve.ranges_of(search, ({**truth, **beside}, squares, z))
+        (values, _, _), _, found, _ = solve.opened_and_ranged(search, ({**truth, **beside}, squares, z))
     finally:
         solve.range_of = true_range
     assert set(found) == set(beside) and abs(values["PEAKI1"] / truth["PEAKI1"] - 1) <= EXACT, (values["PEAKI1"], found)
@@ -202,7 +202,37 @@ def check_better_minimum(folder, library):
 
 def once(asked, values):
     asked.append(True)
-    raise ranges.Better(values)
+    raise profiles.Better(values)
+
+
+def scales_from(folder, truth, library, noises, stated):
+    """Of the curves of a known card, each with its own noise."""
+    tests = []
+    for k, noise in enumerate(noises):
+        files = write_data(folder, truth, noise, library, seed=k)
+        for file in files if not stated else []:
+            path = pathlib.Path(file)
+            path.write_text("".join(line for line in path.read_text().splitlines(True) if not line.startswith("# uncertainty")))
+        tests.append(read_test(files[k]))
+    names = ["B0", "FSLOPE", "G1"]
+    search = solve.Search(solve.Problem(library, truth, {}, {}), tests, names, truth)
+    found = weights.weigh(search, search.solve([truth]))
+    return [test.scales.get(test.channels[0], 1.0) for test in tests], search, found
+
+
+def check_columns(folder, library):
+    """Curves that scatter unlike are weighed by their own scatter, and the parameters of a quiet one no longer suffer from a loud one; curves that
+    scatter alike, and those whose files state an uncertainty, keep their weights."""
+    truth, noises = true_card(), (0.005, 0.03, 0.03, 0.005)
+    scales, search, found = scales_from(folder, truth, library, noises, stated=False)
+    parts = [scale / noise for scale, noise in zip(scales, noises)]
+    print("  scales:", scales)
+    # 13 degrees of freedom know a scatter to 0.72 to 1.6 of itself; equal weights would give 6.
+    assert max(parts) < 1.6 / 0.72 * min(parts), scales
+    r = search.residuals(found[2])
+    assert abs(found[1] - float(r @ r)) < 1e-6 * found[1], "the sum of squares is that of other weights"
+    assert scales_from(folder, truth, library, noises, stated=True)[0] == [1.0] * 4
+    assert scales_from(folder, truth, library, (0.01,) * 4, stated=False)[0] == [1.0] * 4
 
 
 def check_many_starts(folder, library):
@@ -211,7 +241,7 @@ def check_many_starts(folder, library):
     tests = [read_test(file) for file in write_data(folder, truth, 0.0, library)]
     names = ["FSLOPE", "YSLOPE", "CR"]
     search = solve.Search(solve.Problem(library, truth, {}, {}), tests, names, truth)
-    values, squares, _ = solve.together(search, {"FSLOPE": 1.3 * truth["FSLOPE"], "YSLOPE": 0.0, "CR": 0.021}, truth)
+    values, squares, _ = solve.together(search, [{"FSLOPE": 1.3 * truth["FSLOPE"], "YSLOPE": 0.0, "CR": 0.021}], truth)
     assert squares < 1e-2, squares
     assert abs(values["CR"] / truth["CR"] - 1) < 0.01, values["CR"]
 
@@ -316,7 +346,7 @@ def main():
     checks = {
         "reading": lambda f: check_reading(f), "bad inputs": lambda f: check_bad_inputs(f), "drive": lambda f: check_against_drive(f, library, barreno),
         "left open": lambda f: check_left_open(f, library), "restart": lambda f: check_restart(f, library), "bound": lambda f: check_bound(f, library), "better minimum": lambda f: check_better_minimum(f, library),
-        "many starts": lambda f: check_many_starts(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library, sys.argv[3:] == ["--full"]),
+        "columns": lambda f: check_columns(f, library), "many starts": lambda f: check_many_starts(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library, sys.argv[3:] == ["--full"]),
     }  # fmt: skip
     for name, check in checks.items():
         with tempfile.TemporaryDirectory() as scratch:

@@ -44,6 +44,8 @@ class Test:
     porosity: float = 0.0  # 0: not said
     strain_limit: float = 0.1
     notes: list = field(default_factory=list)
+    stated: bool = False  # the file says the uncertainty
+    scales: dict = field(default_factory=dict)  # channel -> its scatter over the uncertainty (weights.py); 1 where it is absent
 
     @property
     def rows(self):
@@ -245,7 +247,7 @@ def read_test(file, said=None):
     test = Test(
         file, kind, digest, keys.get("source", ""), columns, labels, uncertainty, confinement,
         header_value(file, keys, "porosity", "ratio", 0.0, 1e-3, 0.6), header_value(file, keys, "strain_limit", "strain", 0.1, 1e-3, LARGEST_STRAIN),
-        notes,
+        notes, "uncertainty" in keys,
     )  # fmt: skip
     extra = [name for name in names if name not in used and name != "source"]
     if extra:

@@ -8,13 +8,12 @@ from scipy import stats
 
 from barreno_fit.kinds import KINDS
 from barreno_fit.parameters import PARAMETERS, unseen
-from barreno_fit.search import ROUGH, Search, residuals_of
+from barreno_fit.profiles import Better, grown
+from barreno_fit.search import LEAST_SCALE, residuals_of
 
-LEAST_SCALE = 0.05  # of the uncertainty: below it a fit is exact, and its scatter no measure of what data determine
 LARGEST_RHO = 0.98
-NONLINEAR = 0.25  # of the growth of the sum of squares: a linearised range that is further off is not kept
-EXTENSIONS, REFITS = 5, 8
-BETTER = 2e-3  # of the sum of squares: a profile that lies lower has found a better minimum
+TRIALS = 8  # of an end
+NEAR = 0.06  # of the root of the growth at an end, at which it is one
 AT_BOUND = 0.02  # of the width of an open range: nearer to a bound a parameter stands at it
 
 
@@ -39,6 +38,7 @@ class Spread:
     half: numpy.ndarray
     decided: numpy.ndarray
     along: numpy.ndarray
+    slopes: numpy.ndarray  # J
     squares: float
     growth: float
     rho: float
@@ -62,44 +62,42 @@ def spread_of(search, z):
     longer = (1.0 + rho) / (1.0 - rho)
     t = stats.t.ppf(0.975, max(m / longer - n, 1.0))
     decided = stats.t.ppf(0.975, max(m - n, 1)) * max(s, LEAST_SCALE) * deviation
-    return Spread(t * s * numpy.sqrt(longer) * deviation, decided, covariance / deviation**2, squares, t**2 * s**2 * longer, rho)
+    return Spread(t * s * numpy.sqrt(longer) * deviation, decided, covariance / deviation**2, J, squares, t**2 * s**2 * longer, rho)
 
 
-class Better(Exception):
-    """A profile went below the solution: the values where it did."""
+def root_of(growth, spread):
+    """Growth of the sum of squares over that at the end of a range, as a root: a linear problem's is proportional to the distance."""
+    return numpy.sqrt(max(growth, 0.0) / spread.growth)
 
 
-def grown(search, z, i, end, guess, squares):
-    """How much the sum of squares grows when parameter i is held at an end and the others are fitted again."""
-    rest = [name for name in search.names if name != search.names[i]]
-    held = Search(search.problem, search.tests, rest, {**search.values, search.names[i]: unseen(search.names[i], end)})
-    start = numpy.delete(numpy.clip(guess, search.low + 1e-9, search.high - 1e-9), i)
-    found = held.descend(start, ROUGH, REFITS)
-    if 2.0 * found.cost < (1.0 - BETTER) * squares and squares > LEAST_SCALE**2 * search.count:
-        raise Better(held.at(found.x))
-    return 2.0 * found.cost - squares
+def next_half(half, inner, outer):
+    """Where to look for the end: between a point inside of the range and one outside (half width, root), or further out."""
+    if outer is None:
+        return half * (min(2.0, 1.1 / max(inner[1], 0.1)) if inner[1] > 0.0 else 2.0)
+    if numpy.isinf(outer[1]):
+        return 0.5 * (inner[0] + outer[0])
+    part = (1.0 - inner[1]) / max(outer[1] - inner[1], 1e-6)
+    return inner[0] + min(max(part, 0.1), 0.9) * (outer[0] - inner[0])
 
 
 def end_of(search, z, spread, i, sign):
-    """One end of a range. The linearised one stands if there the sum of squares has grown as it should; else others are tried, with all other
-    parameters fitted again, until it has (profile likelihood)."""
-    half = spread.half[i]
+    """One end of a range: where the sum of squares has grown by spread.growth, with all other parameters fitted again (profile likelihood)."""
+    half = min(spread.half[i], 2.0 * search.wide()[i])
     if len(z) < 2 or half == 0.0 or spread.growth <= LEAST_SCALE**2:
         return z[i] + sign * half
-    for _ in range(EXTENSIONS):
-        guess = z + sign * half * spread.along[:, i]
-        end = numpy.clip(guess[i], search.low[i], search.high[i])
-        inside = (guess > search.low).all() and (guess < search.high).all()
-        growth = float((search.residuals(guess) ** 2).sum()) - spread.squares if inside else numpy.inf
-        if abs(growth / spread.growth - (half / spread.half[i]) ** 2) > NONLINEAR or half > spread.half[i]:
-            growth = grown(search, z, i, end, guess, spread.squares)
-        part = numpy.sqrt(max(growth, 0.0) / spread.growth)
-        if part >= 1.0 - NONLINEAR / 2:
-            return z[i] + sign * half / max(part, 1.0)
-        if end != guess[i]:
+    inner, outer, along = (0.0, 0.0), None, sign * spread.along[:, i]
+    for _ in range(TRIALS):
+        end = numpy.clip(z[i] + sign * half, search.low[i], search.high[i])
+        growth, there = grown(search, spread, i, end, z + abs(end - z[i]) * along)
+        half, root = abs(end - z[i]), root_of(growth, spread)
+        if abs(root - 1.0) <= NEAR or (root < 1.0 and end in (search.low[i], search.high[i])):
             return end
-        half *= min(2.0, 1.1 / max(part, 0.1))
-    return z[i] + sign * half
+        if root < 1.0:
+            inner, along = (half, root), (there - z) / half  # the others go on as they went
+        else:
+            outer = (half, root)
+        half = next_half(half, inner, outer)
+    return z[i] + sign * (outer[0] if outer and numpy.isinf(outer[1]) else half)
 
 
 def at_bound(search, i, z):

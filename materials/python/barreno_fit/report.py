@@ -32,6 +32,7 @@ def misfit(test, name, model, residual):
         "file": test.file, "kind": test.kind, "confinement": test.confinement, "channel": name, "rows": test.rows,
         "rms": rms(model - data), "largest": float(numpy.abs(model - data).max()), "rms_relative": rms(relative),
         "largest_relative": float(numpy.abs(relative).max()), "rms_over_uncertainty": rms(residual),
+        "scale": test.scales.get(name, 1.0),
     }  # fmt: skip
 
 
@@ -59,7 +60,7 @@ def summary(problem, result, tests, answers, start_name, version):
                 out["rows"].append({
                     "file": test.file, "channel": name, "at": float(test.columns[control][k]) if control else None,
                     "data": float(test.columns[name][k]), "model": float(answer[name][k]),
-                    "uncertainty": float(test.uncertainty[k]), "source": test.labels[k],
+                    "uncertainty": float(test.uncertainty[k]) * test.scales.get(name, 1.0), "source": test.labels[k],
                 })  # fmt: skip
     return out
 
@@ -90,6 +91,12 @@ def misfit_lines(summary):
     return lines
 
 
+def weight_lines(summary):
+    """What was made of channels that scatter unlike."""
+    parts = [f"{label_of(row)} {row['scale']:.2g}" for row in summary["misfits"] if row["scale"] != 1.0]
+    return [f"The columns scatter unlike; each is weighed by its own scatter (over the common one: {'; '.join(parts)})."] if parts else []
+
+
 def range_text(entry):
     return f"{shown(entry['name'], entry['low'])} to {shown(entry['name'], entry['high'])}" if entry["low"] is not None else "not determined"
 
@@ -101,7 +108,7 @@ def tables(summary, out):
     sentences = [entry["open"] for entry in summary["parameters"] if entry["open"]]
     sentences += [f"{name} is held at {shown(name, value) if name in PARAMETERS else f'{value:g}'}." for name, value in summary["fixed"].items()]
     return "\n".join([
-        *aligned(misfit_lines(summary)), "", *aligned(parameters), *([""] if sentences else []), *sentences, "",
+        *aligned(misfit_lines(summary)), *weight_lines(summary), "", *aligned(parameters), *([""] if sentences else []), *sentences, "",
         f"Written: {out}, {out.with_suffix('.png')} (picture), {out.with_suffix('.json')} (all numbers).",
         f"Next: barreno drive --material {out} --path input_xml/paths/triaxial_berea.csv --out answer.csv",
     ])  # fmt: skip

@@ -10,7 +10,7 @@ from barreno_fit.answers import Laboratory
 from barreno_fit.card import TOLERANCE, in_a_test
 from barreno_fit.faults import NUMERICAL, Fault, Rejected
 from barreno_fit.kinds import KINDS
-from barreno_fit.parameters import bounds_of, seen, tie, unseen
+from barreno_fit.parameters import PARAMETERS, bounds_of, seen, tie, unseen
 from barreno_fit.specimens import opened
 
 BEST_STARTS = 3
@@ -18,6 +18,7 @@ STEP = 4e-3  # of a difference, in what the optimiser sees
 REJECTED = 1e3  # residual where the library refuses
 LEAST_MODEL = 1e-6  # of a datum: a model's value below is taken as this
 ROUGH, EXACT = 1e-3, 1e-5  # relative change of the sum of squares at which a trial of a start ends, and a fit
+LEAST_SCALE = 0.05  # of the uncertainty: below it a fit is exact, and its scatter no measure of what data determine
 FEW, MANY = 8, 25  # evaluations of a trial of a start, and of a fit
 
 
@@ -42,14 +43,14 @@ class Problem:
 
 
 def residuals_of(tests, answers):
-    """Of each test and channel: (model - data) over the uncertainty. In curves that is relative to the largest value of the channel; in
-    tables it is ln(model/data) over the relative uncertainty."""
+    """Of each test and channel: (model - data) over the uncertainty. In curves that is relative to the largest value of the channel, and has
+    a scale of the channel's own (weights.py); in tables it is ln(model/data) over the relative uncertainty."""
     out = []
     for test, answer in zip(tests, answers):
         for name in test.channels:
             data, model = test.columns[name], answer[name]
             if KINDS[test.kind].curve:
-                out.append((model - data) / (test.uncertainty * numpy.abs(data).max()))
+                out.append((model - data) / (test.uncertainty * test.scales.get(name, 1.0) * numpy.abs(data).max()))
             else:
                 out.append(numpy.log(numpy.maximum(model, LEAST_MODEL * data) / data) / test.uncertainty)
     return out
@@ -71,6 +72,10 @@ class Search:
 
     def at(self, z):
         return {**self.values, **{name: unseen(name, value) for name, value in zip(self.names, z)}}
+
+    def wide(self):
+        """Half widths of open ranges."""
+        return numpy.array([PARAMETERS[name].wide for name in self.names])
 
     def seen_start(self, values):
         card = self.problem.card({**self.values, **values})
@@ -144,8 +149,8 @@ class Search:
         self.last = (z.copy(), self.residuals(z))
         return self.last[1]
 
-    def solve(self, starts):
-        """Least squares: a few steps from the best of the starts, all from the best of those: (values, sum of squares, z)."""
+    def solve(self, starts, most=MANY):
+        """Least squares: a few steps from the best of the starts, `most` from the best of those: (values, sum of squares, z)."""
         ranked = sorted(((float((r**2).sum()), i, z) for i, z in enumerate(map(self.seen_start, starts)) for r in [self.residuals(z)]))
         ranked = [entry for entry in ranked if entry[0] < self.count * REJECTED**2][:BEST_STARTS]
         if not ranked:
@@ -153,5 +158,5 @@ class Search:
         z = ranked[0][2]
         if len(ranked) > 1:
             z = min((self.descend(entry[2], ROUGH, FEW) for entry in ranked), key=lambda found: found.cost).x
-        best = self.descend(numpy.clip(z, self.low + 1e-9, self.high - 1e-9), EXACT, MANY)
+        best = self.descend(numpy.clip(z, self.low + 1e-9, self.high - 1e-9), EXACT, most)
         return self.at(best.x), 2.0 * best.cost, best.x

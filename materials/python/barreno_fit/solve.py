@@ -9,11 +9,17 @@ from barreno_fit import guess
 from barreno_fit.faults import Fault
 from barreno_fit.kinds import KINDS
 from barreno_fit.parameters import PARAMETERS, free_of, seen, shown
-from barreno_fit.ranges import LEAST_SCALE, Better, at_bound, range_of, spread_of
-from barreno_fit.search import Problem, Search, residuals_of, size_of
+from barreno_fit.profiles import Better
+from barreno_fit.ranges import at_bound, range_of, spread_of
+from barreno_fit.search import EXACT, FEW, LEAST_SCALE, MANY, REJECTED, ROUGH, Problem, Search, size_of
+from barreno_fit.weights import weigh
 
 HYDROSTATIC = ("hydrostatic", "bulk modulus", "crush pressure", "open pores")
 SETTLED = 1.02  # of the sum of squares of the best fit: all parameters that go back to their start may not cost more
+SHAPES = (0.5, 0.25, 0.75)  # of CR: the cap is held there in turn
+SUSPECT = (0.3, 0.8)  # of CR: a fit that ends beyond is tried from other shapes
+STRAIGHT = 0.03  # of FSLOPE: YSLOPE where the cap is held
+HOPE = 3.0  # of the sum of squares: a fit with the cap held that is worse has no better minimum beside it
 RESTARTS = 4  # from better minima that profiles find
 
 
@@ -28,26 +34,38 @@ class Result:
     card: dict
 
 
-def joint_starts(values, names):
-    """What the stages found, and the same with other shapes of the cap and of the limit surface, which a stage may have left at a bound."""
-    starts = [values]
-    for CR in (0.2, 0.5, 0.8):
-        for slope in (0.03, 0.3):
-            other = dict(values)
-            if "CR" in names:
-                other["CR"] = CR
-            if "YSLOPE" in names and "FSLOPE" in values:
-                other["YSLOPE"] = slope * values["FSLOPE"]
-            starts.append(other)
-    return unique(starts)
+def elsewhere(search, found, CR):
+    """The fit that is reached when the cap is held at another shape first, and then let go: (values, sum of squares, z), or None."""
+    rest = [name for name in search.names if name != "CR"]
+    held = Search(search.problem, search.tests, rest, {**found[0], "CR": CR})
+    z = held.seen_start(found[0])
+    if (held.residuals(z) == REJECTED).all():
+        return None
+    first = held.descend(z, ROUGH, FEW)
+    if 2.0 * first.cost > HOPE * found[1]:
+        return None
+    best = search.descend(search.seen_start(held.at(first.x)), EXACT, MANY)
+    return search.at(best.x), 2.0 * best.cost, best.x
 
 
-def together(search, values, simpler):
+def other_shapes(search, found):
+    """A cap and a limit surface of the wrong shape can make up for each other: a minimum that the optimiser does not leave by itself."""
+    if "CR" not in search.names:
+        return found
+    for CR in SHAPES:
+        tried = None if SUSPECT[0] < found[0]["CR"] < SUSPECT[1] else elsewhere(search, found, CR)
+        if tried and tried[1] < found[1]:
+            found = tried
+    return found
+
+
+def together(search, starts, simpler):
     """The joint fit from what the stages found; where the tests of one stage cannot be made with what the other found, from the simpler card."""
     try:
-        return search.solve(joint_starts(values, search.names))
+        found = search.solve(starts)
     except Fault:
-        return search.solve([simpler])
+        found = search.solve([simpler])
+    return other_shapes(search, found)
 
 
 def off_bounds(search, found):
@@ -108,23 +126,54 @@ def leave_open(search, found):
     return search, found, left_open
 
 
-def ranges_of(search, found):
-    """95 % ranges; where a profile finds a better minimum, that one is the solution and the ranges are made anew."""
+def ranges_of(search, found, names, settled):
+    """95 % ranges of these parameters, with all others free, those that are left open too: what they are kept at is no measurement."""
+    values, _, z = found
+    spread = spread_of(search, z)
+    return spread, {name: range_of(search, z, spread, i, settled) for i, name in enumerate(search.names) if name in names}
+
+
+def opened_and_ranged(search, found):
+    """What is left open, and the ranges of the others; where a profile finds a better minimum, that one is the solution and all is made anew."""
     for last in range(RESTARTS + 1):
-        values, _, z = found
-        spread, ranges = spread_of(search, z), {}
+        rest, kept, left_open = leave_open(search, found)
+        if not rest.names:
+            return kept, None, {}, left_open
         try:
-            for i, name in enumerate(search.names):
-                ranges[name] = range_of(search, z, spread, i, settled=last == RESTARTS)
+            spread, ranges = ranges_of(search, found, rest.names, last == RESTARTS)
             break
         except Better as better:
             found = search.solve([better.args[0]])
-    return found, spread, ranges
+    if left_open:  # the kept values are another point of the same valley, and their own ranges belong to it
+        beside = ranges_of(rest, kept, rest.names, True)[1]
+        ranges = {name: (min(low, beside[name][0]), max(high, beside[name][1])) for name, (low, high) in ranges.items()}
+    return kept, spread, ranges, left_open
+
+
+def with_shapes(search, offers):
+    """Where a few steps lead from the best of the offers while the cap is held at each of some shapes and the limit surface at a line that is
+    nearly straight: moduli that are a little off drive a free cap into a corner that the joint fit does not leave."""
+    out, rest = [], [name for name in search.names if name not in ("CR", "YSLOPE")]
+    if "CR" not in search.names or not rest:
+        return out
+    for CR in SHAPES:
+        ranked = []
+        for i, offer in enumerate(offer for offer in offers if offer.get("CR") == 0.5):
+            straight = {"YSLOPE": STRAIGHT * offer["FSLOPE"]} if {"FSLOPE", "YSLOPE"} <= set(offer) else {}
+            offer = {**offer, **straight, "CR": CR}
+            held = Search(search.problem, search.tests, rest, {**search.values, **offer})
+            z = held.seen_start(offer)
+            ranked.append((float((held.residuals(z) ** 2).sum()), i, held, z))
+        squares, _, held, z = min(ranked, default=(numpy.inf, 0, None, None))
+        if squares < search.count * REJECTED**2:
+            out.append(held.at(held.descend(z, ROUGH, FEW).x))
+    return out
 
 
 def staged(problem, tests, names):
-    """Crushing and bulk moduli from hydrostatic tests, then strength and shear from the others: values of both, and of the first alone."""
-    values, simpler = {}, {}
+    """Crushing and bulk moduli from hydrostatic tests, then strength and shear from the others: starts of the joint fit, and the values of the
+    first stage alone."""
+    values, simpler, shapes = {}, {}, []
     first = [test for test in tests if test.kind in HYDROSTATIC]
     rest = [test for test in tests if test.kind not in HYDROSTATIC]
     for stage, chosen, starts in (("moduli and crushing", first, guess.crushing_starts), ("strength and shear", rest, guess.strength_starts)):
@@ -132,10 +181,12 @@ def staged(problem, tests, names):
         if not mine:
             continue
         problem.say(f"{stage}: {', '.join(mine)}")
-        offers = [{name: value for name, value in start.items() if name in mine} for start in [{}, *starts(chosen, problem.card(values))]]
-        values = Search(problem, chosen, mine, values).solve(unique(offers))[0]
+        offers = unique([{name: value for name, value in start.items() if name in mine} for start in [{}, *starts(chosen, problem.card(values))]])
+        search = Search(problem, chosen, mine, values)
+        shapes = with_shapes(search, offers)
+        values = search.solve(offers, FEW if shapes else MANY)[0]
         simpler = simpler or values
-    return values, simpler
+    return [values, *shapes], simpler
 
 
 def fit(problem, tests):
@@ -146,16 +197,14 @@ def fit(problem, tests):
     count = sum(map(size_of, tests))
     if count < len(names):
         raise Fault(f"{count} data cannot determine {len(names)} parameters ({', '.join(names)}); give more tests, or hold some with --fix.")
-    values, simpler = staged(problem, tests, names)
+    starts, simpler = staged(problem, tests, names)
     card = problem.card(simpler)
     problem.say("all of them together")
-    search = Search(problem, tests, names, values)
-    found = off_bounds(search, together(search, values, {name: card[name] for name in names}))
-    search, found, left_open = leave_open(search, found)
-    spread, ranges = None, {}
-    if search.names:
-        problem.say("their ranges")
-        found, spread, ranges = ranges_of(search, found)
+    search = Search(problem, tests, names, starts[0])
+    found = off_bounds(search, together(search, starts, {name: card[name] for name in names}))
+    found = weigh(search, found)
+    problem.say("their ranges")
+    found, spread, ranges, left_open = opened_and_ranged(search, found)
     for name in [name for name, (low, high) in ranges.items() if abs(seen(name, high) - seen(name, low)) > 2.0 * PARAMETERS[name].wide]:
         del ranges[name]
         left_open[name] = f"{name} is not determined by these data (its range is too wide) and is kept at {shown(name, found[0][name])}, which fits best."
