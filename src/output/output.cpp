@@ -340,8 +340,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
         o.gave_up
     );
     const auto numbers = result_numbers(scene, o.totals, penetration, summary, o.run.prediction);
-    for (const std::string& line : result_lines(scene, state, o.run, verdict, numbers))
-      o.progress->say(line);
+    o.progress->say_result(result_lines(scene, state, o.run, verdict, numbers));
     if (!summary.numerical_warning.empty())
       o.progress->warn(numerical_energy_kind, summary.numerical_warning);
     // Whoever sends the screen to a file still sees why.

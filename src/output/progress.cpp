@@ -93,6 +93,13 @@ void Progress::say(const std::string& line) {
   say_on(std::cout, line);
 }
 
+void Progress::say_result(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) append(line);
+  if (drawing_) std::cout << std::endl;
+  drawing_ = false;
+  for (const std::string& line : lines) std::cout << line << std::endl;
+}
+
 std::string Progress::line(const ProgressNow& now) const {
   const double done = end_time_ > 0.0 ? std::min(1.0, now.time / end_time_) : 1.0;
   const double begun = end_time_ > 0.0 ? std::min(1.0, first_time_ / end_time_) : 0.0;

@@ -40,6 +40,8 @@ public:
   void give_up_log() { log_.reset(); }
   /// A line on the screen and in the log.
   void say(const std::string& line);
+  /// Lines that end a run, in the log first: what it cannot take is no result on the screen.
+  void say_result(const std::vector<std::string>& lines);
   void show(const ProgressNow& now);
   /// The first of a kind is shown, all are counted.
   void warn(const std::string& kind, const std::string& sentence, long count = 1);
