@@ -187,7 +187,8 @@ def check_better_minimum(folder, library):
     squares = float((search.residuals(z) ** 2).sum())
     lower = None
     try:
-        profiles.grown(search, ranges.spread_of(search, z), search.names.index("FSLOPE"), z[search.names.index("FSLOPE")], z)
+        spread, i = ranges.spread_of(search, z), search.names.index("FSLOPE")
+        profiles.grown(search, spread, i, z[i], z, spread.slopes)
     except profiles.Better as better:
         (lower,) = better.args
     assert lower and abs(lower["PEAKI1"] / truth["PEAKI1"] - 1) < 0.02, lower

@@ -3,9 +3,9 @@
 
 import numpy
 
-from barreno_fit.search import LEAST_SCALE, REJECTED, ROUGH, Search
+from barreno_fit.search import LEAST_SCALE, REJECTED
 
-REFITS = 6  # steps of a refit
+STEPS, RENEWALS = 5, 2  # of a refit: steps with the same derivatives, and how often these are made anew
 FAR = 2.0  # widths of an open range: steps of parameters that the data leave open are kept below that
 LITTLE = 0.02  # of the growth at an end: a refit that can gain less is done
 BETTER = 2e-3  # of the sum of squares: a profile that lies lower has found a better minimum
@@ -28,46 +28,52 @@ def step_of(search, spread, i, x, r, J):
     return step, float(r @ r) - float(((r + J @ step) ** 2).sum())
 
 
-def refit(search, spread, i, x):
-    """Least squares over all parameters but i from x: (sum of squares, x). The derivatives are those of the solution, and follow the
-    residuals by Broyden's updates, so that a step costs one card and not one of each parameter."""
-    r, J = search.residuals(x), spread.slopes.copy()
-    for _ in range(REFITS):
+def chord(search, spread, i, x, r, J):
+    """Steps with derivatives that follow the residuals by Broyden's updates, so that a step costs one card: (x, r, J, whether nothing is left
+    to gain)."""
+    stalled = []
+    for _ in range(STEPS):
         step, gain = step_of(search, spread, i, x, r, J)
         if gain <= LITTLE * spread.growth:
-            return float(r @ r), x
+            return x, r, J, True
         for part in PARTS:
             there = numpy.clip(x + part * step, search.low, search.high)
             found, way = search.residuals(there), there - x
             if (found == REJECTED).all() or not way.any():
                 continue
-            J += numpy.outer(found - r - J @ way, way / (way @ way))
+            J = J + numpy.outer(found - r - J @ way, way / (way @ way))
             if found @ found < r @ r:
                 break
         else:
-            return refit_anew(search, i, x)
-        x, r = there, found
-    return float(r @ r), x
+            return x, r, J, False
+        stalled, x, r = [*stalled, float(r @ r - found @ found) <= LITTLE * spread.growth], there, found
+        if stalled[-2:] == [True, True]:
+            break
+    return x, r, J, False
 
 
-def refit_anew(search, i, x):
-    """The same with derivatives of its own, where the others do not lead downhill."""
-    name = search.names[i]
-    rest = [other for other in search.names if other != name]
-    held = Search(search.problem, search.tests, rest, search.at(x))
-    room = 1e-9
-    found = held.descend(numpy.clip(numpy.delete(x, i), held.low + room, held.high - room), ROUGH, REFITS)
-    return 2.0 * found.cost, numpy.insert(found.x, i, x[i])
+def refit(search, spread, i, x, J):
+    """Least squares over all parameters but i from x: (sum of squares, x, derivatives). The derivatives are those given; they are made anew
+    where they lead no further."""
+    r, renewed = search.residuals(x), False
+    for last in (*[False] * RENEWALS, True):
+        before = float(r @ r)
+        x, r, J, done = chord(search, spread, i, x, r, J)
+        if done or last or (renewed and before - float(r @ r) <= LITTLE * spread.growth):
+            break
+        renewed = True
+        J = search.jacobian(x, r)
+    return float(r @ r), x, J
 
 
-def grown(search, spread, i, end, guess):
-    """How much the sum of squares grows when parameter i is held at an end and the others are fitted again, and where they are then; infinite
-    where the library refuses the card."""
+def grown(search, spread, i, end, guess, J):
+    """How much the sum of squares grows when parameter i is held at an end and the others are fitted again, where they are then, and the
+    derivatives there; infinite where the library refuses the card."""
     x = numpy.clip(guess, search.low, search.high)
     x[i] = end
     if (search.residuals(x) == REJECTED).all():
-        return numpy.inf, x
-    squares, x = refit(search, spread, i, x)
+        return numpy.inf, x, J
+    squares, x, J = refit(search, spread, i, x, J)
     if squares < (1.0 - BETTER) * spread.squares and spread.squares > LEAST_SCALE**2 * search.count:
         raise Better(search.at(x))
-    return squares - spread.squares, x
+    return squares - spread.squares, x, J

@@ -12,7 +12,8 @@ from barreno_fit.profiles import Better, grown
 from barreno_fit.search import LEAST_SCALE, residuals_of
 
 LARGEST_RHO = 0.98
-TRIALS = 8  # of an end
+TRIALS = 6  # of an end
+FIRST, OPEN = 0.5, 2.0  # widths of an open range: the first trial is no further, and no trial beyond the second
 NEAR = 0.06  # of the root of the growth at an end, at which it is one
 AT_BOUND = 0.02  # of the width of an open range: nearer to a bound a parameter stands at it
 
@@ -82,18 +83,22 @@ def next_half(half, inner, outer):
 
 def end_of(search, z, spread, i, sign):
     """One end of a range: where the sum of squares has grown by spread.growth, with all other parameters fitted again (profile likelihood)."""
-    half = min(spread.half[i], 2.0 * search.wide()[i])
+    half = min(spread.half[i], FIRST * search.wide()[i])  # a valley that bends is followed from near
     if len(z) < 2 or half == 0.0 or spread.growth <= LEAST_SCALE**2:
         return z[i] + sign * half
-    inner, outer, along = (0.0, 0.0), None, sign * spread.along[:, i]
+    inner, outer, along, J = (0.0, 0.0), None, sign * spread.along[:, i], spread.slopes
+    start = z
     for _ in range(TRIALS):
+        if half > 1.1 * search.wide()[i] * OPEN:
+            break
         end = numpy.clip(z[i] + sign * half, search.low[i], search.high[i])
-        growth, there = grown(search, spread, i, end, z + abs(end - z[i]) * along)
+        growth, there, J = grown(search, spread, i, end, start + (abs(end - z[i]) - inner[0]) * along, J)
         half, root = abs(end - z[i]), root_of(growth, spread)
         if abs(root - 1.0) <= NEAR or (root < 1.0 and end in (search.low[i], search.high[i])):
             return end
         if root < 1.0:
-            inner, along = (half, root), (there - z) / half  # the others go on as they went
+            along = (there - start) / (half - inner[0]) if half > inner[0] else along  # the others go on as they went
+            inner, start = (half, root), there
         else:
             outer = (half, root)
         half = next_half(half, inner, outer)

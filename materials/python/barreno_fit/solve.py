@@ -20,7 +20,7 @@ SHAPES = (0.5, 0.25, 0.75)  # of CR: the cap is held there in turn
 SUSPECT = (0.3, 0.8)  # of CR: a fit that ends beyond is tried from other shapes
 STRAIGHT = 0.03  # of FSLOPE: YSLOPE where the cap is held
 HOPE = 3.0  # of the sum of squares: a fit with the cap held that is worse has no better minimum beside it
-RESTARTS = 4  # from better minima that profiles find
+RESTARTS = 2  # from better minima that profiles find
 
 
 @dataclass
