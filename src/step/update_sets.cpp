@@ -67,7 +67,7 @@ void strain_after(
     StepTally& tally,
     StepResult& result
 ) {
-  const auto& [materials, step, grid, dormancy, sets, ledger, effort, end] = update;
+  const auto& [materials, step, grid, dormancy, sets, ledger, effort, end, own_fields] = update;
   double clipped = 0.0;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     if (sets[s].rigid) continue;
@@ -78,7 +78,7 @@ void strain_after(
       update_deformation(update.grid.mode, rows, gradient, particles);
       add(update_stress(material, update.step, update.grid, update.end, rows, particles), set);
     });
-    add(tally_domains(step, material.bad_particles, grid, sets[s]), set, clipped);
+    add(tally_domains(step, material.bad_particles, own_fields, grid, sets[s]), set, clipped);
     apply_policy(material.bad_particles, sets[s].material, set, ledger, result);
     add(set, tally.stress);
   }
@@ -97,7 +97,8 @@ SetUpdate set_update(const Scene& scene, double end, State& state) {
       state.particles,
       state.ledger,
       state.effort,
-      end};
+      end,
+      state.fields.count > 1};
 }
 
 void update_sets(const SetUpdate& update, StepTally& tally, StepResult& result) {

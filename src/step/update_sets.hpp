@@ -16,7 +16,8 @@ struct SetUpdate {
   std::vector<Particles>& sets;
   OwnLedger& ledger;  ///< its `held` and `clipped`
   Effort& effort;
-  double end;  ///< of the step [time]
+  double end;       ///< of the step [time]
+  bool own_fields;  ///< contact gives sets velocity fields of their own
 };
 SetUpdate set_update(const Scene& scene, double end, State& state);
 

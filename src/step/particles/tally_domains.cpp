@@ -3,6 +3,7 @@
 
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
+#include "shape/lone_stiffness.hpp"
 #include "shape/support_batch.hpp"
 #include "shape/visit_kernels.hpp"
 #include "state/bad_particle.hpp"
@@ -11,9 +12,13 @@
 #include "step/stable_step_rule.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace barreno {
 namespace {
+
+/// A domain narrower than so much of its narrowest width at the start is a needle.
+constexpr double needle_width = 0.5;
 
 /// What the shape function says of the domains of some rows.
 struct Domains {
@@ -27,6 +32,8 @@ struct TallyDomains {
   BadParticlePolicy policy;
   StableStepRule rule;
   RowFrames frames;
+  double courant_fraction;
+  bool own_field;  ///< contact gives the set nodes of its own
 
   KOKKOS_INLINE_FUNCTION void operator()(int batch, DomainTally& tally) const {
     const int begin = batch * rows_per_batch, left = particles.count - begin;
@@ -38,6 +45,9 @@ struct TallyDomains {
       particles.clipped(p) = domains.clipped[k];
       tally.clipped += domains.clipped[k];
       limit_step(p, S::critical_courant(domains.narrowest[k]), tally);
+      // Boxes do not become needles: they follow the stretch along each axis, not the shear.
+      if constexpr (S::form == ParticleForm::parallelogram)
+        if (own_field && is_needle(p, domains.narrowest[k])) limit_step_of_needle(p, tally);
       if (domains.inverted[k] > 0.0) treat_inverted(p, tally);
     }
   }
@@ -90,12 +100,57 @@ struct TallyDomains {
     const double of_domain = step * critical_courant / particles.critical_courant;
     tally.stable_step = of_domain < tally.stable_step ? of_domain : tally.stable_step;
   }
+
+  /// @param narrowest  half width of its domain [cells]
+  KOKKOS_INLINE_FUNCTION bool is_needle(int p, double narrowest) const {
+    double least = frame.widest_half * frames.cell_size(p);
+    for (int d = 0; d < M::dimensions; ++d)
+      least = particles.half_size(p, d) < least ? particles.half_size(p, d) : least;
+    return narrowest * frames.cell_size(p) < needle_width * least;
+  }
+
+  /// Support of row p where it is, in a patch that begins `reach` cells before it.
+  KOKKOS_INLINE_FUNCTION auto support_of(int p) const {
+    ParticleGeometry particle = frame.template geometry<S>(
+        frame.at_corner(frames.cell_size(p)), shape_fields(particles), p
+    );
+    for (int d = 0; d < M::dimensions; ++d) {
+      const double first = std::floor(particle.x[d]) - frame.patch.reach;
+      particle.x[d] -= first;
+      particle.low[d] -= first;
+      particle.high[d] -= first;
+      if (d == 0) particle.axis += first;
+    }
+    return S::template support<M>(particle);
+  }
+
+  /// The viscosity of a step acts in the next one. A needle alone in its nodes would be turned from
+  /// compression to a faster expansion by it, and back, unless (docs/method.md 1, thin domains)
+  ///
+  ///   dt <= X h / (Q/X + sqrt((Q/X)^2 + c^2)),   X = 2 / sqrt(k),   q = rho Q h |tr D|
+  KOKKOS_INLINE_FUNCTION void limit_step_of_needle(int p, DomainTally& tally) const {
+    const double q = particles.viscous_pressure(p);
+    if (!(q > 0.0)) return;
+    const double h = frames.cell_size(p);
+    const double density = particles.mass(p) / particles.volume(p);
+    const double c = std::sqrt(particles.longitudinal_modulus(p) / density);
+    const double half = 0.5 * rule.linear * c;
+    const double viscous_speed = half + std::sqrt(half * half + rule.quadratic * q / density);
+    const double critical = 2.0 / std::sqrt(lone_stiffness<M>(support_of(p), frame.patch, h));
+    const double slowed = viscous_speed / critical;
+    const double step = courant_fraction * critical * h / (slowed + std::hypot(slowed, c));
+    tally.stable_step = step < tally.stable_step ? step : tally.stable_step;
+  }
 };
 
 }  // namespace
 
 DomainTally tally_domains(
-    const StepSpec& step, BadParticlePolicy policy, const Grid& grid, Particles& particles
+    const StepSpec& step,
+    BadParticlePolicy policy,
+    bool own_field,
+    const Grid& grid,
+    Particles& particles
 ) {
   DomainTally tally;
   if (particles.clipped.components == 0) return tally;
@@ -109,7 +164,9 @@ DomainTally tally_domains(
           particles,
           policy,
           StableStepRule(step, grid.mode, particles.critical_courant, particles.isolated_courant),
-          RowFrames(grid, particles)};
+          RowFrames(grid, particles),
+          step.courant_fraction,
+          own_field};
       launch_reduction(
           "tally_domains",
           range((particles.count + rows_per_batch - 1) / rows_per_batch),

@@ -31,8 +31,15 @@ KOKKOS_INLINE_FUNCTION void add(const DomainTally& part, DomainTally& sum) {
 ///
 /// A domain that has become narrower allows a smaller step than the rest of its set, by its own
 /// critical Courant number.
+///
+/// @param own_field  whether contact gives materials velocity fields of their own. A spray of
+/// needles then has its nodes alone, and its viscosity limits the step.
 DomainTally tally_domains(
-    const StepSpec& step, BadParticlePolicy policy, const Grid& grid, Particles& particles
+    const StepSpec& step,
+    BadParticlePolicy policy,
+    bool own_field,
+    const Grid& grid,
+    Particles& particles
 );
 
 }  // namespace barreno

@@ -20,8 +20,10 @@ Scene with_domains(double largest) {
   return scene;
 }
 
-DomainTally tally(const Scene& scene, State& state, BadParticlePolicy policy) {
-  return tally_domains(scene.step, policy, state.grid, state.particles[0]);
+DomainTally tally(
+    const Scene& scene, State& state, BadParticlePolicy policy, bool own_field = false
+) {
+  return tally_domains(scene.step, policy, own_field, state.grid, state.particles[0]);
 }
 
 TEST(TallyDomains, OthersThanThoseThatDeformHaveNone) {
@@ -84,6 +86,76 @@ TEST(TallyDomains, ANarrowDomainLimitsTheStep) {
   particles.longitudinal_modulus(p) = 4.0;  // c = 2
   const double stable = scene.step.courant_fraction * narrow / std::sqrt(2.0) / 2.0;
   EXPECT_NEAR(tally(scene, state, BadParticlePolicy::stop).stable_step, stable, 1e-12);
+}
+
+/// A needle a tenth of a cell half wide, one end on a node, with c = 2 and density 1.
+Scene with_needle(State& state, double viscous_pressure) {
+  Scene scene = with_domains(1.0);
+  scene.step.linear_viscosity = 0.3;
+  state = testing::start_in_tiles(scene);
+  for (int tile = 0; tile < 2; ++tile) testing::set_frame(state.grid, tile, 1.0, 0.1);
+  Particles& particles = state.particles[0];
+  const int p = testing::row_in(particles, 0);
+  particles.deformation_gradient(p, 0) = 0.2;
+  particles.position(p, 0) = 3.1;
+  particles.longitudinal_modulus(p) = 4.0;
+  particles.viscous_pressure(p) = viscous_pressure;
+  return scene;
+}
+
+/// Largest amplitude over many steps dt of a lone particle that is compressed and expanded with
+/// its viscosity a step behind: strain s, rate r, and r <- r - dt k (nu r + c^2 s) with h = 1.
+double amplitude_after_steps(double dt, double stiffness, double viscosity) {
+  double strain = 1.0, rate = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    rate -= dt * stiffness * (viscosity * rate + 4.0 * strain);
+    strain += dt * rate;
+  }
+  return std::hypot(strain, dt * rate);
+}
+
+TEST(TallyDomains, ACompressedNeedleInAFieldOfItsOwnTakesStepsThatItsViscosityBears) {
+  State state;
+  const Scene scene = with_needle(state, 1.0);
+  const double found = tally(scene, state, BadParticlePolicy::stop, true).stable_step;
+  const double largest = found / scene.step.courant_fraction;
+  const double stiffness = 1.0 / (0.1 * 0.9) + 4.0;  // of both axes
+  const double viscosity = 0.3 * 2.0;                // Q of the linear term
+  EXPECT_LT(amplitude_after_steps(0.99 * largest, stiffness, viscosity), 1.0);
+  EXPECT_GT(amplitude_after_steps(1.01 * largest, stiffness, viscosity), 1e3);
+}
+
+TEST(TallyDomains, TheQuadraticViscosityOfANeedleCountsAsMuchAsItPresses) {
+  State state;
+  Scene scene = with_needle(state, 3.0);
+  scene.step.quadratic_viscosity = 2.0;
+  // q = rho (A1 c r + A2 r^2) = 3 of the rate r.
+  const double rate = (-0.6 + std::sqrt(0.36 + 24.0)) / 4.0;
+  const double speed = 3.0 / rate;
+  const double critical = 2.0 / std::sqrt(1.0 / (0.1 * 0.9) + 4.0);
+  const double slowed = speed / critical;
+  const double stable =
+      scene.step.courant_fraction * critical / (slowed + std::sqrt(slowed * slowed + 4.0));
+  EXPECT_NEAR(tally(scene, state, BadParticlePolicy::stop, true).stable_step, stable, 1e-12);
+}
+
+/// Nothing more than their width without contact, without compression, and of wider domains.
+TEST(TallyDomains, OtherNeedlesAreLimitedByTheirWidthAlone) {
+  State state;
+  Scene scene = with_needle(state, 1.0);
+  const double compressed = tally(scene, state, BadParticlePolicy::stop, true).stable_step;
+  const double shared = tally(scene, state, BadParticlePolicy::stop, false).stable_step;
+  EXPECT_GT(shared, 1.05 * compressed);
+  state.particles[0].viscous_pressure(testing::row_in(state.particles[0], 0)) = 0.0;
+  EXPECT_GE(tally(scene, state, BadParticlePolicy::stop, true).stable_step, shared);
+  State of_half_width;
+  scene = with_needle(of_half_width, 1.0);
+  Particles& particles = of_half_width.particles[0];
+  particles.deformation_gradient(testing::row_in(particles, 0), 0) = 0.51;
+  EXPECT_EQ(
+      tally(scene, of_half_width, BadParticlePolicy::stop, true).stable_step,
+      tally(scene, of_half_width, BadParticlePolicy::stop, false).stable_step
+  );
 }
 
 }  // namespace
