@@ -83,7 +83,7 @@ def stored_part():
     done = [row for row in rows if row["ratio"] is not None]
     ratios, seconds = [row["ratio"] for row in done], [row["seconds"] for row in rows]
     lines = [
-        f"Sets: {len(rows)}, of which {len(done)} gave a card. Misfit over the misfit of the true card: "
+        f"Sets fitted: {len(rows)} of {SETS}, of which {len(done)} gave a card. Misfit over the misfit of the true card: "
         f"{min(ratios):.3f} to {max(ratios):.3f}; at most {LARGEST_MISFIT} in {sum(ratio <= LARGEST_MISFIT for ratio in ratios)} of {len(done)}. "
         f"Processor time of a fit: {min(seconds):.0f} to {max(seconds):.0f} s.",
         "", words_line(done), "", "| parameter | sets | determined | range holds the truth |", "|---|---|---|---|",
@@ -91,4 +91,4 @@ def stored_part():
     for name, entry in sorted(coverage(done).items(), key=lambda item: item[0] == "all"):
         part = f" ({100 * entry['held'] / entry['determined']:.0f} %)" if entry["determined"] else ""
         lines.append(f"| {name if name == 'all' else f'`{name}`'} | {entry['sets']} | {entry['determined']} | {entry['held']}{part} |")
-    return lines + ["", *(f"Missed: {fault}.\n" for fault in faults_of(rows))]
+    return lines + ["", *(f"- Missed: {fault}." for fault in faults_of(rows))]

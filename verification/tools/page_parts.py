@@ -17,6 +17,7 @@ import scaling
 import scaling_model
 import solver_cost
 import step_cost
+import synthetic_results
 import trade_page
 import wet_time
 from case_list import RESULTS
@@ -53,6 +54,7 @@ PARTS = {
     "scaling.py": scaling.stored_part,
     "scaling_model.py": scaling_model.stored_part,
     "step_cost.py": step_cost.stored_part,
+    "synthetic_fits.py": synthetic_results.stored_part,
     "wet_time.py": wet_time.stored_part,
     **paper_parts.PARTS,
 }
