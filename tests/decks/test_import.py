@@ -5,6 +5,8 @@ they have; what cannot carry over is said, one sentence each; what cannot be rea
 
     test_import.py BARRENO
 """
+import contextlib
+import io
 import math
 import os
 import pathlib
@@ -15,14 +17,19 @@ import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 UPS = ROOT / "tests" / "decks" / "ups"
+sys.path.insert(0, str(ROOT / "src" / "python"))
+from barreno_import.command import main as import_ups  # noqa: E402
 
 
 def imported(*words, code=0):
-    environment = {**os.environ, "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()), "PYTHONPATH": str(ROOT / "src" / "python"),
-                   "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}  # fmt: skip
-    result = subprocess.run([sys.executable, "-m", "barreno_import", *map(str, words)], env=environment, capture_output=True, text=True, check=False)
-    assert result.returncode == code, f"exit {result.returncode}, not {code}: {result.stdout}{result.stderr}"
-    return result.stdout if code == 0 else result.stderr
+    """Its words on the screen, or those of its refusal; in this process, as an interpreter takes longer to start than to import."""
+    os.environ.update({"BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()), "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
+    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(2))
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        found = import_ups([str(word) for word in words])
+    said, complaint = (stream.seek(0) or stream.read() for stream in (out, err))
+    assert found == code, f"exit {found}, not {code}: {said}{complaint}"
+    return said if code == 0 else complaint
 
 
 def numbers(text):

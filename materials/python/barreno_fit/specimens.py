@@ -34,6 +34,10 @@ def opened(card, library):
         yield rock
 
 
+def pressure_of(stress):
+    return -(stress[:, 0] + stress[:, 1] + stress[:, 2]) / 3.0
+
+
 class Specimens:
     """Stress and state of points, and their strains from the start."""
 
@@ -78,7 +82,7 @@ class Specimens:
 
     @property
     def pressure(self):
-        return -self.stress[:, :3].mean(axis=1)
+        return pressure_of(self.stress)
 
 
 def newton(measure, start, target, free):
@@ -117,7 +121,7 @@ def press(specimens, pressure, steps):
 
     def measure(x):
         answer = specimens.tried(x, x, CONSISTENT)
-        return answer, -answer.stress[:, :3].mean(axis=1), answer.tangent[:, :3, :3].sum(axis=(1, 2)) / 3.0
+        return answer, pressure_of(answer.stress), answer.tangent[:, :3, :3].sum(axis=(1, 2)) / 3.0
 
     for k in range(1, steps + 1):
         answer, last = newton(measure, last, begin + (pressure - begin) * k / steps, numpy.full(len(begin), True))
