@@ -28,12 +28,15 @@ def material(name="Block", model=NEO_HOOK.format(""), objects=None, extra=""):
 
 
 def ups(materials=None, flags="", grid="", loads="", faces="", cells="<resolution>[20, 20, 1]</resolution>", time="", archive="", more=""):
+    materials = material() if materials is None else materials
+    if materials.count("<material ") > 1 and "<contact>" not in materials:
+        materials += told("single_velocity")
     return f"""<?xml version="1.0" encoding="UTF-8"?>
 <Uintah_specification><Meta><title>small</title></Meta><SimulationComponent type="mpm"/>
 <Time><maxTime>0.01</maxTime><initTime>0</initTime><timestep_multiplier>0.4</timestep_multiplier>{time}</Time>
 <DataArchiver><outputInterval>0.001</outputInterval>{archive}</DataArchiver>
 <MPM><time_integrator>explicit</time_integrator>{"" if "interpolator" in flags else "<interpolator>gimp</interpolator>"}{flags}</MPM>
-<PhysicalBC><MPM>{loads}</MPM></PhysicalBC><MaterialProperties><MPM>{material() if materials is None else materials}</MPM></MaterialProperties>
+<PhysicalBC><MPM>{loads}</MPM></PhysicalBC><MaterialProperties><MPM>{materials}</MPM></MaterialProperties>
 <Grid><BoundaryConditions>{faces}</BoundaryConditions><Level><Box><lower>[0, 0, 0]</lower><upper>[1, 1, 0.05]</upper>{cells}</Box>{grid}</Level></Grid>{more}
 </Uintah_specification>"""
 
@@ -94,6 +97,14 @@ def check_materials(folder):
     plastic = NEO_HOOK.format("<usePlasticity>true</usePlasticity><yield_stress>1e3</yield_stress><hardening_modulus>50</hardening_modulus>")
     deck = folder.valid(ups(material(model=plastic)), "with usePlasticity becomes Johnson-Cook")
     assert [deck.value(f"Materials/Block/{key}") for key in ("A", "B", "n")] == ["1000.0", "50.0", "1.0"]
+    named = plastic.replace("<usePlasticity>true</usePlasticity>", "<alpha>0.0</alpha>").replace("comp_neo_hook", "comp_neo_hook_plastic")
+    deck = folder.valid(ups(material(model=named)), "comp_neo_hook_plastic becomes Johnson-Cook")
+    assert [deck.value(f"Materials/Block/{key}") for key in ("A", "B", "n")] == ["1000.0", "50.0", "1.0"]
+    elastic = plastic.replace("<usePlasticity>true</usePlasticity>", "<alpha>0.5</alpha>")  # which Uintah does not read then
+    assert folder.valid(ups(material(model=elastic)), "becomes Neo-Hookean").value("Materials/Block/Model") == "Neo-Hookean"
+    other = METAL.format("").replace("johnson_cook", "zerilli_armstrong")
+    answer = folder.run(ups(material() + material("Rod", other, piece("rod", left=0.6))))
+    assert "The material Rod is left out with its bodies (its flow rule zerilli_armstrong" in answer and "bulk_modulus" not in answer, answer
     stress = NEO_HOOK.format("<useInitialStress>true</useInitialStress><initial_pressure>-1e4</initial_pressure>")
     folder.incomplete(ups(material(model=stress)), "initial_pressure = -10000, is left out")
     folder.incomplete(ups(material(extra='<erosion algorithm="ZeroStress"/>')), "erosion ZeroStress")
@@ -141,8 +152,9 @@ def velocity(value, index="all"):
 
 def check_conditions(folder):
     symmetric = '<BCType id="all" label="Symmetric" var="symmetry"/>'
-    deck = folder.incomplete(ups(faces=face("x-", velocity("[0, 0, 0]")) + face("x-", symmetric)), "x- has several conditions: symmetry is left out, fixed is taken")
-    assert deck.value("Conditions/Face x lower/Kind") == "fixed"
+    for both in ((velocity("[0, 0, 0]"), symmetric), (symmetric, velocity("[0, 0, 0]"))):  # of both nothing moves
+        assert folder.valid(ups(faces=face("x-", *both))).value("Conditions/Face x lower/Kind") == "fixed"
+    folder.incomplete(ups(faces=face("x-", velocity("[1, 0, 0]"), symmetric)), "x- has several conditions: symmetry is left out, prescribed velocity is taken")
     two = material() + material("Other", objects=piece("c", left=0.6))
     folder.incomplete(ups(two, faces=face("x-", velocity("[0, 0, 0]", 1))), "holds for the material 1 alone")
     gas = '<BCType id="0" label="Pressure" var="Neumann"><value>0</value></BCType>'
@@ -151,6 +163,7 @@ def check_conditions(folder):
     folder.valid(ups(faces=face("z-", symmetric.replace("/>", "><value>[0, 0, 0]</value></BCType>")) + face("x+", velocity("[0, 0, 0]", 0))))
     folder.incomplete(ups(time="<max_Timesteps>50</max_Timesteps>"), "The largest number of steps, 50,")
     folder.incomplete(ups(grid="<periodic>[1, 0, 0]</periodic>"), "Grid/Level/periodic = [1, 0, 0]")
+    folder.valid(ups(grid="<periodic>[0, 0, 0]</periodic>"), "Grid/Level/periodic")
 
 
 def check_flags(folder):
@@ -158,6 +171,11 @@ def check_flags(folder):
     assert [deck.value(f"Step/{key}") for key in ("Shape Function", "Transfer", "XPIC Order", "Largest Domain")] == ["CPDI", "XPIC", "2", "1.25"]
     assert folder.valid(ups(flags="<cpdi_lcrit>1.25</cpdi_lcrit>")).value("Step/Largest Domain") is None
     folder.incomplete(ups(flags="<do_grid_reset>false</do_grid_reset>"), "do_grid_reset = false")
+    folder.incomplete(ups(flags="<UsePrescribedDeformation>true</UsePrescribedDeformation><PrescribedDeformationFile>p.inp</PrescribedDeformationFile>"),
+                      "The deformation that p.inp prescribes is left out")  # fmt: skip
+    folder.valid(ups(flags="<boundary_traction_faces>[xminus]</boundary_traction_faces><solver>simple</solver>"), "MPM/boundary_traction_faces, MPM/solver")
+    folder.incomplete(ups().replace('type="mpm"', 'type="impm"'), "SimulationComponent impm is read as mpm, the explicit material point method")
+    folder.incomplete(ups().replace('type="mpm"', 'type="mpmice"'), "SimulationComponent mpmice is left out but for its material points")
     folder.valid(ups(flags="<refine_particles>false</refine_particles>"), "MPM/refine_particles")
     folder.incomplete(ups(flags="<refine_particles>true</refine_particles>"), "MPM/refine_particles = true")
 
@@ -213,7 +231,8 @@ def check_contact(folder):
     (folder.path / "profile.txt").write_text("0 0 0 0\n0.01 fast 0 0\n")
     assert "two or more rows of 4 numbers" in folder.run(ups(both + profile), code=1)
     other = material() + material("Other", objects=piece("c", left=0.6))
-    folder.incomplete(ups(other + told("single_velocity", materials="[0, 7]")), "names the material 7")
+    folder.incomplete(ups(other + told("single_velocity", materials="[0, 7]")), "No contact of the file holds for Block and Other")
+    assert "names materials that the file does not have (7; it has 2" in (folder.path / "out.xml").read_text()
     folder.incomplete(ups(other + told("null")), "Contact null")
 
 

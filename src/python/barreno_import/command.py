@@ -10,6 +10,7 @@ from barreno_import.conditions import read_conditions
 from barreno_import.deck import deck_text, table
 from barreno_import.files import read_ups
 from barreno_import.flags import gravity_of, output_of, step_of, time_of
+from barreno_import.heat import read_heat
 from barreno_import.interactions import read_contact
 from barreno_import.jet import read_jet
 from barreno_import.loads import read_loads
@@ -75,6 +76,7 @@ def convert(root, folder, units, cards, notes):
         "Body Force": gravity_of(root, space, notes), "Contact": read_contact(root, contents, notes), "Step": step_of(root, notes), "Time": time,
         "Output": output_of(root, time["End Time"], notes),
     }  # fmt: skip
+    read_heat(root, notes)
     note_unread(root, notes)
     return entries, contents
 
@@ -82,7 +84,9 @@ def convert(root, folder, units, cards, notes):
 def look_at_component(root, notes):
     """Parts of a file that another solver than the material point method reads are left out whole."""
     kind = root.find("SimulationComponent").attribute("type")
-    if kind.lower() not in ("", "mpm"):
+    if kind.lower().endswith("mpm") and kind.lower() != "mpm":
+        notes.lost(f"SimulationComponent {kind} is read as mpm, the explicit material point method (a deck has no other); what {kind} adds to it or does in another way is left out.")
+    elif kind.lower() not in ("", "mpm"):
         notes.lost(f"SimulationComponent {kind} is left out but for its material points (Barreno has the explicit material point method alone: no gas, no fluid on the grid).")
     for section, tags in ((root, ("CFD", "Models", "ICE", "Arches", "EqPort", "MPMICE")), (root.find("MaterialProperties"), ("ICE",))):
         for part in section.children(*tags):

@@ -12,6 +12,9 @@ def condition_of(face, entry, space, notes):
         return {"Kind": "symmetry"}
     if label == "velocity" and kind != "neumann":  # Neumann: nothing is prescribed, as without a condition
         return velocity_of(face, entry, space, notes)
+    if label == "temperature" and kind == "dirichlet":
+        entry.find("value").own_text()  # heat.py has read it
+        return None
     if label in ("velocity", "temperature"):
         entry.find("value").own_text()
         notes.add_neutral(f"BCType {entry.attribute('var')} {entry.attribute('label')}")
@@ -47,7 +50,9 @@ def add_condition(out, side, condition, axis, notes):
             notes.lost(f"The condition {condition['Kind']} on x- is left out (that face is the axis, which has symmetry).")
         return
     name, entry = f"Face {SIDES[side].replace('_', ' ')}", {"Face": SIDES[side], **condition}
-    if out.get(name, entry) != entry:
+    if name in out and {out[name]["Kind"], entry["Kind"]} == {"fixed", "symmetry"}:  # Uintah does both: nothing moves there
+        out[name] = {"Face": SIDES[side], "Kind": "fixed"}
+    elif out.get(name, entry) != entry:
         notes.lost(f"{side} has several conditions: {condition['Kind']} is left out, {out[name]['Kind']} is taken (a face of a deck has one).")
     out.setdefault(name, entry)
 

@@ -65,9 +65,9 @@ def note_flags(flags, notes):
         notes.lost(f"erosion {kind} is left out (a metal that is broken bears no tension and no shear; particles that fail are treated as Bad Particles says).")
     if flags.flag("delete_rogue_particles"):
         notes.lost("The flag delete_rogue_particles = true has no counterpart; it is left out.")
-    heat = [flags.flag(tag) for tag in ("DoExplicitHeatConduction", "DoImplicitHeatConduction")]
-    if any(heat):
-        notes.lost("Conduction of heat is left out (Barreno's metals keep their heat where it arises).")
+    if flags.flag("UsePrescribedDeformation"):
+        name = flags.text("PrescribedDeformationFile", default="time_defgrad_rotation")
+        notes.lost(f"The deformation that {name} prescribes is left out (bodies of a deck move by their own motion); barreno drive takes a material along a path.")
     if not flags.flag("do_grid_reset", default=True):
         notes.lost("do_grid_reset = false is left out (the grid of a deck is the same in every step).")
     if flags.number("ForceBC_force_increment_factor", default=1.0) != 1.0:

@@ -29,14 +29,20 @@ def linear_elastic(model, material, name, notes):
     return {"Model": "Linear Elastic", "Bulk Modulus": model.number("K", "bulk_modulus"), "Shear Modulus": model.number("G", "shear_modulus")}
 
 
+PLASTIC = ("comp_neo_hook_plastic", "cnhp_damage")  # plastic without a flag
+
+
 def neo_hookean(model, material, name, notes):
     if model.flag("useInitialStress"):
         pressure = model.number("initial_pressure", default=0.0)
         notes.lost(f"the initial stress, initial_pressure = {pressure:g}, is left out (Confinement starts bodies in equilibrium under a pressure that stays on their surfaces); add it in the deck.", name)
-    if model.flag("usePlasticity") and material.has("specific_heat"):
+    plastic = model.flag("usePlasticity", default=model.attribute("type") in PLASTIC)
+    if plastic and material.has("specific_heat"):
         return plastic_neo_hookean(model, material, name, notes)
-    if model.flag("usePlasticity"):
-        notes.lost("usePlasticity is left out (a metal of a deck needs the specific_heat, which the file lacks); the material is elastic.", name)
+    for tag in ("yield_stress", "hardening_modulus", "alpha") if not plastic else ():  # which Uintah does not read then
+        model.find(tag).own_text()
+    if plastic:
+        notes.lost("plasticity is left out (a metal of a deck needs the specific_heat, which the file lacks); the material is elastic.", name)
         for tag in ("yield_stress", "hardening_modulus", "K", "alpha"):
             model.find(tag).cover()
     notes.add(f"{model.attribute('type')} becomes Neo-Hookean, whose volumetric part is lambda ln J instead of K (J^2 - 1)/2; the same at small strains.", name)
@@ -46,7 +52,7 @@ def neo_hookean(model, material, name, notes):
 def plastic_neo_hookean(model, material, name, notes):
     """Isotropic hardening as the special case of the flow rule of Johnson and Cook."""
     density, bulk = material.positive("density"), model.positive("bulk_modulus")
-    notes.add(f"{model.attribute('type')} with usePlasticity becomes Johnson-Cook with linear hardening alone, and a pressure of a constant bulk modulus; the same at small elastic strains.", name)
+    notes.add(f"{model.attribute('type')}{'' if model.attribute('type') in PLASTIC else ' with usePlasticity'} becomes Johnson-Cook with linear hardening alone, and a pressure of a constant bulk modulus; the same at small elastic strains.", name)
     return {"Model": "Johnson-Cook", "Shear Modulus": model.number("shear_modulus"), "Specific Heat": material.number("specific_heat"),
             "Sound Speed": math.sqrt(bulk / density), "Hugoniot Slope": 0.0, "Gruneisen": 0.0, "A": model.number("yield_stress"),
             "B": model.number("hardening_modulus", default=0.0), "C": 0.0, "n": 1.0, "m": 1.0, "Melt Temperature": NEVER_MELTS}  # fmt: skip
@@ -137,8 +143,9 @@ def heat_of(model, name, notes):
 
 def elastic_plastic(model, material, name, notes):
     density = material.positive("density")
+    flow = flow_of(model, material, name, notes)  # first, as it may end in a material that is left out
     out = {"Model": "Johnson-Cook", "Shear Modulus": model.number("shear_modulus"), "Specific Heat": material.number("specific_heat"),
-           **pressure_of(model, density, name, notes), **flow_of(model, material, name, notes), **damage_of(model, material, name, notes), **heat_of(model, name, notes)}  # fmt: skip
+           **pressure_of(model, density, name, notes), **flow, **damage_of(model, material, name, notes), **heat_of(model, name, notes)}  # fmt: skip
     for tag, plain in MODEL_PARTS.items():
         part = model.find(tag)
         kind = part.attribute("type")
@@ -154,7 +161,8 @@ def elastic_plastic(model, material, name, notes):
 
 
 METALS = ("elastic_plastic", "elastic_plastic_hp")
-MODELS = {"hypo_elastic": linear_elastic, "comp_neo_hook": neo_hookean, "CompNeoHook": neo_hookean, "UCNH": neo_hookean, "cnh_damage": neo_hookean, "Arenisca3": arenisca, "elastic_plastic": elastic_plastic,
+MODELS = {"hypo_elastic": linear_elastic, "comp_neo_hook": neo_hookean, "CompNeoHook": neo_hookean, "UCNH": neo_hookean, "cnh_damage": neo_hookean,
+          **dict.fromkeys(PLASTIC, neo_hookean), "Arenisca3": arenisca, "elastic_plastic": elastic_plastic,
           "elastic_plastic_hp": elastic_plastic}  # fmt: skip
 
 

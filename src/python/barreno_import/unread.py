@@ -8,10 +8,12 @@ NEUTRAL_SECTIONS = {"Meta", "DataArchiver", "DataAnalysis", "LoadBalancer", "Sch
 # Ends of paths without effect on the answer of a deck.
 NEUTRAL = (
     "Time/delt_min", "Time/max_delt_increase", "Time/max_initial_delt", "Time/initial_delt_range", "Time/clamp_time_to_output", "Time/override_restart_delt",
-    "Time/clamp_timesteps_to_output", "Time/end_on_max_time_exactly", "Box@label", "Box@name", "Box/patches", "Box/extraCells", "Level/patches", "Level/extraCells",
+    "Time/clamp_timesteps_to_output", "Time/end_on_max_time_exactly", "Time/end_at_max_time_exactly", "Box@label", "Box@name", "Box/patches", "Box/extraCells", "Level/patches", "Level/extraCells",
     "MPM/withColor", "MPM/nodes8or27", "MPM/minimum_particle_mass", "MPM/minimum_mass_for_acc", "MPM/minimum_subcycles_for_F", "MPM/computeScaleFactor",
     "MPM/extra_solver_flushes", "MPM/UseMomentumForm", "MPM/use_CBDI_boundary_condition", "MPM/testForNegTemps_mpm", "MPM/DeleteGeometryObjects", "MPM/CanAddMPMMaterial",
     "MPM/interpolateParticleTempToGridEveryStep", "MPM/computeNodalHeatFlux", "MPM/computeColinearNormals", "MPM/restartOnLargeNodalVelocity", "MPM/with_gauss_solver",
+    "MPM/boundary_traction_faces", "MPM/solver", "MPM/convergence_criteria_disp", "MPM/convergence_criteria_energy", "MPM/iters_before_timestep_restart",
+    "MPM/num_iters_to_decrease_delT", "MPM/num_iters_to_increase_delT", "MPM/delT_decrease_factor", "MPM/delT_increase_factor", "constitutive_model/tolerance",
     "PhysicalConstants/reference_pressure", "geom_object/temperature", "geom_object/color", "geom_object/numLevelsParticleFilling", "geom_object/pressure", "geom_object/density",
     "material/specific_heat", "material/thermal_conductivity", "material/C_p", "material/room_temp", "material/melt_temp", "contact/volume_constraint", "contact/separation_factor",
     "contact/OneOrTwoStep", "pressure/res", "load_curve/id", "pressure/numberOfParticlesOnLoadSurface",
@@ -29,7 +31,7 @@ OFF = {
 }  # fmt: skip
 # Switches that are on where a file leaves them out, and coefficients of nothing.
 ON = {"do_melting", "DoMechanics", "dynamic", "testForNegTemps_mpm", "is_active", "do_grid_reset", "DoTransientImplicitHeatConduction"}
-NOTHING = {"coeff_thermal_expansion", "char_time", "gruneisen_parameter", "failure_std", "initial_pressure", "hardening_modulus"}
+NOTHING = {"coeff_thermal_expansion", "char_time", "gruneisen_parameter", "failure_std", "initial_pressure", "hardening_modulus", "alpha"}
 
 
 def note_unread(root, notes):
@@ -84,6 +86,7 @@ def is_neutral(path, value):
         or (tag in OFF and value.lower() == "false")
         or (tag in ON and value.lower() == "true")
         or (tag in NOTHING and is_zero(value))
+        or (tag == "periodic" and value.replace(" ", "") == "[0,0,0]")
     )
 
 
