@@ -100,6 +100,8 @@ def check_materials(folder):
     named = plastic.replace("<usePlasticity>true</usePlasticity>", "<alpha>0.0</alpha>").replace("comp_neo_hook", "comp_neo_hook_plastic")
     deck = folder.valid(ups(material(model=named)), "comp_neo_hook_plastic becomes Johnson-Cook")
     assert [deck.value(f"Materials/Block/{key}") for key in ("A", "B", "n")] == ["1000.0", "50.0", "1.0"]
+    strong = folder.valid(ups(material(model=named.replace("1e3", "1e10"))), "yield_stress = 1e+10 is above the shear modulus", "becomes Neo-Hookean")
+    assert strong.value("Materials/Block/Model") == "Neo-Hookean"
     elastic = plastic.replace("<usePlasticity>true</usePlasticity>", "<alpha>0.5</alpha>")  # which Uintah does not read then
     assert folder.valid(ups(material(model=elastic)), "becomes Neo-Hookean").value("Materials/Block/Model") == "Neo-Hookean"
     other = METAL.format("").replace("johnson_cook", "zerilli_armstrong")

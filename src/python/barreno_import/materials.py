@@ -37,6 +37,9 @@ def neo_hookean(model, material, name, notes):
         pressure = model.number("initial_pressure", default=0.0)
         notes.lost(f"the initial stress, initial_pressure = {pressure:g}, is left out (Confinement starts bodies in equilibrium under a pressure that stays on their surfaces); add it in the deck.", name)
     plastic = model.flag("usePlasticity", default=model.attribute("type") in PLASTIC)
+    if plastic and model.number("yield_stress") > model.number("shear_modulus"):
+        notes.add(f"yield_stress = {model.number('yield_stress'):g} is above the shear modulus, so that it does not yield below strains of 1/3; it becomes elastic.", name)
+        plastic = False
     if plastic and material.has("specific_heat"):
         return plastic_neo_hookean(model, material, name, notes)
     for tag in ("yield_stress", "hardening_modulus", "alpha") if not plastic else ():  # which Uintah does not read then
