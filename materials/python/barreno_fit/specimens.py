@@ -85,31 +85,39 @@ class Specimens:
         return pressure_of(self.stress)
 
 
+def scale_of(answer):
+    return numpy.maximum(numpy.abs(answer.stress).max(axis=1), 1e5)
+
+
 def newton(measure, start, target, free):
     """Increments of strain that give the targets, where free; elsewhere they stay. Newton's method for each specimen by itself, shortened
     while a miss grows.
 
     @param measure  increments -> answer, what is controlled, its slope
     """
-    x = start.copy()
+    weight = free.astype(float)  # no miss where nothing is free
+    x = start
     answer, value, slope = measure(x)
-    miss = numpy.where(free, value - target, 0.0)
+    miss = weight * (value - target)
+    size, scale = numpy.abs(miss), scale_of(answer)
     for _ in range(MOST_STEPS):
-        scale = numpy.maximum(numpy.abs(answer.stress).max(axis=1), 1e5)
-        if (numpy.abs(miss) <= EXACT * scale).all():
+        enough = EXACT * scale
+        if not (size > enough).any():
             break
-        step = numpy.where(free & (slope > 0.0), -miss / numpy.where(slope > 0.0, slope, 1.0), 0.0)
+        step = -miss / numpy.where(slope > 0.0, slope, numpy.inf)
+        bound = numpy.maximum(size, enough)  # what is small already may grow within what is enough
         for _ in range(8):
             tried = measure(x + step)
-            left = numpy.where(free, tried[1] - target, 0.0)
-            worse = (numpy.abs(left) > numpy.abs(miss)) & (numpy.abs(miss) > EXACT * scale)
+            left = weight * (tried[1] - target)
+            grown = numpy.abs(left)
+            worse = grown > bound
             if not worse.any():
                 break
             step = numpy.where(worse, 0.5 * step, step)
         x = x + step
-        (answer, _, slope), miss = tried, left
-    scale = numpy.maximum(numpy.abs(answer.stress).max(axis=1), 1e5)
-    if answer.status.any() or not (numpy.abs(miss) <= ENOUGH * scale).all():
+        (answer, _, slope), miss, size = tried, left, grown
+        scale = scale_of(answer)
+    if answer.status.any() or not (size <= ENOUGH * scale).all():
         raise Rejected("no strain gives the stress that is asked for")
     return answer, x
 
