@@ -153,7 +153,9 @@ void put_penetration(Json& json, const Scene& scene, double time, const Penetrat
   reached["met_target"] = p.met;
   reached["depth"] = number(p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
   reached["through"] = p.through;
-  if (p.through) reached["through_since"] = number(p.through_since);
+  // null
+  reached["through_since"] =
+      number(p.through ? p.through_since : std::numeric_limits<double>::quiet_NaN());
   reached["channel_depth"] = number(p.channel_depth);
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["jet_mass_inside"] = number(p.jet_mass_inside);
