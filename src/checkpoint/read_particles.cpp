@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace barreno {
@@ -172,7 +173,8 @@ private:
   /// Whether a value may stand in a field of a particle that stays.
   bool is_possible(const std::string& field, double value) const {
     if (!std::isfinite(value)) return false;
-    if (field == "mass" || field == "volume") return value > 0.0;
+    // Nor a denormal one, by which nothing can be divided.
+    if (field == "mass" || field == "volume") return value >= std::numeric_limits<double>::min();
     // A particle of one per cell, and a sliver that has joined it: nodes farther off are not kept.
     if (field == "half_size") return value > 0.0 && value <= run_.scene.grid.cell_size;
     if (field == "longitudinal_modulus") return value >= 0.0;
