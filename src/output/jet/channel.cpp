@@ -5,8 +5,10 @@
 #include "base/numbers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace barreno {
 namespace {
@@ -30,9 +32,9 @@ struct PathBins {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(column);
   }
-  /// Area that a volume around a radius has in the plane through the axis.
-  double section(double volume, double radius) const {
-    return volume / (part * (ring ? two_pi * radius : 1.0));
+  /// Area in the plane through the axis of what has this measure in the grid's dimensions.
+  double section(double measure, double radius) const {
+    return measure / (part * (ring ? two_pi * radius : 1.0));
   }
 };
 
@@ -43,7 +45,7 @@ PathBins path_bins(const GridSpec& grid, const JetPath& path) {
   bins.rows = path.bins;
   const double across = std::max(std::abs(grid.lower[0]), std::abs(grid.upper[0]));
   bins.columns = parts_across * static_cast<int>(std::ceil(across / path.bin));
-  bins.ring = grid.mode != Mode::plane_strain;
+  bins.ring = grid.mode == Mode::three_dimensional;
   if (grid.mode == Mode::plane_strain && grid.lower[0] < 0.0) bins.part = 2.0;
   if (grid.mode == Mode::three_dimensional)
     for (const std::size_t axis : {0U, 2U}) bins.part *= grid.lower[axis] < 0.0 ? 1.0 : 0.5;
@@ -71,6 +73,7 @@ void fill_around(
     return static_cast<int>(std::clamp(std::floor(at / width), 0.0, count - 1.0));
   };
   const double area = (outer - inner) * (far - near);
+  if (!(area > 0.0)) return;  // squashed flat
   const double dense = bins.section(filled, 0.5 * (inner + outer)) / area;
   const int first = bin_of(inner, bins.width, bins.columns),
             last = bin_of(outer, bins.width, bins.columns);
@@ -84,17 +87,48 @@ void fill_around(
     }
 }
 
-/// Half the extent along an axis of the box whose moments are those of the deformed particle
-/// [length]: h_i^2 = sum_j (F_ij h_j)^2.
-double half_extent(const HostParticles& particles, int p, int axis) {
-  const int dimension = static_cast<int>(particles.half_size.extent(1));
-  double square = 0.0;
-  for (int j = 0; j < dimension; ++j) {
-    const double edge =
-        particles.deformation_gradient(p, axis * dimension + j) * particles.half_size(p, j);
-    square += edge * edge;
+/// A particle as it is drawn: half edges of a parallelogram, or of a parallelepiped [length].
+struct DrawnShape {
+  std::array<Vector, 3> edge{};
+  std::size_t dimensions = 2;
+
+  DrawnShape(const std::vector<double>& corners, double scale) {
+    dimensions = corners.size() == 8 ? 2 : 3;
+    constexpr std::size_t beside[3] = {1, 3, 4};  // the first corner along each edge
+    for (std::size_t k = 0; k < dimensions; ++k)
+      for (std::size_t d = 0; d < dimensions; ++d)
+        edge[k][d] = 0.5 * scale * (corners[dimensions * beside[k] + d] - corners[d]);
   }
-  return std::sqrt(square);
+
+  /// Half the extent along a unit vector of the box that has the moments of the shape.
+  double half_extent(const Vector& along) const {
+    double square = 0.0;
+    for (const Vector& e : edge) {
+      const double part = e[0] * along[0] + e[1] * along[1] + e[2] * along[2];
+      square += part * part;
+    }
+    return std::sqrt(square);
+  }
+
+  /// Area, in three dimensions volume.
+  double measure() const {
+    const auto& [a, b, c] = edge;
+    const double area = a[0] * b[1] - a[1] * b[0];
+    if (dimensions == 2) return 4.0 * std::abs(area);
+    return 8.0 *
+           std::abs(
+               area * c[2] + (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1]
+           );
+  }
+};
+
+/// Where the axis is: the direction away from it, and how far it is.
+std::pair<Vector, double> away_from_axis(const HostParticles& particles, int p) {
+  if (particles.dimensions() == 2) return {{1.0, 0.0, 0.0}, std::abs(particles.position(p, 0))};
+  const double x = particles.position(p, 0), z = particles.position(p, 2);
+  const double radius = std::hypot(x, z);
+  if (!(radius > 0.0)) return {{1.0, 0.0, 0.0}, 0.0};
+  return {{x / radius, 0.0, z / radius}, radius};
 }
 
 /// Filled part of the bins, of this rank.
@@ -105,6 +139,7 @@ std::vector<long long> fill_bins(
     const PathBins& bins
 ) {
   std::vector<long long> fill(bins.index(bins.rows, 0));
+  std::vector<double> corners;
   for (std::size_t set = 0; set < sets.size() && bins.rows > 0; ++set) {
     const HostParticles& particles = sets[set];
     const double density = scene.materials[set].density();
@@ -112,25 +147,27 @@ std::vector<long long> fill_bins(
     if (path.origin.formed && scene.materials[set].detonation_speed()) continue;
     for (int p = 0; p < particles.count; ++p) {
       if (is_jet_body(path.origin, particles.body(p) & ~debris_bit)) continue;  // the jet itself
-      const bool space = scene.grid.mode == Mode::three_dimensional;
-      const double radius =
-          std::hypot(particles.position(p, 0), space ? particles.position(p, 2) : 0.0);
       // Expanded debris fills no more than it did as rock.
-      const double filled = std::min(particles.volume(p, 0), particles.mass(p, 0) / density);
-      const double shrunk = std::sqrt(filled / particles.volume(p, 0));
-      const double half[2] = {
-          shrunk * half_extent(particles, p, 0), shrunk * half_extent(particles, p, 1)};
-      fill_around(bins, path.depth(particles.position(p, 1)), radius, half, filled, fill);
+      const double ratio = std::min(1.0, particles.mass(p, 0) / (density * particles.volume(p, 0)));
+      corners.clear();
+      particles.append_corners(p, corners);
+      const DrawnShape shape(corners, std::pow(ratio, 1.0 / particles.dimensions()));
+      const auto [across, radius] = away_from_axis(particles, p);
+      const double half[2] = {shape.half_extent(across), shape.half_extent({0.0, 1.0, 0.0})};
+      const double depth = path.depth(particles.position(p, 1));
+      fill_around(bins, depth, radius, half, shape.measure(), fill);
     }
   }
   return fill;
 }
 
 /// Filled part of a window one cell wide around the inner face of a column. The other side of the
-/// axis looks the same.
+/// axis looks the same. What is covered twice counts once.
 double window_fill(const long long* row, int column) {
+  constexpr auto full = static_cast<long long>(1.0 / fill_quantum);
   long long sum = 0;
-  for (int c = column - half_window; c < column + half_window; ++c) sum += row[c < 0 ? -1 - c : c];
+  for (int c = column - half_window; c < column + half_window; ++c)
+    sum += std::min(full, row[c < 0 ? -1 - c : c]);
   return static_cast<double>(sum) * fill_quantum / parts_across;
 }
 
