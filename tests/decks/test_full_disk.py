@@ -33,7 +33,7 @@ def main():
         assert whole.returncode == FINISHED, whole.stderr
         calls, lost = int(count.read_text()), 0
         # The last calls write run.log and the summary, each for itself.
-        tried = sorted({*range(calls // 2, calls, 4), *range(max(0, calls - 16), calls + 1)})
+        tried = sorted({*range(calls // 2, calls, 4), *range(max(0, calls - 10), calls + 1)})
         for call, once in [(call, once) for call in tried for once in ({}, {"BARRENO_FULL_ONCE": "1"})]:
             ended = run(barreno, scratch / f"at_{call}_{len(once)}", LD_PRELOAD=str(library), BARRENO_FULL_CALL=str(call), **once)
             assert ended.returncode in (FINISHED, FILE), (call, once, ended.returncode, ended.stderr[-800:])
