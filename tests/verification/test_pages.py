@@ -19,7 +19,7 @@ from case_pictures import curves_of, digest, stored_digest  # noqa: E402
 
 class Pages(unittest.TestCase):
     def test_a_changed_figure_is_put_right(self):
-        text = (ROOT / "README.md").read_text()
+        text = (ROOT / "docs" / "figures.md").read_text()
         part = text.split("<!-- figures -->")[1].split("<!-- end of figures -->")[0]
         at = next(i for i in range(text.index(part), len(text)) if text[i].isdigit())
         changed = text[:at] + str((int(text[at]) + 1) % 10) + text[at + 1 :]

@@ -7,8 +7,8 @@ import converge_parts
 import deck_table
 import extremes
 import feature_cost
+import figures_page
 import fit_berea
-import front_page
 import many_ranks
 import off_costs
 import paper_parts
@@ -46,8 +46,9 @@ PARTS = {
     "converge_jet": converge_parts.jet,
     "converge_shell": converge_parts.shell,
     "decks": deck_table.lines,
-    "figures": front_page.figures,
-    "fidelities": front_page.fidelities,
+    "depths": figures_page.depths,
+    "fidelities": figures_page.fidelities,
+    "figures": figures_page.figures,
     "many_ranks.py": many_ranks.stored_part,
     "off_costs.py": off_costs.stored_part,
     "pore_cost": pore_cost,
