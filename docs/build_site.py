@@ -19,6 +19,7 @@ import urllib.parse
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 CONFIGURATION = ROOT / "docs" / "mkdocs.yml"
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+PAGES = ("docs", "verification/results")  # folders of pages
 MISSING = 77  # what ctest counts as skipped
 
 
@@ -31,8 +32,8 @@ def linked_files(page):
 
 
 def all_files():
-    """README.md, the pages of docs, and what can be reached from them."""
-    waiting, found = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))], set()
+    """README.md, the pages of docs and of results, and what can be reached from them."""
+    waiting, found = [ROOT / "README.md", *(page for folder in PAGES for page in sorted((ROOT / folder).rglob("*.md")))], set()
     while waiting:
         file = waiting.pop()
         if file in found:

@@ -6,8 +6,8 @@ wrong without a word.
     extremes.py BARRENO [--full] [--document] [ROWS ...]
 
 ROWS: names of files in extreme_rows; all without. --full takes longer forms of some rows; --document writes
-docs/extremes.md and verification/results/extremes.json. Exit code 1 if a row is red that is not open (open_demands.toml), or an open one
-is worse than known, or holds.
+verification/results/extremes.md and extremes.json. Exit code 1 if a row is red that is not open (open_demands.toml), or an open one is worse
+than known, or holds.
 """
 import argparse
 import dataclasses
@@ -29,9 +29,15 @@ FILES = ["point", "porous_point", "stable_step", "flight", "impact", "stretch", 
 STORED = HERE / "results" / "extremes.json"
 HEAD = """# Extremes
 
-Measured by `verification/extremes.py BARRENO --full --document`; do not edit by hand. Every row meets its criterion (holds), stops
-with a sentence that names fault and reason (stops), or does neither (RED: open in `verification/open_demands.toml`, with the reason). The cheap forms are part of every test run
-(`ctest -R verification.extremes`).
+Measured by `verification/extremes.py BARRENO --full --document`; do not edit by hand.
+
+| verdict | meaning |
+|---|---|
+| holds | the row meets its criterion |
+| stops | the run ends with a sentence that names fault and reason |
+| RED | neither; `verification/open_demands.toml` lists the row as open, with the reason |
+
+Every test run takes the cheap forms (`ctest -R verification.extremes`).
 """
 
 

@@ -56,7 +56,7 @@ def with_parts(text):
 def pages():
     """{file: text} of everything that is made of results files."""
     out = {ROOT / "docs" / name: text for name, text in verification_pages.pages().items()}
-    out.update({ROOT / "docs" / name: text for name, text in page_parts.whole_pages().items()})
+    out.update({ROOT / name: text for name, text in page_parts.whole_pages().items()})
     for name in PAGES_WITH_PARTS:
         file = ROOT / name
         if file not in out and "<!-- end of " in file.read_text():

@@ -3,7 +3,7 @@
 """Error against cost for every knob of a run.
 
     trade.py BARRENO [--document]     all problems and knobs: verification/results/trade.json, and with --document
-                                      docs/trade.md and docs/pictures/trade_*.png
+                                      docs/trade.md, verification/results/trade_runs.md and docs/pictures/trade_*.png
     trade.py BARRENO --only KNOB      the same for one knob, for example fidelity; the rest stays as it was measured
     trade.py BARRENO --tiny           two problems, few knobs: only whether what must hold does
     trade.py BARRENO --judge          errors, checks and page of the last measurement anew, where what they are compared with has changed

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every link of a page leads to a file and a heading of this repository, every picture is shown or linked somewhere, every
 file that a page names in backticks is there, and so is every name in the code that the glossary gives. The navigation of the web site
-(docs/mkdocs.yml) has every page of docs but those of the verification cases, which docs/verification.md lists."""
+(docs/mkdocs.yml) has every page of docs but those of the verification cases, which docs/verification.md lists, and the pages among the results."""
 import pathlib
 import re
 import sys
@@ -59,6 +59,7 @@ def navigation_faults():
     """Pages that the web site's navigation lacks, or has and that are not there."""
     listed = re.findall(r"^ +- .*: (\S+\.md)$", (ROOT / "docs" / "mkdocs.yml").read_text(), re.MULTILINE)
     wanted = {str(file.relative_to(ROOT)) for file in (ROOT / "docs").rglob("*.md") if file.parent.name != "verification"} | {"README.md", "input_xml/README.md"}
+    wanted |= {str(file.relative_to(ROOT)) for file in (ROOT / "verification" / "results").glob("*.md")}
     out = [f"docs/mkdocs.yml lists {name} twice" for name in sorted({name for name in listed if listed.count(name) > 1})]
     out += [f"docs/mkdocs.yml does not list {name}" for name in sorted(wanted - set(listed))]
     return out + [f"docs/mkdocs.yml lists {name}, which is not there" for name in sorted(set(listed) - wanted)]

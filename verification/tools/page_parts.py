@@ -62,11 +62,13 @@ PARTS = {
 
 
 def whole_pages():
-    """{file under docs: text}"""
+    """{file: text}; a listing of runs stands with the results; the site has it."""
+    trade = json.loads((RESULTS / "trade.json").read_text())
     return {
-        "extremes.md": extremes.stored_page(),
-        "trade.md": trade_page.page_of(json.loads((RESULTS / "trade.json").read_text())),
-        "cost.md": predictions.stored_page(),
-        "materials/arenisca_cost.md": solver_cost.stored_page(),
-        "materials/arenisca_forms_cost.md": feature_cost.stored_page(),
+        "verification/results/extremes.md": extremes.stored_page(),
+        "verification/results/trade_runs.md": trade_page.runs_page(trade),
+        "docs/trade.md": trade_page.page_of(trade),
+        "docs/cost.md": predictions.stored_page(),
+        "docs/materials/arenisca_cost.md": solver_cost.stored_page(),
+        "docs/materials/arenisca_forms_cost.md": feature_cost.stored_page(),
     }

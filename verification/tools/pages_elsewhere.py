@@ -21,7 +21,7 @@ def predictions_row(data):
 
 def extremes_row(rows):
     count = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in ("holds", "stops", "RED")}
-    return (f"| [Extremes: every row meets its criterion or stops with a sentence that gives the reason](extremes.md) | one per row | | | {count['holds']} hold, "
+    return (f"| [Extremes: every row meets its criterion or stops with a sentence that gives the reason](../verification/results/extremes.md) | one per row | | | {count['holds']} hold, "
             f"{count['stops']} stop, {count['RED']} open | |")  # fmt: skip
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/trade.md and its pictures, from verification/results/trade.json."""
+"""docs/trade.md, its pictures and verification/results/trade_runs.md, from verification/results/trade.json."""
 import json
 import pathlib
 import statistics
@@ -20,9 +20,16 @@ HEAD = """# Error against cost
 
 Measured by `verification/trade.py build/release/src/barreno --document`; do not edit by hand.
 
-One option at a time is varied from the defaults (GIMP, FLIP, stress last, Courant Fraction 0.8, 2 particles per cell and direction, Tolerance
-0.01). Cost is user time of one core: particle-steps times the ns per particle-step of the largest run of a choice, the minimum of three where that is
-shorter than 1.5 s, without start-up. Particle-steps are exact. As for the accuracy of the seconds: """
+One option at a time is varied from the defaults: GIMP, FLIP, stress last, Courant Fraction 0.8, 2 particles per cell and direction, Tolerance
+0.01. Every run: [trade_runs](../verification/results/trade_runs.md).
+
+Cost is the user time of one core: particle-steps times the ns per particle-step of the largest run of a choice. Start-up is not counted. Runs
+shorter than 1.5 s are timed three times, and the minimum counts. Particle-steps are exact. Two figures show the accuracy of the seconds: """
+RUNS_HEAD = """# Runs of the trade-offs
+
+Every run behind [trade.md](../../docs/trade.md), which explains error and cost. Measured by
+`verification/trade.py build/release/src/barreno --document`; do not edit by hand.
+"""
 
 
 def trust(data):
@@ -30,8 +37,8 @@ def trust(data):
     at = {(p["knob"], p["name"], p["problem"], p["level"]): p for p in data["points"] if "cpu" in p}
     waits = statistics.median(p["wall"] / p["seconds"] for p in data["points"] if p.get("seconds", 0.0) > 1.0)
     same = [at["fidelity", "balanced", *key[2:]]["cpu"] / p["cpu"] for key, p in at.items() if key[1] == "default" and ("fidelity", "balanced", *key[2:]) in at]
-    return (f"wall seconds are {waits:.2f} times\nprocessor seconds in the median, and the rows *default* and *balanced*, which are identical runs, differ by "
-            f"factors of {min(same):.2f} to {max(same):.2f}.\n")  # fmt: skip
+    return (f"wall seconds\nare {waits:.2f} times CPU seconds in the median, and the rows *default* and *balanced*, which are identical runs, "
+            f"differ by\nfactors of {min(same):.2f} to {max(same):.2f}.\n")  # fmt: skip
 
 
 def fidelity_section(data):
@@ -41,8 +48,10 @@ def fidelity_section(data):
     for name in FIDELITIES:
         said, per_cell = data["chosen"][name]
         lines.append(f"| {name} | " + " | ".join(said[word] for word in WORDS[:-1]) + f" | {per_cell} | {said['Jet']} |")
-    lines += ["", "In decks with a jet it also sets the cells along the jet's path, with fewer particles in each of the bodies' cells, and lets slow tiles take longer steps (in decks that can have "
-              "neither, both are left out, with a note; where the deck gives Grid/Cell Size, *fast* leaves the path as it is and *balanced* refines it to 2 cells per radius). What that does to the depth and the price of the main job: [verification/fidelities.md](verification/fidelities.md).", "",
+    lines += ["", "In decks with a jet it also refines the cells along the jet's path, puts fewer particles into the bodies' cells, and lets slow tiles take",
+              "longer steps. A deck that can have neither gets a note, and both are left out. Where the deck gives Grid/Cell Size, *fast* leaves the path",
+              "as it is and *balanced* refines it to 2 cells per radius. [fidelities](verification/fidelities.md) has the effect on the depth and on the cost",
+              "of the main job.", "",
               "| fidelity | " + " | ".join(data["with_jet"]["balanced"]) + " |", "|---|" + "---|" * len(data["with_jet"]["balanced"])]  # fmt: skip
     lines += [f"| {name} | " + " | ".join(data["with_jet"][name].values()) + " |" for name in FIDELITIES]
     lines += ["", "Error (and cost relative to balanced) at equal cells, one step for all:", "",
@@ -71,7 +80,7 @@ def former_settings(data):
             then = in_words(json.loads(text))
             changed = [f"{word} {then[word]} (now {now[word]})" for word in now if str(then[word]) != str(now[word])]
             lines += [f"- *{name}*: " + ", ".join(changed)] if changed else []
-    return ["", "Rows of these fidelities were measured with former settings (`trade.py BARRENO --only fidelity --document` measures them anew):", "", *lines] if lines else []
+    return ["", "Rows of these fidelities were measured with former settings (`trade.py BARRENO --only fidelity --document` repeats them):", "", *lines] if lines else []
 
 
 def unit_text(problem, level):
@@ -80,27 +89,30 @@ def unit_text(problem, level):
 
 def depth_lines(depth):
     return [
-        "The depth has no exact answer. It is compared with that of `input_xml/perforation.xml` with uniform cells, in mm (in brackets: less "
-        f"that with cells of {depth['cells']:g} mm, relative):", "", *depth_table(), "",
-        f"Halving the cells of {depth['cells']:g} mm changes the depth by {100 * doubt():.1f} % at most, to 30 us; at 5, 20 and 30 us those of half their size are along the jet's path alone. The error grows with the depth, and the sequence of 2, 1 "
-        "and 0.5 mm does not go to a limit with an order: cells of 2 mm are wider than the jet, and at two cells per radius errors of both signs may compensate. "
-        "So no depth is extrapolated here (docs/converge.md).", "",
-        "What it costs with equal cells, and with small ones along the jet's path alone ([levels](verification/levels.md), [slug_length](verification/slug_length.md), "
-        "whose times were not measured side by side: they are good to a fifth or so); rock at rest costs nothing on any grid, and early in a run it is most of the equal cells:", "",
+        "The depth has no exact answer. Depth of `input_xml/perforation.xml` with uniform cells [mm], and in brackets the relative difference from",
+        f"cells of {depth['cells']:g} mm:", "", *depth_table(), "",
+        f"Halving the cells of {depth['cells']:g} mm changes the depth by {100 * doubt():.1f} % at most, to 30 us. At 5, 20 and 30 us the smallest cells lie along the",
+        "jet's path alone. The error grows with the depth. The depths with cells of 2, 1 and 0.5 mm do not tend to a limit with an order: cells of 2 mm",
+        "are wider than the jet, and at two cells per radius errors of both signs may cancel. So no depth is extrapolated here (docs/converge.md).", "",
+        "Cost with equal cells, and with small cells along the jet's path alone ([levels](verification/levels.md),",
+        "[slug_length](verification/slug_length.md)). The times were not measured side by side: they are good to a fifth or so. Rock at rest costs",
+        "nothing on any grid, and early in a run most of the equal cells hold such rock.", "",
         f"![depth against cost](pictures/{depth_cost.FILE})", "",
-        "Error of the rate at which a long rod penetrates steadily, against compressible Bernoulli (metals without strength) or against four cells "
-        "per radius (sandstone, 3 to 7 km/s):", "", *steady_table(), "",
-        "In rock the channel is two jet radii wide, so that jet, spent jet and wall share nodes, which slows the jet. `barreno check` and every run "
-        "with a jet say which of these errors belongs to their cells.", "",
-        f"Errors below are relative to {depth['reference']:.1f} mm, the depth at {depth['time']} us with cells of {depth['cells']:g} mm.", "",
+        "Error of the rate at which a long rod penetrates steadily. The reference for metals without strength is compressible Bernoulli, for sandstone",
+        "(3 to 7 km/s) a run with four cells per radius.", "", *steady_table(), "",
+        "In rock the channel is two jet radii wide. Jet, spent jet and wall then share nodes, which slows the jet. `barreno check` and every run with",
+        "a jet say which of these errors belongs to their cells.", "",
+        f"Errors of the runs are relative to {depth['reference']:.1f} mm, the depth at {depth['time']} us with cells of {depth['cells']:g} mm.", "",
     ]  # fmt: skip
 
 
-def table(problem, data):
+def problem_section(problem, data):
     lines = [f"## {problem.title}", "", f"![error against cost](pictures/trade_{problem.name}.png)", ""]
-    if problem.name == "depth":
-        lines += depth_lines(data["depth"])
-    lines += [f"| option | choice | {problem.unit} | {problem.error} | {problem.second} | particle-steps | ns | CPU s | wall s |",
+    return "\n".join(lines + (depth_lines(data["depth"]) if problem.name == "depth" else []))
+
+
+def table(problem, data):
+    lines = [f"## {problem.title}", "", f"| option | choice | {problem.unit} | {problem.error} | {problem.second} | particle-steps | ns | CPU s | wall s |",
               "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for p in data["points"]:
         if p["problem"] != problem.name:
@@ -115,7 +127,7 @@ def table(problem, data):
 
 def reading(data):
     """What the numbers say, worked out from them: cost and error of each choice over those of the default at the same level."""
-    lines = ["## Effect of each option", "", "Error and cost of a choice relative to the default at the same, finest common level:", "",
+    lines = ["## Effect of each option", "", "Error of a choice at its cost, both relative to the default at the same, finest common level:", "",
              "| option | choice | " + " | ".join(p.title.split(" (")[0] for p in PROBLEMS) + " |", "|---|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
     at = {(p["problem"], p["knob"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
     names = list(dict.fromkeys((p["knob"], p["name"]) for p in data["points"] if p["knob"] != "default"))
@@ -135,8 +147,13 @@ def check_lines(data):
 
 def page_of(data):
     text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
-    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), reading(data), *(table(problem, data) for problem in PROBLEMS), check_lines(data)]
+    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), reading(data), *(problem_section(problem, data) for problem in PROBLEMS), check_lines(data)]
     return "\n".join(parts)
+
+
+def runs_page(data):
+    """verification/results/trade_runs.md"""
+    return "\n".join([RUNS_HEAD, *(table(problem, data) for problem in PROBLEMS)])
 
 
 def curve(axes, points, style, label, colour):

@@ -80,7 +80,7 @@ def open_section():
         for known in open_demands(name, True).values():
             reasons[known.reason] = reasons.get(known.reason, 0) + 1
         lines += [f"| [{name}](verification/{name}.md) | {count} | {reason} |" for reason, count in reasons.items()]
-    return "\n".join(lines) + "\n\nOpen rows of the extremes: [extremes.md](extremes.md); of the trade-offs: [trade.md](trade.md).\n"
+    return "\n".join(lines) + "\n\nOpen rows of the extremes: [extremes](../verification/results/extremes.md). Open trade-offs: [trade.md](trade.md#requirements).\n"
 
 
 def nearness(check):
