@@ -8,7 +8,7 @@ resumed, on one to three ranks, by two processes and under sanitizers; odd numbe
 
 BUILD is the build folder. With --out what is found is added to what is there already: a seed goes on behind its last
 set, so that several sittings make one count. --only runs one set again and keeps its folder.
-Exit code 1 if there is a finding.
+Exit code 1 if there is a finding, or if kills miss the checkpoints that they are placed at.
 """
 import argparse
 import concurrent.futures
@@ -28,6 +28,7 @@ sys.path.insert(0, str(HERE))
 import numpy as np  # noqa: E402
 from described import described_options  # noqa: E402
 from forged import SCENES, forgeries_of, prepared, try_forgery  # noqa: E402
+from kill_moments import built_library  # noqa: E402
 from odd_numbers import all_odd_numbers, try_number  # noqa: E402
 from one_set import DECKS, Finding, OptionSet, Tally  # noqa: E402
 from perforations import try_perforations  # noqa: E402
@@ -36,6 +37,8 @@ from try_set import try_set  # noqa: E402
 
 # Chances that a set is tried so; all are checked and run.
 SHARE = {"kills": 0.15, "ranks": 0.1, "two": 0.04, "group": 0.01, "sanitized": 0.3}
+# Kills that are placed at checkpoints, and the part of so many that must meet a run with one: else they try nothing.
+ENOUGH, LEAST_MET = 10, 0.8
 # Every checkpoint is brought to the disk, which takes its time on one: in memory, where there is some.
 SCRATCH = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
 EMPTY = {"sets": {}, "odd numbers": {}, "forgeries": {}, "perforations": {}, "counts": {}, "drawn": [], "decks": [], "refusals": {}, "findings": []}
@@ -47,6 +50,9 @@ def servers_of(build, folder):
     for name, program in programs.items():
         (folder / name).mkdir(parents=True, exist_ok=True)
         servers[name] = RunServer(build / "verification" / program, folder / name)
+    (folder / "killed").mkdir(parents=True, exist_ok=True)
+    library = built_library(folder, "kill_at")
+    servers["killed"] = RunServer(build / "verification" / "serve_runs", folder / "killed", more={"LD_PRELOAD": str(library)})
     for ranks in (2, 3):
         servers[ranks] = RunServer(build / "verification" / "serve_runs", folder, ranks)
     return servers
@@ -132,6 +138,14 @@ def add(results, tally):
     results["findings"] += tally.findings
 
 
+def missed_kills(tallies):
+    """A sentence if kills miss their checkpoints."""
+    placed, met = (sum(t.counts.get(name, 0) for t in tallies) for name in ("kills placed at a checkpoint", "kills placed at a checkpoint that met one"))
+    if placed < ENOUGH or met >= LEAST_MET * placed:
+        return ""
+    return f"only {met} of {placed} kills that are placed at a checkpoint met a running program with one (tools/kill_at.c, kill_moments.py)"
+
+
 def parsed():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
@@ -183,7 +197,10 @@ def main():
     print(f"{len(results['drawn'])} options drawn ({len(known)} are described) over {len(results['decks'])} decks in {time.time() - begun:.0f} s")
     for finding in results["findings"][before:]:
         print(f"finding: {finding['kind']} {finding['number']}: {finding['said'][:200]}")
-    return 1 if len(results["findings"]) > before else 0
+    missed = missed_kills([tally for tally, _ in parts])
+    if missed:
+        print(missed)
+    return 1 if missed or len(results["findings"]) > before else 0
 
 
 if __name__ == "__main__":

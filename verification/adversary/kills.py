@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs that are killed at random moments and resumed, on the same and on another number of ranks."""
-import signal
-
+"""Runs that are killed at their checkpoints and resumed, on the same and on another number of ranks."""
+from kill_moments import checkpoint_of, checkpoints_of, drawn_moment, run_to
 from one_set import FILE, FINISHED, REFUSED, Finding, must_end, tolerance_of
 from same_runs import different
 
-KINDS = [9, 9, 9, 9, int(signal.SIGTERM), int(signal.SIGINT), int(signal.SIGHUP), int(signal.SIGUSR1)]
+TURNS = 3  # of a run and its resumes; after the last the run is left alone
+AGAIN = 0.7  # chance that the resumes are killed too
 
 
 def said_all(ended):
@@ -13,29 +13,50 @@ def said_all(ended):
     return ended.code == REFUSED and "has reached its end time" in ended.err
 
 
-def killed(barreno, deck, folder, seconds, rng, tally):
-    """A run that gets a signal, and is resumed until it has ended. @return whether there was something to resume"""
-    kind = int(rng.choice(KINDS))
-    words = deck if isinstance(deck, list) else [deck]
-    ended = barreno.run("run", *words, "--out", folder, signal=kind, after=rng.uniform(0.0, 1.0) * seconds)
-    for turn in range(3):
-        tally.add("kills")
-        if ended.kind == "signal" and ended.code in (9, kind):
+def has_checkpoint(folder):
+    return any((folder / name).exists() for name in ("checkpoint.h5", "checkpoint_previous.h5"))
+
+
+def count_placed(moment, tally):
+    tally.add("kills")
+    if moment.place != "time":
+        tally.add("kills placed at a checkpoint")
+
+
+def count_met(moment, tally):
+    """Of a kill that ended a run which had a checkpoint and was not at its end."""
+    if moment.place != "time":
+        tally.add("kills placed at a checkpoint that met one")
+
+
+def killed(barreno, deck, folder, straight, seconds, rng, tally):
+    """A run that gets a signal, and is resumed until it has ended.
+
+    @param straight  the folder of the same run, left alone; @return whether there was something to resume"""
+    moments = [drawn_moment(rng) for _ in range(TURNS)]
+    again = rng.random() < AGAIN
+    words, left = ["run", *(deck if isinstance(deck, list) else [deck]), "--out", folder], checkpoints_of(straight)
+    ended = run_to(barreno, words, folder, moments[0], seconds, left)
+    for turn, moment in enumerate(moments):
+        count_placed(moment, tally)
+        if ended.kind == "signal" and ended.code in (9, moment.kind):
             pass  # before the program notes signals, or by one that cannot be noted
-        elif must_end(ended, FINISHED, 128 + kind) == FINISHED:
+        elif must_end(ended, FINISHED, 128 + moment.kind) == FINISHED:
             tally.add("kills that came too late")
             return True
-        if not any((folder / name).exists() for name in ("checkpoint.h5", "checkpoint_previous.h5")):
-            # A sealed file that had no name yet is one to go on from.
+        if not has_checkpoint(folder):
             tally.add("killed before the first checkpoint")
+            # A sealed file that had no name yet is one to go on from.
             return must_end(barreno.run("resume", folder), FILE, FINISHED) == FINISHED
-        # The last attempt is left alone.
-        kind = int(rng.choice([*KINDS, *len(KINDS) * [0]])) if turn < 2 else 0
-        ended = barreno.run("resume", folder, signal=kind, after=rng.uniform(0.0, 1.0) * seconds)
+        left = left - checkpoint_of(moment, left) if moment.place != "time" else left
+        # With hardly a step to come a further kill would miss.
+        again = again and turn + 1 < TURNS and left > 2
+        ended = run_to(barreno, ["resume", folder], folder, moments[turn + 1] if again else None, seconds, left)
         if said_all(ended):
             tally.add("kills that came too late")
             return True
-        if kind == 0:
+        count_met(moment, tally)
+        if not again:
             must_end(ended, FINISHED)
             tally.add("resumed to the end")
             return True
@@ -44,7 +65,7 @@ def killed(barreno, deck, folder, seconds, rng, tally):
 
 def try_kills(one, barreno, straight, seconds, tally):
     folder = one.folder / "killed"
-    if killed(barreno, one.file, folder, seconds, one.rng, tally):
+    if killed(barreno, one.file, folder, straight, seconds, one.rng, tally):
         wrong = different(straight, folder, tolerance_of(one.deck))
         if wrong:
             raise Finding(f"killed and resumed, it differs from the straight run: {'; '.join(wrong[:8])}")
@@ -60,10 +81,12 @@ def try_ranks(one, barreno, several, straight, seconds, tally):
         raise Finding(f"on {several.ranks} ranks it differs from one: {'; '.join(wrong[:8])}")
     tally.add("the same on more ranks")
     folder = one.folder / "moved"
-    barreno.run("run", one.file, "--out", folder, signal=9, after=one.rng.uniform(0.3, 1.0) * seconds)
+    moment = drawn_moment(one.rng, [9])
+    run_to(barreno, ["run", one.file, "--out", folder], folder, moment, seconds, checkpoints_of(straight))
     if (folder / "checkpoint.h5").exists():
-        tally.add("kills")
+        count_placed(moment, tally)
         code = must_end(several.run("resume", folder), FINISHED, REFUSED)
+        tally.add("kills that came too late") if code == REFUSED else count_met(moment, tally)
         wrong = different(straight, folder, tolerance_of(one.deck), same_ranks=False) if code == FINISHED else []
         if wrong:
             raise Finding(f"killed on one rank and resumed on {several.ranks}, it differs: {'; '.join(wrong[:8])}")

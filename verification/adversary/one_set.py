@@ -128,8 +128,8 @@ class OptionSet:
         for name in ("Field Interval", "History Interval", "Checkpoint Interval"):
             if name != "Checkpoint Interval" or self.deck.find("Output/Checkpoint Interval") is not None:
                 self.deck.set(f"Output/{name}", repr(float(self.rng.choice([0.0, end * self.rng.uniform(0.2, 1.2)]))))
-        # Mostly a few checkpoints: each costs as much as several steps.
+        # Mostly two or a few checkpoints: each costs as much as several steps, and kills are placed at them.
         least = 1.0 if self.rng.random() < 0.05 else max(1.0, steps / 6)
-        self.deck.set("Output/Checkpoint Steps", round(least * (max(2, steps) / least) ** self.rng.random()))
+        self.deck.set("Output/Checkpoint Steps", round(least * (max(2.0, steps / 3) / least) ** self.rng.random()))
         self.deck.write(self.file)
         return particles * steps <= TOO_MUCH[which]

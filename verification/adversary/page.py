@@ -22,16 +22,20 @@ long one; `--out FILE` adds to the counts of earlier invocations.
 
 - **Option sets.** A shipped deck, at a size that runs in a twentieth of a second, with options drawn at random according to the kind, unit and bounds
   that `barreno describe --markdown` gives, so new options are included automatically. A change that `check` refuses, with one sentence that names
-  it, is undone, until the deck is valid. The set is then run, and some sets are repeated in part: killed at random moments by
+  it, is undone, until the deck is valid. The set is then run, and some sets are repeated in part: killed by
   SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, up to three times; run on two or three ranks, and resumed there from one; run
   by two processes that compete for one folder; killed with mpirun's process group and resumed at once; run under the address and undefined-behaviour
   sanitizers with every index checked.
 - **Odd numbers.** Every number of every shipped deck, one at a time, as 1e300, 1e-300, -0, 5e-324, 2^31, 2^63, -1, 0, nan and inf.
 - **Forged checkpoints.** Every table of a checkpoint with values that no state can have, with a wrong number of rows or columns, of a wrong type, or
   missing, under a valid seal.
-- **Perforations.** A small perforation with a fidelity (fast, balanced) or with Subcycles, a kind of jet and Return Losses, each drawn at random. The run is
-  killed twice at random moments and resumed. In some trials a disk fails: the n-th write, fsync, rename or open gets ENOSPC, EIO, EDQUOT or a short write, once or from
-  then on (`verification/tools/full_disk.c`, preloaded), and the run is resumed on a sound disk. In some the run is resumed on another number of ranks.
+- **Perforations.** A small perforation with a fidelity (fast, balanced) or with Subcycles, a kind of jet and Return Losses, each drawn at random. Three runs
+  of it are killed and resumed. In some trials a disk fails: the n-th write, fsync, rename or open gets ENOSPC, EIO, EDQUOT or a short write, once or
+  from then on (`verification/tools/full_disk.c`, preloaded), and the run is resumed on a sound disk. In some the run is resumed on another number of ranks.
+
+Most kills are placed at a checkpoint (`verification/tools/kill_at.c`, preloaded); a few come at a random time. The checkpoint is drawn at random. The
+signal comes while the next checkpoint is written, before a random call (open, write, fsync, rename), or once the checkpoint has its name, at once or
+a short time later. If too many of the placed kills miss a running program that has a checkpoint, `adversary.py` says so and ends with exit code 1.
 
 A finding is a crash by a signal or a sanitizer error, an internal error, a refusal that is not one sentence, a hang, a result that is not a finite number,
 mass that appears or vanishes, or files that differ from those of the uninterrupted run: every table, every field of particles.e and of the checkpoint, and
@@ -39,13 +43,16 @@ the balances in the summary, bit for bit; with pore flow to 1e-5 of the largest 
 exit code 0 or "Finished" after a failed write that lost something, and numerical errors (stress integration, transfer) above 10 % of the energy put in without a warning.
 
 About an hour on two cores tries 3,000 sets and kills 1,500 perforations:
-`verification/adversary/adversary.py BUILD --seed N --sets 3000 --perforations 750 --out verification/results/adversary.json`, then `verification/adversary/page.py`.
+`verification/adversary/adversary.py BUILD --seed N --sets 3000 --perforations 300 --out verification/results/adversary.json`, then `verification/adversary/page.py`.
 
 """
 
 ROWS = (
     ("option sets", "sets"), ("valid", "accepted"), ("not run, because a fidelity made it large", "too large"), ("finished", "finished"), ("ended with a reason (exit 3)", "stopped with a reason"),
     ("changes that were refused and undone", "refused"), ("run under sanitizers", "under sanitizers"), ("kills", "kills"),
+    ("of these before the first checkpoint", "killed before the first checkpoint"), ("of these after the end of the run", "kills that came too late"),
+    ("of these placed at a checkpoint", "kills placed at a checkpoint"),
+    ("placed kills that met a running program with a checkpoint", "kills placed at a checkpoint that met one"),
     ("killed, resumed and identical", "killed, resumed and the same"),
     ("killed, resumed on more ranks and identical", "killed, resumed on more ranks and the same"),
     ("process groups killed, resumed at once and identical", "process group killed, resumed at once and the same"),
@@ -53,6 +60,8 @@ ROWS = (
     ("odd numbers in decks", "odd numbers"), ("of these refused with a sentence", "odd numbers refused"), ("forged checkpoints", "forged checkpoints"),
     ("of these refused with a sentence that names the table", "forged: refused"), ("of these with an identical run", "forged: the same run"),
     ("perforations with fidelities and kinds of jet", "perforations with fidelities"), ("kills of perforations", "kills of perforations"),
+    ("kills of perforations placed at a checkpoint", "kills of perforations placed at a checkpoint"),
+    ("placed kills of perforations that met a running program with a checkpoint", "kills of perforations placed at a checkpoint that met one"),
     ("perforations killed, resumed and identical", "perforations killed, resumed and the same"),
     ("perforations resumed on other ranks and identical", "perforations resumed on other ranks and the same"),
     ("disks that failed", "disk faults"), ("of these ended with a sentence", "disk faults: ended with a sentence"),
@@ -60,11 +69,20 @@ ROWS = (
 )
 
 
+def share_met(counts):
+    """A sentence on kills that are placed at checkpoints, if there are any."""
+    placed, met = (counts.get(name, 0) for name in ("kills placed at a checkpoint", "kills placed at a checkpoint that met one"))
+    if not placed:
+        return ""
+    return f"\nOf the kills placed at a checkpoint {100.0 * met / placed:.0f} % met a running program that had one. Kills of earlier invocations came at random times.\n"
+
+
 def text(results):
     counts = results["counts"]
     page = HEAD + "| quantity | number |\n|---|---|\n"
     page += "".join(f"| {said} | {counts.get(name, 0)} |\n" for said, name in ROWS)
     page += f"| shipped decks among them | {len(results['decks'])} |\n| options among them | {len(results['drawn'])} |\n| open findings | {len(results['findings'])} |\n"
+    page += share_met(counts)
     seeds = ", ".join(f"{seed} ({sets} sets)" for seed, sets in sorted(results["sets"].items(), key=lambda item: int(item[0])))
     shots = ", ".join(f"{seed} ({number})" for seed, number in sorted(results.get("perforations", {}).items(), key=lambda item: int(item[0])))
     page += f"\nSeeds: {seeds}{'; perforations: ' + shots if shots else ''}. `adversary.py BUILD --only SEED:NUMBER` repeats one set.\n"

@@ -1,26 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small perforations with each fidelity and kind of jet: killed and resumed, on other ranks, on disks that fail."""
-import pathlib
 import shutil
-import subprocess
 
 import numpy as np
 from disk_faults import try_fault
+from kill_moments import built_library, checkpoints_of, drawn_moment, run_to
 from kills import killed
 from one_set import DECKS, FINISHED, Finding, must_end
 from same_runs import different, unsound
 
-SOURCE = pathlib.Path(__file__).resolve().parents[1] / "tools" / "full_disk.c"
 DECK = DECKS / "perforation_quick.xml"
 # Chances that a perforation is tried so; all are run and killed.
 SHARE = {"fault": 0.35, "ranks": 0.15}
-KILLS = 2  # of one perforation
-
-
-def built_library(folder):
-    library = folder / "full_disk.so"
-    subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", library, SOURCE, "-ldl"], check=True)
-    return library
+KILLS = 3  # of one perforation
+# Counts of kills that perforations have for themselves too.
+PARTS = {
+    "kills": "kills of perforations",
+    "kills placed at a checkpoint": "kills of perforations placed at a checkpoint",
+    "kills placed at a checkpoint that met one": "kills of perforations placed at a checkpoint that met one",
+}
 
 
 def drawn_words(rng):
@@ -28,7 +26,7 @@ def drawn_words(rng):
     fidelity = str(rng.choice(["", "fast", "balanced"]))
     changes = {
         "Time/End Time": f"{rng.uniform(1.0, 3.0):.3g} us",
-        "Output/Checkpoint Steps": str(rng.integers(2, 15)),
+        "Output/Checkpoint Steps": str(rng.integers(1, 8)),
         "Output/Field Interval": str(rng.choice(["0.5 us", "1 us", "2 us"])),
         "Jet/Kind": str(rng.choice(["discrete", "thinned", "continuous"])),
     }
@@ -53,9 +51,9 @@ def try_other_ranks(servers, straight, command, folder, seconds, rng, tally):
     """Killed on one number of ranks and resumed on another one."""
     counts = [(1, "plain"), (2, 2), (3, 3)]
     first, second = (counts[i] for i in rng.permutation(3)[:2])
-    begun = servers[first[1]]
+    begun, moment = servers[first[1]], drawn_moment(rng, [9])
     if first[0] == 1:
-        begun.run(*command, "--out", folder, signal=9, after=rng.uniform(0.5, 1.0) * seconds)
+        run_to(servers["killed"], [*command, "--out", folder], folder, moment, seconds, checkpoints_of(straight))
     else:
         # A server of several ranks has no process to kill for one run: a checkpoint of the middle does it.
         must_end(begun.run(*command, "--out", folder), FINISHED)
@@ -86,11 +84,12 @@ def try_perforation(servers, words, folder, library, rng, tally):
     seconds = max(ended.seconds, 0.05)
     for number in range(KILLS):
         place = folder / f"killed{number}"
-        before = tally.counts.get("kills", 0)
-        if killed(servers["plain"], command[1:], place, seconds, rng, tally):
+        before = dict(tally.counts)
+        if killed(servers["killed"], command[1:], place, straight, seconds, rng, tally):
             refuse_different(straight, place, "killed and resumed")
             tally.add("perforations killed, resumed and the same")
-        tally.add("kills of perforations", tally.counts["kills"] - before)
+        for of_all, of_these in PARTS.items():
+            tally.add(of_these, tally.counts.get(of_all, 0) - before.get(of_all, 0))
     if rng.random() < SHARE["fault"]:
         try_fault(servers["program"], straight, command, folder / "faulty", library, rng, tally)
     if rng.random() < SHARE["ranks"]:
@@ -99,7 +98,7 @@ def try_perforation(servers, words, folder, library, rng, tally):
 
 def try_perforations(numbers, seed, _table, servers, folder, tally):
     """Yields (number, what is tried, how it is tried)."""
-    library = built_library(folder) if numbers else None
+    library = built_library(folder, "full_disk") if numbers else None
     for number in numbers:
         rng = np.random.default_rng([seed, number])
         words = drawn_words(rng)

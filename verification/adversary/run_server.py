@@ -43,15 +43,16 @@ class RunServer:
             [*words, str(self.program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log, text=True, env=environment, cwd=self.at
         )
 
-    def run(self, *words, signal=0, after=0.0, limit=LIMIT):
-        """Runs one command. @param signal  sent after so many seconds, 0: none"""
+    def run(self, *words, signal=0, after=0.0, limit=LIMIT, variables=None):
+        """Runs one command. @param signal  sent after so many seconds, 0: none; @param variables  of its environment, on one rank"""
         if self.process is None:
             self.begin()
         prefix = self.folder / f"said{self.ranks}"
         for ending in (".out", ".err"):
             pathlib.Path(f"{prefix}{ending}").unlink(missing_ok=True)
         words = [str(word) for word in words]
-        request = [prefix, int(signal), int(1e6 * after), limit, *words]
+        settings = [f"{name}={value}" for name, value in (variables or {}).items()]
+        request = [prefix, int(signal), int(1e6 * after), limit, *settings, *words]
         try:
             self.process.stdin.write("\t".join(map(str, request)) + "\n")
             self.process.stdin.flush()

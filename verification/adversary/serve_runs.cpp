@@ -7,8 +7,9 @@
 ///
 /// A line is split by tabs: PREFIX SIGNAL AFTER LIMIT WORD... The command's output goes to
 /// PREFIX.out and PREFIX.err; SIGNAL (0: none) is sent AFTER so many microseconds, and what runs
-/// longer than LIMIT seconds is killed. The answer is one line: "exit CODE SECONDS", "signal NUMBER
-/// SECONDS" or "hang 0 SECONDS", with the seconds of processor.
+/// longer than LIMIT seconds is killed. On one rank words NAME=VALUE before the command are
+/// variables of its environment, as for env(1). The answer is one line: "exit CODE SECONDS",
+/// "signal NUMBER SECONDS" or "hang 0 SECONDS", with the seconds of processor.
 #define main program_main
 #include "main.cpp"  // NOLINT(bugprone-suspicious-include): its functions, without its main
 #undef main
@@ -60,6 +61,15 @@ void send_output_to(const std::string& prefix) {
     const int file = open((prefix + ending).c_str(), O_WRONLY | O_CREAT | O_APPEND, mode);
     if (file < 0 || dup2(file, stream) < 0) std::exit(1);
     close(file);
+  }
+}
+
+/// Words NAME=VALUE before the command go into the environment of this process.
+void take_variables(std::vector<std::string>& words) {
+  while (!words.empty() && words.front().find('=') != std::string::npos) {
+    const std::size_t sign = words.front().find('=');
+    setenv(words.front().substr(0, sign).c_str(), words.front().c_str() + sign + 1, 1);
+    words.erase(words.begin());
   }
 }
 
@@ -115,11 +125,12 @@ std::string watch(pid_t child, const Request& request) {
   return answer.str();
 }
 
-std::string in_own_process(const Request& request, const Teuchos::RCP<const Comm>& comm) {
+std::string in_own_process(Request request, const Teuchos::RCP<const Comm>& comm) {
   const pid_t child = fork();
   if (child < 0) return "hang 0 0\n";
   if (child > 0) return watch(child, request);
   send_output_to(request.prefix);
+  take_variables(request.words);
   // MPI and Kokkos belong to the parent: nothing is taken down here.
   _exit(execute_request(request, comm));
 }

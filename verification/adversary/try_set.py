@@ -35,9 +35,9 @@ def try_set(one, servers, share, tally):
             raise Finding("; ".join(wrong[:8]))
         seconds = max(begun.seconds, 0.02)
         if one.rng.random() < share["kills"]:
-            try_kills(one, plain, straight, seconds, tally)
+            try_kills(one, servers["killed"], straight, seconds, tally)
         if one.rng.random() < share["ranks"]:
-            try_ranks(one, plain, servers[int(one.rng.choice([2, 3]))], straight, seconds, tally)
+            try_ranks(one, servers["killed"], servers[int(one.rng.choice([2, 3]))], straight, seconds, tally)
         if one.rng.random() < share["two"]:
             try_two(one, servers, straight, seconds, tally)
         if one.rng.random() < share["group"]:

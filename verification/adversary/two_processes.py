@@ -44,12 +44,15 @@ def try_group(one, servers, straight, program, tally):
         while run.poll() is None and not (folder / "checkpoint.h5").exists() and time.time() < end:
             time.sleep(0.001)
         time.sleep(one.rng.uniform(0.0, 0.02))
-        if run.poll() is None:
+        alive = run.poll() is None
+        if alive:
             os.killpg(run.pid, signal.SIGKILL)
         tally.add("kills")
+        tally.add("kills placed at a checkpoint")
         if not (folder / "checkpoint.h5").exists():
             tally.add("killed before the first checkpoint")
             return
+        tally.add("kills placed at a checkpoint that met one" if alive else "kills that came too late")
         # The ranks may finish what the resumed run then finds finished.
         must_end(servers["plain"].run("resume", folder), FINISHED, REFUSED)
     wrong = different(straight, folder, tolerance_of(one.deck), same_ranks=False)
