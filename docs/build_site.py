@@ -5,7 +5,8 @@
     docs/build_site.py [--out FOLDER]
 
 Pages stay where they are: README.md, docs and every file that they link to are copied into a folder of the same layout, and mkdocs
-(apt-get install mkdocs) builds it with docs/mkdocs.yml. A link that leads to no file or to no heading of the site is an error. Exit code 77 without mkdocs.
+(apt-get install mkdocs) builds it with docs/mkdocs.yml. A link that leads to no file or to no heading of the site is an error. Exit code 77
+without mkdocs.
 """
 import argparse
 import html.parser

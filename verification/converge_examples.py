@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The examples of docs/converge.md, run anew:
 
-    converge_examples.py BARRENO [NAME...]    writes verification/results/converge.json and docs/pictures/converge.png; pages.py --write then the page
+    converge_examples.py BARRENO [NAME...]    writes verification/results/converge.json and docs/pictures/converge.png; pages.py --write
+    then the page
 """
 import json
 import pathlib

@@ -6,8 +6,8 @@ wrong without a word.
     extremes.py BARRENO [--full] [--document] [ROWS ...]
 
 ROWS: names of files in extreme_rows; all without. --full takes longer forms of some rows; --document writes
-verification/results/extremes.md and extremes.json. Exit code 1 if a row is red that is not open (open_demands.toml), or an open one is worse
-than known, or holds.
+verification/results/extremes.md and extremes.json. Exit code 1 if a row is red that is not open (open_demands.toml), or an open one is
+worse than known, or holds.
 """
 import argparse
 import dataclasses

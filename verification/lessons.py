@@ -6,8 +6,9 @@
     lessons.py BARRENO --full     the commands as they stand
     lessons.py BARRENO --write    the same, and puts what they print, and their pictures, into the pages
 
-BARRENO is the program in its build folder (build/release/src/barreno). A command that fails fails the test; so does a page whose printed lines
-have other words than the program now (numbers are not compared), where the reduced form changes nothing. What a page says to this script:
+BARRENO is the program in its build folder (build/release/src/barreno). A command that fails fails the test; so does a page whose printed
+lines have other words than the program now (numbers are not compared), where the reduced form changes nothing. What a page says to this
+script:
 
     ```sh ... ```                 commands; those of a page share one shell: its folder and its variables
     ```text ... ```               behind commands: what they print

@@ -6,7 +6,8 @@
     pages.py --write    write them, and draw the pictures of cases anew whose figures have changed
 
 A part of a page stands between two marks, <!-- NAME --> and <!-- end of NAME -->; a mark without a writer is an error. Outside of marks a
-page of WRITTEN gives no time, memory, rate or share, which would be a measurement without a file: what is set and not measured is in SETTINGS.
+page of WRITTEN gives no time, memory, rate or share, which would be a measurement without a file: what is set and not measured is in
+SETTINGS.
 """
 import argparse
 import json
@@ -25,12 +26,15 @@ import extremes  # noqa: E402
 import page_parts  # noqa: E402
 import verification_pages  # noqa: E402
 from demands import FAILS, judge_all, open_demands, read_open  # noqa: E402
+from wrap_text import wrapped  # noqa: E402
 
 MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.DOTALL)
 FIGURE = re.compile(r"\d[\d.,e+-]*(?: (?:to|and|or) \d[\d.,e+-]*)* ?(?:%|(?:[nmu]?s|min|minutes?|seconds?|hours?|[KMG]B|[KMG]B/s|times)\b)")
 CODE = re.compile(r"`[^`\n]*`|\]\([^)\n]*\)|^ {4}.*$", re.MULTILINE)  # and targets of links
-WRITTEN = ("README.md", "input_xml/README.md", "docs/architecture.md", "docs/checkpoints.md", "docs/converge.md", "docs/development.md", "docs/drive.md",
-           "docs/extending.md", "docs/figures.md", "docs/finite_elements.md", "docs/materials/arenisca.md", "docs/materials/poroelastic.md", "docs/method.md", "docs/output.md", "docs/paper.md", "docs/performance.md", "docs/sweep.md", "verification/trade_notes.md")  # fmt: skip
+WRITTEN = ("README.md", "input_xml/README.md", "docs/architecture.md", "docs/checkpoints.md", "docs/converge.md", "docs/development.md",
+           "docs/drive.md", "docs/extending.md", "docs/figures.md", "docs/finite_elements.md", "docs/materials/arenisca.md",
+           "docs/materials/poroelastic.md", "docs/method.md", "docs/output.md", "docs/paper.md", "docs/performance.md", "docs/sweep.md",
+           "verification/trade_notes.md")  # fmt: skip
 SETTINGS = {
     "README.md": ("70 us",),  # when the picture was taken
     "docs/checkpoints.md": ("1 MB",),  # of a chunk
@@ -48,15 +52,15 @@ def with_parts(text):
         name = found.group(1)
         if name not in page_parts.PARTS:
             raise SystemExit(f"the mark <!-- {name} --> has no writer in verification/tools/page_parts.py")
-        return f"<!-- {name} -->\n\n" + "\n".join(page_parts.PARTS[name]()).strip() + f"\n\n<!-- end of {name} -->"
+        return f"<!-- {name} -->\n\n" + wrapped("\n".join(page_parts.PARTS[name]()).strip()) + f"\n\n<!-- end of {name} -->"
 
     return MARK.sub(part, text)
 
 
 def pages():
     """{file: text} of everything that is made of results files."""
-    out = {ROOT / "docs" / name: text for name, text in verification_pages.pages().items()}
-    out.update({ROOT / name: text for name, text in page_parts.whole_pages().items()})
+    out = {ROOT / "docs" / name: wrapped(text) for name, text in verification_pages.pages().items()}
+    out.update({ROOT / name: wrapped(text) for name, text in page_parts.whole_pages().items()})
     for name in PAGES_WITH_PARTS:
         file = ROOT / name
         if file not in out and "<!-- end of " in file.read_text():

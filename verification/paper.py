@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every picture and table of docs/paper.md, and whether the trend of each figure holds.
 
-    paper.py BARRENO                    all figures: docs/pictures/paper_*.png, verification/results/paper_*.csv and the tables of docs/paper.md
-    paper.py BARRENO --only 7           one figure, as often as needed
+    paper.py BARRENO                    all figures: docs/pictures/paper_*.png, verification/results/paper_*.csv and the tables of
+    docs/paper.md paper.py BARRENO --only 7           one figure, as often as needed
     paper.py BARRENO --fine             the same with two cells per jet radius along the whole path, or cells half as wide
     paper.py BARRENO --quick --only 9   coarse and short: only whether the trend holds; nothing is kept
     paper.py BARRENO --again            all runs and pictures as for the page, but nothing is kept
     paper.py --check                    the trends of the results that are there
     paper.py --draw                     the pictures that need no particles, from the results that are there
 
-What is kept takes runs of the same settings that are in --runs FOLDER (default runs/paper) already and newer than the program and its decks, so that a call that
-was stopped goes on. --jobs N has N runs at a time (default: one for each core). Exit code 1 if a trend does not hold or a figure cannot be made; the others are.
+What is kept takes runs of the same settings that are in --runs FOLDER (default runs/paper) already and newer than the program and its
+decks, so that a call that was stopped goes on. --jobs N has N runs at a time (default: one for each core). Exit code 1 if a trend does not
+hold or a figure cannot be made; the others are.
 """
 import argparse
 import pathlib

@@ -25,7 +25,8 @@ They differ by a factor of two to four: treat a break-up time as an input with a
 target (W. A. Allison, R. Vitali, BRL report 1184, 1963; R. DiPersio, J. Simon, BRL memorandum report 1542, 1964; derived
 anew, see virtual_origin_depth).
 
-A table may be of any kind of Jet/Kind. Quantities have the units of decks, "50 mm", or are in SI without one; tables are in SI. Only the standard library is used.
+A table may be of any kind of Jet/Kind. Quantities have the units of decks, "50 mm", or are in SI without one; tables are in SI. Only the
+standard library is used.
 """
 
 import argparse

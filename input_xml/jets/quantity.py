@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers with units in the words of the tools in this folder, written as decks have them: "90 us", "50 mm", "200 MPa"; a plain number is in SI."""
+"""Numbers with units in the words of the tools in this folder, written as decks have them: "90 us", "50 mm", "200 MPa"; a plain number is
+in SI."""
 
 import argparse
 import decimal

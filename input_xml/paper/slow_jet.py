@@ -4,10 +4,10 @@
 
     slow_jet.py > slow_jet.csv
 
-The cylinders of ../jets/tungsten_154.csv that are slower than 2500 m/s, the first one launched near time 0. Their radii are 2.0 to 2.2 mm, twice that of
-the whole jet's tip, so that cells of 1 mm are half a radius. They are 0.3 to 0.5 mm long, far less than a cell, so six each are made into one of their
-mass and momentum, 1.2 to 3 mm long: with the thin ones cells of 2 and 1 mm give depths that differ by a third, with these by a tenth. Merging takes
-the energy of the velocity differences within a group, which main() prints.
+The cylinders of ../jets/tungsten_154.csv that are slower than 2500 m/s, the first one launched near time 0. Their radii are 2.0 to 2.2 mm,
+twice that of the whole jet's tip, so that cells of 1 mm are half a radius. They are 0.3 to 0.5 mm long, far less than a cell, so six each
+are made into one of their mass and momentum, 1.2 to 3 mm long: with the thin ones cells of 2 and 1 mm give depths that differ by a third,
+with these by a tenth. Merging takes the energy of the velocity differences within a group, which main() prints.
 """
 import csv
 import math

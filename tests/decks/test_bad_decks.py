@@ -6,7 +6,8 @@
 
 Beside each bad/NAME.xml stands NAME.expected: a line "exit CODE", then the sentence as stderr shows it. Nearly all of the
 time goes into the start of MPI: with a server (verification/adversary/serve_runs.cpp), which starts it once, one of
-EVERY inputs is given to the program itself and the others to the server. --update writes the .expected files from what the program says now; read the difference before it is kept.
+EVERY inputs is given to the program itself and the others to the server. --update writes the .expected files from what the program says
+now; read the difference before it is kept.
 """
 
 import argparse

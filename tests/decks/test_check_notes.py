@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `check` and a run say of a deck that is valid but may not be meant: each warning on a deck with that mistake, and none on a deck of input_xml
-that has not made it.
+"""What `check` and a run say of a deck that is valid but may not be meant: each warning on a deck with that mistake, and none on a deck of
+input_xml that has not made it.
 
     test_check_notes.py BARRENO SERVE_RUNS
 
@@ -27,7 +27,8 @@ EARLY = "ends the run before the jet stops"
 SLUG = "1x5:{{0, {velocity}, {radius}, 0.01, 17600}}"
 SLUGS = ("Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=7000, radius=0.002)}")
 TWO_SLUGS = ("Jet/Table=", "Jet/Slugs=2x5:{0, 7000, 0.002, 0.005, 17600, 2e-6, 6000, 0.004, 0.005, 17600}")
-# Rock that holds water and is written with the density of the dry rock, and a deck with the step's own Largest Strain where its jet meets refined cells.
+# Rock that holds water and is written with the density of the dry rock, and a deck with the step's own Largest Strain where its jet meets
+# refined cells.
 DRY_WITH_WATER = {"perforation_drainage.xml": "Materials/Sandstone/Density = 2120 kg/m3 looks like that of the dry rock"}
 LARGE_STRAIN = {"perforation_refined.xml", "steady_penetration.xml"}
 DRY = "looks like that of the dry rock"

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`barreno converge` from the outside: what it writes, that it takes finished runs and no others, goes on after an interruption, finds the order of a
-smooth motion and an interval that holds its exact answer, refuses a jet that its cells do not resolve, and has a sentence for every bad input.
+"""`barreno converge` from the outside: what it writes, that it takes finished runs and no others, goes on after an interruption, finds the
+order of a smooth motion and an interval that holds its exact answer, refuses a jet that its cells do not resolve, and has a sentence for
+every bad input.
 
     test_converge.py BARRENO
 """
@@ -59,7 +60,8 @@ def check_jet(folder):
 
 
 def check_reuse(out, folder):
-    """A run is taken if its effective deck is the same, wherever it lies beside; a changed value, or a run that has not finished, is not."""
+    """A run is taken if its effective deck is the same, wherever it lies beside; a changed value, or a run that has not finished, is
+    not."""
     before = {file: file.stat().st_mtime_ns for file in out.glob("*/particles.e")}
     said = converge(QUICK, *SHORT, "--out", out, "--quantity", "kinetic", "--times", "1 us")
     assert said.count("finished run in") == 3 and "computing" not in said, said

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A deck whose title, materials, bodies and folder have dollar signs and whatever else a formula is written with: run, report, film, compare, sweep and
-the picture of drive draw the names letter by letter.
+"""A deck whose title, materials, bodies and folder have dollar signs and whatever else a formula is written with: run, report, film,
+compare, sweep and the picture of drive draw the names letter by letter.
 
     test_dollar_names.py BARRENO
 """

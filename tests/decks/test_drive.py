@@ -415,8 +415,8 @@ def check_place_of_cards(barreno, folder):
 
 
 def check_extension(barreno, folder):
-    """What docs/materials/arenisca.md says of rock that is pulled in uniaxial strain: with the associated flow of the shipped card its mean stress becomes
-    compressive, with BETA_nonassociativity = 0.5 it stays in tension."""
+    """What docs/materials/arenisca.md says of rock that is pulled in uniaxial strain: with the associated flow of the shipped card its mean
+    stress becomes compressive, with BETA_nonassociativity = 0.5 it stays in tension."""
     (folder / "pull.csv").write_text("time,strain_xx\n0,0\n1 us,0.001\n2 us,0.01\n3 us,0.1\n")
     pressures = []
     for beta in ("1", "0.5"):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`barreno fit` from the outside: a known card is found again from the curves that the code makes of it, the ranges hold the true values where the
-curves are noisy, the laboratory answers as `barreno drive` does, and every bad input has its own sentence and exit code.
+"""`barreno fit` from the outside: a known card is found again from the curves that the code makes of it, the ranges hold the true values
+where the curves are noisy, the laboratory answers as `barreno drive` does, and every bad input has its own sentence and exit code.
 
     test_fit.py LIBRARY BARRENO [--full]    --full: nine parameters from noisy curves, not five
 """
@@ -222,8 +222,8 @@ def scales_from(folder, truth, library, noises, stated):
 
 
 def check_columns(folder, library):
-    """Curves that scatter unlike are weighed by their own scatter, and the parameters of a quiet one no longer suffer from a loud one; curves that
-    scatter alike, and those whose files state an uncertainty, keep their weights."""
+    """Curves that scatter unlike are weighed by their own scatter, and the parameters of a quiet one no longer suffer from a loud one;
+    curves that scatter alike, and those whose files state an uncertainty, keep their weights."""
     truth, noises = true_card(), (0.005, 0.03, 0.03, 0.005)
     scales, search, found = scales_from(folder, truth, library, noises, stated=False)
     parts = [scale / noise for scale, noise in zip(scales, noises)]

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Jet Monitor: a rod that flies through the plane, its table, the same on two ranks and after a resume, and launched again: test_jet_monitor.py BARRENO."""
+"""Jet Monitor: a rod that flies through the plane, its table, the same on two ranks and after a resume, and launched again:
+test_jet_monitor.py BARRENO."""
 import math
 import pathlib
 import sys

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of laboratories as `fit` reads them: other names, forces and lengths for stress and strain, signs of single columns, titles; each guess is
-told, what stays open is asked for with the option that says it, and signs that no rock has are refused."""
+"""Files of laboratories as `fit` reads them: other names, forces and lengths for stress and strain, signs of single columns, titles; each
+guess is told, what stays open is asked for with the option that says it, and signs that no rock has are refused."""
 
 import pathlib
 import sys

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/output.md defines every column of the tables, every field of particles.e and every number of summary.json that real runs write, and nothing
-that none writes.
+"""docs/output.md defines every column of the tables, every field of particles.e and every number of summary.json that real runs write, and
+nothing that none writes.
 
     test_output_words.py BARRENO
 """

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`barreno report` and `barreno film` on short runs: the page, the hole profile against depth.csv, plain points, refined cells, three dimensions,
-a film by ffmpeg, and the script for ParaView, whose names VTK's reader must know.
+"""`barreno report` and `barreno film` on short runs: the page, the hole profile against depth.csv, plain points, refined cells, three
+dimensions, a film by ffmpeg, and the script for ParaView, whose names VTK's reader must know.
 
     test_report_pages.py BARRENO
 """
@@ -52,7 +52,8 @@ def check_page(run):
 
 
 def check_paths(run):
-    """Stress paths at the tip, of the report of check_page: rock that flows is on its own surface, and 4 us from one time to the next are no path."""
+    """Stress paths at the tip, of the report of check_page: rock that flows is on its own surface, and 4 us from one time to the next are
+    no path."""
     marked = (run / "report" / "index.md").read_text().split("## Stress paths")[1]
     rows = [line.strip("| ").split(" | ") for line in marked.splitlines() if line.startswith("| ") and "Sandstone" in line]
     shares = [float(row[8]) for row in rows if row[8] != "none"]
@@ -63,8 +64,8 @@ def check_paths(run):
 
 
 def check_radius(run):
-    """Half way down, the wall is where depth.csv has it, to what boxes around sheared particles and lines between its rows leave of a jagged wall;
-    the hole is as long as the channel to a cell."""
+    """Half way down, the wall is where depth.csv has it, to what boxes around sheared particles and lines between its rows leave of a
+    jagged wall; the hole is as long as the channel to a cell."""
     table, file, deck = read_csv(run / "depth.csv"), ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
     hole = holes.measure_hole(file.frame(), deck, holes.face_of(table, file, deck))
     radius = hole.radius_at(0.5 * table["channel_depth"][-1])
@@ -171,7 +172,8 @@ def check_refined(barreno, folder, coarse):
 
 
 def check_levels(run, whole):
-    """Small cells lie along the axis and large ones beside them; steps of tiles are 1, 2 or 4 parts, the shortest of them where small cells are."""
+    """Small cells lie along the axis and large ones beside them; steps of tiles are 1, 2 or 4 parts, the shortest of them where small cells
+    are."""
     file = ParticleFile(run / "particles.e")
     frame = file.frame()
     size, step = frame.of_alive(["cell_size"]), frame.of_alive(["step_length"])

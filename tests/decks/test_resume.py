@@ -206,7 +206,8 @@ def check_longer(barreno, folder, plain):
 
 
 def check_start(barreno, folder, plain):
-    """What the files know of t = 0, of which no particle is made on a resume, goes on: radii of points, and those of a hollow ball; on other ranks too."""
+    """What the files know of t = 0, of which no particle is made on a resume, goes on: radii of points, and those of a hollow ball; on
+    other ranks too."""
     words = {"Grid/Cell Size": "3 mm", "Time/End Time": "10 us", "Output/Checkpoint Steps": 5, "Output/Field Interval": "4 us", "Output/Particle Glyph": "point"}
     whole = folder / "ball"
     must_work(program(barreno, 1, "run", DECKS / "shell_squeezed.xml", "--out", whole, *(word for item in words.items() for word in ("--set", "=".join(map(str, item))))))

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`barreno sweep` and `barreno compare` from the outside: what they write of real runs, that finished runs are taken and stopped ones continued, that
-a failure stops nothing else, the array job and what is collected of it, and a sentence for every bad input.
+"""`barreno sweep` and `barreno compare` from the outside: what they write of real runs, that finished runs are taken and stopped ones
+continued, that a failure stops nothing else, the array job and what is collected of it, and a sentence for every bad input.
 
     test_sweep.py BARRENO
 """

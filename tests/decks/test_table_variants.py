@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Both readers of tables, that of decks and `drive` and that of `fit`, read one table alike in all forms that spreadsheets and laboratories write, and
-refuse alike what they cannot know: test_table_variants.py BARRENO."""
+"""Both readers of tables, that of decks and `drive` and that of `fit`, read one table alike in all forms that spreadsheets and laboratories
+write, and refuse alike what they cannot know: test_table_variants.py BARRENO."""
 
 import pathlib
 import subprocess

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every link of a page leads to a file and a heading of this repository, every picture is shown or linked somewhere, every
 file that a page names in backticks is there, and so is every name in the code that the glossary gives. The navigation of the web site
-(docs/mkdocs.yml) has every page of docs but those of the verification cases, which docs/verification.md lists, and the pages among the results."""
+(docs/mkdocs.yml) has every page of docs but those of the verification cases, which docs/verification.md lists, and the pages among the
+results."""
 import pathlib
 import re
 import sys

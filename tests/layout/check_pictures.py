@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rules of the Python commands that a script can hold: all pictures draw their texts through barreno_runs/plots.py, which reads no formulas in
-them, and all files of a run folder are opened through barreno_runs/regular_file.py, which waits for no named pipe."""
+"""Rules of the Python commands that a script can hold: all pictures draw their texts through barreno_runs/plots.py, which reads no formulas
+in them, and all files of a run folder are opened through barreno_runs/regular_file.py, which waits for no named pipe."""
 import ast
 import pathlib
 import sys

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of `./barreno test` start is what their target, user_tests, builds: a program that only a build of everything makes would be
-missing in a fresh clone. Also: what .ci/run leaves to its second pass is all that the first leaves out, but for the label slow.
+"""What the tests of `./barreno test` start is what their target, user_tests, builds: a program that only a build of everything makes would
+be missing in a fresh clone. Also: what .ci/run leaves to its second pass is all that the first leaves out, but for the label slow.
 
     check_user_tests.py BUILD_FOLDER CTEST NINJA
 """
@@ -57,8 +57,8 @@ def inputs_of(ninja, build, target):
 
 
 def named_files(words, environment, linked):
-    """Of the linked files those that a test names: in its command, in its environment, or by its name in quotes in the script that it runs, which gets
-    the build folder alone."""
+    """Of the linked files those that a test names: in its command, in its environment, or by its name in quotes in the script that it runs,
+    which gets the build folder alone."""
     texts = [part for word in [*words, *environment] for part in [word, *SEPARATORS.split(word)]]
     found = {pathlib.Path(text).resolve() for text in texts if text.startswith("/")} & linked
     for word in words:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""materials/python/barreno_material.py: every status of the C interface has its name, its words and its row in docs/finite_elements.md, and a point that
-fails says which.
+"""materials/python/barreno_material.py: every status of the C interface has its name, its words and its row in docs/finite_elements.md, and
+a point that fails says which.
 
     test_python_face.py LIBRARY
 """

@@ -78,7 +78,8 @@ def check_refusals():
 
 
 def check_two_that_agree():
-    """Depths of 88.2, 88.0 and 79.5 mm, the last with cells that do not resolve the jet: the spread, 79.5 to 96.9 mm, says less than the two that do."""
+    """Depths of 88.2, 88.0 and 79.5 mm, the last with cells that do not resolve the jet: the spread, 79.5 to 96.9 mm, says less than the
+    two that do."""
     cells = [0.5, 1.0, 2.0]
     found = order.judge(cells, [88.2, 88.0, 79.5], resolved=2)
     assert found.kind == order.TWO_AGREE and found.limit is None and found.order_used is None and 86.5 < found.low < 88.0 and 88.4 < found.high < 90.0, found

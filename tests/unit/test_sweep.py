@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The parts of `barreno sweep` and `barreno compare` without a run: values and samples, folders, time left, tables of synthetic run folders."""
+"""The parts of `barreno sweep` and `barreno compare` without a run: values and samples, folders, time left, tables of synthetic run
+folders."""
 import argparse
 import contextlib
 import csv

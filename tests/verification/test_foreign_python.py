@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scripts of the repository can be called as their pages say: what begins with an interpreter is executable, and those of verification say in one
-sentence which package a Python lacks."""
+"""The scripts of the repository can be called as their pages say: what begins with an interpreter is executable, and those of verification
+say in one sentence which package a Python lacks."""
 import os
 import pathlib
 import subprocess

@@ -10,10 +10,12 @@ import unittest.mock
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "verification"), str(ROOT / "tests" / "layout")]
 
+import check_columns  # noqa: E402
 import check_links  # noqa: E402
 import pages  # noqa: E402
 import depth_aims  # noqa: E402
 import uniform_cells  # noqa: E402
+from wrap_text import wrapped  # noqa: E402
 from case_pictures import curves_of, digest, stored_digest  # noqa: E402
 
 
@@ -47,6 +49,30 @@ class Pages(unittest.TestCase):
     def test_a_page_of_what_fails_is_found(self):
         with unittest.mock.patch.object(pages, "open_demands", lambda name, full: {}):
             self.assertTrue(any("does not hold" in line for line in pages.failing()))
+
+
+class Columns(unittest.TestCase):
+    def test_paragraphs_and_list_items_are_wrapped_and_nothing_else(self):
+        words = "word " * 40
+        for text, first, rest in (("", "word", "word"), ("- ", "- word", "  word"), ("1. a\n\n    ", "    word", "    word")):
+            lines = wrapped(text + words).split("\n")[-2:]
+            self.assertTrue(lines[0].startswith(first) and lines[1].startswith(rest), text)
+            self.assertLessEqual(max(map(len, lines)), 140)
+            self.assertFalse(check_columns.long_on_page("\n".join(lines)))
+        for text in (f"| {words} |", f"# {words}", f"    {words}", f"```\n{words}\n```", f"![{words}](p.png)", f"- a\n\n      {words}", f"`{words}`"):
+            self.assertEqual(wrapped(text), text)
+            self.assertFalse(check_columns.long_on_page(text), text)
+
+    def test_no_line_begins_with_what_would_be_a_list(self):
+        for mark in ("-", "2."):
+            lines = wrapped("word " * 27 + f"word {mark} " + "word " * 5).split("\n")
+            self.assertTrue(lines[1].startswith(f"word {mark}"), lines)
+
+    def test_long_lines_are_found(self):
+        words = "word " * 40
+        self.assertEqual(check_columns.long_on_page(f"a\n{words}"), [2])
+        self.assertEqual(check_columns.long_in_python(f'def f():\n    """{words}"""\n    # {words}\n    x = "{words}"\n'), [2, 3])
+        self.assertEqual(check_columns.long_lines(f"// {words}"), [1])
 
 
 class Intervals(unittest.TestCase):

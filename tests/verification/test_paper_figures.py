@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What docs/paper.md rests on: trends fail when they must, tables read back as written, finished runs are taken and others made, stresses and the
-Lode angle are what they are called."""
+"""What docs/paper.md rests on: trends fail when they must, tables read back as written, finished runs are taken and others made, stresses
+and the Lode angle are what they are called."""
 import math
 import os
 import pathlib

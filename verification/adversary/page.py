@@ -10,6 +10,9 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "verification" / "tools"))
+from wrap_text import wrapped  # noqa: E402
+
 RESULTS = ROOT / "verification" / "results" / "adversary.json"
 PAGE = ROOT / "docs" / "adversary.md"
 
@@ -92,7 +95,7 @@ def text(results):
 
 
 def main():
-    page = text(json.loads(RESULTS.read_text()))
+    page = wrapped(text(json.loads(RESULTS.read_text())))
     if sys.argv[1:] == ["--check"]:
         if PAGE.read_text() != page:
             print("docs/adversary.md does not match verification/results/adversary.json; write it with verification/adversary/page.py")

@@ -69,9 +69,9 @@ SLOW = {"wet, nonassociated, Willam-Warnke 0.8": 10}  # substeps; a root in a ro
 KEPT = ORACLES / "arenisca_states.json"  # the oracle's answers of the cheap form: they cost it minutes
 SEED, SPECIMENS, FEW_SPECIMENS = 7, 12, 2  # of wet rock on random paths
 RESOLVED = {"Tolerance": "1e-6"}
-# In the step, where the card's tolerance leaves a step whole: the published forms extrapolate. The law in lanes has a second pass along the mean
-# direction of flow, which dry and wet rock leave out where the first one's error is below 1 % of the tolerance, to save its cost; rock with a
-# third invariant, which turns more, never leaves it out.
+# In the step, where the card's tolerance leaves a step whole: the published forms extrapolate. The law in lanes has a second pass along the
+# mean direction of flow, which dry and wet rock leave out where the first one's error is below 1 % of the tolerance, to save its cost; rock
+# with a third invariant, which turns more, never leaves it out.
 ORDERS = {"dry": 0.95, "wet": 0.95, "dry, Willam-Warnke 0.7": 1.7, "elastic centre": 1.7}
 
 

@@ -34,7 +34,8 @@ def on_grid(grid, mode, border):
 
 
 def measure(barreno, mode, shape, grid, border):
-    """Largest velocity behind the border and largest error around the pulse beyond it, relative to the pulse, and the ledger's remainder."""
+    """Largest velocity behind the border and largest error around the pulse beyond it, relative to the pulse, and the ledger's
+    remainder."""
     run = run_deck(barreno, DECK, {"Step/Shape Function": shape, **in_mode(mode), **on_grid(grid, mode, border)})
     now = run.particles()
     y, v = centres(now)[1], now["velocity_y"] / PEAK

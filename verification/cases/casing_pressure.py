@@ -17,7 +17,8 @@ RATE = 30
 
 
 def of_casing(folder):
-    """Places and pressures of the steel that is left, how far each particle lies behind the wall of the hole at its depth, and the hole's radius."""
+    """Places and pressures of the steel that is left, how far each particle lies behind the wall of the hole at its depth, and the hole's
+    radius."""
     file = ParticleFile(folder / "particles.e")
     frame = file.frame()
     steel = frame.block == [name.lower() for name in file.block_names].index("steel")
@@ -30,8 +31,8 @@ def of_casing(folder):
 
 
 def noise_of(run, least):
-    """Root mean squares within a channel radius of the hole, from `least` cells behind its wall on: of the pressure's difference to the mean
-    of the neighbours within 1.5 cells, and of the pressure [Pa]."""
+    """Root mean squares within a channel radius of the hole, from `least` cells behind its wall on: of the pressure's difference to the
+    mean of the neighbours within 1.5 cells, and of the pressure [Pa]."""
     places, pressure, behind, radius = of_casing(run.folder)
     near = (behind >= least * CELL) & (behind < radius) & (places[:, 1] > 0.0) & (places[:, 1] < THICKNESS)
     found, differences, pressures = np.flatnonzero(near), [], []

@@ -64,8 +64,8 @@ def fitted(rows, way, column):
 
 
 def measure(run):
-    """Radial velocity at each way [m/s]; speed of the wall there; what a slit at a fixed place sees; how much the further half of the slices
-    differs from the nearer one."""
+    """Radial velocity at each way [m/s]; speed of the wall there; what a slit at a fixed place sees; how much the further half of the
+    slices differs from the nearer one."""
     rows = walls(run)
     radial, axial = ([fitted(rows, way, column) for way in MOVED] for column in (1, 2))
     nearer = rows[:, 3] < SLICES[len(SLICES) // 2] - 1e-6

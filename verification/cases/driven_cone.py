@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A cone that an explosive drives onto its axis: velocity of the jet and share of the mass in it, part by part, from the velocity with which the parts fly."""
+"""A cone that an explosive drives onto its axis: velocity of the jet and share of the mass in it, part by part, from the velocity with
+which the parts fly."""
 import collapse
 import numpy as np
 from case import Result
@@ -19,7 +20,8 @@ def middles():
 
 
 def asked():
-    """Slices of which something is asked: they start six walls from the axis or more, so that the wall is thin beside the way, and no nearer to the open end than the charge is thick."""
+    """Slices of which something is asked: they start six walls from the axis or more, so that the wall is thin beside the way, and no
+    nearer to the open end than the charge is thick."""
     return (middles()[:, 0] >= 6.0 * WALL) & (ALONG <= LENGTH - CHARGE)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cone of driven_cone in three dimensions: its axis between the planes of the grid against axisymmetry with the same cells, and a quarter against axisymmetry with cells half as large."""
+"""The cone of driven_cone in three dimensions: its axis between the planes of the grid against axisymmetry with the same cells, and a
+quarter against axisymmetry with cells half as large."""
 import numpy as np
 from case import Result
 from cases import driven_cone

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plates that an explosive drives against each other: velocity of the jet and share of the mass in it, from the velocity with which they arrive."""
+"""Plates that an explosive drives against each other: velocity of the jet and share of the mass in it, from the velocity with which they
+arrive."""
 import collapse
 import numpy as np
 from case import Result

@@ -107,7 +107,8 @@ def envelope(laws, mean_stress, plastic_volume):
 
 
 def triaxial(material, laws, confinement, pore_pressure):
-    """Peak of the stress difference, with the pressures there; how far flow was from the dry envelope; first flow and that envelope there."""
+    """Peak of the stress difference, with the pressures there; how far flow was from the dry envelope; first flow and that envelope
+    there."""
     plug = Plug(material, pore_pressure)
     plug.confine(confinement)
     peak, furthest, first = (0.0, 0.0, 0.0), 0.0, None

@@ -62,7 +62,8 @@ def import_deck(folder, table, kind, plane=PLANE):
 
 
 def passed(table, times, power):
-    """Mass (power 0) or momentum (1) that a table says has passed by some times: each row passes evenly, for its length over its velocity, around its time."""
+    """Mass (power 0) or momentum (1) that a table says has passed by some times: each row passes evenly, for its length over its velocity,
+    around its time."""
     amount = table["density"] * np.pi * table["radius"] ** 2 * table["length"] * table["velocity"] ** power
     lasts = table["length"] / table["velocity"]
     part = (np.asarray(times)[:, None] - table["time"]) / lasts + 0.5

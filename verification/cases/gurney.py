@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plates and tubes of copper on Composition B: their velocity after expansion to about seven times the volume, against Gurney's formulas."""
+"""Plates and tubes of copper on Composition B: their velocity after expansion to about seven times the volume, against Gurney's
+formulas."""
 import dataclasses
 
 import numpy as np
@@ -55,8 +56,8 @@ def tube_settings(layers, h):
 
 
 def plate_settings(layers, h):
-    """flyer_plate.xml with another gas, burnt at once, and a second plate; it ends where the plates are EXPANSION times as far apart, or where
-    the plate has gone as far from a free charge."""
+    """flyer_plate.xml with another gas, burnt at once, and a second plate; it ends where the plates are EXPANSION times as far apart, or
+    where the plate has gone as far from a free charge."""
     thickness = [2.0 * HALF * part * CHARGE / COPPER for part in (layers.front, layers.back)]
     way = (EXPANSION - 1.0) * 2.0 * HALF
     settings = {f"Materials/Gas/{name}": value for name, value in GAS.items()}

@@ -33,7 +33,8 @@ def at(particles, area):
 
 
 def measure(run):
-    """Velocities, the means over the outputs of the last quarter of the run, and the share: the slope of the jet's area over what comes in."""
+    """Velocities, the means over the outputs of the last quarter of the run, and the share: the slope of the jet's area over what comes
+    in."""
     area = collapse.areas(run.particles(0))
     times = run.times()
     late = [step for step in range(run.instants()) if times[step] >= 0.75 * times[-1]]

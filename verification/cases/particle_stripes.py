@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pore pressures that alternate from one row of particles to the next in a wave through saturated rock: what they are, and which shape function has none."""
+"""Pore pressures that alternate from one row of particles to the next in a wave through saturated rock: what they are, and which shape
+function has none."""
 import numpy as np
 from case import Result
 from runs import run_deck
@@ -27,8 +28,8 @@ def strains(start, now):
 
 
 def pairs(start, values):
-    """Of the two particles of a cell, one behind the other along the axis: their difference, and half of what the means of the cells around change by
-    from cell to cell, which it would be if the field were smooth."""
+    """Of the two particles of a cell, one behind the other along the axis: their difference, and half of what the means of the cells around
+    change by from cell to cell, which it would be if the field were smooth."""
     column, row = np.floor(start["x"] / (CELL / 2)), np.floor((start["y"] - FACE) / (CELL / 2))
     rock = np.isfinite(start["plastic_volume_strain"]) & (column < COLUMNS)
     field = np.full((COLUMNS, 2 * (ROWS[1] + 1)), np.nan)

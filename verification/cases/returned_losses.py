@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energy that a perforation loses between particles and grid: what the order of a step and its length change, and what Return Losses leaves."""
+"""Energy that a perforation loses between particles and grid: what the order of a step and its length change, and what Return Losses
+leaves."""
 import numpy as np
 from case import Result
 from penetration import between_particles_and_grid, depth_at

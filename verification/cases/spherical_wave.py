@@ -19,8 +19,9 @@ FRONT = 0.25  # of the velocity and stress, this much on both sides of the front
 
 
 def measure(barreno, settings, by_volume=False):
-    """rms errors over the particles (by_volume: over the volume) behind the front and the instants written: displacement, velocity, radial stress; over
-    p a / M, p / (rho c) and p. And the relative error of the wall's displacement at the end, the remainder of the energy ledger, the particles."""
+    """rms errors over the particles (by_volume: over the volume) behind the front and the instants written: displacement, velocity, radial
+    stress; over p a / M, p / (rho c) and p. And the relative error of the wall's displacement at the end, the remainder of the energy
+    ledger, the particles."""
     run = run_deck(barreno, "spherical_wave.xml", settings)
     start = run.particles(0)
     X = np.array(centres(start))

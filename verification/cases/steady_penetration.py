@@ -45,8 +45,8 @@ def speed_before(metal, stagnation):
 
 
 def bernoulli(rod, target):
-    """Rate of penetration [m/s]: both metals come to rest at the same pressure, and their speeds add up to the rod's. Both are subsonic here,
-    so that no shock stands before them."""
+    """Rate of penetration [m/s]: both metals come to rest at the same pressure, and their speeds add up to the rod's. Both are subsonic
+    here, so that no shock stands before them."""
     excess = brentq(lambda p: speed_before(rod, p) + speed_before(target, p) - SPEED, 1e9, 200e9, rtol=1e-10)
     return float(speed_before(target, excess))
 

@@ -71,7 +71,8 @@ def shipped_answers(files):
 
 
 def to_store(numbers):
-    """What the page needs: rows of label, datum, answer of the shipped card, of the fit, uncertainty, source; parameters of shipped card, fit and range."""
+    """What the page needs: rows of label, datum, answer of the shipped card, of the fit, uncertainty, source; parameters of shipped card,
+    fit and range."""
     rows, seen = [], {}
     of_shipped = shipped_answers([file["file"] for file in numbers["files"]])
     for row in numbers["rows"]:

@@ -4,9 +4,9 @@
 
     synthetic_fits.py LIBRARY [--sets N] [--first K] [--jobs N] [--document]
 
-Sets of data: one hydrostatic and three triaxial tests of 8 cards, with 0.5 to 3 % of noise in stresses and in volume strains, each in one of
-five file formats. --document writes verification/results/synthetic_fits.json after every set, and keeps the sets there that are not fitted now. Ends with exit code 1 and a sentence for each set
-or parameter that misses what synthetic_results.py asks for.
+Sets of data: one hydrostatic and three triaxial tests of 8 cards, with 0.5 to 3 % of noise in stresses and in volume strains, each in one
+of five file formats. --document writes verification/results/synthetic_fits.json after every set, and keeps the sets there that are not
+fitted now. Ends with exit code 1 and a sentence for each set or parameter that misses what synthetic_results.py asks for.
 """
 
 import argparse

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 7, what axisymmetry cannot show: radial bands of dilation in a cross-section of scattered strength, without and with confinement."""
+"""Figure 7, what axisymmetry cannot show: radial bands of dilation in a cross-section of scattered strength, without and with
+confinement."""
 import contextlib
 
 import matplotlib.pyplot as plt

@@ -11,14 +11,16 @@ MODULI, SEEDS = (1.0, 2.0, 4.0), (1, 2, 3)
 STRONGER = 3.0  # strength of a particle, on average, over that of the card: the scale effect, the same for every modulus
 CONFINEMENT = 69.0  # MPa
 ROCK = "Materials/Sandstone"
-# PEAKI1 is what varies. In Berea it is the cohesion, a few MPa; here it carries the strength at all pressures, about that of Berea at 1 GPa.
+# PEAKI1 is what varies. In Berea it is the cohesion, a few MPa; here it carries the strength at all pressures, about that of Berea at 1
+# GPa.
 COHESIVE = {f"{ROCK}/STREN": "0", f"{ROCK}/YSLOPE": "0", f"{ROCK}/FSLOPE": "0.03", f"{ROCK}/PEAKI1": "4 GPa"}
 ROCKS = {"Berea": ({}, STRONGER), "cohesive": (COHESIVE, 1.0)}
 NONE, SCALE = "no variation", "scale only"
 
 
 def weibull(modulus, factor, cells, seed=0, scatter="random"):
-    """Settings under which particles are `factor` times as strong as the card on average, for any modulus: a particle's cube is half a cell wide."""
+    """Settings under which particles are `factor` times as strong as the card on average, for any modulus: a particle's cube is half a cell
+    wide."""
     volume = (0.5e-3 * cells) ** 3 * factor**modulus
     words = {"modulus": f"{modulus:g}", "reference volume": f"{volume:.6g} m3", "seed": str(seed), "scatter": scatter}
     return {f"{ROCK}/Weibull {name}": value for name, value in words.items()}

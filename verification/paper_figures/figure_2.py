@@ -66,7 +66,8 @@ def inward(frame):
 
 
 def draw_frame(axes, frame):
-    """Particles that the plane of symmetry cuts, in their deformed shapes, over the centres of the liner's others: few are cut of a jet that is thin."""
+    """Particles that the plane of symmetry cuts, in their deformed shapes, over the centres of the liner's others: few are cut of a jet
+    that is thin."""
     centres = frame.centres[frame.block == frame.file.block_names.index("Copper")] / MILLI
     axes.plot(centres[:, 0], centres[:, 1], ".", color=BEHIND, ms=2.5, mew=0, zorder=1.5, rasterized=True)
     shapes, of = frame.shapes

@@ -41,8 +41,8 @@ def by_cells(table, shape):
 
 
 def limit_of(h, depth):
-    """(limit, order) through the three finest levels, each half as wide as the one before (Richardson); nan where there are fewer, or the differences do
-    not fall to less than half: of an order below 1 the limit would lie far beyond what was computed."""
+    """(limit, order) through the three finest levels, each half as wide as the one before (Richardson); nan where there are fewer, or the
+    differences do not fall to less than half: of an order below 1 the limit would lie far beyond what was computed."""
     if len(depth) < 3:
         return math.nan, math.nan
     coarse, middle, fine = depth[-3:]

@@ -46,7 +46,8 @@ def measure(lab):
 
 
 def strengths(lab):
-    """Shots at no confinement into rock of several strengths: PEAKI1 and STREN in proportion, and with them the strength in every test without the cap."""
+    """Shots at no confinement into rock of several strengths: PEAKI1 and STREN in proportion, and with them the strength in every test
+    without the cap."""
     card, cells, rows = card_numbers(CARD), max(CELLS[lab.form], 2.0), []
     factors = STRENGTHS if lab.form != "quick" else STRENGTHS[1:]
     words = [{} if f == 1.0 else {f"Materials/Sandstone/{name}": f"{f * card[name]:g}" for name in ("PEAKI1", "STREN")} for f in factors]

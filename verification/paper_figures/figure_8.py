@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 8: depth in drained and in undrained rock without initial pore pressure; with it, at equal effective stress and at equal confinement."""
+"""Figure 8: depth in drained and in undrained rock without initial pore pressure; with it, at equal effective stress and at equal
+confinement."""
 import matplotlib.pyplot as plt
 import numpy as np
 from paper_figures import spall

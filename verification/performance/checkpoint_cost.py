@@ -3,10 +3,10 @@
 """What checkpoints cost: checkpoint_cost.py BARRENO [--ranks N] [--quick] [--document].
 
 Runs the block of scaling_decks.py with a checkpoint every few steps. Writing (HDF5 and rows, then seal, fsync and rename) and
-reading back are timers of the code, `write_checkpoint` less `read_checkpoint_back`, and the latter. The disk's own bandwidth is that of as many
-bytes written to a new file in the same folder and brought to the disk (fsync) by one process, right after the run: like a checkpoint they go
-through the system's memory, and the time ends when the disk has them. A part of a checkpoint may reach the disk while it is read back, so
-both together are compared with the disk too. --document writes docs/performance.md.
+reading back are timers of the code, `write_checkpoint` less `read_checkpoint_back`, and the latter. The disk's own bandwidth is that of as
+many bytes written to a new file in the same folder and brought to the disk (fsync) by one process, right after the run: like a checkpoint
+they go through the system's memory, and the time ends when the disk has them. A part of a checkpoint may reach the disk while it is read
+back, so both together are compared with the disk too. --document writes docs/performance.md.
 """
 import argparse
 import json

@@ -4,9 +4,9 @@
 
     feature_cost.py BUILD_FOLDER [--stored]
 
-runs barreno_feature_cost of that build over the points in verification/performance (rock_points.csv, dry, and its wet and angled kin, each shape of the third invariant its own); --stored takes the last
-measurement instead (verification/results/feature_cost.csv) and asks for no build. The table of forms in docs/materials/arenisca.md comes
-from the same file (verification/pages.py --write).
+runs barreno_feature_cost of that build over the points in verification/performance (rock_points.csv, dry, and its wet and angled kin, each
+shape of the third invariant its own); --stored takes the last measurement instead (verification/results/feature_cost.csv) and asks for no
+build. The table of forms in docs/materials/arenisca.md comes from the same file (verification/pages.py --write).
 """
 import argparse
 import csv

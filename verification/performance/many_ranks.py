@@ -29,7 +29,8 @@ STEPS = 8
 
 
 def write_scene(file, n):
-    """n cells along each side of a box, three quarters of which are filled from below: two bodies of the lattice beside each other on a slab."""
+    """n cells along each side of a box, three quarters of which are filled from below: two bodies of the lattice beside each other on a
+    slab."""
     size = n * CELL
     elastic = {"Model": "Linear Elastic", "Density": "1000 kg/m3", "Bulk Modulus": "6 MPa", "Shear Modulus": "3 MPa"}
     low, high, middle = 0.25 * size, 0.72 * size, 0.5 * size

@@ -6,9 +6,9 @@
 
 Times are those of the steps alone (the timer `advance` of summary.json, slowest rank). One rank, two ranks and two runs of one rank
 each at once take turns; the speed-up is the median of the rounds, since the speed of a machine that others share changes by a
-third within minutes. The two runs at once say what the machine allows. Messages, bytes and reductions are counted by a preloaded library (tools/message_costs.c) in a run
-of its own: the difference of two end times over the difference of their steps, so that starting does not count. The bandwidth
-of memory is measured in the same minute, by one process and by two at once. --document writes docs/performance.md and
+third within minutes. The two runs at once say what the machine allows. Messages, bytes and reductions are counted by a preloaded library
+(tools/message_costs.c) in a run of its own: the difference of two end times over the difference of their steps, so that starting does not
+count. The bandwidth of memory is measured in the same minute, by one process and by two at once. --document writes docs/performance.md and
 verification/results/scaling.json.
 """
 import argparse
@@ -68,7 +68,8 @@ def one_round(barreno, one_rank: Problem, two_ranks: Problem):
 
 
 def median_round(barreno, one_rank, two_ranks, repeats):
-    """Of an odd number of rounds the one whose ratio of times is the median; least and largest ratio; median of what two runs at once allow."""
+    """Of an odd number of rounds the one whose ratio of times is the median; least and largest ratio; median of what two runs at once
+    allow."""
     rounds = sorted((one_round(barreno, one_rank, two_ranks) for _ in range(repeats)), key=lambda r: step_seconds(r[0]) / step_seconds(r[1]))
     ratios = [step_seconds(one) / step_seconds(two) for one, two, _ in rounds]
     one, two, _ = rounds[len(rounds) // 2]

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A liner that an explosive drives onto an axis or a plane at x = 0: how fast its parts arrive, what they become, and what the theory says of that.
+"""A liner that an explosive drives onto an axis or a plane at x = 0: how fast its parts arrive, what they become, and what the theory says
+of that.
 
-Theory: E. M. Pugh, R. J. Eichelberger and N. Rostoker, J. Appl. Phys. 23 (1952) 532, which with one velocity for all parts is that of G. Birkhoff, D. P. MacDougall,
-E. M. Pugh and G. Taylor, J. Appl. Phys. 19 (1948) 563. A part of the liner that the front reaches at T flies on with V0, turned by d off the
-normal of its face: sin d = V0 / (2 U), U the speed with which the front sweeps along the face (Taylor's relation). Where it arrives the liner
-makes the angle b with the axis, and it splits: jet V0 cos(a + d - b/2) / sin(b/2), slug V0 sin(a + d - b/2) / cos(b/2), share of the jet sin^2(b/2)."""
+Theory: E. M. Pugh, R. J. Eichelberger and N. Rostoker, J. Appl. Phys. 23 (1952) 532, which with one velocity for all parts is that of G.
+Birkhoff, D. P. MacDougall, E. M. Pugh and G. Taylor, J. Appl. Phys. 19 (1948) 563. A part of the liner that the front reaches at T flies on
+with V0, turned by d off the normal of its face: sin d = V0 / (2 U), U the speed with which the front sweeps along the face (Taylor's
+relation). Where it arrives the liner makes the angle b with the axis, and it splits: jet V0 cos(a + d - b/2) / sin(b/2), slug V0 sin(a + d
+- b/2) / cos(b/2), share of the jet sin^2(b/2)."""
 import numpy as np
 
 
@@ -26,7 +28,8 @@ def mean_of(values, masses, part):
 
 
 def arrival_speeds(run, of, masses, count, near):
-    """Speed of the mean motion of each slice when its mean distance from x = 0 falls below `near`, one for all or one for each [m/s]; nan if it does not."""
+    """Speed of the mean motion of each slice when its mean distance from x = 0 falls below `near`, one for all or one for each [m/s]; nan
+    if it does not."""
     times = range(run.instants())
     history = np.full((len(times), count, 2), np.nan)
     for step in times:
@@ -67,7 +70,8 @@ def what_became(run, of, masses, middles):
 
 def theory(places, angle, speeds, arrivals):
     """(jet, slug, share) of parts of a straight liner. places: (x, y) of the parts [m]; angle of the liner with the axis; V0 of each [m/s];
-    times at which the front is there [s]. b follows from the neighbours: at the time at which a part is on the axis, they are where their own flight has brought them."""
+    times at which the front is there [s]. b follows from the neighbours: at the time at which a part is on the axis, they are where their
+    own flight has brought them."""
     along = np.hypot(*(places - places[0]).T)
     turned = np.arcsin(speeds * np.gradient(arrivals, along) / 2.0)
     towards, forwards = speeds * np.cos(angle + turned), speeds * np.sin(angle + turned)

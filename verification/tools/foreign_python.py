@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Imported first by the scripts of verification: a Python that lacks a package, as another one on the path may, ends them with one sentence."""
+"""Imported first by the scripts of verification: a Python that lacks a package, as another one on the path may, ends them with one
+sentence."""
 import sys
 
 PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib", "mpmath": "python3-mpmath", "h5py": "python3-h5py", "netCDF4": "python3-netcdf4", "PIL": "python3-pil", "vtkmodules": "python3-vtk9"}  # fmt: skip

@@ -4,8 +4,8 @@
 
 Gas by its burnt fraction, the liner by its velocity along the axis, what it hits in two greys. For docs/pictures/jet_formation.png:
 
-    ./barreno run input_xml/jet_formation_penetration.xml --out runs/formation --set "Grid/Cell Size=2 mm" --set "Time/End Time=28 us" --set "Output/Field Interval=1 us"
-    verification/tools/formation.py runs/formation docs/pictures/jet_formation.png 4 12 20 28
+    ./barreno run input_xml/jet_formation_penetration.xml --out runs/formation --set "Grid/Cell Size=2 mm" --set "Time/End Time=28 us" --set
+    "Output/Field Interval=1 us" verification/tools/formation.py runs/formation docs/pictures/jet_formation.png 4 12 20 28
 """
 import sys
 

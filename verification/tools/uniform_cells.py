@@ -32,8 +32,8 @@ def doubt():
 
 
 def errors_with(cells_per_radius):
-    """Least and greatest error of a depth that was measured with so many cells in the radius of the tip: all of perforation.xml at that size
-    of cells, and steady penetration of the same rock."""
+    """Least and greatest error of a depth that was measured with so many cells in the radius of the tip: all of perforation.xml at that
+    size of cells, and steady penetration of the same rock."""
     found, size = depths(), TIP / cells_per_radius
     if size == REFERENCE:
         return -doubt(), doubt()
@@ -43,7 +43,8 @@ def errors_with(cells_per_radius):
 
 
 def range_of_errors(cells_per_radius):
-    """The same between the measured sizes, by the logarithm of the cells, as `check` and every run of a jet give it (output/jet/depth_error.cpp)."""
+    """The same between the measured sizes, by the logarithm of the cells, as `check` and every run of a jet give it
+    (output/jet/depth_error.cpp)."""
     measured = sorted({TIP / cells for cells, _ in depths() if cells >= REFERENCE})
     upper = next((i for i, cells in enumerate(measured) if i > 0 and cells_per_radius <= cells), len(measured) - 1)
     part = math.log(cells_per_radius / measured[upper - 1]) / math.log(measured[upper] / measured[upper - 1])

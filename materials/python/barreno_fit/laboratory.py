@@ -206,7 +206,8 @@ def confinement_of_column(file, columns, notes):
 
 
 def slope_of(columns, control, name, stress):
-    """Of a column over that which drives the specimen, by least squares through the first row, where the rock is elastic; None for few rows."""
+    """Of a column over that which drives the specimen, by least squares through the first row, where the rock is elastic; None for few
+    rows."""
     drive, load = columns[control] - columns[control][0], stress - stress[0]
     beyond = numpy.flatnonzero((load > ELASTIC * load.max()) | (numpy.append(numpy.diff(drive), 1.0) < 0.0))
     rows = max(int(beyond[0]) if len(beyond) else len(load), 4)

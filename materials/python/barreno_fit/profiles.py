@@ -29,8 +29,8 @@ def step_of(search, spread, i, x, r, J):
 
 
 def chord(search, spread, i, x, r, J):
-    """Steps with derivatives that follow the residuals by Broyden's updates, so that a step costs one card: (x, r, J, whether nothing is left
-    to gain)."""
+    """Steps with derivatives that follow the residuals by Broyden's updates, so that a step costs one card: (x, r, J, whether nothing is
+    left to gain)."""
     stalled = []
     for _ in range(STEPS):
         step, gain = step_of(search, spread, i, x, r, J)

@@ -82,7 +82,8 @@ def next_half(half, inner, outer):
 
 
 def end_of(search, z, spread, i, sign):
-    """One end of a range: where the sum of squares has grown by spread.growth, with all other parameters fitted again (profile likelihood)."""
+    """One end of a range: where the sum of squares has grown by spread.growth, with all other parameters fitted again (profile
+    likelihood)."""
     half = min(spread.half[i], FIRST * search.wide()[i])  # a valley that bends is followed from near
     if len(z) < 2 or half == 0.0 or spread.growth <= LEAST_SCALE**2:
         return z[i] + sign * half

@@ -43,8 +43,8 @@ class Problem:
 
 
 def residuals_of(tests, answers):
-    """Of each test and channel: (model - data) over the uncertainty. In curves that is relative to the largest value of the channel, and has
-    a scale of the channel's own (weights.py); in tables it is ln(model/data) over the relative uncertainty."""
+    """Of each test and channel: (model - data) over the uncertainty. In curves that is relative to the largest value of the channel, and
+    has a scale of the channel's own (weights.py); in tables it is ln(model/data) over the relative uncertainty."""
     out = []
     for test, answer in zip(tests, answers):
         for name in test.channels:

@@ -60,7 +60,8 @@ def other_shapes(search, found):
 
 
 def together(search, starts, simpler):
-    """The joint fit from what the stages found; where the tests of one stage cannot be made with what the other found, from the simpler card."""
+    """The joint fit from what the stages found; where the tests of one stage cannot be made with what the other found, from the simpler
+    card."""
     try:
         found = search.solve(starts)
     except Fault:
@@ -134,7 +135,8 @@ def ranges_of(search, found, names, settled):
 
 
 def opened_and_ranged(search, found):
-    """What is left open, and the ranges of the others; where a profile finds a better minimum, that one is the solution and all is made anew."""
+    """What is left open, and the ranges of the others; where a profile finds a better minimum, that one is the solution and all is made
+    anew."""
     for last in range(RESTARTS + 1):
         rest, kept, left_open = leave_open(search, found)
         if not rest.names:
@@ -151,8 +153,8 @@ def opened_and_ranged(search, found):
 
 
 def with_shapes(search, offers):
-    """Where a few steps lead from the best of the offers while the cap is held at each of some shapes and the limit surface at a line that is
-    nearly straight: moduli that are a little off drive a free cap into a corner that the joint fit does not leave."""
+    """Where a few steps lead from the best of the offers while the cap is held at each of some shapes and the limit surface at a line that
+    is nearly straight: moduli that are a little off drive a free cap into a corner that the joint fit does not leave."""
     out, rest = [], [name for name in search.names if name not in ("CR", "YSLOPE")]
     if "CR" not in search.names or not rest:
         return out
@@ -171,8 +173,8 @@ def with_shapes(search, offers):
 
 
 def staged(problem, tests, names):
-    """Crushing and bulk moduli from hydrostatic tests, then strength and shear from the others: starts of the joint fit, and the values of the
-    first stage alone."""
+    """Crushing and bulk moduli from hydrostatic tests, then strength and shear from the others: starts of the joint fit, and the values of
+    the first stage alone."""
     values, simpler, shapes = {}, {}, []
     first = [test for test in tests if test.kind in HYDROSTATIC]
     rest = [test for test in tests if test.kind not in HYDROSTATIC]

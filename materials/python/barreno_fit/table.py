@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A table as text, whatever program wrote it. The rules are those of src/deck/files/table_text.cpp and decimal_marks.cpp, which read the tables of
-decks and of `drive`: tests/decks/test_table_variants.py gives both the same files."""
+"""A table as text, whatever program wrote it. The rules are those of src/deck/files/table_text.cpp and decimal_marks.cpp, which read the
+tables of decks and of `drive`: tests/decks/test_table_variants.py gives both the same files."""
 
 import csv
 import re

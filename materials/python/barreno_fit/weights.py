@@ -54,7 +54,8 @@ def scales_of(search, z):
 
 
 def weigh(search, found):
-    """Gives each channel its scale where they scatter unlike, and goes on to the minimum with those weights; again, until the scales stay."""
+    """Gives each channel its scale where they scatter unlike, and goes on to the minimum with those weights; again, until the scales
+    stay."""
     before = {}
     for _ in range(ROUNDS):
         scales = scales_of(search, found[2])

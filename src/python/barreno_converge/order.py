@@ -6,11 +6,11 @@ Three levels h1 < h2 < h3 with values f1, f2, f3, r21 = h2/h1 and r32 = h3/h2. I
     (f3 - f2)/(f2 - f1) = r21^p (r32^p - 1)/(r21^p - 1)
 
 (Celik et al., J. Fluids Eng. 130, 078001, 2008, eq. 3, in another form), f0 = f1 + (f1 - f2)/(r21^p - 1), and the Grid Convergence Index
-is the interval f1 +- F |f1 - f2|/(r21^p - 1) (Roache, J. Fluids Eng. 116, 405, 1994). F = 1.25 with the observed order of three levels. The order in
-the last two is at most the formal one, because chance gives a sequence a high order and too narrow an interval; where the observed order is above
-it by more than a tenth, the levels confirm no order, and F = 3 as for two levels and the formal order (Roache; Oberkampf and Roy, Verification and
-Validation in Scientific Computing, 2010, section 8.6). Cells that do not resolve what a number depends on are in no sequence with others: where the two
-smaller sizes resolve it and agree, they alone give an interval.
+is the interval f1 +- F |f1 - f2|/(r21^p - 1) (Roache, J. Fluids Eng. 116, 405, 1994). F = 1.25 with the observed order of three levels. The
+order in the last two is at most the formal one, because chance gives a sequence a high order and too narrow an interval; where the observed
+order is above it by more than a tenth, the levels confirm no order, and F = 3 as for two levels and the formal order (Roache; Oberkampf and
+Roy, Verification and Validation in Scientific Computing, 2010, section 8.6). Cells that do not resolve what a number depends on are in no
+sequence with others: where the two smaller sizes resolve it and agree, they alone give an interval.
 """
 
 import dataclasses
@@ -74,8 +74,9 @@ def spread(kind, values, order=None):
 
 
 def two_that_agree(cells, values, formal):
-    """Of two levels that resolve what a third does not: the value of the smallest cells, give or take what cells of first order would leave of it, with the
-    factor of two levels. Two values may be equal by chance: their difference counts as if it fell with no more than twice the formal order."""
+    """Of two levels that resolve what a third does not: the value of the smallest cells, give or take what cells of first order would leave
+    of it, with the factor of two levels. Two values may be equal by chance: their difference counts as if it fell with no more than twice
+    the formal order."""
     difference = max(abs(values[0] - values[1]), abs(values[1] - values[2]) * (cells[1] / cells[2]) ** (2.0 * formal))
     width = UNCONFIRMED_SAFETY * difference / (cells[1] / cells[0] - 1.0)
     return Verdict(TWO_AGREE, values[0], values[0] - width, values[0] + width)

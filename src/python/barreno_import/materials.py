@@ -198,7 +198,8 @@ def look_at_rest(material, model, is_rigid, name, notes):
 
 
 def read_material(material, name, is_rigid, cards, notes):
-    """Parameters of a list of Materials. @param is_rigid  a contact moves it  @param cards  name to card, of the user's words  @raises Unknown"""
+    """Parameters of a list of Materials. @param is_rigid  a contact moves it  @param cards  name to card, of the user's words  @raises
+    Unknown"""
     if name in cards:
         for child in material.children():
             if child.tag != "geom_object":

@@ -3,7 +3,8 @@
 
 Lines across the axis, eight per cell, find which lengths the target's particles cover. The wall of a row is where they cover half of a
 window one cell wide and one cell high: for a sharp wall that is the wall itself, wherever it lies in its cell, and single particles that
-fly through the hole do not move it. Expanded debris covers no more than it did as rock. depth.csv has the same measure from boxes along the axes.
+fly through the hole do not move it. Expanded debris covers no more than it did as rock. depth.csv has the same measure from boxes along the
+axes.
 """
 
 import dataclasses
@@ -33,7 +34,8 @@ class Hole:
 
     @property
     def open_rows(self):
-        """Rows from the face to where the hole is closed or leaves the target; a gap between bodies has no wall, and the hole goes on behind it."""
+        """Rows from the face to where the hole is closed or leaves the target; a gap between bodies has no wall, and the hole goes on
+        behind it."""
         walled = np.flatnonzero(np.isfinite(self.radius))
         last = walled[-1] if len(walled) else -1
         ended = (self.radius < CLOSED * self.cell) | (np.arange(len(self.radius)) > last)
@@ -111,7 +113,8 @@ def wall_of(length, width, cell):
 
 
 def from_behind_monitor(frame, deck):
-    """Whether a particle starts on the near side of the monitor's plane, as charge and liner do; parts of gas that has been split are not there at the start."""
+    """Whether a particle starts on the near side of the monitor's plane, as charge and liner do; parts of gas that has been split are not
+    there at the start."""
     start = frame.file.frame(0)
     shapes, of = start.shapes
     behind = np.ones(frame.file.elements, bool)
@@ -120,7 +123,8 @@ def from_behind_monitor(frame, deck):
 
 
 def jet_particles(frame, deck):
-    """Whether a particle belongs to the jet: of its material, and none of a body, which is there from the start. Of a run that forms its jet, what forms it too."""
+    """Whether a particle belongs to the jet: of its material, and none of a body, which is there from the start. Of a run that forms its
+    jet, what forms it too."""
     if deck.forms_jet:
         return from_behind_monitor(frame, deck)
     name = deck.text("Jet/Material")

@@ -23,8 +23,8 @@ def array_of(name):
 
 
 def shown_field(frame, deck, name):
-    """(array, component, colours, (least, largest), whether the colours are turned over) in SI. What the report computes from fields of the file is
-    shown as the field that it comes from."""
+    """(array, component, colours, (least, largest), whether the colours are turned over) in SI. What the report computes from fields of the
+    file is shown as the field that it comes from."""
     if name == "porosity" and name not in frame.names:
         name = "plastic_volume_strain"
     shapes, of = frame.shapes

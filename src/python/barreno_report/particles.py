@@ -136,7 +136,8 @@ class Frame:
 
 
 def offsets(centres, point):
-    """(across, along): how far places are from a point (x, y), which in three dimensions lies in z = 0: distance across the y axis, and difference along it."""
+    """(across, along): how far places are from a point (x, y), which in three dimensions lies in z = 0: distance across the y axis, and
+    difference along it."""
     across = np.hypot(centres[:, 0] - point[0], centres[:, 2] if centres.shape[1] == 3 else 0.0)
     return across, centres[:, 1] - point[1]
 

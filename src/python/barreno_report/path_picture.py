@@ -94,7 +94,8 @@ def widest(strength, e, most):
 
 
 def draw_octahedral(axes, time, deck, paths, surfaces, most):
-    """Down the hydrostat: the paths up to a pressure, the first surfaces where they are widest, the present ones at the particles' pressure."""
+    """Down the hydrostat: the paths up to a pressure, the first surfaces where they are widest, the present ones at the particles'
+    pressure."""
     size = MEGA
     for (name, strength), line in zip(surfaces_of(paths, surfaces), LINES):
         rim = np.array(ring(strength, widest(strength, 0.0, most), 0.0))

@@ -51,7 +51,8 @@ def turned_least(axes, values, vectors):
 
 
 def along_path(stress):
-    """Principal stresses along a path, compression positive, each that whose direction is nearest to the one before; the first lie along x, y and z.
+    """Principal stresses along a path, compression positive, each that whose direction is nearest to the one before; the first lie along x,
+    y and z.
 
     @param stress  (time, 3, 3), tension positive
     """

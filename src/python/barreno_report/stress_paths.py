@@ -81,7 +81,8 @@ def elements_of(file, numbers):
 
 
 def nearest_in_sectors(centres, tip, direction, least):
-    """Rows that are nearest to the tip, but no nearer than `least`: ahead of it, obliquely ahead, beside it; fewer where there is nothing."""
+    """Rows that are nearest to the tip, but no nearer than `least`: ahead of it, obliquely ahead, beside it; fewer where there is
+    nothing."""
     across, along = offsets(centres, tip)
     distance, angle = np.hypot(across, along), np.degrees(np.arctan2(across, direction * along))
     rows = []

@@ -84,8 +84,8 @@ def shares(middle, half, edges):
 
 
 def rings_at(rock, hole, depth):
-    """Rings one cell wide from the wall outwards, averaged over four cells of depth. A particle that is wider than a ring has its part in each
-    that it covers."""
+    """Rings one cell wide from the wall outwards, averaged over four cells of depth. A particle that is wider than a ring has its part in
+    each that it covers."""
     wall = hole.radius_at(depth)
     count = max(1, int((rock.width - wall) / hole.cell))
     edges = wall + hole.cell * np.arange(count + 1)

@@ -66,7 +66,8 @@ def read_all(rows):
 
 
 def reach_of(channel):
-    """(least x, largest x, face of everything, end of what is shown) along the jet's direction, in m: rock far behind the hole is left out."""
+    """(least x, largest x, face of everything, end of what is shown) along the jet's direction, in m: rock far behind the hole is left
+    out."""
     frame, deck = channel.frame, channel.deck
     shapes, of = frame.shapes
     along = deck.direction * shapes[:, :, 1]

@@ -36,7 +36,8 @@ def finished_in(places, version):
 
 
 def take_finished(run, version, finished):
-    """Takes a finished run of the same program and the same effective deck: its own folder, or one of finished_in. @return whether there is one"""
+    """Takes a finished run of the same program and the same effective deck: its own folder, or one of finished_in. @return whether there is
+    one"""
     own = deck_in(run.folder) == run.deck and state_of(run.folder) == (True, version)
     folder = run.folder if own else finished.get(run.deck)
     if folder:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Matplotlib, as every picture of the commands has it. A text is drawn letter by letter: names of materials, bodies, decks and folders come from the
-user, and Matplotlib would read what stands between two dollar signs in them as a formula. No other file imports pyplot (tests/layout/check_pictures.py)."""
+"""Matplotlib, as every picture of the commands has it. A text is drawn letter by letter: names of materials, bodies, decks and folders come
+from the user, and Matplotlib would read what stands between two dollar signs in them as a formula. No other file imports pyplot
+(tests/layout/check_pictures.py)."""
 
 import warnings
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of a run folder, opened only if they are ordinary files: a named pipe or a terminal, which anybody may have laid there under the name of a
-file, would be waited for without end. Every reader of the commands opens here (tests/layout/check_pictures.py)."""
+"""Files of a run folder, opened only if they are ordinary files: a named pipe or a terminal, which anybody may have laid there under the
+name of a file, would be waited for without end. Every reader of the commands opens here (tests/layout/check_pictures.py)."""
 
 import os
 import stat

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sweep as an array job of Slurm: one task for every run, and a command that collects afterwards. The script holds the user's command and nothing of
-the machine that wrote it: Slurm hands the environment of sbatch on, and the command itself knows what MPI needs (docs/cluster.md)."""
+"""A sweep as an array job of Slurm: one task for every run, and a command that collects afterwards. The script holds the user's command and
+nothing of the machine that wrote it: Slurm hands the environment of sbatch on, and the command itself knows what MPI needs
+(docs/cluster.md)."""
 
 import os
 import pathlib

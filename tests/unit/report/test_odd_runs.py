@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What report, film, compare, sweep and join do with run folders that no run wrote: dollar signs in names, named pipes instead of files, texts
-instead of numbers, endless nesting, letters that no terminal shows. Each ends with a result or one sentence; none waits, none prints a traceback.
+"""What report, film, compare, sweep and join do with run folders that no run wrote: dollar signs in names, named pipes instead of files,
+texts instead of numbers, endless nesting, letters that no terminal shows. Each ends with a result or one sentence; none waits, none prints
+a traceback.
 
     test_odd_runs.py [--every N]
 
@@ -266,7 +267,8 @@ def check_last_resort():
 
 
 def check_bare_python(folder):
-    """A Python without packages, from every package that is started; a terminal without the letters of a name; a full disk behind the output."""
+    """A Python without packages, from every package that is started; a terminal without the letters of a name; a full disk behind the
+    output."""
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'src' / 'python'}:{ROOT / 'materials' / 'python'}"}
     for package, words in {"barreno_report": ("report", "x"), "barreno_compare": ("x", "y"), "barreno_runs.join_exodus": ("x", "--out", "y"), "barreno_fit": ("x", "--out", "y.xml")}.items():
         result = subprocess.run([sys.executable, "-S", "-m", package, *words], env=environment, cwd=folder, capture_output=True, text=True, timeout=60, check=False)

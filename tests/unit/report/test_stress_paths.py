@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stress paths of a report: principal stresses that are followed by their direction, shapes in the octahedral plane against the oracle's, which particles are
-meant, what is said of coarse times, the page, and the sentence of every refusal."""
+"""Stress paths of a report: principal stresses that are followed by their direction, shapes in the octahedral plane against the oracle's,
+which particles are meant, what is said of coarse times, the page, and the sentence of every refusal."""
 import contextlib
 import io
 import math
