@@ -5,12 +5,13 @@ from case_pictures import file_of
 from demands import FAILS, HOLDS, OPEN, judge_all, open_demands
 from pages_elsewhere import rows_elsewhere
 
+COLUMNS = ("claim", "exact answer", "requirement", "condition", "measured", "limit", "verdict", "picture")
 LONGEST = 24  # demands that a page lists; of more the open ones and those nearest to their limits
 HEAD = """# Verification
 
-What is required of the code, and what is measured. Each claim has a page with all its figures; the figure here is one of them. *Open*: known not
-to hold, with the reason and the largest value allowed in `verification/open_demands.toml`; an open requirement that gets worse fails, and so does one that
-begins to hold.
+What is required of the code, and what is measured. Each claim has a page with all its figures; the figure here is one of them. An *open*
+requirement is known not to hold. `verification/open_demands.toml` gives the reason and the largest value allowed. An open requirement that gets
+worse fails, and so does one that begins to hold.
 
 | to do | command |
 |---|---|
@@ -45,10 +46,10 @@ def verdict_of(judged):
 
 
 def shown(entry, judged, name):
-    """(error, demand) of the one figure that stands for the case."""
+    """(requirement, condition, measured, limit) of the one that stands for the case."""
     for check, *_ in judged:
         if check["what"] == entry["shown"]:
-            return f"{check['what']}: {check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}"
+            return *name_and_condition(check["what"], entry.get("condition_last", False)), f"{check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}"
     raise SystemExit(f"cases.toml: [{name}] shows '{entry['shown']}', which results/{name}.json does not have; name one of its demands")
 
 
@@ -63,14 +64,15 @@ def overview():
             totals[verdict] += 1
         if entry["group"] != group:
             group = entry["group"]
-            lines.append(f"| **{group}** | | | | | |")
-        error, demand = shown(entry, judged, name)
+            lines.append(f"| **{group}** |" + " |" * (len(COLUMNS) - 1))
         picture = f"[picture](pictures/{file_of(name, entry)})" if file_of(name, entry) else ""
-        lines.append(f"| [{entry['claim']}](verification/{name}.md) | {entry['exact']} | {error} | {demand} | {verdict_of(judged)} | {picture} |")
-    lines += ["| **Elsewhere** | | | | | |", *rows_elsewhere(RESULTS)]
+        cells = [f"[{entry['claim']}](verification/{name}.md)", entry["exact"], *shown(entry, judged, name), verdict_of(judged), picture]
+        lines.append("| " + " | ".join(cells) + " |")
+    lines += ["| **Elsewhere** |" + " |" * (len(COLUMNS) - 1), *rows_elsewhere(RESULTS)]
     total = sum(totals.values())
     words = f"{total} requirements of {len(cases())} cases: {totals[HOLDS]} hold, {totals[OPEN]} are open, {totals[FAILS]} fail.\n\n"
-    return HEAD + words + "| claim | exact answer | error | requirement | verdict | picture |\n|---|---|---|---|---|---|\n" + "\n".join(lines) + "\n\n" + open_section()
+    heads = "| " + " | ".join(COLUMNS) + " |\n|" + "---|" * len(COLUMNS) + "\n"
+    return HEAD + words + heads + "\n".join(lines) + "\n\n" + open_section()
 
 
 def open_section():
@@ -89,18 +91,31 @@ def nearness(check):
     return near / far if far > 0.0 and near > 0.0 else 0.0
 
 
-def demand_lines(judged, known):
+def name_and_condition(what, condition_last=False):
+    """('order of the last halving', 'GIMP, A = 0.01') of 'GIMP, A = 0.01: order of the last halving'; of 'front speed, 0.5 mm' likewise."""
+    first, colon, last = what.partition(": ")
+    if colon:
+        return (first, last) if condition_last else (last, first)
+    name, comma, rest = what.partition(", ")
+    return (name, rest) if comma and any(c.isdigit() for c in rest) and not any(c.isdigit() for c in name) else (what, "")
+
+
+def demand_lines(judged, known, condition_last=False):
     listed, words = judged, ""
     if len(judged) > LONGEST:
         held = sorted((one for one in judged if one[1] == HOLDS), key=lambda one: -nearness(one[0]))[:12]
         listed = [one for one in judged if one[1] != HOLDS or one in held]
-        words = f"The other {len(judged) - len(listed)} of {len(judged)} requirements hold by a larger margin; all are in `verification/results`."
+        words = f"The other {len(judged) - len(listed)} of {len(judged)} requirements hold by a larger margin. All are in `verification/results`."
     rows = []
     for check, verdict, reason in listed:
         if verdict == OPEN:
             verdict = f"open, at worst {known[check['what']].worst:.3g}: {reason}"
-        rows.append([check["what"], f"{check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}", verdict if verdict != FAILS else f"FAILS: {reason}"])
-    return [*table(["requirement", "measured", "limit", "verdict"], rows), *(["", words] if words else [])]
+        verdict = verdict if verdict != FAILS else f"FAILS: {reason}"
+        rows.append([*name_and_condition(check["what"], condition_last), f"{check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}", verdict])
+    columns = ["requirement", "condition", "measured", "limit", "verdict"]
+    if not any(row[1] for row in rows):
+        columns, rows = [columns[0], *columns[2:]], [[row[0], *row[2:]] for row in rows]
+    return [*table(columns, rows), *(["", words] if words else [])]
 
 
 def case_page(name, entry, data):
@@ -110,7 +125,7 @@ def case_page(name, entry, data):
              f"`verification/cases/{name}.py`. {data['proves']} Exact: {data['reference']}", ""]  # fmt: skip
     if file_of(name, entry):
         lines += [f"![{data['title']}](../pictures/{file_of(name, entry)})", ""]
-    lines += [*demand_lines(judged, known), ""]
+    lines += [*demand_lines(judged, known, entry.get("condition_last", False)), ""]
     if data["notes"]:
         lines += [data["notes"], ""]
     return "\n".join(lines + ["## Measured", "", *table(data["columns"], data["rows"])]) + "\n"
