@@ -65,19 +65,21 @@ HEAD = """# Cost of a run, predicted and measured
 `barreno check` predicts particle-steps and seconds, and every run compares them with the actual values (`prediction` in `summary.json`, the
 last block on the screen). Measured by `verification/predictions.py build/release/src/barreno --document`; do not edit by hand.
 
-- Particle-steps: the stable step of the scene with the artificial viscosity of the bodies that collide, or the longest step of the probe
-  run if that is shorter; a slug of the jet counts from its launch on. Only those that are computed count. Where a jet is all that moves at the
-  start, tiles are dormant until what the grid spreads ahead of its waves arrives (`src/check/awake_parts.cpp`). With `Step/Subcycles` tiles that the jet passes
-  through step with it, others as their material bears at rest (`src/check/body_steps.cpp`), and the parts are those of a jet that slows.
-- Steps of an explosive: while its front is under way those of the Chapman-Jouguet state with the viscosity of a front as wide as
-  `Burn Width`; a liner that can collapse (no box) forms a jet as fast as the detonation.
-- ns: a probe run takes the first steps of the same scene on one core (40 ms; at most 20000 particles, larger cells beyond that), so
-  that mode, shape function, transfer, loads and contact are those of the run. The stress update of materials that will yield is assumed to be
-  more expensive than in the first steps by the factor in `src/check/cost_growth.hpp`. With `Subcycles`, nodes are solved and cells looked for in every part.
+- Steps: the stable step of the scene with the artificial viscosity of the bodies that collide, or the longest step of the probe run if that is
+  shorter.
+- Particle-steps: only computed ones count. A slug of the jet counts from its launch on. Where only a jet moves at the start, tiles are dormant
+  until the disturbance arrives that the grid spreads ahead of the waves (`src/check/awake_parts.cpp`). With `Step/Subcycles` tiles that the jet
+  passes through step with it. Other tiles take the steps that their material bears at rest (`src/check/body_steps.cpp`), and the parts are
+  those of a jet that slows.
+- Steps of an explosive: while its front is under way, the steps of the Chapman-Jouguet state with the viscosity of a front as wide as `Burn Width`.
+  A liner that can collapse (no box) forms a jet as fast as the detonation.
+- ns: a probe run takes the first steps of the same scene on one core (40 ms; at most 20000 particles, larger cells beyond that). Mode, shape
+  function, transfer, loads and contact are thus those of the run. The stress update of materials that will yield costs more than in the first
+  steps, by the factor in `src/check/cost_growth.hpp`. With `Subcycles`, nodes are solved and cells looked for in every part.
 - Files: 350 ns per particle and instant of `particles.e`, 12 ns per particle and row of `history.csv`.
 - Not included: start-up (0.1 s), implicit solves of the pore flow, waiting of ranks.
 
-Seconds of one core (user and system time) are compared; wall seconds, which other work on the machine increases, are given for comparison.
+Each cell gives predicted / actual = ratio. Seconds of one core (user and system time) are compared. Other work on the machine increases wall seconds.
 """
 
 

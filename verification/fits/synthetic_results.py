@@ -72,8 +72,9 @@ def words_line(rows):
     entries = [p for row in rows for p in row["parameters"]]
     wide, narrow = [p for p in entries if p["width"] > WIDE], [p for p in entries if p["width"] < NARROW]
     return (
-        f"Not determined, by the range at the true card with the true noise ({WIDE:g} times the width from which on a parameter is open, or wider): {len(wide)}; called so: "
-        f"{sum(map(is_open, wide))}. Determined (at most {NARROW:g} times that width): {len(narrow)}; called so: {len(narrow) - sum(map(is_open, narrow))}."
+        "How often a fit calls a parameter what its range at the true card, with the true noise, makes it. A parameter is *not determined* if that range "
+        f"is at least {WIDE:g} times as wide as the limit from which on parameters are open: {len(wide)}, called so {sum(map(is_open, wide))}. A parameter is "
+        f"*determined* at {NARROW:g} times that limit or less: {len(narrow)}, called so {len(narrow) - sum(map(is_open, narrow))}."
     )
 
 

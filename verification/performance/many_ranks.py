@@ -123,7 +123,7 @@ def measure(barreno, cells, all_ranks, resumed_on=None):
 
 def page(rows):
     lines = [f"{rows[0]['particles']:,.0f} particles, {rows[0]['steps']} steps, one checkpoint of {1e-6 * rows[0]['checkpoint_bytes']:.0f} MB halfway and one at the end.", "",
-             "| ranks | places looked at for particles | the same on every rank | particles made | peak memory, MB | messages | MB sent | reductions | MB of a checkpoint read on resume |",
+             "| ranks | places looked at | of these on every rank | particles made | peak memory, MB | messages | MB sent | reductions | MB read on resume |",
              "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for row in rows:
         of = {"checkpoint_bytes": float("nan")} | {name.removeprefix("largest_rank_"): value for name, value in row.items() if name.startswith("largest_rank_")}

@@ -114,7 +114,7 @@ def stored_part():
 
 
 def table_of(rows):
-    lines = ["| disabled feature | scene | share of the instructions of a step |", "|---|---|---|"]
+    lines = ["| disabled feature | scene | share of a step's instructions |", "|---|---|---|"]
     return lines + [f"| {feature} | {order} | {100 * share:.3f} % |" for feature, order, share in rows]
 
 

@@ -161,11 +161,12 @@ def page(result):
     for s in result["strong"]:
         lines.append(f"| {s['name']} | {s['particles']:,.0f} | {s['steps']} | {s['one']:.2f} s | {s['two']:.2f} s | {s['speedup']:.2f} "
                      f"| {s['bounds'][0]:.2f} to {s['bounds'][1]:.2f} | {s['least']:.2f} | {s['allowed']:.2f} |")
-    lines += ["", "Seconds of two ranks in excess of half of one rank's, by verb: "
-              + "; ".join(f"{s['name']}: " + ", ".join(f"{name} {seconds:.2f}" for name, seconds in s["lost"]) for s in result["strong"]) + ".",
+    lines += ["", "Largest losses on two ranks: seconds of a verb less half of those on one rank.", "", "| run | verb | lost, s |", "|---|---|---|",
+              *(f"| {s['name']} | {name} | {seconds:.2f} |" for s in result["strong"] for name, seconds in s["lost"]),
               "", f"Weak scaling ({result['weak']['name']}): {1e3 * result['weak']['one']:.2f} ms and {1e3 * result['weak']['two']:.2f} ms per step, "
               f"an efficiency of {result['weak']['one'] / result['weak']['two']:.2f}.",
-              "", "| on two ranks, per step and rank | messages | KB sent | reductions | bytes reduced | other collective calls | share of time in MPI, output included, minimum over ranks |",
+              "", "Per step and rank, on two ranks. The share of time in MPI is the minimum over ranks and includes output.", "",
+              "| run | messages | KB sent | reductions | bytes reduced | other collectives | time in MPI |",
               "|---|---|---|---|---|---|---|"]  # fmt: skip
     for m in result["messages"]:
         lines.append(f"| {m['name']} | {m['messages']:.2f} | {1e-3 * m['bytes']:.1f} | {m['reductions']:.2f} | {m['reduced_bytes']:.0f} "

@@ -119,9 +119,10 @@ def row(d, particles, ranks, efficiency):
 
 
 def predictions():
-    lines = ["| | ranks | particles per rank | total | MB of halo per step and rank | messages | computing, ms | halo, ms | reductions, ms | efficiency "
-             "| GB of the whole box, every rank | GB of memory, a rank | GB of the widest field, rank 0 | s to write a checkpoint | set-up: places of a rank | tiles of the box "
-             "| parcels, on every rank |",
+    lines = ["Columns with *rank* are per rank, halo and times per step. *Box, GB*: memory for the whole box on every rank. *Field, GB*: the widest field "
+             "on rank 0. *Places*: places that a rank looks at during set-up.", "",
+             "| mode | ranks | particles per rank | particles | halo per rank, MB | messages | computing, ms | halo, ms | reductions, ms | efficiency | box, GB "
+             "| memory per rank, GB | field, GB | checkpoint, s | places | tiles of the box | parcels |",
              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for d in (2, 3):
         for ranks in (1000, 100000):  # weak: as many on every rank
@@ -144,21 +145,22 @@ def across(name):
 
 
 def comparison():
-    lines = ["| on two ranks, per step and rank | KB by the model | KB counted | messages by the model | counted | reductions by the model | counted |",
+    lines = ["Model and counts on two ranks, per step and rank. The model has one more pair of reductions for each row of history.csv.", "",
+             "| run | KB, model | KB, counted | messages, model | counted | reductions, model | counted |",
              "|---|---|---|---|---|---|---|"]  # fmt: skip
     for m in json.loads(COUNTED.read_text())["messages"]:
         d, tiles = across(m["name"])
         lines.append(f"| {m['name']} | {1e-3 * tiles * border_bytes(d):.1f} | {1e-3 * m['bytes']:.1f} | 1 | {m['messages']:.2f} "
-                     f"| 2, and 2 for a row of history.csv | {m['reductions']:.2f} |")  # fmt: skip
+                     f"| 2 (+ 2 per row) | {m['reductions']:.2f} |")  # fmt: skip
     return lines
 
 
 def fits():
     """Lines through the counts of many_ranks.py, beside the counts."""
     counts, (a, b, worst), (c, d, off) = lines_of_counts()
-    lines = [f"Counted on 1 to 16 ranks (many_ranks.py, three dimensions), n particles of a rank: memory {1e-6 * a:.0f} MB + {b:.0f} bytes n, within "
-             f"{100 * worst:.0f} %; places looked at {c:,.0f} + {d:.2f} n, within {100 * off:.0f} %.", "",
-             "| ranks | particles of a rank | MB by the line | MB counted | places by the line | counted |", "|---|---|---|---|---|---|"]  # fmt: skip
+    lines = ["Counts on 1 to 16 ranks (many_ranks.py, three dimensions), and lines through them. With n particles of a rank the lines are",
+             f"{1e-6 * a:.0f} MB + {b:.0f} bytes n for the memory (within {100 * worst:.0f} %) and {c:,.0f} + {d:.2f} n for the places looked at (within {100 * off:.0f} %).", "",
+             "| ranks | particles of a rank | MB, line | MB, counted | places, line | places, counted |", "|---|---|---|---|---|---|"]  # fmt: skip
     for row in counts:
         n = row["largest_rank_particles_made"]
         lines.append(f"| {row['ranks']} | {n:,} | {1e-6 * (a + b * n):.0f} | {1e-6 * row['largest_rank_peak_bytes']:.0f} | {c + d * n:,.0f} | {row['largest_rank_candidate_points']:,} |")
@@ -167,10 +169,10 @@ def fits():
 
 def assumed():
     """What the model takes for given."""
-    return ["| | | from |", "|---|---|---|",
-            f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node busy | assumed, more than a single rank needs |",
+    return ["| parameter | value | from |", "|---|---|---|",
+            f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node busy | assumed; a single rank needs less |",
             f"| alpha, beta | {1e6 * LATENCY:.0f} us; {1e-9 * BANDWIDTH:.0f} GB/s for each rank when all ranks of a node send | assumed, typical of a cluster |",
-            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from each rank, {1e-9 * FILE_SYSTEM:.0f} GB/s in all | assumed, of the order measured on two ranks (below); assumed of a parallel file system |", ""]  # fmt: skip
+            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from each rank, {1e-9 * FILE_SYSTEM:.0f} GB/s in all | assumed: the first of the order measured on two ranks (below), the second of a parallel file system |", ""]  # fmt: skip
 
 
 def stored_part():

@@ -82,16 +82,15 @@ def page_text(notes, rows):
         "`build/release/verification/barreno_record_rock_points input_xml/perforation_quick.xml "
         "verification/performance/rock_points.csv --flowing 2048 --elastic 512`.",
         "",
-        "Errors are those of the stress after one update, relative to the larger of the stresses before and after and the",
-        "strength at zero pressure, against the same update in 32768 second-order substeps. Given are the mean, the error that 99 of 100",
-        "updates stay below, and the largest. Times are for one core, the minimum of several runs.",
+        "Errors are errors of the stress after one update, against the same update in 32768 second-order substeps. They are relative to the largest of",
+        "three: the stresses before and after, and the strength at zero pressure. The table gives the mean, the error that 99 of 100 updates stay",
+        "below, and the largest. Times are for one core, the minimum of several runs.",
         "",
         "- fast: the default solver; the parameter is the card's `Tolerance`.",
         "- bisected returns: the same error-controlled substeps, each returned by the published bisection, to the last bit.",
         "- nested bisection: the published scheme, equal substeps of one return each; the parameter is their number. It bisects",
         "  to 1e-9; *to last bit* is the oracle of the tests.",
-        "- failed: of 2048 updates, those that would need more than 2000 substeps (the outcome reports this and the state is unchanged);",
-        "  they have no error.",
+        "- failed: how many of 2048 updates would need more than 2000 substeps. The outcome reports this and the state is unchanged; they have no error.",
         "",
         "| solver | parameter | mean error | 99 % below | largest | evaluations | substeps | failed | ns | ns in lanes |",
         "|---|---|---|---|---|---|---|---|---|---|",
@@ -110,7 +109,7 @@ def page_text(notes, rows):
         f"- at the mean error {TARGET:g} (between rows): {evaluations[FAST]:.0f} yield-function evaluations against "
         f"{evaluations[NESTED]:.0f} of the nested bisection, a ratio of {evaluations[NESTED] / evaluations[FAST]:.0f}; "
         f"time {times[NESTED] / times[FAST]:.0f} times less (single points)",
-        f"- of that, the return alone, on the same error-controlled substeps: {controlled / evaluations[FAST]:.0f} times fewer",
+        f"- the return alone, on the same error-controlled substeps: {controlled / evaluations[FAST]:.0f} times fewer of these evaluations",
         "",
         "![error against cost](../pictures/arenisca_cost.png)",
     ]

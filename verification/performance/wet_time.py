@@ -46,8 +46,8 @@ def stored_part():
         "|---|---|---|---|---|",
         *rows,
         "",
-        f"Wet rock takes {ratio:.2f} times as long as dry rock, {least:.2f} to {most:.2f} over {len(data['ratios'])} rounds (at most {MOST} required: {verdict}). It takes"
-        f" {steps:.2f} times as many particle-steps, as the rock is stiffer.",
+        f"Wet rock takes {ratio:.2f} times as long as dry rock, {least:.2f} to {most:.2f} over {len(data['ratios'])} rounds. At most {MOST} is required: {verdict}. "
+        f"Wet rock is stiffer, and takes {steps:.2f} times as many particle-steps.",
     ]
 
 

@@ -29,7 +29,7 @@ def lines(name, digits):
         out.append(f"| {one['time'] / MICRO:g} | {values} | {order} | {millimetres(one['extrapolated'], digits)} | {interval} | {one['verdict']} |")
     error = data["depth_error"]
     if error and "value" in error:
-        out += ["", f"Error that was measured with the smallest of these cells, {error['cells_per_radius']:g} per radius of the tip: {error_text(error)}."]
+        out += ["", f"Measured error with the smallest of these cells, {error['cells_per_radius']:g} per radius of the tip: {error_text(error)}."]
     return out
 
 
