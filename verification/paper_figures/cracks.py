@@ -69,7 +69,7 @@ def draw(file, drawn, time):
 
 def trends(table):
     share, along, across = (table.column(name) for name in ("share dilated by more than 0.05", "correlation along the radius", "across the radius"))
-    out = [least("7: cross-section: dilated rock without confinement over that with it", share[0] / max(share[1], 1e-6), 5.0)]
+    out = [least("7: cross-section: dilated rock, unconfined over confined", share[0] / max(share[1], 1e-6), 5.0)]
     if table.column("cells [mm]")[0] <= 1.0:  # with coarser ones bands are no longer than LAG
-        out.append(least("7: cross-section: dilation is banded along radii: correlation along them less that across", along[0] - across[0], 0.1))
+        out.append(least("7: cross-section, bands along radii: correlation of the dilation along radii less across", along[0] - across[0], 0.1))
     return out

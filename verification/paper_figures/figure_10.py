@@ -103,17 +103,17 @@ def trends(tables):
     table = tables["paper_10"]
     means = lambda rock, kinds: [float(depths(table, rock, what).mean()) for what in kinds]  # noqa: E731
     most_scattered, none = means("cohesive", (f"m = {MODULI[0]:g}", NONE))
-    out = [least("10: where PEAKI1 carries the strength, depth with the largest scatter over that without", most_scattered / none, 1.005)]
+    out = [least("10: strength carried by PEAKI1: depth, largest scatter over none", most_scattered / none, 1.005)]
     if not len(table.column("seed", variation=SCALE)):
         scattered, even = means("Berea", (f"m = {MODULI[0]:g}", NONE))
-        out.append(most("10: Berea: depth with the largest scatter off that without, relative (against the paper: no increase)", abs(scattered / even - 1.0), 0.02))
+        out.append(most("10: Berea (against the paper, no increase): depth, largest scatter over none, difference", abs(scattered / even - 1.0), 0.02))
     else:
         falling = means("cohesive", (*(f"m = {m:g}" for m in MODULI), NONE))
         spread = max(float(np.ptp(depths(table, "cohesive", f"m = {m:g}"))) for m in MODULI)
         berea = means("Berea", (*(f"m = {m:g}" for m in MODULI), SCALE))
         out += [
-            least("10: cohesive rock: depth falls with the scatter, by so many mm from one modulus to the next", -np.diff(falling).max(), 0.1),
-            least("10: cohesive rock: that fall in all over the largest difference of seeds", (falling[0] - falling[-1]) / max(spread, 1e-9), 2.0),
-            most("10: Berea: depths of all moduli and of scale only differ by, relative (against the paper: no increase)", max(berea) / min(berea) - 1.0, 0.02),
+            least("10: cohesive rock: fall of the depth from one modulus to the next [mm]", -np.diff(falling).max(), 0.1),
+            least("10: cohesive rock: whole fall over the largest difference of seeds", (falling[0] - falling[-1]) / max(spread, 1e-9), 2.0),
+            most("10: Berea, all moduli and scale only (against the paper, no increase): largest difference of depth, relative", max(berea) / min(berea) - 1.0, 0.02),
         ]
     return [*out, sound(table, 10)]

@@ -93,18 +93,18 @@ def draw(file, run, shown):
 def trends(tables):
     table = tables["paper_2"]
     last = {name: table.column(name)[-1] for name in COLUMNS}
-    lost = [most("2: energy that the method adds or loses, over what was put in", abs(last[COLUMNS[6]]), 0.12)]
+    lost = [most("2: numerical energy over energy put in", abs(last[COLUMNS[6]]), 0.12)]
     if last["time [us]"] <= QUICK[-1]:
         lit, other = (tables["sides"].value(name) for name in SIDES[1:])
         return [
-            least("2: the liner collapses: fastest copper [m/s]", table.column(COLUMNS[1]).max(), 1000.0),
-            least("2: the side that is lit first collapses first: its speed towards the axis over that of the other", lit / other, 1.1),
+            least("2: collapsing liner: fastest copper [m/s]", table.column(COLUMNS[1]).max(), 1000.0),
+            least("2: side that is lit first over the other: speed towards the axis", lit / other, 1.1),
             *lost,
         ]
     return [
-        least("2: a jet is formed: fastest copper [m/s]", table.column(COLUMNS[1]).max(), 5000.0),
-        most("2: the jet leaves the axis, away from the detonator: its angle at the end [degrees]", last[COLUMNS[3]], -0.3),
-        most("2: and its place beside the axis [mm]", last[COLUMNS[4]], -0.3),
-        least("2: it enters the rock [mm]", last[COLUMNS[5]], 5.0),
+        least("2: formed jet: fastest copper [m/s]", table.column(COLUMNS[1]).max(), 5000.0),
+        most("2: jet at the end, negative away from the detonator: angle to the axis [degrees]", last[COLUMNS[3]], -0.3),
+        most("2: jet at the end, negative away from the detonator: place beside the axis [mm]", last[COLUMNS[4]], -0.3),
+        least("2: jet: depth in the rock [mm]", last[COLUMNS[5]], 5.0),
         *lost,
     ]

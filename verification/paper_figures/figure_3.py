@@ -133,10 +133,10 @@ def trends(tables):
     rows = [row for row in data.rows if np.isfinite(row[3])]
     worst = max(abs(row[3] / row[2] - 1.0) / (0.01 * row[4]) for row in rows if row[0] != "bulk modulus [GPa]")
     return [
-        least("3: volume strain that unloading leaves [%], as crushed pores stay closed", left, 5.0),
-        most("3: plastic volume strain changes during the unload, over its value", np.ptp(plastic[unload]) / plastic.max(), 1e-3),
-        most("3: strain falls with pressure in the unload", np.diff(strain[unload]).max(), 0.0),
-        least("3: strain grows with pressure in the load", np.diff(strain[~unload]).min(), 0.0),
-        most("3: pore strain and crushing pressure off the data, in their uncertainties", worst, 1.0),
-        least("3: pressure of the load's end [MPa]", pressure.max(), 1000.0),
+        least("3: after unloading (crushed pores stay closed): volume strain left [%]", left, 5.0),
+        most("3: unload: change of plastic volume strain, relative", np.ptp(plastic[unload]) / plastic.max(), 1e-3),
+        most("3: unload: largest increment of strain (falls with pressure)", np.diff(strain[unload]).max(), 0.0),
+        least("3: load: least increment of strain (grows with pressure)", np.diff(strain[~unload]).min(), 0.0),
+        most("3: pore strain and crushing pressure: misfit to the data over its uncertainty", worst, 1.0),
+        least("3: end of the load: pressure [MPa]", pressure.max(), 1000.0),
     ]

@@ -95,14 +95,14 @@ def trends(tables):
     # At the knee, which is round for a shell that yields from its inner wall outwards and sharp for a crush curve.
     for name, limit in (("drained", 0.1), ("undrained", 0.03)):
         shell, rock = (table.column(column, rock=name, leg="load") for column in ("shell [MPa]", "Arenisca [MPa]"))
-        out.append(most(f"4: {name}: Arenisca's load off the closed form, over the largest pressure", np.abs(rock - shell).max() / shell.max(), limit))
+        out.append(most(f"4: {name}, load: Arenisca less closed form, over the largest pressure", np.abs(rock - shell).max() / shell.max(), limit))
     wet, dry = (table.column("Arenisca [MPa]", rock=name, leg="load").max() for name in ("undrained", "drained"))
     pore = table.column("pore pressure of Arenisca [MPa]", rock="undrained", leg="load")
     out += [
-        least("4: pressure with fluid over that without at the deepest strain", wet / dry, 1.5),
-        least("4: the pore pressure grows in the load", np.diff(pore).min(), 0.0),
-        least("4: part of the total pressure that the fluid has at the deepest strain", pore[-1] / wet, 0.2),
+        least("4: deepest strain: pressure, with fluid over without", wet / dry, 1.5),
+        least("4: load: least increment of pore pressure (grows)", np.diff(pore).min(), 0.0),
+        least("4: deepest strain: pore pressure over total pressure", pore[-1] / wet, 0.2),
     ]
     fluid = [table.column(column, rock="undrained") for column in ("fluid of the shell [MPa]", "pore pressure of Arenisca [MPa]")]
-    out.append(most("4: pore pressure off that of the shell's fluid, load and unload, over the largest", np.abs(fluid[1] - fluid[0]).max() / pore.max(), 0.01))
+    out.append(most("4: load and unload: pore pressure less that of the shell's fluid, over the largest", np.abs(fluid[1] - fluid[0]).max() / pore.max(), 0.01))
     return out

@@ -216,6 +216,6 @@ def trends(tables):
         sheared = pressure_and_shear(ordered)[1] > SHEARED
         spans.append(np.ptp(lode_angle(ordered[sheared])))
     return [
-        least("5: share of triaxial compression (below 20 degrees), which is a third if all angles are alike", part[low < 20.0].sum(), 1.0 / 2.0),
-        least("5: the path of a particle beside the hole spans Lode angles of so many degrees", max(spans), 45.0),
+        least("5: Lode angle below 20 degrees (a third if all are alike): share of triaxial compression", part[low < 20.0].sum(), 1.0 / 2.0),
+        least("5: path of a particle beside the hole: range of Lode angles [degrees]", max(spans), 45.0),
     ]

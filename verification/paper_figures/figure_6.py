@@ -95,18 +95,18 @@ def trends(tables):
     for shape in shapes:
         h, depth = by_cells(table, shape)
         finest[shape], coarse[shape] = depth[-1], depth[0]
-    out = [least("6: GIMP and CPDI differ with the coarsest cells, relative", abs(coarse["GIMP"] / coarse["CPDI"] - 1.0), 0.01)]
+    out = [least("6: coarsest cells: depth, GIMP over CPDI, difference", abs(coarse["GIMP"] / coarse["CPDI"] - 1.0), 0.01)]
     if len(shapes) == 2:
         off = {shape: abs(finest[shape] / stored_limit() - 1.0) for shape in shapes}
-        out.append(most("6: distance of GIMP from the stored mean limit over that of CPDI, cells of 2 mm (against the paper's guess)", off["GIMP"] / off["CPDI"], 0.8))
+        out.append(most("6: cells of 2 mm (against the paper's guess): distance from the stored mean limit, GIMP over CPDI", off["GIMP"] / off["CPDI"], 0.8))
     if len(shapes) > 2:
         values, limits = list(finest.values()), tables["paper_6_limits"]
         known = limits.column("limit [mm]")
         off = {shape: abs(limits.value("cells of 1 mm: off the mean limit", **{"shape function": shape})) for shape in shapes}
         out += [
-            most("6: depths of all shape functions with the finest cells differ by, relative", max(values) / min(values) - 1.0, 0.04),
-            least("6: shape functions that converge at first order or better", np.isfinite(known).sum(), 2.0),
-            most("6: their limits differ by, relative", np.nanmax(known) / np.nanmin(known) - 1.0, 0.02),
-            most("6: distance of GIMP from the mean limit over that of CPDI, cells of 1 mm (against the paper's guess)", off["GIMP"] / off["CPDI"], 0.5),
+            most("6: finest cells, all shape functions: largest difference of depth, relative", max(values) / min(values) - 1.0, 0.04),
+            least("6: first order or better: number of shape functions", np.isfinite(known).sum(), 2.0),
+            most("6: these shape functions: largest difference of limits, relative", np.nanmax(known) / np.nanmin(known) - 1.0, 0.02),
+            most("6: cells of 1 mm (against the paper's guess): distance from the mean limit, GIMP over CPDI", off["GIMP"] / off["CPDI"], 0.5),
         ]
     return out

@@ -82,8 +82,8 @@ def experiments(table, strength):
     cells = table.rows[0][1]
     pressure, depth = (table.column(name, **{"cells [mm]": cells}) for name in ("confinement [MPa]", "depth [mm]"))
     return [
-        most("7: slope of ln(depth) against the effective confining pressure, per MPa (experiments: negative)", slope(pressure, depth), -2e-4),
-        most("7: slope of ln(depth) against the unconfined strength, per MPa (experiments: negative)", slope(strength.column("unconfined strength [MPa]"), strength.column("depth [mm]")), -1e-3),
+        most("7: over effective confining pressure (experiments, negative): slope of ln(depth) per MPa", slope(pressure, depth), -2e-4),
+        most("7: over unconfined strength (experiments, negative): slope of ln(depth) per MPa", slope(strength.column("unconfined strength [MPa]"), strength.column("depth [mm]")), -1e-3),
         sound(strength, 7, "strengths: "),
     ]
 
@@ -106,16 +106,16 @@ def trends(tables):
         order = np.argsort(pressure)
         steps = [-np.diff(depth[order]) for depth in (early, final)]
         out += [
-            least(f"7: cells of {cells:g} mm: the depth after 30 us falls from each confining pressure to the next, by so many mm", steps[0].min(), 0.1),
-            least(f"7: cells of {cells:g} mm: the greatest depth falls likewise, or rises by less than the noise, in mm", steps[1].min(), -NOISE),
-            most(f"7: cells of {cells:g} mm: greatest depth at the highest confining pressure over that at the lowest", final[order][-1] / final[order][0], 0.98),
+            least(f"7: cells of {cells:g} mm, after 30 us: fall of the depth from one confining pressure to the next [mm]", steps[0].min(), 0.1),
+            least(f"7: cells of {cells:g} mm (noise allowed): fall of the greatest depth from one confining pressure to the next [mm]", steps[1].min(), -NOISE),
+            most(f"7: cells of {cells:g} mm: greatest depth, highest over lowest confining pressure", final[order][-1] / final[order][0], 0.98),
         ]
     own = table.rows[0][1]
     growth = table.column("growth in the last 20 us", **{"cells [mm]": own}).max()
-    out.append(most(f"7: cells of {own:g} mm: shots are nearly over: growth of the depth in the last 20 us", growth, 0.03))
+    out.append(most(f"7: cells of {own:g} mm, last 20 us: growth of the depth", growth, 0.03))
     falls = [fall_of(table, cells) for cells in set(table.column("cells [mm]")) if cells in table.column("cells [mm]", **{"confinement [MPa]": CONVERGED_AT[0]})]
     if len(falls) > 1:
-        out.append(most("7: the greatest depth at 138 MPa over that at 34 MPa differs between cell sizes by", max(falls) - min(falls), 0.02))
+        out.append(most("7: all cell sizes: difference of the ratio of greatest depths, 138 MPa over 34 MPa", max(falls) - min(falls), 0.02))
     out.append(sound(table, 7))
     strength = tables["paper_7_strength"]
     if len(strength.rows) > 1:

@@ -89,17 +89,17 @@ DRAWN = {"paper_8_pore": lambda file, tables: draw_depths(file, tables["paper_8"
 
 def trends(tables):
     table = tables["paper_8"]
-    out = [least(f"8: undrained over drained {column.removesuffix(' [mm]')} without confinement and initial pore pressure", ratio_of(table, UNLOADED, column), 1.005) for column in DEPTHS]
+    out = [least(f"8: no confinement, no initial pore pressure: {column.removesuffix(' [mm]')}, undrained over drained", ratio_of(table, UNLOADED, column), 1.005) for column in DEPTHS]
     heavy = table.value(DEPTHS[0], rock="drained, as heavy as undrained")
-    out.append(most("8: the mass of the fluid alone: depth at 30 us of heavier over lighter drained rock", heavy / depth_of(table, *UNLOADED[0], DEPTHS[0]), 1.0))
+    out.append(most("8: mass of the fluid alone: depth at 30 us, heavier over lighter drained rock", heavy / depth_of(table, *UNLOADED[0], DEPTHS[0]), 1.0))
     for column, spread, step in zip(DEPTHS, (0.01, 0.03), (0.05, 0.1)):
         alike, rising = ([depth_of(table, *pair, column) for pair in pairs] for pairs in (EQUAL_EFFECTIVE, EQUAL_CONFINEMENT))
         name = column.removesuffix(" [mm]")
-        out.append(most(f"8: at equal effective stress: {name}, largest over smallest less 1", max(alike) / min(alike) - 1.0, spread))
-        out.append(least(f"8: at equal confinement: {name} grows from drained rock to each higher pore pressure, by so many mm", np.diff(rising).min(), step))
+        out.append(most(f"8: equal effective stress: {name}, largest over smallest less 1", max(alike) / min(alike) - 1.0, spread))
+        out.append(least(f"8: equal confinement, from drained rock to higher pore pressures: least growth of {name} [mm]", np.diff(rising).min(), step))
     if "paper_8_spall" in tables:
         depth = spall.ratio(tables["paper_8_spall"], spall.FINAL, "2 GPa", "undrained", "drained")
-        out.append(least("8: with a spall stress: undrained over drained depth after 60 us without confinement and initial pore pressure", depth, 1.005))
+        out.append(least("8: spall stress, no confinement, no initial pore pressure: depth after 60 us, undrained over drained", depth, 1.005))
     return [*out, sound(table, 8)]
 
 

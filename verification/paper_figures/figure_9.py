@@ -59,9 +59,9 @@ def trends(tables):
     depth, gained, fastest = ({name: float(table.value(column, flow=name)) for name in FORMS} for column in ("depth of the nose [mm]", "volume gained [cm3]", "fastest ejecta [m/s]"))
     associated, porous, nonassociated = FORMS
     return [
-        least("9: volume gained with associated flow over nonassociated", gained[associated] / gained[nonassociated], 3.0),
-        least("9: volume gained with associated flow over that with porosity", gained[associated] / gained[porous], 3.0),
-        most("9: depth with associated flow over nonassociated", depth[associated] / depth[nonassociated], 0.7),
-        most("9: depth with porosity off nonassociated, relative", abs(depth[porous] / depth[nonassociated] - 1.0), 0.4),
-        least("9: fastest ejecta with associated flow over nonassociated", fastest[associated] / fastest[nonassociated], 1.1),
+        least("9: associated over nonassociated flow: volume gained", gained[associated] / gained[nonassociated], 3.0),
+        least("9: associated flow over porosity: volume gained", gained[associated] / gained[porous], 3.0),
+        most("9: associated over nonassociated flow: depth", depth[associated] / depth[nonassociated], 0.7),
+        most("9: porosity over nonassociated flow, less 1: depth", abs(depth[porous] / depth[nonassociated] - 1.0), 0.4),
+        least("9: associated over nonassociated flow: fastest ejecta", fastest[associated] / fastest[nonassociated], 1.1),
     ]

@@ -50,7 +50,7 @@ def measured(folder):
 
 def sound(table, number, of=""):
     """A run that has become unstable shows in its energy; its depth means nothing."""
-    return most(f"{number}: {of}energy that the method adds or loses, over what was put in", np.abs(table.column("numerical energy")).max(), 0.12)
+    return most(f"{number}: {of}numerical energy over energy put in", np.abs(table.column("numerical energy")).max(), 0.12)
 
 
 def end_of(folder):

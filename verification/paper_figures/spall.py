@@ -91,15 +91,15 @@ def draw(file, table):
 
 def trends(table):
     lost = {spall: np.abs(table.column(ENERGY, **{"spall stress": spall})).max() for spall in SPALL}
-    out = [most("7: with a spall stress: energy that the method adds or loses, over what was put in", lost["2 GPa"], 0.03)]
+    out = [most("7: spall stress: numerical energy over energy put in", lost["2 GPa"], 0.03)]
     for cells, deeper in ((2.0, 1.05), (1.0, 1.1)):
         if cells in table.column("cells [mm]"):
             depth = [value_at(table, FINAL, spall, cells, 0.0) for spall in SPALL]
-            out.append(least(f"7: with a spall stress, cells of {cells:g} mm: the depth after 60 us over that without", depth[1] / depth[0], deeper))
+            out.append(least(f"7: cells of {cells:g} mm: depth after 60 us, with a spall stress over without", depth[1] / depth[0], deeper))
     holes = [-change_of(table, "hole [cm3]", "2 GPa", cells) for cells in sorted(set(table.column("cells [mm]", **{"spall stress": "2 GPa"})))]
-    out.append(least("7: with a spall stress: share by which the hole's volume falls from 0 to 138 MPa, with any cells", min(holes), 0.15))
+    out.append(least("7: spall stress, any cells, 0 to 138 MPa: fall of the hole's volume, relative", min(holes), 0.15))
     finest = min(CELLS["2 GPa"])
     if finest in table.column("cells [mm]"):
         fall = -change_of(table, FINAL, "2 GPa", finest)
-        out.append(most(f"7: with a spall stress, cells of {finest:g} mm: share by which the depth after {END:g} us falls from {PRESSURES[0]:g} to {PRESSURES[1]:g} MPa (against the paper: hardly)", fall, 0.02))
+        out.append(most(f"7: spall stress, cells of {finest:g} mm, {PRESSURES[0]:g} to {PRESSURES[1]:g} MPa (against the paper, hardly): fall of the depth after {END:g} us, relative", fall, 0.02))
     return out

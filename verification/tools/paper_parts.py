@@ -8,7 +8,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / name) for name in ("", "oracles", "cases")] + [str(HERE.parents[1] / "src" / "python")]
 from paper_figures import FIGURES, figure, spall  # noqa: E402
 from paper_figures.lab import RESULTS, read_table  # noqa: E402
-from verification_pages import table  # noqa: E402
+from verification_pages import name_and_condition, table  # noqa: E402
 
 LONG = {"paper_3_curve", "paper_4", "paper_5", "paper_5_paths"}  # drawn, not tabulated
 
@@ -26,21 +26,28 @@ def stored(number):
     return {name: read_table(RESULTS / f"{name}.csv") for name in figure(number).TABLES}
 
 
+def remark_of(found, number):
+    """As a sentence's beginning, but for words that are a file's name."""
+    remark = found.remark.replace(f"Figure {number}: ", "").rstrip(".")
+    return remark if "/" in remark.split()[0] else remark[0].upper() + remark[1:]
+
+
 def part(number):
     """Remark and table of every short results file of a figure, then its trends."""
     lines, tables = [], stored(number)
     for name, found in tables.items():
         if name in LONG:
-            lines += [found.remark.replace(f"Figure {number}: ", "") + f" (`verification/results/{name}.csv`)", ""]
+            lines += [remark_of(found, number) + f" (`verification/results/{name}.csv`).", ""]
         else:
             shown = [[cell(value) for value in row] for row in found.rows]
-            lines += [found.remark.replace(f"Figure {number}: ", "") + ":", "", *table(found.columns, shown), ""]
-    return [*lines, *table(["trend", "measured", "must be", "verdict"], [row_of(trend) for trend in figure(number).trends(tables)])]
+            lines += [remark_of(found, number) + ":", "", *table(found.columns, shown), ""]
+    return [*lines, *table(["trend", "condition", "measured", "must be", "verdict"], [row_of(trend) for trend in figure(number).trends(tables)])]
 
 
 def row_of(trend):
     bound = f"{'at least' if trend.at_least else 'at most'} {trend.limit:.4g}"
-    return [trend.what.split(": ", 1)[1], f"{trend.value:.4g}", bound, "holds" if trend.holds else "**does not hold**"]
+    name, condition = name_and_condition(trend.what.split(": ", 1)[1])
+    return [name, condition, f"{trend.value:.4g}", bound, "holds" if trend.holds else "**does not hold**"]
 
 
 def unmeasured(costs, count_of):
@@ -69,7 +76,7 @@ def time():
     total = sum(row[2] for row in found.rows)
     wall = sum(row[2] / min(CORES, max(row[1], 1.0)) for row in found.rows)  # a single run has one core
     rows = [[f"{row[0]:.0f}", f"{row[1]:.0f}", f"{row[2]:.0f}"] for row in found.rows]
-    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes or more: a core has nothing to do while the last run of a figure ends, and pictures take seconds.",
+    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes or more: a core idles while the last run of a figure ends. Pictures take seconds.",
             *unmeasured_words(unmeasured({int(row[0]): row[1] for row in found.rows}, rows_of))]  # fmt: skip
 
 
