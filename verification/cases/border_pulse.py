@@ -48,10 +48,11 @@ def measure(barreno, mode, shape, grid, border):
 def run(barreno, full):
     result = Result(
         "A pulse meets smaller cells",
-        "A pulse of 20 cells runs into cells of half the size, and what comes back from there is no more than twice what a uniform grid leaves behind by "
-        "itself, with one step for all and with steps of two lengths.",
-        "d'Alembert: nothing behind the pulse. Largest velocity from 0.9 to 1.9 m, where what comes back is at 1.6 ms, and largest error of the velocity "
-        "from 2.4 to 3.2 m, both relative to the pulse's peak. Two parts: `Step/Subcycles` = 2, which CPDI does not take.",
+        "A pulse of 20 cells runs into cells of half the size. It leaves at most twice as much behind as on a uniform grid, with one "
+        "step for all and with steps of two lengths.",
+        "d'Alembert: nothing behind the pulse. Largest velocity from 0.9 to 1.9 m, where the reflection is at 1.6 ms, and largest error "
+        "of the velocity from 2.4 to 3.2 m. Both are relative to the pulse's peak. "
+        "Two parts: `Step/Subcycles` = 2, which CPDI does not take.",
         ["mode", "shape function", "grid", "border [m]", "left behind", "over the uniform grid's", "error beyond", "energy ledger remainder"],
         [],
     )  # fmt: skip

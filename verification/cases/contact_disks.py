@@ -44,8 +44,8 @@ def run(barreno, full):
         result.demand("speed missing at 0.0025 m over that at 0.005 m", (1 - result.rows[3][3]) / (1 - result.rows[2][3]), 0.6)
     result.notes = (
         "The ratio tends to 1 as cells are refined. Of the kinetic and elastic energy lost, half is lost between particles and grid "
-        "(transfer) and half in the work of the nodal forces (stress_integration); the likely cause, not isolated, is that nodes whose "
-        "fields come into contact take a common velocity, an inelastic impact of the masses within about a cell "
-        "of the surface. The rest of the deficit in mean speed remains in the disks as vibration."
+        "(transfer) and half in the work of the nodal forces (stress_integration). The likely cause was not isolated: nodes whose "
+        "fields come into contact take a common velocity. This is an inelastic impact of the masses within about a cell of the surface. "
+        "The rest of the deficit in mean speed remains in the disks as vibration."
     )
     return result

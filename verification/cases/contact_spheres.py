@@ -113,8 +113,8 @@ def run(barreno, full):
     result = Result(
         "Collision of elastic spheres",
         "Contact, momentum and energy in three dimensions; for comparison, also in a single velocity field, without contact.",
-        f"Hertz: contact lasts {1e3 * duration:.4g} ms, the centres approach by {1e3 * approach:.4g} mm, and the spheres separate "
-        "as fast as they met except for slight vibration; momentum and the sum of kinetic and elastic energy are conserved.",
+        f"Hertz: contact lasts {1e3 * duration:.4g} ms, the centres approach by {1e3 * approach:.4g} mm, and the spheres separate as "
+        "fast as they met except for slight vibration. Momentum and the sum of kinetic and elastic energy are conserved.",
         ["contact", "cells per radius", "Courant fraction", "duration / Hertz", "approach / Hertz", "speed after / before",
          "momentum error", "kinetic and elastic / initial energy", "lost to transfer / initial energy", "energy ledger remainder"],
         [],
@@ -141,8 +141,8 @@ def run(barreno, full):
     result.notes = (
         "Momentum is conserved to round-off. Energy is not: where surfaces meet, a layer about a cell thick takes a common velocity, as in "
         "a perfectly inelastic collision. The loss decreases with the cell size (first order or better); with contact the step size hardly "
-        "matters. The surfaces are resolved to half a particle, a quarter of a cell, which is the error of the centres' approach in a "
-        "contact whose Hertz radius is 11 mm, one and two cells."
+        "matters. The surfaces are resolved to half a particle, a quarter of a cell. The centres' approach has this error; the Hertz "
+        "radius of the contact is 11 mm, one and two cells."
     )
     return result
 

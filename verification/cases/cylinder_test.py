@@ -35,8 +35,8 @@ def run(barreno, full):
     result = Result(
         "Cylinder test",
         "Products on their isentropes, to seven times the volume of the explosive, drive a wall as fast as another method finds.",
-        "An independent Lagrangian calculation in one dimension (finite differences, radial motion, all burnt at the start, copper without "
-        "strength): mean velocity of the wall when its outer surface has moved 6, 12.5 and 19 mm.",
+        "An independent Lagrangian calculation in one dimension (finite differences, radial motion, all burnt at the start, copper "
+        "without strength). Mean velocity of the wall when its outer surface has moved 6, 12.5 and 19 mm.",
         ["explosive", "cell [mm]", *(f"velocity at {x:g} mm [m/s]" for x in MOVED), *(f"error at {x:g} mm" for x in MOVED),
          "energy ledger remainder"],
         [],

@@ -109,9 +109,11 @@ def demand_converged(result, h, found, coarser):
 def run(barreno, full):
     result = Result(
         "Cylinder test lit at an end",
-        "A front that runs along a copper tube opens it with a velocity that does not depend on the cells, and drives it faster than the gas at rest of the radial motion alone.",
-        "The same deck with cells twice as wide; from below, the speeds of the radial motion alone ([cylinder_test](cylinder_test.md)). Mean velocity of the wall "
-        "when its outer surface has moved 6, 12.5 and 19 mm, in slices 70 to 90 mm from the lit end, before the other end is felt there.",
+        "A front runs along a copper tube and opens it. The velocity of the tube does not depend on the cells, and exceeds that of "
+        "radial motion alone, which starts from gas at rest.",
+        "The same deck with cells twice as wide; from below, the speeds of the radial motion alone ([cylinder_test](cylinder_test.md)). Mean "
+        "velocity of the wall when its outer surface has moved 6, 12.5 and 19 mm. Slices lie 70 to 90 mm from the lit end, where the "
+        "other end is not felt yet.",
         ["gas and tube", "copper", "cell [mm]", *(f"radial velocity at {x:g} mm [m/s]" for x in MOVED), *(f"change at {x:g} mm" for x in MOVED),
          *(f"speed at {x:g} mm over radial motion" for x in MOVED), *(f"at a slit, {x:g} mm [m/s]" for x in MOVED), "halves of the slices", "energy ledger remainder"],
         [],

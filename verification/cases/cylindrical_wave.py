@@ -68,7 +68,7 @@ def run(barreno, full):
         result.demand(f"{shape}: mean order of the displacement", rate, 0.8, at_least=True)
     result.notes = (
         "A jump spans a fixed number of cells: behind it, errors are of first order at best. A load present from the start acts for the "
-        "whole first step on velocities that belong to the midpoint of that step: it acts from half a step before the start, so the wave "
-        "arrives that much too early, which is also first order."
+        "whole first step on velocities that belong to the midpoint of that step. The load thus acts from half a step before the start, "
+        "and the wave arrives half a step too early. This is also first order."
     )
     return result

@@ -81,8 +81,9 @@ def run(barreno, full):
     result.demand("order of the wave", order([waves[0], waves[-1]], ratio=levels[0] / levels[-1])[0], 0.75, at_least=True)
     result.notes = (
         "The front is as many cells wide as Burn Width says, 2.5, and its middle lies half of that behind the time of lighting: an error of "
-        "first order. What each step loses in stress_integration and transfer is returned as heat (Return Losses): a detonation of prescribed speed is "
-        "tangent to its Hugoniot, so that its pressure errs by the root of what is lost, and the losses do not decrease with the cells. Without that the "
+        "first order. The energy that each step loses in stress_integration and transfer is returned as heat (Return Losses). A "
+        "detonation of prescribed speed is tangent to its Hugoniot, so its pressure errs by the root of the loss. The losses do not "
+        "decrease with the cells. Without that the "
         "peak stays below the Chapman-Jouguet pressure."
     )
     return result

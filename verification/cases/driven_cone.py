@@ -71,7 +71,9 @@ def run(barreno, full):
 
 
 NOTES = (
-    "V0 is the mean velocity of a slice half-way to the axis: earlier the products still drive it, later its inner part is faster than its outer one, as in every ring that closes. "
-    "The theory's liner is thin. Of slices that start nearer than six walls to the axis nothing is asked, because half-way they are as thick as they are far, nor of the outermost, which is nearer to the open "
-    "end of the charge than that is thick and so is driven less than those before it. Nothing is asked of the slug, on which the products go on pressing."
+    "V0 is the mean velocity of a slice half-way to the axis. Earlier the products still drive the slice; later its inner part is faster "
+    "than its outer part, as in every ring that closes. "
+    "The theory's liner is thin. Nothing is required of slices that start nearer than six walls to the axis: half-way they are as thick "
+    "as they are far from it. Nor is anything required of the outermost slice. It is nearer to the open end of the charge than the "
+    "charge is thick, and is driven less than the slices before it. Nothing is asked of the slug, on which the products go on pressing."
 )

@@ -55,6 +55,7 @@ def run(barreno, full):
 
 
 NOTES = (
-    "Nothing is asked of the slug. The theory's plate feels no pressure from where it arrives on; here products still press on it, and its slug is the faster one, the less so the finer "
-    "the cells. V0 grows along the plate, because what starts further out is driven for longer."
+    "Nothing is asked of the slug. The theory's plate feels no pressure from where it arrives on. Here products still press on the "
+    "plate, and its slug is faster than in theory, the less so the finer the cells. "
+    "V0 grows along the plate, because what starts further out is driven for longer."
 )

@@ -117,10 +117,10 @@ def run(barreno, full):
         "Bar pulled to five times its length",
         "The extension instability (numerical fracture), its absence under CPDI, and domain scaling, which brings it back at a stretch set "
         "by l_crit.",
-        "one stretch and one stress all over the bar (neo-Hookean, uniaxial strain); two particles per cell and direction, 4 cells at "
-        "the start. Greatest errors of any particle, over stretch and stress of a bar of the mean stretch; gaps over the mean length "
-        f"of a particle; parted: the first of instants {COARSE:g} apart at which a particle of the inner {100 * INSIDE:g} % carries "
-        "less than half of the stress.",
+        "uniform stretch and stress in the bar (neo-Hookean, uniaxial strain); two particles per cell and direction, 4 cells initially. "
+        "Largest errors of any particle, relative to the stretch and stress of a bar of the mean stretch. Gaps are relative to the mean "
+        f"length of a particle. *Parted* is the first of the instants, {COARSE:g} apart in stretch, at which a particle of the inner "
+        f"{100 * INSIDE:g} % carries less than half of the stress.",
         ["shape function", "l_crit [cells]", "parted at a stretch of", "stretch error at 2", "at 3", "at 5", "stress error at 5",
          "widest gap at 5", "clipped first seen at", "clipped at 5"],
         [],
@@ -138,8 +138,8 @@ def run(barreno, full):
             demand(f"{shape}, l_crit {shown}" if shown else shape, shape, domain, entries, seen, result)
     result.notes = (
         "With two particles per cell a CPDI domain is clipped from a stretch of sqrt(16 l_crit^2 - 1) on. There the bar separates: where "
-        "it has a gap it carries less. CPDI domains stay connected because a particle moves with the mean velocity of the ends of its "
-        "domain and its length grows with their difference, so that a gap between two ends grows only with the difference of the grid's "
+        "it has a gap it carries less. CPDI domains stay connected: a particle moves with the mean velocity of the ends of its domain, "
+        "and its length grows with their difference. A gap between two ends therefore grows only with the difference of the grid's "
         "velocity across it. Contiguous GIMP moves with the mean over the box, which differs where a node lies inside it; the boxes "
         "separate, and so does the bar, long before they are clipped. The errors at a stretch of 2 stem from the cell at the grip, which "
         "constrains one node after another and releases each abruptly."

@@ -19,13 +19,16 @@ TIMES = (28, 32, 36, 40)  # us
 # Where tables are compared: what has passed a plane grows by whole particles, so that one must not have the mass that is asked about.
 MANY = {"Bodies/Liner/Particles Per Cell": "8", "Jet Monitor/Interval": "0.5 us"}
 NOTES = (
-    "A liner of solid copper asks for a thinned jet (docs/jets.md), and with cells of 0.25 mm, four to the jet's radius, its table digs so: what is launched as discrete slugs leaves gaps "
-    "that the formed jet does not have, and lags. The first rows of a table are single particles thrown ahead of the jet, whose metal would be filaments thinner than a cell, "
-    "with steps five to ten times as short; those whose metal has a radius below half a cell, and what is before a gap, are left out. They do open the casing a little, so that the table is late at first. "
-    "With cells of 1 mm the jet crosses the plane as some ninety particles, and its radius is about a cell: depths on the way differ more than those at the end, "
-    "because single particles lead, and that the depth at the end agrees better than those before it is chance. "
-    "The two planes are compared with eight particles per cell and direction in the liner, because the table moved and the one taken there differ by whole particles, of "
-    "which with the four of the deck a single one has more than the 2 percent that are asked."
+    "A liner of solid copper asks for a thinned jet (docs/jets.md). With cells of 0.25 mm, four to the jet's radius, the thinned table "
+    "digs as the formed jet does. Discrete slugs leave gaps that the formed jet does not have, and lag. "
+    "The first rows of a table are single particles thrown ahead of the jet. Their metal would be filaments thinner than a cell, with "
+    "steps five to ten times as short. Rows whose metal has a radius below half a cell, and rows before a gap, are left out. "
+    "They do open the casing a little, so that the table is late at first. "
+    "With cells of 1 mm the jet crosses the plane as some ninety particles, and its radius is about a cell. Depths on the way differ "
+    "more than the depth at the end, because single particles lead. The better agreement at the end is chance. "
+    "The two planes are compared with eight particles per cell and direction in the liner. The table that was moved and the table taken "
+    "at the second plane differ by whole particles. With the four particles of the deck a single one has more than the 2 percent that "
+    "are required."
 )
 ONLY_FORMING = {"Bodies": ("Charge", "Liner"), "Materials": ("Comp B",)}
 
@@ -81,8 +84,8 @@ def moved_table(folder, table, distance):
 def run(barreno, full):
     result = Result(
         "Formed jet, written and shot again",
-        "A jet that an explosive forms from its liner and shoots through a casing into rock, all in one run, digs as deep as its table does that is "
-        "launched without charge and liner.",
+        "In one run an explosive forms a jet from its liner and shoots it through a casing into rock. The jet digs as deep as its table "
+        "does, launched without charge and liner.",
         "The single run.",
         ["cell [mm]", "table launched as", *[f"single run, depth at {t} us [mm]" for t in TIMES], *[f"table, depth at {t} us [mm]" for t in TIMES],
          "crossings", "slice loss", "largest difference of depth", "energy ledger remainder"],

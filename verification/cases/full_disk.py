@@ -21,7 +21,7 @@ def build(scratch):
 def run(barreno, full):
     result = Result(
         "Full disk",
-        "A disk that fills up ends the run with one sentence, or causes a warning if only a checkpoint found no room; once there is room "
+        "A disk that fills up ends the run with one sentence, or causes a warning if only a checkpoint found no room. Once there is room "
         "again, the resumed run ends as if nothing had happened.",
         "the undisturbed run, its tables byte for byte and its fields bit for bit. All write calls fail from the one in the first column "
         "on (tools/full_disk.c, preloaded); the run is a resumed one, so that older files exist that could be damaged.",

@@ -33,10 +33,10 @@ def run(barreno, full):
     result = Result(
         "Changed input",
         "Whatever the input, reading a deck, a card, a jet table, a path or an STL surface ends with a scene, a material, a table or one sentence.",
-        "the rule that a refusal is one line that begins with the file's name, states a reason and says what to do. The inputs are changed at random "
-        "(tests/fuzz): values, names, types and lists of the decks and cards of this repository, cells of tables, corners of surfaces, "
-        "bytes; under the "
-        "address and undefined-behaviour sanitizers, on a machine of 64 MB. A deck is processed completely: text, included files, tables, scene.",
+        "the rule that a refusal is one line that begins with the file's name, states a reason and says what to do. The inputs are "
+        "changed at random (tests/fuzz): values, names, types and lists of the decks and cards of this repository, cells of tables, "
+        "corners of surfaces, bytes. The address and undefined-behaviour sanitizers watch, on a machine of 64 MB. "
+        "A deck is processed completely: text, included files, tables, scene.",
         ["reader", "inputs", "seeds", "accepted", "kinds of sentences", "crashes", "not one sentence", "over 1 s", "longest [s of processor]"],
         [],
     )

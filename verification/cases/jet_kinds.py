@@ -69,8 +69,8 @@ def main_job(barreno, result):
 def run(barreno, full):
     result = Result(
         "Kinds of a jet",
-        "The voids of one jet table as gaps, as a smaller radius and as an expansion strain: the same mass, momentum and energy, and "
-        "depths as the hydrodynamic rule has them.",
+        "One jet table has its voids as gaps, as a smaller radius or as an expansion strain. Mass, momentum and energy are the same, and "
+        "depths follow the hydrodynamic rule.",
         "Hydrodynamic depths, discrete : continuous : thinned = 1 : sqrt(2 alpha - 1) : alpha, alpha = full over mean density (docs/jets.md).",
         ["job", "kind", "cell [mm]", "final depth [mm]", "depth at 10 us [mm]", "depth at 20 us [mm]", "depth at 30 us [mm]",
          "depth at 50 us [mm]", "particles stretched", "ejected", "clipped", "removed"],
@@ -80,11 +80,13 @@ def run(barreno, full):
     if full:
         main_job(barreno, result)
     result.notes = (
-        "A target without strength does not stop: its hole goes on growing in the gaps of the discrete jet, which digs deeper than the rule, and "
-        "would with longer slugs, too. The rule of the discrete jet holds where the target comes to rest in the gaps. The two whole kinds "
-        "are those of the rule. In the main job, whose rock has strength, all kinds carry the same momentum and energy; the particles counted are those of "
-        "kinematic_anomalies in summary.json at the end, and those that have been removed. Until then the jet's tip digs, of which metal "
-        "fills nearly all, and a gap that is shorter than a cell is none to the grid: in cells as wide as the jet's radius the three depths "
-        "hardly differ. More of the continuous jet is removed, because its voids count towards Largest Expansion."
+        "A target without strength does not stop: its hole goes on growing in the gaps of the discrete jet. The discrete jet therefore "
+        "digs deeper than the rule, and would with longer slugs, too. "
+        "The rule of the discrete jet holds where the target comes to rest in the gaps. The two whole kinds "
+        "are those of the rule. In the main job, whose rock has strength, all kinds carry the same momentum and energy. The particles "
+        "counted are those of kinematic_anomalies in summary.json at the end, and those that have been removed. Until the end the jet's "
+        "tip digs, which is nearly full of metal, and the grid does not see a gap that is shorter than a cell. In cells as wide as the "
+        "jet's radius the three depths therefore hardly differ. "
+        "More of the continuous jet is removed, because its voids count towards Largest Expansion."
     )
     return result

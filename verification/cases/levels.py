@@ -55,8 +55,9 @@ def run(barreno, full):
         compare(result, result.rows[3], uniform, ", as fidelities do")
         result.demand("processor time, uniform over refined, as fidelities do", uniform[6] / result.rows[3][6], 10.0, at_least=True)
     result.notes = (
-        "Rock that is at rest costs nothing on either grid (docs/method.md 9), so the gain is less than the ratio of the particles: it is the ratio of those "
-        "that move, which are near the jet, and all of them take the step of the smallest cells. *As fidelities do* is with one particle per cell in casing and rock and with steps of "
+        "Rock that is at rest costs nothing on either grid (docs/method.md 9), so the gain is less than the ratio of the particles. The "
+        "gain is the ratio of the particles that move, near the jet, and all of them take the step of the smallest cells. "
+        "*As fidelities do* is with one particle per cell in casing and rock and with steps of "
         "several lengths."
     )
     return result

@@ -58,8 +58,8 @@ def run(barreno, full):
     result = Result(
         "A long run",
         "Over very many steps energy is conserved and memory stays constant.",
-        "kinetic and elastic energy, which no process dissipates: means over a period (velocities lag stresses by half a step), compared "
-        "with the first; memory of the process from a quarter of the run on, with twenty checkpoints.",
+        "kinetic and elastic energy, which no process dissipates. Means over a period (velocities lag stresses by half a step) are "
+        "compared with the first; so is the memory of the process from a quarter of the run on, with twenty checkpoints.",
         ["order of the step", "steps", "worst error of the energy", "memory at a quarter [MB]", "largest later [MB]"],
         [],
     )

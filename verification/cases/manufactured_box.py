@@ -91,9 +91,10 @@ def run(barreno, full):
         demand(*case, errors, result)
         found.append((case, errors))
     result.notes = (
-        "Supports of fixed size (GIMP) and point masses (B-splines, linear) stop converging where strained particles no longer fill "
-        "the cells evenly: sums over particles then approximate integrals with an error that grows with the strain and is divided by the "
-        "cell size. Beyond that floor the error is inversely proportional to the cell size (order -1); it is lower with more particles per "
+        "Supports of fixed size (GIMP) and point masses (B-splines, linear) stop converging where strained particles no longer fill the "
+        "cells evenly. Sums over particles then approximate integrals with an error that grows with the strain and is divided by the "
+        "cell size. "
+        "Beyond that floor the error is inversely proportional to the cell size (order -1); it is lower with more particles per "
         "cell and for smoother functions. No order is required there; shape functions that follow their particles must keep their order at "
         "both amplitudes, and linear functions, the control, must not converge. At A = 0.1:\n\n"
         + floor_lines(found)

@@ -74,9 +74,9 @@ def run(barreno, full):
         rings(barreno, shape, full, result)
         vortices(barreno, shape, full, result)
     result.notes = (
-        "A support of fixed size cannot follow such shears, and a box that only stretches (contiguous GIMP) cannot either: the error "
+        "A support of fixed size cannot follow such shears, and a box that only stretches (contiguous GIMP) cannot either. The error "
         "grows with refinement at A = 0.2, and at A = 1 particles leave their bodies. Independent prototypes of the method show the same "
-        "(orders 0.1 and -1.2 at A = 0.2; no result at A = 1); CPDI must converge if its domains are not limited: clipped at one cell they "
-        "separate from their neighbours, and the disk with them."
+        "(orders 0.1 and -1.2 at A = 0.2; no result at A = 1). CPDI must converge if its domains are not limited. Domains clipped at one "
+        "cell separate from their neighbours, and the disk with them."
     )
     return result

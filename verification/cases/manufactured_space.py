@@ -26,7 +26,7 @@ def run(barreno, full):
             result.demand(what, order(errors)[-1] if len(errors) == len(levels) else -1.0, least, at_least=True)
     result.notes = (
         "Phases of 0, 2 pi / 3, 4 pi / 3 would need a deformed initial state (displacement, F and stress of every particle), which decks "
-        "cannot specify; with 0, pi, 0 the box starts undeformed, and all three directions still have different strains and forces in a "
+        "cannot specify. With 0, pi, 0 the box starts undeformed, and all three directions still have different strains and forces in a "
         "common field of ln J. No order is required of GIMP at A = 0.1: see the notes of the plane case."
     )
     return result

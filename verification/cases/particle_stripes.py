@@ -81,8 +81,10 @@ def run(barreno, full):
     result.demand("GIMP, sealed: alternating over smooth part of the pore pressure: it is no effect of the flow", min(ratios["GIMP, sealed"]), 2.0, at_least=True)
     result.demand("quadratic B-spline: alternating over smooth part of the pore pressure", max(ratios["quadratic B-spline"]), 0.2)
     result.notes = (
-        "Strains: part of the slope that the two particles of a cell have between them, 1 where a field is smooth, 0 where a cell has one value. A solve of the pore flow evens the pressures of a cell by "
-        "moving fluid from one particle to the other (7.4), at the state that the wave happens to have then; a later state, for which that fluid is in the wrong place, can show more stripes than sealed rock "
-        "or fewer. Solves that follow the wave (`Diffusion Number`) keep them small. The flow between cells sees their means only."
+        "Strains: part of the slope that the two particles of a cell have between them, 1 where a field is smooth, 0 where a cell has one value. A "
+        "solve of the pore flow evens the pressures of a cell by moving fluid from one particle to the other (7.4), at the state that "
+        "the wave happens to have then. For a later state that fluid is in the wrong place, and there can be more stripes than in "
+        "sealed rock, or fewer. "
+        "Solves that follow the wave (`Diffusion Number`) keep them small. The flow between cells sees their means only."
     )
     return result

@@ -59,11 +59,11 @@ def compare_depths(depths):
         coarse, middle, fine = (level[i] for level in depths)
         parts.append(f"{middle - coarse:.1f} and {fine - middle:.1f} mm at {when}")
     gone = [str(h) for h, level in zip(CELLS, depths) if level[-1] > BACK]
-    passed = f"At the end the jet has passed the back of the rock at {BACK} mm with cells of {', '.join(gone)} mm." if gone else ""
+    passed = f"At the end the jet has passed the rear face of the rock at {BACK} mm with cells of {', '.join(gone)} mm." if gone else ""
     return (
         "From 2 to 1 and from 1 to 0.5 mm the depth grows by " + ", ".join(parts) + ". The jet's radius is 1.0 mm at its tip and "
-        "2.2 mm at its tail, half a cell to one of the coarsest; cells that jet and target share slow the jet's skin down, and "
-        f"that skin is as thick as a cell. {passed}"
+        "2.2 mm at its tail, half a cell to one cell of the coarsest grid. Cells that jet and target share slow down the jet's outer "
+        f"layer, which is a cell thick. {passed}"
     )
 
 
@@ -71,8 +71,8 @@ def run(barreno, full):
     result = Result(
         "Perforation",
         "The main job on 1, 2 and 4 ranks and at three cell sizes.",
-        "balances are identities; the number of ranks must not matter; the depth has no exact answer: it is compared with its earlier "
-        "value (to detect changes) and with that of cells of 0.25 mm.",
+        "balances are identities, and the number of ranks must not matter. The depth has no exact answer. It is compared with its "
+        "earlier value (to detect changes) and with the depth of cells of 0.25 mm.",
         ["run", *(f"depth at {time} us [mm]" for time in TIMES), "final depth [mm]",
          "final radius of the hole, 20 to 60 mm deep [mm]", "energy that stress_integration and transfer took, over what was put in",
          "mass", "axial momentum", "energy ledger", "launched against table"],

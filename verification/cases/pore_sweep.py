@@ -73,8 +73,9 @@ def run(barreno, full):
     gone = max(r[-1] for r in result.rows)
     result.demand("particles removed, maximum", gone, 0.0)
     result.notes = (
-        "`verification/depth_against_permeability.py BARRENO` runs the sweep and draws it. The cells of 4 mm only serve the comparison with the "
-        "limits: they are twice as wide as the jet, so its depth says little about rock and nothing about the effect of the fluid."
+        "`verification/depth_against_permeability.py BARRENO` runs the sweep and draws it. The cells of 4 mm only serve the comparison "
+        "with the limits. They are twice as wide as the jet, so its depth says little about rock and nothing about the effect of the "
+        "fluid."
     )
     if full:
         result.notes += fine(barreno)

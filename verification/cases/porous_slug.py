@@ -87,7 +87,7 @@ def run(barreno, full):
         "A metal whose voids are an expansion strain: pressure, front speed and heat behind the shock that closes them, and no stress and "
         "no plastic work before.",
         "Jump conditions with the Mie-Grueneisen equation of state: p = a(eta) / (1 - Gamma0 (alpha - 1 + eta) / 2), front speed "
-        "U (1 - eta) / (alpha - 1 + eta), heat U^2 / 2; alpha is solid over mean density, U the slug's speed.",
+        "U (1 - eta) / (alpha - 1 + eta), heat U^2 / 2. Alpha is solid over mean density, U the slug's speed.",
         ["speed [m/s]", "alpha", "cell [mm]", "pressure [GPa]", "front [m/s]", "pressure error", "front speed error", "heat error",
          "ledger remainder", "losses not returned: heat error", "energy that stress_integration and transfer took, over what was put in"],
         [],

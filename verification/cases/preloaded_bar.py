@@ -71,9 +71,9 @@ def run(barreno, full):
     result = Result(
         "A pulse leaves a preloaded bar",
         "Non-reflecting faces under a confining pressure, and a wall moved by a table.",
-        "d'Alembert: a wave in one direction, then rest under the preload, displaced by as much as the wall. The wave: rms errors of "
-        "velocity and stress relative to the peaks while it passes; reflection: largest velocity or stress of any particle "
-        f"more than a cell from the moved end, relative to the same, from {1e3 * GONE:g} ms to 4 ms; drift: mean motion from then on "
+        "d'Alembert: a wave in one direction, then rest under the preload, displaced by as much as the wall. Wave: rms errors of "
+        "velocity and stress relative to the peaks while it passes. Reflection: largest velocity or stress of any particle "
+        f"more than a cell from the moved end, relative to the same, from {1e3 * GONE:g} ms to 4 ms. Drift: mean motion from then on "
         "relative to that of the wall.",
         ["mode", "shape function", "cells", "wave error", "order", "reflected amplitude", "order", "reflected kinetic energy",
          "final position", "drift", "energy ledger remainder"],

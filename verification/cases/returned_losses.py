@@ -30,8 +30,8 @@ def row(name, run):
 def run(barreno, full):
     result = Result(
         "Energy lost between particles and grid",
-        "What stress_integration and transfer take falls with the step, is small in the orders of the step in which the two cancel, and with `Step/Return Losses` "
-        "heats the metals that lost it.",
+        "The energy that stress_integration and transfer take falls with the step, and is small in orders of the step where the two "
+        "cancel. With `Step/Return Losses` it heats the metals that lost it.",
         f"nothing is lost. `{DECK}`, cells of 1 mm.",
         ["step", "end [us]", "depth [mm]", "lost in stress_integration [J]", "lost in transfer [J]", "lost, over what was put in", "steps"],
         [],
@@ -56,8 +56,9 @@ def run(barreno, full):
         result.demand(f"{RETURNED}: difference of depth at {LATER} us", abs(depths[1] / depths[0] - 1.0), 0.005)
         result.demand(f"{RETURNED}: energy balance", np.abs(pair[1].table("history.csv")["energy_error"]).max(), 1e-4)
     result.notes = (
-        "Losses are energies that a step takes from the motion and gives to no material: where they come from, docs/method.md (2.13). They are large where velocities "
-        "jump within few steps, as where the jet meets the casing: nearly all of what is lost in the first 4 us is lost by metals. Rock has no temperature that heat could go into, so that "
+        "Losses are energies that a step takes from the motion and gives to no material: where they come from, docs/method.md (2.13). They "
+        "are large where velocities jump within few steps, as where the jet meets the casing. Metals lose nearly all of the energy that "
+        "is lost in the first 4 us. Rock has no temperature that heat could go into, so that "
         "its own losses remain when those of the metals are returned."
     )
     return result

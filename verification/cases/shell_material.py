@@ -260,12 +260,13 @@ def run(barreno, full):
             compressible(barreno, result, porosity, ratio)
     result.notes = (
         "The compressible shells (`compressible_shell.py`) have no fitted parameters either: drained modulus of the hollow sphere, modulus of its "
-        "solid, Y and porosity. Of their errors none belongs to the fluid: a shell with fluid is, to round-off, one without under the effective "
-        "pressure, and the poroplastic form with the drained shell's own curve in place of the crush curve finds the pressures of all shells, loading and unloading. "
+        "solid, Y and porosity. None of their errors belongs to the fluid. A shell with fluid is, to round-off, a shell without fluid "
+        "under the effective pressure. The poroplastic form with the drained shell's own curve in place of the crush curve finds the "
+        "pressures of all shells, loading and unloading. "
         "What is left are two properties of the dry law. In loading, a shell yields from its inner wall outwards, which rounds the knee, while Arenisca is elastic up to "
         "the crush curve. The fewer the pores and the stiffer the solid, the larger the preceding elastic part. Rows `fitted` have p0 and p1 fitted to the loading "
-        "of the shell without fluid, for the least greatest error. In unloading the shell yields"
-        " again, from the inner wall outwards, after a few tenths of a per cent of strain; a crush curve does not yield when the pressure falls."
+        "of the shell without fluid, for the least greatest error. In unloading the shell yields again, from the inner wall outwards, "
+        "after a few tenths of a per cent of strain. A crush curve does not yield when the pressure falls."
     )
     return result
 

@@ -133,8 +133,9 @@ def run(barreno, full):
         "Thick shell squeezed and released",
         "Follower pressure on a curved surface, plastic flow, reverse yielding, a fluid in the cavity: axisymmetric.",
         "A one-dimensional shell of the same K/G (`verification/oracles/compressible_shell.py`), released from the strain that the run has "
-        "reached. Pressures at the strain of the run, rms relative to Pmax; stresses of all particles, rms relative to Y; at the wall (a "
-        "sixteenth of it): mean of sigma_r - sigma_t at the peak and of sigma_t at the end, compared with the exact ones, relative to Y.",
+        "reached. Pressures at the strain of the run, rms relative to Pmax. Stresses of all particles, rms relative to Y. At the wall (a "
+        "sixteenth of it): mean of sigma_r - sigma_t at the peak and of sigma_t at the end, compared with the exact ones, relative to "
+        "Y.",
         ["fluid modulus", "K/G", "cells in the wall", "loading takes [us]", "strain reached", "P, loading", "P, release", "p_f",
          "stresses at the peak", "stresses at the end", "s at the wall, peak", "residual hoop stress at the wall",
          "strain left, error", "kinetic / internal energy", "energy ledger remainder"],
@@ -148,8 +149,8 @@ def run(barreno, full):
         if cells == max(r[2] for r in runs if r[:2] == (fluid, ratio)):
             demand(f"{'with water' if fluid else 'drained'}, K/G = {ratio:.3g}, {cells} cells", fluid, cells, m, result)
     result.notes = (
-        "The pressure error in loading is due to inertia: once the whole shell yields, the pressure hardly rises with the strain, and a "
-        "ramp of duration T to a strain e needs M 6 e / T^2, M = 0.8 kg/m (the equation of motion in `shell_motion.py`). It decreases with "
+        "The pressure error in loading is due to inertia. Once the whole shell yields, the pressure hardly rises with the strain. A ramp "
+        "of duration T to a strain e needs M 6 e / T^2, M = 0.8 kg/m (the equation of motion in `shell_motion.py`). It decreases with "
         "the square of T."
     )
     return result

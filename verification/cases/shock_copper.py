@@ -98,9 +98,10 @@ def run(barreno, full):
             result.demand(f"{what} of the plateau, losses returned, {h} mm", abs(error), FIRST_ORDER[what] * h)
         result.demand(f"energy between particles and grid, losses returned, {h} mm", abs(between_particles_and_grid(kept)), 1e-9)
     result.notes = (
-        "The heat of the plateau has two errors of opposite sign. One makes it too large and decreases with the cells. The other does not "
-        "decrease, since a front is the same number of cells and steps wide on any grid: the losses in stress_integration and transfer "
-        "decrease with the step, not with the cells. At 1 mm the two cancel. With Return Losses, which returns to each particle what the "
+        "The heat of the plateau has two errors of opposite sign. One makes it too large and decreases with the cells. The other does "
+        "not decrease, since a front is the same number of cells and steps wide on any grid. The losses in stress_integration and "
+        "transfer decrease with the step, not with the cells. "
+        "At 1 mm the two cancel. With Return Losses, which returns to each particle what the "
         "grid took from it, only the first remains, and decreases. Most of the temperature rise is isentropic, so that a relative error of "
         "the energy is about twice as large in the temperature."
     )

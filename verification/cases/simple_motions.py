@@ -220,14 +220,14 @@ def run(barreno, full):
         check_disks(barreno, shape, result)
     result.notes = (
         "A spinning body is best computed with APIC and modified stress last (`Step/Transfer`, `Step/Order`). FLIP does not conserve "
-        "angular momentum: particles move with velocities smoothed by the grid, and a body of few cells loses its spin and comes to rest, "
-        "the more slowly the finer the cells. APIC conserves angular momentum, including that of the affine velocities stored by "
+        "angular momentum, since particles move with velocities smoothed by the grid. A body of few cells loses its spin and comes to "
+        "rest, the more slowly the finer the cells. APIC conserves angular momentum, including that of the affine velocities stored by "
         "particles. Over very many turns the body's moment of inertia creeps, as positions and F slowly diverge, and eventually a corner "
-        "particle may leave it: the bar of two by ten cells holds for a thousand radians with every shape "
-        "function but the linear one, and for ten thousand with none; the block of four by four cells does so with cubic splines. Energy "
-        "is evaluated at one time level: velocities belong to the midpoint of the step before a row of history.csv and stresses to the row "
-        "itself, so that their sum in a row exceeds the energy by half a step's work while stress builds up, which is not a gain. Bodies "
-        "share one velocity field: bars that touch at a common node load each other correctly, but then form one bar and do not separate "
-        "(the exact ratio is 1), while disks that approach from a distance rebound and lose some energy between particles and grid."
+        "particle may leave it. The bar of two by ten cells holds for a thousand radians with every shape function but the linear one, "
+        "and for ten thousand with none. The block of four by four cells holds for ten thousand with cubic splines. Energy is evaluated "
+        "at one time level. Velocities belong to the midpoint of the step before a row of history.csv and stresses to the row itself. "
+        "Their sum in a row therefore exceeds the energy by half a step's work while stress builds up, which is not a gain. Bodies share "
+        "one velocity field. Bars that touch at a common node load each other correctly, but then form one bar and do not separate (the "
+        "exact ratio is 1). Disks that approach from a distance rebound and lose some energy between particles and grid."
     )
     return result

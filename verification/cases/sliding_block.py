@@ -13,7 +13,7 @@ def run(barreno, full):
     result = Result(
         "Block on an accelerated floor",
         "Contact with friction: sliding, sticking, and no shear without friction; the surfaces slide over several cells, edges included.",
-        f"the floor's acceleration up to {LIMIT:g} m/s2 = friction * pressure / (density * thickness), that above it (an "
+        f"the floor's acceleration up to {LIMIT:g} m/s2 = friction * pressure / (density * thickness), and that value above it (an "
         "incline in the block's frame: g sin against friction * g cos).",
         ["cell [m]", "friction", "floor [m/s2]", "block [m/s2]", "exact [m/s2]", "friction work [J]", "exact [J]", "ledger remainder"],
         [],

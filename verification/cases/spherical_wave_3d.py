@@ -23,8 +23,8 @@ def run(barreno, full):
     result = Result(
         "Wave from a spherical cavity, in three dimensions",
         "A pressure on a curved surface that cuts the cells, in three dimensions; symmetry planes on three sides.",
-        "Blake (`verification/oracles/cavity_waves.py`), as for the wave from a spherical cavity, to 2 ms; the axisymmetric runs "
-        f"are of the same solid to the same time. rms over the volume in both modes, which gives the front more weight than averaging over "
+        "Blake (`verification/oracles/cavity_waves.py`), as for the wave from a spherical cavity, to 2 ms. The axisymmetric runs are of "
+        f"the same solid to the same time. rms over the volume in both modes, which gives the front more weight than averaging over "
         f"the particles of a plane. Velocity and stress at more than {FRONT} m from the front.",
         ["mode", "shape function", "cells per radius", "displacement error", "order", "velocity error", "order", "stress error",
          "order", "displacement of the wall", "energy ledger remainder", "particles"],

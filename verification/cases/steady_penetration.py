@@ -69,8 +69,8 @@ def rate_of(run):
 def run(barreno, full):
     result = Result(
         "Steady penetration without strength",
-        "Where jet and target have no strength, the bottom of the hole goes down at the rate at which both metals come to rest at the same pressure, "
-        "with equal cells and with small ones along the path alone.",
+        "Jet and target have no strength. The bottom of the hole then goes down at the rate at which both metals come to rest at the "
+        "same pressure, with equal cells and with small ones along the path alone.",
         "compressible Bernoulli, by integrating the isentropes of both metals; copper into copper: half of the rod's speed.",
         ["rod and target", "cells per radius", "grid", "rate [m/s]", "exact rate [m/s]", "error", "processor time [s]"],
         [],

@@ -62,7 +62,8 @@ def run(barreno, full):
                 result.demand(f"origin {1e3 * standoff:g} mm before the target, {h:g} mm: depth {t:g} us after impact", abs(error), 0.1)
             result.demand(f"origin {1e3 * standoff:g} mm before the target, {h:g} mm: energy ledger remainder", abs(remainder), 1e-3)
     result.notes = (
-        "Limits are demanded with cells of 1 mm, three in the radius of the jet where it is launched and two where its end digs; those of 2 mm are shown. The depth is "
+        "Limits are required with cells of 1 mm, three in the radius of the jet where it is launched and two where its end digs. Cells "
+        "of 2 mm are shown only. The depth is "
         "that of the tip: slugs of one velocity each follow it, shorter than a cell."
     )
     return result

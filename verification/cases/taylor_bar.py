@@ -41,7 +41,7 @@ def run(barreno, full):
         "The length approaches the published range from above: cells of 0.2 mm with two particles per cell and direction reach it. Coarser "
         "cells stay above it because of the artificial viscosity, which dissipates energy where the foot flows; without it they reach the "
         "range too. With one particle per cell, part of the length is due to particle corners beyond the wall. Nodes beyond the wall are "
-        "mirrored: if they are fixed instead, the foot is too small with two particles per cell, which looks like volumetric locking but "
+        "mirrored. If they are fixed instead, the foot is too small with two particles per cell. This looks like volumetric locking but "
         "is mass held beyond the wall."
     )
     return result

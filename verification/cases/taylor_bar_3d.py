@@ -60,7 +60,7 @@ def run(barreno, full):
             result.demand(what, abs(ratio - 1.0), 0.02)
     result.notes = (
         "The foot's middle stretches to four times its length, its rim to 2.3. Rings cannot separate around the axis, but cubes of one "
-        "particle per cell can once they are more than a cell apart: the boxes of GIMP do not stretch, and domains of CPDI are clipped at "
+        "particle per cell can once they are more than a cell apart. The boxes of GIMP do not stretch. Domains of CPDI are clipped at "
         "Largest Domain = 1, which the initial half diagonal of 0.87 cells almost reaches. The rim tears and slides away, more with GIMP "
         "than with CPDI. Two particles per cell prevent this. With Largest Domain = 3 CPDI stays intact with one (0.8 mm cells)."
     )

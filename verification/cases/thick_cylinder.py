@@ -78,8 +78,8 @@ def run(barreno, full):
     result.notes = (
         "Stresses are evaluated at the particles, which do not lie where the gradients of linear functions are second order. The front of "
         "the plastic zone (a kink) does not reduce the order of the displacement on these meshes. Quadratic B-splines have the smallest "
-        "stress errors (a sixth to an eighth of the others' at 16 cells). Cubic ones lose their order here: one-point quadrature per "
-        "particle does not integrate their gradient exactly, and a node at the loaded wall is left with part of a face's force that does "
+        "stress errors (a sixth to an eighth of the others' at 16 cells). Cubic ones lose their order here. One-point quadrature per "
+        "particle does not integrate their gradient exactly. A node at the loaded wall is left with part of a face's force that does "
         "not decrease with the cells."
     )
     return result

@@ -69,8 +69,8 @@ def run(barreno, full):
     result = Result(
         "Thick sphere under internal pressure",
         "A follower pressure on a curved surface that cuts the cells; damping brings the wall to rest.",
-        "Lame. rms over all particles: displacement relative to that of the wall, radial, hoop and shear stress relative to the pressure; "
-        "for the radial stress also the rms over the particles within a cell of the wall, and the largest error of all.",
+        "Lame. rms over all particles: displacement relative to that of the wall, radial, hoop and shear stress relative to the "
+        "pressure. For the radial stress also the rms over the particles within a cell of the wall, and the largest error of all.",
         ["shape function", "particles per cell", "cells in the wall", "displacement error", "order", "stress error", "order", "radial stress at the wall",
          "worst radial stress", "kinetic / elastic energy", "energy ledger remainder"],
         [],
@@ -91,7 +91,7 @@ def run(barreno, full):
             result.demand(f"{name}: mean order of the displacement", order([m["displacement"] for m in ends], 4.0)[0], 1.5, at_least=True)
             result.demand(f"{name}: mean order of the stress", order([m["stress"] for m in ends], 4.0)[0], 0.8, at_least=True)
     result.notes = (
-        "With two particles per cell the error of the displacement does not decrease steadily with the cells: it depends on how the "
+        "With two particles per cell the error of the displacement does not decrease steadily with the cells. It depends on how the "
         "surface happens to cut the particles' squares, and is largest along the axis. With three it decreases. Stress errors depend on "
         "this too. Damping also acts on particle motion that the nodes cannot represent; otherwise particles at the inner surface would "
         "oscillate against each other indefinitely."

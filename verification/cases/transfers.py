@@ -14,7 +14,8 @@ CELLS = 20  # in the bar: a quarter of the wave
 
 NOTES = (
     "Stress last loses more of the bar's energy at 20 cells than allowed, and meets the requirement with 40. Its strain follows v + dt a "
-    "on the grid, while particles return v + dt S+ S a: the part dt (1 - S+ S) a of the strain rate acts like a viscosity. Modified stress "
+    "on the grid, while particles return v + dt S+ S a. The part dt (1 - S+ S) a of the strain rate acts like a viscosity. "
+    "Modified stress "
     "last and stress first, whose strain follows what the particles return, lose almost nothing. The loss decreases with the step, but "
     "slowly, and equally at a tenth of the amplitude. XPIC(3) and XPIC(5) lose as much as FLIP, XPIC(2) slightly more, APIC least of all "
     "with stress last; PIC loses everything, and 1 % of PIC a part. PIC is first order on the manufactured box; APIC has the smallest "

@@ -35,12 +35,14 @@ def run(barreno, full):
     result.demand("before: plastic work of wet rock over that of dry rock", old / dry, 0.95, at_least=True)
     result.demand("depth at 20 us, wet rock over dry rock", result.rows[2][3] / result.rows[0][3], 1.0, at_least=True)
     result.notes = (
-        "Water takes a part of the load from the grains, and friction acts between grains: saturated rock that cannot drain resists shear less "
-        "than dry rock under the same total stress. The form before did not show it. Its strength followed the part of the pore pressure that "
-        "comes from crushing alone; where the jet compresses the rock elastically, the water it showed under gigapascals did not weaken the "
-        "rock, and a wet target behaved as a dry one in depth and in plastic work. Today strength is that of dry rock at the total pressure less the whole "
-        "pore pressure. The plastic work falls by about a third; the depth grows by a few percent only, because at these velocities the "
-        "inertia of the rock, not its strength, stops the jet. Expect more where strength decides: at late times, at the wall of the hole and around it.\n\n"
+        "Water takes a part of the load from the grains, and friction acts between grains. Saturated rock that cannot drain therefore "
+        "resists shear less than dry rock under the same total stress. "
+        "The form before did not show it. Its strength followed the part of the pore pressure that comes from crushing alone. Where the "
+        "jet compresses the rock elastically, water under gigapascals did not weaken the rock. A wet target then behaved as a dry one "
+        "in depth and in plastic work. Today strength is that of dry rock at the total pressure less the whole "
+        "pore pressure. The plastic work falls by about a third. The depth grows by a few percent only, because at these velocities the "
+        "inertia of the rock, not its strength, stops the jet. "
+        "Expect more where strength decides: at late times, at the wall of the hole and around it.\n\n"
         "Cells of 1 mm are as wide as the jet's radius at its tip: the depths are not converged (docs/trade.md), and only their comparison at equal cells counts. "
         "Results of decks with `fluid_B0` that were computed with the form before are to be computed again; `Backstress strain` = `elastic centre` reproduces them."
     )
