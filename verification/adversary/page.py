@@ -20,33 +20,41 @@ HEAD = """# The adversary
 
 Written by `verification/adversary/page.py` from `verification/results/adversary.json`; do not edit.
 
-`verification/adversary/adversary.py BUILD` tries to break runs. Every test run includes its short form (`ctest -R verification.adversary`); `ctest -R slow.adversary` is the
-long one; `--out FILE` adds to the counts of earlier invocations.
+`verification/adversary/adversary.py BUILD` tries to break runs. Every test run includes its short form (`ctest -R verification.adversary`).
+`ctest -R slow.adversary` is the long form; `--out FILE` adds to the counts of earlier invocations.
 
-- **Option sets.** A shipped deck, at a size that runs in a twentieth of a second, with options drawn at random according to the kind, unit and bounds
-  that `barreno describe --markdown` gives, so new options are included automatically. A change that `check` refuses, with one sentence that names
-  it, is undone, until the deck is valid. The set is then run, and some sets are repeated in part: killed by
-  SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, up to three times; run on two or three ranks, and resumed there from one; run
-  by two processes that compete for one folder; killed with mpirun's process group and resumed at once; run under the address and undefined-behaviour
-  sanitizers with every index checked.
+- **Option sets.** A set is a shipped deck, at a size that runs in a twentieth of a second, with options drawn at random. The draw follows the kind, unit
+  and bounds that `barreno describe --markdown` gives, so new options are included automatically. Where `check` refuses a change with one sentence that
+  names it, the change is undone, until the deck is valid. The set is then run. Some sets are also repeated in part:
+  killed by SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, up to three times; run on two or three ranks, and resumed there from one; run
+  by two processes that compete for one folder; killed with mpirun's process group and resumed at once; run under the address and
+  undefined-behaviour sanitizers with every index checked.
 - **Odd numbers.** Every number of every shipped deck, one at a time, as 1e300, 1e-300, -0, 5e-324, 2^31, 2^63, -1, 0, nan and inf.
 - **Forged checkpoints.** Every table of a checkpoint with values that no state can have, with a wrong number of rows or columns, of a wrong type, or
   missing, under a valid seal.
-- **Perforations.** A small perforation with a fidelity (fast, balanced) or with Subcycles, a kind of jet and Return Losses, each drawn at random. Three runs
-  of it are killed and resumed. In some trials a disk fails: the n-th write, fsync, rename or open gets ENOSPC, EIO, EDQUOT or a short write, once or
-  from then on (`verification/tools/full_disk.c`, preloaded), and the run is resumed on a sound disk. In some the run is resumed on another number of ranks.
+- **Perforations.** A small perforation with a fidelity (fast, balanced) or with Subcycles, a kind of jet and Return Losses, each drawn at random. Three
+  of its runs are killed and resumed. In some trials a disk fails: the n-th write, fsync, rename or open gets ENOSPC, EIO, EDQUOT or a short write, once
+  or from then on (`verification/tools/full_disk.c`, preloaded). The run is then resumed on a sound disk. Some runs are resumed on another number of ranks.
 
 Most kills are placed at a checkpoint (`verification/tools/kill_at.c`, preloaded); a few come at a random time. The checkpoint is drawn at random. The
 signal comes while the next checkpoint is written, before a random call (open, write, fsync, rename), or once the checkpoint has its name, at once or
 a short time later. If too many of the placed kills miss a running program that has a checkpoint, `adversary.py` says so and ends with exit code 1.
 
-A finding is a crash by a signal or a sanitizer error, an internal error, a refusal that is not one sentence, a hang, a result that is not a finite number,
-mass that appears or vanishes, or files that differ from those of the uninterrupted run: every table, every field of particles.e and of the checkpoint, and
-the balances in the summary, bit for bit; with pore flow to 1e-5 of the largest value of a field. So are a checkpoint that the program wrote and refuses,
-exit code 0 or "Finished" after a failed write that lost something, and numerical errors (stress integration, transfer) above 10 % of the energy put in without a warning.
+These are findings:
+
+- a crash by a signal, a sanitizer error, an internal error, or a hang;
+- a refusal that is not one sentence;
+- a result that is not a finite number, or mass that appears or vanishes;
+- files that differ from the files of the uninterrupted run: every table, every field of particles.e and of the checkpoint, and the balances in the
+  summary, bit for bit (with pore flow to 1e-5 of the largest value of a field);
+- a checkpoint that the program wrote and refuses;
+- exit code 0 or "Finished" after a failed write that lost something;
+- numerical errors (stress integration, transfer) above 10 % of the energy put in without a warning.
 
 About an hour on two cores tries 3,000 sets and kills 1,500 perforations:
-`verification/adversary/adversary.py BUILD --seed N --sets 3000 --perforations 300 --out verification/results/adversary.json`, then `verification/adversary/page.py`.
+
+    verification/adversary/adversary.py BUILD --seed N --sets 3000 --perforations 300 --out verification/results/adversary.json
+    verification/adversary/page.py
 
 """
 
