@@ -5,7 +5,7 @@
 #include "output/text_file.hpp"
 
 #include <algorithm>
-#include <barreno/arenisca/lode.hpp>
+#include <barreno/arenisca/parts/lode.hpp>
 #include <cmath>
 #include <optional>
 

@@ -22,9 +22,10 @@ typename Model::History history_from(const std::vector<double>& values) {
   return history;
 }
 
+template <class Surface>
 YieldView view_of(
     const Sym3& bounded,
-    const arenisca::YieldSurface& surface,
+    const Surface& surface,
     const arenisca::Cap& cap,
     const arenisca::Lode& lode
 ) {

@@ -266,6 +266,17 @@ struct Sample<GeneralArenisca> : Sample<Arenisca> {
   }
 };
 
+/// The same rock, dry or wet, with one part in place of a published one.
+template <class Part, class Form>
+struct Sample<ExchangedArenisca<Part, Form>> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    Arenisca::Parameters p =
+        Form::Law::wet ? Sample<WetArenisca>::parameters() : Sample<Arenisca>::parameters();
+    Part::ask(p);
+    return p;
+  }
+};
+
 template <class Model>
 Model sample_model() {
   return Model(Sample<Model>::parameters(), Sample<Model>::density);

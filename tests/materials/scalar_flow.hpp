@@ -165,7 +165,7 @@ BARRENO_FUNCTION void refine(
   const Moduli mean = {
       0.5 * (first.start.bulk + a.moduli.bulk), 0.5 * (first.start.shear + a.moduli.shear)};
   const Prediction p = predict_with(n, first.start, mean, step.dv, step.de);
-  const double metric = 9.0 * rock.beta * rock.beta * mean.bulk / mean.shear;
+  const double metric = 9.0 * rock.flow.beta * rock.flow.beta * mean.bulk / mean.shear;
   Prediction moved = p;
   moved.x += 0.5 * c.distance * (c.normal_x - f.normal_x);
   const double half = 0.5 * c.distance / std::sqrt(metric);
@@ -214,7 +214,7 @@ BARRENO_FUNCTION ScalarAttempt
 flow_plastically(const Rock& rock, const Substep& step, const Prediction& p, Counter& count) {
   const PointState& n = step.n;
   const Cap& cap = step.cap;
-  const double metric = 9.0 * rock.beta * rock.beta * p.used.bulk / p.used.shear;
+  const double metric = 9.0 * rock.flow.beta * rock.flow.beta * p.used.bulk / p.used.shear;
   const Trial trial{p.x, p.q(), metric, 3.0 * p.used.bulk, n.evp, cap};
   const Returned r = return_with(rock, trial, count);
   FlowStart f = find_flow_start(rock, cap, n, p, metric, count);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/models/arenisca.hpp"
+#include "barreno/models/exchanged_arenisca.hpp"
 #include "barreno/models/expanded.hpp"
 #include "barreno/models/featured_arenisca.hpp"
 #include "barreno/models/general_arenisca.hpp"
@@ -23,8 +24,9 @@ namespace barreno {
 /// output names, host interfaces and contract tests all follow from it.
 ///
 /// A model with a SpecialForm is not asked for by name: it serves those parameter sets of that
-/// other model for which its needed() says so.
-using AnyModel = std::variant<
+/// other model for which its needed() says so. Those of other parts of Arenisca follow from their
+/// lists (arenisca/parts/list.hpp).
+using AnyModel = arenisca::WithOtherParts<std::variant<
     LinearElastic,
     Poroelastic,
     JwlExplosive,
@@ -38,7 +40,7 @@ using AnyModel = std::variant<
     RatedWetArenisca,
     AngledArenisca,
     AngledWetArenisca,
-    GeneralArenisca>;
+    GeneralArenisca>>;
 
 /// Name of a model, and that of its form where several models serve one name: "Arenisca wet".
 template <class Model, class = void>

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <barreno/arenisca/lode.hpp>
+#include <barreno/arenisca/parts/lode.hpp>
 #include <barreno/input/scan_xml.hpp>
 #include <cmath>
 #include <map>

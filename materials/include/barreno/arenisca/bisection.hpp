@@ -29,13 +29,13 @@ struct MeridianCurve {
     count.add();
     if (s >= quarter_turn) {
       const double x = smaller(origin + (s - quarter_turn) * width, surface.vertex);
-      const LimitOf<double> l = limit_at(surface, x);
+      const LimitOf<double> l = surface.limit_at(x);
       return {x, l.value, width, l.slope * width};
     }
     const double length = cap.kappa - cap.X;
     const double half = std::sin(0.5 * s);
     const double x = cap.X + 2.0 * length * half * half;
-    const LimitOf<double> l = limit_at(surface, x);
+    const LimitOf<double> l = surface.limit_at(x);
     const double dx = length * std::sin(s);
     return {x, l.value * std::sin(s), dx, l.slope * dx * std::sin(s) + l.value * std::cos(s)};
   }

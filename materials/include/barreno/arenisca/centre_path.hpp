@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/elasticity.hpp"
+#include "barreno/arenisca/parts/elasticity.hpp"
 #include "barreno/arenisca/pore_fluid.hpp"
 #include "barreno/portability.hpp"
 

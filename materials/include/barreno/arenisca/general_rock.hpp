@@ -3,9 +3,9 @@
 
 #include "barreno/arenisca/bisection.hpp"
 #include "barreno/arenisca/centre_path.hpp"
-#include "barreno/arenisca/crush_curve.hpp"
-#include "barreno/arenisca/elasticity.hpp"
-#include "barreno/arenisca/lode.hpp"
+#include "barreno/arenisca/parts/crush_curve.hpp"
+#include "barreno/arenisca/parts/elasticity.hpp"
+#include "barreno/arenisca/parts/list.hpp"
 #include "barreno/arenisca/pore_fluid.hpp"
 #include "barreno/arenisca/published_fluid.hpp"
 #include "barreno/arenisca/return_map.hpp"
@@ -24,8 +24,8 @@ struct GeneralRock {
   PoreFluid fluid;
   PublishedFluid published;  ///< instead of `fluid` where it is present
   Lode lode;
-  double T1, T2;            ///< overstress: relaxation time T1 |D|^-T2; T1 = 0: none
-  double beta;              ///< nonassociativity
+  double T1, T2;  ///< overstress: relaxation time T1 |D|^-T2; T1 = 0: none
+  FlowRule flow;
   double tolerance;         ///< relative local error of a substep
   double stress_floor;      ///< below this the local error is measured against it [stress]
   bool bisection;           ///< the paper's return instead of the fast one

@@ -47,7 +47,7 @@ BARRENO_FUNCTION GeneralTrial make_trial(
     Counter& count
 ) {
   const Lode& lode = point.rock.lode;
-  const double metric = return_metric(point.rock.beta, used);
+  const double metric = point.rock.flow.metric(used, n.x, n.e);
   GeneralTrial t{};
   t.s = n.s + (2.0 * used.shear) * de;
   const double J2 = second_invariant(t.s), q = std::sqrt(J2);

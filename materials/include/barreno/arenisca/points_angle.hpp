@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/lode.hpp"
+#include "barreno/arenisca/parts/lode.hpp"
 #include "barreno/arenisca/points_pieces.hpp"
 #include "barreno/arenisca/points_shear.hpp"
 
 namespace barreno::arenisca {
 
-// Lode angle of one or several points (lode.hpp), and rock whose strength depends on it.
+// Lode angle of one or several points (parts/lode.hpp), and rock whose strength depends on it.
 
 /// A direction of shear: its Lode angle, the strength there, and the direction of larger angles.
 template <class R>

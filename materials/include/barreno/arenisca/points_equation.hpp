@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/flow_rule.hpp"
+#include "barreno/arenisca/closest_point.hpp"
 #include "barreno/arenisca/rock.hpp"
 
 namespace barreno::arenisca {
@@ -17,16 +17,16 @@ struct ReturnEquation {
   R q{}, dq{};
 };
 
-/// Where the form for the tip of the cap is taken (flow_rule.hpp).
+/// Where the form for the tip of the cap is taken (closest_point.hpp).
 template <class R>
 BARRENO_FUNCTION MaskOf<R> is_at_tip(const MaskOf<R>& compact, const MeridianOf<R>& m) {
   constexpr double near_tip = 0.3;
   return compact & (m.cap_squared < near_tip) & (m.slope > 0.0);
 }
 
-/// The condition of the closest point (flow_rule.hpp) from the meridian; without the cap that is
-/// the return to the limit surface. Positive below the solution; on the compacting side the form is
-/// taken that is the smoother one.
+/// The condition of the closest point (closest_point.hpp) from the meridian; without the cap that
+/// is the return to the limit surface. Positive below the solution; on the compacting side the form
+/// is taken that is the smoother one.
 /// @param compact where the compacting side is meant
 template <class R, class Law>
 BARRENO_FUNCTION void close_equation(

@@ -323,13 +323,13 @@ BARRENO_FUNCTION void refine_points(
   follow_pressure(rock, step, mean.bulk, a, p);
   predict_with(rock, step, mean, p);
   const R triple_bulk = stiffness_of_return(rock, p);
-  const R metric = metric_of(rock, p);
+  const R metric = metric_of(rock, n, p);
   const R moved_x = p.x + 0.5 * c.distance * (c.normal_x - f.normal_x);
   const R half = 0.5 * c.distance / real::sqrt(metric);
   const ShearIn<R, Law> moved = moved_shear<R, Law>(p, c, f, half);
   const R J2 = squared(moved), q = real::sqrt(J2);
   const R evp = n.evp + (p.x - moved_x) / triple_bulk;
-  if (rock.crush.p3 > 0.0) {
+  if (rock.crush.porous()) {
     const MaskOf<R> stays_closed = (!step.cap.present) & (a.end.evp == n.evp) & (evp == n.evp);
     asked = asked & ((evp > rock.crush.last_open()) | stays_closed);
   }
@@ -372,11 +372,11 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
     const Choice& choose
 ) {
   const StateOf<R, Law>& n = step.n;
-  const R metric = metric_of(rock, p);
+  const R metric = metric_of(rock, n, p);
   const TrialOf<R> trial{p.x, p.q, metric, stiffness_of_return(rock, p), n.evp, step.cap};
   const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess<R, Law>());
   FlowStartOf<R, Law> f = flow_start_of(rock, flows, step, p, metric);
-  if (rock.crush.p3 > 0.0) {
+  if (rock.crush.porous()) {
     // Rock without open pores that keeps them closed flows along its shear stress, not along the
     // normal of the surface: what shear would open crushes at once.
     const MaskOf<R> isochoric = (!step.cap.present) & (r.evp == n.evp) & (f.q > 0.0);

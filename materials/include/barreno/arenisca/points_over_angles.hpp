@@ -13,11 +13,11 @@ namespace barreno::arenisca {
 // the closest point of the octahedral plane.
 
 /// What a return reads of a rock, with the surface of one half-plane.
-template <class R>
+template <class Crush, class Surface>
 struct HalfPlane {
-  const CrushCurve& crush;
+  const Crush& crush;
   double stress_floor;
-  SurfaceOf<R> surface;
+  Surface surface;
 };
 
 /// Return within the half-plane after a turn of the trial state's angle.
@@ -31,8 +31,9 @@ BARRENO_FUNCTION ReturnedOf<R> return_after_turn(
     const R& guess,
     const TurnedAngle<R>& to
 ) {
-  const HalfPlane<R> there = {
-      rock.crush, rock.stress_floor, scaled_surface(rock.surface, to.strength.gamma)};
+  const auto surface = scaled_surface(rock.surface, to.strength.gamma);
+  const HalfPlane<decltype(rock.crush), decltype(surface)> there = {
+      rock.crush, rock.stress_floor, surface};
   TrialOf<R> part = trial;
   part.q = trial.q * to.cosine;
   const MeridianOf<R> m = scaled_meridian(at_trial, to.strength.gamma);

@@ -5,8 +5,8 @@
 
 namespace barreno::arenisca {
 
-// Rock of which every piece has a strength of its own (weibull.hpp): the limit surface is that of
-// PEAKI1 times the piece's coherence, all else is the card's.
+// Rock of which every piece has a strength of its own (parts/scatter.hpp): the limit surface is
+// that of PEAKI1 times the piece's coherence, all else is the card's.
 
 /// Dry or wet rock whose pieces differ; which surface a point has is known with its coherence.
 template <class Whole>
@@ -14,23 +14,24 @@ struct ScatteredRock : Whole {
   using Base = Whole;
   static constexpr bool scattered = true;
 
-  double PEAKI1 = 0.0, FSLOPE = 0.0, STREN = 0.0, YSLOPE = 0.0;
-  YieldSurface mean;  ///< of pieces of coherence 1, to the bits that lanes have
+  using Limit = typename Whole::Parts::ShearLimit;
+  typename Limit::Parameters strength{};  ///< of pieces of coherence 1
+  SurfaceOf<double, Limit> mean;          ///< theirs, to the bits that lanes have
   Cap mean_first_cap;
 };
 
 /// The surface of pieces.
 template <class R, class Whole>
-BARRENO_ALIKE SurfaceOf<R> surface_of_pieces(const ScatteredRock<Whole>& rock, const R& coherence) {
-  return make_yield_surface(
-      R(rock.PEAKI1 * coherence), rock.FSLOPE, rock.STREN, rock.YSLOPE, rock.surface.CR
-  );
+BARRENO_ALIKE auto surface_of_pieces(const ScatteredRock<Whole>& rock, const R& coherence) {
+  using Limit = typename Whole::Parts::ShearLimit;
+  const R peak = Limit::peak(rock.strength) * coherence;
+  return make_surface<Limit>(rock.strength, peak, rock.surface.CR);
 }
 
 /// The rock of several pieces.
 template <class R, class Whole>
 struct PiecesOf : Whole {
-  SurfaceOf<R> surface;  ///< instead of that of the whole
+  SurfaceOf<R, typename Whole::Parts::ShearLimit> surface;  ///< instead of that of the whole
   CapOf<R> first_cap;
 
   BARRENO_FUNCTION PiecesOf(const ScatteredRock<Whole>& rock, const R& coherence)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/parts/rate.hpp"
 #include "barreno/arenisca/points_shear.hpp"
-#include "barreno/arenisca/rate.hpp"
 
 namespace barreno::arenisca {
 
-// Overstress of points (rate.hpp) as steps and histories hold it.
+// Overstress of points (parts/rate.hpp) as steps and histories hold it.
 
 /// What a step of rated rock keeps: the changes that it left of elastic ones [stress], and moduli.
 template <class R, class Law, bool rated>

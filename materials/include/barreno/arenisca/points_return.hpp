@@ -32,7 +32,7 @@ BARRENO_FUNCTION void select_returned(
   r.refused = (choice & other.refused) | ((!choice) & r.refused);
 }
 
-/// Pores close altogether, where `closed` (flow_rule.hpp): no cap is left.
+/// Pores close altogether, where `closed` (closest_point.hpp): no cap is left.
 template <class R, class Law>
 BARRENO_FUNCTION void close_pores(
     const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& closed, ReturnedOf<R>& r
@@ -215,7 +215,7 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
   r.x = real::select(search.to_vertex, R(R{} + rock.surface.vertex), r.x);
   r.q = real::select(search.to_vertex, 0.0, r.q);
   r.evp = real::select(search.to_vertex, trial.evp + search.least, r.evp);
-  if (rock.crush.p3 == 0.0) return r;
+  if (!rock.crush.porous()) return r;
   return_to_retracted_cap(rock, trial, MaskOf<R>(outside & !capped), r);
   close_pores(rock, trial, closed, r);
   return r;

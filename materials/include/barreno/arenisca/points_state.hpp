@@ -172,10 +172,11 @@ BARRENO_FUNCTION void follow_pressure(
   }
 }
 
-/// 9 beta^2 K/G, K as the return sees it.
+/// The flow rule's metric, K as the return sees it.
 template <class R, class Law>
-BARRENO_FUNCTION R metric_of(const RockOf<R, Law>& rock, const PredictionOf<R, Law>& p) {
-  const R metric = return_metric(rock.beta, p.used);
+BARRENO_FUNCTION R
+metric_of(const RockOf<R, Law>& rock, const StateOf<R, Law>& n, const PredictionOf<R, Law>& p) {
+  const R metric = rock.flow.metric(p.used, n.x, n.evp);
   if constexpr (Law::wet)
     return metric * (1.0 + p.fall * rock.constituents.per_matrix);
   else
@@ -226,8 +227,9 @@ BARRENO_FUNCTION void select_attempt(
 }
 
 template <class R, class Law>
-BARRENO_FUNCTION R
-allowed_error_of(const Rock& rock, const StateOf<R, Law>& n, const R& x_end, const R& J2_end) {
+BARRENO_FUNCTION R allowed_error_of(
+    const RockOf<R, Law>& rock, const StateOf<R, Law>& n, const R& x_end, const R& J2_end
+) {
   const R start = size_of_stress(n.x, squared(n.s)), end = size_of_stress(x_end, J2_end);
   return rock.tolerance * real::larger(larger_of(start, end), rock.stress_floor);
 }

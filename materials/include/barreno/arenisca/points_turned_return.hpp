@@ -15,7 +15,7 @@ namespace barreno::arenisca {
 ///   f    = (x - x_tr) fc - metric (q_tr cos d - q) dq/dx    consistency within the half-plane
 ///   miss = Gamma'/Gamma (q - q_tr cos d) + q_tr sin d       no part of the way along the angle
 ///
-/// f near the tip of the cap is the other form of flow_rule.hpp.
+/// f near the tip of the cap is the other form of closest_point.hpp.
 template <class R>
 struct TurnedPoint {
   R half_tangent;  ///< of the turn
@@ -370,7 +370,7 @@ BARRENO_FUNCTION void keep_closed(
 /// branch point is nearer than the trial state.
 template <class R, class Rock>
 BARRENO_FUNCTION MaskOf<R> stays_shut(const Rock& rock, const TrialOf<R>& trial) {
-  if (rock.crush.p3 == 0.0) return none_of<R>();
+  if (!rock.crush.porous()) return none_of<R>();
   const MaskOf<R> shut = (!trial.cap.present) & (trial.evp <= rock.crush.last_open());
   if (!real::any(shut)) return shut;
   return shut & (trial.x < cap_of(rock, R(R{} + rock.crush.last_open())).kappa);
@@ -414,7 +414,7 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   r.point.q = real::select(to_vertex, 0.0, r.point.q);
   r.point.evp = real::select(to_vertex, trial.evp + sides.least, r.point.evp);
   r.found = r.found | to_vertex;
-  if (rock.crush.p3 == 0.0) return r;
+  if (!rock.crush.porous()) return r;
   const MaskOf<R> limited_and_closed = r.found & !(sides.capped | trial.cap.present | shut);
   const MaskOf<R> caught = caught_by_cap(rock, trial, limited_and_closed, r.point);
   const MaskOf<R> stays_closed = caught & !to_vertex;

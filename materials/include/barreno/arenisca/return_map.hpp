@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/flow_rule.hpp"
+#include "barreno/arenisca/closest_point.hpp"
 #include "barreno/arenisca/root_finding.hpp"
 #include "barreno/portability.hpp"
 
@@ -27,7 +27,7 @@ BARRENO_FUNCTION OnTheWay on_the_way(
   return {x, x - trial.x, surface.at(x, cap_with(surface, crush.strength(evp)), count)};
 }
 
-/// What the second form of the condition of the closest point (flow_rule.hpp) leaves, for roots
+/// What the second form of the condition of the closest point (closest_point.hpp) leaves, for roots
 /// without derivatives.
 template <class Crush, class Counter>
 struct CompactingSide {
@@ -76,12 +76,12 @@ BARRENO_FUNCTION double return_to_limit(
   MeridianOf<double> m = start;
   constexpr int max_iterations = 60;
   for (int i = 0; i < max_iterations; ++i) {
-    const double curvature = limit_curvature(surface, m.curved);
+    const double curvature = surface.curvature(m.curved);
     const double residual = (x - trial.x) - trial.metric * (trial.q - m.limit) * m.slope;
     const double slope = 1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
     (residual > 0.0 ? upper : lower) = x;
     double next = x - residual / slope;
-    if (surface.linear()) return next;
+    if (surface.straight) return next;
     if (!(next >= lower && next <= upper)) next = 0.5 * (lower + upper);
     const bool done = std::fabs(next - x) <= 1e-14 * (std::fabs(x) + std::fabs(upper - lower));
     x = next;

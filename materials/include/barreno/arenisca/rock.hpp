@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/crush_curve.hpp"
-#include "barreno/arenisca/elasticity.hpp"
+#include "barreno/arenisca/parts/list.hpp"
 #include "barreno/arenisca/yield_surface.hpp"
 #include "barreno/real.hpp"
 
@@ -13,7 +12,7 @@ namespace barreno::arenisca {
 template <class R, class Law>
 BARRENO_FUNCTION CapOf<R> cap_of(const Law& rock, const R& evp) {
   CapOf<R> cap{none_of<R>()};
-  if (rock.crush.p3 == 0.0) return cap;
+  if (!rock.crush.porous()) return cap;
   const CrushedOf<R> crushed = rock.crush.at(evp);
   cap.present = crushed.open;
   cap.X = crushed.X;
@@ -23,17 +22,20 @@ BARRENO_FUNCTION CapOf<R> cap_of(const Law& rock, const R& evp) {
 }
 
 /// Everything about the material that a point update reads.
-struct Rock {
+/// @param Parts_  which parts it is made of (parts/list.hpp)
+template <class Parts_>
+struct DryRock {
+  using Parts = Parts_;
   static constexpr bool wet = false;        ///< no pore fluid
   static constexpr bool scattered = false;  ///< every piece has the same strength
   static constexpr bool angled = false;     ///< no dependence on the third invariant
   static constexpr bool rated = false;      ///< no overstress
 
   Elasticity elasticity;
-  YieldSurface surface;
-  CrushCurve crush;
+  SurfaceOf<double, typename Parts::ShearLimit> surface;
+  typename Parts::CrushCurve crush;
+  typename Parts::FlowRule flow;
   Cap first_cap;            ///< cap of the virgin rock; compaction only widens it
-  double beta;              ///< nonassociativity: scales r in the transformed space
   double tolerance;         ///< relative local error of a substep
   double stress_floor;      ///< below this the local error is measured against it [stress]
   bool bisection;           ///< the paper's return instead of the fast one
@@ -44,9 +46,10 @@ struct Rock {
 
   BARRENO_FUNCTION Cap cap_at(double evp) const { return cap_of(*this, evp); }
 };
+using Rock = DryRock<PublishedParts>;
 
-/// Not dilated, and compacted by nothing that counts (Rock::jump_width): flow that dilates crosses
-/// the jump of the moduli where it begins.
+/// Not dilated, and compacted by nothing that counts (DryRock::jump_width): flow that dilates
+/// crosses the jump of the moduli where it begins.
 template <class R, class Law>
 BARRENO_FUNCTION MaskOf<R> is_at_jump(const Law& rock, const R& evp) {
   return (evp >= -rock.jump_width) & !Elasticity::dilated(evp);
@@ -60,13 +63,15 @@ struct Constituents {
 };
 
 /// Rock with fluid in its pores: the dry rock for the effective stress, and what fills the rest.
-struct WetRock : Rock {
+template <class Parts_>
+struct SaturatedRock : DryRock<Parts_> {
   static constexpr bool wet = true;
 
   Constituents constituents;
   double initial_pressure = 0.0;  ///< of the fluid in virgin rock [stress]
   double porosity = 0.0;          ///< of virgin rock
 };
+using WetRock = SaturatedRock<PublishedParts>;
 
 /// Size of a stress: sqrt(sigma : sigma).
 template <class R>

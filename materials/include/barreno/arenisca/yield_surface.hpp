@@ -2,16 +2,16 @@
 #pragma once
 
 #include "barreno/arenisca/counters.hpp"
+#include "barreno/arenisca/parts/shear_limit.hpp"
 #include "barreno/arenisca/selection.hpp"
 #include "barreno/real.hpp"
 
-#include <limits>
 #include <type_traits>
 
 namespace barreno::arenisca {
 
 // The meridian of the yield surface, of one point or several (real.hpp): values, derivatives, and
-// what lies inside. No other file knows its equation.
+// what lies inside. No other file knows its equation but that of the limit's part.
 
 /// Cap of the surface: hydrostatic strength X and branch point kappa [stress], and the slope of the
 /// crush curve there. X = -infinity is never stored: where not `present`, the others mean nothing.
@@ -42,18 +42,12 @@ BARRENO_FUNCTION CapOf<R> same_cap(const CapOf<C>& cap) {
     return {cap.present ? R{} <= 0.0 : none_of<R>(), R{} + cap.X, R{} + cap.kappa, R{}};
 }
 
-/// Limit function at I1 = x: value, slope and exponential term [stress].
-template <class R>
-struct LimitOf {
-  R value, slope, curved;
-};
-
 /// Point of the meridian at I1 = x: limit function, its slope and the cap's factor squared.
 template <class R>
 struct MeridianOf {
   MaskOf<R> on_cap{};        ///< x < kappa
   R limit{}, limit_slope{};  ///< Ff(x) [stress] and dFf/dx
-  R curved{};                ///< exponential term of Ff [stress]
+  R curved{};                ///< what the limit's curvature() takes
   R c{};                     ///< (kappa - x)/(kappa - X) on the cap, else 0
   R inverse_length{};        ///< 1/(kappa - X)
   R cap_squared{};           ///< fc^2; negative beyond the cap's tip, 1 outside the cap's range
@@ -78,22 +72,15 @@ BARRENO_FUNCTION MeridianOf<R> select_points(
 /// Meridian of the yield surface in x = I1 (minus the elastic centre, which is 0 drained) and q =
 /// sqrt(J2).
 ///
-///   q = Ff(x) fc(x),  Ff = a1 - a3 exp(a2 x) - a4 x,  fc^2 = 1 - ((kappa - x)/(kappa - X))^2 for x
-///   < kappa
+///   q = Ff(x) fc(x),  fc^2 = 1 - ((kappa - x)/(kappa - X))^2 for x < kappa
 ///
-/// It is convex: Ff is concave and falls, fc is concave and rises, so is their product. CR, the
-/// slope at the vertex and whether the surface is straight are the same for all points.
-template <class R>
-struct SurfaceOf {
-  R a1{}, a2{}, a3{}, a4{};
-  R peak{};         ///< PEAKI1, from which the cap's branch point is measured [stress]
-  R vertex{};       ///< P, largest admissible x; +infinity for von Mises [stress]
-  R steepest{};     ///< largest -dFf/dx, at the vertex: FSLOPE
+/// with Ff the shear limit (parts/shear_limit.hpp). It is convex: Ff is concave and falls, fc is
+/// concave and rises, so is their product. CR is the same for all points.
+template <class R, class Limit = ShearLimit>
+struct SurfaceOf : Limit::template Of<R> {
   double CR = 0.0;  ///< shape of the cap: d(kappa)/dX
-  bool straight = true;
 
-  BARRENO_FUNCTION bool linear() const { return straight; }
-  BARRENO_FUNCTION R limit(const R& x) const { return limit_at(*this, x).value; }
+  BARRENO_FUNCTION R limit(const R& x) const { return this->limit_at(x).value; }
 
   /// Points and containment, counted.
   template <class Counter>
@@ -107,57 +94,35 @@ struct SurfaceOf {
 };
 using YieldSurface = SurfaceOf<double>;
 
-/// Coefficients of the limit surface from PEAKI1, FSLOPE, STREN and YSLOPE; the cases that check()
-/// admits: linear Drucker-Prager (STREN = YSLOPE = 0), von Mises (STREN only), nonlinear
-/// Drucker-Prager (else; with PEAKI1 = YSLOPE = 0 it is the "zero vertex to von Mises" surface).
+/// The surface of points whose limit has its vertex at `peak` [stress].
+/// @param p  parameters of the limit and of the cap's shape
+template <class Limit, class R, class Parameters>
+BARRENO_FUNCTION SurfaceOf<R, Limit> make_surface(const Parameters& p, const R& peak, double CR) {
+  SurfaceOf<R, Limit> s;
+  static_cast<typename Limit::template Of<R>&>(s) = Limit::make(p, peak);
+  s.CR = CR;
+  return s;
+}
+/// The published one.
 template <class R>
 BARRENO_FUNCTION SurfaceOf<R> make_yield_surface(
     const R& peak, double FSLOPE, double STREN, double YSLOPE, double CR
 ) {
-  SurfaceOf<R> s;
-  s.peak = s.vertex = peak;
-  s.CR = CR;
-  s.steepest = R{} + FSLOPE;
-  s.straight = STREN == 0.0 || FSLOPE == 0.0;
-  if (STREN == 0.0) {
-    s.a1 = peak * FSLOPE;
-    s.a4 = R{} + FSLOPE;
-  } else if (FSLOPE == 0.0) {
-    // No vertex: P = 0 would forbid tension.
-    s.a1 = R{} + STREN;
-    s.vertex = R{} + std::numeric_limits<double>::infinity();
-  } else {
-    const R room = STREN - YSLOPE * peak;
-    s.a1 = R{} + STREN;
-    s.a2 = (FSLOPE - YSLOPE) / room;
-    s.a3 = room * real::exp(R(-s.a2 * peak));
-    s.a4 = R{} + YSLOPE;
-  }
-  return s;
+  return make_surface<ShearLimit>(ShearLimit::Parameters{0.0, FSLOPE, STREN, YSLOPE}, peak, CR);
 }
 
 /// The same surface at every point.
-template <class R>
-BARRENO_FUNCTION SurfaceOf<R> same_surface(const YieldSurface& one) {
-  SurfaceOf<R> s;
-  s.a1 = R{} + one.a1;
-  s.a2 = R{} + one.a2;
-  s.a3 = R{} + one.a3;
-  s.a4 = R{} + one.a4;
-  s.peak = R{} + one.peak;
-  s.vertex = R{} + one.vertex;
-  s.steepest = R{} + one.steepest;
+template <class R, class Limit>
+BARRENO_FUNCTION SurfaceOf<R, Limit> same_surface(const SurfaceOf<double, Limit>& one) {
+  SurfaceOf<R, Limit> s;
+  static_cast<typename Limit::template Of<R>&>(s) = Limit::template same<R>(one);
   s.CR = one.CR;
-  s.straight = one.straight;
   return s;
 }
 /// The surface of another strength at the same pressure.
-template <class R>
-BARRENO_FUNCTION SurfaceOf<R> scaled_surface(SurfaceOf<R> s, const R& gamma) {
-  s.a1 = gamma * s.a1;
-  s.a3 = gamma * s.a3;
-  s.a4 = gamma * s.a4;
-  s.steepest = gamma * s.steepest;
+template <class R, class Limit>
+BARRENO_FUNCTION SurfaceOf<R, Limit> scaled_surface(SurfaceOf<R, Limit> s, const R& gamma) {
+  s.scale(gamma);
   return s;
 }
 /// Its meridian, where that of strength 1 is known.
@@ -170,7 +135,7 @@ BARRENO_FUNCTION MeridianOf<R> scaled_meridian(MeridianOf<R> m, const R& gamma) 
   return m;
 }
 
-// @param Surface  SurfaceOf<R>, or a SurfaceOf<double> that all points share
+// @param Surface  SurfaceOf<R, Limit>, or a SurfaceOf<double, Limit> that all points share
 
 /// Branch point of the cap [stress].
 template <class R, class Surface>
@@ -184,24 +149,10 @@ BARRENO_FUNCTION Cap cap_with(const YieldSurface& surface, double X) {
 }
 
 template <class R, class Surface>
-BARRENO_FUNCTION LimitOf<R> limit_at(const Surface& surface, const R& x) {
-  LimitOf<R> l;
-  l.curved = surface.linear() ? R{} : R(surface.a3 * real::exp(R(surface.a2 * x)));
-  l.value = surface.a1 - l.curved - surface.a4 * x;
-  l.slope = -surface.a2 * l.curved - surface.a4;
-  return l;
-}
-/// d2Ff/dx2 from the exponential term [1/stress].
-template <class R, class Surface>
-BARRENO_FUNCTION R limit_curvature(const Surface& surface, const R& curved) {
-  return -(surface.a2 * surface.a2) * curved;
-}
-
-template <class R, class Surface>
 BARRENO_FUNCTION MeridianOf<R> meridian_at(
     const Surface& surface, const R& x, const CapOf<R>& cap
 ) {
-  const LimitOf<R> l = limit_at(surface, x);
+  const LimitOf<R> l = surface.limit_at(x);
   MeridianOf<R> m;
   m.curved = l.curved;
   m.limit = l.value;
@@ -231,7 +182,7 @@ BARRENO_FUNCTION MeridianRateOf<R> meridian_rate(
       real::select(m.on_cap, (surface.CR * dX - dx - m.c * dlength) * m.inverse_length, 0.0);
   const R dcap_squared = -2.0 * m.c * dc;
   const R dlimit = m.limit_slope * dx;
-  const R curvature = limit_curvature(surface, m.curved);
+  const R curvature = surface.curvature(m.curved);
   const R dslope =
       curvature * dx * m.cap_squared + m.limit_slope * dcap_squared +
       (dlimit * m.c + m.limit * (dc - m.c * dlength * m.inverse_length)) * m.inverse_length;
@@ -264,8 +215,7 @@ BARRENO_FUNCTION MaskOf<R> contained(
          (J2 <= m.limit * m.limit * m.cap_squared);
 }
 
-/// The same with a bound that spares the exponential where it decides, as for most elastic points:
-/// exp(y) <= 1/(1 - y + y^2/2) for y <= 0.
+/// The same with a bound that spares the limit itself where it decides, as for most elastic points.
 /// @param asked where it is asked for
 template <class R, class Surface, class Counter = NoCounter>
 BARRENO_FUNCTION MaskOf<R> contains(
@@ -281,20 +231,19 @@ BARRENO_FUNCTION MaskOf<R> contains(
   const R length = real::select(on_cap, cap.kappa - cap.X, 1.0);
   const R c = real::select(on_cap, (cap.kappa - x) / length, 0.0);
   const R cap_squared = 1.0 - c * c;
-  const R y = surface.a2 * x;
-  const R bound = surface.a1 - surface.a3 / (1.0 - y + 0.5 * y * y) - surface.a4 * x;
+  const R bound = surface.lower_bound(x);
   const MaskOf<R> surely =
       in_range & (x <= 0.0) & (bound > 0.0) & (J2 <= bound * bound * cap_squared);
   const MaskOf<R> open = in_range & !surely;
   if (!real::any(open)) return surely;
   count.add();
-  const R limit = limit_at(surface, x).value;
+  const R limit = surface.limit_at(x).value;
   return surely | (open & (limit >= 0.0) & (J2 <= limit * limit * cap_squared));
 }
 
-template <class R>
+template <class R, class Limit>
 template <class Counter>
-BARRENO_FUNCTION MaskOf<R> SurfaceOf<R>::contains(
+BARRENO_FUNCTION MaskOf<R> SurfaceOf<R, Limit>::contains(
     const R& x, const R& J2, const CapOf<R>& cap, Counter& count
 ) const {
   return arenisca::contains(*this, MaskOf<R>(!none_of<R>()), x, J2, cap, count);

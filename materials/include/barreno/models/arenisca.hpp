@@ -36,14 +36,16 @@ BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
 /// deformation of fluid-saturated geomaterials with application to shaped-charge jet penetration",
 /// Acta Mech. 227 (2016). Parameter names are the published ones. Read next:
 /// arenisca/points_step.hpp.
-struct Arenisca {
+/// @param Parts  which parts it is made of (arenisca/parts/list.hpp)
+template <class Parts>
+struct AreniscaOf {
   static constexpr const char* name = "Arenisca";
   static constexpr const char* summary =
       "Porous rock: nonlinear Drucker-Prager with crush-curve cap, nonlinear elasticity, pore "
       "fluid.";
 
   using Parameters = AreniscaParameters;
-  using Law = arenisca::Rock;
+  using Law = arenisca::DryRock<Parts>;
   static constexpr int plastic_backstress = Parameters::plastic_backstress;
   static constexpr int arenisca3_moduli = Parameters::arenisca3_moduli;
   static constexpr int ring_volume = Parameters::ring_volume, scale_only = Parameters::scale_only;
@@ -69,7 +71,7 @@ struct Arenisca {
   /// Rules across parameters; an empty text means that the set is sound.
   static std::string check(const Parameters& p, double /*density*/) { return check_arenisca(p); }
 
-  Arenisca(const Parameters& p, double /*density*/) : p_(p), rock_(make_rock(p)) {}
+  AreniscaOf(const Parameters& p, double /*density*/) : p_(p), rock_(make_rock(p)) {}
 
   History initial_history() const { return {}; }
 
@@ -110,10 +112,10 @@ struct Arenisca {
     return rock_.elasticity.moduli_at(trace(stress), h.plastic_volume_strain);
   }
   const Parameters& parameters() const { return p_; }
-  const arenisca::Rock& rock() const { return rock_; }
+  const Law& rock() const { return rock_; }
 
 private:
-  static arenisca::Rock make_rock(const Parameters& p);
+  static Law make_rock(const Parameters& p);
 
   BARRENO_FUNCTION static double plane_wave_modulus(const arenisca::Moduli& m) {
     return m.bulk + 4.0 / 3.0 * m.shear;
@@ -132,16 +134,21 @@ private:
   }
 
   Parameters p_;
-  arenisca::Rock rock_;
+  Law rock_;
 };
 
-inline arenisca::Rock Arenisca::make_rock(const Parameters& p) {
-  arenisca::Rock rock;
-  rock.elasticity = {p.B0, p.B1, p.B2, p.B3, p.B4, p.G0, p.G1, p.G2};
-  rock.surface = arenisca::make_yield_surface(p.PEAKI1, p.FSLOPE, p.STREN, p.YSLOPE, p.CR);
-  rock.crush = {p.p0_crush_curve, p.p1_crush_curve, p.p3_crush_curve};
+/// Of the published parts.
+using Arenisca = AreniscaOf<arenisca::PublishedParts>;
+
+template <class Parts>
+typename AreniscaOf<Parts>::Law AreniscaOf<Parts>::make_rock(const Parameters& p) {
+  using Limit = typename Parts::ShearLimit;
+  Law rock;
+  rock.elasticity = arenisca::Elasticity::make(p);
+  rock.surface = arenisca::make_surface<Limit>(p, Limit::peak(p), p.CR);
+  rock.crush = typename Parts::CrushCurve(p);
   rock.first_cap = rock.cap_at(0.0);
-  rock.beta = p.BETA_nonassociativity;
+  rock.flow = Parts::FlowRule::make(p);
   rock.tolerance = p.tolerance;
   // An elastic strain of 1e-4 or the shear strength at zero pressure: errors below tolerance times
   // this do not matter however small the stress is.

@@ -320,8 +320,9 @@ inline bool update_alike(
 
 }  // namespace arenisca
 
+template <class Parts>
 template <class R>
-BARRENO_FUNCTION MaskOf<R> Arenisca::start_points(Points<R>& p) const {
+BARRENO_FUNCTION MaskOf<R> AreniscaOf<Parts>::start_points(Points<R>& p) const {
   using namespace arenisca;
   const MaskOf<R> sound = sound_points(
       p.increment, p.stress, p.history.plastic_volume_strain, p.history.equivalent_plastic_strain
@@ -329,15 +330,18 @@ BARRENO_FUNCTION MaskOf<R> Arenisca::start_points(Points<R>& p) const {
   return start_rock<R>(rock_, sound, p);
 }
 
+template <class Parts>
 template <class R>
-BARRENO_FUNCTION void Arenisca::finish_points(Points<R>* groups, const MaskOf<R>* flows, int count)
-    const {
+BARRENO_FUNCTION void AreniscaOf<Parts>::finish_points(
+    Points<R>* groups, const MaskOf<R>* flows, int count
+) const {
   constexpr std::size_t room = groups_together;
-  arenisca::StepOf<R, arenisca::Rock> steps[room];
+  arenisca::StepOf<R, Law> steps[room];
   arenisca::finish_rock(rock_, steps, groups, flows, count);
 }
 
-inline Outcome Arenisca::update(const Increment& increment, Sym3& stress, History& h) const {
+template <class Parts>
+Outcome AreniscaOf<Parts>::update(const Increment& increment, Sym3& stress, History& h) const {
   return arenisca::update_point(*this, rock_, increment, stress, h);
 }
 

@@ -12,9 +12,9 @@
 namespace barreno {
 
 /// Dry or wet Arenisca with rate dependence (arenisca/points_rate.hpp), strength that scatters
-/// (arenisca/weibull.hpp) and, in the angled form, third invariant (arenisca/lode.hpp): the same
-/// law, with features that the plain form leaves out when it is compiled. Those that a card does
-/// not ask for are off.
+/// (arenisca/parts/scatter.hpp) and, in the angled form, third invariant (arenisca/parts/lode.hpp):
+/// the same law, with features that the plain form leaves out when it is compiled. Those that a
+/// card does not ask for are off.
 ///
 /// @param Plain     the form without them
 /// @param Law_      rock of arenisca/points_angle.hpp

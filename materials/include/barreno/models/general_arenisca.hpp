@@ -3,8 +3,8 @@
 
 #include "barreno/arenisca/drain.hpp"
 #include "barreno/arenisca/general_step.hpp"
+#include "barreno/arenisca/parts/scatter.hpp"
 #include "barreno/arenisca/points_rate.hpp"
-#include "barreno/arenisca/weibull.hpp"
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/scattered_arenisca.hpp"
 #include "barreno/pore_point.hpp"
@@ -220,7 +220,7 @@ inline arenisca::GeneralRock GeneralArenisca::make_rock(const Parameters& p) {
   rock.lode.psi = p.J3_psi;
   rock.T1 = p.T1_rate_dependence;
   rock.T2 = p.T2_rate_dependence;
-  rock.beta = drained.beta;
+  rock.flow = drained.flow;
   rock.tolerance = drained.tolerance;
   rock.stress_floor = drained.stress_floor;
   rock.bisection = drained.bisection;

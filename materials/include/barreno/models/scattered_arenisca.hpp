@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/weibull.hpp"
+#include "barreno/arenisca/parts/scatter.hpp"
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/arenisca_update.hpp"
 
@@ -14,48 +14,41 @@ namespace barreno {
 namespace arenisca {
 
 inline Weibull make_weibull(const AreniscaParameters& p) {
-  constexpr double margin = 0.99;  // of STREN > YSLOPE PEAKI1
   Weibull w;
   w.modulus = p.weibull_modulus;
   w.reference_volume = p.weibull_reference_volume;
   w.seed = static_cast<std::uint64_t>(p.weibull_seed);
   w.ring = p.weibull_volume == AreniscaParameters::ring_volume;
   w.scale_only = p.weibull_scatter == AreniscaParameters::scale_only;
-  if (p.STREN > 0.0 && p.YSLOPE * p.PEAKI1 > 0.0) {
-    w.bound = std::fmax(1.0, margin * p.STREN / (p.YSLOPE * p.PEAKI1));
-  }
+  w.bound = ShearLimit::largest_factor(p);
   return w;
 }
 
 /// What a cap depends on.
-template <class R>
+template <class Crush, class Surface>
 struct CrushedSurface {
-  const CrushCurve& crush;
-  SurfaceOf<R> surface;
+  const Crush& crush;
+  Surface surface;
 };
 /// What the surface of a piece is made of.
 template <class Whole>
 void set_strength(const AreniscaParameters& p, ScatteredRock<Whole>& rock) {
-  rock.PEAKI1 = p.PEAKI1;
-  rock.FSLOPE = p.FSLOPE;
-  rock.STREN = p.STREN;
-  rock.YSLOPE = p.YSLOPE;
+  using Limit = typename Whole::Parts::ShearLimit;
+  rock.strength = p;
   // By the arithmetic of lanes, so that a point's bits do not depend on the others with it.
-  const SurfaceOf<Lanes> mean = surface_of_pieces(rock, Lanes{} + 1.0);
+  const auto mean = surface_of_pieces(rock, Lanes{} + 1.0);
   rock.mean = rock.surface;
-  rock.mean.a1 = mean.a1[0];
-  rock.mean.a2 = mean.a2[0];
-  rock.mean.a3 = mean.a3[0];
-  rock.mean.a4 = mean.a4[0];
-  const CrushedSurface<Lanes> crushed = {rock.crush, mean};
+  static_cast<typename Limit::template Of<double>&>(rock.mean) = Limit::lane(mean, 0);
+  const CrushedSurface<decltype(rock.crush), decltype(mean)> crushed = {rock.crush, mean};
   const CapOf<Lanes> cap = cap_of(crushed, Lanes{});
   rock.mean_first_cap = {cap.present[0] != 0, cap.X[0], cap.kappa[0], cap.slope[0]};
 }
 
 }  // namespace arenisca
 
-/// Dry Arenisca whose strength at the vertex scatters from piece to piece (arenisca/weibull.hpp):
-/// the dry law with PEAKI1 times the coherence of each point (arenisca/points_pieces.hpp).
+/// Dry Arenisca whose strength at the vertex scatters from piece to piece
+/// (arenisca/parts/scatter.hpp): the dry law with PEAKI1 times the coherence of each point
+/// (arenisca/points_pieces.hpp).
 struct ScatteredArenisca {
   using SpecialForm = Arenisca;
   using Parameters = Arenisca::Parameters;

@@ -14,10 +14,11 @@ namespace barreno {
 /// sigma + p I, and a pore pressure that follows from the volumes of grains and fluid
 /// (arenisca/points_pores.hpp; docs/method.md 10). Nothing in strength, flow or crush curve is its
 /// own. Source: O. Coussy, Poromechanics (2004), grains that keep their volume in plastic flow.
-struct WetArenisca {
+template <class Parts>
+struct WetAreniscaOf {
   using SpecialForm = Arenisca;
   using Parameters = Arenisca::Parameters;
-  using Law = arenisca::WetRock;
+  using Law = arenisca::SaturatedRock<Parts>;
   static constexpr const char* name = "Arenisca";
   static constexpr const char* form = "wet";  ///< tells it from others of that name
   static constexpr const char* summary = Arenisca::summary;
@@ -32,7 +33,8 @@ struct WetArenisca {
   static constexpr int history_count = 6;
 
   static bool needed(const Parameters& p) {
-    return arenisca::is_poroplastic(p) && arenisca::is_plain(p);
+    return arenisca::is_poroplastic(p) && arenisca::is_plain(p) &&
+           arenisca::count_of_others(p) == 0;
   }
   static ParameterTable<Parameters> parameter_table() { return arenisca_parameter_table(); }
   static std::vector<HistoryField> history_table();
@@ -40,7 +42,7 @@ struct WetArenisca {
     return Arenisca::check(p, density);
   }
 
-  WetArenisca(const Parameters& p, double /*density*/) : p_(p), rock_(make_rock(p)) {}
+  WetAreniscaOf(const Parameters& p, double /*density*/) : p_(p), rock_(make_rock(p)) {}
 
   History initial_history() const;
   /// Under a pressure that was put on without a way out for the fluid.
@@ -83,7 +85,7 @@ struct WetArenisca {
     return rock_.elasticity.moduli_at(x, h.plastic_volume_strain);
   }
   const Parameters& parameters() const { return p_; }
-  const arenisca::WetRock& rock() const { return rock_; }
+  const Law& rock() const { return rock_; }
 
   BARRENO_FUNCTION static bool sound_history(const History& h) {
     const double sum = h.plastic_volume_strain + h.equivalent_plastic_strain + h.fluid_mass_ratio;
@@ -97,7 +99,7 @@ struct WetArenisca {
 
 private:
   InitialStateOf<Sym3, History> state_at_rest(double pressure, double pore_pressure) const;
-  static arenisca::WetRock make_rock(const Parameters& p);
+  static Law make_rock(const Parameters& p);
   BARRENO_FUNCTION static arenisca::PoresOf<double> pores(const History& h) {
     return {h.pore_pressure, 1.0 - h.porosity, h.porosity - h.gas};
   }
@@ -105,10 +107,14 @@ private:
   BARRENO_FUNCTION double mass_per_volume(const Sym3& stress, const History& h) const;
 
   Parameters p_;
-  arenisca::WetRock rock_;
+  Law rock_;
 };
 
-inline std::vector<HistoryField> WetArenisca::history_table() {
+/// Of the published parts.
+using WetArenisca = WetAreniscaOf<arenisca::PublishedParts>;
+
+template <class Parts>
+std::vector<HistoryField> WetAreniscaOf<Parts>::history_table() {
   namespace d = dimension;
   return {
       {"plastic_volume_strain", d::none, "volumetric plastic strain, negative in compaction"},
@@ -121,9 +127,10 @@ inline std::vector<HistoryField> WetArenisca::history_table() {
       {"gas", d::none, "volume in the pores that the fluid does not fill, over volume"}};
 }
 
-inline arenisca::WetRock WetArenisca::make_rock(const Parameters& p) {
-  arenisca::WetRock rock;
-  static_cast<arenisca::Rock&>(rock) = Arenisca(p, 1.0).rock();
+template <class Parts>
+typename WetAreniscaOf<Parts>::Law WetAreniscaOf<Parts>::make_rock(const Parameters& p) {
+  Law rock;
+  static_cast<arenisca::DryRock<Parts>&>(rock) = AreniscaOf<Parts>(p, 1.0).rock();
   const double matrix = matrix_modulus(p);
   rock.constituents = {matrix, p.fluid_B0, 1.0 / matrix, 1.0 / p.fluid_B0};
   rock.initial_pressure = p.fluid_pressure_initial;
@@ -131,7 +138,8 @@ inline arenisca::WetRock WetArenisca::make_rock(const Parameters& p) {
   return rock;
 }
 
-inline WetArenisca::History WetArenisca::initial_history() const {
+template <class Parts>
+typename WetAreniscaOf<Parts>::History WetAreniscaOf<Parts>::initial_history() const {
   History h;
   h.pore_pressure = rock_.initial_pressure;
   h.porosity = rock_.porosity;
@@ -140,7 +148,8 @@ inline WetArenisca::History WetArenisca::initial_history() const {
 
 /// Rock and fluid are first brought to the pore pressure together, which keeps the porosity; the
 /// rest of the confinement compresses the drained rock.
-inline InitialStateOf<Sym3, WetArenisca::History> WetArenisca::state_at_rest(
+template <class Parts>
+InitialStateOf<Sym3, typename WetAreniscaOf<Parts>::History> WetAreniscaOf<Parts>::state_at_rest(
     double pressure, double pore_pressure
 ) const {
   const arenisca::Constituents& c = rock_.constituents;
@@ -168,7 +177,9 @@ inline InitialStateOf<Sym3, WetArenisca::History> WetArenisca::state_at_rest(
 }
 
 /// The mass of fluid grows with its pressure: halving finds where it is the initial one.
-inline InitialStateOf<Sym3, WetArenisca::History> WetArenisca::initial_state(double confinement
+template <class Parts>
+InitialStateOf<Sym3, typename WetAreniscaOf<Parts>::History> WetAreniscaOf<Parts>::initial_state(
+    double confinement
 ) const {
   const double pressure = confinement == 0.0 ? rock_.initial_pressure : confinement;
   if (pressure == rock_.initial_pressure)
@@ -185,7 +196,8 @@ inline InitialStateOf<Sym3, WetArenisca::History> WetArenisca::initial_state(dou
   return start;
 }
 
-inline InitialStateOf<Sym3, WetArenisca::History> WetArenisca::initial_state(
+template <class Parts>
+InitialStateOf<Sym3, typename WetAreniscaOf<Parts>::History> WetAreniscaOf<Parts>::initial_state(
     double pressure, double pore_pressure
 ) const {
   auto start = state_at_rest(pressure, pore_pressure);

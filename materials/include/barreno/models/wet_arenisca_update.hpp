@@ -8,7 +8,9 @@
 
 namespace barreno {
 
-BARRENO_FUNCTION double WetArenisca::mass_per_volume(const Sym3& stress, const History& h) const {
+template <class Parts>
+BARRENO_FUNCTION double WetAreniscaOf<Parts>::mass_per_volume(const Sym3& stress, const History& h)
+    const {
   const double fluid = h.porosity - h.gas;
   if (fluid > 0.0 && h.fluid_mass_ratio > 0.0) return h.fluid_mass_ratio / fluid;
   // Emptied pores: the volume since the beginning from that of the grains.
@@ -21,7 +23,9 @@ BARRENO_FUNCTION double WetArenisca::mass_per_volume(const Sym3& stress, const H
          std::exp((h.pore_pressure - rock_.initial_pressure) * c.per_fluid);
 }
 
-BARRENO_FUNCTION PorePoint WetArenisca::pore_point(const Sym3& stress, const History& h) const {
+template <class Parts>
+BARRENO_FUNCTION PorePoint
+WetAreniscaOf<Parts>::pore_point(const Sym3& stress, const History& h) const {
   constexpr double gas = 5e-5;  // bulk modulus over the fluid's: of air and water
   const arenisca::Constituents& c = rock_.constituents;
   const double bulk = drained_moduli(stress, h).bulk;
@@ -96,8 +100,9 @@ BARRENO_FUNCTION MaskOf<R> sound_pores(const History& h) {
 
 }  // namespace arenisca
 
+template <class Parts>
 template <class R>
-BARRENO_FUNCTION MaskOf<R> WetArenisca::start_points(Points<R>& p) const {
+BARRENO_FUNCTION MaskOf<R> WetAreniscaOf<Parts>::start_points(Points<R>& p) const {
   const HistoryOf<R>& h = p.history;
   const MaskOf<R> sound = arenisca::sound_points(
                               p.increment,
@@ -109,20 +114,23 @@ BARRENO_FUNCTION MaskOf<R> WetArenisca::start_points(Points<R>& p) const {
   return arenisca::start_rock<R>(rock_, sound, p);
 }
 
+template <class Parts>
 template <class R>
-BARRENO_FUNCTION void WetArenisca::finish_points(
+BARRENO_FUNCTION void WetAreniscaOf<Parts>::finish_points(
     Points<R>* groups, const MaskOf<R>* flows, int count
 ) const {
   constexpr std::size_t room = groups_together;
-  arenisca::StepOf<R, arenisca::WetRock> steps[room];
+  arenisca::StepOf<R, Law> steps[room];
   arenisca::finish_rock(rock_, steps, groups, flows, count);
 }
 
-inline Outcome WetArenisca::update(const Increment& increment, Sym3& stress, History& h) const {
+template <class Parts>
+Outcome WetAreniscaOf<Parts>::update(const Increment& increment, Sym3& stress, History& h) const {
   return arenisca::update_point(*this, rock_, increment, stress, h);
 }
 
-inline Outcome WetArenisca::drain(double fluid_volume, Sym3& stress, History& h) const {
+template <class Parts>
+Outcome WetAreniscaOf<Parts>::drain(double fluid_volume, Sym3& stress, History& h) const {
   return arenisca::drain_point(*this, rock_, fluid_volume, stress, h);
 }
 

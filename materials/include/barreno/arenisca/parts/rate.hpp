@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/elasticity.hpp"
+#include "barreno/arenisca/parts/elasticity.hpp"
+#include "barreno/arenisca/parts/part.hpp"
 #include "barreno/outcome.hpp"
 #include "barreno/real.hpp"
 #include "barreno/tensor.hpp"
@@ -15,6 +16,36 @@ namespace barreno::arenisca {
 //
 // The stress that hosts see is the dynamic one, quasi-static stress and overstress; the latter is
 // history.
+
+/// Whether and how fast overstress relaxes.
+struct Rate {
+  struct Parameters {
+    double T1_rate_dependence, T2_rate_dependence;
+  };
+  static ParameterTable<Parameters> parameter_table() {
+    using P = Parameters;
+    namespace d = dimension;
+    return {
+        {optional(
+             &P::T1_rate_dependence,
+             "T1_rate_dependence",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "overstress relaxes in T1 |D|^-T2 (in seconds, D per second); 0: no rate dependence"
+         ),
+         optional(
+             &P::T2_rate_dependence,
+             "T2_rate_dependence",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "exponent of the rate; 0: constant relaxation time T1"
+         )},
+        {}};
+  }
+  static std::string check(const Parameters& /*p*/) { return {}; }
+};
 
 /// Overstress after a step. D = 0 with T2 > 0: tau is infinite, the overstress stays. dt = 0: rate
 /// terms are off and it stays too.

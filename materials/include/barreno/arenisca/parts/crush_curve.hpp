@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/parts/part.hpp"
 #include "barreno/arenisca/selection.hpp"
 #include "barreno/real.hpp"
 
@@ -26,6 +27,51 @@ struct CrushedOf {
 /// p3 = 0 is nonporous rock without cap, its own case: the dilation branch has no limit for p3 ->
 /// 0.
 struct CrushCurve {
+  struct Parameters {
+    double p0_crush_curve, p1_crush_curve, p3_crush_curve;
+  };
+  static ParameterTable<Parameters> parameter_table() {
+    using P = Parameters;
+    namespace d = dimension;
+    return {
+        {optional(
+             &P::p0_crush_curve,
+             "p0_crush_curve",
+             d::stress,
+             any(),
+             0.0,
+             "I1 at which crushing begins; needed unless p3_crush_curve = 0"
+         ),
+         optional(
+             &P::p1_crush_curve,
+             "p1_crush_curve",
+             d::compliance,
+             any(),
+             0.0,
+             "steepness of the crush curve; needed unless p3_crush_curve = 0"
+         ),
+         required(
+             &P::p3_crush_curve, "p3_crush_curve", d::none, at_least(0.0), "-ln(1 - porosity)"
+         )},
+        {}};
+  }
+  static std::string check(const Parameters& p) {
+    if (p.p3_crush_curve == 0.0) return {};  // nonporous: no cap, p0 and p1 are not read
+    if (!(p.p0_crush_curve < 0.0)) {
+      return named("p0_crush_curve", p.p0_crush_curve) +
+             " must be negative (it is the I1 at which crushing begins, tension positive); change "
+             "its sign, or "
+             "set p3_crush_curve = 0 for nonporous rock.";
+    }
+    if (!(p.p1_crush_curve > 0.0)) {
+      return named("p1_crush_curve", p.p1_crush_curve) +
+             " must be positive (else crushing softens the rock); change its sign, or set "
+             "p3_crush_curve = 0 for "
+             "nonporous rock.";
+    }
+    return {};
+  }
+
   double p0 = 0.0, p1 = 0.0, p3 = 0.0;
   /// Quotients of those, for updates that would divide often; 0 for p3 = 0.
   double per_p1 = 0.0;    ///< 1/p1 [stress]
@@ -51,6 +97,9 @@ struct CrushCurve {
     at_start = 1.0 / (p1 * p3);
   }
 
+  explicit CrushCurve(const Parameters& p)
+      : CrushCurve(p.p0_crush_curve, p.p1_crush_curve, p.p3_crush_curve) {}
+
   template <class R>
   BARRENO_FUNCTION CrushedOf<R> at(const R& evp) const {
     CrushedOf<R> c{none_of<R>()};
@@ -70,6 +119,8 @@ struct CrushCurve {
     return c;
   }
 
+  /// Rock with pores to crush.
+  BARRENO_FUNCTION bool porous() const { return p3 != 0.0; }
   /// True where the surface has a cap.
   BARRENO_FUNCTION bool has_cap(double evp) const { return at(evp).open; }
   /// X(evp); asks has_cap(evp) [stress].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/parts/part.hpp"
 #include "barreno/arenisca/root_finding.hpp"
 #include "barreno/portability.hpp"
 #include "barreno/real.hpp"
@@ -15,6 +16,45 @@ namespace barreno::arenisca {
 /// theta is 0 in triaxial extension and pi/3 in triaxial compression; Gamma(pi/3) = 1, Gamma(0) =
 /// psi. Convex for 7/9 <= psi <= 9/7 (Gudehus) and 1/2 <= psi <= 2 (others).
 struct Lode {
+  struct Parameters {
+    double J3_psi;
+    int J3_type;
+  };
+  static ParameterTable<Parameters> parameter_table() {
+    using P = Parameters;
+    namespace d = dimension;
+    return {
+        {optional(
+            &P::J3_psi,
+            "J3_psi",
+            d::none,
+            Bounds{0.5, 2.0, false, false},
+            1.0,
+            "strength in triaxial extension over that in compression"
+        )},
+        {{&P::J3_type,
+          "J3_type",
+          {"none", "Gudehus", "Willam-Warnke", "Mohr-Coulomb"},
+          0,
+          "dependence of the strength on the Lode angle"}}};
+  }
+  static std::string check(const Parameters& p) {
+    constexpr double widest = 9.0 / 7.0;
+    const bool narrow = p.J3_type == 1;
+    if (narrow && !(p.J3_psi >= 1.0 / widest && p.J3_psi <= widest)) {
+      return named("J3_psi", p.J3_psi) +
+             " makes the Gudehus surface concave (it is convex from 7/9 to 9/7); change it, or use "
+             "Willam-Warnke, which is convex from 1/2 to 2.";
+    }
+    if (p.J3_type == 0 && p.J3_psi != 1.0) {
+      return named("J3_psi", p.J3_psi) +
+             " has no effect without a J3_type (the shape of the section between J3_psi and 1); "
+             "set "
+             "J3_type, or set J3_psi to 1.";
+    }
+    return {};
+  }
+
   enum Kind { none = 0, gudehus = 1, willam_warnke = 2, mohr_coulomb = 3 };
   int kind = none;
   double psi = 1.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/parts/part.hpp"
+
 #include <cmath>
 #include <cstdint>
 
@@ -23,6 +25,75 @@ namespace arenisca {
 /// alone, not from a sequence of draws: the same specimen for any number of ranks and any order of
 /// particles. W. Weibull, J. Appl. Mech. 18 (1951).
 struct Weibull {
+  struct Parameters {
+    double weibull_modulus, weibull_reference_volume, weibull_seed;
+    int weibull_volume, weibull_scatter;
+
+    static constexpr int ring_volume = 1, scale_only = 1;
+  };
+  static ParameterTable<Parameters> parameter_table() {
+    using P = Parameters;
+    namespace d = dimension;
+    return {
+        {optional(
+             &P::weibull_modulus,
+             "Weibull modulus",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "m: PEAKI1 varies from particle to particle, less with larger m; 0: no variation"
+         ),
+         optional(
+             &P::weibull_reference_volume,
+             "Weibull reference volume",
+             d::volume,
+             at_least(0.0),
+             0.0,
+             "volume of the specimens whose mean strength is PEAKI1; smaller particles are stronger"
+         ),
+         optional(
+             &P::weibull_seed,
+             "Weibull seed",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "whole number; each gives another specimen of the same rock"
+         )},
+        {{&P::weibull_volume,
+          "Weibull volume",
+          {"cube", "ring"},
+          0,
+          "volume of a particle for the scale effect: the cube over its face in the plane, the "
+          "same "
+          "at "
+          "any distance from the axis; ring: its own (full circle, or per unit thickness)"},
+         {&P::weibull_scatter,
+          "Weibull scatter",
+          {"random", "scale only"},
+          0,
+          "scale only: every particle has the mean of its size"}}};
+  }
+  static std::string check(const Parameters& p) {
+    constexpr double max_seeds = 9007199254740992.0;  // 2^53: whole numbers that a double holds
+    if (!(p.weibull_seed < max_seeds && p.weibull_seed == std::floor(p.weibull_seed))) {
+      return named("Weibull seed", p.weibull_seed) +
+             " is not a whole number below 2^53 (it numbers specimens); take 0, 1, 2 and so on.";
+    }
+    if (p.weibull_modulus == 0.0) {
+      if (p.weibull_reference_volume == 0.0) return {};
+      return named("Weibull reference volume", p.weibull_reference_volume) +
+             " has no effect without a Weibull modulus (0: no scatter); set the modulus, or the "
+             "volume to "
+             "0.";
+    }
+    if (p.weibull_reference_volume == 0.0) {
+      return named("Weibull modulus", p.weibull_modulus) +
+             " needs a Weibull reference volume (strength depends on size); set that of the "
+             "specimens that PEAKI1 was measured on.";
+    }
+    return {};
+  }
+
   double modulus = 0.0;           ///< m; 0: every piece has the mean
   double reference_volume = 0.0;  ///< Vref [volume]
   std::uint64_t seed = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/crush_curve.hpp"
-#include "barreno/arenisca/elasticity.hpp"
+#include "barreno/arenisca/parts/crush_curve.hpp"
+#include "barreno/arenisca/parts/elasticity.hpp"
 #include "barreno/arenisca/yield_surface.hpp"
 
 namespace barreno::arenisca {
@@ -13,23 +13,17 @@ namespace barreno::arenisca {
 /// Trial state outside the surface, in x = I1 and q = sqrt(J2) at constant Lode angle.
 ///
 /// Returned is the point closest to the trial point in z = I1/sqrt(3), r = beta sqrt(3K/G)
-/// sqrt(J2). Three times that distance squared is (x_tr - x)^2 + metric (q_tr - q)^2 with metric =
-/// 9 beta^2 K/G, which is why beta acts squared on the dilatancy.
+/// sqrt(J2). Three times that distance squared is (x_tr - x)^2 + metric (q_tr - q)^2 with the
+/// metric of the flow rule (parts/flow_rule.hpp): 9 beta^2 K/G in the published one.
 template <class R>
 struct TrialOf {
   R x, q;
-  R metric;       ///< see return_metric()
+  R metric;       ///< of the flow rule
   R triple_bulk;  ///< 3K, so that d(evp) = (x_tr - x)/3K [stress]
   R evp;          ///< volumetric plastic strain at the start of the substep
   CapOf<R> cap;   ///< cap at that evp
 };
 using Trial = TrialOf<double>;
-
-/// 9 beta^2 K/G.
-template <class R>
-BARRENO_FUNCTION R return_metric(double beta, const ModuliOf<R>& m) {
-  return (9.0 * beta * beta) * m.bulk / m.shear;
-}
 
 // The return is one scalar equation, because evp fixes everything: x = x_tr - 3K (evp - evp_n) by
 // elasticity, the cap by the crush curve, q = Ff fc by the surface; what is left is that the line
@@ -111,7 +105,7 @@ BARRENO_FUNCTION ClosedOf<R> return_with_closed_pores(
   const R evp = real::select(trial.cap.present, closed_evp, trial.evp);
   const R x =
       smaller_of(R(trial.x - trial.triple_bulk * (evp - trial.evp)), R(R{} + surface.vertex));
-  const R limit = real::larger(limit_at(surface, x).value, 0.0);
+  const R limit = real::larger(surface.limit_at(x).value, 0.0);
   return {x, smaller_of(trial.q, limit), evp};
 }
 

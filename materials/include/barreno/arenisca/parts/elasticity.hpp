@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/parts/part.hpp"
 #include "barreno/arenisca/selection.hpp"
 #include "barreno/real.hpp"
 
@@ -33,6 +34,44 @@ struct PressureTermOf {
 /// Dilated rock (evp > 0) keeps the low-pressure moduli until it is compacted again. The published
 /// benchmark 08 depends on it (I1 = -1481 with it, -1527 without, at the seventh way point).
 struct Elasticity {
+  struct Parameters {
+    double B0, B1, B2, B3, B4;
+    double G0, G1, G2, G3, G4;
+  };
+  static ParameterTable<Parameters> parameter_table() {
+    using P = Parameters;
+    namespace d = dimension;
+    return {
+        {required(
+             &P::B0, "B0", d::stress, above(0.0), "bulk modulus at zero pressure and in tension"
+         ),
+         optional(
+             &P::B1, "B1", d::stress, at_least(0.0), 0.0, "rise of the bulk modulus under pressure"
+         ),
+         optional(&P::B2, "B2", d::stress, at_least(0.0), 0.0, "I1 scale of that rise"),
+         optional(
+             &P::B3, "B3", d::stress, at_least(0.0), 0.0, "elastic-plastic coupling: fall of K"
+         ),
+         optional(
+             &P::B4, "B4", d::none, at_least(0.0), 0.0, "plastic volume strain scale of that fall"
+         ),
+         required(&P::G0, "G0", d::stress, above(0.0), "shear modulus"),
+         optional(
+             &P::G1, "G1", d::none, any(), 0.0, "Poisson's ratio at zero pressure; 0 = constant G"
+         ),
+         optional(&P::G2, "G2", d::none, any(), 0.0, "rise of Poisson's ratio under pressure"),
+         optional(&P::G3, "G3", d::none, any(), 0.0, "published name without effect: must be 0"),
+         optional(&P::G4, "G4", d::none, any(), 0.0, "published name without effect: must be 0")},
+        {}};
+  }
+  static std::string check(const Parameters& p) {
+    const std::string problem = check_bulk_modulus(p);
+    return problem.empty() ? check_shear_modulus(p) : problem;
+  }
+  static Elasticity make(const Parameters& p) {
+    return {p.B0, p.B1, p.B2, p.B3, p.B4, p.G0, p.G1, p.G2};
+  }
+
   double B0, B1, B2, B3, B4, G0, G1, G2;
 
   /// The moduli jump where rock becomes dilated; |evp| below this counts as at the jump (round-off
@@ -132,6 +171,47 @@ struct Elasticity {
   template <class R>
   BARRENO_FUNCTION static R shear_from_ratio(const R& bulk, const R& nu) {
     return 1.5 * bulk * (1.0 - 2.0 * nu) / (1.0 + nu);
+  }
+
+  static std::string check_bulk_modulus(const Parameters& p) {
+    if (p.B1 > 0.0 && p.B2 == 0.0) {
+      return named("B1", p.B1) +
+             " with B2 = 0 makes the bulk modulus jump at zero pressure; set B2, the I1 over "
+             "which it rises, or B1 = 0.";
+    }
+    if (p.B3 > 0.0 && p.B4 == 0.0) {
+      return named("B3", p.B3) +
+             " with B4 = 0 makes the bulk modulus jump at the first crushing; set B4, the "
+             "plastic strain over which it falls, or B3 = 0.";
+    }
+    return {};
+  }
+  static std::string check_shear_modulus(const Parameters& p) {
+    if (p.G3 != 0.0 || p.G4 != 0.0) {
+      const bool third = p.G3 != 0.0;
+      return named(third ? "G3" : "G4", third ? p.G3 : p.G4) +
+             " has no effect in the published model and would be ignored; set it to 0.";
+    }
+    if ((p.G1 != 0.0) != (p.G2 != 0.0)) {
+      return named("G1", p.G1) + " and " + named("G2", p.G2) +
+             " have no effect unless both are set (else the shear modulus is G0); set both, or "
+             "both "
+             "to 0.";
+    }
+    if (p.G1 == 0.0) return {};
+    for (const double nu : {p.G1, p.G1 + p.G2}) {
+      if (nu > -1.0 && nu < 0.5) continue;
+      return named("G1", p.G1) + " and " + named("G2", p.G2) + " give a Poisson's ratio of " +
+             shown(nu) + ", outside -1 to 0.5 (negative shear modulus); change G1 or G2.";
+    }
+    // Cards carry few digits; a jump of 1e-3 in G at I1 = 0 is below what calibrations resolve.
+    constexpr double digits = 1e-3;
+    const double continuous = shear_from_ratio(p.B0, p.G1);
+    if (!(std::fabs(p.G0 - continuous) <= digits * continuous)) {
+      return named("G0", p.G0) + " must equal 1.5 B0 (1 - 2 G1)/(1 + G1) = " + shown(continuous) +
+             " (the shear modulus would jump at zero pressure); set G0 to that.";
+    }
+    return {};
   }
 
   /// Upper bounds over all reachable states, for the first time step.

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "barreno/models/arenisca.hpp"
+#include "barreno/models/wet_arenisca.hpp"
+
+#include <variant>
+
+namespace barreno {
+
+namespace arenisca {
+
+/// A name made of two.
+struct Words {
+  char letters[64] = "";
+};
+constexpr Words joined_words(const char* first, const char* second) {
+  Words words;
+  int at = 0;
+  for (const char* part : {first, second})
+    for (; *part != '\0'; ++part) words.letters[at++] = *part;
+  return words;
+}
+
+}  // namespace arenisca
+
+/// Arenisca, dry or in the wet poroplastic form, with one part in place of a published one
+/// (arenisca/parts/list.hpp); for the cards that ask for it.
+/// @param Part  the part
+/// @param Form  AreniscaOf or WetAreniscaOf, with it
+template <class Part, class Form>
+struct ExchangedArenisca : Form {
+  using SpecialForm = Arenisca;
+  using Form::Form;
+  static constexpr bool wet = Form::Law::wet;
+  static constexpr arenisca::Words words = arenisca::joined_words(Part::word, wet ? " wet" : "");
+  static constexpr const char* form = words.letters;
+
+  static bool needed(const AreniscaParameters& p) {
+    return Part::asked(p) && arenisca::is_plain(p) && arenisca::goes_in_lanes(p, wet) &&
+           (p.fluid_B0 > 0.0) == wet;
+  }
+};
+
+namespace arenisca {
+
+template <class Part, class Parts>
+using ExchangedForms = std::variant<
+    ExchangedArenisca<Part, AreniscaOf<Parts>>,
+    ExchangedArenisca<Part, WetAreniscaOf<Parts>>>;
+
+template <class... Variants>
+struct JoinedVariants;
+template <class... As>
+struct JoinedVariants<std::variant<As...>> {
+  using type = std::variant<As...>;
+};
+template <class... As, class... Bs, class... Rest>
+struct JoinedVariants<std::variant<As...>, std::variant<Bs...>, Rest...>
+    : JoinedVariants<std::variant<As..., Bs...>, Rest...> {};
+
+/// The forms of the parts in all three lists.
+template <class Models, class Limits, class Curves, class Rules>
+struct WithExchanged;
+template <class Models, class... Limits, class... Curves, class... Rules>
+struct WithExchanged<Models, PartList<Limits...>, PartList<Curves...>, PartList<Rules...>>
+    : JoinedVariants<
+          Models,
+          ExchangedForms<Limits, PartsOf<Limits, CrushCurve, FlowRule>>...,
+          ExchangedForms<Curves, PartsOf<ShearLimit, Curves, FlowRule>>...,
+          ExchangedForms<Rules, PartsOf<ShearLimit, CrushCurve, Rules>>...> {};
+
+/// The models, and the forms that parts outside of the published law make.
+template <class Models>
+using WithOtherParts =
+    typename WithExchanged<Models, OtherShearLimits, OtherCrushCurves, OtherFlowRules>::type;
+
+}  // namespace arenisca
+}  // namespace barreno
