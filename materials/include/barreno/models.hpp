@@ -11,7 +11,6 @@
 #include "barreno/models/linear_elastic.hpp"
 #include "barreno/models/neo_hookean.hpp"
 #include "barreno/models/poroelastic.hpp"
-#include "barreno/models/scattered_arenisca.hpp"
 #include "barreno/models/wet_arenisca.hpp"
 
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "barreno/portability.hpp"
-#include "barreno/real.hpp"
+#include "barreno/select_members.hpp"
 
 #include <cmath>
 
@@ -53,19 +53,6 @@ BARRENO_FUNCTION Sym3Of<R> isotropic(const R& c) {
 template <class R>
 BARRENO_FUNCTION Sym3Of<R> deviator(const Sym3Of<R>& s) {
   return s - isotropic(R(trace(s) / 3.0));
-}
-/// Those of `yes` where `choice` holds, else those of `no`.
-template <class R>
-BARRENO_FUNCTION Sym3Of<R> select_points(
-    const MaskOf<R>& choice, const Sym3Of<R>& yes, const Sym3Of<R>& no
-) {
-  return {
-      real::select(choice, yes.xx, no.xx),
-      real::select(choice, yes.yy, no.yy),
-      real::select(choice, yes.zz, no.zz),
-      real::select(choice, yes.xy, no.xy),
-      real::select(choice, yes.yz, no.yz),
-      real::select(choice, yes.zx, no.zx)};
 }
 BARRENO_FUNCTION double norm(const Sym3& s) {
   return std::sqrt(contract(s, s));

@@ -82,7 +82,7 @@ BARRENO_FUNCTION void advance_points(
 ) {
   e.gain = real::select(open, next.gain, e.gain);
   e.x = real::select(open, next.x, e.x);
-  e.cap = select_points<R>(open, next.cap, e.cap);
+  assign_where(open, next.cap, e.cap);
   e.f = real::select(open, next.f, e.f);
   e.df = real::select(open, next.df, e.df);
   e.q = real::select(open, next.q, e.q);

@@ -122,7 +122,7 @@ BARRENO_FUNCTION FlowStartOf<R, Law> flow_start_of(
     constexpr int halvings = 6;
     const R t = crossing_of(rock, inside, step, p, halvings);
     f.x = real::select(inside, n.x + t * (p.x - n.x), n.x);
-    f.s = select_points<R>(inside, n.s + t * (p.s - n.s), n.s);
+    f.s = select_points(inside, n.s + t * (p.s - n.s), n.s);
     q_squared = real::select(inside, squared(f.s), q_squared);
     MeridianOf<R> there = meridian_at(surface, f.x, step.cap);
     if constexpr (Law::angled) {
@@ -156,10 +156,9 @@ BARRENO_FUNCTION FlowStartOf<R, Law> flow_start_of(
   const R hypotenuse = real::sqrt(R(side * side + 1.0));
   f.normal_x = real::select(at_vertex, side / hypotenuse, f.normal_x);
   f.normal_q = real::select(at_vertex, 1.0 / hypotenuse, f.normal_q);
-  f.s = select_points<R>(at_vertex, p.s, f.s);
+  assign_where(at_vertex, p.s, f.s);
   f.q = real::select(at_vertex, p.q, f.q);
-  if constexpr (Law::angled)
-    f.normal_s = select_points<R>(at_vertex, f.normal_q * p.angle.along, f.normal_s);
+  if constexpr (Law::angled) assign_where(at_vertex, f.normal_q * p.angle.along, f.normal_s);
   return f;
 }
 
@@ -347,7 +346,7 @@ BARRENO_FUNCTION void refine_points(
   r.q = real::select(outside, r.q, q);
   r.evp = real::select(outside, r.evp, evp);
   AttemptOf<R, Law> b = a;
-  end = select_points<R>(outside, end, moved);
+  end = select_points(outside, end, moved);
   finish_flow(rock, step, p, end, r, f, b);
   constexpr double round_off = 1e-9;
   const R flow = b.end.shear_strain - n.shear_strain;
@@ -385,7 +384,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
     if constexpr (Law::angled) {
       const DeviatorOf<R> across =
           lengthened(f.normal_s, R(real::sqrt(squared(f.normal_s))), R(R{} + 1.0));
-      f.normal_s = select_points<R>(isochoric, across, f.normal_s);
+      assign_where(isochoric, across, f.normal_s);
     }
   }
   AttemptOf<R, Law> a;

@@ -99,7 +99,7 @@ BARRENO_FUNCTION void find_turn(
     const R rise = tried.miss - at.miss;
     const R step =
         -tried.miss * (next - at.half_tangent) / real::select(rise != 0.0, rise, HUGE_VAL);
-    select_returned(open, tried.returned, at.returned);
+    assign_where(open, tried.returned, at.returned);
     at.half_tangent = real::select(open, next, at.half_tangent);
     at.angle.cosine = real::select(open, tried.angle.cosine, at.angle.cosine);
     at.angle.sine = real::select(open, tried.angle.sine, at.angle.sine);
@@ -195,7 +195,7 @@ BARRENO_FUNCTION ReturnedShear<R, Law> return_shear(
     const MaskOf<R> rest = outside & !r.found;
     if (real::any(rest)) {
       const TriedTurn<R> at = return_turn_by_turn(rock, angle, trial, rest, at_trial, guess.gain);
-      select_returned(rest, at.returned, r.point);
+      assign_where(rest, at.returned, r.point);
       r.half_tangent = real::select(rest, at.half_tangent, r.half_tangent);
     }
     const R inverse = 1.0 / (1.0 + r.half_tangent * r.half_tangent);

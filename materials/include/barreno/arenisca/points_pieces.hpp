@@ -68,6 +68,28 @@ BARRENO_FUNCTION decltype(auto) rock_of(const Law& law, const Holder& holder) {
     return (law);
 }
 
+/// What a cap depends on.
+template <class Crush, class Surface>
+struct CrushedSurface {
+  const Crush& crush;
+  Surface surface;
+};
+/// What the surface of a piece is made of.
+template <class Whole>
+void set_strength(
+    const typename Whole::Parts::ShearLimit::Parameters& p, ScatteredRock<Whole>& rock
+) {
+  using Limit = typename Whole::Parts::ShearLimit;
+  rock.strength = p;
+  // By the arithmetic of lanes, so that a point's bits do not depend on the others with it.
+  const auto mean = surface_of_pieces(rock, Lanes{} + 1.0);
+  rock.mean = rock.surface;
+  static_cast<typename Limit::template Of<double>&>(rock.mean) = Limit::lane(mean, 0);
+  const CrushedSurface<decltype(rock.crush), decltype(mean)> crushed = {rock.crush, mean};
+  const CapOf<Lanes> cap = cap_of(crushed, Lanes{});
+  rock.mean_first_cap = {cap.present[0] != 0, cap.X[0], cap.kappa[0], cap.slope[0]};
+}
+
 /// What a step keeps of points whose strength is their own.
 template <class R, bool scattered>
 struct WithCoherence {};

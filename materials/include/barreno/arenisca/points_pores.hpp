@@ -35,16 +35,6 @@ struct WithPores<R, true> {
   PoresOf<R> pores;
 };
 
-template <class R>
-BARRENO_FUNCTION PoresOf<R> select_points(
-    const MaskOf<R>& choice, const PoresOf<R>& yes, const PoresOf<R>& no
-) {
-  return {
-      real::select(choice, yes.pressure, no.pressure),
-      real::select(choice, yes.solid, no.solid),
-      real::select(choice, yes.fluid, no.fluid)};
-}
-
 /// Pores of a history, whose names are those of history_table(), and back.
 template <class R, class History>
 BARRENO_FUNCTION PoresOf<R> pores_of(const History& h) {

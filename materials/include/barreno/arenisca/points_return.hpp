@@ -21,17 +21,6 @@ BARRENO_FUNCTION ReturnedOf<R> returned_at(
   return {e.x, smaller_of(q, trial.q), trial.evp + e.gain, e.cap, refused};
 }
 
-template <class R>
-BARRENO_FUNCTION void select_returned(
-    const MaskOf<R>& choice, const ReturnedOf<R>& other, ReturnedOf<R>& r
-) {
-  r.x = real::select(choice, other.x, r.x);
-  r.q = real::select(choice, other.q, r.q);
-  r.evp = real::select(choice, other.evp, r.evp);
-  r.cap = select_points<R>(choice, other.cap, r.cap);
-  r.refused = (choice & other.refused) | ((!choice) & r.refused);
-}
-
 /// Pores close altogether, where `closed` (closest_point.hpp): no cap is left.
 template <class R, class Law>
 BARRENO_FUNCTION void close_pores(
@@ -120,11 +109,9 @@ BARRENO_FUNCTION void return_to_retracted_cap(
   if (real::any(opens)) find_dilation(rock, trial, caught, opens, R(r.evp - trial.evp), bracket, e);
   const MaskOf<R> failed = solve_return(rock, trial, caught, compact, open, bracket, e);
   const ReturnedOf<R> onto = returned_at(trial, e, failed);
-  r.x = real::select(open, onto.x, r.x);
-  r.q = real::select(open, onto.q, r.q);
-  r.evp = real::select(open, onto.evp, r.evp);
-  r.cap = select_points<R>(open, onto.cap, r.cap);
-  r.refused = r.refused | failed;
+  const MaskOf<R> refused = r.refused | failed;
+  assign_where(open, onto, r);
+  r.refused = refused;
   close_pores(rock, trial, closed, r);
 }
 

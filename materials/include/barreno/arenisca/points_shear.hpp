@@ -37,13 +37,6 @@ template <class R>
 BARRENO_FUNCTION R squared(const ShearOf<R>& s) {
   return s.a * s.a + s.b * s.b;
 }
-template <class R>
-BARRENO_FUNCTION ShearOf<R> select_points(
-    const MaskOf<R>& choice, const ShearOf<R>& yes, const ShearOf<R>& no
-) {
-  return {real::select(choice, yes.a, no.a), real::select(choice, yes.b, no.b)};
-}
-
 /// A deviator in full, for rock whose strength depends on the third invariant: its flow leaves that
 /// plane.
 template <class R>
@@ -70,13 +63,6 @@ template <class R>
 BARRENO_FUNCTION R squared(const DeviatorOf<R>& s) {
   return 0.5 * contract(s.tensor, s.tensor);
 }
-template <class R>
-BARRENO_FUNCTION DeviatorOf<R> select_points(
-    const MaskOf<R>& choice, const DeviatorOf<R>& yes, const DeviatorOf<R>& no
-) {
-  return {select_points<R>(choice, yes.tensor, no.tensor)};
-}
-
 /// The one that a law asks for.
 template <class R, class Law>
 using ShearIn = std::conditional_t<Law::angled, DeviatorOf<R>, ShearOf<R>>;

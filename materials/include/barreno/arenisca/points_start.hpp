@@ -87,12 +87,10 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
   if (real::any(open)) {
     const WholeStepOf<R, Law> own = predict_whole_step(rock, n, cap_of(rock, n.evp), open);
     p.x = real::select(open, own.x, p.x);
-    p.s = select_points<R>(open, own.s, p.s);
-    p.used = {
-        real::select(open, own.used.bulk, p.used.bulk),
-        real::select(open, own.used.shear, p.used.shear)};
+    assign_where(open, own.s, p.s);
+    assign_where(open, own.used, p.used);
     p.inside = p.inside | own.inside;
-    if constexpr (Law::wet) p.pores = select_points<R>(open, own.pores, p.pores);
+    if constexpr (Law::wet) assign_where(open, own.pores, p.pores);
   }
   const ModuliOf<R> end =
       rock.elasticity.moduli_after(p.inside, n.x, n.evp, p.x, n.term, n.coupling);

@@ -205,25 +205,15 @@ template <class R, class Law>
 BARRENO_FUNCTION void select_attempt(
     const MaskOf<R>& choice, const AttemptOf<R, Law>& other, AttemptOf<R, Law>& a
 ) {
-  a.end = {
-      real::select(choice, other.end.x, a.end.x),
-      select_points<R>(choice, other.end.s, a.end.s),
-      real::select(choice, other.end.evp, a.end.evp),
-      real::select(choice, other.end.shear_strain, a.end.shear_strain)};
-  a.error = real::select(choice, other.error, a.error);
-  a.allowed = real::select(choice, other.allowed, a.allowed);
-  a.refused = (choice & other.refused) | ((!choice) & a.refused);
-  a.elastic_work = real::select(choice, other.elastic_work, a.elastic_work);
-  a.plastic_work = real::select(choice, other.plastic_work, a.plastic_work);
-  a.moduli = {
-      real::select(choice, other.moduli.bulk, a.moduli.bulk),
-      real::select(choice, other.moduli.shear, a.moduli.shear)};
-  if constexpr (Law::wet) a.pores = select_points<R>(choice, other.pores, a.pores);
-  if constexpr (Law::rated) {
-    a.used = {
-        real::select(choice, other.used.bulk, a.used.bulk),
-        real::select(choice, other.used.shear, a.used.shear)};
-  }
+  assign_where(choice, other.end, a.end);
+  assign_where(choice, other.error, a.error);
+  assign_where(choice, other.allowed, a.allowed);
+  assign_where(choice, other.refused, a.refused);
+  assign_where(choice, other.elastic_work, a.elastic_work);
+  assign_where(choice, other.plastic_work, a.plastic_work);
+  assign_where(choice, other.moduli, a.moduli);
+  if constexpr (Law::wet) assign_where(choice, other.pores, a.pores);
+  if constexpr (Law::rated) assign_where(choice, other.used, a.used);
 }
 
 template <class R, class Law>

@@ -58,25 +58,15 @@ BARRENO_FUNCTION void accept_elastic(
     AttemptOf<R, Law>& a
 ) {
   const StateOf<R, Law>& n = step.n;
-  a.end = {
-      real::select(inside, p.x, a.end.x),
-      select_points<R>(inside, p.s, a.end.s),
-      real::select(inside, p.evp, a.end.evp),
-      real::select(inside, n.shear_strain, a.end.shear_strain)};
-  a.moduli = {
-      real::select(inside, moduli.bulk, a.moduli.bulk),
-      real::select(inside, moduli.shear, a.moduli.shear)};
+  assign_where(inside, StateOf<R, Law>{p.x, p.s, p.evp, n.shear_strain}, a.end);
+  assign_where(inside, moduli, a.moduli);
   const R change = size_of_stress(R(p.x - n.x), squared(p.s - n.s));
   a.error = real::select(inside, mismatch_of(p.start, p.used, moduli) * change, a.error);
-  if constexpr (Law::rated) {
-    a.used = {
-        real::select(inside, p.used.bulk, a.used.bulk),
-        real::select(inside, p.used.shear, a.used.shear)};
-  }
+  if constexpr (Law::rated) assign_where(inside, p.used, a.used);
   a.allowed = real::select(inside, allowed_error_of(rock, n, p.x, p.J2), a.allowed);
   R work{};
   if constexpr (Law::wet) {
-    a.pores = select_points<R>(inside, p.elastic, a.pores);
+    assign_where(inside, p.elastic, a.pores);
     work = work_of_stress(step, a);
   } else {
     work = 0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de);
@@ -253,7 +243,7 @@ BARRENO_FUNCTION void add_missed(
   const R missed_x = 3.0 * bulk * strain - (a.end.x - step.state.x);
   const ShearIn<R, Law> missed_s = R(2.0 * fraction * shear) * step.de - (a.end.s - step.state.s);
   step.missed_x = step.missed_x + real::select(flows, missed_x, 0.0);
-  step.missed_s = select_points<R>(flows, step.missed_s + missed_s, step.missed_s);
+  assign_where(flows, step.missed_s + missed_s, step.missed_s);
 }
 
 /// The substep of this fraction of the step.
@@ -283,10 +273,7 @@ BARRENO_FUNCTION void take_substeps(
   if constexpr (Law::rated)
     if (rock.T1 != 0.0) add_missed(rock, takes, fraction, a, step);
   step.substeps = step.substeps + real::select(takes, 1.0, 0.0);
-  step.state.x = real::select(takes, a.end.x, step.state.x);
-  step.state.s = select_points<R>(takes, a.end.s, step.state.s);
-  step.state.evp = real::select(takes, a.end.evp, step.state.evp);
-  step.state.shear_strain = real::select(takes, a.end.shear_strain, step.state.shear_strain);
+  assign_where(takes, a.end, step.state);
   step.elastic_work = step.elastic_work + real::select(takes, a.elastic_work, 0.0);
   step.plastic_work = step.plastic_work + real::select(takes, a.plastic_work, 0.0);
   R bulk = a.moduli.bulk;
@@ -301,7 +288,7 @@ BARRENO_FUNCTION void take_substeps(
       step.fluid_work = step.fluid_work + 0.5 * (begin + end * ratio) * volume;
       step.inflow = real::select(takes, step.inflow * ratio, step.inflow);
     }
-    step.pores = select_points<R>(takes, a.pores, step.pores);
+    assign_where(takes, a.pores, step.pores);
   }
 }
 
@@ -369,8 +356,7 @@ BARRENO_FUNCTION void advance_step(const Law& law, StepOf<R, Law>& step, Choice 
   take_substeps(law, takes, fraction, a, step);
   step.active = step.active & !(takes & last);
   if (!real::any(step.active)) return;
-  if (real::any(step.active & takes))
-    step.cap = select_points<R>(takes, cap_of(rock, step.state.evp), step.cap);
+  if (real::any(step.active & takes)) assign_where(takes, cap_of(rock, step.state.evp), step.cap);
   step.done = step.done + real::select(takes, fraction, 0.0);
   step.fraction = fraction * verdict.factor;
 }

@@ -245,7 +245,7 @@ BARRENO_FUNCTION void solve_turned(
     const R next = at.half_tangent + 0.5 * step.turn * (1.0 + at.half_tangent * at.half_tangent);
     const R kept = smaller_of(larger_of(next, range.low), range.high);
     if (real::any(ends)) {
-      select_returned(ends, returned_by(rock, trial, at, step), r.point);
+      assign_where(ends, returned_by(rock, trial, at, step), r.point);
       r.half_tangent = real::select(ends, kept, r.half_tangent);
       r.found = r.found | (ends & (at.e.q > 0.0) & (at.over >= 0.0));
       open = open & !ends;
@@ -315,8 +315,8 @@ BARRENO_FUNCTION TurnSearch<R> first_search(
   const ReturnEquation<R> there = compression_at(rock, trial, search.capped, start);
   search.e.gain = real::select(elsewhere, there.gain, search.e.gain);
   search.e.x = real::select(elsewhere, there.x, search.e.x);
-  search.e.cap = select_points<R>(elsewhere, there.cap, search.e.cap);
-  search.e.m = select_points<R>(elsewhere, there.m, search.e.m);
+  assign_where(elsewhere, there.cap, search.e.cap);
+  assign_where(elsewhere, there.m, search.e.m);
   return search;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/real.hpp"
+#include "barreno/select_members.hpp"
 
 namespace barreno::arenisca {
 

@@ -23,16 +23,6 @@ struct CapOf {
 };
 using Cap = CapOf<double>;
 
-template <class R>
-BARRENO_FUNCTION CapOf<R> select_points(
-    const MaskOf<R>& choice, const CapOf<R>& yes, const CapOf<R>& no
-) {
-  return {
-      MaskOf<R>((choice & yes.present) | ((!choice) & no.present)),
-      real::select(choice, yes.X, no.X),
-      real::select(choice, yes.kappa, no.kappa),
-      real::select(choice, yes.slope, no.slope)};
-}
 /// The same cap at every point, or that of points that have their own already.
 template <class R, class C>
 BARRENO_FUNCTION CapOf<R> same_cap(const CapOf<C>& cap) {
@@ -53,21 +43,6 @@ struct MeridianOf {
   R cap_squared{};           ///< fc^2; negative beyond the cap's tip, 1 outside the cap's range
   R slope{};                 ///< fc d(Ff fc)/dx, finite everywhere, also at the cap's tip
 };
-
-template <class R>
-BARRENO_FUNCTION MeridianOf<R> select_points(
-    const MaskOf<R>& choice, const MeridianOf<R>& yes, const MeridianOf<R>& no
-) {
-  return {
-      MaskOf<R>((choice & yes.on_cap) | ((!choice) & no.on_cap)),
-      real::select(choice, yes.limit, no.limit),
-      real::select(choice, yes.limit_slope, no.limit_slope),
-      real::select(choice, yes.curved, no.curved),
-      real::select(choice, yes.c, no.c),
-      real::select(choice, yes.inverse_length, no.inverse_length),
-      real::select(choice, yes.cap_squared, no.cap_squared),
-      real::select(choice, yes.slope, no.slope)};
-}
 
 /// Meridian of the yield surface in x = I1 (minus the elastic centre, which is 0 drained) and q =
 /// sqrt(J2).

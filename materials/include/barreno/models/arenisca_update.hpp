@@ -97,7 +97,7 @@ BARRENO_FUNCTION R press_pores(
   grains.begin = real::log(R(pores.solid / begin.solid)) + volume_strain - grains.slope * rise +
                  gained * ((1.0 / 3.0) * c.per_matrix) / begin.solid;
   const FilledOf<R> f = fill_pores(c, begin, grains, volume_strain, rise);
-  pores = select_points<R>(moves, f.end, pores);
+  assign_where(moves, f.end, pores);
   return real::select(moves, f.end.pressure - begin.pressure - rise, 0.0);
 }
 
@@ -169,7 +169,7 @@ BARRENO_ALIKE MaskOf<R> end_step(
         tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
     add_overstress<R>(rock, good, missed, step.mean_moduli, pores, p, end);
   }
-  p.stress = select_points<R>(good, end.stress, p.stress);
+  assign_where(good, end.stress, p.stress);
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
       real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
@@ -237,7 +237,7 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   }
   out.elastic_work = mean_ratio * out.elastic_work;
   if constexpr (Law::wet) set_pores<R>(elastic, pores, p.history);
-  p.stress = select_points<R>(elastic, end.stress, p.stress);
+  assign_where(elastic, end.stress, p.stress);
   return sound & !elastic;
 }
 

@@ -3,7 +3,6 @@
 
 #include "barreno/arenisca/points_angle.hpp"
 #include "barreno/models/arenisca.hpp"
-#include "barreno/models/scattered_arenisca.hpp"
 #include "barreno/models/wet_arenisca.hpp"
 
 #include <string>
@@ -30,13 +29,14 @@ struct FeaturedForm {
   template <class R>
   using HistoryOf = History_<R>;
   using History = HistoryOf<double>;
-  static constexpr int history_count = Plain::history_count + 7;
+  static constexpr int history_count = Plain::history_count + (Law::rated ? 7 : 1);
 
   static ParameterTable<Parameters> parameter_table() { return arenisca_parameter_table(); }
   static std::vector<HistoryField> history_table() {
     std::vector<HistoryField> table = Plain::history_table();
     table.push_back({"coherence", dimension::none, "strength at the vertex over the card's PEAKI1"}
     );
+    if (!Law::rated) return table;
     for (const char* component :
          {"overstress_xx",
           "overstress_yy",
@@ -52,7 +52,9 @@ struct FeaturedForm {
   }
 
   FeaturedForm(const Parameters& p, double density)
-      : plain_(p, density), rock_(make_rock(plain_)), weibull_(arenisca::make_weibull(p)) {}
+      : plain_(p, density),
+        rock_(make_rock(plain_)),
+        weibull_(arenisca::Weibull::make(p, Plain::Law::Parts::ShearLimit::largest_factor(p))) {}
 
   /// Gives a piece of rock the strength of its own; a host that makes pieces calls this once, one
   /// that does not has the mean everywhere.
@@ -73,8 +75,10 @@ struct FeaturedForm {
   template <class R>
   BARRENO_FUNCTION MaskOf<R> start_points(Points<R>& p) const {
     const HistoryOf<R>& h = p.history;
-    R sum = h.plastic_volume_strain + h.coherence + trace(arenisca::overstress_of<R>(h)) +
-            h.overstress_xy + h.overstress_yz + h.overstress_zx;
+    R sum = h.plastic_volume_strain + h.coherence;
+    if constexpr (Law::rated)
+      sum = sum + trace(arenisca::overstress_of<R>(h)) + h.overstress_xy + h.overstress_yz +
+            h.overstress_zx;
     if constexpr (Law::wet) sum = sum + h.fluid_mass_ratio + h.pore_pressure;
     MaskOf<R> sound =
         arenisca::sound_points(p.increment, p.stress, sum, h.equivalent_plastic_strain) &
@@ -110,12 +114,17 @@ protected:
     static_cast<typename Plain::Law&>(rock) = plain.rock();
     arenisca::set_strength(p, rock);
     if constexpr (Law::angled) rock.lode = {p.J3_type, p.J3_psi};
-    rock.T1 = p.T1_rate_dependence;
-    rock.T2 = p.T2_rate_dependence;
+    if constexpr (Law::rated) {
+      rock.T1 = p.T1_rate_dependence;
+      rock.T2 = p.T2_rate_dependence;
+    }
     return rock;
   }
   BARRENO_FUNCTION static Sym3 quasi_static(const Sym3& stress, const History& h) {
-    return stress - arenisca::overstress_of<double>(h);
+    if constexpr (Law::rated)
+      return stress - arenisca::overstress_of<double>(h);
+    else
+      return stress;
   }
   /// What the plain form knows of a point, and back.
   BARRENO_FUNCTION static typename Plain::History plain(const History& h) {
@@ -141,6 +150,11 @@ protected:
 };
 
 template <class R>
+struct ScatteredHistoryOf {
+  R plastic_volume_strain{}, equivalent_plastic_strain{};
+  R coherence = R{} + 1.0;
+};
+template <class R>
 struct FeaturedHistoryOf {
   R plastic_volume_strain{}, equivalent_plastic_strain{};
   R coherence = R{} + 1.0;
@@ -159,6 +173,8 @@ struct FeaturedWetHistoryOf {
 
 template <class Law>
 using FeaturedDryForm = FeaturedForm<Arenisca, Law, FeaturedHistoryOf>;
+using ScatteredForm =
+    FeaturedForm<Arenisca, arenisca::ScatteredRock<arenisca::Rock>, ScatteredHistoryOf>;
 
 /// With fluid in its pores, in the poroplastic form.
 template <class Law>
@@ -188,6 +204,11 @@ struct FeaturedWetForm : FeaturedForm<WetArenisca, Law, FeaturedWetHistoryOf> {
 
 // The forms; `form` tells one from others of the name Arenisca.
 
+struct ScatteredArenisca : ScatteredForm {
+  using FeaturedForm::FeaturedForm;
+  static constexpr const char* form = "scattered";
+  static bool needed(const Parameters& p) { return arenisca::is_scattered(p); }
+};
 struct RatedArenisca : FeaturedDryForm<arenisca::RatedRock<arenisca::Rock>> {
   using FeaturedForm::FeaturedForm;
   static constexpr const char* form = "rated";

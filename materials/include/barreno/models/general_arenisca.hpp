@@ -6,7 +6,6 @@
 #include "barreno/arenisca/parts/scatter.hpp"
 #include "barreno/arenisca/points_rate.hpp"
 #include "barreno/models/arenisca.hpp"
-#include "barreno/models/scattered_arenisca.hpp"
 #include "barreno/pore_point.hpp"
 
 #include <cmath>
@@ -47,7 +46,9 @@ struct GeneralArenisca {
   }
 
   GeneralArenisca(const Parameters& p, double /*density*/)
-      : p_(p), rock_(make_rock(p)), weibull_(arenisca::make_weibull(p)) {}
+      : p_(p),
+        rock_(make_rock(p)),
+        weibull_(arenisca::Weibull::make(p, arenisca::ShearLimit::largest_factor(p))) {}
 
   /// Gives a piece of rock the strength of its own; a host that makes pieces calls this once, one
   /// that does not has the mean everywhere.

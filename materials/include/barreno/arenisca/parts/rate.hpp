@@ -71,7 +71,7 @@ BARRENO_FUNCTION Sym3Of<R> relaxed(
   const R series = 1.0 - ratio * (0.5 - ratio * (1.0 / 6.0));
   const R mean = real::select(slow, series, (1.0 - left) / real::select(slow, 1.0, ratio));
   const MaskOf<R> moves = timed & (strained | (T2 == 0.0 ? timed : !timed));
-  return select_points<R>(moves, mean * missed + left * over, over);
+  return select_points(moves, mean * missed + left * over, over);
 }
 
 /// Work that a step under the dynamic stress dissipates, by plastic flow and by overstress: what

@@ -101,6 +101,17 @@ struct Weibull {
   bool scale_only = false;  ///< the random part is replaced by its mean
   double bound = HUGE_VAL;  ///< largest factor: the surface must not open backwards
 
+  /// @param largest_factor  of the limit, see ShearLimit
+  static Weibull make(const Parameters& p, double largest_factor) {
+    return {
+        p.weibull_modulus,
+        p.weibull_reference_volume,
+        static_cast<std::uint64_t>(p.weibull_seed),
+        p.weibull_volume == Parameters::ring_volume,
+        p.weibull_scatter == Parameters::scale_only,
+        largest_factor};
+  }
+
   bool present() const { return modulus > 0.0; }
 
   /// Steele's, Lea's and Flood's mixing function (OOPSLA 2014): every bit of the result depends on
