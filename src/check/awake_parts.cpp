@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/awake_parts.hpp"
 
-#include "output/depth.hpp"
+#include "jet/path.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/dormant.hpp"
 #include "scene/geometry.hpp"
 #include "scene/porous.hpp"
 #include "scene/tile_levels.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 
 #include <algorithm>
 #include <barreno/models.hpp>

@@ -3,7 +3,7 @@
 
 #include "base/format.hpp"
 #include "deck/section_table.hpp"
-#include "output/depth.hpp"
+#include "jet/path.hpp"
 #include "scene/geometry.hpp"
 
 #include <algorithm>
@@ -41,13 +41,13 @@ std::string path_gap_note(const Scene& scene) {
   return {};
 }
 
-bool moves(const BodySpec& body) {
+bool moves_unevenly(const BodySpec& body) {
   return body.motion.prescribed || body.spin != 0.0 || body.radial_velocity != 0.0 ||
          body.velocity_wave_number != Vector{};
 }
 
 bool at_rest_to_each_other(const BodySpec& a, const BodySpec& b) {
-  return !moves(a) && !moves(b) && a.velocity == b.velocity;
+  return !moves_unevenly(a) && !moves_unevenly(b) && a.velocity == b.velocity;
 }
 
 /// Distance of two boxes that face each other; nothing if they touch, or face each other nowhere.

@@ -2,8 +2,8 @@
 #include "check/jet_lines.hpp"
 
 #include "base/format.hpp"
-#include "output/jet/jet_estimate.hpp"
-#include "scene/jet_kinds.hpp"
+#include "jet/estimate.hpp"
+#include "jet/kinds.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include "check/jet_note.hpp"
 
 #include "base/format.hpp"
-#include "output/depth.hpp"
-#include "output/jet/jet_estimate.hpp"
+#include "jet/estimate.hpp"
+#include "jet/path.hpp"
 
 #include <algorithm>
 #include <cmath>

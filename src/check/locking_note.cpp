@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/locking_note.hpp"
 
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 
 #include <algorithm>
 #include <barreno/tangent.hpp>

@@ -12,13 +12,13 @@
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
 #include "geometry/piece.hpp"
+#include "jet/estimate.hpp"
 #include "output/file_shares.hpp"
-#include "output/jet/jet_estimate.hpp"
 #include "output/progress.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/tile_levels.hpp"
 #include "shape/shape_facts.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 #include "state/particles.hpp"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include "scene/tile_levels.hpp"
 #include "shape/shape_facts.hpp"
 #include "shape/visit_kernels.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 #include "state/isolated_courant.hpp"
 #include "step/particles/update_stress.hpp"
 #include "step/stable_step.hpp"

@@ -5,7 +5,7 @@
 #include "check/predict_cost.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
-#include "output/depth.hpp"
+#include "jet/path.hpp"
 #include "scene/geometry.hpp"
 
 #include <algorithm>

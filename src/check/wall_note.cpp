@@ -8,7 +8,7 @@
 #include "scene/geometry.hpp"
 #include "scene/lighting.hpp"
 #include "scene/tile_levels.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "base/numbers.hpp"
 #include "checkpoint/check_values.hpp"
 #include "checkpoint/checkpoint_contents.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -8,7 +8,7 @@
 #include "checkpoint/write_checkpoint.hpp"
 #include "deck/section_table.hpp"
 #include "deck/sections/time_section.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

@@ -2,7 +2,7 @@
 #include "checkpoint/first_fault.hpp"
 
 #include "base/error.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 

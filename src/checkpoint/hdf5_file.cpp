@@ -3,7 +3,7 @@
 
 #include "base/error.hpp"
 #include "checkpoint/hdf5_handle.hpp"
-#include "output/guarded_file.hpp"
+#include "files/guarded_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

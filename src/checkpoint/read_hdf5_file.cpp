@@ -2,7 +2,7 @@
 #include "base/work_counts.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/hdf5_handle.hpp"
-#include "output/guarded_file.hpp"
+#include "files/guarded_file.hpp"
 
 #include <algorithm>
 #include <type_traits>

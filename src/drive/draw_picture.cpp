@@ -2,7 +2,7 @@
 #include "drive/draw_picture.hpp"
 
 #include "base/error.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <barreno/input/scan_xml.hpp>
 #include <cerrno>

@@ -9,7 +9,7 @@
 #include "drive/mixed_path.hpp"
 #include "drive/plot_text.hpp"
 #include "drive/yield_table.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <barreno/input/scan_xml.hpp>
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include "drive/plot_text.hpp"
 
 #include "drive/yield_view.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <algorithm>
 

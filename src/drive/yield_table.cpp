@@ -2,7 +2,7 @@
 #include "drive/yield_table.hpp"
 
 #include "drive/yield_view.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <algorithm>
 #include <barreno/arenisca/parts/lode.hpp>

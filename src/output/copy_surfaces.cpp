@@ -3,7 +3,7 @@
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <fstream>
 #include <iterator>

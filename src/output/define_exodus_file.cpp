@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an Exodus file says once, before its first time step.
+#include "files/text_file.hpp"
 #include "output/exodus_file.hpp"
-#include "output/text_file.hpp"
 
 #include <exodusII.h>
 // The header defines these two words as numbers, TRUE even as -1.

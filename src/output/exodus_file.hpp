@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/guarded_file.hpp"
+#include "files/guarded_file.hpp"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,7 @@
 #include "output/folder_lock.hpp"
 
 #include "base/error.hpp"
-#include "output/guarded_file.hpp"
+#include "files/guarded_file.hpp"
 
 #include <array>
 #include <cerrno>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/gather.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 #include "state/state.hpp"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/progress.hpp"
 
-#include "output/depth.hpp"
+#include "jet/depth.hpp"
 #include "output/radii.hpp"
 #include "scene/tile_levels.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "files/text_file.hpp"
 #include "output/output.hpp"
-#include "output/text_file.hpp"
 
 #include <chrono>
 #include <map>

@@ -2,7 +2,7 @@
 #include "output/radii.hpp"
 
 #include "base/region.hpp"
-#include "output/particle_fields.hpp"
+#include "state/host_particles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "output/reactions.hpp"
 
 #include "base/gather.hpp"
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 namespace barreno {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/result_numbers.hpp"
 
-#include "output/jet/jet_estimate.hpp"
+#include "files/text_file.hpp"
+#include "jet/estimate.hpp"
 #include "output/progress.hpp"
 #include "output/share_numbers.hpp"
-#include "output/text_file.hpp"
 #include "state/balance.hpp"
 
 namespace barreno {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/share_numbers.hpp"
 
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <numeric>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "jet/depth.hpp"
+#include "jet/table.hpp"
 #include "output/anomalies.hpp"
-#include "output/depth.hpp"
 #include "output/history_writer.hpp"
-#include "output/jet/jet_table.hpp"
 #include "output/output.hpp"
 #include "output/warnings/numerical_energy.hpp"
 

@@ -13,9 +13,9 @@
 #include "scene/porous.hpp"
 #include "scene/voids.hpp"
 #include "shape/visit_kernels.hpp"
-#include "state/box_in_parcels.hpp"
+#include "state/bodies/box_in_parcels.hpp"
+#include "state/bodies/lattice_shares.hpp"
 #include "state/isolated_courant.hpp"
-#include "state/lattice_shares.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/body_census.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_census.hpp"
+#include "state/bodies/body_particles.hpp"
 #include "state/state.hpp"
 
 #include <barreno/tensor.hpp>

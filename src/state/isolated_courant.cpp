@@ -2,7 +2,7 @@
 #include "state/isolated_courant.hpp"
 
 #include "shape/visit_kernels.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 
 #include <algorithm>
 #include <barreno/tangent.hpp>

@@ -11,7 +11,7 @@ import sys
 import tested_headers
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = ["base", "geometry", "deck", "scene", "grid", "shape", "state", "pore_flow", "step", "output", "checkpoint", "drive", "check", "."]
+ORDER = ["base", "files", "geometry", "deck", "scene", "grid", "shape", "state", "jet", "pore_flow", "step", "output", "checkpoint", "drive", "check", "."]
 # Of src/step; files directly in it stand to the right of all rooms, but for headers that include none.
 ROOMS = ["order", "ranks", "jet", "dormant", "subcycle", "boundary", "nodes", "contact", "loads", "transfer", "particles"]
 LARGEST_ROOM = 20  # files

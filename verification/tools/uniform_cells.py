@@ -44,7 +44,7 @@ def errors_with(cells_per_radius):
 
 def range_of_errors(cells_per_radius):
     """The same between the measured sizes, by the logarithm of the cells, as `check` and every run of a jet give it
-    (output/jet/depth_error.cpp)."""
+    (jet/depth_error.cpp)."""
     measured = sorted({TIP / cells for cells, _ in depths() if cells >= REFERENCE})
     upper = next((i for i, cells in enumerate(measured) if i > 0 and cells_per_radius <= cells), len(measured) - 1)
     part = math.log(cells_per_radius / measured[upper - 1]) / math.log(measured[upper] / measured[upper - 1])

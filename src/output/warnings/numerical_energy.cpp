@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/warnings/numerical_energy.hpp"
 
-#include "output/text_file.hpp"
+#include "files/text_file.hpp"
 #include "scene/tile_levels.hpp"
 #include "state/balance.hpp"
 

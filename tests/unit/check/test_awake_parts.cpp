@@ -3,7 +3,7 @@
 #include "check/body_steps.hpp"
 #include "check/predict_cost.hpp"
 #include "scene/tile_levels.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
 #include "exodus_reader.hpp"
+#include "files/text_file.hpp"
 #include "output/exodus_writer.hpp"
-#include "output/text_file.hpp"
 #include "synthetic_run.hpp"
 
 #include <Teuchos_DefaultComm.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A run folder belongs to one run at a time, and to the next when the last rank has gone.
 #include "base/error.hpp"
+#include "files/text_file.hpp"
 #include "output/folder_lock.hpp"
-#include "output/text_file.hpp"
 #include "synthetic_run.hpp"
 
 #include <Teuchos_DefaultComm.hpp>

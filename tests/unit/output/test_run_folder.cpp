@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/error.hpp"
+#include "files/text_file.hpp"
 #include "output/run_folder.hpp"
-#include "output/text_file.hpp"
 #include "synthetic_run.hpp"
 
 #include <Teuchos_DefaultComm.hpp>

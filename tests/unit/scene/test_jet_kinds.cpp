@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kinds of a jet: one mass, momentum and energy, three ways to fill its length.
+#include "jet/kinds.hpp"
 #include "scene/jet_kinds.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Levels of tiles from regions, and the particles that they ask for.
 #include "scene/jet.hpp"
 #include "scene/tile_levels.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
-#include "state/body_particles.hpp"
+#include "state/bodies/body_particles.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jet/channel.hpp"
+
+#include "base/gather.hpp"
+#include "base/numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace barreno {
+namespace {
+
+/// Whole numbers add up the same in every order: parts of a cell that are filled.
+constexpr double fill_quantum = 1.0 / 1099511627776.0;
+
+/// Cells across the path are divided, so that a wall is found between their faces.
+constexpr int parts_across = 4;
+/// Half of a window one cell wide, in these parts.
+constexpr int half_window = parts_across / 2;
+
+/// Bins along the path (rows, a cell high) and away from the axis (columns, a part of a cell wide).
+struct PathBins {
+  double height = 0.0, width = 0.0;  ///< [length]
+  int rows = 0, columns = 0;
+  bool ring = false;
+  double part = 1.0;  ///< of a ring, or of the two sides of a plane, that the grid holds
+
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  /// Area in the plane through the axis of what has this measure in the grid's dimensions.
+  double section(double measure, double radius) const {
+    return measure / (part * (ring ? two_pi * radius : 1.0));
+  }
+};
+
+PathBins path_bins(const GridSpec& grid, const JetPath& path) {
+  PathBins bins;
+  bins.height = path.bin;
+  bins.width = path.bin / parts_across;
+  bins.rows = path.bins;
+  const double across = std::max(std::abs(grid.lower[0]), std::abs(grid.upper[0]));
+  bins.columns = parts_across * static_cast<int>(std::ceil(across / path.bin));
+  bins.ring = grid.mode == Mode::three_dimensional;
+  if (grid.mode == Mode::plane_strain && grid.lower[0] < 0.0) bins.part = 2.0;
+  if (grid.mode == Mode::three_dimensional)
+    for (const std::size_t axis : {0U, 2U}) bins.part *= grid.lower[axis] < 0.0 ? 1.0 : 0.5;
+  return bins;
+}
+
+/// Length that two intervals share.
+double overlap(double from, double to, double lower, double upper) {
+  return std::max(0.0, std::min(to, upper) - std::max(from, lower));
+}
+
+/// Adds the section that a particle fills to the bins that its box covers,
+/// each by its share of the box: particles may be wider than a bin.
+void fill_around(
+    const PathBins& bins,
+    double depth,
+    double radius,
+    const double (&half)[2],
+    double filled,
+    std::vector<long long>& fill
+) {
+  const double inner = std::max(0.0, radius - half[0]), outer = radius + half[0];
+  const double near = depth - half[1], far = depth + half[1];
+  const auto bin_of = [](double at, double width, int count) {
+    return static_cast<int>(std::clamp(std::floor(at / width), 0.0, count - 1.0));
+  };
+  const double area = (outer - inner) * (far - near);
+  if (!(area > 0.0)) return;  // squashed flat
+  const double dense = bins.section(filled, 0.5 * (inner + outer)) / area;
+  const int first = bin_of(inner, bins.width, bins.columns),
+            last = bin_of(outer, bins.width, bins.columns);
+  for (int row = bin_of(near, bins.height, bins.rows); row <= bin_of(far, bins.height, bins.rows);
+       ++row)
+    for (int column = first; column <= last; ++column) {
+      const double along = overlap(near, far, row * bins.height, (row + 1) * bins.height);
+      const double across = overlap(inner, outer, column * bins.width, (column + 1) * bins.width);
+      const double share = dense * along * across / (bins.height * bins.width);
+      fill[bins.index(row, column)] += std::llround(share / fill_quantum);
+    }
+}
+
+/// A particle as it is drawn: half edges of a parallelogram, or of a parallelepiped [length].
+struct DrawnShape {
+  std::array<Vector, 3> edge{};
+  std::size_t dimensions = 2;
+
+  DrawnShape(const std::vector<double>& corners, double scale) {
+    dimensions = corners.size() == 8 ? 2 : 3;
+    constexpr std::size_t beside[3] = {1, 3, 4};  // the first corner along each edge
+    for (std::size_t k = 0; k < dimensions; ++k)
+      for (std::size_t d = 0; d < dimensions; ++d)
+        edge[k][d] = 0.5 * scale * (corners[dimensions * beside[k] + d] - corners[d]);
+  }
+
+  /// Half the extent along a unit vector of the box that has the moments of the shape.
+  double half_extent(const Vector& along) const {
+    double square = 0.0;
+    for (const Vector& e : edge) {
+      const double part = e[0] * along[0] + e[1] * along[1] + e[2] * along[2];
+      square += part * part;
+    }
+    return std::sqrt(square);
+  }
+
+  /// Area, in three dimensions volume.
+  double measure() const {
+    const auto& [a, b, c] = edge;
+    const double area = a[0] * b[1] - a[1] * b[0];
+    if (dimensions == 2) return 4.0 * std::abs(area);
+    return 8.0 *
+           std::abs(
+               area * c[2] + (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1]
+           );
+  }
+};
+
+/// Where the axis is: the direction away from it, and how far it is.
+std::pair<Vector, double> away_from_axis(const HostParticles& particles, int p) {
+  if (particles.dimensions() == 2) return {{1.0, 0.0, 0.0}, std::abs(particles.position(p, 0))};
+  const double x = particles.position(p, 0), z = particles.position(p, 2);
+  const double radius = std::hypot(x, z);
+  if (!(radius > 0.0)) return {{1.0, 0.0, 0.0}, 0.0};
+  return {{x / radius, 0.0, z / radius}, radius};
+}
+
+/// Filled part of the bins, of this rank.
+std::vector<long long> fill_bins(
+    const std::vector<HostParticles>& sets,
+    const Scene& scene,
+    const JetPath& path,
+    const PathBins& bins
+) {
+  std::vector<long long> fill(bins.index(bins.rows, 0));
+  std::vector<double> corners;
+  for (std::size_t set = 0; set < sets.size() && bins.rows > 0; ++set) {
+    const HostParticles& particles = sets[set];
+    const double density = scene.materials[set].density();
+    // Gas that has formed the jet follows it into the channel, and does not fill it.
+    if (path.origin.formed && scene.materials[set].detonation_speed()) continue;
+    for (int p = 0; p < particles.count; ++p) {
+      if (is_jet_body(path.origin, particles.body(p) & ~debris_bit)) continue;  // the jet itself
+      // Expanded debris fills no more than it did as rock.
+      const double ratio = std::min(1.0, particles.mass(p, 0) / (density * particles.volume(p, 0)));
+      corners.clear();
+      particles.append_corners(p, corners);
+      const DrawnShape shape(corners, std::pow(ratio, 1.0 / particles.dimensions()));
+      const auto [across, radius] = away_from_axis(particles, p);
+      const double half[2] = {shape.half_extent(across), shape.half_extent({0.0, 1.0, 0.0})};
+      const double depth = path.depth(particles.position(p, 1));
+      fill_around(bins, depth, radius, half, shape.measure(), fill);
+    }
+  }
+  return fill;
+}
+
+/// Filled part of a window one cell wide around the inner face of a column. The other side of the
+/// axis looks the same. What is covered twice counts once.
+double window_fill(const long long* row, int column) {
+  constexpr auto full = static_cast<long long>(1.0 / fill_quantum);
+  long long sum = 0;
+  for (int c = column - half_window; c < column + half_window; ++c)
+    sum += std::min(full, row[c < 0 ? -1 - c : c]);
+  return static_cast<double>(sum) * fill_quantum / parts_across;
+}
+
+/// Distance from the axis to where target fills half of such a window, linear in between; the width
+/// of the bins where it does so nowhere.
+double wall_radius(const PathBins& bins, const long long* row) {
+  double before = 0.0;
+  for (int c = 0; c + half_window <= bins.columns; ++c) {
+    const double fill = window_fill(row, c);
+    if (fill >= 0.5) return c == 0 ? 0.0 : (c - 1 + (0.5 - before) / (fill - before)) * bins.width;
+    before = fill;
+  }
+  return bins.columns * bins.width;
+}
+
+}  // namespace
+
+std::vector<double> wall_radii(
+    const std::vector<HostParticles>& sets,
+    const Scene& scene,
+    const JetPath& path,
+    const Comm& comm
+) {
+  const PathBins bins = path_bins(scene.grid, path);
+  std::vector<long long> fill = fill_bins(sets, scene, path, bins);
+  sum_over_ranks(comm, fill);
+  std::vector<double> radii;
+  radii.reserve(static_cast<std::size_t>(bins.rows));
+  for (int row = 0; row < bins.rows; ++row)
+    radii.push_back(wall_radius(bins, fill.data() + bins.index(row, 0)));
+  return radii;
+}
+
+namespace {
+
+/// Below this radius a hole is closed, as in the report [cells].
+constexpr double closed_radius = 0.25;
+
+/// Radius at a depth in rows, linear between the middles of open rows: crumbs fill the others.
+double radius_at(const std::vector<double>& radii, std::size_t open, double depth, double closed) {
+  double before = -1.0, radius = 0.0;
+  for (std::size_t row = 0; row < open; ++row) {
+    if (radii[row] < closed) continue;
+    const double middle = static_cast<double>(row) + 0.5;
+    if (middle >= depth)
+      return before < 0.0 ? radii[row]
+                          : radius + (radii[row] - radius) * (depth - before) / (middle - before);
+    before = middle;
+    radius = radii[row];
+  }
+  return radius;
+}
+
+}  // namespace
+
+void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result) {
+  const double closed = closed_radius * path.bin;
+  const std::size_t last = radii.size() - 1;
+  std::size_t open = 0;
+  while (open < radii.size() && (radii[open] >= closed || radii[std::min(open + 1, last)] >= closed)
+  )
+    ++open;
+  result.channel_depth =
+      std::min(static_cast<double>(open) * path.bin, path.direction * (path.end - path.face));
+  result.channel_radius_mid = radius_at(radii, open, 0.5 * static_cast<double>(open), closed);
+}
+
+double entrance_diameter(const PathLayer& layer, const JetPath& path, const Penetration& found) {
+  constexpr double round_off = 1e-9;
+  const double rows = (layer.near - path.direction * path.face) / path.bin;
+  const auto row = static_cast<std::size_t>(std::max(0.0, std::ceil(rows - round_off)));
+  if (row >= found.walls.size() || found.walls[row] < closed_radius * path.bin) return 0.0;
+  return 2.0 * found.walls[row];
+}
+
+}  // namespace barreno

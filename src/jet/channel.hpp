@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "jet/depth.hpp"
+#include "scene/scene.hpp"
+#include "state/host_particles.hpp"
+
+#include <vector>
+
+namespace barreno {
+
+/// Distance of the wall from the axis, in rows of one cell from the outer face to the rear of the
+/// target; the width of the grid where there is none. Collective. [length]
+std::vector<double> wall_radii(
+    const std::vector<HostParticles>& sets,
+    const Scene& scene,
+    const JetPath& path,
+    const Comm& comm
+);
+
+/// Open channel from the wall of every row: its depth, and its radius in the middle.
+void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result);
+
+/// Diameter of the hole (plane strain: its width) in the first whole row behind the front face of a
+/// layer; 0 where it is closed there [length].
+double entrance_diameter(const PathLayer& layer, const JetPath& path, const Penetration& found);
+
+}  // namespace barreno

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jet/estimate.hpp"
+
+#include "jet/kinds.hpp"
+#include "jet/path.hpp"
+#include "scene/jet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace barreno {
+namespace {
+
+/// The bottom of the hole: where it is along the jet's direction, and when the jet is there.
+struct Bottom {
+  double place = 0.0, time = 0.0;
+  bool passed = false;
+};
+
+class Target {
+public:
+  explicit Target(const Scene& scene)
+      : scene_(scene), layers_(path_layers(scene, widest_radius(scene))) {}
+
+  bool empty() const { return layers_.empty(); }
+  double face() const { return layers_.front().near; }
+
+  /// Lets a slug dig until it is consumed, has come through the target, or the time is over.
+  /// @return the length of it that is left [length]
+  double dig(const JetSlug& slug, double until, Bottom& bottom) const {
+    double left = slug.length;
+    for (const PathLayer& layer : layers_) {
+      if (layer.far <= bottom.place) continue;
+      if (bottom.place < layer.near) {  // free flight through a gap
+        bottom.time += (layer.near - bottom.place) / slug.velocity;
+        bottom.place = layer.near;
+      }
+      const double k = std::sqrt(density_of(layer) / digging_density_of(slug));
+      const double consumption = slug.velocity * k / (1.0 + k);
+      const double through = (layer.far - bottom.place) * k;
+      const double used =
+          std::min({left, through, consumption * std::max(0.0, until - bottom.time)});
+      left -= used;
+      bottom.time += used / consumption;
+      if (used < through) {
+        bottom.place += used / k;
+        return left;
+      }
+      bottom.place = layer.far;
+    }
+    bottom.passed = true;
+    return left;
+  }
+
+private:
+  double density_of(const PathLayer& layer) const {
+    return scene_.materials[static_cast<std::size_t>(scene_.bodies[layer.body].material)].density();
+  }
+
+  double digging_density_of(const JetSlug& slug) const {
+    const JetSpec& jet = scene_.jet;
+    const double own = scene_.materials[static_cast<std::size_t>(jet.material)].density();
+    return digging_density(jet.kind, slug, own);
+  }
+
+  const Scene& scene_;
+  std::vector<PathLayer> layers_;
+};
+
+/// Mass over density, pi and the thickness of a plane.
+double volume_of(const Scene& scene, const JetSlug& slug, double length) {
+  return slug.radius * length * (scene.grid.mode == Mode::plane_strain ? 1.0 : slug.radius);
+}
+
+}  // namespace
+
+JetEstimate estimate_jet(const Scene& scene, double until) {
+  JetEstimate result;
+  const Target target(scene);
+  if (target.empty()) return result;
+  const double launch = scene.jet.direction * scene.jet.launch_position;
+  Bottom bottom{target.face(), 0.0, false};
+  double mass = 0.0, energy = 0.0, mass_left = 0.0, energy_left = 0.0;
+  for (const JetSlug& slug : scene.jet.slugs) {
+    const double way = std::max(0.0, bottom.place - launch - 0.5 * slug.length);
+    const double start = std::max(bottom.time, slug.time + way / slug.velocity);
+    double left = slug.length;
+    if (start < until && !bottom.passed) {
+      bottom.time = start;
+      left = target.dig(slug, until, bottom);
+      result.time = bottom.time;
+      if (result.thinnest == 0.0 || slug.radius < result.thinnest) {
+        result.thinnest = slug.radius;
+        result.length = slug.length;
+      }
+    }
+    const double square = slug.velocity * slug.velocity;
+    mass += volume_of(scene, slug, slug.length);
+    energy += volume_of(scene, slug, slug.length) * square;
+    mass_left += volume_of(scene, slug, left);
+    energy_left += volume_of(scene, slug, left) * square;
+  }
+  result.depth = bottom.place - target.face();
+  result.passed = bottom.passed;
+  result.mass_left = mass_left / mass;
+  result.energy_left = energy_left / energy;
+  return result;
+}
+
+SlugCells slug_cells(const Scene& scene, double JetSlug::*length) {
+  const std::vector<JetSlug>& slugs = scene.jet.slugs;
+  const double cell_size = cell_size_of_path(scene);
+  const auto cells = [&](const JetSlug& slug) { return slug.*length / cell_size; };
+  SlugCells result{cells(slugs.front()), cells(slugs.back()), cells(slugs.front()), 0.0};
+  for (const JetSlug& slug : slugs) {
+    result.least = std::min(result.least, cells(slug));
+    result.most = std::max(result.most, cells(slug));
+  }
+  return result;
+}
+
+DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
+  const JetEstimate estimate = estimate_jet(scene, time);
+  DepthDoubt doubt;
+  doubt.cells_per_radius = estimate.thinnest / cell_size_of_path(scene);
+  doubt.cells_per_length = estimate.length / cell_size_of_path(scene);
+  if (estimate.thinnest == 0.0) {
+    doubt.unknown = "the jet does not reach a target by then";
+    return doubt;
+  }
+  doubt.unknown = why_depth_error_unknown(scene, doubt.cells_per_radius);
+  const double shape = estimate.length / estimate.thinnest;
+  if (doubt.unknown.empty() && shape < shortest_measured_length())
+    doubt.unknown = "it was measured with slugs that are at least half as long as their radius";
+  if (doubt.unknown.empty()) {
+    const JetSlug& tip = scene.jet.slugs.front();
+    doubt.unknown = why_reach_unknown(time - tip.time, estimate.thinnest, tip.velocity, depth);
+  }
+  if (!doubt.unknown.empty()) return doubt;
+  const DepthOf whose = depth > 0.0 ? DepthOf::run : DepthOf::estimate;
+  const double reached = whose == DepthOf::run ? depth : estimate.depth;
+  doubt.error = measured_depth_error(doubt.cells_per_radius, reached / estimate.thinnest, whose);
+  doubt.error = with_length(doubt.error, doubt.cells_per_radius, shape);
+  return doubt;
+}
+
+DepthDoubt depth_doubt(const Scene& scene, double time, const Penetration& found) {
+  DepthDoubt doubt = depth_doubt(scene, time, found.depth);
+  if (found.through) doubt.unknown = "the jet has come out of the rear of the target";
+  return doubt;
+}
+
+std::string depth_doubt_text(const DepthDoubt& doubt) {
+  if (!doubt.unknown.empty()) return "unknown (" + doubt.unknown + ")";
+  char cells[96];
+  const bool one = std::abs(doubt.cells_per_radius - 1.0) < 0.005;
+  std::snprintf(
+      cells,
+      sizeof cells,
+      " at %.2g cell%s per jet radius and %.2g per slug length, as ",
+      doubt.cells_per_radius,
+      one ? "" : "s",
+      doubt.cells_per_length
+  );
+  return depth_error_text(doubt.error) + cells + depth_error_source;
+}
+
+}  // namespace barreno
