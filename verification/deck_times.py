@@ -16,6 +16,7 @@ sys.path[:0] = [str(HERE / "tools"), str(HERE)]
 import foreign_python  # noqa: E402, F401
 from deck_table import STORED, decks  # noqa: E402
 from runs import run_deck  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 KEPT = {"cpu_seconds": "seconds", "steps": "steps", "particles": "particles", "particle_steps": "particle_steps",
         "skipped_particle_steps": "skipped_particle_steps", "peak_resident_bytes": "bytes"}  # fmt: skip
@@ -32,8 +33,6 @@ def main():
         found[deck] = {ours: summary[theirs] for theirs, ours in KEPT.items()}
         print(deck, found[deck], flush=True)
         STORED.write_text(json.dumps({name: found[name] for name in decks() if name in found}, indent=1) + "\n")
-    from pages import write_pages
-
     write_pages()
     return 0
 

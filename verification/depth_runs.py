@@ -20,6 +20,7 @@ sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
 import foreign_python  # noqa: E402, F401
 from runs import DECKS, run_deck  # noqa: E402
 from scaling import Problem, run_once, step_seconds  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "depth_runs.json"
 DIAMETER = 4e-3  # of the rod [m]
@@ -71,8 +72,6 @@ def main():
         found[what] = MEASURED[what](options.barreno.resolve())
         print(what, found[what], flush=True)
         STORED.write_text(json.dumps({name: found[name] for name in MEASURED if name in found}, indent=1) + "\n")
-    from pages import write_pages
-
     write_pages()
     return 0
 

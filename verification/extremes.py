@@ -23,42 +23,11 @@ sys.path.insert(0, str(HERE))
 import foreign_python  # noqa: E402, F401
 
 from demands import open_demands  # noqa: E402
-from extreme import HOLDS, RED, STOPS, Row, Table  # noqa: E402
+from extreme import Table  # noqa: E402
+from extremes_page import HEAD, STORED, one_line, page_of  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 FILES = ["point", "porous_point", "stable_step", "flight", "impact", "stretch", "grid_edge", "units", "rock", "pore_flow", "time"]
-STORED = HERE / "results" / "extremes.json"
-HEAD = """# Extremes
-
-Measured by `verification/extremes.py BARRENO --full --document`; do not edit by hand.
-
-| verdict | meaning |
-|---|---|
-| holds | the row meets its criterion |
-| stops | the run ends with a sentence that names fault and reason |
-| RED | neither; `verification/open_demands.toml` lists the row as open, with the reason |
-
-Every test run takes the cheap forms (`ctest -R verification.extremes`).
-"""
-
-
-def stored_page():
-    return page_of([Row(**row) for row in json.loads(STORED.read_text())])
-
-
-def one_line(text):
-    return " ".join(str(text).split()).replace("|", "/")
-
-
-def page_of(rows):
-    counts = {verdict: sum(row.verdict == verdict for row in rows) for verdict in (HOLDS, STOPS, RED)}
-    lines = [HEAD, f"{len(rows)} rows: {counts[HOLDS]} hold, {counts[STOPS]} stop with their sentence, {counts[RED]} are red.", ""]
-    extreme = None
-    for row in rows:
-        if row.extreme != extreme:
-            extreme = row.extreme
-            lines += ["", f"## {extreme}", "", "| set-up | criterion | found | verdict | sentence or reason |", "|---|---|---|---|---|"]
-        lines.append("| " + " | ".join(one_line(v) for v in (row.setup, row.criterion, row.found, row.verdict, row.note)) + " |")
-    return "\n".join(lines) + "\n"
 
 
 def main():
@@ -85,8 +54,6 @@ def main():
     print(page_of(table.rows).splitlines()[len(HEAD.splitlines()) + 1])
     if options.document:
         STORED.write_text(json.dumps([dataclasses.asdict(row) for row in table.rows], indent=1) + "\n")
-        from pages import write_pages  # it asks this file for its page
-
         write_pages()
     failed += table.failures()
     for line in failed:

@@ -4,13 +4,13 @@
 
     pages.py            compare them with what verification/results gives; exit code 1 if one differs
     pages.py --write    write them, and draw the pictures of cases anew whose figures have changed
+    pages.py --write --unchecked    the same without the comparison
 
 A part of a page stands between two marks, <!-- NAME --> and <!-- end of NAME -->; a mark without a writer is an error. Outside of marks a
 page of WRITTEN gives no time, memory, rate or share, which would be a measurement without a file: what is set and not measured is in
 SETTINGS.
 """
 import argparse
-import json
 import pathlib
 import re
 import subprocess
@@ -22,10 +22,11 @@ sys.path[:0] = [str(HERE / "tools"), str(HERE), str(HERE / "performance"), str(H
 import foreign_python  # noqa: E402, F401
 
 import case_pictures  # noqa: E402
-import extremes  # noqa: E402
+import extremes_page  # noqa: E402
 import page_parts  # noqa: E402
 import verification_pages  # noqa: E402
 from demands import FAILS, judge_all, open_demands, read_open  # noqa: E402
+from extreme import RED  # noqa: E402
 from wrap_text import wrapped  # noqa: E402
 
 MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.DOTALL)
@@ -82,8 +83,8 @@ def failing():
         judged, _ = judge_all(data["checks"], open_demands(name, True)) if data else ([], [])
         out += [f"results/{name}.json: {check['what']}: {words}" for check, verdict, words in judged if verdict == FAILS]
     known = {what for (case, form), demands in read_open().items() if case.startswith("extremes/") and form == "full" for what in demands}
-    rows = [extremes.Row(**row) for row in json.loads(extremes.STORED.read_text())]
-    return out + [f"results/extremes.json: {row.name}" for row in rows if (row.verdict == extremes.RED) != (row.name in known)]
+    rows = extremes_page.stored_rows()
+    return out + [f"results/extremes.json: {row.name}" for row in rows if (row.verdict == RED) != (row.name in known)]
 
 
 def left_over():
@@ -103,8 +104,14 @@ def write_pages():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--write", action="store_true")
-    if parser.parse_args().write:
+    parser.add_argument("--unchecked", action="store_true")
+    options = parser.parse_args()
+    if options.unchecked and not options.write:
+        parser.error("--unchecked belongs to --write")
+    if options.write:
         write_pages()
+    if options.unchecked:
+        return 0
     wrong = [f"{file.relative_to(ROOT)} does not match verification/results" for file, text in pages().items() if not file.exists() or file.read_text() != text]
     wrong += [f"{file.relative_to(ROOT)} was not drawn from the present verification/results" for file in case_pictures.outdated()]
     wrong += ["`verification/pages.py --write` writes them"] if wrong else []

@@ -29,6 +29,7 @@ matplotlib.use("Agg")
 from barreno_sweep.compute import duration  # noqa: E402
 from paper_figures import FIGURES, figure  # noqa: E402
 from paper_figures.lab import PICTURES, RESULTS, ROOT, Lab, cost_of, read_table, write_cost, write_table  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 
 def stored(number):
@@ -113,8 +114,6 @@ def main():
     print(lab.progress.first_line(), flush=True)
     good = all([made(lab, number) for number in numbers])
     if lab.keep:
-        from pages import write_pages
-
         write_pages()
     print(f"{len(numbers)} figures took {lab.progress.whole()}{f'; their runs are in {lab.folder}' if lab.keep else ''}", flush=True)
     return 0 if good else 1

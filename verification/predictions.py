@@ -19,6 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
 import foreign_python  # noqa: E402, F401
 from runs import DECKS, run_deck  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "predictions.json"
 TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
@@ -150,8 +151,6 @@ def main():
             updates += growth(barreno, row, summary["phases"])
     print("\n".join(updates))
     if options.document:
-        from pages import write_pages  # it asks this file for its page
-
         everything = {**json.loads(STORED.read_text()), **found}
         STORED.write_text(json.dumps({row: everything[row] for row in (*TABLE, *VARIANTS) if row in everything}, indent=1) + "\n")
         write_pages()

@@ -30,6 +30,7 @@ from trade_checks import demands, verdict_lines  # noqa: E402
 from trade_problems import PROBLEMS, Lost, has  # noqa: E402
 from uniform_cells import REFERENCE, depth_of  # noqa: E402
 from verify import failures  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
@@ -208,8 +209,7 @@ def judged(points, tiny, barreno):
 
 
 def draw_pages(data):
-    from pages import write_pages  # not for a measurement alone: they take a second
-    from trade_page import draw
+    from trade_page import draw  # not for a measurement alone: it takes a second
 
     draw(data)
     write_pages()

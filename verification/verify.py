@@ -22,6 +22,7 @@ import foreign_python  # noqa: E402, F401
 
 from case_list import RESULTS, cases  # noqa: E402
 from demands import FAILS, judge_all, open_demands  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 CASES = list(cases())
 
@@ -76,8 +77,6 @@ def main():
             RESULTS.mkdir(exist_ok=True)
             (RESULTS / f"{name}.json").write_text(json.dumps(data, indent=1) + "\n")
     if options.document:
-        from pages import write_pages  # not for a case alone: it takes a second
-
         write_pages()
     return 0 if held else 1
 

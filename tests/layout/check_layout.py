@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The rules of docs/architecture.md that a script can hold: includes point left, also between the rooms of the step, files
 and rooms stay small, third-party headers stay in their folders, what is built is listed, every header of the step stands
-in a test."""
+in a test,
+scripts do not import each other in a circle. What the linker ties together: check_link_arrows.py."""
 import pathlib
 import re
 import subprocess
 import sys
 
+import import_cycles
 import tested_headers
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -127,6 +129,13 @@ def check_versions():
         problems.append("versions differ: " + ", ".join(f"{name} says {version}" for name, version in said.items()))
 
 
+def check_imports():
+    """Scripts of verification do not import each other in a circle."""
+    for circle in import_cycles.circles(ROOT / "verification"):
+        names = ", ".join(str(path.relative_to(ROOT)) for path in circle)
+        problems.append(f"{names} import each other in a circle: move what they share to a file of its own")
+
+
 def main():
     sources = sorted((ROOT / "src").rglob("*.[ch]pp"))
     listed = (ROOT / "src" / "CMakeLists.txt").read_text()
@@ -143,6 +152,7 @@ def main():
     check_rooms(ROOT / "src" / "step")
     check_folders()
     check_tests()
+    check_imports()
     check_top_level()
     check_versions()
     print("\n".join(problems) or "layout is as docs/architecture.md says")

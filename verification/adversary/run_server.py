@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "tools")]
-from runs import mpi_environment  # noqa: E402
+from mpi_environment import mpi_environment  # noqa: E402
 
 LIMIT = 120  # [s] that a tiny run may take, on a machine that does other work too
 

@@ -115,8 +115,8 @@ def main():
         card = options.out or pathlib.Path(scratch) / "berea.xml"
         numbers = fit(card)
         if options.document:
-            sys.path[:0] = [str(VERIFICATION)]
-            from pages import write_pages  # it asks this file for its part
+            sys.path[:0] = [str(VERIFICATION / "tools")]
+            from write_pages import write_pages
 
             STORED.write_text(json.dumps(to_store(numbers), indent=1) + "\n")
             shutil.copy(card.with_suffix(".png"), PICTURE)

@@ -19,6 +19,7 @@ import scaling_decks
 
 from resumed import must_work, program  # noqa: I001
 from runs import ROOT, Run, scratch_folder
+from write_pages import write_pages
 
 STORED = ROOT / "verification" / "results" / "checkpoint_cost.json"
 
@@ -87,8 +88,6 @@ def main():
     lines = page(found, arguments.ranks)
     print("\n".join(lines))
     if arguments.document:
-        from pages import write_pages  # it asks this file for its part
-
         STORED.write_text(json.dumps({"ranks": arguments.ranks, **found}, indent=1) + "\n")
         write_pages()
     slow = found["raw"] / found["write"] < LEAST_BANDWIDTH

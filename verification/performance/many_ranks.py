@@ -21,6 +21,7 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for fo
 from resumed import at_previous, must_work, program  # noqa: E402
 from runs import ROOT, Run, scratch_folder  # noqa: E402
 from small_decks import write_deck  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 STORED = ROOT / "verification" / "results" / "many_ranks.json"
 LIBRARY_SOURCE = ROOT / "verification" / "tools" / "message_costs.c"
@@ -146,8 +147,6 @@ def main():
     rows, wrong = measure(barreno, 24, (1, 8, 16)) if arguments.quick else measure(barreno, 48, (1, 2, 4, 8, 16))
     print("\n".join(page(rows)))
     if arguments.document and not wrong:
-        from pages import write_pages  # it asks this file for its part
-
         STORED.write_text(json.dumps(rows, indent=1) + "\n")
         write_pages()
     sys.exit("; ".join(wrong) if wrong else 0)

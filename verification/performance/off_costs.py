@@ -23,6 +23,7 @@ sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification")
 
 from runs import mpi_environment, scratch_folder  # noqa: E402
 from small_decks import symmetry, write_deck  # noqa: E402
+from write_pages import write_pages  # noqa: E402
 
 BAR = 0.01  # of the step
 
@@ -132,8 +133,6 @@ def main():
         rows += [(feature, order, cost_of(feature, counts) / total) for feature in own]
     print("\n".join(table_of(rows)))
     if options.document:
-        from pages import write_pages  # it asks this file for its part
-
         STORED.write_text(json.dumps(rows, indent=1) + "\n")
         write_pages()
     return 1 if any(share > BAR for _, _, share in rows) else 0

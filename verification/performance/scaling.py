@@ -24,6 +24,7 @@ from scaling_decks import Problem
 
 from resumed import must_work, program  # noqa: I001
 from runs import ROOT, Run, scratch_folder
+from write_pages import write_pages
 
 TOOLS = ROOT / "verification" / "tools"
 RESULT = ROOT / "verification" / "results" / "scaling.json"
@@ -186,8 +187,6 @@ def main():
     print("\n".join(lines))
     if arguments.document:
         RESULT.write_text(json.dumps(result, indent=1) + "\n")
-        from pages import write_pages  # it asks this file for its part
-
         write_pages()
     failed = [s["name"] for s in result["strong"] if s["speedup"] < s["least"]]
     sys.exit(f"below the requirement: {', '.join(failed)}" if failed and not arguments.quick else 0)

@@ -18,6 +18,7 @@ import sys
 STORED = pathlib.Path(__file__).resolve().parents[1] / "results" / "step_cost.json"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification")]
+from write_pages import write_pages  # noqa: E402
 
 LEAST_PHASE = 1.0  # ns; phases below are left out of the table
 SCENE = re.compile(r"(.*): (\d+) ns per particle-step.*, (\d+) bytes per particle")
@@ -129,8 +130,6 @@ def main():
     cost = read_benchmark(text)
     print("\n".join(table_of(cost) + demands_of(cost)))
     if options.document:
-        from pages import write_pages  # it asks this file for its part
-
         STORED.write_text(json.dumps(cost, indent=1) + "\n")
         write_pages()
     return 0

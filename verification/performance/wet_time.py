@@ -14,6 +14,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "tools"), str(HERE.parent)]
+from write_pages import write_pages  # noqa: E402
 
 STORED = HERE.parent / "results" / "wet_time.json"
 DECK = "perforation.xml"
@@ -71,8 +72,6 @@ def main():
     data = {"end": options.end, "ratios": ratios, "runs": found}
     if options.document:
         STORED.write_text(json.dumps(data, indent=1) + "\n")
-        from pages import write_pages  # it asks this file for its part
-
         write_pages()
     return 0
 

@@ -5,7 +5,7 @@ import json
 import checkpoint_cost
 import converge_parts
 import deck_table
-import extremes
+import extremes_page
 import feature_cost
 import figures_page
 import fit_berea
@@ -65,7 +65,7 @@ def whole_pages():
     """{file: text}; a listing of runs stands with the results; the site has it."""
     trade = json.loads((RESULTS / "trade.json").read_text())
     return {
-        "verification/results/extremes.md": extremes.stored_page(),
+        "verification/results/extremes.md": extremes_page.stored_page(),
         "verification/results/trade_runs.md": trade_page.runs_page(trade),
         "docs/trade.md": trade_page.page_of(trade),
         "docs/cost.md": predictions.stored_page(),
