@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Circles of imports among the Python scripts of a folder, imports inside functions included.
 
-Scripts import each other by bare names, from whichever folder stands on their path, so a name is taken for every file of that name but the one
-that imports it; what Python itself brings is not among them, unless it is asked for inside of a folder ('extreme_rows.time').
+Scripts import each other by bare names, from whichever folder stands on their path. So a name is taken for every file of that name but the
+one that imports it. A module of Python itself is no script, unless the import names a folder too ('extreme_rows.time').
 """
 import ast
 import sys
