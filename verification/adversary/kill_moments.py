@@ -8,13 +8,14 @@ import pathlib
 import signal
 import subprocess
 
+import h5py
 from deck_tree import Deck
 
 TOOLS = pathlib.Path(__file__).resolve().parents[1] / "tools"
 KINDS = [9, 9, 9, 9, int(signal.SIGTERM), int(signal.SIGINT), int(signal.SIGHUP), int(signal.SIGUSR1)]
 # Of the kills: while a checkpoint is written, and right after one has got its name; the others come after a time.
 WHILE, AFTER = 0.5, 0.4
-CALLS = 60  # a few more than write a checkpoint of one material
+CALLS = 18  # that write a checkpoint, without its tables of particles: one call each
 
 
 @dataclasses.dataclass
@@ -22,15 +23,25 @@ class Moment:
     kind: int  # the signal
     place: str  # "while" a checkpoint is written, "after" one, or at a "time"
     share: float  # of the run's checkpoints, or of its time
-    call: int  # of those that write the checkpoint
+    call: float  # a share of those that write the checkpoint
     wait: float  # after a checkpoint, a share of the time between two; mostly none
+
+
+@dataclasses.dataclass
+class Whole:
+    """A run that was left alone."""
+
+    seconds: float
+    steps: int
+    every: int  # steps from checkpoint to checkpoint
+    calls: int  # that write one of them
 
 
 def drawn_moment(rng, kinds=tuple(KINDS)):
     """Always as many draws."""
     place = rng.random()
     name = "while" if place < WHILE else "after" if place < WHILE + AFTER else "time"
-    kind, share, call = int(rng.choice(kinds)), float(rng.random()), int(rng.integers(1, CALLS))
+    kind, share, call = int(rng.choice(kinds)), float(rng.random()), float(rng.random())
     return Moment(kind, name, share, call, max(0.0, float(rng.uniform(-0.4, 0.4))))
 
 
@@ -41,11 +52,23 @@ def built_library(folder, name):
     return library
 
 
-def checkpoints_of(straight):
-    """About how many checkpoints a finished run wrote before its end."""
+def whole_run(straight, seconds):
+    """@param straight  the folder of a finished run"""
     steps = json.loads((straight / "summary.json").read_text())["steps"]
     every = int(float(Deck(straight / "deck.xml").value("Output/Checkpoint Steps") or 0))
-    return max(1, (steps - 1) // every if every else 1)
+    with h5py.File(straight / "checkpoint.h5", "r") as file:
+        tables = sum(len(material) - 1 for material in file["particles"].values() if material["id"].size)  # without rank_counts
+    return Whole(seconds, steps, every or steps, CALLS + tables)
+
+
+def checkpoints_left(whole, folder):
+    """About how many checkpoints a run will write before its end. @param folder  of the run, which may have one"""
+    found = [file for file in (folder / "checkpoint.h5", folder / "checkpoint_previous.h5") if file.exists()]
+    step = 0
+    if found:
+        with h5py.File(found[0], "r") as file:
+            step = int(file["run/step"][0, 0])
+    return (whole.steps - step - 1) // whole.every
 
 
 def checkpoint_of(moment, checkpoints):
@@ -54,15 +77,16 @@ def checkpoint_of(moment, checkpoints):
     return 1 + int(moment.share * max(last, 1))
 
 
-def run_to(barreno, words, folder, moment, seconds, checkpoints):
-    """A command that gets its signal. @param checkpoints  that the run has before it; @param seconds  that it takes without a signal"""
+def run_to(barreno, words, folder, moment, whole):
+    """A command that gets its signal, if any."""
     if moment is None:
         return barreno.run(*words)
     if moment.place == "time":
-        return barreno.run(*words, signal=moment.kind, after=moment.share * seconds)
-    variables = {"FOLDER": pathlib.Path(folder).resolve(), "SIGNAL": moment.kind, "CHECKPOINT": checkpoint_of(moment, checkpoints)}
+        return barreno.run(*words, signal=moment.kind, after=moment.share * whole.seconds)
+    checkpoint = checkpoint_of(moment, checkpoints_left(whole, folder))
+    variables = {"FOLDER": folder.resolve(), "SIGNAL": moment.kind, "CHECKPOINT": checkpoint}
     if moment.place == "while":
-        variables["CALL"] = moment.call
+        variables["CALL"] = 1 + int(moment.call * whole.calls)
     else:
-        variables["DELAY"] = round(1e6 * moment.wait * seconds / max(checkpoints, 1))
+        variables["DELAY"] = round(1e6 * moment.wait * whole.seconds * min(1.0, whole.every / whole.steps))
     return barreno.run(*words, variables={f"BARRENO_KILL_{name}": value for name, value in variables.items()})

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs that are killed at their checkpoints and resumed, on the same and on another number of ranks."""
-from kill_moments import checkpoint_of, checkpoints_of, drawn_moment, run_to
+from kill_moments import checkpoints_left, drawn_moment, run_to, whole_run
 from one_set import FILE, FINISHED, REFUSED, Finding, must_end, tolerance_of
 from same_runs import different
 
-TURNS = 3  # of a run and its resumes; after the last the run is left alone
-AGAIN = 0.7  # chance that the resumes are killed too
+TURNS = 5  # of a run and its resumes; after the last the run is left alone
+AGAIN = 0.8  # chance that the resumes are killed too
 
 
 def said_all(ended):
@@ -35,8 +35,8 @@ def killed(barreno, deck, folder, straight, seconds, rng, tally):
     @param straight  the folder of the same run, left alone; @return whether there was something to resume"""
     moments = [drawn_moment(rng) for _ in range(TURNS)]
     again = rng.random() < AGAIN
-    words, left = ["run", *(deck if isinstance(deck, list) else [deck]), "--out", folder], checkpoints_of(straight)
-    ended = run_to(barreno, words, folder, moments[0], seconds, left)
+    words, whole = ["run", *(deck if isinstance(deck, list) else [deck]), "--out", folder], whole_run(straight, seconds)
+    ended = run_to(barreno, words, folder, moments[0], whole)
     for turn, moment in enumerate(moments):
         count_placed(moment, tally)
         if ended.kind == "signal" and ended.code in (9, moment.kind):
@@ -48,10 +48,9 @@ def killed(barreno, deck, folder, straight, seconds, rng, tally):
             tally.add("killed before the first checkpoint")
             # A sealed file that had no name yet is one to go on from.
             return must_end(barreno.run("resume", folder), FILE, FINISHED) == FINISHED
-        left = left - checkpoint_of(moment, left) if moment.place != "time" else left
         # With hardly a step to come a further kill would miss.
-        again = again and turn + 1 < TURNS and left > 2
-        ended = run_to(barreno, ["resume", folder], folder, moments[turn + 1] if again else None, seconds, left)
+        again = again and turn + 1 < TURNS and checkpoints_left(whole, folder) > 2
+        ended = run_to(barreno, ["resume", folder], folder, moments[turn + 1] if again else None, whole)
         if said_all(ended):
             tally.add("kills that came too late")
             return True
@@ -82,7 +81,7 @@ def try_ranks(one, barreno, several, straight, seconds, tally):
     tally.add("the same on more ranks")
     folder = one.folder / "moved"
     moment = drawn_moment(one.rng, [9])
-    run_to(barreno, ["run", one.file, "--out", folder], folder, moment, seconds, checkpoints_of(straight))
+    run_to(barreno, ["run", one.file, "--out", folder], folder, moment, whole_run(straight, seconds))
     if (folder / "checkpoint.h5").exists():
         count_placed(moment, tally)
         code = must_end(several.run("resume", folder), FINISHED, REFUSED)

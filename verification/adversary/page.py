@@ -26,7 +26,7 @@ Written by `verification/adversary/page.py` from `verification/results/adversary
 - **Option sets.** A set is a shipped deck, at a size that runs in a twentieth of a second, with options drawn at random. The draw follows the kind, unit
   and bounds that `barreno describe --markdown` gives, so new options are included automatically. Where `check` refuses a change with one sentence that
   names it, the change is undone, until the deck is valid. The set is then run. Some sets are also repeated in part:
-  killed by SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, up to three times; run on two or three ranks, and resumed there from one; run
+  killed by SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGUSR1 and resumed, up to five times; run on two or three ranks, and resumed there from one; run
   by two processes that compete for one folder; killed with mpirun's process group and resumed at once; run under the address and
   undefined-behaviour sanitizers with every index checked.
 - **Odd numbers.** Every number of every shipped deck, one at a time, as 1e300, 1e-300, -0, 5e-324, 2^31, 2^63, -1, 0, nan and inf.

@@ -4,7 +4,7 @@ import shutil
 
 import numpy as np
 from disk_faults import try_fault
-from kill_moments import built_library, checkpoints_of, drawn_moment, run_to
+from kill_moments import built_library, drawn_moment, run_to, whole_run
 from kills import killed
 from one_set import DECKS, FINISHED, Finding, must_end
 from same_runs import different, unsound
@@ -26,7 +26,7 @@ def drawn_words(rng):
     fidelity = str(rng.choice(["", "fast", "balanced"]))
     changes = {
         "Time/End Time": f"{rng.uniform(1.0, 3.0):.3g} us",
-        "Output/Checkpoint Steps": str(rng.integers(1, 8)),
+        "Output/Checkpoint Steps": str(rng.integers(1, 5)),
         "Output/Field Interval": str(rng.choice(["0.5 us", "1 us", "2 us"])),
         "Jet/Kind": str(rng.choice(["discrete", "thinned", "continuous"])),
     }
@@ -53,7 +53,7 @@ def try_other_ranks(servers, straight, command, folder, seconds, rng, tally):
     first, second = (counts[i] for i in rng.permutation(3)[:2])
     begun, moment = servers[first[1]], drawn_moment(rng, [9])
     if first[0] == 1:
-        run_to(servers["killed"], [*command, "--out", folder], folder, moment, seconds, checkpoints_of(straight))
+        run_to(servers["killed"], [*command, "--out", folder], folder, moment, whole_run(straight, seconds))
     else:
         # A server of several ranks has no process to kill for one run: a checkpoint of the middle does it.
         must_end(begun.run(*command, "--out", folder), FINISHED)
