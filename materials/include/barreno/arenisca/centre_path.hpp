@@ -106,11 +106,11 @@ BARRENO_FUNCTION double end_of_path(
   constexpr double round_off = 4e-16;
   double x = guess, below = -HUGE_VAL, above = HUGE_VAL;
   for (int i = 0; i < max_iterations; ++i) {
-    const double miss = centre_path(fluid, elasticity, at, x, e).strain - strain;
-    if (miss == 0.0) return x;
-    (miss > 0.0 ? above : below) = x;
+    const double residual = centre_path(fluid, elasticity, at, x, e).strain - strain;
+    if (residual == 0.0) return x;
+    (residual > 0.0 ? above : below) = x;
     const double bulk = saturated_moduli(fluid, elasticity, at, x, e).bulk;
-    double next = x - 3.0 * bulk * miss;
+    double next = x - 3.0 * bulk * residual;
     if (!(next > below && next < above)) {
       if (!std::isfinite(below) || !std::isfinite(above)) return next;
       next = 0.5 * (below + above);

@@ -149,11 +149,11 @@ struct PublishedReturn {
     double far = start;
     constexpr int max_expansions = 60;
     for (int i = 0; i < max_expansions; ++i) {
-      const double miss = (*this)(far);
-      if (miss == 0.0) return at(far).end;
-      if (miss * start > 0.0) {
+      const double residual = (*this)(far);
+      if (residual == 0.0) return at(far).end;
+      if (residual * start > 0.0) {
         const double devp =
-            find_root(*this, {0.0, -start}, {far, miss}, 1e-15 * std::fabs(far), 0.0);
+            find_root(*this, {0.0, -start}, {far, residual}, 1e-15 * std::fabs(far), 0.0);
         return at(devp).end;
       }
       far *= 1.5;

@@ -158,7 +158,7 @@ struct WithAngle<R, true> {
 
 /// J2 as the meridian of triaxial compression sees it: over Gamma^2.
 template <class R, class Rock>
-BARRENO_FUNCTION R seen_J2(const Rock& rock, const ShearIn<R, Rock>& s) {
+BARRENO_FUNCTION R scaled_J2(const Rock& rock, const ShearIn<R, Rock>& s) {
   const R J2 = squared(s);
   if constexpr (Rock::angled) {
     const R gamma = strength_at(rock.lode, s, R(real::sqrt(J2)));

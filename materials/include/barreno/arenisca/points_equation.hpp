@@ -19,18 +19,18 @@ struct ReturnEquation {
 
 /// Where the form for the tip of the cap is taken (closest_point.hpp).
 template <class R>
-BARRENO_FUNCTION MaskOf<R> is_at_tip(const MaskOf<R>& compact, const MeridianOf<R>& m) {
+BARRENO_FUNCTION MaskOf<R> is_at_tip(const MaskOf<R>& compacting, const MeridianOf<R>& m) {
   constexpr double near_tip = 0.3;
-  return compact & (m.cap_squared < near_tip) & (m.slope > 0.0);
+  return compacting & (m.cap_squared < near_tip) & (m.slope > 0.0);
 }
 
 /// The condition of the closest point (closest_point.hpp) from the meridian; without the cap that
 /// is the return to the limit surface. Positive below the solution; on the compacting side the form
 /// is taken that is the smoother one.
-/// @param compact where the compacting side is meant
+/// @param compacting where the compacting side is meant
 template <class R, class Law>
 BARRENO_FUNCTION void close_equation(
-    const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& compact, ReturnEquation<R>& e
+    const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& compacting, ReturnEquation<R>& e
 ) {
   const MeridianOf<R>& m = e.m;
   const R dx = -trial.triple_bulk;
@@ -42,12 +42,12 @@ BARRENO_FUNCTION void close_equation(
   const NormalityOf<R> normal = normality(trial, m, back, dx, d, s);
   e.f = normal.f;
   e.df = normal.df;
-  if (!real::any(compact)) return;
+  if (!real::any(compacting)) return;
   // Past the top of the meridian: enough compaction, by no matter how much.
-  const MaskOf<R> past_top = compact & !(m.slope > 0.0);
+  const MaskOf<R> past_top = compacting & !(m.slope > 0.0);
   e.f = real::select(past_top, 1.0, e.f);
   e.df = real::select(past_top, 0.0, e.df);
-  const MaskOf<R> at_tip = is_at_tip(compact, m);
+  const MaskOf<R> at_tip = is_at_tip(compacting, m);
   if (!real::any(at_tip)) return;
   const TipRatioOf<R> t = tip_ratio(trial, m, back);
   const R dratio = tip_ratio_rate(trial, m, dx, d, t);
@@ -64,14 +64,14 @@ BARRENO_FUNCTION ReturnEquation<R> return_equation(
     const Law& rock,
     const TrialOf<R>& trial,
     const MaskOf<R>& capped,
-    const MaskOf<R>& compact,
+    const MaskOf<R>& compacting,
     const R& gain
 ) {
   ReturnEquation<R> e{gain, trial.x - trial.triple_bulk * gain};
   if (real::any(capped)) e.cap = cap_of(rock, R(trial.evp + gain));
   e.cap.present = e.cap.present & capped;
   e.m = meridian_at(rock.surface, e.x, e.cap);
-  close_equation(rock, trial, compact, e);
+  close_equation(rock, trial, compacting, e);
   return e;
 }
 
@@ -108,7 +108,7 @@ BARRENO_FUNCTION MaskOf<R> solve_return(
     const Law& rock,
     const TrialOf<R>& trial,
     const MaskOf<R>& capped,
-    const MaskOf<R>& compact,
+    const MaskOf<R>& compacting,
     MaskOf<R> open,
     GainBracket<R> bracket,
     ReturnEquation<R>& e
@@ -139,7 +139,7 @@ BARRENO_FUNCTION MaskOf<R> solve_return(
     const R next = real::select(sound, newton, 0.5 * (bracket.low + bracket.high));
     last_step = real::select(sound, length, width);
     last_newton = real::select(sound, length, 0.0);
-    advance_points<R>(open, return_equation(rock, trial, capped, compact, next), e);
+    advance_points<R>(open, return_equation(rock, trial, capped, compacting, next), e);
   }
   e.gain = e.gain + final_step;
   e.x = e.x - trial.triple_bulk * final_step;

@@ -43,7 +43,7 @@ BARRENO_FUNCTION R crossing_over_angles(
   // Negative inside, also beyond vertex and tip of a regular sign.
   const auto excess = [&](const R& t) {
     const MeridianOf<R> m = meridian_at(rock.surface, R(step.n.x + t * dx), step.cap);
-    const R J2 = seen_J2<R>(rock, ShearIn<R, Law>(step.n.s + t * ds));
+    const R J2 = scaled_J2<R>(rock, ShearIn<R, Law>(step.n.s + t * ds));
     return R(J2 - m.limit * real::abs(m.limit) * m.cap_squared);
   };
   R inside{}, outside = R{} + 1.0;
@@ -83,7 +83,7 @@ BARRENO_FUNCTION R crossing_of(
   double part = 0.5;
   for (int i = 0; i < halvings; ++i, part *= 0.5) {
     const R t = inside + part;
-    const R J2 = seen_J2<R>(rock, ShearIn<R, Law>(step.n.s + t * ds));
+    const R J2 = scaled_J2<R>(rock, ShearIn<R, Law>(step.n.s + t * ds));
     const MaskOf<R> in = contains(rock.surface, asked, R(step.n.x + t * dx), J2, step.cap);
     inside = real::select(in, t, inside);
   }
@@ -164,7 +164,7 @@ BARRENO_FUNCTION FlowStartOf<R, Law> flow_start_of(
 
 /// The correction of a return, and the error from the turn of the flow's direction on the way.
 template <class R, class Law>
-struct TurnOf : WithNormal<R, Law::angled> {
+struct DirectionChangeOf : WithNormal<R, Law::angled> {
   R distance, normal_x, normal_q;
   R error{};
 };
@@ -190,9 +190,9 @@ BARRENO_FUNCTION void lean_into_edge(
   f.normal_s = shorter * (f.normal_s + R(real::select(leans, f.normal_q * part, 0.0)) * aside);
 }
 
-/// The turn where the shear stress turns too.
+/// The change of direction where the shear stress turns too.
 template <class R, class Law>
-BARRENO_FUNCTION TurnOf<R, Law> turn_in_full(
+BARRENO_FUNCTION DirectionChangeOf<R, Law> direction_change_in_full(
     const PredictionOf<R, Law>& p,
     const ReturnedOf<R>& r,
     const ShearIn<R, Law>& end,
@@ -201,42 +201,42 @@ BARRENO_FUNCTION TurnOf<R, Law> turn_in_full(
 ) {
   const R back_x = p.x - r.x;
   const ShearIn<R, Law> apart = p.s - end;
-  TurnOf<R, Law> c;
+  DirectionChangeOf<R, Law> c;
   c.distance = real::sqrt(R(back_x * back_x + metric * squared(apart)));
   const R inverse = real::select(c.distance > 0.0, 1.0 / c.distance, 0.0);
   c.normal_x = back_x * inverse;
   c.normal_s = R(real::sqrt(metric) * inverse) * apart;
   c.normal_q = real::sqrt(squared(c.normal_s));
-  const R turn_x = c.normal_x - f.normal_x;
-  const R turn = turn_x * turn_x + squared(c.normal_s - f.normal_s);
-  c.error = 0.5 * c.distance * real::sqrt(R(turn * (1.0 / 3.0)));
+  const R change_x = c.normal_x - f.normal_x;
+  const R change = change_x * change_x + squared(c.normal_s - f.normal_s);
+  c.error = 0.5 * c.distance * real::sqrt(R(change * (1.0 / 3.0)));
   return c;
 }
 
 /// @param end shear stress that the return leaves
 template <class R, class Law>
-BARRENO_FUNCTION TurnOf<R, Law> turn_of(
+BARRENO_FUNCTION DirectionChangeOf<R, Law> direction_change_of(
     const PredictionOf<R, Law>& p,
     const ReturnedOf<R>& r,
     const ShearIn<R, Law>& end,
     const FlowStartOf<R, Law>& f,
     const R& metric
 ) {
-  if constexpr (Law::angled) return turn_in_full<R, Law>(p, r, end, f, metric);
+  if constexpr (Law::angled) return direction_change_in_full<R, Law>(p, r, end, f, metric);
   const R back_x = p.x - r.x, q_apart = p.q - r.q;
   const R distance = real::sqrt(R(back_x * back_x + metric * q_apart * q_apart));
   const R inverse = real::select(distance > 0.0, 1.0 / distance, 0.0);
-  TurnOf<R, Law> c;
+  DirectionChangeOf<R, Law> c;
   c.distance = distance;
   c.normal_x = back_x * inverse;
   c.normal_q = real::sqrt(metric) * q_apart * inverse;
   const R product = f.q * p.q;
   const MaskOf<R> sheared = product > 0.0;
   const R cosine = real::select(sheared, dot(f.s, p.s) / real::select(sheared, product, 1.0), 1.0);
-  const R turn_x = c.normal_x - f.normal_x;
-  const R turn = turn_x * turn_x + c.normal_q * c.normal_q + f.normal_q * f.normal_q -
-                 2.0 * c.normal_q * f.normal_q * cosine;
-  c.error = 0.5 * c.distance * real::sqrt(R(real::larger(turn, 0.0) * (1.0 / 3.0)));
+  const R change_x = c.normal_x - f.normal_x;
+  const R change = change_x * change_x + c.normal_q * c.normal_q + f.normal_q * f.normal_q -
+                   2.0 * c.normal_q * f.normal_q * cosine;
+  c.error = 0.5 * c.distance * real::sqrt(R(real::larger(change, 0.0) * (1.0 / 3.0)));
   return c;
 }
 
@@ -282,12 +282,12 @@ BARRENO_FUNCTION void finish_flow(
   }
 }
 
-/// The trial shear moved by half the turn of the flow direction.
+/// The trial shear moved by half the change of the flow direction.
 /// @param half of the correction's distance, in units of shear stress
 template <class R, class Law>
 BARRENO_FUNCTION ShearIn<R, Law> moved_shear(
     const PredictionOf<R, Law>& p,
-    const TurnOf<R, Law>& c,
+    const DirectionChangeOf<R, Law>& c,
     const FlowStartOf<R, Law>& f,
     const R& half
 ) {
@@ -300,7 +300,7 @@ BARRENO_FUNCTION ShearIn<R, Law> moved_shear(
   }
 }
 
-/// Second pass of a substep: mean moduli of both ends, and the trial point moved by half the turn
+/// Second pass of a substep: mean moduli of both ends, and the trial point moved by half the change
 /// of the flow direction, so that the closest-point return corrects along the mean direction.
 /// Second-order accurate, and still on the hardened surface: evp starts where the moved trial point
 /// keeps x = x_tr - 3K (evp - evp_n).
@@ -311,7 +311,7 @@ BARRENO_FUNCTION void refine_points(
     MaskOf<R> asked,
     const SubstepOf<R, Law>& step,
     const PredictionOf<R, Law>& first,
-    const TurnOf<R, Law>& c,
+    const DirectionChangeOf<R, Law>& c,
     const FlowStartOf<R, Law>& f,
     AttemptOf<R, Law>& a
 ) {
@@ -393,12 +393,12 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
   a.elastic = none_of<R>();
   a.refused = flows & r.refused;
   a.allowed = allowed_error_of(rock, n, r.x, R(r.q * r.q));
-  const TurnOf<R, Law> turn = turn_of<R, Law>(p, r, end, f, metric);
+  const DirectionChangeOf<R, Law> change = direction_change_of<R, Law>(p, r, end, f, metric);
   const R of_moduli =
       mismatch_of(p.start, p.used, a.moduli) * size_of_stress(R(r.x - n.x), squared(a.end.s - n.s));
   const MaskOf<R> at_vertex = r.x >= rock.surface.vertex;
   const R way = f.scale * size_of_stress(R(f.x - r.x), R(f.q * f.q));
-  a.error = of_moduli + real::select(at_vertex & (way < turn.error), way, turn.error);
+  a.error = of_moduli + real::select(at_vertex & (way < change.error), way, change.error);
   if constexpr (Law::wet) a.error = a.error + pressure_error(rock, step, p, a);
   constexpr double largest_retraction = 0.1, negligible = Law::angled ? 0.0 : 0.01;
   const MaskOf<R> retracts =
@@ -410,7 +410,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
   a.error = larger_of(a.error, retraction);
   const MaskOf<R> substantial = (a.error > negligible * a.allowed) & (a.error <= a.allowed);
   const MaskOf<R> worth = flows & (!at_vertex) & choose.alike(substantial);
-  if (real::any(worth)) refine_points(rock, worth, step, p, turn, f, a);
+  if (real::any(worth)) refine_points(rock, worth, step, p, change, f, a);
   return a;
 }
 

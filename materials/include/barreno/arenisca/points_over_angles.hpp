@@ -56,12 +56,12 @@ struct TriedTurn {
   R half_tangent{};
   TurnedAngle<R> angle;
   ReturnedOf<R> returned;
-  R miss{};
+  R residual{};
 };
 template <class R>
-BARRENO_FUNCTION void measure_miss(const TrialOf<R>& trial, TriedTurn<R>& t) {
+BARRENO_FUNCTION void measure_residual(const TrialOf<R>& trial, TriedTurn<R>& t) {
   const R bend = t.angle.strength.slope / t.angle.strength.gamma;
-  t.miss = bend * (t.returned.q - trial.q * t.angle.cosine) + trial.q * t.angle.sine;
+  t.residual = bend * (t.returned.q - trial.q * t.angle.cosine) + trial.q * t.angle.sine;
 }
 
 /// Secant method in a bracket from the trial state's own angle to the axis to whose side the
@@ -79,12 +79,12 @@ BARRENO_FUNCTION void find_turn(
 ) {
   constexpr int max_iterations = 50;
   constexpr double close_enough = 1e-11;
-  const MaskOf<R> down = at.miss > 0.0;
+  const MaskOf<R> down = at.residual > 0.0;
   const TurnRange<R> range = turns_to_axes(angle);
   const R axis = real::select(down, range.low, range.high);
   R near{}, far = axis;  // the condition has the first sign at `near`
   const R slope = 2.0 * (trial.q + angle.bend * angle.bend * at.returned.q);
-  R next = -at.miss / slope;
+  R next = -at.residual / slope;
   next = real::select(real::abs(next) < real::abs(axis), next, axis);
   for (int i = 0; i < max_iterations && real::any(open); ++i) {
     TriedTurn<R> tried;
@@ -92,18 +92,18 @@ BARRENO_FUNCTION void find_turn(
     tried.angle = turned_by(rock.lode, angle, next);
     const R guess = at.returned.evp - trial.evp;
     tried.returned = return_after_turn(rock, trial, open, at_trial, guess, tried.angle);
-    measure_miss(trial, tried);
-    const MaskOf<R> same = (down & (tried.miss > 0.0)) | ((!down) & (tried.miss < 0.0));
+    measure_residual(trial, tried);
+    const MaskOf<R> same = (down & (tried.residual > 0.0)) | ((!down) & (tried.residual < 0.0));
     near = real::select(same, next, near);
     far = real::select(same, far, next);
-    const R rise = tried.miss - at.miss;
+    const R rise = tried.residual - at.residual;
     const R step =
-        -tried.miss * (next - at.half_tangent) / real::select(rise != 0.0, rise, HUGE_VAL);
+        -tried.residual * (next - at.half_tangent) / real::select(rise != 0.0, rise, HUGE_VAL);
     assign_where(open, tried.returned, at.returned);
     at.half_tangent = real::select(open, next, at.half_tangent);
     at.angle.cosine = real::select(open, tried.angle.cosine, at.angle.cosine);
     at.angle.sine = real::select(open, tried.angle.sine, at.angle.sine);
-    at.miss = real::select(open, tried.miss, at.miss);
+    at.residual = real::select(open, tried.residual, at.residual);
     const MaskOf<R> done = (real::abs(step) <= close_enough) | (same & (next == axis)) |
                            (real::abs(far - near) <= close_enough);
     open = open & !done;
@@ -131,9 +131,9 @@ BARRENO_FUNCTION TriedTurn<R> return_turn_by_turn(
   TriedTurn<R> at;
   at.angle = {R{} + 1.0, R{}, {angle.gamma, angle.gamma * angle.bend}};
   at.returned = return_after_turn(rock, trial, outside, at_trial, guess, at.angle);
-  measure_miss(trial, at);
+  measure_residual(trial, at);
   const MaskOf<R> open = outside & angle.turnable & (at.returned.q > 0.0) &
-                         (real::abs(at.miss) > nothing * trial.q) & !at.returned.refused;
+                         (real::abs(at.residual) > nothing * trial.q) & !at.returned.refused;
   if (real::any(open)) find_turn(rock, angle, trial, at_trial, open, at);
   return at;
 }

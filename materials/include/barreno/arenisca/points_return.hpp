@@ -51,14 +51,14 @@ BARRENO_FUNCTION void find_dilation(
     ReturnEquation<R>& e
 ) {
   constexpr int max_steps = 200;
-  const MaskOf<R> compact = none_of<R>();
+  const MaskOf<R> compacting = none_of<R>();
   const R farthest = (trial.x - e.cap.X) / trial.triple_bulk;
   bracket.low = real::select(opens, e.gain, bracket.low);
   bracket.high = real::select(opens, farthest, bracket.high);
   R step = first;
   MaskOf<R> open = opens & (step > 0.0) & (step < farthest);
   for (int i = 0; i < max_steps && real::any(open); ++i) {
-    const ReturnEquation<R> there = return_equation(rock, trial, capped, compact, step);
+    const ReturnEquation<R> there = return_equation(rock, trial, capped, compacting, step);
     const MaskOf<R> ahead = open & (step > bracket.low);
     const MaskOf<R> enough = ahead & (there.f < 0.0);
     const MaskOf<R> too_little = ahead & !enough;
@@ -99,15 +99,15 @@ BARRENO_FUNCTION void return_to_retracted_cap(
       (trial.x - trial.cap.kappa) / (trial.triple_bulk + rock.surface.CR * trial.cap.slope);
   const R least = real::larger(R(last_open - trial.evp), 0.0);
   const R start = real::select(trial.cap.present, to_branch, least);
-  const MaskOf<R> compact = none_of<R>();
-  ReturnEquation<R> e = return_equation(rock, trial, caught, compact, start);
+  const MaskOf<R> compacting = none_of<R>();
+  ReturnEquation<R> e = return_equation(rock, trial, caught, compacting, start);
   const MaskOf<R> opening = caught & !trial.cap.present;
   const MaskOf<R> closed = opening & (e.f <= 0.0);
   const MaskOf<R> open = caught & !closed;
   GainBracket<R> bracket{R{}, (trial.x - trial.cap.X) / trial.triple_bulk};
   const MaskOf<R> opens = opening & !closed;
   if (real::any(opens)) find_dilation(rock, trial, caught, opens, R(r.evp - trial.evp), bracket, e);
-  const MaskOf<R> failed = solve_return(rock, trial, caught, compact, open, bracket, e);
+  const MaskOf<R> failed = solve_return(rock, trial, caught, compacting, open, bracket, e);
   const ReturnedOf<R> onto = returned_at(trial, e, failed);
   const MaskOf<R> refused = r.refused | failed;
   assign_where(open, onto, r);
@@ -118,7 +118,7 @@ BARRENO_FUNCTION void return_to_retracted_cap(
 /// On which side of the surface a return is searched, and between which gains of evp.
 template <class R>
 struct ReturnSearch {
-  MaskOf<R> capped, beyond_tip, compact, to_vertex;
+  MaskOf<R> capped, beyond_tip, compacting, to_vertex;
   R reach;                ///< I1 beyond the vertex from which all goes there [stress]
   R last_open, to_kappa;  ///< gains: pores closed, the cap's branch point passed
   R least;                ///< gain that brings the point to the vertex' pressure, or none
@@ -134,7 +134,7 @@ BARRENO_FUNCTION ReturnSearch<R> search_of(
   ReturnSearch<R> s;
   s.capped = trial.cap.present & (trial.x < trial.cap.kappa);
   s.beyond_tip = s.capped & (trial.x <= trial.cap.X);
-  s.compact = s.beyond_tip | (s.capped & (at_trial.slope > 0.0));
+  s.compacting = s.beyond_tip | (s.capped & (at_trial.slope > 0.0));
   s.reach = trial.metric * trial.q * surface.steepest;
   s.to_vertex = (!s.capped) & (trial.x - surface.vertex >= s.reach);
   // At x = kappa_n the hardened cap's branch point is passed; at x = X there is always enough
@@ -145,8 +145,8 @@ BARRENO_FUNCTION ReturnSearch<R> search_of(
   const MaskOf<R> beyond_vertex = (!s.capped) & (trial.x > surface.vertex);
   s.least = real::select(beyond_vertex, (trial.x - surface.vertex) * per_bulk, 0.0);
   s.bracket = {
-      real::select(s.compact, larger_of(s.to_kappa, s.last_open), s.least),
-      real::select(s.compact, 0.0, real::select(s.capped, to_X, s.reach) * per_bulk)};
+      real::select(s.compacting, larger_of(s.to_kappa, s.last_open), s.least),
+      real::select(s.compacting, 0.0, real::select(s.capped, to_X, s.reach) * per_bulk)};
   return s;
 }
 /// The gain of evp to begin with.
@@ -176,7 +176,7 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
     const R& guess
 ) {
   const ReturnSearch<R> search = search_of(rock, trial, at_trial);
-  const MaskOf<R> capped = search.capped, compact = search.compact;
+  const MaskOf<R> capped = search.capped, compacting = search.compacting;
   const GainBracket<R>& bracket = search.bracket;
   const MaskOf<R> wanted = outside & !search.to_vertex;
 
@@ -184,20 +184,20 @@ BARRENO_FUNCTION ReturnedOf<R> return_points(
   const MaskOf<R> elsewhere = wanted & (start != 0.0);
   ReturnEquation<R> e{R{}, trial.x, trial.cap, at_trial};
   e.cap.present = capped;
-  if (real::any(wanted & !elsewhere)) close_equation(rock, trial, compact, e);
+  if (real::any(wanted & !elsewhere)) close_equation(rock, trial, compacting, e);
   if (real::any(elsewhere))
-    advance_points<R>(elsewhere, return_equation(rock, trial, capped, compact, start), e);
+    advance_points<R>(elsewhere, return_equation(rock, trial, capped, compacting, start), e);
 
   // Pores that close altogether.
   MaskOf<R> closed = none_of<R>();
-  const MaskOf<R> may_close = wanted & compact & (search.to_kappa < search.last_open);
+  const MaskOf<R> may_close = wanted & compacting & (search.to_kappa < search.last_open);
   if (real::any(may_close)) {
     const ReturnEquation<R> nearly =
-        return_equation(rock, trial, capped, compact, search.last_open);
+        return_equation(rock, trial, capped, compacting, search.last_open);
     closed = may_close & (nearly.f <= 0.0);
   }
   const MaskOf<R> open = wanted & !closed;
-  const MaskOf<R> failed = solve_return(rock, trial, capped, compact, open, bracket, e);
+  const MaskOf<R> failed = solve_return(rock, trial, capped, compacting, open, bracket, e);
   ReturnedOf<R> r = returned_at(trial, e, failed);
   r.x = real::select(search.to_vertex, R(R{} + rock.surface.vertex), r.x);
   r.q = real::select(search.to_vertex, 0.0, r.q);

@@ -105,7 +105,7 @@ BARRENO_FUNCTION void find_angle(
 
 /// J2 of a prediction as the meridian of triaxial compression sees it.
 template <class R, class Law>
-BARRENO_FUNCTION R seen_J2(const PredictionOf<R, Law>& p) {
+BARRENO_FUNCTION R scaled_J2(const PredictionOf<R, Law>& p) {
   if constexpr (Law::angled)
     return p.J2 / (p.angle.gamma * p.angle.gamma);
   else

@@ -135,7 +135,7 @@ BARRENO_FUNCTION void begin_to_dilate(
   find_angle(rock, mixed.s, mixed);
   const MeridianOf<R> m = meridian_at(rock.surface, mixed.x, step.cap);
   // A trace of dilation, and the softer rock may no longer reach the surface.
-  const MaskOf<R> inside = asked & contained(rock.surface, mixed.x, seen_J2(mixed), step.cap, m);
+  const MaskOf<R> inside = asked & contained(rock.surface, mixed.x, scaled_J2(mixed), step.cap, m);
   AttemptOf<R, Law> b = flow_points(rock, MaskOf<R>(asked & !inside), step, mixed, m, choose);
   if (real::any(inside)) accept_elastic(rock, inside, step, mixed, soft, b);
   // The elastic part has its own error, that of its moduli on the way to the surface.
@@ -158,7 +158,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   const StateOf<R, Law>& n = step.n;
   const PredictionOf<R, Law> p = predict_points(rock, step, n.evp);
   const MeridianOf<R> m = meridian_at(rock.surface, p.x, step.cap);
-  const MaskOf<R> inside = contained(rock.surface, p.x, seen_J2(p), step.cap, m);
+  const MaskOf<R> inside = contained(rock.surface, p.x, scaled_J2(p), step.cap, m);
   const MaskOf<R> flows = asked & !inside;
   AttemptOf<R, Law> a{};
   if (real::any(flows)) {

@@ -13,7 +13,7 @@ namespace barreno::arenisca {
 /// it leaves of the two conditions of the closest point, with derivatives by gain and d:
 ///
 ///   f    = (x - x_tr) fc - metric (q_tr cos d - q) dq/dx    consistency within the half-plane
-///   miss = Gamma'/Gamma (q - q_tr cos d) + q_tr sin d       no part of the way along the angle
+///   residual = Gamma'/Gamma (q - q_tr cos d) + q_tr sin d       no part of the way along the angle
 ///
 /// f near the tip of the cap is the other form of closest_point.hpp.
 template <class R>
@@ -22,9 +22,9 @@ struct TurnedPoint {
   R cosine, sine;  ///< of the turn
   R bend;          ///< Gamma'/Gamma after it
   ReturnEquation<R> e;
-  R over;             ///< q_tr cos d - q
-  R f_turn, dq_turn;  ///< derivatives of f and q by d
-  R miss, miss_gain, miss_turn;
+  R over;                  ///< q_tr cos d - q
+  R f_by_turn, q_by_turn;  ///< derivatives of f and q by d
+  R residual, residual_by_gain, residual_by_turn;
 };
 
 /// The meridian of triaxial compression at a gain of evp.
@@ -44,19 +44,19 @@ BARRENO_FUNCTION ReturnEquation<R> compression_at(
 /// @param aside  q_tr sin d
 template <class R>
 BARRENO_FUNCTION void differentiate_by_turn(
-    const TrialOf<R>& part, const MaskOf<R>& compact, const R& aside, TurnedPoint<R>& at
+    const TrialOf<R>& part, const MaskOf<R>& compacting, const R& aside, TurnedPoint<R>& at
 ) {
   const MeridianOf<R>& m = at.e.m;
-  const R q_turn = at.bend * at.e.q;
-  at.dq_turn = q_turn;
-  at.f_turn = part.metric * m.slope * (aside + at.bend * (at.e.q - at.over));
-  const MaskOf<R> at_tip = is_at_tip(compact, m);
+  const R by_turn = at.bend * at.e.q;
+  at.q_by_turn = by_turn;
+  at.f_by_turn = part.metric * m.slope * (aside + at.bend * (at.e.q - at.over));
+  const MaskOf<R> at_tip = is_at_tip(compacting, m);
   if (!real::any(at_tip)) return;
   const TipRatioOf<R> t = tip_ratio(part, m, R(at.e.x - part.x));
   const R stiff = part.metric * m.limit * m.slope * t.inverse;
-  const R ratio_turn = t.value * (at.bend * (1.0 - 2.0 * stiff) - aside / part.q);
-  at.f_turn = real::select(at_tip, -2.0 * t.value * ratio_turn, at.f_turn);
-  at.dq_turn = real::select(at_tip, q_turn + m.limit * ratio_turn, at.dq_turn);
+  const R ratio_by_turn = t.value * (at.bend * (1.0 - 2.0 * stiff) - aside / part.q);
+  at.f_by_turn = real::select(at_tip, -2.0 * t.value * ratio_by_turn, at.f_by_turn);
+  at.q_by_turn = real::select(at_tip, by_turn + m.limit * ratio_by_turn, at.q_by_turn);
 }
 
 /// @param[in,out] at  with gain, x, cap, the meridian of triaxial compression and half_tangent; all
@@ -66,7 +66,7 @@ BARRENO_FUNCTION void close_turned(
     const Rock& rock,
     const AngleOf<R>& from,
     const TrialOf<R>& trial,
-    const MaskOf<R>& compact,
+    const MaskOf<R>& compacting,
     TurnedPoint<R>& at
 ) {
   const R t = at.half_tangent;
@@ -80,13 +80,13 @@ BARRENO_FUNCTION void close_turned(
   at.e.m = scaled_meridian(at.e.m, strength.gamma);
   TrialOf<R> part = trial;
   part.q = trial.q * at.cosine;
-  close_equation(rock, part, compact, at.e);
+  close_equation(rock, part, compacting, at.e);
   const R aside = trial.q * at.sine;
   at.over = part.q - at.e.q;
-  differentiate_by_turn(part, compact, aside, at);
-  at.miss = aside - at.bend * at.over;
-  at.miss_gain = at.bend * at.e.dq;
-  at.miss_turn = part.q + at.bend * (at.dq_turn + aside) - strength.bend_slope * at.over;
+  differentiate_by_turn(part, compacting, aside, at);
+  at.residual = aside - at.bend * at.over;
+  at.residual_by_gain = at.bend * at.e.dq;
+  at.residual_by_turn = part.q + at.bend * (at.q_by_turn + aside) - strength.bend_slope * at.over;
 }
 
 /// Tangents of half the turns that lead to the axes of the octahedral plane.
@@ -114,9 +114,9 @@ constexpr TurnAccuracy rough_turn{1e-7, 1e-12, 0.05}, exact_turn{1e-7, 1e-12, 0.
 /// Which closest point is searched, and from where.
 template <class R>
 struct TurnSearch {
-  MaskOf<R> open;             ///< where it is searched
-  MaskOf<R> capped, compact;  ///< see return_equation()
-  MaskOf<R> still;            ///< where the gain is given, and the turn alone is searched
+  MaskOf<R> open;                ///< where it is searched
+  MaskOf<R> capped, compacting;  ///< see return_equation()
+  MaskOf<R> fixed_gain;          ///< where the gain is given, and the turn alone is searched
   GainBracket<R> bracket;
   TurnAccuracy accuracy;
   R half_tangent;
@@ -145,22 +145,22 @@ BARRENO_FUNCTION TurnStep<R> newton_step(
     const AngleOf<R>& from,
     const TurnedPoint<R>& at
 ) {
-  const MaskOf<R> at_low = (at.half_tangent <= range.low) & (at.miss > 0.0);
-  const MaskOf<R> at_high = (at.half_tangent >= range.high) & (at.miss < 0.0);
+  const MaskOf<R> at_low = (at.half_tangent <= range.low) & (at.residual > 0.0);
+  const MaskOf<R> at_high = (at.half_tangent >= range.high) & (at.residual < 0.0);
   const MaskOf<R> fixed = at_low | at_high | !from.turnable;
-  const MaskOf<R> coupled = !(fixed | search.still);
-  const R f = real::select(search.still, 0.0, at.e.f);
-  const R df = real::select(search.still, -1.0, at.e.df);
-  const R f_turn = real::select(coupled, at.f_turn, 0.0);
-  const R miss = real::select(fixed, 0.0, at.miss);
-  const R miss_gain = real::select(coupled, at.miss_gain, 0.0);
-  const R miss_turn = real::select(fixed, 1.0, at.miss_turn);
-  const R determinant = df * miss_turn - f_turn * miss_gain;
+  const MaskOf<R> coupled = !(fixed | search.fixed_gain);
+  const R f = real::select(search.fixed_gain, 0.0, at.e.f);
+  const R df = real::select(search.fixed_gain, -1.0, at.e.df);
+  const R f_by_turn = real::select(coupled, at.f_by_turn, 0.0);
+  const R residual = real::select(fixed, 0.0, at.residual);
+  const R residual_by_gain = real::select(coupled, at.residual_by_gain, 0.0);
+  const R residual_by_turn = real::select(fixed, 1.0, at.residual_by_turn);
+  const R determinant = df * residual_by_turn - f_by_turn * residual_by_gain;
   const R inverse = 1.0 / determinant;
   return {
-      (f_turn * miss - f * miss_turn) * inverse,
-      (f * miss_gain - df * miss) * inverse,
-      (df < 0.0) & (miss_turn > 0.0) & (determinant < 0.0)};
+      (f_by_turn * residual - f * residual_by_turn) * inverse,
+      (f * residual_by_gain - df * residual) * inverse,
+      (df < 0.0) & (residual_by_turn > 0.0) & (determinant < 0.0)};
 }
 /// Where that leads elsewhere: half way to the end of the bracket on the side of the solution, and
 /// a turn with a slope that is positive for sure.
@@ -180,7 +180,7 @@ BARRENO_FUNCTION void go_safely(
   const R end = real::select(below, bracket.high, bracket.low);
   const R size = at.over + at.e.q * (1.0 + at.bend * at.bend);
   const MaskOf<R> turns = from.turnable & (size > 0.0);
-  const R turn = real::select(turns, -at.miss / real::select(turns, size, 1.0), 0.0);
+  const R turn = real::select(turns, -at.residual / real::select(turns, size, 1.0), 0.0);
   step.gain = real::select(irregular, 0.5 * (end - at.e.gain), step.gain);
   step.turn = real::select(irregular, turn, step.turn);
   step.regular = step.regular & !irregular;
@@ -196,7 +196,7 @@ BARRENO_FUNCTION ReturnedOf<R> returned_by(
   cap.kappa = cap.kappa + rock.surface.CR * cap.slope * step.gain;
   return {
       at.e.x - trial.triple_bulk * step.gain,
-      at.e.q + at.e.dq * step.gain + at.dq_turn * step.turn,
+      at.e.q + at.e.dq * step.gain + at.q_by_turn * step.turn,
       trial.evp + at.e.gain + step.gain,
       cap,
       none_of<R>()};
@@ -231,10 +231,10 @@ BARRENO_FUNCTION void solve_turned(
   at.e = search.e;
   R last_length{};
   for (int i = 0; i < max_iterations; ++i) {
-    close_turned(rock, from, trial, search.compact, at);
+    close_turned(rock, from, trial, search.compacting, at);
     TurnStep<R> step = newton_step(search, range, from, at);
     // Past the top of the meridian there is too much compaction, by no matter how much.
-    const MaskOf<R> past_top = search.compact & !(at.e.m.slope > 0.0);
+    const MaskOf<R> past_top = search.compacting & !(at.e.m.slope > 0.0);
     const MaskOf<R> irregular = open & (past_top | !step.regular);
     if (real::any(irregular)) go_safely(from, irregular, at, between, step);
     const R length = real::abs(step.gain) * per_size + real::abs(step.turn);
@@ -302,8 +302,8 @@ BARRENO_FUNCTION TurnSearch<R> first_search(
   search.open = open;
   // Dilation retracts the cap, maybe into the way: the equation with the cap holds on either side.
   search.capped = trial.cap.present;
-  search.compact = sides.compact;
-  search.still = none_of<R>();
+  search.compacting = sides.compacting;
+  search.fixed_gain = none_of<R>();
   search.bracket = sides.bracket;
   search.accuracy = guess.accuracy;
   search.half_tangent = guess.half_tangent;
@@ -335,9 +335,9 @@ BARRENO_FUNCTION void return_closed(
   const MaskOf<R> closes = trial.cap.present;
   const R gain = real::select(closes, rock.crush.closed() - trial.evp, 0.0);
   TurnSearch<R> search;
-  search.open = search.still = asked;
+  search.open = search.fixed_gain = asked;
   search.accuracy = accuracy;
-  search.capped = search.compact = none;
+  search.capped = search.compacting = none;
   search.bracket = {gain, gain};
   search.half_tangent = r.half_tangent;
   search.e = compression_at(rock, trial, none, gain);
@@ -362,18 +362,18 @@ BARRENO_FUNCTION void keep_closed(
   const R least =
       real::select(trial.cap.present, sides.last_open, real::larger(sides.last_open, 0.0));
   at.e = compression_at(rock, trial, found, least);
-  close_turned(rock, from, trial, sides.compact, at);
+  close_turned(rock, from, trial, sides.compacting, at);
   r.found = r.found & !(found & (at.e.f > 0.0));
 }
 
 /// Closed pores that stay so, to be seen without a return: whatever dilation opens, the cap's
 /// branch point is nearer than the trial state.
 template <class R, class Rock>
-BARRENO_FUNCTION MaskOf<R> stays_shut(const Rock& rock, const TrialOf<R>& trial) {
+BARRENO_FUNCTION MaskOf<R> stays_closed_throughout(const Rock& rock, const TrialOf<R>& trial) {
   if (!rock.crush.porous()) return none_of<R>();
-  const MaskOf<R> shut = (!trial.cap.present) & (trial.evp <= rock.crush.last_open());
-  if (!real::any(shut)) return shut;
-  return shut & (trial.x < cap_of(rock, R(R{} + rock.crush.last_open())).kappa);
+  const MaskOf<R> closed = (!trial.cap.present) & (trial.evp <= rock.crush.last_open());
+  if (!real::any(closed)) return closed;
+  return closed & (trial.x < cap_of(rock, R(R{} + rock.crush.last_open())).kappa);
 }
 
 /// The return over the Lode angle, where Newton's method finds it.
@@ -394,7 +394,7 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   sides.bracket.high = real::select(sides.capped, sides.bracket.high, highest);
   TurnedReturn<R> r{none_of<R>(), R{}, {trial.x, trial.q, trial.evp, trial.cap, none_of<R>()}};
   const MaskOf<R> open = outside & (!sides.to_vertex) & (trial.q > 0.0);
-  const MaskOf<R> shut = open & stays_shut(rock, trial);
+  const MaskOf<R> never_opened = open & stays_closed_throughout(rock, trial);
   if (real::any(open)) {
     TurnSearch<R> search = first_search(rock, trial, sides, open, at_trial, guess);
     if (rock.lode.kind == Lode::mohr_coulomb && !guess.known) {
@@ -403,8 +403,8 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
           turn_to_line(rock.lode, from, trial.q, real::larger(R(at_trial.limit * factor), 0.0));
       search.half_tangent = real::select(from.turnable, turn, 0.0);
     }
-    search.still = shut;
-    search.e.gain = real::select(shut, 0.0, search.e.gain);
+    search.fixed_gain = never_opened;
+    search.e.gain = real::select(never_opened, 0.0, search.e.gain);
     solve_turned(rock, from, trial, search, r);
   }
   const MaskOf<R> limited = open & !sides.capped;
@@ -415,13 +415,14 @@ BARRENO_FUNCTION TurnedReturn<R> return_with_turn(
   r.point.evp = real::select(to_vertex, trial.evp + sides.least, r.point.evp);
   r.found = r.found | to_vertex;
   if (!rock.crush.porous()) return r;
-  const MaskOf<R> limited_and_closed = r.found & !(sides.capped | trial.cap.present | shut);
+  const MaskOf<R> limited_and_closed = r.found & !(sides.capped | trial.cap.present | never_opened);
   const MaskOf<R> caught = caught_by_cap(rock, trial, limited_and_closed, r.point);
   const MaskOf<R> stays_closed = caught & !to_vertex;
-  const MaskOf<R> closes = open & sides.compact & (!r.found) & (sides.to_kappa < sides.last_open);
+  const MaskOf<R> closes =
+      open & sides.compacting & (!r.found) & (sides.to_kappa < sides.last_open);
   const MaskOf<R> closed = stays_closed | closes;
   if (real::any(closed)) return_closed(rock, from, trial, closed, guess.accuracy, r);
-  const MaskOf<R> doubtful = r.found & (closed | shut);
+  const MaskOf<R> doubtful = r.found & (closed | never_opened);
   if (real::any(doubtful)) keep_closed(rock, from, trial, sides, doubtful, r);
   const MaskOf<R> vertex_caught = caught_by_cap(rock, trial, to_vertex, r.point);
   r.found = r.found & !vertex_caught;
