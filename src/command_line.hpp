@@ -22,6 +22,7 @@ struct Options {
   int ranks = 0;  ///< --ranks; 0: not given. The launcher starts that many; the code only compares.
   std::string section;      ///< describe; empty: overview
   bool markdown = false;    ///< describe as docs/deck.md
+  bool fields = false;      ///< describe the fields of particles.e
   bool print_deck = false;  ///< check: the effective deck instead of the plan
 };
 

@@ -209,7 +209,12 @@ CommandPage describe_page() {
         nullptr,
         nullptr,
         "everything, as in docs/deck.md",
-        [](Options& options, const std::string&) { options.markdown = true; }}},
+        [](Options& options, const std::string&) { options.markdown = true; }},
+       {"--fields",
+        nullptr,
+        nullptr,
+        "the fields of particles.e, as in docs/output.md",
+        [](Options& options, const std::string&) { options.fields = true; }}},
       "barreno describe Grid\n"
       "barreno describe \"Pore Flow/Rocks\"\n"
       "barreno describe Arenisca\n"

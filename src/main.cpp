@@ -12,6 +12,7 @@
 #include "drive/drive.hpp"
 #include "output/folder_lock.hpp"
 #include "output/output.hpp"
+#include "output/particle_field_table.hpp"
 #include "output/run_folder.hpp"
 #include "pore_flow/check_solver_lists.hpp"
 #include "resume.hpp"
@@ -111,6 +112,11 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   return static_cast<int>(ExitCode::finished);
 }
 
+std::string description(const Options& options) {
+  if (options.fields) return particle_fields_markdown();
+  return options.markdown ? describe_markdown() : describe_text(options.section);
+}
+
 int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const bool root = is_root(*comm);
   switch (options.command) {
@@ -126,8 +132,7 @@ int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       break;
     }
     case Command::describe:
-      if (root)
-        std::cout << (options.markdown ? describe_markdown() : describe_text(options.section));
+      if (root) std::cout << description(options);
       break;
     case Command::version:
       if (root) std::cout << version_text();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/particle_fields.hpp"
 
+#include "output/particle_field_table.hpp"
 #include "shape/kinematics_3d.hpp"
 #include "shape/shape_facts.hpp"
 
@@ -93,28 +94,21 @@ CellsAndSteps::CellsAndSteps(
   }
 }
 
-void CellsAndSteps::append(int p, std::vector<double>& values) const {
-  const auto row = static_cast<std::size_t>(p);
-  if (!cell_size.empty()) values.push_back(cell_size[row]);
-  if (!step_length.empty()) values.push_back(step_length[row]);
+void CellsAndSteps::append_cell_size(int p, std::vector<double>& values) const {
+  if (!cell_size.empty()) values.push_back(cell_size[static_cast<std::size_t>(p)]);
+}
+void CellsAndSteps::append_step_length(int p, std::vector<double>& values) const {
+  if (!step_length.empty()) values.push_back(step_length[static_cast<std::size_t>(p)]);
 }
 
 std::vector<std::string> particle_field_names(
     const MaterialSpec& material, int dimensions, const OptionalFields& optional
 ) {
-  std::vector<std::string> names{"status", "velocity_x", "velocity_y"};
-  if (dimensions == 3) names.emplace_back("velocity_z");
-  for (const char* name : {"stress_xx", "stress_yy", "stress_zz", "stress_xy"})
-    names.emplace_back(name);
-  if (dimensions == 3) names.insert(names.end(), {"stress_yz", "stress_zx"});
-  for (const char* name :
-       {"pressure", "shear_stress", "density", "volume_ratio", "viscous_pressure"})
-    names.emplace_back(name);
-  if (optional.clipped) names.emplace_back("domain_clipped");
-  if (optional.darcy_velocity)
-    for (int d = 0; d < dimensions; ++d) names.push_back(std::string("darcy_velocity_") + "xyz"[d]);
-  if (optional.cell_size) names.emplace_back("cell_size");
-  if (optional.step_length) names.emplace_back("step_length");
+  std::vector<std::string> names;
+  for (const ParticleField& field : particle_field_table()) {
+    if (!field.present(optional)) continue;
+    for (const std::string& name : component_names(field, dimensions)) names.push_back(name);
+  }
   for (const HistoryField& field : material.history_table()) names.emplace_back(field.name);
   return names;
 }
@@ -126,28 +120,8 @@ void append_particle_fields(
     const CellsAndSteps& own,
     std::vector<double>& values
 ) {
-  const Sym3 s = stress_of(particles, p);
-  const double pressure = -trace(s) / 3.0;
-  const Sym3 shear = deviator(s);
-  const double second_invariant = 0.5 * contract(shear, shear);
-  const double density = particles.mass(p, 0) / particles.volume(p, 0);
-  const double alive = 1.0;
-  values.push_back(alive);
-  for (int d = 0; d < particles.dimensions(); ++d) values.push_back(particles.velocity(p, d));
-  values.insert(values.end(), {s.xx, s.yy, s.zz, s.xy});
-  if (particles.dimensions() == 3) values.insert(values.end(), {s.yz, s.zx});
-  values.insert(
-      values.end(),
-      {pressure,
-       std::sqrt(second_invariant),
-       density,
-       reference_density / density,
-       particles.viscous_pressure(p, 0)}
-  );
-  if (particles.clipped.extent(1) > 0) values.push_back(particles.clipped(p, 0));
-  for (std::size_t d = 0; d < particles.darcy_velocity.extent(1); ++d)
-    values.push_back(particles.darcy_velocity(p, d));
-  own.append(p, values);
+  const ParticleRow row{particles, p, reference_density, own, stress_of(particles, p)};
+  for (const ParticleField& field : particle_field_table()) field.read(row, values);
   for (std::size_t c = 0; c < particles.history.extent(1); ++c)
     values.push_back(particles.history(p, c));
 }

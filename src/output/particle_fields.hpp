@@ -40,11 +40,12 @@ struct CellsAndSteps {
   );
   std::vector<double> cell_size, step_length;
 
-  void append(int p, std::vector<double>& values) const;
+  void append_cell_size(int p, std::vector<double>& values) const;
+  void append_step_length(int p, std::vector<double>& values) const;
 };
 
-/// Element variables of a material in files: the common ones, then the optional ones, then the
-/// model's history by its own names.
+/// Element variables of a material in files: those of particle_field_table(), then the model's
+/// history by its own names.
 std::vector<std::string> particle_field_names(
     const MaterialSpec& material, int dimensions, const OptionalFields& optional = {}
 );

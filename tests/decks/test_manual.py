@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 DECKS = pathlib.Path(__file__).resolve().parents[2] / "input_xml"
 # What these hold is in the words of another library.
 ELSEWHERE = {"Belos", "Ifpack2", "MueLu"}
+OUTPUT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "output.md"
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "deck.md"
 
 
@@ -33,6 +34,9 @@ def words_of(parameters):
 
 def main():
     manual = describe("--markdown")
+    page, table = OUTPUT.read_text(), describe("--fields")
+    mine = re.search(r"<!-- words of particles.e -->\n\n(.*?)\n<!-- end of words -->", page, re.DOTALL).group(1)
+    assert mine == table, "the table of particles.e in docs/output.md is old; write it with: barreno describe --fields"
     assert PAGE.read_text() == manual, "docs/deck.md is old; write it with: barreno describe --markdown > docs/deck.md"
     # A list of free name has its entries under "NAME/*"; a model is asked for by its name.
     sections = re.findall(r"^## (?:Model )?([A-Z][A-Za-z -]*)$", manual, re.MULTILINE)

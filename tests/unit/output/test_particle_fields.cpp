@@ -91,8 +91,10 @@ TEST(ParticleFields, SayCellAndStepWhereTheyDiffer) {
   tile_steps.back() = 4e-7;
   const CellsAndSteps own(both, grid, tile_steps, set);
   std::vector<double> values;
-  own.append(0, values);
-  own.append(set.count - 1, values);
+  for (const int p : {0, set.count - 1}) {
+    own.append_cell_size(p, values);
+    own.append_step_length(p, values);
+  }
   const double half = 0.5 * grid.cell_size;
   // The tile of the last particle was not active: the longest step.
   EXPECT_EQ(values, (std::vector<double>{half, 3e-7, half, 4e-7}));
