@@ -18,6 +18,9 @@ using namespace barreno::c_interface;
 
 namespace barreno::c_interface {
 
+/// follow_path.cpp
+int follow_all(const barreno_material* material, const barreno_path& path);
+
 struct StateVariable {
   std::string name, unit, meaning;
   double initial;
@@ -144,6 +147,20 @@ std::string problem_of(const barreno_material* material, const barreno_batch* b)
   return {};
 }
 
+/// The same of a path.
+std::string problem_of(const barreno_material* material, const barreno_path* p) {
+  if (material == nullptr || p == nullptr)
+    return "the material or the path is NULL (was the card opened?).";
+  if (p->count < 0 || p->steps < 0)
+    return "the path has " + std::to_string(p->count) + " points and " + std::to_string(p->steps) +
+           " steps; give 0 or more of each.";
+  if (p->count == 0 || p->steps == 0) return {};
+  if (!p->strain_increment || !p->stress_wanted || !p->stress_old || !p->state_old ||
+      !p->strain_taken || !p->stress || !p->state_new)
+    return "an array of the path is NULL; give strains and stresses, wanted and taken, and states.";
+  return {};
+}
+
 }  // namespace
 
 struct barreno_material {
@@ -241,6 +258,15 @@ int barreno_material_update(const barreno_material* m, const barreno_batch* batc
     }
     const auto step = [&](const auto& model) { return step_points(model, m->file, *batch); };
     return std::visit(step, m->material.model);
+  });
+}
+
+int barreno_material_follow(const barreno_material* m, const barreno_path* path) {
+  return guarded(-1, [&] {
+    const std::string problem = problem_of(m, path);
+    if (problem.empty()) return follow_all(m, *path);
+    set_error(problem);
+    return -1;
   });
 }
 

@@ -5,7 +5,7 @@ import numpy
 from barreno_material import ELASTIC
 
 from barreno_fit.kinds import KINDS
-from barreno_fit.specimens import Specimens, compress, press
+from barreno_fit.specimens import Specimens, press
 
 LARGEST_STEP = 2e-3  # of strain
 PRESS_STEPS, CONFINE_STEPS = 16, 8
@@ -47,26 +47,13 @@ def curve_answers(rock, program):
     specimens = Specimens(rock, len(program.curves))
     if program.confinement.any():
         press(specimens, program.confinement, CONFINE_STEPS)
-    confined = specimens.axial.copy(), specimens.radial.copy()
-    radial = numpy.zeros(len(program.curves))
-    steps = {name: [] for name in ("pressure", "axial_stress", "differential_stress", "radial_stress", "volume_strain", "radial_strain")}
-    before = numpy.zeros(len(program.curves))
-    for axial in program.axial:
-        # A free radial increment goes on as in the step before, as long as the axial one goes on.
-        on = program.free & (axial * before > 0.0)
-        guess = numpy.where(on, radial * axial / numpy.where(before == 0.0, 1.0, before), program.ratio * axial)
-        radial = compress(specimens, axial, guess, program.confinement, program.free)
-        before = axial
-        steps["pressure"].append(specimens.pressure)
-        steps["axial_stress"].append(specimens.axial_stress)
-        steps["radial_stress"].append(specimens.radial_stress)
-        steps["differential_stress"].append(specimens.axial_stress - specimens.radial_stress)
-        strain = specimens.axial - confined[0], specimens.radial - confined[1]
-        steps["radial_strain"].append(strain[1])
-        steps["volume_strain"].append(strain[0] + 2.0 * strain[1])
-    return [
-        {name: numpy.array(steps[name])[program.ends[i], i] for name in test.channels} for i, test in enumerate(program.curves)
-    ]
+    confined = specimens.axial, specimens.radial
+    held = numpy.where(program.free, program.confinement, numpy.nan) + numpy.zeros_like(program.axial)
+    course = specimens.follow(program.axial, program.ratio * program.axial, radial_stress=held)
+    steps = {name: getattr(course, name) for name in ("pressure", "axial_stress", "radial_stress", "differential_stress")}
+    steps["radial_strain"] = course.radial - confined[1]
+    steps["volume_strain"] = course.axial - confined[0] + 2.0 * steps["radial_strain"]
+    return [{name: steps[name][program.ends[i], i] for name in test.channels} for i, test in enumerate(program.curves)]
 
 
 def pressed(rock, test):
@@ -127,25 +114,16 @@ def triaxial_strength(rock, test):
     confinement = test.columns["confinement"]
     specimens = Specimens(rock, test.rows)
     press(specimens, confinement, PRESS_STEPS)
-    largest, free = numpy.zeros(test.rows), numpy.full(test.rows, True)
-    radial, before = numpy.zeros(test.rows), 0.0
-    for step in numpy.diff(test.strain_limit * numpy.linspace(0.0, 1.0, STRENGTH_STEPS + 1) ** 2):
-        axial = numpy.full(test.rows, step)
-        radial = radial * step / before if before else -0.2 * axial
-        before = step
-        radial = compress(specimens, axial, radial, confinement, free)
-        largest = numpy.maximum(largest, specimens.axial_stress - specimens.radial_stress)
-    return {"differential_stress": largest}
+    steps = numpy.diff(test.strain_limit * numpy.linspace(0.0, 1.0, STRENGTH_STEPS + 1) ** 2)
+    axial = numpy.repeat(steps[:, None], test.rows, axis=1)
+    course = specimens.follow(axial, -0.2 * axial, radial_stress=confinement + numpy.zeros_like(axial))
+    return {"differential_stress": course.differential_stress.max(axis=0)}
 
 
 def tensile_strength(rock, test):
-    specimens = Specimens(rock, 1)
-    axial, free = numpy.array([-TENSILE_STRAIN / TENSILE_STEPS]), numpy.array([True])
-    radial, largest = -0.2 * axial, 0.0
-    for _ in range(TENSILE_STEPS):
-        radial = compress(specimens, axial, radial, numpy.zeros(1), free)
-        largest = max(largest, -specimens.axial_stress[0])
-    return {"tensile_strength": numpy.full(test.rows, largest)}
+    axial = numpy.full((TENSILE_STEPS, 1), -TENSILE_STRAIN / TENSILE_STEPS)
+    course = Specimens(rock, 1).follow(axial, -0.2 * axial, radial_stress=numpy.zeros_like(axial))
+    return {"tensile_strength": numpy.full(test.rows, max(0.0, -course.axial_stress.min()))}
 
 
 TABLES = {

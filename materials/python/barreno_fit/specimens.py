@@ -6,20 +6,18 @@ import os
 import tempfile
 
 import numpy
-from barreno_material import CONSISTENT, STRESS, Material
+from barreno_material import STRESS, Material
 
 from barreno_fit.card import text_of
 from barreno_fit.faults import Rejected
 
-EXACT = 1e-7  # of the stress
-ENOUGH = 1e-4  # where Newton's method stalls at a jump of the update
-MOST_STEPS = 60
+MEMORY = "/dev/shm"  # a file of its own for each of thousands of cards
 
 
 @contextlib.contextmanager
 def opened(card, library):
     """The material of a card; Rejected if the library refuses it."""
-    handle, name = tempfile.mkstemp(suffix=".xml", prefix="barreno-fit-")
+    handle, name = tempfile.mkstemp(suffix=".xml", prefix="barreno-fit-", dir=MEMORY if os.access(MEMORY, os.W_OK) else None)
     try:
         with os.fdopen(handle, "w") as file:
             file.write(text_of(card))
@@ -60,14 +58,28 @@ class Specimens:
         strain[:, 1] = strain[:, 2] = -numpy.asarray(radial)
         return self.rock.update(strain, self.stress, self.state, want=want)
 
-    def take(self, answer, axial, radial):
+    def strain_by(self, axial, radial):
+        answer = self.tried(axial, radial)
         if answer.status.any():
             raise Rejected("the stress update fails")
         self.stress, self.state = answer.stress, answer.state
         self.axial, self.radial = self.axial + axial, self.radial + radial
 
-    def strain_by(self, axial, radial):
-        self.take(self.tried(axial, radial), axial, radial)
+    def follow(self, axial, radial, axial_stress=None, radial_stress=None):
+        """Steps of all specimens, arrays (steps, specimens): increments of strain, and the stresses that are held instead of them, nan where
+        none is; an increment is then a first guess. Returns the course of it."""
+        strain, wanted = numpy.zeros((*axial.shape, 6)), numpy.full((*axial.shape, 6), numpy.nan)
+        strain[..., 0], strain[..., 1], strain[..., 2] = -axial, -radial, -radial
+        if axial_stress is not None:
+            wanted[..., 0] = -axial_stress
+        if radial_stress is not None:
+            wanted[..., 1] = wanted[..., 2] = -radial_stress
+        found = self.rock.follow(strain, wanted, self.stress, self.state)
+        if found.status.any():
+            raise Rejected("no strain gives the stress that is asked for")
+        course = Course(found.stress, self.axial - numpy.cumsum(found.strain[..., 0], axis=0), self.radial - numpy.cumsum(found.strain[..., 1], axis=0))
+        self.stress, self.state, self.axial, self.radial = found.stress[-1], found.state, course.axial[-1], course.radial[-1]
+        return course
 
     def of_state(self, name):
         return self.state[:, self.rock.state_index(name)]
@@ -85,72 +97,21 @@ class Specimens:
         return pressure_of(self.stress)
 
 
-def scale_of(answer):
-    return numpy.maximum(numpy.abs(answer.stress).max(axis=1), 1e5)
+class Course:
+    """Stresses and strains from the start of specimens, after each step: arrays (steps, specimens)."""
 
-
-def newton(measure, start, target, free):
-    """Increments of strain that give the targets, where free; elsewhere they stay. Newton's method for each specimen by itself, shortened
-    while a miss grows.
-
-    @param measure  increments -> answer, what is controlled, its slope
-    """
-    weight = free.astype(float)  # no miss where nothing is free
-    x = start
-    answer, value, slope = measure(x)
-    miss = weight * (value - target)
-    size, scale = numpy.abs(miss), scale_of(answer)
-    for _ in range(MOST_STEPS):
-        enough = EXACT * scale
-        if not (size > enough).any():
-            break
-        step = -miss / numpy.where(slope > 0.0, slope, numpy.inf)
-        bound = numpy.maximum(size, enough)  # what is small already may grow within what is enough
-        for _ in range(8):
-            tried = measure(x + step)
-            left = weight * (tried[1] - target)
-            grown = numpy.abs(left)
-            worse = grown > bound
-            if not worse.any():
-                break
-            step = numpy.where(worse, 0.5 * step, step)
-        x = x + step
-        (answer, _, slope), miss, size = tried, left, grown
-        scale = scale_of(answer)
-    if answer.status.any() or not (size <= ENOUGH * scale).all():
-        raise Rejected("no strain gives the stress that is asked for")
-    return answer, x
+    def __init__(self, stress, axial, radial):
+        self.axial, self.radial = axial, radial
+        self.axial_stress = -stress[..., 0]
+        self.radial_stress = -0.5 * (stress[..., 1] + stress[..., 2])
+        self.pressure = -(stress[..., 0] + stress[..., 1] + stress[..., 2]) / 3.0
+        self.differential_stress = self.axial_stress - self.radial_stress
 
 
 def press(specimens, pressure, steps):
-    """Hydrostatic loading to a pressure of each specimen, by isotropic strain."""
+    """Hydrostatic loading to a pressure of each specimen, which carries its own pressure already."""
     begin = specimens.pressure
-    last = numpy.zeros(len(begin))
-
-    def measure(x):
-        answer = specimens.tried(x, x, CONSISTENT)
-        return answer, pressure_of(answer.stress), answer.tangent[:, :3, :3].sum(axis=(1, 2)) / 3.0
-
-    for k in range(1, steps + 1):
-        answer, last = newton(measure, last, begin + (pressure - begin) * k / steps, numpy.full(len(begin), True))
-        specimens.take(answer, last, last)
-
-
-def compress(specimens, axial, radial, confinement, free):
-    """An increment of axial strain; where free, the radial strain is what keeps the confinement.
-
-    @param radial  increments, the first guess where free
-    @return the radial increments
-    """
-
-    def measure(x):
-        answer = specimens.tried(axial, x, CONSISTENT)
-        value = -0.5 * (answer.stress[:, 1] + answer.stress[:, 2])
-        return answer, value, answer.tangent[:, 1, 1] + answer.tangent[:, 1, 2]
-
-    if not free.any():
-        specimens.strain_by(axial, radial)
-        return radial
-    answer, radial = newton(measure, radial, confinement, free)
-    specimens.take(answer, axial, radial)
-    return radial
+    parts = numpy.arange(1, steps + 1)[:, None] / steps
+    pressures = begin + (pressure - begin) * parts
+    none = numpy.zeros_like(pressures)
+    return specimens.follow(none, none, pressures, pressures)
