@@ -174,9 +174,9 @@ class Material:
     def follow(self, strain, wanted, stress, state, dt=1.0):
         """Points along a path of steps in which each component has its strain increment given, or the stress that it reaches.
 
-        strain, wanted  (steps, n, 6): increments, and stresses at the ends of the steps, nan where the increment is given; where a stress is
-        wanted the increment is a first guess. Returns the increments and stresses of the steps (steps, n, 6), the state at the end and the
-        status of each point: NOT_CONVERGED where no strain gives the stress, or the update fails."""
+        strain, wanted  (steps, n, 6): increments, and stresses at the ends of the steps, nan where the increment is given; where a
+        stress is wanted the increment is a first guess. Returns the increments and stresses of the steps (steps, n, 6), the state at
+        the end and the status of each point: NOT_CONVERGED where no strain gives the stress, or the update fails."""
         strain, wanted, stress, state = (numpy.ascontiguousarray(a, dtype=float) for a in (strain, wanted, stress, state))
         steps, count = strain.shape[:2]
         for name, array, shape in (("wanted", wanted, strain.shape), ("stress", stress, (count, 6)), ("state", state, (count, self.state_count))):

@@ -59,7 +59,8 @@ def check_elastic_path(rock):
 
 
 def check_triaxial_path(rock):
-    """Pressed to 20 and 50 MPa, then compressed far beyond yield: held stresses are met, and the strains that were taken give the path again."""
+    """Pressed to 20 and 50 MPa, then compressed far beyond yield: held stresses are met, and the strains that were taken give the path
+    again."""
     pressure, press, steps = numpy.array([20e6, 50e6]), 8, 60
     strain, wanted = numpy.zeros((press + steps, 2, 6)), numpy.full((press + steps, 2, 6), numpy.nan)
     wanted[:press, :, :3] = -pressure[:, None] * (numpy.arange(1, press + 1) / press)[:, None, None]

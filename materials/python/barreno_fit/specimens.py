@@ -66,8 +66,8 @@ class Specimens:
         self.axial, self.radial = self.axial + axial, self.radial + radial
 
     def follow(self, axial, radial, axial_stress=None, radial_stress=None):
-        """Steps of all specimens, arrays (steps, specimens): increments of strain, and the stresses that are held instead of them, nan where
-        none is; an increment is then a first guess. Returns the course of it."""
+        """Steps of all specimens, arrays (steps, specimens): increments of strain, and the stresses that are held instead of them,
+        nan where none is; an increment is then a first guess. Returns the course of it."""
         strain, wanted = numpy.zeros((*axial.shape, 6)), numpy.full((*axial.shape, 6), numpy.nan)
         strain[..., 0], strain[..., 1], strain[..., 2] = -axial, -radial, -radial
         if axial_stress is not None:
