@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages and parts of pages that are made of results files.
+"""Pages, parts of pages and measured numbers of the program that are made of results files.
 
     pages.py            compare them with what verification/results gives; exit code 1 if one differs
     pages.py --write    write them, and draw the pictures of cases anew whose figures have changed
@@ -61,7 +61,8 @@ def with_parts(text):
 def pages():
     """{file: text} of everything that is made of results files."""
     out = {ROOT / "docs" / name: wrapped(text) for name, text in verification_pages.pages().items()}
-    out.update({ROOT / name: wrapped(text) for name, text in page_parts.whole_pages().items()})
+    whole = page_parts.whole_pages().items()
+    out.update({ROOT / name: wrapped(text) if name.endswith(".md") else text for name, text in whole})
     for name in PAGES_WITH_PARTS:
         file = ROOT / name
         if file not in out and "<!-- end of " in file.read_text():

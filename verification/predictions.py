@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cost that `check` predicts against the cost of the run, for shipped decks.
 
-    predictions.py BARRENO [--document] [--only ROW ...]     a table; with --document into docs/cost.md
+    predictions.py BARRENO [--document] [--costs] [--only ROW ...]     a table; with --document into docs/cost.md
 
---only measures these rows alone; with --document the others of docs/cost.md stay as they were measured.
+--only measures these rows alone; the others of docs/cost.md and of the costs stay as they were measured.
 
-Also prints what stress updates cost in the first steps, all particles awake as in the probe of `check`, and over the run, from which
-src/check/cost_growth.hpp has its numbers: scaled by how much slower the rest of a step was then, which other work on the machine makes it.
+Also prints what stress updates cost in the first steps, all particles awake as in the probe of `check`, and over the run. The latter is
+scaled by how much slower the rest of a step was then, which other work on the machine makes it. --costs writes these rows into
+src/measured/update_costs.csv, from which `check` and every run have them. Look at them first, and stop other work on the machine before.
 """
 import argparse
 import json
@@ -19,6 +20,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "tools"), str(HERE)]
 import foreign_python  # noqa: E402, F401
 from runs import DECKS, run_deck  # noqa: E402
+from measured_tables import table  # noqa: E402
 from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "predictions.json"
@@ -61,6 +63,25 @@ VARIANTS = {  # decks with settings of their own; the forms for comparison cost 
 FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact", *(row for row, (deck, _) in VARIANTS.items() if deck == "perforation_quick"))
 COLUMNS = ("deck", "steps, predicted / actual", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / actual")
 
+COSTS = HERE.parent / "src" / "measured" / "update_costs.csv"
+COST_COLUMNS = ("update", "elastic_ns", "running_ns", "early")
+# Row of the costs -> the run that it is measured in. Other rows have the number of one of these (SAME_COST) or do not depend on the state.
+RUN_OF_COST = {
+    "update_stress Arenisca": "perforation_quick",
+    "update_stress Arenisca wet": "perforation_quick, wet",
+    "update_stress Arenisca scattered": "perforation_quick, scattered",
+    "update_stress Arenisca rated": "perforation_quick, rate",
+    "update_stress Arenisca rated wet": "perforation_quick, rate, wet",
+    "update_stress Arenisca angled": "perforation_quick, third invariant",
+    "update_stress Arenisca angled wet": "perforation_quick, third invariant, wet",
+    "update_stress Arenisca general, elastic centre": "perforation_quick, elastic centre, to 12 us",
+    "update_stress Arenisca general, plastic": "perforation_quick, plastic, to 4 us",
+    "update_stress Arenisca general, bisection": "perforation_quick, bisection, to 4 us",
+    "update_stress Johnson-Cook": "taylor_bar",
+}
+SAME_COST = {"update_stress Arenisca general, arenisca3": "update_stress Arenisca general, plastic",
+             "update_stress Johnson-Cook expanded": "update_stress Johnson-Cook"}  # fmt: skip
+
 HEAD = """# Cost of a run, predicted and measured
 
 `barreno check` predicts particle-steps and seconds, and every run compares them with the actual values (`prediction` in `summary.json`, the
@@ -76,7 +97,7 @@ last block on the screen). Measured by `verification/predictions.py build/releas
   A liner that can collapse (no box) forms a jet as fast as the detonation.
 - ns: a probe run takes the first steps of the same scene on one core (40 ms; at most 20000 particles, larger cells beyond that). Mode, shape
   function, transfer, loads and contact are thus those of the run. The stress update of materials that will yield costs more than in the first
-  steps, by the factor in `src/check/cost_growth.hpp`. With `Subcycles`, nodes are solved and cells looked for in every part.
+  steps, by the factor in `src/measured/update_costs.csv`. With `Subcycles`, nodes are solved and cells looked for in every part.
 - Files: 350 ns per particle and instant of `particles.e`, 12 ns per particle and row of `history.csv`.
 - Not included: start-up (0.1 s), implicit solves of the pore flow, waiting of ranks.
 
@@ -118,7 +139,7 @@ def deck_of(name):
 
 
 def growth(barreno, row, whole):
-    """Lines of src/check/cost_growth.hpp from one deck: ns of each stress update in the first hundredth of the run and over all of it."""
+    """{stress update: (ns in the first hundredth of a row's run, ns over all of it)}"""
     deck, settings = deck_of(row)
     value, unit = end_time(deck)
     short = {**settings, "Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s", "Step/Skip Dormant Tiles": "false"}
@@ -127,29 +148,48 @@ def growth(barreno, row, whole):
         for name, phase in run_deck(barreno, f"{deck}.xml", short).summary["phases"].items():
             first[name] = min(first.get(name, 1e9), phase["ns_per_particle_step"])
     slower = whole["project_particles"]["ns_per_particle_step"] / first["project_particles"]
-    return [
-        f'    {{"{name}", {first[name]:.1f}, {phase["ns_per_particle_step"] / slower:.1f}}},  // {row}'
+    return {
+        name: (first[name], phase["ns_per_particle_step"] / slower)
         for name, phase in whole.items()
         if name.startswith("update_stress") and first.get(name, 0.0) > 10.0
-    ]
+    }
+
+
+def with_costs(text, grown):
+    """The file of the costs with what these runs have found; other rows stay. @param grown  {row of TABLE or VARIANTS: growth()}"""
+    lines = text.splitlines()
+    comments = [line for line in lines if line.startswith("#")][:-1]
+    rows = {line.rsplit(",", 3)[0]: line.rsplit(",", 3)[1:] for line in lines if not line.startswith("#")}
+    rows.pop(COST_COLUMNS[0])
+    for cost, run in RUN_OF_COST.items():
+        verb = cost.partition(", ")[0]  # forms of one verb differ by what follows
+        if verb in grown.get(run, {}):
+            rows[cost][:2] = [f"{ns:.1f}" for ns in grown[run][verb]]
+    for cost, other in SAME_COST.items():
+        rows[cost][:2] = rows[other][:2]
+    return table("\n".join(comments), COST_COLUMNS, [(cost, *numbers) for cost, numbers in rows.items()])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
     parser.add_argument("--document", action="store_true")
+    parser.add_argument("--costs", action="store_true")
     parser.add_argument("--only", nargs="+", metavar="ROW", choices=(*TABLE, *VARIANTS), default=())
     options = parser.parse_args()
     barreno = options.barreno.resolve()
-    updates, found = [], {}
+    grown, found = {}, {}
     for row in options.only or (*TABLE, *VARIANTS):
         deck, settings = deck_of(row)
         summary = run_deck(barreno, f"{deck}.xml", settings).summary
         found[row] = compared(summary)
         print(row, found[row], flush=True)
         if row in FLOWING:
-            updates += growth(barreno, row, summary["phases"])
-    print("\n".join(updates))
+            grown[row] = growth(barreno, row, summary["phases"])
+            for name, (first, over) in grown[row].items():
+                print(f"{name}: {first:.1f} ns at first, {over:.1f} ns over the run ({row})", flush=True)
+    if options.costs:
+        COSTS.write_text(with_costs(COSTS.read_text(), grown))
     if options.document:
         everything = {**json.loads(STORED.read_text()), **found}
         STORED.write_text(json.dumps({row: everything[row] for row in (*TABLE, *VARIANTS) if row in everything}, indent=1) + "\n")

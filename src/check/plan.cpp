@@ -142,11 +142,15 @@ bool is_least_cost(const Scene& scene) {
   return std::any_of(
       scene.materials.begin(),
       scene.materials.end(),
-      [](const MaterialSpec& material) { return update_cost(material.material()).is_early; }
+      [](const MaterialSpec& material) {
+        const auto cost = update_cost(material.material());
+        return cost && cost->is_early;
+      }
   );
 }
 
 std::string cost_line(const Scene& scene, const Prediction& cost, int ranks) {
+  if (!cost.unknown.empty()) return "Cost      unknown (" + cost.unknown + ")\n";
   return format(
       "Cost      %s %s of computing on %d rank%s, %.0f ns per particle-step on one core%s\n",
       is_least_cost(scene) ? "at least" : "about",
@@ -213,6 +217,30 @@ std::string depth_error(const Scene& scene) {
   return ", depth " + (doubt.unknown.empty() ? depth_error_text(doubt.error) : "unknown");
 }
 
+namespace {
+
+std::string cost_of_choice(const Prediction& cost) {
+  if (!cost.unknown.empty()) return "cost unknown (" + cost.unknown + ")";
+  return format("%s, %.3g particle-steps", cost_text(cost.seconds).c_str(), cost.particle_steps);
+}
+
+/// Time, and how many steps it takes if that is known.
+std::string time_line(const Scene& scene, const Prediction& cost) {
+  const std::string begin =
+      format("Time      to %g s, first steps of %.3g s: ", scene.end_time, cost.first_step);
+  if (!(cost.steps > 0.0)) return begin + "number of steps unknown\n";
+  const int most = scene.step.subcycles;
+  return begin + format(
+                     "about %.*g steps%s, %.3g particle-steps\n",
+                     cost.steps < 1e9 ? 10 : 3,
+                     cost.steps < 1e9 ? std::round(cost.steps) : cost.steps,
+                     most > 1 ? format(" of %d parts", most).c_str() : "",
+                     cost.particle_steps
+                 );
+}
+
+}  // namespace
+
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
   std::string text =
       "Fidelity  (--fidelity NAME chooses what the deck leaves open. Errors measured in "
@@ -221,14 +249,8 @@ std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene
   for (const std::string& name : fidelity_words()) {
     const Scene scene = scene_with(name);
     const Prediction cost = predict_cost(scene, probe_cost(scene), particle_counts(scene), ranks);
-    text += format(
-        "  %-22s %s, %.3g particle-steps; errors: %s%s\n",
-        name.c_str(),
-        cost_text(cost.seconds).c_str(),
-        cost.particle_steps,
-        fidelity_errors(name).c_str(),
-        depth_error(scene).c_str()
-    );
+    text += format("  %-22s ", name.c_str()) + cost_of_choice(cost) +
+            "; errors: " + fidelity_errors(name) + depth_error(scene) + "\n";
   }
   return text;
 }
@@ -249,8 +271,6 @@ std::string plan_text(
   const std::vector<long long> counts = particle_counts(scene);  // with the whole jet
   const double particles = sum_of(counts);
   const Prediction cost = predict_cost(scene, probe, counts, ranks);
-  const int most = scene.step.subcycles;
-  const std::string parts = most > 1 ? format(" of %d parts", most) : std::string();
   std::string text = scene.title.empty()
                          ? std::string("The deck is valid.\n")
                          : input::on_one_line(scene.title) + "\nThe deck is valid.\n";
@@ -265,15 +285,7 @@ std::string plan_text(
       particles,
       cost.bytes * 1e-6
   );
-  text += format(
-      "Time      to %g s, first steps of %.3g s: about %.*g steps%s, %.3g particle-steps\n",
-      scene.end_time,
-      cost.first_step,
-      cost.steps < 1e9 ? 10 : 3,
-      cost.steps < 1e9 ? std::round(cost.steps) : cost.steps,
-      parts.c_str(),
-      cost.particle_steps
-  );
+  text += time_line(scene, cost);
   text += cost_line(scene, cost, ranks) + files_line(scene, counts, ranks) + step_line(scene) +
           share_line(scene, cost.shares) + jet_lines(scene);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);

@@ -3,7 +3,6 @@
 
 #include "base/process.hpp"
 #include "check/body_steps.hpp"
-#include "check/cost_growth.hpp"
 #include "check/update_row.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/geometry.hpp"
@@ -86,10 +85,12 @@ double instants(const Scene& scene, double interval, double otherwise) {
 }
 
 /// @param particles  that the run has on average
-double written_nanoseconds(const Scene& scene, double particles, double steps) {
+double written_nanoseconds(
+    const Scene& scene, const CostTables& tables, double particles, double steps
+) {
   const double fields = instants(scene, scene.output.field_interval, 1.0) + 1.0;
   const double rows = instants(scene, scene.output.history_interval, steps);
-  return particles * (field_nanoseconds * fields + row_nanoseconds * rows);
+  return particles * (tables.field_nanoseconds * fields + tables.row_nanoseconds * rows);
 }
 
 }  // namespace
@@ -180,28 +181,38 @@ double stable_step_of_scene(const Scene& scene, bool viscous) {
   return damped_step(least, scene.step.damping, scene.step.courant_fraction);
 }
 
-double growth_of(const Scene& scene, const std::string& verb) {
+double growth_of(const Scene& scene, const std::string& verb, const CostTables& tables) {
+  if (!tables.problem.empty()) return 1.0;
   double update = 0.0;  // the most, where materials share a verb
   for (const MaterialSpec& material : scene.materials) {
     if (verb != stress_label(material.material())) continue;
-    const UpdateCost& cost = update_cost(material.material());
-    update = std::max(update, cost.running / cost.elastic);
+    const std::optional<UpdateCost> cost = update_cost(material.material(), tables);
+    if (cost) update = std::max(update, cost->running / cost->elastic);
   }
   if (update > 0.0) return update;
   if (verb == "update_deformation" && scene.grid.mode == Mode::three_dimensional)
-    return growth_of_rotations;
+    return tables.rotations;
   for (const char* reaching : {"project_particles", "interpolate_motion", "update_deformation"})
-    if (verb == reaching && follows_deformation(scene)) return growth_of_domains;
+    if (verb == reaching && follows_deformation(scene)) return tables.domains;
   return 1.0;
+}
+
+std::string why_cost_unknown(const Scene& scene, const CostTables& tables) {
+  if (!tables.problem.empty()) return tables.problem;
+  for (const MaterialSpec& material : scene.materials)
+    if (!update_cost(material.material(), tables))
+      return "the measured numbers of update_costs.csv have no row \"" +
+             update_row(material.material()) + "\"";
+  return {};
 }
 
 namespace {
 
 /// A step, or the part of one of several parts, as the jet and its target allow [time].
-double part_of_step(const Scene& scene, const Probe& probe) {
+double part_of_step(const Scene& scene, const Probe& probe, const CostTables& tables) {
   double dt = stable_step_of_scene(scene, true);
   if (probe.dt > 0.0) dt = std::min(dt, probe.dt);
-  if (scene.jet.present && scene.step.subcycles > 1) dt /= parts_of_flight;
+  if (scene.jet.present && scene.step.subcycles > 1) dt /= tables.parts_of_flight;
   if (scene.step.largest_step > 0.0) dt = std::min(dt, scene.step.largest_step);
   return scene.end_time / steps_of_run(scene, dt);
 }
@@ -225,41 +236,49 @@ bool works_on_nodes(const std::string& verb) {
 struct StepCost {
   double nodes = 0.0, particle = 0.0;  ///< [ns]
 };
-StepCost step_cost(const Scene& scene, const Probe& probe) {
+StepCost step_cost(const Scene& scene, const Probe& probe, const CostTables& tables) {
   StepCost cost;
   if (!(probe.particles > 0.0)) return cost;
   const double whole = 1e9 * probe.seconds / probe.particles;
   if (probe.shares.empty()) cost.particle = whole;
   for (const auto& [verb, share] : probe.shares)
-    (works_on_nodes(verb) ? cost.nodes : cost.particle) += share * growth_of(scene, verb) * whole;
+    (works_on_nodes(verb) ? cost.nodes : cost.particle) +=
+        share * growth_of(scene, verb, tables) * whole;
   return cost;
 }
 
 }  // namespace
 
 Prediction predict_cost(
-    const Scene& scene, const Probe& probe, const std::vector<long long>& counts, int ranks
+    const Scene& scene,
+    const Probe& probe,
+    const std::vector<long long>& counts,
+    int ranks,
+    const CostTables& tables
 ) {
   Prediction prediction;
   prediction.first_step = stable_step_of_scene(scene, false);
-  const double dt = part_of_step(scene, probe);
+  // Every rank holds the program and its libraries; the probe was on this one alone.
+  prediction.bytes =
+      memory_estimate(scene) + peak_resident_bytes() + (ranks - 1) * probe.program_bytes;
+  prediction.unknown = why_cost_unknown(scene, tables);
+  if (!tables.problem.empty()) return prediction;  // steps of a jet in parts are measured too
+  const double dt = part_of_step(scene, probe, tables);
   prediction.steps = scene.end_time / dt / scene.step.subcycles;
   const BodySteps bodies = steps_of_bodies(scene, counts, dt);
   const double of_jet = steps_of_jet(scene, counts, dt);
   prediction.particle_steps = bodies.taken + of_jet;
   prediction.shares = bodies.shares;
-  const StepCost cost = step_cost(scene, probe);
+  if (!prediction.unknown.empty()) return prediction;
+  const StepCost cost = step_cost(scene, probe, tables);
   // Nodes move in every part, and particles are looked for.
-  const double parts = scene.step.subcycles > 1 ? nodes_of_parts * (bodies.awake + of_jet)
+  const double parts = scene.step.subcycles > 1 ? tables.nodes_of_parts * (bodies.awake + of_jet)
                                                 : prediction.particle_steps;
   const double computed = cost.particle * prediction.particle_steps + cost.nodes * parts;
   prediction.nanoseconds = computed / prediction.particle_steps;
   const double particles = (bodies.all + of_jet) * dt / scene.end_time;
-  const double written = written_nanoseconds(scene, particles, prediction.steps);
+  const double written = written_nanoseconds(scene, tables, particles, prediction.steps);
   prediction.seconds = 1e-9 * (computed + written) / ranks;
-  // Every rank holds the program and its libraries; the probe was on this one alone.
-  prediction.bytes =
-      memory_estimate(scene) + peak_resident_bytes() + (ranks - 1) * probe.program_bytes;
   return prediction;
 }
 

@@ -3,7 +3,6 @@
 
 #include "step/particles/update_stress.hpp"
 
-#include <stdexcept>
 #include <variant>
 
 namespace barreno {
@@ -27,11 +26,10 @@ std::string update_row(const Material& material) {
   return stress_label(material) + std::string(law_of(material.model));
 }
 
-const UpdateCost& update_cost(const Material& material) {
-  const std::string row = update_row(material);
-  for (const UpdateCost& cost : update_costs)
-    if (row == cost.verb) return cost;
-  throw std::out_of_range("check/cost_growth.hpp has no row \"" + row + "\"");
+std::optional<UpdateCost> update_cost(const Material& material, const CostTables& tables) {
+  const auto found = tables.updates.find(update_row(material));
+  if (found == tables.updates.end()) return {};
+  return found->second;
 }
 
 }  // namespace barreno

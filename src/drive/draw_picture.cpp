@@ -2,6 +2,7 @@
 #include "drive/draw_picture.hpp"
 
 #include "base/error.hpp"
+#include "files/installed_file.hpp"
 #include "files/text_file.hpp"
 
 #include <barreno/input/scan_xml.hpp>
@@ -48,19 +49,11 @@ Scratch scratch_file(const std::string& picture) {
 }
 
 std::string find_script() {
-  std::vector<fs::path> folders;
-  std::error_code ignored;
-  fs::path folder = fs::canonical("/proc/self/exe", ignored).parent_path();
-  constexpr int deepest = 2;  // bin, or a folder in it
-  for (int i = 0; i < deepest && folder.has_relative_path(); ++i) {
-    folder = folder.parent_path();
-    folders.push_back(folder / BARRENO_TOOLS_IN_PREFIX);
-  }
-  folders.emplace_back(BARRENO_TOOLS_FOLDER);
-  folders.emplace_back(BARRENO_INSTALLED_TOOLS_FOLDER);
-  for (const fs::path& one : folders)
-    if (fs::exists(one / script_name, ignored)) return (one / script_name).string();
-  return {};
+  return installed_file(
+             {BARRENO_TOOLS_IN_PREFIX, BARRENO_TOOLS_FOLDER, BARRENO_INSTALLED_TOOLS_FOLDER},
+             script_name
+  )
+      .string();
 }
 
 /// The one that the user names, or the distribution's own, which has its packages; another one only

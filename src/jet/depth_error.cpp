@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jet/depth_error.hpp"
 
-#include "jet/depth_error_table.hpp"
 #include "jet/path.hpp"
 
 #include <algorithm>
@@ -12,24 +11,26 @@
 namespace barreno {
 namespace {
 
-const MeasuredDepths& finest() {
-  return measured_depths.back();
+const MeasuredDepths& finest(const DepthTables& tables) {
+  return tables.depths.back();
 }
 
-double error_at(const MeasuredDepths& row, std::size_t time) {
-  return row.depth[time] / finest().depth[time] - 1.0;
+double error_at(const DepthTables& tables, const MeasuredDepths& row, std::size_t time) {
+  return row.depth[time] / finest(tables).depth[time] - 1.0;
 }
 
 /// Error of one row along the path, linear between its measurements.
 /// @param depth  in tip radii, as a run with these cells has it, or as estimated
-double error_along(const MeasuredDepths& row, double depth, DepthOf whose) {
+double error_along(
+    const DepthTables& tables, const MeasuredDepths& row, double depth, DepthOf whose
+) {
   double last_depth = 0.0, last = 0.0;
   bool first = true;
-  for (std::size_t t = 0; t < measured_times.size(); ++t) {
+  for (std::size_t t = 0; t < tables.times.size(); ++t) {
     if (row.depth[t] == 0.0) continue;
     const double here =
-        (whose == DepthOf::run ? row.depth[t] : estimated_depths[t]) / measured_radius;
-    const double error = error_at(row, t);
+        (whose == DepthOf::run ? row.depth[t] : tables.estimated[t]) / measured_radius;
+    const double error = error_at(tables, row, t);
     if (depth <= here)
       return first ? error : last + (error - last) * (depth - last_depth) / (here - last_depth);
     last_depth = here;
@@ -40,24 +41,24 @@ double error_along(const MeasuredDepths& row, double depth, DepthOf whose) {
 }
 
 /// How far the finest row is from half its cells, the most where that was measured.
-double doubt() {
+double doubt(const DepthTables& tables) {
   double most = 0.0;
-  for (std::size_t t = 0; t < measured_times.size(); ++t)
-    if (finest_depths[t] > 0.0)
-      most = std::max(most, std::abs(finest().depth[t] / finest_depths[t] - 1.0));
+  for (std::size_t t = 0; t < tables.times.size(); ++t)
+    if (tables.finest[t] > 0.0)
+      most = std::max(most, std::abs(finest(tables).depth[t] / tables.finest[t] - 1.0));
   return most;
 }
 
 /// All errors that were measured with the cells of a row.
-DepthError row_error(std::size_t index, double depth, DepthOf whose) {
-  const MeasuredDepths& row = measured_depths[index];
+DepthError row_error(const DepthTables& tables, std::size_t index, double depth, DepthOf whose) {
+  const MeasuredDepths& row = tables.depths[index];
   DepthError error{
-      error_along(row, depth, whose), steady_errors[index].low, steady_errors[index].high};
-  if (index + 1 == measured_depths.size()) return {0.0, -doubt(), doubt()};
-  for (std::size_t t = 0; t < measured_times.size(); ++t) {
+      error_along(tables, row, depth, whose), tables.steady[index].low, tables.steady[index].high};
+  if (index + 1 == tables.depths.size()) return {0.0, -doubt(tables), doubt(tables)};
+  for (std::size_t t = 0; t < tables.times.size(); ++t) {
     if (row.depth[t] == 0.0) continue;
-    error.low = std::min(error.low, error_at(row, t));
-    error.high = std::max(error.high, error_at(row, t));
+    error.low = std::min(error.low, error_at(tables, row, t));
+    error.high = std::max(error.high, error_at(tables, row, t));
   }
   return error;
 }
@@ -95,19 +96,21 @@ std::string number(const char* pattern, double x) {
 const char* const depth_error_source =
     "measured with tungsten jets in dry Berea sandstone (docs/trade.md)";
 
-CellRange measured_cells() {
-  return {steady_errors.front().cells_per_radius, steady_errors.back().cells_per_radius};
+CellRange measured_cells(const DepthTables& tables) {
+  return {tables.steady.front().cells_per_radius, tables.steady.back().cells_per_radius};
 }
 
-DepthError measured_depth_error(double cells_per_radius, double depth_over_radius, DepthOf whose) {
+DepthError measured_depth_error(
+    const DepthTables& tables, double cells_per_radius, double depth_over_radius, DepthOf whose
+) {
   std::size_t upper = 1;
-  while (upper + 1 < steady_errors.size() &&
-         cells_per_radius > steady_errors[upper].cells_per_radius)
+  while (upper + 1 < tables.steady.size() &&
+         cells_per_radius > tables.steady[upper].cells_per_radius)
     ++upper;
-  const DepthError coarse = row_error(upper - 1, depth_over_radius, whose);
-  const DepthError fine = row_error(upper, depth_over_radius, whose);
-  const double from = std::log(steady_errors[upper - 1].cells_per_radius);
-  const double to = std::log(steady_errors[upper].cells_per_radius);
+  const DepthError coarse = row_error(tables, upper - 1, depth_over_radius, whose);
+  const DepthError fine = row_error(tables, upper, depth_over_radius, whose);
+  const double from = std::log(tables.steady[upper - 1].cells_per_radius);
+  const double to = std::log(tables.steady[upper].cells_per_radius);
   const double part = (std::log(cells_per_radius) - from) / (to - from);
   const auto between = [&](double a, double b) { return a + part * (b - a); };
   return {
@@ -119,31 +122,33 @@ DepthError measured_depth_error(double cells_per_radius, double depth_over_radiu
 namespace {
 
 /// What shorter or longer slugs change, with the n-th of length_error_cells.
-double change_by_length(std::size_t n, double length_over_radius) {
-  const auto error = [&](std::size_t i) { return length_errors[i].error[n]; };
-  const auto place = [](std::size_t i) { return std::log(length_errors[i].length_over_radius); };
-  const double last = place(length_errors.size() - 1);
+double change_by_length(const DepthTables& tables, std::size_t n, double length_over_radius) {
+  const auto error = [&](std::size_t i) { return tables.lengths[i].error[n]; };
+  const auto place = [&](std::size_t i) { return std::log(tables.lengths[i].length_over_radius); };
+  const double last = place(tables.lengths.size() - 1);
   const double at = std::clamp(std::log(length_over_radius), place(0), last);
   std::size_t upper = 1;
-  while (upper + 1 < length_errors.size() && at > place(upper)) ++upper;
+  while (upper + 1 < tables.lengths.size() && at > place(upper)) ++upper;
   const double part = (at - place(upper - 1)) / (place(upper) - place(upper - 1));
-  return error(upper - 1) + part * (error(upper) - error(upper - 1)) - error(measured_length);
+  return error(upper - 1) + part * (error(upper) - error(upper - 1)) - error(tables.own_length);
 }
 
 }  // namespace
 
-double shortest_measured_length() {
+double shortest_measured_length(const DepthTables& tables) {
   constexpr double round_off = 1e-3;  // of a table's digits
-  return length_errors.front().length_over_radius * (1.0 - round_off);
+  return tables.lengths.front().length_over_radius * (1.0 - round_off);
 }
 
-DepthError with_length(DepthError error, double cells_per_radius, double length_over_radius) {
+DepthError with_length(
+    const DepthTables& tables, DepthError error, double cells_per_radius, double length_over_radius
+) {
   // Cells that are still smaller leave nothing to change.
-  const double from = std::log(length_error_cells[0]), to = std::log(length_error_cells[1]);
+  const double from = std::log(tables.length_cells[0]), to = std::log(tables.length_cells[1]);
   const double at = std::max(from, std::log(cells_per_radius));
-  const double coarse = change_by_length(0, length_over_radius);
-  const double fine = change_by_length(1, length_over_radius);
-  const double end = std::log(measured_cells().most);
+  const double coarse = change_by_length(tables, 0, length_over_radius);
+  const double fine = change_by_length(tables, 1, length_over_radius);
+  const double end = std::log(measured_cells(tables).most);
   const double change = at <= to ? coarse + (at - from) / (to - from) * (fine - coarse)
                                  : fine * std::max(0.0, (end - at) / (end - to));
   return {
@@ -152,14 +157,16 @@ DepthError with_length(DepthError error, double cells_per_radius, double length_
       std::max(error.high, error.high + change)};
 }
 
-MeasuredReach measured_reach() {
-  return {finest().depth.back() / measured_radius, measured_times.back()};
+MeasuredReach measured_reach(const DepthTables& tables) {
+  return {finest(tables).depth.back() / measured_radius, tables.times.back()};
 }
 
-std::string why_reach_unknown(double time, double radius, double velocity, double depth) {
+std::string why_reach_unknown(
+    const DepthTables& tables, double time, double radius, double velocity, double depth
+) {
   if (!is_near(velocity / measured_velocity))
     return "it was measured with a tip of " + number("%g m/s only", measured_velocity);
-  const MeasuredReach reach = measured_reach();
+  const MeasuredReach reach = measured_reach(tables);
   // A time that a step has met is not met to the last digit, and finer cells go a little deeper.
   constexpr double round_off = 1e-6, finer = 1.05;
   const double scale = radius / measured_radius * measured_velocity / velocity;
@@ -175,7 +182,10 @@ std::string why_reach_unknown(double time, double radius, double velocity, doubl
 /// with 1.4, where it is 7 % (docs/verification/fidelities.md).
 constexpr double fewest_cells_of_one = 1.8;
 
-std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius) {
+std::string why_depth_error_unknown(
+    const DepthTables& tables, const Scene& scene, double cells_per_radius
+) {
+  if (!tables.problem.empty()) return tables.problem;
   if (scene.grid.mode == Mode::plane_strain) return "it was measured with round jets only";
   if (scene.grid.mode == Mode::three_dimensional) return "it was measured in axisymmetry only";
   if (scene.jet.kind != JetKind::discrete) return "it was measured with discrete jets only";
@@ -190,7 +200,7 @@ std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius)
   if (!is_measured_pair(jet, target))
     return "it was measured with tungsten in dry Berea sandstone only, not with " + jet.name() +
            " in " + target.name();
-  const CellRange range = measured_cells();
+  const CellRange range = measured_cells(tables);
   // A table's last digit must not decide.
   constexpr double round_off = 1e-6;
   if (cells_per_radius < range.fewest * (1.0 - round_off) ||

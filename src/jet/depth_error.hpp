@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "jet/depth_tables.hpp"
 #include "scene/scene.hpp"
 
 #include <string>
@@ -16,26 +17,32 @@ struct DepthError {
 /// Whose depth it is that an error is asked for.
 enum class DepthOf { run, estimate };
 
-/// By interpolation in depth_error_table.hpp: between cells over their logarithm, along the path
+/// By interpolation in tables without a problem: between cells over their logarithm, along the path
 /// over depth in radii; deeper than measured it is that of the deepest.
-/// @param cells_per_radius  of the thinnest part of the jet at impact; inside of measured_cells()
+/// @param cells_per_radius  of the thinnest part of the jet at impact; inside of
+/// measured_cells(tables)
 /// @param depth_over_radius  depth in radii of that part
 DepthError measured_depth_error(
-    double cells_per_radius, double depth_over_radius, DepthOf whose = DepthOf::run
+    const DepthTables& tables,
+    double cells_per_radius,
+    double depth_over_radius,
+    DepthOf whose = DepthOf::run
 );
 
 /// The same of slugs that are longer or shorter than those of perforation.xml, beside their radius;
 /// longer than measured they count as the longest.
-/// @param length_over_radius  of the thinnest part, at least shortest_measured_length()
-DepthError with_length(DepthError error, double cells_per_radius, double length_over_radius);
+/// @param length_over_radius  of the thinnest part, at least shortest_measured_length(tables)
+DepthError with_length(
+    const DepthTables& tables, DepthError error, double cells_per_radius, double length_over_radius
+);
 /// In radii.
-double shortest_measured_length();
+double shortest_measured_length(const DepthTables& tables);
 
 struct CellRange {
   double fewest, most;
 };
 /// Cells per radius that were measured.
-CellRange measured_cells();
+CellRange measured_cells(const DepthTables& tables);
 
 /// The deepest that was measured, and the latest: no error is known beyond either. Depths and times
 /// scale with the jet's radius.
@@ -43,17 +50,21 @@ struct MeasuredReach {
   double depth_over_radius;
   double time;  ///< of a jet with the measured radius and tip velocity [time]
 };
-MeasuredReach measured_reach();
+MeasuredReach measured_reach(const DepthTables& tables);
 
 /// Why the measurements say nothing of a time or depth; empty if they do.
 /// @param time  since the first slug was launched
 /// @param radius, velocity  of the thinnest part that digs, and of the tip
 /// @param depth  that a run has; 0: none yet
-std::string why_reach_unknown(double time, double radius, double velocity, double depth);
+std::string why_reach_unknown(
+    const DepthTables& tables, double time, double radius, double velocity, double depth
+);
 
-/// Why the measurements say nothing of this scene; empty if they do. They are of a round tungsten
-/// jet in dry sandstone, axisymmetric, with FLIP.
-std::string why_depth_error_unknown(const Scene& scene, double cells_per_radius);
+/// Why the measurements say nothing of this scene, or are not there; empty if they do. They are of
+/// a round tungsten jet in dry sandstone, axisymmetric, with FLIP.
+std::string why_depth_error_unknown(
+    const DepthTables& tables, const Scene& scene, double cells_per_radius
+);
 
 /// The error in words, "-14 % (-15 to -3 %)".
 std::string depth_error_text(const DepthError& error);

@@ -120,7 +120,7 @@ SlugCells slug_cells(const Scene& scene, double JetSlug::*length) {
   return result;
 }
 
-DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
+DepthDoubt depth_doubt(const Scene& scene, double time, double depth, const DepthTables& tables) {
   const JetEstimate estimate = estimate_jet(scene, time);
   DepthDoubt doubt;
   doubt.cells_per_radius = estimate.thinnest / cell_size_of_path(scene);
@@ -129,19 +129,21 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth) {
     doubt.unknown = "the jet does not reach a target by then";
     return doubt;
   }
-  doubt.unknown = why_depth_error_unknown(scene, doubt.cells_per_radius);
+  doubt.unknown = why_depth_error_unknown(tables, scene, doubt.cells_per_radius);
   const double shape = estimate.length / estimate.thinnest;
-  if (doubt.unknown.empty() && shape < shortest_measured_length())
+  if (doubt.unknown.empty() && shape < shortest_measured_length(tables))
     doubt.unknown = "it was measured with slugs that are at least half as long as their radius";
   if (doubt.unknown.empty()) {
     const JetSlug& tip = scene.jet.slugs.front();
-    doubt.unknown = why_reach_unknown(time - tip.time, estimate.thinnest, tip.velocity, depth);
+    doubt.unknown =
+        why_reach_unknown(tables, time - tip.time, estimate.thinnest, tip.velocity, depth);
   }
   if (!doubt.unknown.empty()) return doubt;
   const DepthOf whose = depth > 0.0 ? DepthOf::run : DepthOf::estimate;
   const double reached = whose == DepthOf::run ? depth : estimate.depth;
-  doubt.error = measured_depth_error(doubt.cells_per_radius, reached / estimate.thinnest, whose);
-  doubt.error = with_length(doubt.error, doubt.cells_per_radius, shape);
+  doubt.error =
+      measured_depth_error(tables, doubt.cells_per_radius, reached / estimate.thinnest, whose);
+  doubt.error = with_length(tables, doubt.error, doubt.cells_per_radius, shape);
   return doubt;
 }
 

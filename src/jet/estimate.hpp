@@ -39,7 +39,9 @@ struct DepthDoubt {
   DepthError error;
 };
 /// @param depth  that a run has found; 0: as estimated
-DepthDoubt depth_doubt(const Scene& scene, double time, double depth = 0.0);
+DepthDoubt depth_doubt(
+    const Scene& scene, double time, double depth = 0.0, const DepthTables& tables = depth_tables()
+);
 
 /// Of a run. Nothing is known of a jet that is through its target.
 DepthDoubt depth_doubt(const Scene& scene, double time, const Penetration& found);

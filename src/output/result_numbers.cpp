@@ -92,6 +92,8 @@ std::vector<std::string> result_numbers(
           1e-6 * summary.peak_resident_bytes
       )
   );
+  if (!prediction.unknown.empty())
+    lines.push_back("predicted: unknown (" + prediction.unknown + ")");
   if (prediction.seconds > 0.0)
     lines.push_back(
         "predicted: " + cost_text(prediction.seconds) +

@@ -107,7 +107,7 @@ void put_step_shares(Json& json, double cell_size, const StepShares& shares) {
 /// What was expected before the run, beside what came.
 void put_prediction(Json& json, const RunDescription& run, const RunSummary& summary) {
   json["cpu_seconds"] = number(summary.cpu_seconds);
-  if (!(run.prediction.seconds > 0.0)) return;  // a resumed run has none
+  if (!(run.prediction.seconds > 0.0)) return;  // a resumed run has none, nor one of unknown cost
   Json& expected = json["prediction"];
   expected["steps"] = number(run.prediction.steps);
   expected["particle_steps"] = number(run.prediction.particle_steps);

@@ -21,7 +21,7 @@ SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
 COMMANDS = ("run", "resume", "check", "report", "film", "join", "converge", "sweep", "compare", "drive", "fit", "import-ups", "describe")
 FILES = ("libexec/barreno/barreno", "include/barreno_material.h", "share/barreno/commands.sh", "share/barreno/cards/berea_sandstone.xml",
          "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno_report/__main__.py",
-         "share/barreno/python/barreno_fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/doc/barreno/LICENSE",
+         "share/barreno/python/barreno_fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/barreno/measured/update_costs.csv", "share/barreno/measured/depths_of_cells.csv", "share/doc/barreno/LICENSE",
          "share/doc/barreno/docs/deck.md", "share/man/man1/barreno.1", "share/bash-completion/completions/barreno")  # fmt: skip
 
 
@@ -101,6 +101,20 @@ def check_runs(here):
     path = here.deck("paths/uniaxial_berea.csv")
     here.barreno("drive", "--material", "berea_sandstone", "--path", path, "--out", "answer.csv", "--plot", "answer.png")
     assert (here.folder / "answer.png").is_file()
+
+
+def check_measured(here):
+    """Costs and errors of depths come from the files of this prefix; where one is broken they are unknown, and the program says why."""
+    quick, measured = here.deck("perforation_quick.xml"), here.prefix / "share" / "barreno" / "measured"
+    said = here.barreno("check", quick)
+    assert "\nCost      about " in said and "unknown" not in said, said
+    for name, row, lost in (("update_costs.csv", "update_stress Arenisca,", "\nCost      unknown (the measured numbers of "),
+                            ("steady_errors.csv", "Berea sandstone,1,", "unknown (the measured numbers of ")):  # fmt: skip
+        text = (measured / name).read_text()
+        (measured / name).write_text("".join(line for line in text.splitlines(keepends=True) if not line.startswith(row)))
+        said = here.barreno("check", quick)
+        assert f"{lost}'{measured / name}' cannot be used: it does not end with" in said, said
+        (measured / name).write_text(text)
 
 
 def job_script(here, system):
@@ -186,7 +200,7 @@ def main():
     cmake, build = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     with tempfile.TemporaryDirectory() as name:
         here = install(cmake, build, pathlib.Path(name).resolve())
-        for check in (check_words, check_runs, check_slurm, check_pbs, check_python, check_manual):
+        for check in (check_words, check_runs, check_measured, check_slurm, check_pbs, check_python, check_manual):
             check(here)
     print("the installation does what the source tree does")
 

@@ -10,6 +10,7 @@ import feature_cost
 import figures_page
 import fit_berea
 import many_ranks
+import measured_tables
 import off_costs
 import paper_parts
 import predictions
@@ -71,4 +72,5 @@ def whole_pages():
         "docs/cost.md": predictions.stored_page(),
         "docs/materials/arenisca_cost.md": solver_cost.stored_page(),
         "docs/materials/arenisca_forms_cost.md": feature_cost.stored_page(),
+        **measured_tables.files(),
     }

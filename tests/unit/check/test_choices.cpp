@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/format.hpp"
 #include "check/choices.hpp"
-#include "check/cost_growth.hpp"
+#include "check/cost_tables.hpp"
 #include "check/feature_table.hpp"
 #include "check/jet_note.hpp"
 #include "check/locking_note.hpp"
@@ -132,9 +132,9 @@ TEST(PredictCost, KnowsWhatGrowsOverARun) {
   scene.materials.push_back(testing::copper());
   EXPECT_GT(growth_of(scene, "update_stress Johnson-Cook"), 1.0);
   scene.step.shape = "CPDI";
-  EXPECT_EQ(growth_of(scene, "project_particles"), growth_of_domains);
+  EXPECT_EQ(growth_of(scene, "project_particles"), cost_tables().domains);
   scene.grid.mode = Mode::three_dimensional;
-  EXPECT_EQ(growth_of(scene, "update_deformation"), growth_of_rotations);
+  EXPECT_EQ(growth_of(scene, "update_deformation"), cost_tables().rotations);
 }
 
 TEST(ProbeCost, TakesFirstStepsAndSharesThemAmongVerbs) {

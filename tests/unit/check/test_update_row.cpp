@@ -5,7 +5,6 @@
 
 #include <barreno/registry.hpp>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -18,8 +17,7 @@ namespace {
 /// Rows of the table whose verb is this one, whichever law of the form they are for.
 int rows_of_verb(const std::string& verb) {
   int count = 0;
-  for (const UpdateCost& cost : update_costs) {
-    const std::string row = cost.verb;
+  for (const auto& [row, cost] : cost_tables().updates) {
     if (row == verb || row.rfind(verb + ", ", 0) == 0) ++count;
   }
   return count;
@@ -36,12 +34,12 @@ TEST(UpdateRow, EveryFormHasOne) {
     EXPECT_GE(rows_of_verb(verb), 1) << verb;
 }
 
-TEST(UpdateRow, NoneStandsTwiceOrCostsNothing) {
-  std::set<std::string> rows;
-  for (const UpdateCost& cost : update_costs) {
-    EXPECT_TRUE(rows.insert(cost.verb).second) << cost.verb;
-    EXPECT_GT(cost.elastic, 0.0) << cost.verb;
-    EXPECT_GE(cost.running, cost.elastic) << cost.verb;
+TEST(UpdateRow, NoneCostsNothing) {
+  EXPECT_EQ(cost_tables().problem, "");
+  EXPECT_GT(cost_tables().updates.size(), 10U);
+  for (const auto& [row, cost] : cost_tables().updates) {
+    EXPECT_GT(cost.elastic, 0.0) << row;
+    EXPECT_GE(cost.running, cost.elastic) << row;
   }
 }
 
@@ -54,8 +52,8 @@ Teuchos::ParameterList sandstone() {
 
 std::string growing_row(const Teuchos::ParameterList& card) {
   const Material rock = make_material("sandstone", card);
-  const UpdateCost& cost = update_cost(rock);
-  EXPECT_GT(cost.running, cost.elastic) << update_row(rock);
+  const std::optional<UpdateCost> cost = update_cost(rock);
+  EXPECT_TRUE(cost && cost->running > cost->elastic) << update_row(rock);
   return update_row(rock);
 }
 
