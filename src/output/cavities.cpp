@@ -2,6 +2,7 @@
 #include "output/cavities.hpp"
 
 #include "base/region.hpp"
+#include "deck/sections/load_traits.hpp"
 #include "step/loads/load_pressures.hpp"
 
 namespace barreno {
@@ -9,7 +10,7 @@ namespace barreno {
 std::vector<int> pore_fluids(const Scene& scene) {
   std::vector<int> fluids;
   for (std::size_t l = 0; l < scene.loads.size(); ++l)
-    if (scene.loads[l].kind == LoadKind::pore_fluid) fluids.push_back(static_cast<int>(l));
+    if (traits_of(scene.loads[l].kind).fills_hollow) fluids.push_back(static_cast<int>(l));
   return fluids;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/dormant.hpp"
 
+#include "deck/sections/load_traits.hpp"
+
 #include <algorithm>
 
 namespace barreno {
@@ -8,7 +10,7 @@ namespace {
 
 /// The force of a load on a particle at rest does not change as time goes on.
 bool is_steady(const PressureLoadSpec& load) {
-  return load.kind != LoadKind::pore_fluid && load.pressure.time.size() <= 1;
+  return traits_of(load.kind).steady && load.pressure.time.size() <= 1;
 }
 
 }  // namespace

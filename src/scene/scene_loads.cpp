@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
+#include "deck/sections/load_traits.hpp"
 #include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
 #include "scene/load_tables.hpp"
@@ -192,13 +193,13 @@ namespace {
 void preload(const Deck& deck, Scene& scene, int body, Face face, double pressure) {
   for (PressureLoadSpec& load : scene.loads) {
     if (load.body != body || !load.faces[static_cast<std::size_t>(face)]) continue;
-    const bool absorbs = load.kind == LoadKind::non_reflecting;
-    if (!absorbs || has_pressure(deck, list_of<PressureLoadSpec>(load.name))) {
+    const bool may_have_one = traits_of(load.kind).preload;
+    if (!may_have_one || has_pressure(deck, list_of<PressureLoadSpec>(load.name))) {
       deck.refuse_value(
           path_of(&ConfinementSection::bodies),
           "acts on a face of '" + scene.bodies[static_cast<std::size_t>(body)].name +
               "' that another load acts on (the body would not start in equilibrium); remove the " +
-              (absorbs ? "load's pressure" : "load")
+              (may_have_one ? "load's pressure" : "load")
       );
     }
     load.pressure = {{0.0}, {pressure}};

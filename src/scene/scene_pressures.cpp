@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
+#include "deck/sections/load_traits.hpp"
 #include "scene/load_tables.hpp"
 #include "scene/scene_parts.hpp"
 
@@ -28,7 +29,7 @@ void read_faces(const Deck& deck, const Scene& scene, PressureLoadSpec& load) {
   const std::string entry = path_of(&PressureLoadSpec::faces, load.name);
   refuse_foreign(deck, path_of(&PressureLoadSpec::surfaces, load.name), "a box");
   require(deck, entry, "a load on a box");
-  if (load.kind == LoadKind::pore_fluid)
+  if (!traits_of(load.kind).on_faces)
     deck.refuse_value(
         path_of(&PressureLoadSpec::body, load.name),
         "names a box, which has no hollow for a pore fluid; choose a hollow ball"
@@ -45,8 +46,8 @@ void read_surfaces(const Deck& deck, const Scene& scene, const Ball& ball, Press
   const std::string body = path_of(&PressureLoadSpec::body, load.name);
   const std::string surfaces = path_of(&PressureLoadSpec::surfaces, load.name);
   refuse_foreign(deck, path_of(&PressureLoadSpec::faces, load.name), "a ball");
-  const bool fluid = load.kind == LoadKind::pore_fluid;
-  if (load.kind == LoadKind::non_reflecting)
+  const bool fluid = traits_of(load.kind).fills_hollow;
+  if (!traits_of(load.kind).on_surfaces)
     deck.refuse_value(
         body, "names a ball, but only the faces of boxes can be non-reflecting; choose a box"
     );
@@ -71,9 +72,9 @@ void read_surfaces(const Deck& deck, const Scene& scene, const Ball& ball, Press
 /// that of the confinement.
 void read_amount(const Deck& deck, const std::string& path, PressureLoadSpec& load) {
   const std::string modulus = path_of(&PressureLoadSpec::bulk_modulus, load.name);
-  if (load.kind != LoadKind::pore_fluid) {
+  if (!traits_of(load.kind).fills_hollow) {
     refuse_foreign(deck, modulus, "this Kind (it is a pore fluid's)");
-    if (load.kind == LoadKind::pressure || has_pressure(deck, path))
+    if (!traits_of(load.kind).preload || has_pressure(deck, path))
       load.pressure = read_pressure(deck, path);
     return;
   }

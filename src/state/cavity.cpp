@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/cavity.hpp"
 
+#include "deck/sections/load_traits.hpp"
 #include "state/surface_share.hpp"
 
 namespace barreno {
@@ -9,7 +10,7 @@ std::vector<Cavity> make_cavities(const Scene& scene) {
   std::vector<Cavity> cavities(scene.loads.size());
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     const PressureLoadSpec& load = scene.loads[l];
-    if (load.kind != LoadKind::pore_fluid) continue;
+    if (!traits_of(load.kind).fills_hollow) continue;
     const BodySpec& body = scene.bodies[static_cast<std::size_t>(load.body)];
     const Ball& ball = std::get<Ball>(body.shape);
     const double volume = cavity_volume(ball, scene.grid);

@@ -2,6 +2,7 @@
 #include "state/load_table.hpp"
 
 #include "base/view_of.hpp"
+#include "deck/sections/load_traits.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ void for_each_loaded_face(const Scene& scene, int body, Visitor&& visit) {
 LoadTable make_load_table(const Scene& scene) {
   std::vector<AppliedLoad> loads;
   for (const PressureLoadSpec& load : scene.loads)
-    loads.push_back({0.0, load.kind == LoadKind::non_reflecting, is_on_surfaces(load)});
+    loads.push_back({0.0, traits_of(load.kind).absorbs, is_on_surfaces(load)});
   std::vector<LoadedFace> faces;
   std::vector<int> first;
   for (int body = 0; body <= static_cast<int>(scene.bodies.size()); ++body) {

@@ -2,6 +2,7 @@
 #include "state/particles.hpp"
 
 #include "base/rows.hpp"
+#include "deck/sections/load_traits.hpp"
 #include "scene/body_force.hpp"
 #include "scene/explosive_traits.hpp"
 #include "scene/heat.hpp"
@@ -50,9 +51,7 @@ void add_load_fields(const Scene& scene, int material, Particles& p) {
   namespace dim = dimension;
   const int d = dimensions(scene.grid.mode);
   const auto any = [](const PressureLoadSpec&) { return true; };
-  const auto absorbs = [](const PressureLoadSpec& load) {
-    return load.kind == LoadKind::non_reflecting;
-  };
+  const auto absorbs = [](const PressureLoadSpec& load) { return traits_of(load.kind).absorbs; };
   const bool on_surfaces = has_loads(scene, material, is_on_surfaces);
   p.loaded_faces = {"loaded_faces", dim::none, has_loads(scene, material, any) ? 1 : 0, {}};
   p.surface_share = {"surface_share", dim::none, on_surfaces ? 2 * (1 + d) : 0, {}};

@@ -4,11 +4,10 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "base/row_sum.hpp"
-#include "shape/patch_frame.hpp"
-#include "shape/visit_kernels.hpp"
 #include "state/material_point.hpp"
 #include "state/shape_fields.hpp"
 #include "step/loads/face_force.hpp"
+#include "step/loads/loaded_sets.hpp"
 
 #include <barreno/models.hpp>
 #include <barreno/tangent.hpp>
@@ -63,11 +62,12 @@ void find_shear_moduli(
 
 /// The loaded faces of one set of particles.
 template <class M, class S>
-struct FaceLoads {
-  PatchFrame<M::dimensions> frame;
-  LoadTable loads;
-  Particles particles;
-  Nodes nodes;
+struct FaceLoads : LoadedSet<M, S> {
+  using Set = LoadedSet<M, S>;
+  using Set::frame;
+  using Set::loads;
+  using Set::nodes;
+  using Set::particles;
 
   /// visit(row, face, load) for those in a tile.
   template <class Visitor>
@@ -114,14 +114,6 @@ struct ProjectLoads {
   }
 };
 
-struct LoadTally {
-  ReproducibleSum work, impulse;
-};
-KOKKOS_INLINE_FUNCTION void add(const LoadTally& part, LoadTally& sum) {
-  sum.work += part.work;
-  sum.impulse += part.impulse;
-}
-
 template <class M, class S>
 struct TallyLoads {
   FaceLoads<M, S> faces;
@@ -154,36 +146,15 @@ struct TallyLoads {
   }
 };
 
-/// visit(loaded faces of a set) for every set that has some.
-template <class Visitor>
-void for_each_loaded_set(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    Visitor&& visit
-) {
-  visit_kernels(grid, [&](auto mode, auto shape) {
-    using M = decltype(mode);
-    for (const Particles& particles : sets)
-      if (!particles.rigid && particles.loaded_faces.components > 0)
-        visit(FaceLoads<M, decltype(shape)>{
-            PatchFrame<M::dimensions>(grid),
-            loads,
-            particles,
-            nodes[static_cast<std::size_t>(particles.field)]});
-  });
-}
-
 template <class M, class S>
-void launch_projection(int tiles, const FaceLoads<M, S>& faces) {
-  launch("project_loads", range(tiles), ProjectLoads<M, S>{faces});
+void launch_projection(int tiles, const LoadedSet<M, S>& set) {
+  launch("project_loads", range(tiles), ProjectLoads<M, S>{{set}});
 }
 template <class M, class S>
-LoadTally launch_tally(int tiles, const FaceLoads<M, S>& faces, const Dormancy& dormancy) {
+LoadTally launch_tally(int tiles, const LoadedSet<M, S>& set, const Dormancy& dormancy) {
   LoadTally tally;
   launch_reduction(
-      "tally_loads", range(tiles), TallyLoads<M, S>{faces, dormancy}, TallyReducer<LoadTally>(tally)
+      "tally_loads", range(tiles), TallyLoads<M, S>{{set}, dormancy}, TallyReducer<LoadTally>(tally)
   );
   return tally;
 }
@@ -203,8 +174,8 @@ void project_loads(
     find_shear_moduli(
         grid, loads, materials[static_cast<std::size_t>(particles.material)], particles
     );
-  for_each_loaded_set(grid, loads, sets, nodes, [&](const auto& faces) {
-    launch_projection(grid.active, faces);
+  for_each_loaded_set(grid, loads, sets, nodes, &Particles::loaded_faces, [&](const auto& set) {
+    launch_projection(grid.active, set);
   });
 }
 
@@ -219,8 +190,8 @@ ReproducibleSum tally_loads(
   if (!loads.any) return {};
   const Region region("tally_loads");
   LoadTally sum;
-  for_each_loaded_set(grid, loads, sets, nodes, [&](const auto& faces) {
-    add(launch_tally(grid.active, faces, dormancy), sum);
+  for_each_loaded_set(grid, loads, sets, nodes, &Particles::loaded_faces, [&](const auto& set) {
+    add(launch_tally(grid.active, set, dormancy), sum);
   });
   ledger.load_impulse += sum.impulse;
   ledger.boundary_work += sum.work;

@@ -7,8 +7,8 @@
 #include "base/row_sum.hpp"
 #include "shape/kinematics.hpp"
 #include "shape/support_batch.hpp"
-#include "shape/visit_kernels.hpp"
 #include "state/shape_fields.hpp"
+#include "step/loads/loaded_sets.hpp"
 
 #include <array>
 
@@ -87,11 +87,12 @@ KOKKOS_INLINE_FUNCTION double power_of(
 
 /// The particles of one set in balls that loads press.
 template <class M, class S>
-struct PressedRows {
-  PatchFrame<M::dimensions> frame;
-  LoadTable loads;
-  Particles particles;
-  Nodes nodes;
+struct PressedRows : LoadedSet<M, S> {
+  using Set = LoadedSet<M, S>;
+  using Set::frame;
+  using Set::loads;
+  using Set::nodes;
+  using Set::particles;
 
   /// visit(row, its support) for those in a tile.
   template <class Visitor>
@@ -140,19 +141,11 @@ struct ProjectSurfacePressures {
   }
 };
 
-struct SurfaceTally {
-  ReproducibleSum work, impulse;
-};
-KOKKOS_INLINE_FUNCTION void add(const SurfaceTally& part, SurfaceTally& sum) {
-  sum.work += part.work;
-  sum.impulse += part.impulse;
-}
-
 template <class M, class S>
 struct TallySurfacePressures {
   PressedRows<M, S> pressed;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int tile, SurfaceTally& tally) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int tile, LoadTally& tally) const {
     const Patch& sizes = pressed.frame.patch;
     const double dt = pressed.frame.tile_frame(tile).part;
     const double* const motion = &pressed.nodes.motion(first_motion(sizes, tile));
@@ -196,51 +189,28 @@ struct GrowCavity {
   }
 };
 
-/// visit(pressed rows of a set) for every set that has some.
-template <class Visitor>
-void for_each_pressed_set(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    Visitor&& visit
-) {
-  visit_kernels(grid, [&](auto mode, auto shape) {
-    using M = decltype(mode);
-    for (const Particles& particles : sets)
-      if (!particles.rigid && particles.surface_share.components > 0)
-        visit(PressedRows<M, decltype(shape)>{
-            PatchFrame<M::dimensions>(grid),
-            loads,
-            particles,
-            nodes[static_cast<std::size_t>(particles.field)]});
-  });
-}
-
 template <class M, class S>
-void launch_projection(int tiles, const PressedRows<M, S>& pressed) {
-  launch("project_surface_pressures", range(tiles), ProjectSurfacePressures<M, S>{pressed});
+void launch_projection(int tiles, const LoadedSet<M, S>& set) {
+  launch("project_surface_pressures", range(tiles), ProjectSurfacePressures<M, S>{{set}});
 }
 template <class M, class S>
-SurfaceTally launch_tally(int tiles, const PressedRows<M, S>& pressed) {
-  SurfaceTally tally;
+LoadTally launch_tally(int tiles, const LoadedSet<M, S>& set) {
+  LoadTally tally;
   launch_reduction(
       "tally_surface_pressures",
       range(tiles),
-      TallySurfacePressures<M, S>{pressed},
-      TallyReducer<SurfaceTally>(tally)
+      TallySurfacePressures<M, S>{{set}},
+      TallyReducer<LoadTally>(tally)
   );
   return tally;
 }
 template <class M, class S>
-CavityGrowth launch_growth(
-    int tiles, const PressedRows<M, S>& pressed, int load, double initial_volume
-) {
+CavityGrowth launch_growth(int tiles, const LoadedSet<M, S>& set, int load, double initial_volume) {
   CavityGrowth growth;
   launch_reduction(
       "grow_cavities",
       range(tiles),
-      GrowCavity<M, S>{pressed, load, initial_volume},
+      GrowCavity<M, S>{{set}, load, initial_volume},
       TallyReducer<CavityGrowth>(growth)
   );
   return growth;
@@ -256,8 +226,8 @@ void project_surface_pressures(
 ) {
   if (!loads.any_on_surfaces) return;
   const Region region("project_surface_pressures");
-  for_each_pressed_set(grid, loads, sets, nodes, [&](const auto& pressed) {
-    launch_projection(grid.active, pressed);
+  for_each_loaded_set(grid, loads, sets, nodes, &Particles::surface_share, [&](const auto& set) {
+    launch_projection(grid.active, set);
   });
 }
 
@@ -270,9 +240,9 @@ ReproducibleSum tally_surface_pressures(
 ) {
   if (!loads.any_on_surfaces) return {};
   const Region region("tally_surface_pressures");
-  SurfaceTally sum;
-  for_each_pressed_set(grid, loads, sets, nodes, [&](const auto& pressed) {
-    add(launch_tally(grid.active, pressed), sum);
+  LoadTally sum;
+  for_each_loaded_set(grid, loads, sets, nodes, &Particles::surface_share, [&](const auto& set) {
+    add(launch_tally(grid.active, set), sum);
   });
   ledger.load_impulse += sum.impulse;
   ledger.boundary_work += sum.work;
@@ -292,8 +262,8 @@ void grow_cavities(
     Cavity& cavity = cavities[l];
     if (!cavity.holds_fluid()) continue;
     CavityGrowth sum;
-    for_each_pressed_set(grid, loads, sets, nodes, [&](const auto& pressed) {
-      add(launch_growth(grid.active, pressed, static_cast<int>(l), cavity.initial_volume), sum);
+    for_each_loaded_set(grid, loads, sets, nodes, &Particles::surface_share, [&](const auto& set) {
+      add(launch_growth(grid.active, set, static_cast<int>(l), cavity.initial_volume), sum);
     });
     std::array<ReproducibleSum, 1> share{sum.share};
     sum_over_ranks(*grid.comm, share);
