@@ -15,7 +15,7 @@ TOOLS = pathlib.Path(__file__).resolve().parents[1] / "tools"
 KINDS = [9, 9, 9, 9, int(signal.SIGTERM), int(signal.SIGINT), int(signal.SIGHUP), int(signal.SIGUSR1)]
 # Of the kills: while a checkpoint is written, and right after one has got its name; the others come after a time.
 WHILE, AFTER = 0.5, 0.4
-CALLS = 18  # that write a checkpoint, without its tables of particles: one call each
+CALLS = 18  # that write a checkpoint, but for its tables of particles: one call each
 
 
 @dataclasses.dataclass
