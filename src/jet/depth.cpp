@@ -4,8 +4,6 @@
 #include "base/numbers.hpp"
 #include "base/region.hpp"
 #include "jet/channel.hpp"
-#include "scene/geometry.hpp"
-#include "state/balance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
+#include "state/balance.hpp"
 
 #include <algorithm>
 #include <cmath>
