@@ -12,6 +12,7 @@ fitted now. Ends with exit code 1 and a sentence for each set or parameter that 
 import argparse
 import concurrent.futures
 import contextlib
+import dataclasses
 import io
 import json
 import os
@@ -31,6 +32,7 @@ from barreno_fit.answers import Laboratory  # noqa: E402
 from barreno_fit.data import read_test  # noqa: E402
 from barreno_fit.faults import Rejected  # noqa: E402
 from barreno_fit.parameters import PARAMETERS  # noqa: E402
+from barreno_fit.ranges import Spread, end_of  # noqa: E402
 from barreno_fit.search import Problem, Search, residuals_of  # noqa: E402
 from barreno_fit.specimens import opened  # noqa: E402
 from barreno_material import load  # noqa: E402
@@ -44,12 +46,30 @@ def squares_of(library, tests, card):
     return float(sum((part**2).sum() for part in residuals_of(tests, problem.answers(Laboratory(tests), {}))))
 
 
+def without_noise(library, tests, truth):
+    """The tests with what the true card answers."""
+    answers = Problem(library, truth, {}, {}, print).answers(Laboratory(tests), {})
+    return [
+        dataclasses.replace(
+            test,
+            columns={**test.columns, **{name: answer[name] for name in test.channels}},
+            scales={name: test.scales[name] * abs(test.columns[name]).max() / abs(answer[name]).max() for name in test.channels},
+        )
+        for test, answer in zip(tests, answers)
+    ]
+
+
 def widths_at(library, tests, truth, names):
-    """{name: half width of the 95 % range at the truth, with the true noise, over that of an open parameter}."""
-    search = Search(Problem(library, truth, {}, {}, print), tests, names, truth)
-    J = search.jacobian(search.seen_start(truth), central=True)
-    deviations = numpy.sqrt(numpy.diag(numpy.linalg.inv(J.T @ J + 1e-6 * numpy.eye(len(names)))))
-    return {name: float(NORMAL * deviation / PARAMETERS[name].wide) for name, deviation in zip(names, deviations)}
+    """{name: half width of the 95 % range at the truth, with the true noise, over that of an open parameter}. By profiles: valleys bend, and
+    what lies along them is not seen by the slopes at the truth."""
+    search = Search(Problem(library, truth, {}, {}, print), without_noise(library, tests, truth), names, truth)
+    z = search.seen_start(truth)
+    J = search.jacobian(z, central=True)
+    covariance = numpy.linalg.inv(J.T @ J + 1e-6 * numpy.eye(len(names)))
+    deviation = numpy.sqrt(numpy.diag(covariance))
+    spread = Spread(NORMAL * deviation, NORMAL * deviation, covariance / deviation**2, J, 0.0, NORMAL**2, 0.0)
+    ends = [[end_of(search, z, spread, i, sign) for sign in (-1.0, 1.0)] for i in range(len(names))]
+    return {name: float(0.5 * (high - low) / PARAMETERS[name].wide) for name, (low, high) in zip(names, ends)}
 
 
 def fitted(files, folder):

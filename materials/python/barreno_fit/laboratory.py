@@ -35,6 +35,7 @@ TITLES = {  # lines above the column names that say what a line of the header do
 }
 COMPRESSIVE = ("pressure", "axial_stress", "differential_stress", "axial_strain", "confinement", "axial_force", "differential_force", "axial_displacement")
 ELASTIC = 0.3  # of the largest stress, up to which a rock is taken as elastic
+SURE = 3.0  # standard deviations by which a slope must be wrong
 
 
 @dataclass
@@ -205,19 +206,28 @@ def confinement_of_column(file, columns, notes):
     return middle
 
 
+def scatter_of(values):
+    """Standard deviation of the scatter of a curve: from its second differences, of which the middle one is hardly the curve's own."""
+    differences = numpy.abs(numpy.diff(values, 2))
+    return float(numpy.median(differences)) / (0.6745 * 6.0**0.5) if len(differences) else 0.0
+
+
 def slope_of(columns, control, name, stress):
-    """Of a column over that which drives the specimen, by least squares through the first row, where the rock is elastic; None for few
-    rows."""
+    """Of a column over that which drives the specimen, by least squares through the first row, where the rock is elastic, and the standard
+    deviation that the column's scatter gives it, that of the first row included; None for few rows."""
     drive, load = columns[control] - columns[control][0], stress - stress[0]
     beyond = numpy.flatnonzero((load > ELASTIC * load.max()) | (numpy.append(numpy.diff(drive), 1.0) < 0.0))
     rows = max(int(beyond[0]) if len(beyond) else len(load), 4)
     drive = drive[:rows]
     square = float((drive**2).sum())
-    return float((drive * (columns[name][:rows] - columns[name][0])).sum()) / square if rows <= len(load) and square > 0.0 else None
+    if rows > len(load) or square == 0.0:
+        return None
+    slope = float((drive * (columns[name][:rows] - columns[name][0])).sum()) / square
+    return slope, scatter_of(columns[name]) * (1.0 / square + (drive.sum() / square) ** 2) ** 0.5
 
 
 def check_elastic_signs(file, kind, columns):
-    """A specimen that is compressed elastically neither swells nor thins."""
+    """A specimen that is compressed elastically neither swells nor thins, by more than the scatter of the rows may make of it."""
     control = KINDS[kind].control
     stress = next((columns[name] for name in ("axial_stress", "differential_stress", "pressure") if name in columns), None)
     if stress is None:
@@ -229,8 +239,11 @@ def check_elastic_signs(file, kind, columns):
     for (of_kind, name), (low, high) in checks.items():
         if of_kind != kind or name not in columns:
             continue
-        slope = slope_of(columns, control, name, stress)
-        if slope is not None and not low <= slope <= high:
+        found = slope_of(columns, control, name, stress)
+        if found is None:
+            continue
+        slope, deviation = found
+        if not low - SURE * deviation <= slope <= high + SURE * deviation:
             refuse_sign(file, control, name, slope, slope < low)
 
 

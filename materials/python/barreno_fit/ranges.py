@@ -110,6 +110,13 @@ def at_bound(search, i, z):
     return min(z[i] - search.low[i], search.high[i] - z[i]) < AT_BOUND * PARAMETERS[search.names[i]].wide
 
 
+def within(search, spread):
+    """Ends of what the cards that were tried reach in each parameter without more than spread.growth: a profile cannot be narrower, and one
+    that a ridge has stopped is."""
+    inside = numpy.array([z for z, squares in search.visited if squares <= spread.squares + spread.growth])
+    return inside.min(axis=0), inside.max(axis=0)
+
+
 def range_of(search, z, spread, i, settled=False):
     """Ends of a range; `settled`: a lower sum of squares on the way is no reason to begin again."""
     ends = []
@@ -121,4 +128,10 @@ def range_of(search, z, spread, i, settled=False):
                 raise
             end = z[i] + sign * spread.half[i]
         ends.append(numpy.clip(end, search.low[i], search.high[i]))
-    return tuple(sorted(unseen(search.names[i], end) for end in ends))
+    return ends
+
+
+def shown_range(search, spread, i, ends):
+    """(low, high) of a parameter from the ends of its profile and from the cards that were tried."""
+    low, high = within(search, spread)
+    return tuple(sorted(unseen(search.names[i], end) for end in (min(ends[0], low[i]), max(ends[1], high[i]))))

@@ -67,6 +67,7 @@ class Search:
         self.problem, self.tests, self.names, self.values = problem, tests, list(names), dict(values)
         self.laboratory, self.parts = Laboratory(tests), {}
         self.count, self.last = sum(map(size_of, tests)), None
+        self.visited = []  # (z, sum of squares) of the cards that were tried in all tests
         limits = [bounds_of(name, problem.bounds) for name in self.names]
         self.low, self.high = (numpy.array([limit[k] for limit in limits]) for k in (0, 1))
 
@@ -87,9 +88,12 @@ class Search:
         """Of all tests, or of those of one laboratory."""
         laboratory = laboratory or self.laboratory
         try:
-            return numpy.concatenate(residuals_of(laboratory.tests, self.problem.answers(laboratory, self.at(z))))
+            found = numpy.concatenate(residuals_of(laboratory.tests, self.problem.answers(laboratory, self.at(z))))
         except Rejected:
             return numpy.full(sum(map(size_of, laboratory.tests)), REJECTED)
+        if laboratory is self.laboratory:
+            self.visited.append((z.copy(), float(found @ found)))
+        return found
 
     def part(self, name):
         """The tests that a parameter matters in, as a laboratory, and which residuals are theirs."""

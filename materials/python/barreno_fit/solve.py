@@ -10,16 +10,17 @@ from barreno_fit.faults import Fault
 from barreno_fit.kinds import KINDS
 from barreno_fit.parameters import PARAMETERS, free_of, seen, shown
 from barreno_fit.profiles import Better
-from barreno_fit.ranges import at_bound, range_of, spread_of
+from barreno_fit.ranges import at_bound, range_of, shown_range, spread_of
 from barreno_fit.search import EXACT, FEW, LEAST_SCALE, MANY, REJECTED, ROUGH, Problem, Search, size_of
 from barreno_fit.weights import weigh
 
 HYDROSTATIC = ("hydrostatic", "bulk modulus", "crush pressure", "open pores")
 SETTLED = 1.02  # of the sum of squares of the best fit: all parameters that go back to their start may not cost more
 SHAPES = (0.5, 0.25, 0.75)  # of CR: the cap is held there in turn
-SUSPECT = (0.3, 0.8)  # of CR: a fit that ends beyond is tried from other shapes
+OTHERS = (0.25, 0.4, 0.6, 0.75)  # of CR: the joint fit is tried from these
+NEAR = 0.05  # of CR: a fit that ends so near to a shape is not tried from it
 STRAIGHT = 0.03  # of FSLOPE: YSLOPE where the cap is held
-HOPE = 3.0  # of the sum of squares: a fit with the cap held that is worse has no better minimum beside it
+HOPE = 10.0  # of the sum of squares: a fit with the cap held that is worse has no better minimum beside it
 RESTARTS = 2  # from better minima that profiles find
 
 
@@ -52,8 +53,8 @@ def other_shapes(search, found):
     """A cap and a limit surface of the wrong shape can make up for each other: a minimum that the optimiser does not leave by itself."""
     if "CR" not in search.names:
         return found
-    for CR in SHAPES:
-        tried = None if SUSPECT[0] < found[0]["CR"] < SUSPECT[1] else elsewhere(search, found, CR)
+    for CR in OTHERS:
+        tried = None if abs(found[0]["CR"] - CR) < NEAR else elsewhere(search, found, CR)
         if tried and tried[1] < found[1]:
             found = tried
     return found
@@ -131,7 +132,9 @@ def ranges_of(search, found, names, settled):
     """95 % ranges of these parameters, with all others free, those that are left open too: what they are kept at is no measurement."""
     values, _, z = found
     spread = spread_of(search, z)
-    return spread, {name: range_of(search, z, spread, i, settled) for i, name in enumerate(search.names) if name in names}
+    chosen = [i for i, name in enumerate(search.names) if name in names]
+    ends = {i: range_of(search, z, spread, i, settled) for i in chosen}
+    return spread, {search.names[i]: shown_range(search, spread, i, ends[i]) for i in chosen}
 
 
 def opened_and_ranged(search, found):
@@ -205,6 +208,8 @@ def fit(problem, tests):
     search = Search(problem, tests, names, starts[0])
     found = off_bounds(search, together(search, starts, {name: card[name] for name in names}))
     found = weigh(search, found)
+    search.visited.clear()  # with other weights
+    found = other_shapes(search, found)
     problem.say("their ranges")
     found, spread, ranges, left_open = opened_and_ranged(search, found)
     for name in [name for name, (low, high) in ranges.items() if abs(seen(name, high) - seen(name, low)) > 2.0 * PARAMETERS[name].wide]:
