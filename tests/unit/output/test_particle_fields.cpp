@@ -101,11 +101,14 @@ TEST(ParticleFields, SayCellAndStepWhereTheyDiffer) {
   // Nor does it matter whether particles have been placed.
   set.key(0) = CellKey::unplaced;
   values.clear();
-  CellsAndSteps(both, grid, tile_steps, set).append(0, values);
+  const CellsAndSteps unplaced(both, grid, tile_steps, set);
+  unplaced.append_cell_size(0, values);
+  unplaced.append_step_length(0, values);
   EXPECT_EQ(values, (std::vector<double>{half, 3e-7}));
   values.clear();
-  CellsAndSteps(alike, grid, {}, set).append(0, values);
-  EXPECT_TRUE(values.empty());
+  const CellsAndSteps none(alike, grid, {}, set);
+  EXPECT_TRUE(none.cell_size.empty());
+  EXPECT_TRUE(none.step_length.empty());
 }
 
 }  // namespace
