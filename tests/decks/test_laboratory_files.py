@@ -119,6 +119,33 @@ def check_hydrostatic(folder):
     assert any("alike on all sides" in note for note in one.notes), one.notes
 
 
+def check_noisy_signs(folder):
+    """Volume strains whose scatter is as large as what is elastic of them: a sign that the rows cannot tell is taken as the file says, one
+    that they can is refused."""
+    random, axial = numpy.random.default_rng(5), numpy.linspace(0.0, 0.01, 41)
+    stress, volume = 200.0 * numpy.minimum(axial / 0.004, 1.0), 0.4 * axial
+    taken = refused = 0
+    for _ in range(40):
+        noise = 0.3 * volume.max() * random.standard_normal(len(axial))
+        for sign in (1.0, -1.0):
+            columns = {"axial_strain [%]": 100 * axial, "differential_stress [MPa]": stress, "volume_strain [%]": 100 * sign * (volume + noise)}
+            try:
+                read(folder, HEAD + table(columns))
+                taken += sign > 0.0
+            except Fault as fault:
+                assert "swells" in str(fault), fault
+                assert sign < 0.0, "scatter is taken for a wrong sign"
+                refused += 1
+    assert taken == 40, taken
+    small = {"axial_strain [%]": 100 * axial, "differential_stress [MPa]": stress, "volume_strain [%]": -100 * (volume + 0.01 * noise)}
+    try:
+        read(folder, HEAD + table(small))
+    except Fault as fault:
+        assert "swells" in str(fault), fault
+    else:
+        raise AssertionError("a wrong sign with little scatter is read")
+
+
 def check_refused(folder):
     for name, (text, words, sentence) in REFUSED.items():
         try:
@@ -142,7 +169,7 @@ def check_scatter(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as scratch:
-        for check in (check_read, check_hydrostatic, check_refused, check_scatter):
+        for check in (check_read, check_hydrostatic, check_noisy_signs, check_refused, check_scatter):
             check(pathlib.Path(scratch))
     print(f"{len(READ)} files of laboratories are read, {len(REFUSED)} refused with what to say")
 

@@ -60,8 +60,8 @@ def without_noise(library, tests, truth):
 
 
 def widths_at(library, tests, truth, names):
-    """{name: half width of the 95 % range at the truth, with the true noise, over that of an open parameter}. By profiles: valleys bend, and
-    what lies along them is not seen by the slopes at the truth."""
+    """{name: half width of the 95 % range at the truth, with the true noise, over that of an open parameter}. By profiles: valleys
+    bend, and what lies along them is not seen by the slopes at the truth."""
     search = Search(Problem(library, truth, {}, {}, print), without_noise(library, tests, truth), names, truth)
     z = search.seen_start(truth)
     J = search.jacobian(z, central=True)
