@@ -60,8 +60,8 @@ def without_noise(library, tests, truth):
 
 
 def widths_at(library, tests, truth, names):
-    """{name: half width of the 95 % range at the truth, with the true noise, over that of an open parameter}. By profiles: valleys
-    bend, and what lies along them is not seen by the slopes at the truth."""
+    """{name: half width of the 95 % range at the truth, with the true noise, over that of an open parameter}. The wider one of the slopes'
+    and of a profile on data without noise: slopes do not see where valleys bend, and profiles may stop at a ridge."""
     search = Search(Problem(library, truth, {}, {}, print), without_noise(library, tests, truth), names, truth)
     z = search.seen_start(truth)
     J = search.jacobian(z, central=True)
@@ -69,7 +69,8 @@ def widths_at(library, tests, truth, names):
     deviation = numpy.sqrt(numpy.diag(covariance))
     spread = Spread(NORMAL * deviation, NORMAL * deviation, covariance / deviation**2, J, 0.0, NORMAL**2, 0.0)
     ends = [[end_of(search, z, spread, i, sign) for sign in (-1.0, 1.0)] for i in range(len(names))]
-    return {name: float(0.5 * (high - low) / PARAMETERS[name].wide) for name, (low, high) in zip(names, ends)}
+    halves = numpy.maximum(spread.half, [0.5 * (high - low) for low, high in ends])
+    return {name: float(half / PARAMETERS[name].wide) for name, half in zip(names, halves)}
 
 
 def fitted(files, folder):
