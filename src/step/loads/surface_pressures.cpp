@@ -190,7 +190,7 @@ struct GrowCavity {
 };
 
 template <class M, class S>
-void launch_projection(int tiles, const LoadedSet<M, S>& set) {
+void launch_surface_projection(int tiles, const LoadedSet<M, S>& set) {
   launch("project_surface_pressures", range(tiles), ProjectSurfacePressures<M, S>{{set}});
 }
 template <class M, class S>
@@ -227,7 +227,7 @@ void project_surface_pressures(
   if (!loads.any_on_surfaces) return;
   const Region region("project_surface_pressures");
   for_each_loaded_set(grid, loads, sets, nodes, &Particles::surface_share, [&](const auto& set) {
-    launch_projection(grid.active, set);
+    launch_surface_projection(grid.active, set);
   });
 }
 
