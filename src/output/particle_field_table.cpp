@@ -189,6 +189,7 @@ std::vector<std::string> component_names(const ParticleField& field, int dimensi
   if (dimensions == 3 && field.components == Components::tensor)
     ends.insert(ends.end(), {"_yz", "_zx"});
   std::vector<std::string> names;
+  names.reserve(ends.size());
   for (const char* end : ends) names.push_back(std::string(field.name) + end);
   return names;
 }
