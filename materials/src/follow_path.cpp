@@ -12,7 +12,7 @@ namespace {
 
 constexpr double exact = 1e-7;   // of the stress
 constexpr double enough = 1e-4;  // where Newton's method stalls at a jump of the update
-constexpr double fast = 0.2;     // of the miss before: a tangent that leaves more is made anew
+constexpr double fast = 0.2;     // of the residual before: a tangent that leaves more is made anew
 constexpr double least_stress = 1e5;
 constexpr int most_steps = 60, most_halvings = 8;
 
@@ -105,12 +105,13 @@ bool solve(const Square& slope, const double* right, int n, double* x) {
   return true;
 }
 
-/// How far the held stresses are from what they should be; infinite where the update has failed.
-double miss_of(const Held& held, const Tried& tried, double* miss) {
+/// Held stresses less what they should be, and the largest of them; infinite where the update has
+/// failed.
+double residual_of(const Held& held, const Tried& tried, double* residual) {
   double largest = 0.0;
   for (int i = 0; i < held.count; ++i) {
-    miss[i] = tried.stress[held.component[i]] - held.target[i];
-    largest = std::max(largest, std::fabs(miss[i]));
+    residual[i] = tried.stress[held.component[i]] - held.target[i];
+    largest = std::max(largest, std::fabs(residual[i]));
   }
   return tried.status == BARRENO_OK ? largest : std::numeric_limits<double>::infinity();
 }
@@ -135,44 +136,44 @@ void follow_slope(
 }
 
 /// One step of a point: Newton's method for the strains of the held components, shortened while the
-/// miss grows. A tangent costs three updates: as long as the miss falls fast, the slope is
+/// residual grows. A tangent costs three updates: as long as the residual falls fast, the slope is
 /// Broyden's.
 /// @param[in,out] at  with the strains to begin with; the step that was taken
 /// @return whether the stresses were reached
 bool take_step(const PathPoint& point, const Held& held, Tried& at) {
   try_increment(point, held.count > 0 ? BARRENO_CONSISTENT : BARRENO_STRESS, at);
   if (at.status != BARRENO_OK) return false;
-  double miss[6];
-  double size = miss_of(held, at, miss);
+  double residual[6];
+  double size = residual_of(held, at, residual);
   Square slope;
   held_tangent(held, at, slope);
   Tried next;
   for (int turn = 0; turn < most_steps && size > exact * scale_of(at); ++turn) {
     double step[6], right[6], left[6];
-    for (int i = 0; i < held.count; ++i) right[i] = -miss[i];
+    for (int i = 0; i < held.count; ++i) right[i] = -residual[i];
     if (!solve(slope, right, held.count, step)) break;
-    double size_there = 0.0;
+    double size_after = 0.0;
     for (int halving = 0; halving < most_halvings; ++halving) {
       std::copy(at.strain, at.strain + 6, next.strain);
       for (int i = 0; i < held.count; ++i) next.strain[held.component[i]] += step[i];
       try_increment(point, BARRENO_STRESS, next);
-      size_there = miss_of(held, next, left);
-      if (size_there <= size) break;
+      size_after = residual_of(held, next, left);
+      if (size_after <= size) break;
       for (int i = 0; i < held.count; ++i) step[i] *= 0.5;
     }
-    if (!std::isfinite(size_there)) return false;
-    const bool slow = size_there > fast * size;
+    if (!std::isfinite(size_after)) return false;
+    const bool slow = size_after > fast * size;
     std::copy(next.strain, next.strain + 6, at.strain);
     if (slow) {
       try_increment(point, BARRENO_CONSISTENT, at);
       held_tangent(held, at, slope);
     } else {
-      follow_slope(step, miss, left, held.count, slope);
+      follow_slope(step, residual, left, held.count, slope);
       std::copy(next.stress, next.stress + 6, at.stress);
       at.state = next.state;
       at.status = next.status;
     }
-    size = miss_of(held, at, miss);
+    size = residual_of(held, at, residual);
   }
   return size <= enough * scale_of(at);
 }

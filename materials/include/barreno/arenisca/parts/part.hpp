@@ -11,7 +11,7 @@ namespace barreno::arenisca {
 // A part of the law owns everything about itself: its Parameters with name, unit, bounds and
 // meaning (parameter_table), the rules between them (check: a sentence that names the parameter, or
 // nothing), and its evaluation over R, one point or several (real.hpp). A form of the law is a list
-// of parts (../forms.hpp); its parameters and its table are joined from theirs. Rules between parts
+// of parts (list.hpp); its parameters and its table are joined from theirs. Rules between parts
 // stand in ../../models/arenisca_rules.hpp.
 
 /// "PEAKI1 = 2.1e+07": a parameter and its value, as messages name it.
