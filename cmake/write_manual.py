@@ -33,7 +33,8 @@ LINE_STARTS = (".", "'")
 
 def said(barreno, *words):
     """What the command prints, or nothing if it cannot."""
-    wide = {**os.environ, "COLUMNS": "100", "PYTHONDONTWRITEBYTECODE": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    wide = {**os.environ, "COLUMNS": "100", "PYTHONDONTWRITEBYTECODE": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+        "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     result = subprocess.run([barreno, *words], capture_output=True, text=True, env=wide, check=False)
     return result.stdout if result.returncode == 0 else ""
 

@@ -25,7 +25,8 @@ PICTURE = ROOT / "docs" / "pictures" / "converge.png"
 
 def cut(until, length):
     """The main job to a time [us], in a target cut down to what it needs [mm]."""
-    return (f'input_xml/perforation.xml --set "Time/End Time={until} us" --set "Grid/Lower={{0 mm, -16 mm}}" --set "Grid/Upper={{40 mm, {length + 12} mm}}" '
+    return (f'input_xml/perforation.xml --set "Time/End Time={until} us" --set "Grid/Lower={{0 mm, -16 mm}}" --set "Grid/Upper={{40 mm, '
+        f'{length + 12} mm}}" '
             f'--set "Bodies/Casing/Upper={{30.8 mm, 12.7 mm}}" --set "Bodies/Rock/Upper={{30.8 mm, {length + 0.7} mm}}"')  # fmt: skip
 
 
@@ -46,7 +47,8 @@ def run_example(barreno, words, folder):
     found = json.loads(file.read_text())
     summary = json.loads((folder / pathlib.Path(found["levels"][0]["folder"]).name / "summary.json").read_text())
     error = summary.get("penetration", {}).get("depth_error")
-    return {"words": words, "quantity": found["quantity"], "cells": [level["cells"] for level in found["levels"]], "results": found["results"], "depth_error": error}
+    return {"words": words, "quantity": found["quantity"], "cells": [level["cells"] for level in found["levels"]],
+        "results": found["results"], "depth_error": error}
 
 
 def main():

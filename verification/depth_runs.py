@@ -26,7 +26,8 @@ STORED = HERE / "results" / "depth_runs.json"
 DIAMETER = 4e-3  # of the rod [m]
 FIRST, LAST = 10, 100  # of the depths between which its rate is taken, in diameters
 ROD = {
-    "Materials/Rod/Card": "tungsten.xml", "Materials/Target/Card": "berea_sandstone.xml", "Materials/Target/A": "", "Materials/Target/B": "",
+    "Materials/Rod/Card": "tungsten.xml", "Materials/Target/Card": "berea_sandstone.xml", "Materials/Target/A": "",
+    "Materials/Target/B": "",
     "Grid/Lower": "{0 mm, -216 mm}", "Grid/Upper": "{96 mm, 464 mm}", "Bodies/Block/Upper": "{88 mm, 456 mm}",
     "Jet/Slugs": "1x5:{0, 4000, 2e-3, 205e-3, 17600}", "Jet/Launch Position": "-105 mm", "Jet/Cells Per Radius": "4", "Step/Subcycles": "4",
     "Time/End Time": "155 us", "Output/Field Interval": "0 us",
@@ -56,7 +57,8 @@ def rod(barreno):
     table = finished.table("depth.csv")
     places = [n * DIAMETER for n in range(FIRST, LAST + 1, 10)]
     times = np.interp(places, np.maximum.accumulate(table["depth"]), table["time"])
-    return {"depth": float(table["depth"].max()), "rates": [float(rate) for rate in 10 * DIAMETER / np.diff(times)], "cpu_seconds": finished.summary["cpu_seconds"]}
+    return {"depth": float(table["depth"].max()), "rates": [float(rate) for rate in 10 * DIAMETER / np.diff(times)],
+        "cpu_seconds": finished.summary["cpu_seconds"]}
 
 
 MEASURED = {"reference": reference, "ranks": ranks, "rod": rod}

@@ -34,7 +34,8 @@ HELD = ("FSLOPE=0.549", "STREN=128.5e6", "B1=28.6e9", "B2=264e6", "p0_crush_curv
 # Words that it leaves out: the specimens of strengths are what a fit takes its time for.
 LEFT_OUT = r" \S*triaxial_strength\.csv(?=.* --out)"
 # Words that the reduced form adds to a command of ./barreno; the last of two values counts.
-REDUCED = {"run": SHORT, "resume": '--until "1.2 us" --ranks 1', "converge": f"{SHORT} --levels 2", "sweep": SHORT, "fit": "--start berea_sandstone " + " ".join(f"--fix {value}" for value in HELD)}
+REDUCED = {"run": SHORT, "resume": '--until "1.2 us" --ranks 1', "converge": f"{SHORT} --levels 2", "sweep": SHORT,
+    "fit": "--start berea_sandstone " + " ".join(f"--fix {value}" for value in HELD)}
 # They read what a reduced command has written.
 READS_RUNS = ("report", "film", "compare", "drive")
 NOTE = re.compile(r"<!-- (exit|needs|lines|picture): (.*) -->$")
@@ -107,7 +108,8 @@ def make_tree(folder, barreno):
         if entry.name not in ("CMakeCache.txt", "build.ninja"):
             (tree / "build" / "release" / entry.name).symlink_to(entry)
     cache = (build / "CMakeCache.txt").read_text()
-    (tree / "build" / "release" / "CMakeCache.txt").write_text(re.sub(r"(?m)^CMAKE_HOME_DIRECTORY:INTERNAL=.*$", f"CMAKE_HOME_DIRECTORY:INTERNAL={tree}", cache))
+    (tree / "build" / "release" / "CMakeCache.txt").write_text(re.sub(r"(?m)^CMAKE_HOME_DIRECTORY:INTERNAL=.*$",
+        f"CMAKE_HOME_DIRECTORY:INTERNAL={tree}", cache))
     (tree / "build" / "release" / "build.ninja").write_text("")
     return tree
 
@@ -138,7 +140,8 @@ class Shell:
         """Exit code and what was printed. Nothing is installed."""
         text = re.sub(r"(?m)^\./barreno ", "./barreno --no-install ", text)
         script = f'trap \'env -0 >"{self.state}/env"; pwd >"{self.state}/pwd"\' EXIT\nset -e\n{text}\n'
-        done = subprocess.run(["bash", "-c", script], cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=3600, check=False)
+        done = subprocess.run(["bash", "-c", script], cwd=self.folder, env=self.environment, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True, timeout=3600, check=False)
         if (self.state / "env").exists():
             self.environment = dict(entry.split("=", 1) for entry in (self.state / "env").read_text().split("\0") if "=" in entry)
             self.folder = pathlib.Path((self.state / "pwd").read_text().rstrip("\n"))
@@ -178,7 +181,8 @@ def run_commands(shell, commands, full):
 
 def comparable(commands, full):
     words = commands.text.split()
-    return commands.shown and (full or (reduced(commands.text) == re.sub(r"\\\n\s*", "", commands.text) and not set(words[1:2]) & set(READS_RUNS)))
+    return commands.shown and (full
+        or (reduced(commands.text) == re.sub(r"\\\n\s*", "", commands.text) and not set(words[1:2]) & set(READS_RUNS)))
 
 
 def old_lines(commands, lines):
@@ -187,7 +191,8 @@ def old_lines(commands, lines):
     on_page = commands.page.read_text().splitlines()[start:end]
     if masked(on_page) == masked(lines):
         return []
-    return [f"{title(commands)}: the page shows\n" + "\n".join(on_page) + "\nbut the program prints\n" + "\n".join(lines) + "\nverification/lessons.py BARRENO --write puts that into the page."]
+    return [f"{title(commands)}: the page shows\n" + "\n".join(on_page) + "\nbut the program prints\n" + "\n".join(lines)
+        + "\nverification/lessons.py BARRENO --write puts that into the page."]
 
 
 def write_page(page, results):
@@ -236,7 +241,8 @@ def words():
     parser.add_argument("--full", action="store_true", help="the commands as they stand")
     parser.add_argument("--write", action="store_true", help="the same, and write what they print into the pages")
     parser.add_argument("--ccx", type=pathlib.Path, help="CalculiX, as tests/hosts/build_ccx.sh builds it")
-    parser.add_argument("--from", type=int, default=1, dest="first", metavar="N", help="begin with lesson N: 1 or 4, which use no files of earlier ones")
+    parser.add_argument("--from", type=int, default=1, dest="first", metavar="N",
+        help="begin with lesson N: 1 or 4, which use no files of earlier ones")
     parser.add_argument("--to", type=int, dest="last", metavar="N", help="end with lesson N")
     options = parser.parse_args()
     if options.ccx is None or not options.ccx.is_file():

@@ -43,7 +43,8 @@ SETTINGS = {
     "docs/paper.md": ("5 %", "30 us", "60 us"),  # of pores, in a deck; when depths are compared
     "docs/performance.md": ("1 MB",),
 }
-PAGES_WITH_PARTS = ["README.md", "input_xml/README.md", *sorted(str(file.relative_to(ROOT)) for folder in ("docs", "docs/materials") for file in (ROOT / folder).glob("*.md"))]
+PAGES_WITH_PARTS = ["README.md", "input_xml/README.md",
+    *sorted(str(file.relative_to(ROOT)) for folder in ("docs", "docs/materials") for file in (ROOT / folder).glob("*.md"))]
 
 
 def with_parts(text):
@@ -113,11 +114,13 @@ def main():
         write_pages()
     if options.unchecked:
         return 0
-    wrong = [f"{file.relative_to(ROOT)} does not match verification/results" for file, text in pages().items() if not file.exists() or file.read_text() != text]
+    wrong = [f"{file.relative_to(ROOT)} does not match verification/results" for file, text in pages().items() if not file.exists()
+        or file.read_text() != text]
     wrong += [f"{file.relative_to(ROOT)} was not drawn from the present verification/results" for file in case_pictures.outdated()]
     wrong += ["`verification/pages.py --write` writes them"] if wrong else []
     wrong += [f"{file.relative_to(ROOT)} belongs to no case: remove it" for file in left_over()]
-    wrong += [f"{name}: '{figure}' comes from no results file: put it into a marked part, or say it in words" for name in WRITTEN for figure in loose_figures(name, (ROOT / name).read_text())]
+    wrong += [f"{name}: '{figure}' comes from no results file: put it into a marked part, or say it in words" for name in WRITTEN
+        for figure in loose_figures(name, (ROOT / name).read_text())]
     wrong += [f"{line}; measure it again (--full --document)" for line in failing()]
     print("\n".join(wrong or ["every figure matches its results file"]))
     return 1 if wrong else 0

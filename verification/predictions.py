@@ -60,8 +60,10 @@ VARIANTS = {  # decks with settings of their own; the forms for comparison cost 
     "perforation, balanced, to 12 us": ("perforation", {"Fidelity": "balanced", "Time/End Time": "12 us"}),
     "perforation_3d, balanced, to 3 us": ("perforation_3d", {"Fidelity": "balanced", "Time/End Time": "3 us"}),
 }
-FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact", *(row for row, (deck, _) in VARIANTS.items() if deck == "perforation_quick"))
-COLUMNS = ("deck", "steps, predicted / actual", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds", "MB, predicted / actual")
+FLOWING = ("perforation_quick", "shell_coasting", "taylor_bar", "cone_impact",
+    *(row for row, (deck, _) in VARIANTS.items() if deck == "perforation_quick"))
+COLUMNS = ("deck", "steps, predicted / actual", "particle-steps", "ns per particle-step", "seconds of one core", "wall seconds",
+    "MB, predicted / actual")
 
 COSTS = HERE.parent / "src" / "measured" / "update_costs.csv"
 COST_COLUMNS = ("update", "elastic_ns", "running_ns", "early")
@@ -128,8 +130,10 @@ def stored_page():
     """docs/cost.md."""
     lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
     for deck, data in json.loads(STORED.read_text()).items():
-        cells = {name: f"{v['predicted']:.3g} / {v['came']:.3g} = {v['predicted'] / v['came']:.2f}" for name, v in data.items() if name != "wall"}
-        lines.append(f"| {deck}{'' if deck in VARIANTS else '.xml'} | {cells['steps']} | {cells['particle_steps']} | {cells['ns']} | {cells['seconds']} | {data['wall']:.3g} | {cells['megabytes']} |")
+        cells = {name: f"{v['predicted']:.3g} / {v['came']:.3g} = {v['predicted'] / v['came']:.2f}"
+            for name, v in data.items() if name != "wall"}
+        lines.append(f"| {deck}{'' if deck in VARIANTS else '.xml'} | {cells['steps']} | {cells['particle_steps']} | {cells['ns']} | "
+            f"{cells['seconds']} | {data['wall']:.3g} | {cells['megabytes']} |")
     return HEAD + "\n" + "\n".join(lines) + "\n"
 
 
@@ -142,7 +146,8 @@ def growth(barreno, row, whole):
     """{stress update: (ns in the first hundredth of a row's run, ns over all of it)}"""
     deck, settings = deck_of(row)
     value, unit = end_time(deck)
-    short = {**settings, "Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s", "Step/Skip Dormant Tiles": "false"}
+    short = {**settings, "Time/End Time": f"{0.012 * float(value)} {unit}".strip(), "Output/Field Interval": "0 s",
+        "Step/Skip Dormant Tiles": "false"}
     first = {}
     for _ in range(3):
         for name, phase in run_deck(barreno, f"{deck}.xml", short).summary["phases"].items():

@@ -36,7 +36,8 @@ STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
 FIDELITIES = ("fast", "balanced", "reference")
 JET_WORDS = {"Shape Function": "Step/Shape Function", "cells per radius of the jet": "Jet/Cells Per Radius",
-             "particles per cell of bodies": "Bodies/Rock/Particles Per Cell", "Subcycles": "Step/Subcycles", "Largest Strain": "Step/Largest Strain"}  # fmt: skip
+             "particles per cell of bodies": "Bodies/Rock/Particles Per Cell", "Subcycles": "Step/Subcycles",
+             "Largest Strain": "Step/Largest Strain"}  # fmt: skip
 FINEST_SHAPES = ("default", "quadratic B-spline", "CPDI")  # whose depths are measured with FINEST cells too
 FINEST = 0.5  # mm
 DEPTH_TIME = 20  # us

@@ -50,7 +50,8 @@ def report(name, data, full):
 def failures(name, checks, full):
     """What fails of a case in a form, a line each; a case that demands nothing fails."""
     judged, wrong = judge_all(checks, open_demands(name, full))
-    lines = [f"{check['what']}: {check['value']:.6g} against {check['limit']:.6g}: {words}" for check, verdict, words in judged if verdict == FAILS]
+    lines = [f"{check['what']}: {check['value']:.6g} against {check['limit']:.6g}: {words}"
+        for check, verdict, words in judged if verdict == FAILS]
     return lines + wrong + ([] if checks else ["nothing was demanded"])
 
 

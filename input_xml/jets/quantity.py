@@ -26,7 +26,8 @@ def value_of(text, kind):
         raise ValueError(f'"{text}" is not a {kind}; write for example "{EXAMPLES[kind]}"')
     unit = found.group(2)
     if unit and unit not in UNITS[kind]:
-        raise ValueError(f'"{text}" has the unit "{unit}", which is none of a {kind} ({", ".join(UNITS[kind])}); write for example "{EXAMPLES[kind]}"')
+        raise ValueError(f'"{text}" has the unit "{unit}", which is none of a {kind} ({", ".join(UNITS[kind])}); write for example '
+            f'"{EXAMPLES[kind]}"')
     factor = UNITS[kind][unit] if unit else 1.0
     return float(decimal.Decimal(found.group(1)) * decimal.Decimal(repr(factor)))  # 90 us is 90e-6 to the last bit, as in a deck
 

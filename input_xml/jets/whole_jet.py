@@ -41,7 +41,8 @@ def first_of_whole(rows, thinnest):
 def main(given=None):
     parser = argparse.ArgumentParser(description="The whole part of a formed jet's table.", allow_abbrev=False)
     parser.add_argument("table")
-    parser.add_argument("--thinnest", type=quantity("length"), required=True, help='radius of the metal below which a row is no part of the jet, "0.125 mm"')
+    parser.add_argument("--thinnest", type=quantity("length"), required=True,
+        help='radius of the metal below which a row is no part of the jet, "0.125 mm"')
     asked = parser.parse_args(given)
     try:
         with open(asked.table, encoding="utf-8") as stream:
@@ -58,7 +59,8 @@ def main(given=None):
         raise SystemExit(f"whole_jet.py: {error}") from None
     print("# units: SI")
     print(f"# Made by whole_jet.py: {asked.table.rsplit('/', 1)[-1]} without {first} of its {len(rows)} rows, those before the whole jet")
-    for name, unit, gone, all_of_it in zip(("mass", "momentum", "kinetic energy"), ("kg", "kg m/s", "J"), totals(rows[:first]), totals(rows)):
+    for name, unit, gone, all_of_it in zip(("mass", "momentum", "kinetic energy"), ("kg", "kg m/s", "J"), totals(rows[:first]),
+            totals(rows)):
         print(f"# {name} {gone:.6g} of {all_of_it:.6g} {unit} left out")
     print(HEADER)
     for row in rows[first:]:

@@ -49,7 +49,8 @@ def main():
     rows = [merged(slow[i : i + GROUP]) for i in range(0, len(slow), GROUP)]
     print("# units: SI")
     print(f"# Made by slow_jet.py: the cylinders of ../jets/tungsten_154.csv slower than {FASTEST:g} m/s, {GROUP} made into one")
-    print(f"# mass {sum(map(mass_of, rows)):.9g} kg, kinetic energy {energy(rows):.9g} J, {energy(rows) / energy(slow) - 1.0:.2e} of it by merging")
+    print(f"# mass {sum(map(mass_of, rows)):.9g} kg, kinetic energy {energy(rows):.9g} J, {energy(rows) / energy(slow) - 1.0:.2e} of it by "
+        "merging")
     print(",".join(FIELDS))
     for row in rows:
         print(",".join(f"{value:.9g}" for value in row))

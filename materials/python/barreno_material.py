@@ -27,7 +27,8 @@ STATUS = {
     OK: "the step is taken",
     SUBSTEP_LIMIT: "the step needs more substeps than are allowed: try a smaller step",
     NOT_CONVERGED: "the step did not converge: try a smaller step",
-    BAD_INPUT: "the step or the state is impossible (not finite, too large, or a volume ratio, `initialized` or initial stress out of range): check what was passed",
+    BAD_INPUT: "the step or the state is impossible (not finite, too large, or a volume ratio, `initialized` or initial stress out of "
+        "range): check what was passed",
 }
 
 Answer = collections.namedtuple("Answer", "stress state tangent status")
@@ -179,7 +180,8 @@ class Material:
         the end and the status of each point: NOT_CONVERGED where no strain gives the stress, or the update fails."""
         strain, wanted, stress, state = (numpy.ascontiguousarray(a, dtype=float) for a in (strain, wanted, stress, state))
         steps, count = strain.shape[:2]
-        for name, array, shape in (("wanted", wanted, strain.shape), ("stress", stress, (count, 6)), ("state", state, (count, self.state_count))):
+        for name, array, shape in (("wanted", wanted, strain.shape), ("stress", stress, (count, 6)),
+                ("state", state, (count, self.state_count))):
             if array.shape != shape:
                 raise ValueError(f"{name} has the shape {array.shape}; {shape} is needed.")
         out = Followed(numpy.empty_like(strain), numpy.empty_like(strain), state.copy(), numpy.zeros(count, dtype=numpy.intc))

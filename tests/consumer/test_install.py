@@ -82,7 +82,8 @@ def main():
             assert list(prefix.glob(f"lib*/**/{library}")), f"{library} is not installed"
 
         outside = scratch / "build"
-        said = run(cmake, "-S", prefix / "share/barreno/examples", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Debug")  # quickly compiled
+        said = run(cmake, "-S", prefix / "share/barreno/examples", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}",
+            "-DCMAKE_BUILD_TYPE=Debug")  # quickly compiled
         assert f"cards in {prefix / 'share/barreno/cards'}" in said, said
         run(cmake, "--build", outside)
 

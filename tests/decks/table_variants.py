@@ -32,7 +32,8 @@ def form_of(table, encoding="utf-8", cells=(",", "."), style="brackets", end="\n
 def filled(table, separator=";"):
     """As a spreadsheet fills rows up with empty cells."""
     text = form_of(table, cells=(separator, ",")).decode()
-    return "".join(line + (2 * separator if not line.startswith("#") else "") + "\n" for line in text.splitlines()).encode() + 5 * separator.encode() + b"\n"
+    return "".join(line + (2 * separator if not line.startswith("#") else "") + "\n"
+        for line in text.splitlines()).encode() + 5 * separator.encode() + b"\n"
 
 
 def with_channels(table, below):
@@ -66,4 +67,5 @@ def forms_in_thousands(table):
     comments, names, units, rows = table
     for separator, mark, decimal in ((";", ".", ","), (";", ",", "."), ("\t", ".", ",")):
         lines = head_lines(names, units, "brackets") + [[_in_thousands(cell, mark, decimal) for cell in row] for row in rows]
-        yield f"thousands {mark!r}", ("".join(f"# {c}\n" for c in comments) + "".join(separator.join(line) + "\n" for line in lines)).encode()
+        yield f"thousands {mark!r}", ("".join(f"# {c}\n" for c in comments)
+            + "".join(separator.join(line) + "\n" for line in lines)).encode()

@@ -20,7 +20,8 @@ from runs import DECKS, mpi_environment  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
 # Their jets still fly when they end.
-ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml", "perforation_refined.xml"}
+ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml",
+    "perforation_refined.xml"}
 THIN_WALLS = {"driven_cone_3d.xml", "jet_formation_3d.xml"}
 THIN = " cells beside the explosive, fewer than 2"
 EARLY = "ends the run before the jet stops"
@@ -37,21 +38,33 @@ WATER = "Materials/Sandstone/fluid_B0=2.25 GPa"
 BORE = ("Bodies/Casing/Lower={3 mm, 0 mm}", "Bodies/Rock/Lower={3 mm, 12.7 mm}")
 
 MISTAKES = {  # what: (settings, words)
-    "gap": (["Bodies/Rock/Lower={0 mm, 13 mm}"], "Bodies/Rock and Bodies/Casing do not touch in the path of the jet (a gap of 0.0003 m or 0.15 cells"),
-    "thin body": (["Bodies/Casing/Upper={50.8 mm, 1 mm}", "Bodies/Rock/Lower={0 mm, 1 mm}"], "Bodies/Casing is 0.001 m thick, less than a cell (Grid/Cell Size = 0.002 m)"),
-    "target of 40 m": (["Grid/Cell Size=0.5 m", "Grid/Lower={0 m, -1 m}", "Grid/Upper={8 m, 41 m}", "Bodies/Casing/Upper={5 m, 0.5 m}", "Bodies/Rock/Lower={0 m, 0.5 m}", "Bodies/Rock/Upper={5 m, 40 m}"], "the target is 40 m thick along the jet"),
-    "jet of 5 m/s": (["Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=5, radius=0.001)}"], "Jet/Slugs gives the fastest slug 5 m/s, which is unusual for a jet"),
-    "radius of a metre": (["Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=7000, radius=0.06)}"], "Jet/Slugs gives a slug a radius of 0.06 m, which is unusual for a jet"),
+    "gap": (["Bodies/Rock/Lower={0 mm, 13 mm}"],
+        "Bodies/Rock and Bodies/Casing do not touch in the path of the jet (a gap of 0.0003 m or 0.15 cells"),
+    "thin body": (["Bodies/Casing/Upper={50.8 mm, 1 mm}", "Bodies/Rock/Lower={0 mm, 1 mm}"],
+        "Bodies/Casing is 0.001 m thick, less than a cell (Grid/Cell Size = 0.002 m)"),
+    "target of 40 m": (["Grid/Cell Size=0.5 m", "Grid/Lower={0 m, -1 m}", "Grid/Upper={8 m, 41 m}", "Bodies/Casing/Upper={5 m, 0.5 m}",
+        "Bodies/Rock/Lower={0 m, 0.5 m}", "Bodies/Rock/Upper={5 m, 40 m}"], "the target is 40 m thick along the jet"),
+    "jet of 5 m/s": (["Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=5, radius=0.001)}"],
+        "Jet/Slugs gives the fastest slug 5 m/s, which is unusual for a jet"),
+    "radius of a metre": (["Jet/Table=", f"Jet/Slugs={SLUG.format(velocity=7000, radius=0.06)}"],
+        "Jet/Slugs gives a slug a radius of 0.06 m, which is unusual for a jet"),
     "end of two minutes": (["Time/End Time=120 s"], "Time/End Time = 120 s takes"),
     "jet in a bore": ([*SLUGS, *BORE], "the jet hits no body"),
     "jet that grazes its bore": ([*TWO_SLUGS, *BORE], "the thinnest slugs of the jet hit no body along +y"),
-    "pressure without its unit": (["Materials/Sandstone/fluid_B0=2.25", "Materials/Sandstone/Fluid Density=1000"], 'Materials/Sandstone/fluid_B0 = 2.25 Pa is outside the usual range (50000 to 3e+10 Pa); if a unit was forgotten, write it behind the number, "2.25 MPa" or "2.25 GPa"'),
-    "strength in MPa": (["Materials/Steel/A=792"], 'Materials/Steel/A = 792 Pa is outside the usual range (10000 to 2e+10 Pa); if a unit was forgotten, write it behind the number, "792 MPa"'),
+    "pressure without its unit": (["Materials/Sandstone/fluid_B0=2.25", "Materials/Sandstone/Fluid Density=1000"],
+        'Materials/Sandstone/fluid_B0 = 2.25 Pa is outside the usual range (50000 to 3e+10 Pa); if a unit was forgotten, write it behind '
+        'the number, "2.25 MPa" or "2.25 GPa"'),
+    "strength in MPa": (["Materials/Steel/A=792"],
+        'Materials/Steel/A = 792 Pa is outside the usual range (10000 to 2e+10 Pa); if a unit was forgotten, write it behind the number, '
+        '"792 MPa"'),
     "modulus in GPa": (["Materials/Sandstone/B1=28.6"], "Materials/Sandstone/B1 = 28.6 Pa is outside the usual range (100000 to 1e+12 Pa)"),
-    "water without its mass": ([WATER], "while fluid_B0 fills its pores (0.2 of the volume); write Fluid Density, for water 1000 kg/m3, and the rock starts with 2320 kg/m3"),
+    "water without its mass": ([WATER], "while fluid_B0 fills its pores (0.2 of the volume); write Fluid Density, for water 1000 kg/m3, "
+        "and the rock starts with 2320 kg/m3"),
     "refined cells": (["Jet/Cells Per Radius=2"], STRAIN + " where they collide in refined cells (docs/method.md, 4); take 0.1"),
-    "splines in motion": (["Step/Shape Function=quadratic B-spline", "Bodies/Rock/Velocity={0 m/s, 10 m/s}"], "will ring under its confinement with Shape Function quadratic B-spline"),
-    "cubic splines": (["Step/Shape Function=cubic B-spline"], "will ring under its confinement with Shape Function cubic B-spline, because its faces bear a pressure"),
+    "splines in motion": (["Step/Shape Function=quadratic B-spline", "Bodies/Rock/Velocity={0 m/s, 10 m/s}"],
+        "will ring under its confinement with Shape Function quadratic B-spline"),
+    "cubic splines": (["Step/Shape Function=cubic B-spline"],
+        "will ring under its confinement with Shape Function cubic B-spline, because its faces bear a pressure"),
     "linear functions": (["Step/Shape Function=linear"], "will ring under its confinement with Shape Function linear"),
     "early end": ([], f"Time/End Time = 4e-05 s {EARLY} (69 % of its mass and 34 % of its energy"),
 }  # fmt: skip
@@ -86,7 +99,8 @@ def check_shipped_decks(server):
     for deck in sorted(DECKS.glob("*.xml")):
         notes = notes_of(plan_of(server, deck))
         dry, strain = ([note for note in notes if words in note] for words in (DRY, STRAIN))
-        assert [DRY_WITH_WATER.get(deck.name, "") in note for note in dry] == [True] * (deck.name in DRY_WITH_WATER), f"{deck.name}: {notes}"
+        assert [DRY_WITH_WATER.get(deck.name, "") in note
+            for note in dry] == [True] * (deck.name in DRY_WITH_WATER), f"{deck.name}: {notes}"
         assert len(strain) == (deck.name in LARGE_STRAIN), f"{deck.name}: {notes}"
         notes = [note for note in notes if note not in dry + strain]
         early, thin, cells = ([note for note in notes if words in note] for words in (EARLY, THIN, "Grid/Cell Size = "))
@@ -108,7 +122,8 @@ def check_mistakes(server):
 def check_pore_flow_keeps_equal_cells(server):
     """Pore fluid flows between cells of one size: a fidelity leaves its refined path out, whether drainage is on or automatic."""
     for drainage in ("automatic", "on"):
-        notes = notes_of(plan_of(server, DECKS / "perforation_drainage.xml", "--fidelity", "balanced", "--set", f"Pore Flow/Drainage={drainage}"))
+        notes = notes_of(plan_of(server, DECKS / "perforation_drainage.xml", "--fidelity", "balanced", "--set",
+            f"Pore Flow/Drainage={drainage}"))
         assert any(f"Cells Per Radius is left out: Pore Flow/Drainage = {drainage} does not work across" in note for note in notes), notes
     plan = plan_of(server, DECKS / "perforation_drainage.xml", "--fidelity", "balanced", "--set", "Pore Flow/Drainage=off")
     assert "refined to" in plan, plan
@@ -138,9 +153,12 @@ def check_run(folder):
         assert text.count("do not touch in the path of the jet") == 1 and text.count(EARLY) == 1, text
         assert "error of the depth from the size of the cells: -33 % (-33 to -16 %) at 0.5 cells per jet radius" in text, text
     found = json.loads((folder / "run" / "summary.json").read_text())["penetration"]
-    assert found["cells_per_radius"] == {"tip": 0.5, "tail": found["cells_per_radius"]["tail"], "least": 0.5, "most": found["cells_per_radius"]["most"]}, found
+    assert found["cells_per_radius"] == {"tip": 0.5, "tail": found["cells_per_radius"]["tail"], "least": 0.5,
+        "most": found["cells_per_radius"]["most"]}, found
     error = found["depth_error"]
-    assert -0.34 < error["value"] < -0.32 and error["low"] <= error["value"] < error["high"] < 0.0 and error["cells_per_radius"] == 0.5, error
+    assert (
+        -0.34 < error["value"] < -0.32 and error["low"] <= error["value"] < error["high"] < 0.0 and error["cells_per_radius"] == 0.5
+    ), error
 
 
 def check_density_of_wet_rock(server):

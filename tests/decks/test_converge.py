@@ -43,7 +43,10 @@ def check_jet(folder):
     said = converge(QUICK, *SHORT, "--out", out)
     assert "Grid/Upper is moved out to {0.08 m, 0.332 m} on all levels" in said and said.count("computing in") == 3, said
     assert 'The same command with --set "Grid/Cell Size=0.001 m" adds a level of smaller cells' in said, said
-    assert "wider than the radius of the jet" in said and "Error of the depth at the end with the smallest cells, which are 1 per jet radius" in said, said
+    assert (
+        "wider than the radius of the jet" in said
+        and "Error of the depth at the end with the smallest cells, which are 1 per jet radius" in said
+    ), said
     found = results_of(out)
     assert [level["cells"] for level in found["levels"]] == [0.001, 0.002, 0.004] and len(found["results"]) == 4, found
     last = found["results"][-1]
@@ -55,7 +58,9 @@ def check_jet(folder):
     assert [float(row["cells_0.001"]) for row in rows] == [one["values"][0] for one in found["results"]], rows
     assert (out / "converge.png").read_bytes()[:4] == b"\x89PNG" and not list(out.glob(".*")), list(out.iterdir())
     depth = json.loads((out / "cells-1mm" / "summary.json").read_text())["penetration"]
-    assert depth["depth"] == last["values"][0] and depth["convergence"]["low"] == last["low"] and depth["convergence"]["extrapolated"] is None, depth
+    assert (
+        depth["depth"] == last["values"][0] and depth["convergence"]["low"] == last["low"] and depth["convergence"]["extrapolated"] is None
+    ), depth
     return out
 
 
@@ -73,7 +78,8 @@ def check_reuse(out, folder):
     said = converge(QUICK, *SHORT, "--out", folder / "again", "--levels", "2", "--set", "Grid/Upper={80 mm, 332 mm}")
     assert f"finished run in {folder / 'by_hand'}" in said and said.count("computing") == 1, said
     assert "two levels show no order" in said, said
-    said = converge(QUICK, *SHORT, "--out", folder / "again", "--levels", "2", "--set", "Grid/Upper={80 mm, 332 mm}", "--set", "Step/Courant Fraction=0.7")
+    said = converge(QUICK, *SHORT, "--out", folder / "again", "--levels", "2", "--set", "Grid/Upper={80 mm, 332 mm}", "--set",
+        "Step/Courant Fraction=0.7")
     assert said.count("computing") == 2, said
 
 
@@ -107,7 +113,8 @@ def check_smooth(folder):
     """The coasting shell: second order, and an interval that holds the radius of the one-dimensional shell."""
     settings = shell_coasting.settings(-0.08, 10.0, 14)
     words = [x for path, value in settings.items() if path.startswith(("Materials", "Bodies")) for x in ("--set", f"{path}={value}")]
-    converge(DECKS / "shell_coasting.xml", *words, "--set", "Time/End Time=10 us", "--quantity", "Shell_inner_radius", "--times", "5 us", "--out", folder / "shell")
+    converge(DECKS / "shell_coasting.xml", *words, "--set", "Time/End Time=10 us", "--quantity", "Shell_inner_radius", "--times", "5 us",
+        "--out", folder / "shell")
     (times, _, radii, _), _ = shell_coasting.dense(-0.08, 10.0)
     for one in results_of(folder / "shell", "converge_Shell_inner_radius")["results"]:
         exact = float(numpy.interp(one["time"], times, radii))
@@ -171,8 +178,11 @@ def check_summary_number(out):
 
 def check_failure(folder):
     """A run that fails ends the command with its code and its reason."""
-    found = converge(QUICK, *SHORT, "--out", folder / "failed", "--set", "Materials/Tungsten/Bad Particles=stop", "--set", "Step/Largest Expansion=1.001", code=3)
-    assert "the run with cells of 0.004 m ended with exit code 3" in found and "its policy is to stop" in found and found.count("\n") == 1, found
+    found = converge(QUICK, *SHORT, "--out", folder / "failed", "--set", "Materials/Tungsten/Bad Particles=stop", "--set",
+        "Step/Largest Expansion=1.001", code=3)
+    assert (
+        "the run with cells of 0.004 m ended with exit code 3" in found and "its policy is to stop" in found and found.count("\n") == 1
+    ), found
 
 
 def main():

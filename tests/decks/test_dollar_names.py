@@ -22,7 +22,8 @@ EVIL = r"R $\foo{$ \ ^_# %d %s {0} $a_{$"
 
 
 def program(*words):
-    result = subprocess.run([sys.argv[1], *map(str, words)], env=mpi_environment(), capture_output=True, text=True, timeout=500, check=False)
+    result = subprocess.run([sys.argv[1], *map(str, words)], env=mpi_environment(), capture_output=True, text=True, timeout=500,
+        check=False)
     assert result.returncode == 0, f"{words}: {result.stderr}"
     return result.stdout
 
@@ -46,7 +47,8 @@ def check_sweep(folder):
     """The deck's name and the varied names have dollar signs too."""
     deck = folder / f"{NAME}.xml".replace("\\", "")
     deck.write_text(DECK.read_text(encoding="utf-8").replace("../../input_xml", str(ROOT / "input_xml")), encoding="utf-8")
-    said = said_by("barreno_sweep", deck, "--set", "Time/End Time=6 us", "--vary", f"Bodies/{EVIL}/Particles Per Cell=1,2", "--out", folder / f"swept {NAME}")
+    said = said_by("barreno_sweep", deck, "--set", "Time/End Time=6 us", "--vary", f"Bodies/{EVIL}/Particles Per Cell=1,2", "--out",
+        folder / f"swept {NAME}")
     assert "not drawn" not in said and "depth_against.png" in said, said
 
 
@@ -55,7 +57,8 @@ def check_drive(folder):
     card = folder / f"{NAME}.xml".replace("\\", "")
     shutil.copyfile(ROOT / "materials" / "cards" / "berea_sandstone.xml", card)
     card.write_text(card.read_text(encoding="utf-8").replace('<ParameterList name="', f'<ParameterList name="{EVIL} ', 1), encoding="utf-8")
-    program("drive", "--material", card, "--path", ROOT / "input_xml" / "paths" / "uniaxial_berea.csv", "--out", folder / "a.csv", "--plot", folder / "a.png")
+    program("drive", "--material", card, "--path", ROOT / "input_xml" / "paths" / "uniaxial_berea.csv", "--out", folder / "a.csv", "--plot",
+        folder / "a.png")
     assert (folder / "a.png").read_bytes()[:4] == b"\x89PNG"
 
 

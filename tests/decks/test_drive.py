@@ -60,7 +60,8 @@ PATH_FILES = {
     "answer_surface.csv": [HEADER, START, SQUEEZE],
     "too_far.csv": [HEADER, START, SQUEEZE, "2e-6,1e-6,0,0,0,1,0,0,0,1"],
 }
-BAD = {  # name: (arguments, exit code, sentence)
+BAD = (
+    {  # name: (arguments, exit code, sentence)
     "missing path file": (
         CARD + ["--path", "nowhere.csv"] + OUT, 2,
         "nowhere.csv does not exist (needed as a path); check the path."),
@@ -98,13 +99,16 @@ BAD = {  # name: (arguments, exit code, sentence)
         "first_inverted.csv: line 2 has det F = 0 (volumes are positive); correct F11 to F33 of that row."),
     "half a turn": (
         CARD + ["--path", "half_turn.csv"] + OUT, 1,
-        "half_turn.csv: line 3 is half a turn or more from line 2 (there is no unique constant velocity gradient between them); add rows between them."),
+        "half_turn.csv: line 3 is half a turn or more from line 2 (there is no unique constant velocity gradient between them); add rows "
+        "between them."),
     "the model fails": (
         ["--material", "berea_sandstone.xml", "--path", "too_far.csv"] + OUT, 3,
-        "too_far.csv: line 4 cannot be reached: at time 2e-06 s the Arenisca of 'berea_sandstone' fails (the strain of one step is too large for it); check F of that row, or take smaller steps with --steps-per-row."),
+        "too_far.csv: line 4 cannot be reached: at time 2e-06 s the Arenisca of 'berea_sandstone' fails (the strain of one step is too "
+        "large for it); check F of that row, or take smaller steps with --steps-per-row."),
     "a column that is none": (
         CARD + ["--path", "misspelt.csv"] + OUT, 1,
-        "misspelt.csv: line 1 = \"stres_yy\" is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, axial_strain, radial_strain, axial_stress, confinement, pore_pressure and "
+        "misspelt.csv: line 1 = \"stres_yy\" is not a column of a path (strain_xx to strain_zx, stress_xx to stress_zx, axial_strain, "
+        "radial_strain, axial_stress, confinement, pore_pressure and "
         "time are); did you mean 'stress_yy'?"),
     "both controls": (
         CARD + ["--path", "both.csv"] + OUT, 1,
@@ -147,7 +151,8 @@ BAD = {  # name: (arguments, exit code, sentence)
         "reached: -2.366e+08 Pa); prescribe strain_xx to go beyond the strength."),
     "drained without fluid": (
         CARD + ["--path", "drained.csv"] + OUT, 1,
-        "drained.csv: pore_pressure: the Linear Elastic of 'glass' holds no fluid that could flow; give it a fluid or take the column out."),
+        "drained.csv: pore_pressure: the Linear Elastic of 'glass' holds no fluid that could flow; give it a fluid or take "
+        "the column out."),
     "missing card": (
         ["--material", "berea_sandstome.xml"] + PATH + OUT, 2,
         '--material "berea_sandstome.xml" names no card (there is none of that name in the working directory, in '
@@ -201,7 +206,8 @@ BAD = {  # name: (arguments, exit code, sentence)
     "out is a directory": (
         CARD + PATH + ["--out", "folder"], 2,
         "cannot write 'folder' (Is a directory). Free disk space or choose another folder with --out."),
-}  # fmt: skip
+}
+)  # fmt: skip
 
 
 def drive(barreno, folder, arguments):
@@ -349,7 +355,8 @@ def check_every_step(barreno, folder):
         words = ["--material", "berea_sandstone", "--path", str(path), "--steps-per-row", str(steps)]
         drive(barreno, folder, words + ["--out", "rows.csv"])
         rows = (folder / "rows.csv").read_text().splitlines()
-        for more, name in ((["--every-step"], "steps.csv"), (["--plot", "p.svg"], "plotted.csv"), (["--every-step", "--plot", "p.pdf"], "all.csv")):
+        for more, name in ((["--every-step"], "steps.csv"), (["--plot", "p.svg"], "plotted.csv"),
+                (["--every-step", "--plot", "p.pdf"], "all.csv")):
             result = drive(barreno, folder, words + more + ["--out", name])
             if result.returncode != 0:
                 yield f"{path.name} {more}: {result.stderr}"
@@ -420,7 +427,8 @@ def check_extension(barreno, folder):
     (folder / "pull.csv").write_text("time,strain_xx\n0,0\n1 us,0.001\n2 us,0.01\n3 us,0.1\n")
     pressures = []
     for beta in ("1", "0.5"):
-        result = drive(barreno, folder, ["--material", "berea_sandstone", "--path", "pull.csv", "--steps-per-row", "100", "--set", f"BETA_nonassociativity={beta}", *OUT])
+        result = drive(barreno, folder, ["--material", "berea_sandstone", "--path", "pull.csv", "--steps-per-row", "100", "--set",
+            f"BETA_nonassociativity={beta}", *OUT])
         if result.returncode != 0:
             yield f"extension with beta = {beta}: {result.stderr}"
             return
@@ -446,7 +454,10 @@ def check_compression_limit(barreno, folder):
         for steps in ("10", "1000"):
             result = drive(barreno, folder, ["--material", "copper", "--path", "crush.csv", "--steps-per-row", steps, *OUT])
             said = result.stderr
-            if result.returncode != 3 or "the compression limit of its Mie-Grueneisen law, V/V0 = 0.33" not in said or "smaller steps" in said:
+            if (
+                result.returncode != 3 or "the compression limit of its Mie-Grueneisen law, V/V0 = 0.33" not in said
+                or "smaller steps" in said
+            ):
                 yield f"{name}, {steps} steps: exit {result.returncode}: {said}"
 
 
@@ -469,7 +480,8 @@ def check_ranks(barreno, folder):
 
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
-    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_shipped_paths, check_every_step, check_surfaces,
+    checks = [check_bad_inputs, check_failure_keeps_old_answer, check_elastic, check_cards, check_shipped_paths, check_every_step,
+        check_surfaces,
               check_place_of_cards, check_extension, check_compression_limit, check_ranks]  # fmt: skip
     failed = 0
     for check in checks:

@@ -66,7 +66,8 @@ def write_data(folder, card, noise, library, seed=7):
     files = []
     for test, answer in zip(tests, answers):
         unit = "psi" if test.file == "triaxial_30" else "MPa"
-        lines = [f"# kind: {test.kind}", "# compression: positive", f"# uncertainty: {100 * NOISE} %", f"# confinement: {test.confinement / MEGA} MPa"]
+        lines = [f"# kind: {test.kind}", "# compression: positive", f"# uncertainty: {100 * NOISE} %",
+            f"# confinement: {test.confinement / MEGA} MPa"]
         (channel,) = answer
         (strain,) = set(test.columns) - {channel}
         stress = answer[channel] + noise * numpy.abs(answer[channel]).max() * random.standard_normal(test.rows)
@@ -131,7 +132,8 @@ def check_left_open(folder, library):
         pressure = Laboratory([test]).answers(rock)[0]["pressure"]
     lines = ["# kind: hydrostatic", "# compression: positive", "# strain: logarithmic", "volume_strain [-],pressure [Pa]"]
     (folder / "elastic.csv").write_text("\n".join([*lines, *(f"{e!r},{p!r}" for e, p in zip(strain.tolist(), pressure.tolist()))]) + "\n")
-    out, found = fitted([str(folder / "elastic.csv")], folder, "--start", "arenisca_demonstration", "--fix", "G1=0.2", "--fix", "B2=400 MPa")
+    out, found = fitted([str(folder / "elastic.csv")], folder, "--start", "arenisca_demonstration", "--fix", "G1=0.2", "--fix",
+        "B2=400 MPa")
     for name in ("p0_crush_curve", "p1_crush_curve"):
         start = cards.read("arenisca_demonstration")[name]
         assert found[name]["low"] is None and found[name]["value"] == start, found[name]
@@ -172,7 +174,8 @@ def check_bound(folder, library):
     (folder / "elastic.csv").write_text("\n".join([*lines, *(f"{e!r},{p!r}" for e, p in zip(strain.tolist(), pressure.tolist()))]) + "\n")
     held = [word for name in OF_CRUSHING for word in ("--fix", f"{name}={truth[name]!r}")]
     low, high = 1.2 * truth["B0"], 2.0 * truth["B0"]
-    out, found = fitted([str(folder / "elastic.csv")], folder, "--start", "arenisca_demonstration", "--fix", "G1=0.2", *held, "--bounds", f"B0={low!r},{high!r}")
+    out, found = fitted([str(folder / "elastic.csv")], folder, "--start", "arenisca_demonstration", "--fix", "G1=0.2", *held, "--bounds",
+        f"B0={low!r},{high!r}")
     assert found["B0"]["low"] is None and abs(found["B0"]["value"] / low - 1) < 0.03, found["B0"]
     assert "B0 stands at its bound and is kept at" in out, out
 
@@ -250,15 +253,19 @@ def check_many_starts(folder, library):
 def check_against_drive(folder, library, barreno):
     """The laboratory's unconfined, oedometer and hydrostatic tests are those of `barreno drive`."""
     strain = numpy.linspace(0, 0.02, 21)
-    cases = {"triaxial": ("axial_stress", "strain_xx,stress_yy,stress_zz", "{e},0,0"), "uniaxial strain": ("axial_stress", "strain_xx", "{e}"),
+    cases = {"triaxial": ("axial_stress", "strain_xx,stress_yy,stress_zz", "{e},0,0"),
+        "uniaxial strain": ("axial_stress", "strain_xx", "{e}"),
              "hydrostatic": ("pressure", "strain_xx,strain_yy,strain_zz", "{e},{e},{e}")}  # fmt: skip
-    tests = [test_of(kind, kind, {"volume_strain" if kind == "hydrostatic" else "axial_strain": strain * (3 if kind == "hydrostatic" else 1)}, channel) for kind, (channel, _, _) in cases.items()]
+    tests = [test_of(kind, kind,
+        {"volume_strain" if kind == "hydrostatic" else "axial_strain": strain * (3 if kind == "hydrostatic" else 1)}, channel)
+        for kind, (channel, _, _) in cases.items()]
     with opened(cards.in_a_test(true_card()), library) as rock:
         answers = Laboratory(tests).answers(rock)
     (folder / "rock.xml").write_text(cards.text_of(true_card()))
     for (kind, (channel, columns, row)), answer in zip(cases.items(), answers):
         path, out = folder / "path.csv", folder / "answer.csv"
-        path.write_text("\n".join([f"time,{columns}", *(f"{i}," + row.format(e=repr(-e + 0.0)) for i, e in enumerate(strain.tolist()))]) + "\n")
+        path.write_text("\n".join([f"time,{columns}", *(f"{i}," + row.format(e=repr(-e + 0.0)) for i, e in enumerate(strain.tolist()))])
+            + "\n")
         subprocess.run([barreno, "drive", "--material", folder / "rock.xml", "--path", path, "--out", out], check=True, capture_output=True)
         lines = [line for line in out.read_text().splitlines() if not line.startswith("#")]
         stress = -numpy.array([float(line.split(",")[lines[0].split(",").index("stress_xx")]) for line in lines[1:]])
@@ -282,17 +289,21 @@ BAD = {  # file name: (text or None, further words, exit code, sentence)
     "few_rows.csv": (HEAD + "\n".join(TABLE.splitlines()[:5]) + "\n", [], 1, "has 4 rows, too few for a curve (8 at least)"),
     "no_rows.csv": (HEAD + "volume_strain [%],pressure [MPa]\n", [], 1, "has no row of numbers"),
     "empty.csv": (HEAD, [], 1, "contains no table"),
-    "noisy.csv": (HEAD + "volume_strain [%],pressure [MPa]\n" + "".join(f"{0.1 * i + (0.3 if i % 2 else 0)},{i}\n" for i in range(30)), [], 1, "is not monotone: 'volume_strain' turns 28 times"),
+    "noisy.csv": (HEAD + "volume_strain [%],pressure [MPa]\n" + "".join(f"{0.1 * i + (0.3 if i % 2 else 0)},{i}\n" for i in range(30)), [],
+        1, "is not monotone: 'volume_strain' turns 28 times"),
     "text.csv": (HEAD + TABLE.replace("50\n", "fifty\n", 1), [], 1, "line 9 has 'fifty' in the column 'pressure', which is not a number"),
     "nan.csv": (HEAD + TABLE.replace("50\n", "nan\n", 1), [], 1, "which is not a number"),
     "ragged.csv": (HEAD + TABLE + "1,2,3\n", [], 1, "line 16 has 3 cells under 2 column names"),
-    "misspelt.csv": (HEAD + TABLE.replace("pressure", "presure"), [], 1, "lacks the column 'pressure', which a test of kind 'hydrostatic' needs (is one misspelt?"),
+    "misspelt.csv": (HEAD + TABLE.replace("pressure", "presure"), [], 1,
+        "lacks the column 'pressure', which a test of kind 'hydrostatic' needs (is one misspelt?"),
     "twice.csv": (HEAD + TABLE.replace("pressure [MPa]", "volume_strain [%]"), [], 1, "has the column 'volume_strain' twice"),
     "percent.csv": (HEAD + TABLE.replace("[%]", "[-]"), [], 1, "has a largest 'volume_strain' of 110 %, which no test has"),
     "binary.csv": (b"\xff\xfe\x00", [], 1, "is not text in UTF-8"),
-    "side.csv": ("# kind: triaxial\n# compression: positive\naxial_strain [%],axial_stress [MPa]\n" + ROWS, [], 1, "does not say its confinement"),
+    "side.csv": ("# kind: triaxial\n# compression: positive\naxial_strain [%],axial_stress [MPa]\n" + ROWS, [], 1,
+        "does not say its confinement"),
     "above.csv": (TRIAXIAL + "axial_strain [%],axial_stress [MPa]\n" + ROWS, [], 1, "call it differential_stress"),
-    "side_unit.csv": (TRIAXIAL.replace(" MPa", "") + "axial_strain [%],differential_stress [MPa]\n" + ROWS, [], 1, "'confinement' is '40', without a unit"),
+    "side_unit.csv": (TRIAXIAL.replace(" MPa", "") + "axial_strain [%],differential_stress [MPa]\n" + ROWS, [], 1,
+        "'confinement' is '40', without a unit"),
     "only_triaxial.csv": (TRIAXIAL + "axial_strain [%],differential_stress [MPa]\n" + ROWS, [], 1, "no hydrostatic test is among the data"),
     "only_hydrostatic.csv": (HEAD + TABLE, [], 1, "no triaxial test is among the data"),
     "start.csv": (HEAD + TABLE, ["--start", "nowhere"], 2, "nowhere is neither a file nor the name of a card"),
@@ -300,9 +311,13 @@ BAD = {  # file name: (text or None, further words, exit code, sentence)
     "fixed.csv": (HEAD + TABLE, ["--fix", "PEEK=1"], 1, "--fix PEEK names no parameter of a fit"),
     "fix_unit.csv": (HEAD + TABLE, ["--fix", "B0=3 m"], 1, "has the unit 'm', which is none of a stress"),
     "bounds.csv": (HEAD + TABLE, ["--bounds", "B0=3 GPa,1 GPa"], 1, "is not an interval above 0"),
-    "all_fixed.csv": (HEAD + TABLE, ["--start", "berea_sandstone", *(w for n in ("B0=6 GPa", "B1=2 GPa", "B2=9 MPa", "p0_crush_curve=-9 MPa", "p1_crush_curve=1 1/GPa", "p3_crush_curve=0.2") for w in ("--fix", n))], 1, "nothing is left to fit"),
+    "all_fixed.csv": (HEAD + TABLE,
+        ["--start", "berea_sandstone",
+            *(w for n in ("B0=6 GPa", "B1=2 GPa", "B2=9 MPa", "p0_crush_curve=-9 MPa", "p1_crush_curve=1 1/GPa", "p3_crush_curve=0.2")
+                for w in ("--fix", n))], 1, "nothing is left to fit"),
     "word.csv": (HEAD + TABLE, ["--fixx", "B0=1"], 1, "unrecognized arguments: --fixx"),
-    "refused.csv": (HEAD + TABLE, ["--start", "berea_sandstone", "--fix", "FSLOPE=0.01"], 3, "the library refuses every card that the fit could start from"),
+    "refused.csv": (HEAD + TABLE, ["--start", "berea_sandstone", "--fix", "FSLOPE=0.01"], 3,
+        "the library refuses every card that the fit could start from"),
 }  # fmt: skip
 
 
@@ -345,9 +360,12 @@ def main():
     os.environ["BARRENO_LIBRARY"] = str(pathlib.Path(sys.argv[1]).resolve())
     barreno, library = pathlib.Path(sys.argv[2]).resolve(), load()
     checks = {
-        "reading": lambda f: check_reading(f), "bad inputs": lambda f: check_bad_inputs(f), "drive": lambda f: check_against_drive(f, library, barreno),
-        "left open": lambda f: check_left_open(f, library), "restart": lambda f: check_restart(f, library), "bound": lambda f: check_bound(f, library), "better minimum": lambda f: check_better_minimum(f, library),
-        "columns": lambda f: check_columns(f, library), "many starts": lambda f: check_many_starts(f, library), "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library, sys.argv[3:] == ["--full"]),
+        "reading": lambda f: check_reading(f), "bad inputs": lambda f: check_bad_inputs(f),
+        "drive": lambda f: check_against_drive(f, library, barreno),
+        "left open": lambda f: check_left_open(f, library), "restart": lambda f: check_restart(f, library),
+        "bound": lambda f: check_bound(f, library), "better minimum": lambda f: check_better_minimum(f, library),
+        "columns": lambda f: check_columns(f, library), "many starts": lambda f: check_many_starts(f, library),
+        "known card": lambda f: check_known_card(f, library), "noise": lambda f: check_noise(f, library, sys.argv[3:] == ["--full"]),
     }  # fmt: skip
     for name, check in checks.items():
         with tempfile.TemporaryDirectory() as scratch:

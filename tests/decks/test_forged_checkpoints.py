@@ -16,7 +16,8 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification"
 from resumed import at_previous, different_fields, different_files, must_work, program  # noqa: E402
 from runs import DECKS  # noqa: E402
 
-WORDS = ("--set", "Time/End Time=4 us", "--set", "Grid/Cell Size=5 mm", "--set", "Output/Field Interval=2 us", "--set", "Output/Checkpoint Steps=7")
+WORDS = ("--set", "Time/End Time=4 us", "--set", "Grid/Cell Size=5 mm", "--set", "Output/Field Interval=2 us", "--set",
+    "Output/Checkpoint Steps=7")
 USER_BLOCK = 512
 NAN = float("nan")
 

@@ -13,7 +13,8 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECK = ROOT / "input_xml" / "perforation_quick.xml"
 SOURCE = ROOT / "verification" / "tools" / "full_disk.c"
-SHORT = ("--set", "Time/End Time=2 us", "--set", "Grid/Cell Size=10 mm", "--set", "Output/Field Interval=0 us", "--set", "Output/History Interval=2 us")
+SHORT = ("--set", "Time/End Time=2 us", "--set", "Grid/Cell Size=10 mm", "--set", "Output/Field Interval=0 us", "--set",
+    "Output/History Interval=2 us")
 FINISHED, FILE = 0, 2
 
 

@@ -29,15 +29,19 @@ def check_heat(folder):
 
 def check_free_pairs(folder):
     """Materials without a contact between them pass through each other in Uintah."""
-    one, other, third = material(), material("Other", objects=piece("c", left=0.6)), material("Third", objects=piece("d").replace("[0.2, 0.2,", "[0.2, 0.7,").replace(", 0.6, ", ", 0.9, "))
+    one, other, third = material(), material("Other", objects=piece("c", left=0.6)), material("Third",
+        objects=piece("d").replace("[0.2, 0.2,", "[0.2, 0.7,").replace(", 0.6, ", ", 0.9, "))
     none = ups(one + other).replace(told("single_velocity"), "")
-    folder.incomplete(none, "No contact of the file holds for Block and Other: in Uintah they pass through each other, in the deck they stick")
+    folder.incomplete(none,
+        "No contact of the file holds for Block and Other: in Uintah they pass through each other, in the deck they stick")
     rubs = told("friction", mu=0.3, materials="[0, 1]")
     folder.incomplete(ups(one + other + third + rubs), "No contact of the file holds for Block and Third; Other and Third: in Uintah")
-    folder.valid(ups(one + other + third + rubs + told("single_velocity", materials="[0, 2]") + told("single_velocity", materials="[1, 2]")))
+    folder.valid(ups(one + other + third + rubs + told("single_velocity", materials="[0, 2]")
+        + told("single_velocity", materials="[1, 2]")))
     moved = told("specified", direction="[1, 1, 1]", master_material=0)
     folder.incomplete(ups(one + other + third + moved), "No contact of the file holds for Other and Third: in Uintah")
-    folder.valid(ups(one + told("null", materials="[0, 1, 2]", stop_time="999999.9")), "A contact names materials that the file does not have (1, 2; it has 1, counted from 0)")
+    folder.valid(ups(one + told("null", materials="[0, 1, 2]", stop_time="999999.9")),
+        "A contact names materials that the file does not have (1, 2; it has 1, counted from 0)")
 
 
 def main():

@@ -14,12 +14,17 @@ import xml.etree.ElementTree as ElementTree
 
 from test_import import ROOT, Deck, imported, numbers, said
 
-NEO_HOOK = '<constitutive_model type="comp_neo_hook"><bulk_modulus>1e6</bulk_modulus><shear_modulus>4e5</shear_modulus>{}</constitutive_model>'
+NEO_HOOK = (
+    '<constitutive_model type="comp_neo_hook"><bulk_modulus>1e6</bulk_modulus><shear_modulus>4e5</shear_modulus>{}</constitutive_model>'
+)
 BOX = '<box label="{}"><min>[{}, 0.2, {}]</min><max>[{}, 0.6, {}]</max></box>'
 
 
 def piece(label="b", velocity="[1, 0, 0]", low=0, high=0.05, extra="", left=0.2):
-    return f"<geom_object>{BOX.format(label, left, low, left + 0.4, high)}<res>[2, 2, 1]</res><velocity>{velocity}</velocity>{extra}</geom_object>"
+    return (
+        f"<geom_object>{BOX.format(label, left, low, left + 0.4, high)}<res>[2, 2, "
+        f"1]</res><velocity>{velocity}</velocity>{extra}</geom_object>"
+    )
 
 
 def material(name="Block", model=NEO_HOOK.format(""), objects=None, extra=""):
@@ -74,7 +79,8 @@ def check_unknown_loses(folder):
     folder.run(text, "--strict", code=1)
     assert folder.run(ups(), "--strict").rstrip().endswith("The deck is valid.")
     twice = material(objects=piece("a", extra="<charge>1</charge>") + piece("c", extra="<charge>1</charge>", left=0.6))
-    folder.incomplete(ups(twice), "Block: material/geom_object/charge = 1 is left out (it has no counterpart in a deck, or none that the import knows). (2 times)")
+    folder.incomplete(ups(twice),
+        "Block: material/geom_object/charge = 1 is left out (it has no counterpart in a deck, or none that the import knows). (2 times)")
 
 
 METAL = """<constitutive_model type="elastic_plastic_hp"><shear_modulus>4.6e10</shear_modulus><bulk_modulus>1.29e11</bulk_modulus><flow_model type="johnson_cook">
@@ -83,30 +89,41 @@ METAL = """<constitutive_model type="elastic_plastic_hp"><shear_modulus>4.6e10</
 
 def check_materials(folder):
     damage = '<damage_model type="johnson_cook"><D1>0.54</D1><D2>4.89</D2><D3>-3.03</D3><D4>0.014</D4><D5>1.12</D5></damage_model>'
-    deck = folder.valid(ups(material(model=METAL.format(""), extra=damage + "<melt_temp>1356</melt_temp>")), "D0 and Dc", "melt_temp = 1356 K is left out")
+    deck = folder.valid(ups(material(model=METAL.format(""), extra=damage + "<melt_temp>1356</melt_temp>")), "D0 and Dc",
+        "melt_temp = 1356 K is left out")
     assert deck.value("Materials/Block/D2") == "4.89" and deck.value("Materials/Block/Melt Temperature") == "1793.0"
     for kind in ("hancock_mackenzie", "Threshold", "Brittle"):
         for model in (METAL.format(""), NEO_HOOK.format("")):
-            folder.incomplete(ups(material(model=model, extra=f'<damage_model type="{kind}"><x>1</x></damage_model>')), f"the damage model {kind} is left out")
-    folder.incomplete(ups(material(model=NEO_HOOK.format("").replace("comp_neo_hook", "cnh_damage"), extra='<damage_model type="Threshold"/>')), "the damage model Threshold")
-    deck = folder.valid(ups(material(model=METAL.format("<do_melting>true</do_melting><coeff_thermal_expansion>0.0</coeff_thermal_expansion><taylor_quinney_coeff>0.6</taylor_quinney_coeff>"))))
+            folder.incomplete(ups(material(model=model, extra=f'<damage_model type="{kind}"><x>1</x></damage_model>')),
+                f"the damage model {kind} is left out")
+    folder.incomplete(ups(material(model=NEO_HOOK.format("").replace("comp_neo_hook", "cnh_damage"), extra='<damage_model type="Threshold"/'
+        '>')), "the damage model Threshold")
+    deck = folder.valid(ups(material(model=METAL.format("<do_melting>true</do_melting><coeff_thermal_expansion>0.0</"
+        "coeff_thermal_expansion><taylor_quinney_coeff>0.6</taylor_quinney_coeff>"))))
     assert deck.value("Materials/Block/Taylor Quinney") == "0.6"
-    for tag in ("<isothermal>true</isothermal>", "<do_melting>false</do_melting>", "<initial_material_temperature>696</initial_material_temperature>",
-                "<coeff_thermal_expansion>1e-5</coeff_thermal_expansion>", '<equation_of_state type="hyper"/>', '<yield_condition type="gurson"/>'):  # fmt: skip
-        folder.incomplete(ups(material(model=METAL.format(tag))), ElementTree.fromstring(tag).get("type") or ElementTree.fromstring(tag).tag)
-    plastic = NEO_HOOK.format("<usePlasticity>true</usePlasticity><yield_stress>1e3</yield_stress><hardening_modulus>50</hardening_modulus>")
+    for tag in ("<isothermal>true</isothermal>", "<do_melting>false</do_melting>",
+            "<initial_material_temperature>696</initial_material_temperature>",
+                "<coeff_thermal_expansion>1e-5</coeff_thermal_expansion>", '<equation_of_state type="hyper"/>',
+                '<yield_condition type="gurson"/>'):  # fmt: skip
+        folder.incomplete(ups(material(model=METAL.format(tag))),
+            ElementTree.fromstring(tag).get("type") or ElementTree.fromstring(tag).tag)
+    plastic = NEO_HOOK.format("<usePlasticity>true</usePlasticity><yield_stress>1e3</yield_stress><hardening_modulus>50</"
+        "hardening_modulus>")
     deck = folder.valid(ups(material(model=plastic)), "with usePlasticity becomes Johnson-Cook")
     assert [deck.value(f"Materials/Block/{key}") for key in ("A", "B", "n")] == ["1000.0", "50.0", "1.0"]
     named = plastic.replace("<usePlasticity>true</usePlasticity>", "<alpha>0.0</alpha>").replace("comp_neo_hook", "comp_neo_hook_plastic")
     deck = folder.valid(ups(material(model=named)), "comp_neo_hook_plastic becomes Johnson-Cook")
     assert [deck.value(f"Materials/Block/{key}") for key in ("A", "B", "n")] == ["1000.0", "50.0", "1.0"]
-    strong = folder.valid(ups(material(model=named.replace("1e3", "1e10"))), "yield_stress = 1e+10 is above the shear modulus", "becomes Neo-Hookean")
+    strong = folder.valid(ups(material(model=named.replace("1e3", "1e10"))), "yield_stress = 1e+10 is above the shear modulus",
+        "becomes Neo-Hookean")
     assert strong.value("Materials/Block/Model") == "Neo-Hookean"
     elastic = plastic.replace("<usePlasticity>true</usePlasticity>", "<alpha>0.5</alpha>")  # which Uintah does not read then
     assert folder.valid(ups(material(model=elastic)), "becomes Neo-Hookean").value("Materials/Block/Model") == "Neo-Hookean"
     other = METAL.format("").replace("johnson_cook", "zerilli_armstrong")
     answer = folder.run(ups(material() + material("Rod", other, piece("rod", left=0.6))))
-    assert "The material Rod is left out with its bodies (its flow rule zerilli_armstrong" in answer and "bulk_modulus" not in answer, answer
+    assert (
+        "The material Rod is left out with its bodies (its flow rule zerilli_armstrong" in answer and "bulk_modulus" not in answer
+    ), answer
     stress = NEO_HOOK.format("<useInitialStress>true</useInitialStress><initial_pressure>-1e4</initial_pressure>")
     folder.incomplete(ups(material(model=stress)), "initial_pressure = -10000, is left out")
     folder.incomplete(ups(material(extra='<erosion algorithm="ZeroStress"/>')), "erosion ZeroStress")
@@ -123,7 +140,10 @@ def check_nothing_left(folder):
     assert "any of its 5 materials (A, B, C, ...)" in text, text
     text = folder.run(ups(material(objects=piece().replace("box", "ellipsoid"))), code=1)
     assert "has no body" in text and "remarks say" in text, text
-    skin = "<geom_object><difference><box><min>[0.1, 0.1, 0]</min><max>[0.7, 0.7, 0.05]</max></box><box label=\"b\"/></difference><res>[2, 2, 1]</res></geom_object>"
+    skin = (
+        "<geom_object><difference><box><min>[0.1, 0.1, 0]</min><max>[0.7, 0.7, 0.05]</max></box><box label=\"b\"/></difference><res>[2, 2, "
+        "1]</res></geom_object>"
+    )
     deck = folder.incomplete(ups(material("Foam", foam) + material("Skin", objects=skin)), "The material Foam is left out with its bodies")
     assert deck.value("Bodies/Skin/Parts") == "{difference part, difference part 2}" and deck.names("Bodies") == ["Skin"]
     answer = folder.run(ups(material() + material("Skin", objects=skin.replace('"b"', '"nowhere"'))))
@@ -131,7 +151,8 @@ def check_nothing_left(folder):
 
 
 def check_bodies(folder):
-    deck = folder.valid(ups(material(objects=piece(extra="<temperature>294</temperature><pressure>101325</pressure><density>1717</density>"))))
+    deck = folder.valid(
+        ups(material(objects=piece(extra="<temperature>294</temperature><pressure>101325</pressure><density>1717</density>"))))
     assert deck.names("Bodies") == ["b"]
     folder.incomplete(ups(material(objects=piece(velocity="[1, 0, 3]"))), "Body b: the velocity has the component 3 along z")
     text = ups(material(objects=piece() + piece("aside", low=0.1, high=0.2)))
@@ -156,13 +177,15 @@ def check_conditions(folder):
     symmetric = '<BCType id="all" label="Symmetric" var="symmetry"/>'
     for both in ((velocity("[0, 0, 0]"), symmetric), (symmetric, velocity("[0, 0, 0]"))):  # of both nothing moves
         assert folder.valid(ups(faces=face("x-", *both))).value("Conditions/Face x lower/Kind") == "fixed"
-    folder.incomplete(ups(faces=face("x-", velocity("[1, 0, 0]"), symmetric)), "x- has several conditions: symmetry is left out, prescribed velocity is taken")
+    folder.incomplete(ups(faces=face("x-", velocity("[1, 0, 0]"), symmetric)),
+        "x- has several conditions: symmetry is left out, prescribed velocity is taken")
     two = material() + material("Other", objects=piece("c", left=0.6))
     folder.incomplete(ups(two, faces=face("x-", velocity("[0, 0, 0]", 1))), "holds for the material 1 alone")
     gas = '<BCType id="0" label="Pressure" var="Neumann"><value>0</value></BCType>'
     folder.incomplete(ups(two, faces=face("x-", gas) + face("y+", gas)), "x-, y+: the condition Neumann Pressure has no counterpart")
     folder.incomplete(ups(faces=face("z-", velocity("[0, 0, 0]"))), "a face normal to the plane")
-    folder.valid(ups(faces=face("z-", symmetric.replace("/>", "><value>[0, 0, 0]</value></BCType>")) + face("x+", velocity("[0, 0, 0]", 0))))
+    folder.valid(ups(faces=face("z-", symmetric.replace("/>", "><value>[0, 0, 0]</value></BCType>"))
+        + face("x+", velocity("[0, 0, 0]", 0))))
     folder.incomplete(ups(time="<max_Timesteps>50</max_Timesteps>"), "The largest number of steps, 50,")
     folder.incomplete(ups(grid="<periodic>[1, 0, 0]</periodic>"), "Grid/Level/periodic = [1, 0, 0]")
     folder.valid(ups(grid="<periodic>[0, 0, 0]</periodic>"), "Grid/Level/periodic")
@@ -170,13 +193,17 @@ def check_conditions(folder):
 
 def check_flags(folder):
     deck = folder.valid(ups(flags="<interpolator>fast_cpdi</interpolator><XPIC2>true</XPIC2><cpdi_lcrit>1.25</cpdi_lcrit>"))
-    assert [deck.value(f"Step/{key}") for key in ("Shape Function", "Transfer", "XPIC Order", "Largest Domain")] == ["CPDI", "XPIC", "2", "1.25"]
+    assert [deck.value(f"Step/{key}") for key in ("Shape Function", "Transfer", "XPIC Order", "Largest Domain")] == ["CPDI", "XPIC",
+        "2", "1.25"]
     assert folder.valid(ups(flags="<cpdi_lcrit>1.25</cpdi_lcrit>")).value("Step/Largest Domain") is None
     folder.incomplete(ups(flags="<do_grid_reset>false</do_grid_reset>"), "do_grid_reset = false")
-    folder.incomplete(ups(flags="<UsePrescribedDeformation>true</UsePrescribedDeformation><PrescribedDeformationFile>p.inp</PrescribedDeformationFile>"),
+    folder.incomplete(ups(flags="<UsePrescribedDeformation>true</UsePrescribedDeformation><PrescribedDeformationFile>p.inp</"
+        "PrescribedDeformationFile>"),
                       "The deformation that p.inp prescribes is left out")  # fmt: skip
-    folder.valid(ups(flags="<boundary_traction_faces>[xminus]</boundary_traction_faces><solver>simple</solver>"), "MPM/boundary_traction_faces, MPM/solver")
-    folder.incomplete(ups().replace('type="mpm"', 'type="impm"'), "SimulationComponent impm is read as mpm, the explicit material point method")
+    folder.valid(ups(flags="<boundary_traction_faces>[xminus]</boundary_traction_faces><solver>simple</solver>"),
+        "MPM/boundary_traction_faces, MPM/solver")
+    folder.incomplete(ups().replace('type="mpm"', 'type="impm"'),
+        "SimulationComponent impm is read as mpm, the explicit material point method")
     folder.incomplete(ups().replace('type="mpm"', 'type="mpmice"'), "SimulationComponent mpmice is left out but for its material points")
     folder.valid(ups(flags="<refine_particles>false</refine_particles>"), "MPM/refine_particles")
     folder.incomplete(ups(flags="<refine_particles>true</refine_particles>"), "MPM/refine_particles = true")
@@ -204,7 +231,8 @@ def check_loads(folder):
     two = plug("plug", 0.2, 0.8) + plug("plate", 0.1, 0.2)
     deck = folder.valid(ups(two, AXIS, loads=pressure(CYLINDER.format("s", 0.1, 0.8, side), -1e4)))
     assert {deck.value(f"Loads/{name}/Body") for name in deck.names("Loads")} == {"plug", "plate"}
-    deck = folder.incomplete(ups(two, AXIS, loads=pressure(CYLINDER.format("s", 0.1, 0.5, side), -1e4)), 'pressure on "s" of PhysicalBC covers a part of x_upper of plug')
+    deck = folder.incomplete(ups(two, AXIS, loads=pressure(CYLINDER.format("s", 0.1, 0.5, side), -1e4)),
+        'pressure on "s" of PhysicalBC covers a part of x_upper of plug')
     assert [deck.value(f"Loads/{name}/Body") for name in deck.names("Loads")] == ["plate"]
     twice = pressure(CYLINDER.format("s", 0.2, 0.8, side), -1e4) * 2
     folder.incomplete(ups(plug("plug", 0.2, 0.8), AXIS, loads=twice), "A second pressure")
@@ -218,7 +246,8 @@ def told(kind, **tags):
 
 
 def check_contact(folder):
-    wall = material("Wall", '<constitutive_model type="rigid"><shear_modulus>1e6</shear_modulus><bulk_modulus>1e6</bulk_modulus></constitutive_model>',
+    wall = material("Wall",
+        '<constitutive_model type="rigid"><shear_modulus>1e6</shear_modulus><bulk_modulus>1e6</bulk_modulus></constitutive_model>',
                     piece("wall", "[0, -2, 0]", left=0.6), "<is_rigid>true</is_rigid>")  # fmt: skip
     both = wall + material()
     deck = folder.valid(ups(both + told("rigid", direction="[1, 1, 1]", materials="[0, 1]")), "contact rigid becomes a Motion")
@@ -242,7 +271,8 @@ def check_files(folder):
     inner = folder.path / "inputs" / "MPM"
     inner.mkdir(parents=True)
     (inner / "rows.dat").write_text("0.001 1 0 0 0 0 -5 0\n")
-    shot = ups(plug("Shot", 0.7, 0.8).replace("<res>", "<color>1</color><res>") + material("Rest"), "<axisymmetric>true</axisymmetric><InsertParticles>true</InsertParticles>"
+    shot = ups(plug("Shot", 0.7, 0.8).replace("<res>", "<color>1</color><res>") + material("Rest"),
+        "<axisymmetric>true</axisymmetric><InsertParticles>true</InsertParticles>"
                "<InsertParticlesFile>inputs/MPM/rows.dat</InsertParticlesFile>")  # fmt: skip
     (inner / "shot.ups").write_text(shot)
     assert "1 insertions of rows.dat become slugs" in imported(inner / "shot.ups", "--out", folder.out, "--overwrite")
@@ -267,7 +297,8 @@ def check_files(folder):
 def check_letters(folder):
     """Names with letters that the terminal lacks."""
     (folder.path / "case.ups").write_text(ups(flags="<größe>3</größe>"), encoding="utf-8")
-    environment = {**os.environ, "PYTHONIOENCODING": "ascii", "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()), "PYTHONPATH": str(ROOT / "src" / "python"),
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii", "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()),
+        "PYTHONPATH": str(ROOT / "src" / "python"),
                    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}  # fmt: skip
     words = [sys.executable, "-m", "barreno_import", folder.path / "case.ups", "--out", folder.out, "--overwrite"]
     result = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
@@ -275,7 +306,8 @@ def check_letters(folder):
 
 
 def main():
-    checks = (check_unknown_loses, check_materials, check_nothing_left, check_bodies, check_conditions, check_flags, check_loads, check_contact, check_files,
+    checks = (check_unknown_loses, check_materials, check_nothing_left, check_bodies, check_conditions, check_flags, check_loads,
+        check_contact, check_files,
               check_letters)  # fmt: skip
     for check in checks:
         with tempfile.TemporaryDirectory() as name:

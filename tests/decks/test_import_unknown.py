@@ -57,14 +57,16 @@ def with_unknown(root, position, kind):
     return new
 
 
-WORDS = ("", "often", "nan", "inf", "-1e308", "1e308", "1e-320", "-1", "0", "1.5", "[0, 0, 0]", "[-1e308, 1e308, 1e308]", "[1e-320, 1e-320, 1e-320]", "[1, 2]", "[5, 5, 5]")
+WORDS = ("", "often", "nan", "inf", "-1e308", "1e308", "1e-320", "-1", "0", "1.5", "[0, 0, 0]", "[-1e308, 1e308, 1e308]",
+    "[1e-320, 1e-320, 1e-320]", "[1, 2]", "[5, 5, 5]")
 
 
 def check_words():
     """Python's own exceptions end the test."""
     for root in rich_inputs():
         for element in root.iter():
-            places = [lambda word, e=element, n=name: e.set(n, word) for name in element.attrib] + ([lambda word, e=element: setattr(e, "text", word)] if not len(element) else [])
+            places = [lambda word, e=element, n=name: e.set(n, word)
+                for name in element.attrib] + ([lambda word, e=element: setattr(e, "text", word)] if not len(element) else [])
             for put in places:
                 kept = element.text, dict(element.attrib)
                 for word in WORDS:

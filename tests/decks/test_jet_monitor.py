@@ -100,7 +100,9 @@ def check_short_grid(barreno, folder):
     words = [x for one in ("Grid/Upper={8 mm, 34 mm}", "Jet Monitor/Interval=40 us", "Time/End Time=20 us") for x in ("--set", one)]
     must_work(program(barreno, 1, "run", folder / "rod.xml", "--out", folder / "short", *words))
     run = Run(folder / "short")
-    assert run.summary["removed_particles"]["left_grid"]["mass"] > 0.99 * DENSITY * math.pi * RADIUS**2 * LENGTH, run.summary["removed_particles"]
+    assert (
+        run.summary["removed_particles"]["left_grid"]["mass"] > 0.99 * DENSITY * math.pi * RADIUS**2 * LENGTH
+    ), run.summary["removed_particles"]
     near(run.summary["formed_jet"]["crossed"]["mass"], DENSITY * math.pi * RADIUS**2 * LENGTH, 1e-12)
 
 

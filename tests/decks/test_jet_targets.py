@@ -89,10 +89,12 @@ def check_refined_hole(folder):
     first = found["equal"]
     for name, one in found.items():
         assert one["channel_depth"] == first["channel_depth"] > 0.04, f"{name}: {one['channel_depth']} beside {first['channel_depth']}"
-        for measure in (one["channel_radius_mid"] / first["channel_radius_mid"], *(one["entrance_diameter_in_body"][b] / first["entrance_diameter_in_body"][b] for b in ("Casing", "Rock"))):
+        for measure in (one["channel_radius_mid"] / first["channel_radius_mid"],
+                *(one["entrance_diameter_in_body"][b] / first["entrance_diameter_in_body"][b] for b in ("Casing", "Rock"))):
             assert abs(measure - 1.0) < 0.01, f"{name}: {one} beside {first}"
         hole, radius = hole_in_report(folder / name)
-        assert abs(hole.length - one["channel_depth"]) <= hole.cell and abs(radius - one["channel_radius_mid"]) < hole.cell / 6.0, (name, hole.length, radius, one)
+        assert abs(hole.length - one["channel_depth"]) <= hole.cell and abs(radius - one["channel_radius_mid"]) < hole.cell / 6.0, (name,
+            hole.length, radius, one)
 
 
 def main():

@@ -41,44 +41,78 @@ PLAIN = {"axial_strain [%]": 100 * AXIAL, "differential_stress [MPa]": STRESS, "
 VOLUMES = {"axial_strain [%]": 100 * AXIAL, "differential_stress [MPa]": STRESS, "volume_strain [%]": 100 * VOLUME}
 READ = {  # text, words, what the notes say
     "as documented": (HEAD + table(PLAIN), (), ()),
-    "other names": (HEAD + table({"Axial Strain (%)": 100 * AXIAL, "Deviatoric stress (MPa)": STRESS, "Lateral strain (%)": 100 * RADIAL}), (), ("is read as differential_stress", "is read as radial_strain")),
-    "symbols": (HEAD + table({"eps_1 [-]": AXIAL, "q [psi]": STRESS / 6.894757293168361e-3, "eps_3 [-]": RADIAL}), (), ("'q' is read as differential_stress",)),
-    "units behind a slash": (HEAD + table({"axial_strain / %": 100 * AXIAL, "differential_stress / kPa": 1e3 * STRESS, "radial_strain / microstrain": 1e6 * RADIAL}), (), ()),
-    "mapped": (HEAD + table({"A1 [%]": 100 * AXIAL, "B1 [MPa]": STRESS, "C1 [%]": 100 * RADIAL}), ("--column", "A1=axial_strain", "--column", "B1=differential_stress", "--column", "c1=radial_strain"), ()),
-    "force of a balanced piston": (HEAD + SIZE + table({"axial_strain [%]": 100 * AXIAL, "Force [kN]": FORCE, "radial_strain [%]": 100 * RADIAL}), ("--column", "Force=axial_force"), ("differential_stress is axial_force per present area",)),
-    "force with the confinement": (HEAD + SIZE + table({"axial_strain [%]": 100 * AXIAL, "Force [kN]": FORCE * (STRESS + SIDE) / numpy.maximum(STRESS, 1e-9) + (AXIAL == 0) * SIDE * 0.25 * numpy.pi * DIAMETER**2 * 1e-3, "radial_strain [%]": 100 * RADIAL}), ("--column", "Force=axial_force"), ("axial_stress is axial_force per present area",)),
-    "displacement": (HEAD + SIZE + table({"Displacement [mm]": LENGTH * AXIAL, "differential_stress [MPa]": STRESS, "diameter_change [mm]": -DIAMETER * RADIAL}), (), ("axial_strain is axial_displacement over 100 mm", "radial_strain is diameter_change")),
-    "size by words": (HEAD + table({"axial_displacement [mm]": LENGTH * AXIAL, "differential_force [kN]": FORCE, "radial_strain [%]": 100 * RADIAL}), ("--say", "tri40.csv:diameter=50 mm", "--say", "length=100 mm"), ("differential_stress is differential_force",)),
+    "other names": (HEAD + table({"Axial Strain (%)": 100 * AXIAL, "Deviatoric stress (MPa)": STRESS, "Lateral strain (%)": 100 * RADIAL}),
+        (), ("is read as differential_stress", "is read as radial_strain")),
+    "symbols": (HEAD + table({"eps_1 [-]": AXIAL, "q [psi]": STRESS / 6.894757293168361e-3, "eps_3 [-]": RADIAL}), (),
+        ("'q' is read as differential_stress",)),
+    "units behind a slash": (HEAD + table({"axial_strain / %": 100 * AXIAL, "differential_stress / kPa": 1e3 * STRESS,
+        "radial_strain / microstrain": 1e6 * RADIAL}), (), ()),
+    "mapped": (HEAD + table({"A1 [%]": 100 * AXIAL, "B1 [MPa]": STRESS, "C1 [%]": 100 * RADIAL}),
+        ("--column", "A1=axial_strain", "--column", "B1=differential_stress", "--column", "c1=radial_strain"), ()),
+    "force of a balanced piston": (HEAD + SIZE
+        + table({"axial_strain [%]": 100 * AXIAL, "Force [kN]": FORCE, "radial_strain [%]": 100 * RADIAL}),
+        ("--column", "Force=axial_force"), ("differential_stress is axial_force per present area",)),
+    "force with the confinement": (HEAD + SIZE
+        + table({"axial_strain [%]": 100 * AXIAL,
+            "Force [kN]": FORCE * (STRESS + SIDE) / numpy.maximum(STRESS, 1e-9)
+            + (AXIAL == 0) * SIDE * 0.25 * numpy.pi * DIAMETER**2 * 1e-3, "radial_strain [%]": 100 * RADIAL}),
+            ("--column", "Force=axial_force"), ("axial_stress is axial_force per present area",)),
+    "displacement": (HEAD + SIZE
+        + table({"Displacement [mm]": LENGTH * AXIAL, "differential_stress [MPa]": STRESS, "diameter_change [mm]": -DIAMETER * RADIAL}), (),
+        ("axial_strain is axial_displacement over 100 mm", "radial_strain is diameter_change")),
+    "size by words": (HEAD
+        + table({"axial_displacement [mm]": LENGTH * AXIAL, "differential_force [kN]": FORCE, "radial_strain [%]": 100 * RADIAL}),
+        ("--say", "tri40.csv:diameter=50 mm", "--say", "length=100 mm"), ("differential_stress is differential_force",)),
     "rate": (HEAD + table({"time [min]": numpy.arange(10.0), **PLAIN}), (), ("mean strain rate 1.67e-05 1/s",)),
     "fast": (HEAD + table({"time [ms]": 0.1 * numpy.arange(10.0), **PLAIN}), (), ("a fit takes tests as slow",)),
-    "confinement in a column": (HEAD.replace("# confinement: 40 MPa\n", "") + table({**PLAIN, "Confining pressure [MPa]": SIDE + 0.1 * numpy.sin(9 * AXIAL * 1e3)}), (), ("confinement 40", "is read as confinement")),
-    "titles": (HEAD.replace("# confinement: 40 MPa\n", "") + "Confining pressure: 40 MPa\nSpecimen diameter: 50 mm\n\n" + table({"axial_strain [%]": 100 * AXIAL, "axial_force [kN]": FORCE, "radial_strain [%]": 100 * RADIAL}), (), ("is read as confinement", "is read as diameter", "lines 3 to 4 stand")),
-    "header by words": (table(PLAIN), ("--say", "kind=triaxial", "--say", "compression=positive", "--say", "tri40.csv:confinement=40 MPa"), ()),
+    "confinement in a column": (HEAD.replace("# confinement: 40 MPa\n", "")
+        + table({**PLAIN, "Confining pressure [MPa]": SIDE + 0.1 * numpy.sin(9 * AXIAL * 1e3)}), (),
+        ("confinement 40", "is read as confinement")),
+    "titles": (HEAD.replace("# confinement: 40 MPa\n", "") + "Confining pressure: 40 MPa\nSpecimen diameter: 50 mm\n\n"
+        + table({"axial_strain [%]": 100 * AXIAL, "axial_force [kN]": FORCE, "radial_strain [%]": 100 * RADIAL}), (),
+        ("is read as confinement", "is read as diameter", "lines 3 to 4 stand")),
+    "header by words": (table(PLAIN), ("--say", "kind=triaxial", "--say", "compression=positive", "--say", "tri40.csv:confinement=40 MPa"),
+        ()),
     "negative": (HEAD.replace("positive", "negative") + table({name: -values for name, values in PLAIN.items()}), (), ()),
     "one column by option": (HEAD + table({**PLAIN, "radial_strain [%]": -100 * RADIAL}), ("--sign", "radial_strain=negative"), ()),
-    "one column by header": (HEAD.replace("positive", "positive, radial_strain negative") + table({**PLAIN, "radial_strain [%]": -100 * RADIAL}), (), ()),
+    "one column by header": (HEAD.replace("positive", "positive, radial_strain negative")
+        + table({**PLAIN, "radial_strain [%]": -100 * RADIAL}), (), ()),
     "volume": (HEAD + table(VOLUMES), (), ()),
-    "dilatancy positive": (HEAD.replace("positive", "positive, dilatancy positive") + table({**VOLUMES, "volume_strain [%]": -100 * VOLUME}), (), ()),
+    "dilatancy positive": (HEAD.replace("positive", "positive, dilatancy positive")
+        + table({**VOLUMES, "volume_strain [%]": -100 * VOLUME}), (), ()),
     "dilatancy by option": (HEAD + table({**VOLUMES, "volume_strain [%]": -100 * VOLUME}), ("--sign", "volume_strain=negative"), ()),
 }  # fmt: skip
 REFUSED = {
     "swells": (HEAD + table({**VOLUMES, "volume_strain [%]": -100 * VOLUME}), (), "swells while it is compressed elastically"),
     "advice for it": (HEAD + table({**VOLUMES, "volume_strain [%]": -100 * VOLUME}), (), "say --sign volume_strain=negative"),
-    "becomes thinner": (HEAD + table({**PLAIN, "radial_strain [%]": -100 * RADIAL}), (), "becomes thinner while it is compressed elastically"),
-    "swells by its side": (HEAD + table({**PLAIN, "radial_strain [%]": 400 * RADIAL}), (), "swells while it is compressed elastically ('radial_strain'"),
+    "becomes thinner": (HEAD + table({**PLAIN, "radial_strain [%]": -100 * RADIAL}), (),
+        "becomes thinner while it is compressed elastically"),
+    "swells by its side": (HEAD + table({**PLAIN, "radial_strain [%]": 400 * RADIAL}), (),
+        "swells while it is compressed elastically ('radial_strain'"),
     "volume beyond the axis": (HEAD + table({**VOLUMES, "volume_strain [%]": 300 * VOLUME}), (), "check the units of both"),
-    "hydrostatic": ("# kind: hydrostatic\n# compression: positive\n" + table({"volume_strain [%]": -100 * VOLUME, "pressure [MPa]": STRESS}), (), "swells while it is compressed elastically ('pressure'"),
-    "uniaxial": ("# kind: uniaxial strain\n# compression: positive\n" + table({"axial_strain [%]": 100 * AXIAL, "axial_stress [MPa]": STRESS, "radial_stress [MPa]": -0.3 * STRESS}), (), "radial stress that falls"),
-    "unknown column": (HEAD + table({"A1 [%]": 100 * AXIAL, "B1 [MPa]": STRESS}), (), 'say which it is with --column "NAME=axial_strain", NAME one of A1, B1'),
-    "no diameter": (HEAD + table({"axial_strain [%]": 100 * AXIAL, "axial_force [kN]": FORCE}), (), "not the diameter of the specimen; add a line such as '# diameter: 50 mm', or --say"),
-    "no length": (HEAD + table({"displacement [mm]": LENGTH * AXIAL, "differential_stress [MPa]": STRESS}), (), "not the length of the specimen"),
-    "odd length": (HEAD + SIZE.replace("100.0 mm", "100 m") + table({"displacement [mm]": LENGTH * AXIAL, "differential_stress [MPa]": STRESS}), (), "which no specimen has"),
-    "open force": (HEAD + SIZE + table({"axial_strain [%]": 100 * AXIAL, "axial_force [kN]": FORCE + 30.0}), (), "it is open whether the force includes it"),
+    "hydrostatic": ("# kind: hydrostatic\n# compression: positive\n"
+        + table({"volume_strain [%]": -100 * VOLUME, "pressure [MPa]": STRESS}), (),
+        "swells while it is compressed elastically ('pressure'"),
+    "uniaxial": ("# kind: uniaxial strain\n# compression: positive\n"
+        + table({"axial_strain [%]": 100 * AXIAL, "axial_stress [MPa]": STRESS, "radial_stress [MPa]": -0.3 * STRESS}), (),
+        "radial stress that falls"),
+    "unknown column": (HEAD + table({"A1 [%]": 100 * AXIAL, "B1 [MPa]": STRESS}), (),
+        'say which it is with --column "NAME=axial_strain", NAME one of A1, B1'),
+    "no diameter": (HEAD + table({"axial_strain [%]": 100 * AXIAL, "axial_force [kN]": FORCE}), (),
+        "not the diameter of the specimen; add a line such as '# diameter: 50 mm', or --say"),
+    "no length": (HEAD + table({"displacement [mm]": LENGTH * AXIAL, "differential_stress [MPa]": STRESS}), (),
+        "not the length of the specimen"),
+    "odd length": (HEAD + SIZE.replace("100.0 mm", "100 m")
+        + table({"displacement [mm]": LENGTH * AXIAL, "differential_stress [MPa]": STRESS}), (), "which no specimen has"),
+    "open force": (HEAD + SIZE + table({"axial_strain [%]": 100 * AXIAL, "axial_force [kN]": FORCE + 30.0}), (),
+        "it is open whether the force includes it"),
     "no kind": ("# compression: positive\n" + table(PLAIN), (), '--say "tri40.csv:kind=NAME"'),
     "no sign": ("# kind: triaxial\n# confinement: 40 MPa\n" + table(PLAIN), (), "--say compression=positive"),
     "no confinement": (HEAD.replace("# confinement: 40 MPa\n", "") + table(PLAIN), (), '--say "tri40.csv:confinement=40 MPa"'),
-    "varying confinement": (HEAD.replace("# confinement: 40 MPa\n", "") + table({**PLAIN, "confining pressure [MPa]": STRESS}), (), "a triaxial test has a constant one"),
-    "no unit of a force": (HEAD + SIZE + table({"axial_strain [%]": 100 * AXIAL, "axial_force": FORCE}), (), "gives no unit for the column 'axial_force'; write for example 'axial_force [kN]'"),
+    "varying confinement": (HEAD.replace("# confinement: 40 MPa\n", "") + table({**PLAIN, "confining pressure [MPa]": STRESS}), (),
+        "a triaxial test has a constant one"),
+    "no unit of a force": (HEAD + SIZE + table({"axial_strain [%]": 100 * AXIAL, "axial_force": FORCE}), (),
+        "gives no unit for the column 'axial_force'; write for example 'axial_force [kN]'"),
     "backward time": (HEAD + table({"time [s]": -numpy.arange(10.0), **PLAIN}), (), "does not increase"),
     "odd sign of a column": (HEAD.replace("positive", "positive, strain up") + table(PLAIN), (), "is no column with positive or negative"),
     "odd --sign": (HEAD + table(PLAIN), ("--sign", "radial_strain=up"), "--sign radial_strain=up is no column"),
@@ -91,10 +125,12 @@ REFUSED = {
 
 
 def check_read(folder):
-    expected = {"axial_strain": -numpy.log1p(-AXIAL), "radial_strain": -numpy.log1p(-RADIAL), "volume_strain": -numpy.log1p(-VOLUME), "differential_stress": 1e6 * STRESS, "axial_stress": 1e6 * (STRESS + SIDE)}
+    expected = {"axial_strain": -numpy.log1p(-AXIAL), "radial_strain": -numpy.log1p(-RADIAL), "volume_strain": -numpy.log1p(-VOLUME),
+        "differential_stress": 1e6 * STRESS, "axial_stress": 1e6 * (STRESS + SIDE)}
     for name, (text, words, notes) in READ.items():
         test = read(folder, text, *words)
-        assert {"axial_strain", "radial_strain" if "radial_strain" in test.columns else "volume_strain"} < set(test.columns), f"{name}: {list(test.columns)}"
+        assert {"axial_strain", "radial_strain" if "radial_strain" in test.columns
+            else "volume_strain"} < set(test.columns), f"{name}: {list(test.columns)}"
         for column, values in test.columns.items():
             numpy.testing.assert_allclose(values, expected[column], rtol=1e-9, atol=1e-9, err_msg=f"{name}, {column}")
         assert abs(test.confinement - 40e6) < 0.1e6, f"{name}: {test.confinement}"
@@ -111,9 +147,11 @@ def check_hydrostatic(folder):
     both = {"axial_strain [%]": 100 * axial, "radial strain [%]": 100 * radial, "confining pressure [MPa]": STRESS}
     test = read(folder, head + table(both))
     numpy.testing.assert_allclose(test.columns["volume_strain"], expected, rtol=1e-9, atol=1e-12)
-    assert list(test.columns) == ["pressure", "volume_strain"] and any("volume_strain is that of axial_strain and radial_strain" in note for note in test.notes), test
+    assert list(test.columns) == ["pressure", "volume_strain"] and any("volume_strain is that of axial_strain and radial_strain" in note
+        for note in test.notes), test
     logarithmic = {"axial_strain [-]": -numpy.log1p(-axial), "radial_strain [-]": -numpy.log1p(-radial), "pressure [MPa]": STRESS}
-    numpy.testing.assert_allclose(read(folder, head + "# strain: logarithmic\n" + table(logarithmic)).columns["volume_strain"], expected, rtol=1e-9, atol=1e-12)
+    numpy.testing.assert_allclose(read(folder, head + "# strain: logarithmic\n" + table(logarithmic)).columns["volume_strain"], expected,
+        rtol=1e-9, atol=1e-12)
     one = read(folder, head + table({"axial_strain [%]": 100 * axial, "pressure [MPa]": STRESS}))
     numpy.testing.assert_allclose(one.columns["volume_strain"], -3 * numpy.log1p(-axial), rtol=1e-9, atol=1e-12)
     assert any("alike on all sides" in note for note in one.notes), one.notes
@@ -128,7 +166,8 @@ def check_noisy_signs(folder):
     for _ in range(40):
         noise = 0.3 * volume.max() * random.standard_normal(len(axial))
         for sign in (1.0, -1.0):
-            columns = {"axial_strain [%]": 100 * axial, "differential_stress [MPa]": stress, "volume_strain [%]": 100 * sign * (volume + noise)}
+            columns = {"axial_strain [%]": 100 * axial, "differential_stress [MPa]": stress,
+                "volume_strain [%]": 100 * sign * (volume + noise)}
             try:
                 read(folder, HEAD + table(columns))
                 taken += sign > 0.0
@@ -163,7 +202,8 @@ def check_scatter(folder):
     volume = 0.5 * axial - 60.0 * numpy.maximum(axial - 0.006, 0.0) ** 2
     stress = 150.0 * (1.0 - numpy.exp(-axial / 0.006))
     for _ in range(20):
-        columns = {"axial_strain [%]": 100 * axial, "differential_stress [MPa]": stress * (1 + 0.005 * random.standard_normal(80)), "volume_strain [%]": 100 * volume + 0.005 * random.standard_normal(80)}
+        columns = {"axial_strain [%]": 100 * axial, "differential_stress [MPa]": stress * (1 + 0.005 * random.standard_normal(80)),
+            "volume_strain [%]": 100 * volume + 0.005 * random.standard_normal(80)}
         read(folder, HEAD + table(columns))
 
 

@@ -24,7 +24,8 @@ MONITOR = {"Jet Monitor/Bodies": "{Rod}", "Jet Monitor/Position": "35 mm", "Jet 
 # Few steps each; together they write everything.
 RUNS = [
     # A jet into rock with water, rate dependence and scattered strength.
-    ("perforation_quick.xml", {"Time/End Time": "0.8 us", f"{ROCK}/fluid_B0": "2.2 GPa", f"{ROCK}/T1_rate_dependence": "1e-7", f"{ROCK}/Weibull modulus": "10", f"{ROCK}/Weibull reference volume": "1e-6"}),
+    ("perforation_quick.xml", {"Time/End Time": "0.8 us", f"{ROCK}/fluid_B0": "2.2 GPa", f"{ROCK}/T1_rate_dependence": "1e-7",
+        f"{ROCK}/Weibull modulus": "10", f"{ROCK}/Weibull reference volume": "1e-6"}),
     ("perforation_quick.xml", {"Time/End Time": "2 us"}),  # the error of its depth is known, particles are torn off
     ("perforation_quick.xml", {"Time/End Time": "1 us", "Fidelity": "balanced"}),  # cells and steps of several sizes
     ("terzaghi.xml", {"Time/End Time": "1e-3 s", "Quasi-Static/Inertia Factor": "100"}),  # fluid that flows
@@ -99,7 +100,8 @@ def written(folder):
 def compare(file, families, names):
     """Names without a definition, and definitions without a name."""
     patterns = [[pattern(name) for name in family] for family in families]
-    problems = [f"docs/output.md does not define {name} of {file}" for name in sorted(names) if not any(one.fullmatch(name) for family in patterns for one in family)]
+    problems = [f"docs/output.md does not define {name} of {file}"
+        for name in sorted(names) if not any(one.fullmatch(name) for family in patterns for one in family)]
     for family, wanted in zip(families, patterns):
         absent = [name for name, one in zip(family, wanted) if not any(one.fullmatch(found) for found in names)]
         # An axis that a mode lacks may be absent; a whole family, or any other name, may not.
@@ -114,7 +116,8 @@ def check_convergence(families):
     source = CONVERGE.read_text()
     named = set(re.findall(r'"(\w+)": ', source[source.index('["penetration"]["convergence"] = {') :].split("}")[0]))
     on_page = {name.removeprefix(CONVERGENCE) for family in families for name in family if name.startswith(CONVERGENCE)}
-    return [] if named == on_page and named else [f"docs/output.md defines {sorted(on_page)} of a convergence, converge writes {sorted(named)}"]
+    return [] if named == on_page and named else [f"docs/output.md defines {sorted(on_page)} of a convergence, converge writes "
+        f"{sorted(named)}"]
 
 
 def main():

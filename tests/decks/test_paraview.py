@@ -35,7 +35,8 @@ print("time", GetAnimationScene().AnimationTime)
 
 def pvpython(folder, *words):
     display = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]
-    result = subprocess.run([*display, "pvpython", "--force-offscreen-rendering", *map(str, words)], cwd=folder, capture_output=True, text=True, timeout=600, check=False)
+    result = subprocess.run([*display, "pvpython", "--force-offscreen-rendering", *map(str, words)], cwd=folder, capture_output=True,
+        text=True, timeout=600, check=False)
     assert result.returncode == 0, f"{words}: exit {result.returncode}\n{result.stdout}{result.stderr}"
     return result.stdout
 

@@ -30,13 +30,15 @@ def barreno(*words):
 
 def compare(deck, folder, *words):
     plan = barreno("check", DECKS / f"{deck}.xml", *words)
-    said = re.search(r"about (\d+) steps(?: of \d+ parts)?, (\S+) particle-steps\nCost      about \S+.* of computing on 1 rank, (\d+) ns", plan)
+    said = re.search(r"about (\d+) steps(?: of \d+ parts)?, (\S+) particle-steps\nCost      about \S+.* of computing on 1 rank, (\d+) ns",
+        plan)
     assert said and float(said.group(3)) > 1.0, plan
     out = folder / "_".join([deck, *words[:2]])
     screen = barreno("run", DECKS / f"{deck}.xml", "--out", out, *words)
     summary = json.loads((out / "summary.json").read_text())
     predicted = summary["prediction"]
-    assert abs(predicted["particle_steps"] / float(said.group(2)) - 1.0) < 0.1, f"{deck}: check and run predict differently: {said.groups()}, {predicted}"
+    assert abs(predicted["particle_steps"] / float(said.group(2))
+        - 1.0) < 0.1, f"{deck}: check and run predict differently: {said.groups()}, {predicted}"
     for name in ("steps", "particle_steps"):
         off = predicted[name] / summary[name] - 1.0
         assert abs(off) < CLOSE, f"{deck}: {name} were predicted {off:+.0%} off"
@@ -63,7 +65,8 @@ def check_what_is_off(deck):
     off = re.findall(r"^  (.{22}) off +(\d+) +(\S+)", plan, re.MULTILINE)
     assert len(off) > 8, plan
     for name, size, share in off:
-        assert size == "0" and (share == "-" or float(share) < 1.0), f"{deck}: {name.strip()} is off and costs {size} bytes, {share} % of the time"
+        assert size == "0" and (share == "-"
+            or float(share) < 1.0), f"{deck}: {name.strip()} is off and costs {size} bytes, {share} % of the time"
 
 
 def main():

@@ -71,7 +71,8 @@ CASES = [
     ("particles.e", lambda data: b"CDF\x02" + b"\xff" * 200, "particles.e "),
     ("particles.e", cut(0.01), "particles.e "),
     ("deck.xml", cut(0.5), "deck.xml is truncated or was changed"),
-    ("deck.xml", replaced(b'name="Cell Size" type="double" value="0.002"', b'name="Cell Size" type="double" value="two"'), "truncated or was changed"),
+    ("deck.xml", replaced(b'name="Cell Size" type="double" value="0.002"', b'name="Cell Size" type="double" value="two"'),
+        "truncated or was changed"),
 ]
 
 
@@ -157,7 +158,8 @@ STUDY = {"cells": [5e-4, 1e-3, 2e-3], "low": 0.021, "high": 0.026, "extrapolated
 DEPTHS = [  # what a summary holds, words of the line
     ({"depth_error": ERROR}, "23.40 mm; error from the size of the cells -7 % (-15 to -3 %) at 1 cell per jet radius, as measured"),
     ({"depth_error": {**ERROR, "cells_per_radius": 0.5}}, "at 0.5 cells per jet radius"),
-    ({"depth_error": {"unknown": "of plane jets nothing was measured"}}, "23.40 mm; error from the size of the cells unknown (of plane jets"),
+    ({"depth_error": {"unknown": "of plane jets nothing was measured"}},
+        "23.40 mm; error from the size of the cells unknown (of plane jets"),
     ({"convergence": STUDY}, "23.40 mm; 21.0 to 26.0 mm by cells of 2, 1, 0.5 mm (grid convergence index)"),
     ({"convergence": {**STUDY, "extrapolated": None}}, "(spread, without an order)"),
     ({}, "23.40 mm"),
@@ -170,7 +172,8 @@ def check_depths(whole):
     make_report(whole)
     page = (whole / "report" / "index.md").read_text()
     shutil.rmtree(whole / "report")
-    wanted = ("at 0.5 cells per jet radius, as measured with tungsten jets", "| cells per radius of the jet at impact | 0.5 to 1.1 (tip 0.5, tail 1.1) |")
+    wanted = ("at 0.5 cells per jet radius, as measured with tungsten jets",
+        "| cells per radius of the jet at impact | 0.5 to 1.1 (tip 0.5, tail 1.1) |")
     return problems + [f"the page lacks: {words}" for words in wanted if words not in page]
 
 
@@ -191,7 +194,8 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         whole = folder / "whole"
-        run_deck(options.barreno, "perforation_quick.xml", {"Time/End Time": "1 us", "Output/Checkpoint Wall Interval": "0 s"}, folder=whole)
+        run_deck(options.barreno, "perforation_quick.xml", {"Time/End Time": "1 us", "Output/Checkpoint Wall Interval": "0 s"},
+            folder=whole)
         problems = check_command(folder) + check_links(whole, folder) + check_depths(whole)
         for case in CASES:
             problems += check_case(whole, folder, *case)

@@ -44,7 +44,8 @@ def command(*words, code=0, path=None):
 def check_page(run):
     started("report", run, "--right", "plastic_volume_strain", "--particles", "near tip", "--pdf")
     page = (run / "report" / "index.html").read_text()
-    for words in ("data:image/png;base64,", "entrance diameter", "Kozeny", "error from the size of the cells", "remainder of the ledger", "Strength at the tip", "of the jet&#x27;s table has been launched"):
+    for words in ("data:image/png;base64,", "entrance diameter", "Kozeny", "error from the size of the cells", "remainder of the ledger",
+            "Strength at the tip", "of the jet&#x27;s table has been launched"):
         assert words in page, f"the page lacks {words}"
     assert (run / "report" / "report.pdf").stat().st_size > 50_000
     lines = (run / "report" / "profile.csv").read_text().splitlines()
@@ -86,7 +87,8 @@ def check_jet_mass(run):
 def constants_of(script):
     """{name: value} of the constants that the script begins with."""
     tree = ast.parse(script.read_text())
-    return {node.targets[0].id: ast.literal_eval(node.value) for node in tree.body if isinstance(node, ast.Assign) and node.targets[0].id.isupper() and node.targets[0].id != "HERE"}
+    return {node.targets[0].id: ast.literal_eval(node.value) for node in tree.body if isinstance(node, ast.Assign)
+        and node.targets[0].id.isupper() and node.targets[0].id != "HERE"}
 
 
 def check_names(script):
@@ -114,13 +116,15 @@ class Proxies(types.ModuleType):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        return lambda *_, **words: self.made.append((name, words)) or unittest.mock.MagicMock(CameraFocalPoint=[0, 0, 0], CameraPosition=[0, 0, 1])
+        return lambda *_, **words: self.made.append((name, words)) or unittest.mock.MagicMock(CameraFocalPoint=[0, 0, 0],
+            CameraPosition=[0, 0, 1])
 
 
 def made_by(script, *words):
     """What the script asks of ParaView, which is not there: names of its functions, in their order."""
     simple = Proxies()
-    with unittest.mock.patch.dict(sys.modules, {"paraview": types.ModuleType("paraview"), "paraview.simple": simple}), unittest.mock.patch.object(sys, "argv", [str(script), *words]):
+    with unittest.mock.patch.dict(sys.modules, {"paraview": types.ModuleType("paraview"),
+            "paraview.simple": simple}), unittest.mock.patch.object(sys, "argv", [str(script), *words]):
         exec(compile(script.read_text(), str(script), "exec"), {"__file__": str(script), "__name__": "__main__"})
     return [name for name, _ in simple.made]
 
@@ -132,14 +136,18 @@ def check_script(run):
     assert made.count("Show") == 2 and made.count("Transform") == 1 and "Glyph" not in made and made[-1] == "SaveScreenshot", made
     assert "Glyph" in made_by(script, "--glyphs", "--save", "a.png")
     made = made_by(script, "--map", "--state", "a.pvsm")
-    assert made.count("Calculator") == 2 and made.index("Transform") < len(made) - 1 - made[::-1].index("Calculator") and made[-1] == "SaveState", made
+    assert (
+        made.count("Calculator") == 2 and made.index("Transform") < len(made) - 1 - made[::-1].index("Calculator")
+        and made[-1] == "SaveState"
+    ), made
 
 
 def check_film(run, folder):
     """MP4 goes through ffmpeg, here one that keeps what it is given; without it there is a sentence."""
     bin_folder = folder / "bin"
     bin_folder.mkdir()
-    said = command("film", run, "--field", "pressure", "--out", folder / "a.mp4", code=2, path=None) if not any((pathlib.Path(p) / "ffmpeg").exists() for p in os.environ["PATH"].split(":")) else "needs ffmpeg"
+    said = command("film", run, "--field", "pressure", "--out", folder / "a.mp4", code=2,
+        path=None) if not any((pathlib.Path(p) / "ffmpeg").exists() for p in os.environ["PATH"].split(":")) else "needs ffmpeg"
     assert "needs ffmpeg" in said, said
     (bin_folder / "ffmpeg").write_text('#!/bin/sh\nfor last; do :; done\ncat >"$last"\n')
     (bin_folder / "ffmpeg").chmod(0o755)
@@ -159,7 +167,8 @@ def check_points(barreno, folder):
     check_names(script)
     found = constants_of(script)
     made = made_by(script, "--save", "a.png")
-    assert found["POINTS"] and 2e-4 < found["SIZE"] < 1.1e-3 and {"Glyph", "CreateView"} <= set(made) and abs(found["TIME"] - 4e-6) < 1e-7, found
+    assert found["POINTS"] and 2e-4 < found["SIZE"] < 1.1e-3 and {"Glyph",
+        "CreateView"} <= set(made) and abs(found["TIME"] - 4e-6) < 1e-7, found
 
 
 def check_refined(barreno, folder, coarse):
@@ -185,15 +194,20 @@ def check_levels(run, whole):
 
 
 def check_space(barreno, folder):
-    smaller = {"Grid/Upper": "{32 mm, 60 mm, 32 mm}", "Bodies/Plate/Upper": "{24 mm, 12 mm, 24 mm}", "Bodies/Rock/Upper": "{24 mm, 48 mm, 24 mm}"}
-    run = run_deck(barreno, "perforation_3d.xml", {**smaller, "Time/End Time": "3 us", "Output/Field Interval": "3 us", "Output/Checkpoint Wall Interval": "0 s"}, folder=folder / "space")
+    smaller = {"Grid/Upper": "{32 mm, 60 mm, 32 mm}", "Bodies/Plate/Upper": "{24 mm, 12 mm, 24 mm}",
+        "Bodies/Rock/Upper": "{24 mm, 48 mm, 24 mm}"}
+    run = run_deck(barreno, "perforation_3d.xml",
+        {**smaller, "Time/End Time": "3 us", "Output/Field Interval": "3 us", "Output/Checkpoint Wall Interval": "0 s"},
+        folder=folder / "space")
     command("report", run.folder, "--particles", "near tip")
     check_radius(run.folder)
     check_names(run.folder / "report" / "paraview" / "view.py")
     paths = np.genfromtxt(run.folder / "report" / "paths.csv", delimiter=",", names=True, skip_header=1)
     assert paths["along_y"][0] > 6e7 and set(paths["time"]) == {0.0, 3e-6}, paths
-    rows = [line.split(" | ")[2] for line in (run.folder / "report" / "index.md").read_text().split("## Stress paths")[1].splitlines() if "Sandstone |" in line]
-    assert rows and all(max(map(abs, np.array(row.split(", "), float)[[0, 2]])) < 17.0 for row in rows), rows  # mm beside the axis: eight cells
+    rows = [line.split(" | ")[2] for line in (run.folder / "report" / "index.md").read_text().split("## Stress paths")[1].splitlines()
+        if "Sandstone |" in line]
+    assert rows and all(max(map(abs, np.array(row.split(", "), float)[[0, 2]])) < 17.0
+        for row in rows), rows  # mm beside the axis: eight cells
     assert "in the plane of the picture" in (run.folder / "report" / "index.md").read_text()
 
 

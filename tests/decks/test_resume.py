@@ -18,7 +18,9 @@ import numpy as np
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
 
 from netCDF4 import Dataset  # noqa: E402
-from resumed import at_previous, command, different_fields, different_files, different_sums, lines_of, must_work, program, stopped_run  # noqa: E402
+from resumed import (
+    at_previous, command, different_fields, different_files, different_sums, lines_of, must_work, program, stopped_run
+)  # noqa: E402
 from runs import DECKS, mpi_environment  # noqa: E402
 
 DECK = str(DECKS / "perforation_quick.xml")
@@ -103,7 +105,8 @@ def check_two_processes(barreno, folder, plain):
     first.send_signal(signal.SIGSTOP)
     try:
         second = [
-            subprocess.Popen(command(barreno, 1, *more), stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, env=mpi_environment(1))
+            subprocess.Popen(command(barreno, 1, *more), stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
+                env=mpi_environment(1))
             for more in (("resume", str(run)), (*words, "--overwrite"))
         ]
         said = [(process.communicate()[1], process.returncode) for process in second]
@@ -121,7 +124,8 @@ def check_killed_group(barreno, folder, plain):
     for turn in range(2):
         run = folder / f"group{turn}"
         first = subprocess.Popen(
-            command(barreno, 2, *words, "--out", str(run)), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=mpi_environment(2), start_new_session=True
+            command(barreno, 2, *words, "--out", str(run)), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=mpi_environment(2),
+            start_new_session=True
         )
         while first.poll() is None and lines_of(run / "history.csv") < 10 + 7 * turn:
             time.sleep(0.005)
@@ -208,9 +212,11 @@ def check_longer(barreno, folder, plain):
 def check_start(barreno, folder, plain):
     """What the files know of t = 0, of which no particle is made on a resume, goes on: radii of points, and those of a hollow ball; on
     other ranks too."""
-    words = {"Grid/Cell Size": "3 mm", "Time/End Time": "10 us", "Output/Checkpoint Steps": 5, "Output/Field Interval": "4 us", "Output/Particle Glyph": "point"}
+    words = {"Grid/Cell Size": "3 mm", "Time/End Time": "10 us", "Output/Checkpoint Steps": 5, "Output/Field Interval": "4 us",
+        "Output/Particle Glyph": "point"}
     whole = folder / "ball"
-    must_work(program(barreno, 1, "run", DECKS / "shell_squeezed.xml", "--out", whole, *(word for item in words.items() for word in ("--set", "=".join(map(str, item))))))
+    must_work(program(barreno, 1, "run", DECKS / "shell_squeezed.xml", "--out", whole,
+        *(word for item in words.items() for word in ("--set", "=".join(map(str, item))))))
     for ranks in (1, 2):
         run = resumed(barreno, ranks, at_previous(pathlib.Path(shutil.copytree(whole, folder / f"ball_on_{ranks}"))))
         assert not different_fields(whole, run), different_fields(whole, run)
@@ -222,7 +228,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         plain = straight(barreno, folder / "plain")
-        for check in (check_signals, check_warnings, check_full_disk, check_two_processes, check_killed_group, check_damage, check_refusals, check_longer, check_ranks, check_start):
+        for check in (check_signals, check_warnings, check_full_disk, check_two_processes, check_killed_group, check_damage, check_refusals,
+                check_longer, check_ranks, check_start):
             check(barreno, folder, plain)
             print(check.__name__, "holds")
 

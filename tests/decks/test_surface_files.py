@@ -43,7 +43,9 @@ def main():
             if text is not None:
                 (changed / copies[0].name).write_text(text)
             result = program(barreno, 1, "resume", changed)
-            assert result.returncode == code and said in result.stderr and result.stderr.count("\n") == 1, f"exit {result.returncode}: {result.stderr}"
+            assert (
+                result.returncode == code and said in result.stderr and result.stderr.count("\n") == 1
+            ), f"exit {result.returncode}: {result.stderr}"
             assert (changed / "history.csv").read_bytes() == before
     print("surfaces stay with their run")
 

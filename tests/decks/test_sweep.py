@@ -51,9 +51,13 @@ def check_sweep(folder):
     for row in rows:
         summary = json.loads((pathlib.Path(row["run"]) / "summary.json").read_text())
         assert float(row["penetration.depth"]) == summary["penetration"]["depth"] > 0.0 and row["finished"] == "true", row
-        assert float(row["balances.energy.plastic"]) == summary["balances"]["energy"]["plastic"] and int(row["steps"]) == summary["steps"], row
-    assert all((out / name).read_bytes()[:4] == b"\x89PNG" for name in ("depth.png", "depth_against.png", "channels.png")) and how_of(out) == ["computed"] * 3
-    assert sorted(file.name for file in out.iterdir() if file.is_dir()) == ["Pressure-0MPa", "Pressure-34MPa", "Pressure-69MPa"] and not list(out.glob(".*"))
+        assert (
+            float(row["balances.energy.plastic"]) == summary["balances"]["energy"]["plastic"] and int(row["steps"]) == summary["steps"]
+        ), row
+    assert all((out / name).read_bytes()[:4] == b"\x89PNG"
+        for name in ("depth.png", "depth_against.png", "channels.png")) and how_of(out) == ["computed"] * 3
+    assert sorted(file.name for file in out.iterdir() if file.is_dir()) == ["Pressure-0MPa", "Pressure-34MPa",
+        "Pressure-69MPa"] and not list(out.glob(".*"))
     return out
 
 
@@ -86,7 +90,10 @@ def check_interruption(folder):
         wait_for(lambda: log.exists() and " % " in log.read_text(), "progress of the second run")
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)
-    assert child.returncode == 130 and said == "barreno: interrupted with 1 of 3 runs finished; the same command continues, and takes the finished runs as they are.\n", said
+    assert (
+        child.returncode == 130
+        and said == "barreno: interrupted with 1 of 3 runs finished; the same command continues, and takes the finished runs as they are.\n"
+    ), said
     assert not (other / "table.csv").exists() and not (other / "Pressure-69MPa").exists()
     sweep(*words)
     assert how_of(other) == ["reused", "resumed", "computed"], how_of(other)
@@ -98,9 +105,13 @@ def check_failure(folder):
     out = folder / "failed"
     words = (QUICK, *SHORT, "--set", "Materials/Tungsten/Bad Particles=stop", "--vary", "Step/Largest Expansion=1.001,100", "--out", out)
     found = sweep(*words, code=3)
-    assert found.count("\n") == 1 and "the run with Largest Expansion = 1.001 ended with exit code 3" in found and "its policy is to stop" in found, found
+    assert (
+        found.count("\n") == 1 and "the run with Largest Expansion = 1.001 ended with exit code 3" in found
+        and "its policy is to stop" in found
+    ), found
     rows = table_of(out)
-    assert [row["state"] for row in rows] == ["failed", "finished"] and rows[0]["penetration.depth"] == "" and float(rows[1]["penetration.depth"]) > 0.0, rows
+    assert [row["state"] for row in rows] == ["failed",
+        "finished"] and rows[0]["penetration.depth"] == "" and float(rows[1]["penetration.depth"]) > 0.0, rows
     found = sweep(*words, "--collect", code=3)
     assert found.count("\n") == 1 and "Largest Expansion = 1.001 ended with exit code 3" in found, found
 
@@ -108,15 +119,19 @@ def check_failure(folder):
 def check_two_parameters(folder):
     """Two parameters, a Latin hypercube, values that go together: as many runs as they say."""
     out = folder / "latin"
-    sweep(QUICK, *TARGET, "--set", "Time/End Time=0.4 us", "--vary", "Confinement/Pressure=10..69 MPa", "--vary", "Materials/Sandstone/PEAKI1=5..20 MPa",
+    sweep(QUICK, *TARGET, "--set", "Time/End Time=0.4 us", "--vary", "Confinement/Pressure=10..69 MPa", "--vary",
+        "Materials/Sandstone/PEAKI1=5..20 MPa",
           "--sample", "latin", "--samples", "3", "--seed", "4", "--out", out)  # fmt: skip
     rows = table_of(out)
-    assert len({row["Confinement/Pressure [MPa]"] for row in rows}) == len({row["Materials/Sandstone/PEAKI1 [MPa]"] for row in rows}) == len(rows) == 3, rows
+    assert len({row["Confinement/Pressure [MPa]"] for row in rows}) == len(
+        {row["Materials/Sandstone/PEAKI1 [MPa]"] for row in rows}) == len(rows) == 3, rows
     assert all(10.0 <= float(row["Confinement/Pressure [MPa]"]) <= 69.0 for row in rows), rows
     assert not (out / "depth_against.png").exists() or rows[0]["penetration.depth"]  # the jet has not arrived
     out = folder / "list"
-    said = sweep(QUICK, *TARGET, "--set", "Time/End Time=0.4 us", "--vary", "Step/Transfer=FLIP,APIC", "--vary", "Grid/Cell Size=2,5 mm", "--sample", "list", "--ranks", "2", "--out", out)
-    assert [(row["Step/Transfer"], row["Grid/Cell Size [mm]"], row["ranks"]) for row in table_of(out)] == [("FLIP", "2", "2"), ("APIC", "5", "2")], said
+    said = sweep(QUICK, *TARGET, "--set", "Time/End Time=0.4 us", "--vary", "Step/Transfer=FLIP,APIC", "--vary", "Grid/Cell Size=2,5 mm",
+        "--sample", "list", "--ranks", "2", "--out", out)
+    assert [(row["Step/Transfer"], row["Grid/Cell Size [mm]"], row["ranks"]) for row in table_of(out)] == [("FLIP", "2", "2"),
+        ("APIC", "5", "2")], said
 
 
 def check_array_job(out, folder):
@@ -124,14 +139,18 @@ def check_array_job(out, folder):
     job = folder / "job"
     words = (QUICK, *SHORT, *PRESSURES, "--out", job)
     script = sweep(*words, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno_sweep")
-    assert "#SBATCH --array=1-3\n" in script and f"exec {sys.executable} -m barreno_sweep {QUICK}" in script and [file.name for file in job.iterdir()] == ["sweep.json"], script
+    assert "#SBATCH --array=1-3\n" in script and f"exec {sys.executable} -m barreno_sweep {QUICK}" in script and [file.name
+        for file in job.iterdir()] == ["sweep.json"], script
     found = sweep(*words, "--collect", code=2)
     assert found == "barreno: none of the runs has finished; the command without --collect computes them.\n", found
     for task in ("1", "3"):
-        result = subprocess.run(["bash", "-c", script], env={**environment_of_runs(), "SLURM_ARRAY_TASK_ID": task}, capture_output=True, text=True, timeout=300)
+        result = subprocess.run(["bash", "-c", script], env={**environment_of_runs(), "SLURM_ARRAY_TASK_ID": task}, capture_output=True,
+            text=True, timeout=300)
         assert result.returncode == 0 and "[1/1] Pressure = " in result.stdout, result.stderr
     found = sweep(*words, "--collect", code=2)
-    assert found.count("\n") == 1 and "1 of 3 runs have not finished (Pressure = 34 MPa)" in found and "the tasks 2 of the array job" in found, found
+    assert (
+        found.count("\n") == 1 and "1 of 3 runs have not finished (Pressure = 34 MPa)" in found and "the tasks 2 of the array job" in found
+    ), found
     assert [row["state"] for row in table_of(job)] == ["finished", "missing", "finished"]
     assert "#SBATCH --array=2\n" in sweep(*words, "--submit", "slurm")
     shutil.copytree(out / "Pressure-34MPa", job / "Pressure-34MPa")
@@ -188,7 +207,8 @@ def check_compare(out, folder):
     assert "Confinement/Pressure" in said and "penetration.depth" in said and "difference" in said, said
     (row,) = [row for row in table_of(folder / "compared", "differences.csv") if row["quantity"] == "penetration.depth"]
     depths = [json.loads((run / "summary.json").read_text())["penetration"]["depth"] for run in (first, second)]
-    assert float(row["Pressure-69MPa difference"]) == depths[1] - depths[0] and abs(float(row["Pressure-69MPa percent"]) - 100.0 * (depths[1] / depths[0] - 1.0)) < 1e-9, row
+    assert float(row["Pressure-69MPa difference"]) == depths[1] - depths[0] and abs(float(row["Pressure-69MPa percent"])
+        - 100.0 * (depths[1] / depths[0] - 1.0)) < 1e-9, row
     assert all((folder / "compared" / name).read_bytes()[:4] == b"\x89PNG" for name in ("depth.png", "channels.png"))
     copy = folder / "elsewhere" / "copy"  # a finished run beside a sweep would be taken
     shutil.copytree(first, copy)

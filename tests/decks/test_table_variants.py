@@ -19,17 +19,21 @@ from barreno_fit.laboratory import Said, known_names  # noqa: E402
 from barreno_fit.table import decoded, split_table  # noqa: E402
 
 ROWS = [(i, 0.05 * i, 1.25 * i) for i in range(9)]  # s, %, MPa
-PATH = (("compression: positive",), ("time", "axial_strain", "confinement"), ("s", "%", "MPa"), [(f"{t}", f"{e:.2f}", f"{p:.2f}") for t, e, p in ROWS])
+PATH = (("compression: positive",), ("time", "axial_strain", "confinement"), ("s", "%", "MPa"),
+    [(f"{t}", f"{e:.2f}", f"{p:.2f}") for t, e, p in ROWS])
 LARGE = (*PATH[:2], ("s", "%", "kPa"), [(f"{t}", f"{e:.2f}", f"{1e3 * p:.1f}") for t, e, p in ROWS])
 CURVE = (
-    ("kind: triaxial", "compression: positive", "confinement: 40 MPa"), ("axial_strain", "differential_stress", "volume_strain"), ("%", "MPa", "%"),
+    ("kind: triaxial", "compression: positive", "confinement: 40 MPa"), ("axial_strain", "differential_stress", "volume_strain"),
+    ("%", "MPa", "%"),
     [(f"{e:.2f}", f"{40.5 * e:.3f}", f"{0.4 * e:.3f}") for _, e, _ in ROWS],
 )  # fmt: skip
 UNCLEAR = {  # form: words of both sentences
     "thousands or comma": (b"# compression: positive\ntime;axial_strain [%];confinement [MPa]\n0;0;0\n1;1,234;1\n", "# decimal: comma"),
-    "two marks": (b"# compression: positive\ntime;axial_strain [%];confinement [MPa]\n0;0,0;0.0\n1;0,5;1.5\n", "a table has one decimal mark"),
+    "two marks": (b"# compression: positive\ntime;axial_strain [%];confinement [MPa]\n0;0,0;0.0\n1;0,5;1.5\n",
+        "a table has one decimal mark"),
     "odd word": (b"# decimal: dot\ntime;axial_strain [%];confinement [MPa]\n0;0;0\n1;1;1\n", "neither comma nor point"),
-    "decimal commas between commas": (b"# compression: positive\ntime,axial_strain [%],confinement [MPa]\n0,0,0,0,0,0\n1,0,0,5,1,5\n", "decimal commas"),
+    "decimal commas between commas": (b"# compression: positive\ntime,axial_strain [%],confinement [MPa]\n0,0,0,0,0,0\n1,0,0,5,1,5\n",
+        "decimal commas"),
     "text": (b"# compression: positive\ntime,axial_strain [%],confinement [MPa]\n0,0,0\n1,much,1\n", "line 4"),
     "nan": (b"# compression: positive\ntime,axial_strain [%],confinement [MPa]\n0,0,0\n1,nan,1\n", "line 4"),
     "zero byte": (b"time,axial_strain [%],confinement [MPa]\n0,0,0\n1,1,\0\n", "is not text"),

@@ -21,7 +21,8 @@ from runs import DECKS, mpi_environment  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
 SHORT = ("--set", "Time/End Time=0.4 us")
-NAMES = ["a--b.xml", "a\nb.xml", "x-->.xml", "\x1b[31m\x07.xml", "it's \"quoted\" & <so>.xml", "\udcff\udcfe.xml", "\u00e9\u20ac.xml", "a;b $HOME `x`.xml"]
+NAMES = ["a--b.xml", "a\nb.xml", "x-->.xml", "\x1b[31m\x07.xml", "it's \"quoted\" & <so>.xml", "\udcff\udcfe.xml", "\u00e9\u20ac.xml",
+    "a;b $HOME `x`.xml"]
 
 
 def program(barreno, *words, ranks=1, **more):
@@ -72,7 +73,8 @@ def check_deleted_folder(barreno, folder, ranks):
     for what in ("deleted", "moved"):
         run = folder / f"{what}{ranks}"
         start = ["mpirun", "--quiet", "-n", str(ranks)] if ranks > 1 else []
-        words = [*start, barreno, "run", str(QUICK), "--out", str(run), "--set", "Time/End Time=10 ms", "--set", "Output/Field Interval=1 ms"]
+        words = [*start, barreno, "run", str(QUICK), "--out", str(run), "--set", "Time/End Time=10 ms", "--set",
+            "Output/Field Interval=1 ms"]
         process = subprocess.Popen(words, env=mpi_environment(ranks), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         while process.poll() is None and lines_of(run / "history.csv") < 5:
             time.sleep(0.01)
@@ -86,7 +88,9 @@ def check_deleted_folder(barreno, folder, ranks):
             process.kill()
             raise AssertionError(f"{what} on {ranks} ranks: the run went on") from late
         lines = [line for line in said.splitlines() if not line.startswith("warning: ")]
-        assert process.returncode == 2 and len(lines) == 1 and "removed, moved or replaced" in lines[0], f"exit {process.returncode}: {said}"
+        assert (
+            process.returncode == 2 and len(lines) == 1 and "removed, moved or replaced" in lines[0]
+        ), f"exit {process.returncode}: {said}"
 
 
 def check_changed_lines(barreno, folder):
@@ -101,7 +105,8 @@ def check_changed_lines(barreno, folder):
 
 
 def check_help(barreno, folder):
-    for words in (["-h"], ["--help"], ["help"], *([command, option] for command in ("run", "resume", "check", "drive", "describe") for option in ("-h", "--help"))):
+    for words in (["-h"], ["--help"], ["help"],
+            *([command, option] for command in ("run", "resume", "check", "drive", "describe") for option in ("-h", "--help"))):
         result = program(barreno, *words)
         assert result.returncode == 0 and "Exit codes" in result.stdout and not result.stderr, f"{words}: {result.stderr}"
         assert len(words) == 1 or f"barreno {words[0]} " in result.stdout, f"{words}: {result.stdout}"

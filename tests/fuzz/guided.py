@@ -53,7 +53,8 @@ def fuzz(program, folder, reader, minutes):
     found = sorted(file.name for kind in ("crash", "timeout", "oom") for file in place.glob(f"{kind}-*"))
     if done.returncode and not found:
         found = [f"exit {done.returncode}: {done.stderr[-500:]}"]
-    return [reader, runs[-1] if runs else "?", edges[0] if edges else "?", edges[-1] if edges else "?", len(list((place / "corpus").iterdir())), found]
+    return [reader, runs[-1] if runs else "?", edges[0] if edges else "?", edges[-1] if edges else "?",
+        len(list((place / "corpus").iterdir())), found]
 
 
 def main():
@@ -66,7 +67,8 @@ def main():
     program, folder = pathlib.Path(arguments.program).resolve(), arguments.folder.resolve()
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         rows = list(pool.map(lambda reader: fuzz(program, folder, reader, arguments.minutes), arguments.readers))
-    print("| reader | inputs | edges reached by the files of the repository | in the end | inputs kept | found |\n|---|---|---|---|---|---|")
+    print("| reader | inputs | edges reached by the files of the repository | in the end | inputs kept | found "
+        "|\n|---|---|---|---|---|---|")
     for row in rows:
         print("| " + " | ".join(map(str, row[:-1])) + f" | {', '.join(row[-1]) or 'nothing'} |")
     sys.exit(any(row[-1] for row in rows))

@@ -20,16 +20,19 @@ import barreno_material
 REAL = ctypes.POINTER(ctypes.c_double)
 KELVIN = numpy.array([1, 1, 1, math.sqrt(2), math.sqrt(2), math.sqrt(2)])
 ROUND = 4e-16  # of one multiplication and one division by sqrt(2)
-PATH = [[-2e-3, -1e-3, -4e-3, 3e-4, -2e-4, 5e-4], [-6e-3, 2e-3, -8e-3, 1e-3, 0, 0], [1e-3, 1e-3, 2e-3, 0, 4e-4, 0], [-2e-2, 1e-3, 1e-3, 0, 0, 2e-3]]
+PATH = [[-2e-3, -1e-3, -4e-3, 3e-4, -2e-4, 5e-4], [-6e-3, 2e-3, -8e-3, 1e-3, 0, 0], [1e-3, 1e-3, 2e-3, 0, 4e-4, 0],
+    [-2e-2, 1e-3, 1e-3, 0, 0, 2e-3]]
 NO_TANGENT, CONSISTENT, ELASTIC, PREDICTION, WITH_SPEED = 0.0, 4.0, 1.0, -1.0, 100.0
 
 
 class State(ctypes.Structure):
-    _fields_ = [(name, REAL) for name in ("gradients", "forces", "mass_density", "properties", "internal", "stored", "dissipated", "external")]
+    _fields_ = [(name, REAL) for name in ("gradients", "forces", "mass_density", "properties", "internal", "stored", "dissipated",
+        "external")]
 
 
 class Data(ctypes.Structure):
-    _fields_ = [("message", ctypes.c_char_p), ("dt", ctypes.c_double), ("K", REAL), ("rdt", REAL), ("speed", REAL), ("s0", State), ("s1", State)]
+    _fields_ = [("message", ctypes.c_char_p), ("dt", ctypes.c_double), ("K", REAL), ("rdt", REAL), ("speed", REAL), ("s0", State),
+        ("s1", State)]
 
 
 def pointer(array):
@@ -48,7 +51,8 @@ class Behaviour:
         assert self.names("TangentOperatorBlocks") == ["Stress", "Strain"] and hypothesis in self.names("ModellingHypotheses")
         for name in ("MaterialProperties", "ExternalStateVariables", "Parameters", "InitializeFunctions", "PostProcessings"):
             assert self.names(name) == []
-        for name in ("requiresStiffnessTensor", "requiresThermalExpansionCoefficientTensor", "ElasticSymmetryType", "TemperatureRemovedFromExternalStateVariables"):
+        for name in ("requiresStiffnessTensor", "requiresThermalExpansionCoefficientTensor", "ElasticSymmetryType",
+                "TemperatureRemovedFromExternalStateVariables"):
             assert self.short(name) == 0
         assert self.short("ComputesInternalEnergy") == self.short("ComputesDissipatedEnergy") == 1
         self.variables = self.names("InternalStateVariables")
@@ -76,7 +80,8 @@ class Behaviour:
         stiffness[0] = want
         new = {name: array.copy() for name, array in point.items()}
         new["gradients"] = strain.copy()
-        views = [State(*(pointer(one[name]) for name in ("gradients", "forces", "density", "none", "internal", "stored", "dissipated", "none"))) for one in (point, new)]
+        views = [State(*(pointer(one[name])
+            for name in ("gradients", "forces", "density", "none", "internal", "stored", "dissipated", "none"))) for one in (point, new)]
         data = Data(ctypes.cast(message, ctypes.c_char_p), dt, pointer(stiffness), pointer(factor), pointer(speed), *views)
         code = self.function(ctypes.byref(data))
         if code == 1 and want > -0.5:
@@ -143,7 +148,8 @@ def check_wishes(library):
         assert code == 1, message
         assert bool(stiffness[1, 1]) == filled and bool(point["forces"].any()) == moved, want
         if filled:
-            assert near(stiffness, stiffness.T) and stiffness[3, 3] > 0.0 and near(stiffness[3, 3], stiffness[0, 0] - stiffness[0, 1], 1e-12)
+            assert near(stiffness, stiffness.T) and stiffness[3, 3] > 0.0 and near(stiffness[3, 3],
+                stiffness[0, 0] - stiffness[0, 1], 1e-12)
 
 
 def check_failure(library):
@@ -157,9 +163,11 @@ def check_failure(library):
 def check_cards(path):
     """Without a card, or with one that is none, every call says so."""
     program = (f"import sys; sys.path.insert(0, {str(os.path.dirname(os.path.abspath(__file__)))!r}); import ctypes, test_mgis\n"
-               f"b = test_mgis.Behaviour(ctypes.CDLL({path!r}), 'PlaneStrain'); print(b.integrate(b.point(), b.point()['forces'], 0.0, 0.0)[:2])")  # fmt: skip
+               f"b = test_mgis.Behaviour(ctypes.CDLL({path!r}), 'PlaneStrain'); print(b.integrate(b.point(), b.point()['forces'], 0.0, "
+               "0.0)[:2])")  # fmt: skip
     for card, sentence in ((None, "no card is chosen"), ("berea_sandston", "names no card")):
-        environment = {**{name: value for name, value in os.environ.items() if name != "BARRENO_CARD"}, **({"BARRENO_CARD": card} if card else {})}
+        environment = {**{name: value for name, value in os.environ.items() if name != "BARRENO_CARD"},
+            **({"BARRENO_CARD": card} if card else {})}
         said = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=False)
         assert said.returncode == 0 and said.stdout.startswith("(-1, ") and sentence in said.stdout, said.stdout + said.stderr
 

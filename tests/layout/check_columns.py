@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""No line of text has more than 140 columns: in pages, in C and C++, in comments and descriptions (docstrings) of Python.
+"""No line of text has more than 140 columns: in pages, in C and C++, in Python.
 
-Excepted are rows of tables, pictures, code on pages and lines of a single word, an address for instance; docs/deck.md, which the program
-writes, and CHANGELOG.md; what is generated among the results. `verification/tools/wrap_text.py` wraps what verification/pages.py writes.
+Excepted are rows of tables, pictures, code on pages and lines of a single word, an address for instance; blocks of text that a script
+writes as they stand (in three quotes); docs/deck.md, which the program writes, and CHANGELOG.md; what is generated among the results.
+`verification/tools/wrap_text.py` wraps what verification/pages.py writes.
 """
 import ast
+import io
 import pathlib
 import subprocess
 import sys
+import tokenize
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "verification" / "tools"))
@@ -37,9 +40,18 @@ def descriptions(text):
     return out
 
 
+def blocks(text):
+    """Numbers of the lines of blocks of text in three quotes: pages and files that a script writes as they stand."""
+    out = set()
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.STRING and token.start[0] < token.end[0]:
+            out.update(range(token.start[0], token.end[0] + 1))
+    return out
+
+
 def long_in_python(text):
-    lines, described = text.split("\n"), descriptions(text)
-    return [n for n in long_lines(text) if n in described or lines[n - 1].lstrip().startswith("#")]
+    kept = blocks(text) - descriptions(text)
+    return [number for number in long_lines(text) if number not in kept]
 
 
 CHECKS = {".md": long_on_page, ".py": long_in_python, **dict.fromkeys((".cpp", ".hpp", ".c", ".h"), long_lines)}
@@ -50,7 +62,8 @@ def files():
     listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=False)
     if listed.returncode == 0:
         return [name for name in listed.stdout.splitlines() if (ROOT / name).exists()]
-    return [str(path.relative_to(ROOT)) for path in sorted(ROOT.rglob("*")) if path.suffix in CHECKS and "build" not in path.relative_to(ROOT).parts]
+    return [str(path.relative_to(ROOT)) for path in sorted(ROOT.rglob("*")) if path.suffix in CHECKS
+        and "build" not in path.relative_to(ROOT).parts]
 
 
 def main():

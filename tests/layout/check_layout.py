@@ -13,7 +13,8 @@ import import_cycles
 import tested_headers
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = ["base", "files", "geometry", "deck", "scene", "grid", "shape", "state", "jet", "pore_flow", "step", "output", "checkpoint", "drive", "check", "."]
+ORDER = ["base", "files", "geometry", "deck", "scene", "grid", "shape", "state", "jet", "pore_flow", "step", "output", "checkpoint",
+    "drive", "check", "."]
 # Of src/step; files directly in it stand to the right of all rooms, but for headers that include none.
 ROOMS = ["order", "ranks", "jet", "dormant", "subcycle", "boundary", "nodes", "contact", "loads", "transfer", "particles"]
 LARGEST_ROOM = 20  # files
@@ -34,8 +35,10 @@ ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
 }
 LONGEST = 500
 # Of the top folder, so that none is forgotten there: what these are, README.md and docs/architecture.md say.
-TOP_LEVEL = {".ci", ".clang-format", ".clang-tidy", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md",
-             "LICENSE", "README.md", "barreno", "cmake", "docs", "input_xml", "materials", "packaging", "src", "tests", "verification"}  # fmt: skip
+TOP_LEVEL = {".ci", ".clang-format", ".clang-tidy", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json",
+    "CONTRIBUTING.md",
+             "LICENSE", "README.md", "barreno", "cmake", "docs", "input_xml", "materials", "packaging", "src", "tests",
+             "verification"}  # fmt: skip
 VERSIONED = {  # file -> how it says the version
     "CMakeLists.txt": r"project\(barreno VERSION (\S+)",
     "materials/CMakeLists.txt": r"project\(barreno_materials VERSION (\S+)",

@@ -83,7 +83,8 @@ def foreign_declarations(symbols, headers):
                 continue
             # A declaration: a type before the name, at the beginning of a line.
             declared = re.compile(rf"^(?!//|\s)[\w:<>,&* ]+[ &*]{word}\s*[({{;]", re.MULTILINE)
-            wrong += [f"{word} is declared in a header of {other} and defined in {room}" for other, text in headers.items() if declared.search(text)]
+            wrong += [f"{word} is declared in a header of {other} and defined in {room}"
+                for other, text in headers.items() if declared.search(text)]
     return wrong
 
 

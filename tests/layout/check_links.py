@@ -59,7 +59,8 @@ def missing_names(glossary, sources):
 def navigation_faults():
     """Pages that the web site's navigation lacks, or has and that are not there."""
     listed = re.findall(r"^ +- .*: (\S+\.md)$", (ROOT / "docs" / "mkdocs.yml").read_text(), re.MULTILINE)
-    wanted = {str(file.relative_to(ROOT)) for file in (ROOT / "docs").rglob("*.md") if file.parent.name != "verification"} | {"README.md", "input_xml/README.md"}
+    wanted = {str(file.relative_to(ROOT)) for file in (ROOT / "docs").rglob("*.md") if file.parent.name != "verification"} | {"README.md",
+        "input_xml/README.md"}
     wanted |= {str(file.relative_to(ROOT)) for file in (ROOT / "verification" / "results").glob("*.md")}
     out = [f"docs/mkdocs.yml lists {name} twice" for name in sorted({name for name in listed if listed.count(name) > 1})]
     out += [f"docs/mkdocs.yml does not list {name}" for name in sorted(wanted - set(listed))]
@@ -70,7 +71,8 @@ def main():
     problems, shown = navigation_faults(), set()
     for page in pages():
         problems += problems_of(page, page.read_text(), shown)
-    problems += [f"{file.relative_to(ROOT)} is on no page" for file in sorted((ROOT / "docs" / "pictures").iterdir()) if file.resolve() not in shown]
+    problems += [f"{file.relative_to(ROOT)} is on no page"
+        for file in sorted((ROOT / "docs" / "pictures").iterdir()) if file.resolve() not in shown]
     sources = "\n".join(f"{file}\n{file.read_text()}" for folder in ("src", "materials") for file in sorted((ROOT / folder).rglob("*.?pp")))
     problems += missing_names((ROOT / "docs" / "notation.md").read_text(), sources)
     print("\n".join(problems) or "every link leads somewhere")

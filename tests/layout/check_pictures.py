@@ -58,10 +58,13 @@ def faults_of(source, name):
     return [*(() if name == PLOTS else picture_faults(tree)), *(() if name == FILES else reading_faults(tree))]
 
 
-BAD = ("import matplotlib.pyplot as plt", "from matplotlib import pyplot", "from matplotlib.figure import Figure", "import matplotlib", "plt.rcParams['a'] = 1",
-       "axes.set_title(name, parse_math=True)", "from barreno_runs.plots import plt\nplt.title('$x$')", "open('a')", "file.read_text()", "file.read_bytes()", "Dataset(file)",
+BAD = ("import matplotlib.pyplot as plt", "from matplotlib import pyplot", "from matplotlib.figure import Figure", "import matplotlib",
+    "plt.rcParams['a'] = 1",
+       "axes.set_title(name, parse_math=True)", "from barreno_runs.plots import plt\nplt.title('$x$')", "open('a')", "file.read_text()",
+       "file.read_bytes()", "Dataset(file)",
        "with Dataset(file, 'r') as data: pass")  # fmt: skip
-GOOD = ("from barreno_runs.plots import plt", "from matplotlib.lines import Line2D", "read_text(file)", "Dataset(checked(file))", "Dataset(file, 'w')", "SCRIPT = '$SLURM'")
+GOOD = ("from barreno_runs.plots import plt", "from matplotlib.lines import Line2D", "read_text(file)", "Dataset(checked(file))",
+    "Dataset(file, 'w')", "SCRIPT = '$SLURM'")
 
 
 def main():

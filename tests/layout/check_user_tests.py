@@ -74,7 +74,8 @@ def missing_of(tests, linked, built):
     for name, (words, environment) in tests.items():
         for file in named_files(words, environment, linked) - built:
             lacking.setdefault(file, []).append(name)
-    return [f"{', '.join(sorted(names))} needs {file}, which the target {TARGET} does not build; add it in tests/CMakeLists.txt" for file, names in sorted(lacking.items())]
+    return [f"{', '.join(sorted(names))} needs {file}, which the target {TARGET} does not build; add it in tests/CMakeLists.txt"
+        for file, names in sorted(lacking.items())]
 
 
 def launcher_labels():
@@ -96,7 +97,8 @@ def left_by_both(ctest, build, labels):
 
 def check_itself(tests, linked, built):
     """A program that is not built is found, whether the command, the environment or a script names it."""
-    for name, file in (("deck.bad_decks", "serve_runs"), ("verification.paper", "barreno_scaled_domains"), ("deck.launcher_signals", "barreno")):
+    for name, file in (("deck.bad_decks", "serve_runs"), ("verification.paper", "barreno_scaled_domains"),
+            ("deck.launcher_signals", "barreno")):
         (gone,) = (one for one in linked if one.name == file)
         found = missing_of({name: tests[name]}, linked, built - {gone})
         if len(found) != 1 or str(gone) not in found[0]:

@@ -72,7 +72,8 @@ class LinkArrows(unittest.TestCase):
 
     def test_folders_of_objects_are_rooms(self):
         self.assertEqual([check_link_arrows.place_of(check_link_arrows.folder_of(name))[1] for name in (
-            "Unity/unity_folder_pore_flow_cxx.cxx.o", "Unity/unity_folder_deck_files_cxx.cxx.o", "Unity/unity_folder__cxx.cxx.o", "run.cpp.o",
+            "Unity/unity_folder_pore_flow_cxx.cxx.o", "Unity/unity_folder_deck_files_cxx.cxx.o", "Unity/unity_folder__cxx.cxx.o",
+            "run.cpp.o",
             "step/order/sort_by_cell.cpp.o", "step/advance.cpp.o")], ["pore_flow", "deck", ".", ".", "step/order", "step"])  # fmt: skip
 
 
@@ -84,7 +85,8 @@ class ImportCycles(unittest.TestCase):
             return [[path.relative_to(folder).as_posix() for path in circle] for circle in import_cycles.circles(folder)]
 
     def test_scripts_that_import_each_other(self):
-        files = {"pages.py": "import extremes\n", "extremes.py": "def main():\n    from pages import write_pages\n", "runs.py": "import pages\n"}
+        files = {"pages.py": "import extremes\n", "extremes.py": "def main():\n    from pages import write_pages\n",
+            "runs.py": "import pages\n"}
         self.assertEqual(self.circles_of(files), [["extremes.py", "pages.py"]])
 
     def test_three_in_a_circle_through_a_folder(self):

@@ -35,7 +35,8 @@ def combinations(decks, words, everything):
     """(deck, order, transfer, shape function, largest expansion)"""
     orders, transfers, shapes = (words[name] for name in ("Order", "Transfer", "Shape Function"))
     if everything:
-        return [(d, o, t, s, EXPANSIONS[i % len(EXPANSIONS)]) for i, (d, o, t, s) in enumerate(itertools.product(decks, orders, transfers, shapes))]
+        return [(d, o, t, s, EXPANSIONS[i % len(EXPANSIONS)])
+            for i, (d, o, t, s) in enumerate(itertools.product(decks, orders, transfers, shapes))]
     found = []
     for k, deck in enumerate(decks):
         turn = k // len(orders)
@@ -52,7 +53,8 @@ def try_combination(servers, folder, combination, seed):
     name, order, transfer, shape, expansion = combination
     deck = Deck(DECKS / name)
     shrink(deck, np.random.default_rng(seed))
-    for path, value in {"Step/Order": order, "Step/Transfer": transfer, "Step/Shape Function": shape, "Step/Largest Expansion": expansion}.items():
+    for path, value in {"Step/Order": order, "Step/Transfer": transfer, "Step/Shape Function": shape,
+            "Step/Largest Expansion": expansion}.items():
         if value is not None:
             deck.set(path, value)
     # What belongs to the transfer that the deck has itself.

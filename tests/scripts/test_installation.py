@@ -21,7 +21,8 @@ SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
 COMMANDS = ("run", "resume", "check", "report", "film", "join", "converge", "sweep", "compare", "drive", "fit", "import-ups", "describe")
 FILES = ("libexec/barreno/barreno", "include/barreno_material.h", "share/barreno/commands.sh", "share/barreno/cards/berea_sandstone.xml",
          "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno_report/__main__.py",
-         "share/barreno/python/barreno_fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/barreno/measured/update_costs.csv", "share/barreno/measured/depths_of_cells.csv", "share/doc/barreno/LICENSE",
+         "share/barreno/python/barreno_fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/barreno/measured/update_costs.csv",
+         "share/barreno/measured/depths_of_cells.csv", "share/doc/barreno/LICENSE",
          "share/doc/barreno/docs/deck.md", "share/man/man1/barreno.1", "share/bash-completion/completions/barreno")  # fmt: skip
 
 
@@ -35,7 +36,8 @@ class Installation:
 
     def call(self, *words, code=0, **more):
         command = [str(word) for word in words]
-        result = subprocess.run(command, cwd=self.folder, env={**self.environment, **more}, capture_output=True, text=True, timeout=200, check=False)
+        result = subprocess.run(command, cwd=self.folder, env={**self.environment, **more}, capture_output=True, text=True, timeout=200,
+            check=False)
         assert result.returncode == code, f"{' '.join(command)}: exit {result.returncode}: {result.stdout}{result.stderr}"
         return result.stdout if code == 0 else result.stderr
 
@@ -48,7 +50,8 @@ class Installation:
 
 def install(cmake, build, scratch):
     """The configured prefix need not be writable; DESTDIR would stage the same."""
-    result = subprocess.run([cmake, "--install", build, "--prefix", scratch / "first"], capture_output=True, text=True, timeout=200, check=False)
+    result = subprocess.run([cmake, "--install", build, "--prefix", scratch / "first"], capture_output=True, text=True, timeout=200,
+        check=False)
     assert result.returncode == 0 and "Warning" not in result.stderr, result.stdout + result.stderr
     prefix = (scratch / "first").rename(scratch / "a prefix")
     missing = [file for file in FILES if not (prefix / file).exists()]
@@ -91,7 +94,8 @@ def check_runs(here):
     import netCDF4
 
     with netCDF4.Dataset(here.folder / "one" / "particles.e") as particles:
-        information = [b"".join(row).decode().strip() for row in netCDF4.chartostring(particles["info_records"][:]).astype("S").reshape(-1, 1)]
+        information = [b"".join(row).decode().strip()
+            for row in netCDF4.chartostring(particles["info_records"][:]).astype("S").reshape(-1, 1)]
     assert f"<!-- commit: {summaries[0]['build']['commit']} -->" in information, information[-6:]
     # It has read the run, and knows its fields; what report and film draw, their own tests see.
     said = here.barreno("film", "one", "--field", "presure", code=1)
@@ -144,7 +148,8 @@ def check_slurm(here):
     script, more = job_script(here, "Slurm")
     write_deck(here, "6 us")
     more |= {"SLURM_NTASKS": "2", "SLURM_JOB_ID": "77", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
-    job = subprocess.Popen(["bash", script], cwd=here.folder, env={**here.environment, **more}, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    job = subprocess.Popen(["bash", script], cwd=here.folder, env={**here.environment, **more}, stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE, text=True)
     history = here.folder / "runs/perforation/history.csv"
     while job.poll() is None and not (history.exists() and len(history.read_text().splitlines()) > 10):
         time.sleep(0.01)
@@ -154,7 +159,10 @@ def check_slurm(here):
     here.call("bash", script, **more)
     summary = json.loads((here.folder / "runs/perforation/summary.json").read_text())
     assert summary["finished"] and summary["ranks"] == 2, summary
-    assert (here.folder / "asked").read_text() == "scontrol requeue 77\n" and "resumed from" in (here.folder / "runs/perforation/run.log").read_text()
+    assert (
+        (here.folder / "asked").read_text() == "scontrol requeue 77\n"
+        and "resumed from" in (here.folder / "runs/perforation/run.log").read_text()
+    )
 
 
 def check_pbs(here):

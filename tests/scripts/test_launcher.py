@@ -140,7 +140,8 @@ def check_converge(machine, folder):
     refused(*machine.run("converge"), 1, "converge takes a deck")
     refused(*machine.run("converge", "--levels", "3"), 1, "converge takes a deck")
     refused(*machine.run("converge", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
-    machine.file("src/python/barreno_converge/__main__.py", "import os, sys; print('converged', sys.argv[1:], os.environ['BARRENO_PROGRAM'])")
+    machine.file("src/python/barreno_converge/__main__.py",
+        "import os, sys; print('converged', sys.argv[1:], os.environ['BARRENO_PROGRAM'])")
     (folder / "a deck.xml").write_text("")
     result, calls = machine.run("converge", folder / "a deck.xml", "--ranks", "3")
     assert result.returncode == 0 and f"converged ['{folder / 'a deck.xml'}', '--ranks', '3']" in result.stdout, result.stderr
@@ -155,7 +156,9 @@ def check_sweep(machine, folder):
     """As converge, with one rank per run unless told otherwise, the cores, and how it was called."""
     refused(*machine.run("sweep"), 1, "sweep takes a deck")
     refused(*machine.run("sweep", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
-    machine.file("src/python/barreno_sweep/__main__.py", "import os, sys; print('swept', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'], os.environ['BARRENO_COMMAND'])")
+    machine.file("src/python/barreno_sweep/__main__.py",
+        "import os, sys; print('swept', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'], "
+        "os.environ['BARRENO_COMMAND'])")
     (folder / "a deck.xml").write_text("")
     result, calls = machine.run("sweep", folder / "a deck.xml", "--vary", "A/B C=1,2 mm")
     assert result.returncode == 0 and f"swept ['{folder / 'a deck.xml'}', '--vary', 'A/B C=1,2 mm']" in result.stdout, result.stderr
@@ -224,7 +227,8 @@ def check_words(machine):
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["film", "-h"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "film", "converge", "sweep", "compare", "fit", "import-ups", "--set", "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "film", "converge", "sweep", "compare", "fit", "import-ups", "--set", "--fidelity", "--out",
+            "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 
@@ -236,8 +240,11 @@ def check_tests(machine):
         (tests,) = [call for call in calls if call.startswith("ctest")]
         assert f" -LE {left_out} " in tests and tests.endswith(" -R deck"), tests
         packages = [call for call in calls if " install " in call][0].split()
-        assert ("clang-tidy" in packages) == ("gfortran" in packages) == ("mkdocs" in packages) == bool(more) and "libgtest-dev" in packages, packages
-        assert any("-DBARRENO_TESTS=ON" in call for call in calls) and any(call.endswith("build/release " + ("all" if more else "user_tests")) for call in calls), calls
+        assert (
+            ("clang-tidy" in packages) == ("gfortran" in packages) == ("mkdocs" in packages) == bool(more) and "libgtest-dev" in packages
+        ), packages
+        assert any("-DBARRENO_TESTS=ON" in call
+            for call in calls) and any(call.endswith("build/release " + ("all" if more else "user_tests")) for call in calls), calls
 
 
 def check_ci(machine):
@@ -283,7 +290,9 @@ def check_install(machine, build):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep, check_compare, check_fit, check_import, check_join, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m, f: check_ci(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
+    checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep,
+        check_compare, check_fit, check_import, check_join, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m,
+        f: check_ci(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

@@ -18,7 +18,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INSTRUCTIONS = {"FROM", "RUN", "COPY", "WORKDIR", "ARG", "ENV", "ENTRYPOINT", "CMD"}
 NOT_IN_IMAGE = {"ccache"}  # of use to those who build twice
 LIBRARIES = {  # what cmake/dependencies.cmake looks for -> package of Spack
-    "MPI": "mpi", "Trilinos": "trilinos", "HDF5": "hdf5", "libdeflate.h": "libdeflate", "CGAL/IO/STL.h": "cgal", "CLI/App.hpp": "cli11", "nlohmann/json.hpp": "nlohmann-json",
+    "MPI": "mpi", "Trilinos": "trilinos", "HDF5": "hdf5", "libdeflate.h": "libdeflate", "CGAL/IO/STL.h": "cgal", "CLI/App.hpp": "cli11",
+    "nlohmann/json.hpp": "nlohmann-json",
 }  # fmt: skip
 TRILINOS = {"Tpetra": "tpetra", "Belos": "belos", "Ifpack2": "ifpack2", "MueLu": "muelu", "Kokkos": "kokkos"}
 
@@ -55,7 +56,8 @@ def check_container():
     assert {"CMakeLists.txt", "CMakePresets.json", "cmake", "materials", "src", "LICENSE"} <= copied, copied
     runs = [rest for word, rest in lines if word == "RUN"]
     python = launcher_packages("fit_packages") | launcher_packages("report_packages") | launcher_packages("plot_packages")
-    assert packages_of(runs[0]) == (launcher_packages("build_packages") - NOT_IN_IMAGE) | python, packages_of(runs[0]) ^ launcher_packages("build_packages")
+    assert packages_of(runs[0]) == (launcher_packages("build_packages")
+        - NOT_IN_IMAGE) | python, packages_of(runs[0]) ^ launcher_packages("build_packages")
     presets = {preset["name"]: preset for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}
     assert presets["release"]["cacheVariables"]["BARRENO_TESTS"] == "OFF" and "cmake --preset release" in runs[1], runs[1]
     assert python <= packages_of(runs[2]), python - packages_of(runs[2])
@@ -67,11 +69,13 @@ def check_names(packages):
     release = pathlib.Path("/etc/os-release")
     if not shutil.which("apt-cache") or not release.exists() or "bookworm" not in release.read_text():
         return
-    found = subprocess.run(["apt-cache", "show", "--no-all-versions", *sorted(packages)], capture_output=True, text=True, check=False).stdout
+    found = subprocess.run(["apt-cache", "show", "--no-all-versions", *sorted(packages)], capture_output=True, text=True,
+        check=False).stdout
     known = set(re.findall(r"^Package: (\S+)", found, re.MULTILINE))
     if not known:  # no lists
         return
-    virtual = {name for name in packages - known if "Reverse Provides" in subprocess.run(["apt-cache", "showpkg", name], capture_output=True, text=True, check=False).stdout}
+    virtual = {name for name in packages - known
+        if "Reverse Provides" in subprocess.run(["apt-cache", "showpkg", name], capture_output=True, text=True, check=False).stdout}
     assert packages <= known | virtual, f"Debian 12 has no {sorted(packages - known - virtual)}"
 
 
@@ -99,7 +103,8 @@ class Recipe:
         return {
             "CMakePackage": CMakePackage, "when": when, "run_after": decorator, "on_package_attributes": decorator,
             "license": lambda name: self.__dict__.update(license=name), "version": self.versions.append,
-            "variant": lambda name, default, description: self.variants.append(name), "depends_on": lambda spec, **more: self.specs.append(spec),
+            "variant": lambda name, default, description: self.variants.append(name), "depends_on": lambda spec,
+            **more: self.specs.append(spec),
             "generator": lambda name: None, "join_path": lambda *parts: "/".join(map(str, parts)), "Executable": None,
         }  # fmt: skip
 
@@ -117,7 +122,9 @@ def check_recipe():
     for sought, package in LIBRARIES.items():
         assert sought in dependencies and package in asked, f"{sought}: {package} is not asked for"
     looked_for = set(re.findall(r"find_package\((\w+)", dependencies)) | set(re.findall(r"find_path\(\w+ ([\w./]+)", dependencies))
-    assert looked_for - {"exodusII.h"} == set(LIBRARIES), f"{looked_for ^ set(LIBRARIES)}: Exodus comes with Trilinos, others need a package"
+    assert looked_for - {"exodusII.h"} == set(LIBRARIES), (
+        f"{looked_for ^ set(LIBRARIES)}: Exodus comes with Trilinos, others need a package"
+    )
     components = re.search(r"find_package\(Trilinos QUIET COMPONENTS ([^)]*)\)", dependencies).group(1).split()
     for component in components:
         if component != "Teuchos":
@@ -144,7 +151,8 @@ def check_page():
     page = (ROOT / "docs" / "install.md").read_text()
     rows = re.findall(r"^\| (?:tools|MPI|Trilinos|HDF5, Exodus, netCDF|libraries|Python|tests) \| ([^|]*) \|", page, re.MULTILINE)
     listed = {word for row in rows for word in row.split()}
-    wanted = set().union(*(launcher_packages(name) for name in ("build_packages", "fit_packages", "report_packages", "plot_packages", "test_packages")))
+    wanted = set().union(*(launcher_packages(name)
+        for name in ("build_packages", "fit_packages", "report_packages", "plot_packages", "test_packages")))
     wanted = {name for name in wanted if "$" not in name}
     assert listed == wanted, f"docs/install.md and ./barreno differ: {sorted(listed ^ wanted)}"
 

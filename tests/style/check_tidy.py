@@ -144,7 +144,8 @@ def recently_changed():
     if newest.returncode != 0:
         return None
     since = f"--since={int(newest.stdout) - RECENT}"
-    listings = ([*git, "log", since, "--name-only", "--format="], [*git, "diff", "--name-only", "HEAD"], [*git, "ls-files", "--others", "--exclude-standard"])
+    listings = ([*git, "log", since, "--name-only", "--format="], [*git, "diff", "--name-only", "HEAD"],
+        [*git, "ls-files", "--others", "--exclude-standard"])
     return {name for words in listings for name in subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()}
 
 

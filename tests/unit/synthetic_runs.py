@@ -17,8 +17,10 @@ DECK = """<!-- Effective deck of a.xml -->
 
 def summary_of(depth, **more):
     return {
-        "deck": "a.xml", "version": "0.1.0", "mode": "axisymmetric", "finished": True, "reason": "", "exit_code": 0, "time": 4e-5, "steps": 10,
-        "penetration": {"met_target": depth is not None, "depth": depth, "channel_depth": 0.02}, "balances": {"energy": {"error": 1e-6, "kinetic": 0.0}}, **more,
+        "deck": "a.xml", "version": "0.1.0", "mode": "axisymmetric", "finished": True, "reason": "", "exit_code": 0, "time": 4e-5,
+        "steps": 10,
+        "penetration": {"met_target": depth is not None, "depth": depth, "channel_depth": 0.02},
+        "balances": {"energy": {"error": 1e-6, "kinetic": 0.0}}, **more,
     }  # fmt: skip
 
 

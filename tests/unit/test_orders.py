@@ -27,7 +27,8 @@ def check_power_laws():
                 assert found.kind == order.CONVERGES, f"{p}, {cells}: {found}"
                 assert abs(found.order - p) < 1e-9 and abs(found.limit - sign * LIMIT) < 1e-9, f"{p}, {cells}: {found}"
                 width = 1.25 * abs(LIMIT - sign * values[0])
-                assert abs(found.high - found.low - 2.0 * width) < 1e-9 and abs(found.low + width - values[0]) < 1e-9, f"{p}, {cells}: {found}"
+                assert abs(found.high - found.low - 2.0 * width) < 1e-9 and abs(found.low + width
+                    - values[0]) < 1e-9, f"{p}, {cells}: {found}"
 
 
 def check_published():
@@ -58,7 +59,8 @@ REFUSED = {  # what: (cells, values, words of judge, kind, words of the sentence
     "constant differences": ([0.5, 1, 2], [1.0, 2.0, 3.0], {}, order.DIVERGES, "do not fall"),
     "low order": ([0.5, 1, 2], power_law([0.5, 1, 2], 0.4), {}, order.OUT_OF_RANGE, "0.40, is outside of 0.5 to 4"),
     "high order": ([0.5, 1, 2], power_law([0.5, 1, 2], 5.0), {}, order.OUT_OF_RANGE, "5.00, is outside of 0.5 to 4"),
-    "order above that of a method of first order": ([0.5, 1, 2], power_law([0.5, 1, 2], 2.5), {"formal": 1.0}, order.OUT_OF_RANGE, "0.5 to 2"),
+    "order above that of a method of first order": ([0.5, 1, 2], power_law([0.5, 1, 2], 2.5), {"formal": 1.0}, order.OUT_OF_RANGE,
+        "0.5 to 2"),
     "two that agree": ([0.5, 1, 2], [4.0, 4.0, 5.0], {}, order.OUT_OF_RANGE, "above any bound"),
     "two levels": ([0.5, 1], [4.0, 5.0], {}, order.FEW, "two levels"),
     "unresolved": ([0.5, 1, 2], power_law([0.5, 1, 2], 1.0), {"resolved": 1}, order.UNRESOLVED, "wider than the radius"),
@@ -82,7 +84,10 @@ def check_two_that_agree():
     two that do."""
     cells = [0.5, 1.0, 2.0]
     found = order.judge(cells, [88.2, 88.0, 79.5], resolved=2)
-    assert found.kind == order.TWO_AGREE and found.limit is None and found.order_used is None and 86.5 < found.low < 88.0 and 88.4 < found.high < 90.0, found
+    assert (
+        found.kind == order.TWO_AGREE and found.limit is None and found.order_used is None and 86.5 < found.low < 88.0
+        and 88.4 < found.high < 90.0
+    ), found
     assert order.judge(cells, [88.2, 88.0, 79.5], resolved=1).kind == order.UNRESOLVED
     said = order.sentence(found)
     assert "are left out" in said and "agree to 2 %" in said and "3 times" in said, said
@@ -103,7 +108,9 @@ def check_coverage():
                             assert found.kind in (order.UNRESOLVED, order.EQUAL), found
                             continue
                         count += 1
-                        assert found.low <= LIMIT + 1e-9 and LIMIT - 1e-9 <= found.high, f"ratio {ratio}, order {p}, slope {slope}, {second}: {found}"
+                        assert found.low <= LIMIT + 1e-9 and LIMIT - 1e-9 <= found.high, (
+                            f"ratio {ratio}, order {p}, slope {slope}, {second}: {found}"
+                        )
     assert count > 300, count
 
 
@@ -126,7 +133,8 @@ def check_names():
             level = levels.Level([], deck.format(along), folder, cells=1.0 / 900.0)
             assert level.name() == name, level.name()
             assert name in report.table("depth", [level], [(1e-5, [0.09], order.spread(order.FEW, [0.09]))])
-    assert '--set "Grid/Cell Size=0.0005 m" --set "Jet/Cells Per Radius=8.0"' in report.offer(["Grid/Cell Size=0.0005 m", "Jet/Cells Per Radius=8.0"])
+    assert '--set "Grid/Cell Size=0.0005 m" --set "Jet/Cells Per Radius=8.0"' in report.offer(["Grid/Cell Size=0.0005 m",
+        "Jet/Cells Per Radius=8.0"])
 
 
 def check_equal():
@@ -163,7 +171,8 @@ def check_cells():
 
 
 def main():
-    for check in (check_cells, check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal, check_three_smallest,
+    for check in (check_cells, check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal,
+            check_three_smallest,
                   check_two_that_agree, check_coverage, check_equal_by_chance, check_names):
         check()
     print("orders and intervals are those of the sequences")

@@ -120,7 +120,8 @@ def check_lists():
     plan.check_lists(deck, read("grid", "Bodies/Rock/Upper=1", "Confinement/Pressure=1", "Step/Courant Fraction=0.5"))
     refused(lambda: plan.check_lists(deck, read("grid", "Bodies/Rok/Upper=1")), "the deck has no list Rok in Bodies; did you mean 'Rock'?")
     refused(lambda: plan.check_lists(deck, read("grid", "Bodies/X/Upper=1")), "choose one of 'Rock', 'Casing'.")
-    refused(lambda: plan.check_lists(deck, read("grid", "Conditions/Top/Kind=fixed")), "the deck has no list Top in Conditions; add it to the deck.")
+    refused(lambda: plan.check_lists(deck, read("grid", "Conditions/Top/Kind=fixed")),
+        "the deck has no list Top in Conditions; add it to the deck.")
     refused(lambda: plan.check_settings(["A/B=3"], read("grid", "A/B=1")), "varies what --set or --fidelity fixes")
 
 
@@ -174,10 +175,13 @@ def check_time_left(folder):
 def check_words():
     base = ["a.xml", "--vary", "A/B=1"]
     for more, said in (
-        (["--jobs", "-2"], "--jobs -2 is not a number of runs at a time"), (["--jobs", "0"], "--jobs 0"), (["--ranks", "0"], "--ranks 0 is not a number of ranks"),
+        (["--jobs", "-2"], "--jobs -2 is not a number of runs at a time"), (["--jobs", "0"], "--jobs 0"),
+        (["--ranks", "0"], "--ranks 0 is not a number of ranks"),
         (["--sample", "random"], "--sample random is no way to choose values"), (["--sample", "latin"], "needs the number of its samples"),
-        (["--sample", "latin", "--samples", "0"], "--samples 0 is not a number of samples"), (["--samples", "3"], "belongs to --sample latin"),
-        (["--submit", "pbs"], "--submit pbs is not a batch system"), (["--submit", "slurm", "--collect"], "exclude each other"), (["--only", "1", "--collect"], "exclude each other"),
+        (["--sample", "latin", "--samples", "0"], "--samples 0 is not a number of samples"),
+        (["--samples", "3"], "belongs to --sample latin"),
+        (["--submit", "pbs"], "--submit pbs is not a batch system"), (["--submit", "slurm", "--collect"], "exclude each other"),
+        (["--only", "1", "--collect"], "exclude each other"),
         ([], "a.xml does not exist"),
     ):  # fmt: skip
         refused(lambda more=more: words.check_words(words.parse([*base, *more])), said)
@@ -192,9 +196,11 @@ def check_slurm():
     points = [plan.Point([], "", pathlib.Path("x"), how=how) for how in ("reused", "", "")]
     options = argparse.Namespace(deck="a deck.xml", ranks=4)
     vary = ["a deck.xml", "--vary", "A/B=1,2,3 mm", "--submit", "slurm"]
-    with unittest.mock.patch.dict(os.environ, {"BARRENO_COMMAND": "./barreno sweep", "OMPI_MCA_btl": "self", "PYTHONPATH": "/of/this/machine", "BARRENO_PROGRAM": "/of/this/machine/barreno"}):
+    with unittest.mock.patch.dict(os.environ, {"BARRENO_COMMAND": "./barreno sweep", "OMPI_MCA_btl": "self",
+            "PYTHONPATH": "/of/this/machine", "BARRENO_PROGRAM": "/of/this/machine/barreno"}):
         text = slurm.script(options, vary, points, pathlib.Path("out"))
-    for line in ("#SBATCH --array=2-3\n", "#SBATCH --ntasks=4\n", "#SBATCH --output=out/task-%a.log\n", "exec ./barreno sweep 'a deck.xml' --vary 'A/B=1,2,3 mm' --only \"$SLURM_ARRAY_TASK_ID\"\n", "--collect\n"):
+    for line in ("#SBATCH --array=2-3\n", "#SBATCH --ntasks=4\n", "#SBATCH --output=out/task-%a.log\n",
+            "exec ./barreno sweep 'a deck.xml' --vary 'A/B=1,2,3 mm' --only \"$SLURM_ARRAY_TASK_ID\"\n", "--collect\n"):
         assert line in text, f"{line}: {text}"
     # Nothing of the machine that wrote it.
     assert not any(word in text for word in ("export", "OMPI", "/of/this/machine", os.getcwd(), sys.executable)), text
@@ -206,9 +212,11 @@ def check_script_lines(folder):
     for evil in (f"a\ntouch {trap}\n.xml", f"a\rtouch {trap}", f"a\x85touch {trap}", "a\x00b", "a\x1b[2J.xml", "a\udc80"):
         for deck, out, more in ((evil, "out", []), ("a.xml", evil, []), ("a.xml", "out", ["--set", f"Title={evil}"])):
             options = argparse.Namespace(deck=deck, ranks=1)
-            refused(lambda options=options, more=more, out=out: slurm.script(options, [options.deck, "--vary", "A/B=1", *more], points, pathlib.Path(out)), "line end or another control character", "rename it")
+            refused(lambda options=options, more=more, out=out: slurm.script(options, [options.deck, "--vary", "A/B=1", *more], points,
+                pathlib.Path(out)), "line end or another control character", "rename it")
         with unittest.mock.patch.object(slurm, "start_of_command", lambda evil=evil: f"{evil} sweep"):
-            refused(lambda: slurm.script(argparse.Namespace(deck="a.xml", ranks=1), ["a.xml"], points, pathlib.Path("out")), "the path of barreno")
+            refused(lambda: slurm.script(argparse.Namespace(deck="a.xml", ranks=1), ["a.xml"], points, pathlib.Path("out")),
+                "the path of barreno")
     with unittest.mock.patch.dict(os.environ, {"BARRENO_COMMAND": "true"}):
         odd = f"$(touch {trap}) `touch {trap}`; touch {trap} #'\" & b.xml"
         text = slurm.script(argparse.Namespace(deck=odd, ranks=1), [odd, "--out", odd], points, pathlib.Path(odd))
@@ -223,10 +231,14 @@ def check_ranks():
             os.environ.pop(name, None)
         base = ["a.xml", "--vary", "A/B=1"]
         for count in ("1000000000", "9" * 30, "999999"):
-            refused(lambda count=count: words.check_words(words.parse([*base, "--ranks", count])), f"--ranks {count} is more than this machine can start")
-            refused(lambda count=count: converge.check_words(converge.parse(["a.xml", "--ranks", count])), f"--ranks {count} is more than this machine can start")
-        refused(lambda: words.check_words(words.parse([*base, "--ranks", "999999", "--submit", "slurm"])), "a.xml does not exist")  # for other machines
-        refused(lambda: words.jobs_of(words.parse([*base, "--jobs", "999999"]), 10000), "--jobs 999999, which is 10000 processes at a time, is more than")
+            refused(lambda count=count: words.check_words(words.parse([*base, "--ranks", count])),
+                f"--ranks {count} is more than this machine can start")
+            refused(lambda count=count: converge.check_words(converge.parse(["a.xml", "--ranks", count])),
+                f"--ranks {count} is more than this machine can start")
+        refused(lambda: words.check_words(words.parse([*base, "--ranks", "999999", "--submit", "slurm"])),
+            "a.xml does not exist")  # for other machines
+        refused(lambda: words.jobs_of(words.parse([*base, "--jobs", "999999"]), 10000),
+            "--jobs 999999, which is 10000 processes at a time, is more than")
         assert words.jobs_of(words.parse([*base, "--jobs", "999999"]), 3) == 3 and words.jobs_of(words.parse(base), 10000) >= 1
 
 
@@ -236,7 +248,8 @@ def swept(folder, line, count=3):
     points = []
     for i, value in enumerate(one.values):
         run = synthetic_runs.make_run(folder / f"run {i}", pressure=1e6 * i, depth=0.03 - 0.001 * i)
-        points.append(plan.Point([], run_folder.deck_in(run), run, how="computed", code=3 if i == count - 1 else 0, values=(value,), label=f"Pressure = {value.text}"))
+        points.append(plan.Point([], run_folder.deck_in(run), run, how="computed", code=3 if i == count - 1 else 0, values=(value,),
+            label=f"Pressure = {value.text}"))
     return one, points
 
 
@@ -251,18 +264,26 @@ def check_results(folder):
     lines = []
     write.write_sweep(folder, [one], "grid", points, lines.append)
     rows = rows_in(folder / "table.csv")
-    assert [row["Confinement/Pressure [MPa]"] for row in rows] == ["0", "1", "2"] and [row["state"] for row in rows] == ["finished", "finished", "failed"], rows
-    assert float(rows[1]["penetration.depth"]) == 0.03 - 0.001 and rows[1]["penetration.met_target"] == "true" and rows[1]["deck"] == "a.xml" and rows[2]["penetration.depth"] == "", rows
+    assert [row["Confinement/Pressure [MPa]"] for row in rows] == ["0", "1", "2"] and [row["state"] for row in rows] == ["finished",
+        "finished", "failed"], rows
+    assert (
+        float(rows[1]["penetration.depth"]) == 0.03 - 0.001 and rows[1]["penetration.met_target"] == "true" and rows[1]["deck"] == "a.xml"
+        and rows[2]["penetration.depth"] == ""
+    ), rows
     for name in ("depth.png", "depth_against.png"):
         assert (folder / name).read_bytes()[:4] == b"\x89PNG", name
     said = "\n".join(lines)
-    assert "channels.png is not drawn, because no run has a particles.e that can be read." in said and not (folder / "channels.png").exists(), said
+    assert (
+        "channels.png is not drawn, because no run has a particles.e that can be read." in said and not (folder / "channels.png").exists()
+    ), said
     assert "run 2 (failed)" in said and f"Written to {folder}: table.csv, depth.png, depth_against.png" in said, said
 
 
 def check_columns(folder):
     """A column in the unit of the values, in SI if they have several, or in words."""
-    heads = {"Confinement/Pressure=0,1,2 MPa": "Confinement/Pressure [MPa]", "Confinement/Pressure=0 Pa,1 MPa,20 bar": "Confinement/Pressure [SI]", "Confinement/Pressure=low,1 MPa,2 MPa": "Confinement/Pressure"}
+    heads = {"Confinement/Pressure=0,1,2 MPa": "Confinement/Pressure [MPa]",
+        "Confinement/Pressure=0 Pa,1 MPa,20 bar": "Confinement/Pressure [SI]",
+        "Confinement/Pressure=low,1 MPa,2 MPa": "Confinement/Pressure"}
     for i, (line, head) in enumerate(heads.items()):
         one, points = swept(folder / str(i), line)
         (column,) = write.columns_of([one], points)
@@ -278,7 +299,8 @@ def check_pictures(folder):
     few, many = ["1", "2"] * 6, [str(i) for i in range(12)]
     number, word = Axis("a", list(range(12)), many), Axis("b", None, few)
     assert word.places == [0.0, 1.0] * 6 and word.words == ["1", "2"]
-    for name, axes, labels in (("one", [word], few), ("curves", [number, word], few), ("map", [number, Axis("c", list(range(12)), many)], many)):
+    for name, axes, labels in (("one", [word], few), ("curves", [number, word], few),
+            ("map", [number, Axis("c", list(range(12)), many)], many)):
         draw_against(folder / f"{name}.png", axes, labels, [0.001 * i for i in range(12)])
     table = run_folder.read_table(synthetic_runs.make_run(folder / "run") / "depth.csv")
     assert list(table["depth"]) == [0.0, 0.03], table  # a line that was cut off is left out
@@ -288,11 +310,13 @@ def check_pictures(folder):
 
 
 def check_differences(folder):
-    runs = [synthetic_runs.make_run(folder / name, pressure=p, depth=d, slugs=s) for name, p, d, s in (("a", 0, 0.04, "1" * 99), ("b", 1e6, 0.03, "2" * 99))]
+    runs = [synthetic_runs.make_run(folder / name, pressure=p, depth=d, slugs=s)
+        for name, p, d, s in (("a", 0, 0.04, "1" * 99), ("b", 1e6, 0.03, "2" * 99))]
     found = differences.deck_differences(runs)
     assert found == {"Confinement/Pressure": ["0", "1000000.0"], "Jet/Slugs": ["1" * 99, "2" * 99]}, found
     assert differences.shortened(found["Jet/Slugs"]) == ["(99 letters, no. 1)", "(99 letters, no. 2)"]
-    assert differences.against(0.04, 0.03)[1] == 100.0 * (0.03 - 0.04) / 0.04 and differences.against(0.0, 2.0) == (2.0, None) and differences.against(None, 2.0) == (None, None)
+    assert differences.against(0.04, 0.03)[1] == 100.0 * (0.03 - 0.04) / 0.04 and differences.against(0.0, 2.0) == (2.0,
+        None) and differences.against(None, 2.0) == (None, None)
     assert effective_deck.value_in(run_folder.deck_in(runs[1]), "Confinement/Pressure") == "1000000.0"
     rows = [results.finished_row(run.name, run, []) for run in runs]
     quantities = dict(differences.quantities_of(rows))
@@ -315,7 +339,8 @@ def check_compare(folder):
     (row,) = [row for row in rows_in(folder / "out" / "differences.csv") if row["quantity"] == "penetration.depth"]
     assert float(row["b/run difference"]) == 0.03 - 0.04 and float(row["b/run percent"]) == differences.against(0.04, 0.03)[1], row
     assert rows_in(folder / "out" / "table.csv")[1]["Confinement/Pressure"] == "1000000.0" and (folder / "out" / "depth.png").exists()
-    assert rows_in(folder / "out" / "decks.csv") == [{"parameter": "Confinement/Pressure", "a/run": "0", "b/run": "1000000.0", f"{folder.name}/c": "0"}]
+    assert rows_in(folder / "out" / "decks.csv") == [{"parameter": "Confinement/Pressure", "a/run": "0", "b/run": "1000000.0",
+        f"{folder.name}/c": "0"}]
     code, said = compared(a, b, "--out", folder / "out")
     assert code == 0, said
     code, said = compared(a, synthetic_runs.make_run(folder / "same", depth=0.04), "--out", folder / "same-out")
@@ -337,9 +362,12 @@ def check_bad_compare(folder):
     (deck / "deck.xml").write_text("<ParameterList>")
     for runs, code, said in (
         ([], 1, "compare needs two runs or more, and there are none"), ([run], 1, "and there is one"), ([run, run], 1, "is given twice"),
-        ([run, folder / "nowhere"], 2, "is not a folder"), ([run, no_run], 2, "is not the folder of a run"), ([run, killed], 2, "was killed"),
-        ([run, other, "--out", held], 2, "holds something else (x, and no compare.json)"), ([run, other, "--out", run / "depth.csv"], 2, "is a file"),
-        ([run, broken], 2, "summary.json cannot be read"), ([run, cut, "--out", folder / "o"], 2, "depth.csv cannot be read as a table of numbers"),
+        ([run, folder / "nowhere"], 2, "is not a folder"), ([run, no_run], 2, "is not the folder of a run"),
+        ([run, killed], 2, "was killed"),
+        ([run, other, "--out", held], 2, "holds something else (x, and no compare.json)"),
+        ([run, other, "--out", run / "depth.csv"], 2, "is a file"),
+        ([run, broken], 2, "summary.json cannot be read"),
+        ([run, cut, "--out", folder / "o"], 2, "depth.csv cannot be read as a table of numbers"),
         ([run, deck], 2, "deck.xml is not a deck"), ([run, other, "--owt", "x"], 1, "unrecognized arguments"),
     ):  # fmt: skip
         found = compared(*runs)
@@ -347,7 +375,8 @@ def check_bad_compare(folder):
 
 
 CHECKS = (check_values, check_bad_values, check_samples, check_latin, check_folders, check_lists, check_words, check_slurm, check_ranks)
-IN_FOLDERS = (check_script_lines, check_out, check_taken, check_time_left, check_results, check_columns, check_pictures, check_differences, check_compare, check_bad_compare)
+IN_FOLDERS = (check_script_lines, check_out, check_taken, check_time_left, check_results, check_columns, check_pictures, check_differences,
+    check_compare, check_bad_compare)
 
 
 def main():

@@ -9,30 +9,35 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("cmake", "docs", "input_xml", "verification")
-SCRIPTS = ("verify.py", "pages.py", "trade.py", "predictions.py", "extremes.py", "paper.py", "deck_times.py", "depth_runs.py", "converge_examples.py")
+SCRIPTS = ("verify.py", "pages.py", "trade.py", "predictions.py", "extremes.py", "paper.py", "deck_times.py", "depth_runs.py",
+    "converge_examples.py")
 
 
 def not_executable():
     """Scripts with an interpreter in their first line and no run bit, and the other way round."""
     out = []
-    for file in sorted(file for folder in FOLDERS for file in (ROOT / folder).rglob("*") if file.suffix in (".py", ".sh") and file.is_file()):
+    for file in sorted(file for folder in FOLDERS for file in (ROOT / folder).rglob("*") if file.suffix in (".py", ".sh")
+            and file.is_file()):
         starts, runs = file.read_bytes()[:2] == b"#!", os.access(file, os.X_OK)
         if starts != runs:
-            out.append(f"{file.relative_to(ROOT)} {'has an interpreter in its first line and no run bit' if starts else 'can be executed and names no interpreter'}")
+            out.append(f"{file.relative_to(ROOT)} "
+                f"{'has an interpreter in its first line and no run bit' if starts else 'can be executed and names no interpreter'}")
     return out
 
 
 def said_by_bare_python(script, *words):
     """Of a Python that sees no packages."""
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
-    result = subprocess.run([sys.executable, "-S", script, *words], env=environment, cwd=ROOT, capture_output=True, text=True, timeout=120, check=False)
+    result = subprocess.run([sys.executable, "-S", script, *words], env=environment, cwd=ROOT, capture_output=True, text=True, timeout=120,
+        check=False)
     return result.returncode, result.stderr
 
 
 def check_script(name):
     words = {"verify.py": ("nowhere", "perforation")}.get(name, ("--help",))
     code, said = said_by_bare_python(ROOT / "verification" / name, *words)
-    assert "Traceback" not in said and (code == 0 or said.count("\n") == 1 and "Python lacks " in said and "/usr/bin/python3" in said), f"{name}: exit {code}: {said}"
+    assert "Traceback" not in said and (code == 0 or said.count("\n") == 1 and "Python lacks " in said
+        and "/usr/bin/python3" in said), f"{name}: exit {code}: {said}"
     return code != 0
 
 

@@ -20,7 +20,8 @@ def rows_of(text):
 
 class MeasuredTables(unittest.TestCase):
     def test_a_point_moves_and_no_digit_changes(self):
-        for text, digits, moved in (("13.87", -3, "0.01387"), ("5", -6, "0.000005"), ("-29", -2, "-0.29"), ("0", -2, "0"), ("181.0", -3, "0.181")):
+        for text, digits, moved in (("13.87", -3, "0.01387"), ("5", -6, "0.000005"), ("-29", -2, "-0.29"), ("0", -2, "0"),
+                ("181.0", -3, "0.181")):
             self.assertEqual(measured_tables.moved(text, digits), moved)
 
     def test_every_depth_is_that_of_its_run(self):

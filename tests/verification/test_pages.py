@@ -43,7 +43,8 @@ class Pages(unittest.TestCase):
     def test_a_figure_without_a_file_is_found(self):
         for words in ("It takes 42.4 s instead of 58.4 s.", "12 % of the energy", "132 MB in all", "120 ns per particle-step"):
             self.assertTrue(pages.loose_figures("docs/performance.md", words), words)
-        for words in ("`--set \"Time/End Time=1 us\"`", "three ranks", "    run --until \"200 us\"", "<!-- a -->\n\n1 s\n\n<!-- end of a -->\n"):
+        for words in ("`--set \"Time/End Time=1 us\"`", "three ranks", "    run --until \"200 us\"",
+                "<!-- a -->\n\n1 s\n\n<!-- end of a -->\n"):
             self.assertFalse(pages.loose_figures("docs/performance.md", words), words)
 
     def test_a_page_of_what_fails_is_found(self):
@@ -59,7 +60,8 @@ class Columns(unittest.TestCase):
             self.assertTrue(lines[0].startswith(first) and lines[1].startswith(rest), text)
             self.assertLessEqual(max(map(len, lines)), 140)
             self.assertFalse(check_columns.long_on_page("\n".join(lines)))
-        for text in (f"| {words} |", f"# {words}", f"    {words}", f"```\n{words}\n```", f"![{words}](p.png)", f"- a\n\n      {words}", f"`{words}`"):
+        for text in (f"| {words} |", f"# {words}", f"    {words}", f"```\n{words}\n```", f"![{words}](p.png)", f"- a\n\n      {words}",
+                f"`{words}`"):
             self.assertEqual(wrapped(text), text)
             self.assertFalse(check_columns.long_on_page(text), text)
 
@@ -92,7 +94,8 @@ class Intervals(unittest.TestCase):
 
 class Aims(unittest.TestCase):
     def test_the_requirement_nearest_to_its_limit_stands_for_an_aim(self):
-        near, far = ({"value": value, "limit": limit, "at_least": at_least} for value, limit, at_least in ((0.9, 1.0, False), (4.0, 1.0, True)))
+        near, far = ({"value": value, "limit": limit, "at_least": at_least}
+            for value, limit, at_least in ((0.9, 1.0, False), (4.0, 1.0, True)))
         self.assertIs(depth_aims.nearest([(far, "", ""), (near, "", "")])[0], near)
 
     def test_every_aim_is_a_requirement_of_its_case(self):

@@ -138,7 +138,8 @@ class Costs(unittest.TestCase):
         self.assertEqual(unmeasured({7: 24, 8: 13, 10: 25}, counts.get), {})
         self.assertEqual(unmeasured({7: 24, 8: 9}, counts.get), {8: 4, 10: 25})
         self.assertEqual(unmeasured_words({}), [])
-        self.assertIn("4 runs of figure 8, 25 runs of figure 10 (`verification/paper.py BARRENO --only 8 --only 10`", unmeasured_words({8: 4, 10: 25})[1])
+        self.assertIn("4 runs of figure 8, 25 runs of figure 10 (`verification/paper.py BARRENO --only 8 --only 10`",
+            unmeasured_words({8: 4, 10: 25})[1])
 
 
 class Stresses(unittest.TestCase):

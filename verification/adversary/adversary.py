@@ -41,7 +41,8 @@ SHARE = {"kills": 0.15, "ranks": 0.1, "two": 0.04, "group": 0.01, "sanitized": 0
 ENOUGH, LEAST_MET = 10, 0.8
 # Every checkpoint is brought to the disk, which takes its time on one: in memory, where there is some.
 SCRATCH = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-EMPTY = {"sets": {}, "odd numbers": {}, "forgeries": {}, "perforations": {}, "counts": {}, "drawn": [], "decks": [], "refusals": {}, "findings": []}
+EMPTY = {"sets": {}, "odd numbers": {}, "forgeries": {}, "perforations": {}, "counts": {}, "drawn": [], "decks": [], "refusals": {},
+    "findings": []}
 
 
 def servers_of(build, folder):
@@ -140,7 +141,8 @@ def add(results, tally):
 
 def missed_kills(tallies):
     """A sentence if kills miss their checkpoints."""
-    placed, met = (sum(t.counts.get(name, 0) for t in tallies) for name in ("kills placed at a checkpoint", "kills placed at a checkpoint that met one"))
+    placed, met = (sum(t.counts.get(name, 0) for t in tallies)
+        for name in ("kills placed at a checkpoint", "kills placed at a checkpoint that met one"))
     if placed < ENOUGH or met >= LEAST_MET * placed:
         return ""
     return f"only {met} of {placed} kills that are placed at a checkpoint met a running program with one (tools/kill_at.c, kill_moments.py)"
@@ -194,7 +196,8 @@ def main():
         options.out.write_text(json.dumps(results, indent=1) + "\n")
     known = [o.path for section, part in table.items() if not section.startswith("Model ") for o in part]
     print(json.dumps(results["counts"], indent=1))
-    print(f"{len(results['drawn'])} options drawn ({len(known)} are described) over {len(results['decks'])} decks in {time.time() - begun:.0f} s")
+    print(f"{len(results['drawn'])} options drawn ({len(known)} are described) over {len(results['decks'])} decks in "
+        f"{time.time() - begun:.0f} s")
     for finding in results["findings"][before:]:
         print(f"finding: {finding['kind']} {finding['number']}: {finding['said'][:200]}")
     missed = missed_kills([tally for tally, _ in parts])

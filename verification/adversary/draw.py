@@ -7,11 +7,15 @@ from deck_tree import NUMBER, metres, numbers_in
 
 # How likely an option of a section is to be drawn.
 CHANCE = {"Step": 0.15, "Output": 0.2, "Quasi-Static": 0.3, "Jet": 0.15, "Pore Flow": 0.2, "Confinement": 0.2, "Body Force": 0.2}
-OFTEN = {"Step/Shape Function": 0.6, "Step/Transfer": 0.6, "Step/Order": 0.5, "Step/Largest Expansion": 0.25, "Output/Checkpoint Steps": 0.0}
-LISTS = {"Bodies": 0.06, "Loads": 0.05, "Conditions": 0.05, "Contact": 0.2, "Materials": 0.03, "Pore Flow/Rocks": 0.2, "Pore Flow/Conditions": 0.1}
+OFTEN = {"Step/Shape Function": 0.6, "Step/Transfer": 0.6, "Step/Order": 0.5, "Step/Largest Expansion": 0.25,
+    "Output/Checkpoint Steps": 0.0}
+LISTS = {"Bodies": 0.06, "Loads": 0.05, "Conditions": 0.05, "Contact": 0.2, "Materials": 0.03, "Pore Flow/Rocks": 0.2,
+    "Pore Flow/Conditions": 0.1}
 # What a scene is made of: another choice seldom leaves a scene.
-FIXED = {"Schema Version", "Title", "Units", "Mode", "Source", "Model", "Card", "Shape", "Material", "Other Material", "Body", "Bodies", "Face", "Table", "File"}
-PLACES = {"Lower", "Upper", "Centre", "Start", "End", "Radius", "End Radius", "Inner Radius", "Corners", "Point", "Normal", "From", "To", "Axis", "Parts", "File Unit", "Shift"}
+FIXED = {"Schema Version", "Title", "Units", "Mode", "Source", "Model", "Card", "Shape", "Material", "Other Material", "Body", "Bodies",
+    "Face", "Table", "File"}
+PLACES = {"Lower", "Upper", "Centre", "Start", "End", "Radius", "End Radius", "Inner Radius", "Corners", "Point", "Normal", "From", "To",
+    "Axis", "Parts", "File Unit", "Shift"}
 
 
 def shown(value):
@@ -31,7 +35,8 @@ def scale_of(option, scene):
     """What a quantity of this unit is about, for one without a value of its own."""
     unit = option.unit
     time, cell = scene["time"], scene["cell"]
-    table = {"s": 0.1 * time, "1/s": 3.0 / time, "m": 2 * cell, "m/s": 30.0, "Pa": 1e7, "m s-2": 1e4, "1/m": 0.3 / cell, "kg/m3": 1e3, "m2": 1e-13}
+    table = {"s": 0.1 * time, "1/s": 3.0 / time, "m": 2 * cell, "m/s": 30.0, "Pa": 1e7, "m s-2": 1e4, "1/m": 0.3 / cell, "kg/m3": 1e3,
+        "m2": 1e-13}
     return table.get(unit, 1.0)
 
 

@@ -13,9 +13,11 @@ from sealed import reseal
 
 # Jet, confinement and torn faces; pore flow; a rigid body; a cavity.
 SCENES = (
-    ("perforation_quick.xml", {"Grid/Cell Size": "10 mm", "Time/End Time": "10 us", "Output/Checkpoint Steps": "20", "Output/Field Interval": "3 us"}),
+    ("perforation_quick.xml", {"Grid/Cell Size": "10 mm", "Time/End Time": "10 us", "Output/Checkpoint Steps": "20",
+        "Output/Field Interval": "3 us"}),
     ("terzaghi.xml", {"Time/End Time": "1 ms", "Output/Checkpoint Steps": "30"}),
-    ("rigid_plate.xml", {"Grid/Cell Size": "1 mm", "Time/End Time": "3 us", "Output/Checkpoint Steps": "5", "Output/History Interval": "1 us"}),
+    ("rigid_plate.xml", {"Grid/Cell Size": "1 mm", "Time/End Time": "3 us", "Output/Checkpoint Steps": "5",
+        "Output/History Interval": "1 us"}),
     ("shell_squeezed.xml", {"Grid/Cell Size": "3 mm", "Time/End Time": "10 us", "Output/Checkpoint Steps": "5"}),
 )
 NUMBERS = {
@@ -68,7 +70,8 @@ def forge(path, forgery, rng):
                 file.create_group(name)
             elif what != "missing":
                 changed = another_form(what, values)
-                new = file.create_dataset(name, data=changed, chunks=changed.shape or None, fletcher32=True) if changed.size else file.create_dataset(name, data=changed)
+                new = file.create_dataset(name, data=changed, chunks=changed.shape or None,
+                    fletcher32=True) if changed.size else file.create_dataset(name, data=changed)
                 for key, value in unit.items():
                     new.attrs[key] = value
         else:

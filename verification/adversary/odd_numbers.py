@@ -68,7 +68,8 @@ def try_number(odd, barreno, folder, tally):
         tally.add("odd numbers not run")
         return
     end = repr(max(STEPS * step, 5e-324))
-    ended = barreno.run("run", file, "--out", folder / "odd", "--overwrite", "--set", f"Time/End Time={end}", "--set", "Output/Field Interval=0")
+    ended = barreno.run("run", file, "--out", folder / "odd", "--overwrite", "--set", f"Time/End Time={end}", "--set",
+        "Output/Field Interval=0")
     code = must_end(ended, FINISHED, REFUSED, FILE, NUMERICAL)
     tally.add("odd numbers run")
     wrong = unsound(folder / "odd") if code == FINISHED else []

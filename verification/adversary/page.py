@@ -59,20 +59,25 @@ About an hour on two cores tries 3,000 sets and kills 1,500 perforations:
 """
 
 ROWS = (
-    ("option sets", "sets"), ("valid", "accepted"), ("not run, because a fidelity made it large", "too large"), ("finished", "finished"), ("ended with a reason (exit 3)", "stopped with a reason"),
+    ("option sets", "sets"), ("valid", "accepted"), ("not run, because a fidelity made it large", "too large"), ("finished", "finished"),
+    ("ended with a reason (exit 3)", "stopped with a reason"),
     ("changes that were refused and undone", "refused"), ("run under sanitizers", "under sanitizers"), ("kills", "kills"),
-    ("of these before the first checkpoint", "killed before the first checkpoint"), ("of these after the end of the run", "kills that came too late"),
+    ("of these before the first checkpoint", "killed before the first checkpoint"),
+    ("of these after the end of the run", "kills that came too late"),
     ("of these placed at a checkpoint", "kills placed at a checkpoint"),
     ("placed kills that met a running program with a checkpoint", "kills placed at a checkpoint that met one"),
     ("killed, resumed and identical", "killed, resumed and the same"),
     ("killed, resumed on more ranks and identical", "killed, resumed on more ranks and the same"),
     ("process groups killed, resumed at once and identical", "process group killed, resumed at once and the same"),
     ("identical on two or three ranks", "the same on more ranks"), ("two processes on one folder", "two processes on one folder"),
-    ("odd numbers in decks", "odd numbers"), ("of these refused with a sentence", "odd numbers refused"), ("forged checkpoints", "forged checkpoints"),
-    ("of these refused with a sentence that names the table", "forged: refused"), ("of these with an identical run", "forged: the same run"),
+    ("odd numbers in decks", "odd numbers"), ("of these refused with a sentence", "odd numbers refused"),
+    ("forged checkpoints", "forged checkpoints"),
+    ("of these refused with a sentence that names the table", "forged: refused"),
+    ("of these with an identical run", "forged: the same run"),
     ("perforations with fidelities and kinds of jet", "perforations with fidelities"), ("kills of perforations", "kills of perforations"),
     ("kills of perforations placed at a checkpoint", "kills of perforations placed at a checkpoint"),
-    ("placed kills of perforations that met a running program with a checkpoint", "kills of perforations placed at a checkpoint that met one"),
+    ("placed kills of perforations that met a running program with a checkpoint",
+        "kills of perforations placed at a checkpoint that met one"),
     ("perforations killed, resumed and identical", "perforations killed, resumed and the same"),
     ("perforations resumed on other ranks and identical", "perforations resumed on other ranks and the same"),
     ("disks that failed", "disk faults"), ("of these ended with a sentence", "disk faults: ended with a sentence"),
@@ -85,17 +90,24 @@ def share_met(counts):
     placed, met = (counts.get(name, 0) for name in ("kills placed at a checkpoint", "kills placed at a checkpoint that met one"))
     if not placed:
         return ""
-    return f"\nOf the kills placed at a checkpoint {100.0 * met / placed:.0f} % met a running program that had one. Kills of earlier invocations came at random times.\n"
+    return (
+        f"\nOf the kills placed at a checkpoint {100.0 * met / placed:.0f} % met a running program that had one. Kills of earlier "
+        "invocations came at random times.\n"
+    )
 
 
 def text(results):
     counts = results["counts"]
     page = HEAD + "| quantity | number |\n|---|---|\n"
     page += "".join(f"| {said} | {counts.get(name, 0)} |\n" for said, name in ROWS)
-    page += f"| shipped decks among them | {len(results['decks'])} |\n| options among them | {len(results['drawn'])} |\n| open findings | {len(results['findings'])} |\n"
+    page += (
+        f"| shipped decks among them | {len(results['decks'])} |\n| options among them | {len(results['drawn'])} |\n| open findings | "
+        f"{len(results['findings'])} |\n"
+    )
     page += share_met(counts)
     seeds = ", ".join(f"{seed} ({sets} sets)" for seed, sets in sorted(results["sets"].items(), key=lambda item: int(item[0])))
-    shots = ", ".join(f"{seed} ({number})" for seed, number in sorted(results.get("perforations", {}).items(), key=lambda item: int(item[0])))
+    shots = ", ".join(f"{seed} ({number})"
+        for seed, number in sorted(results.get("perforations", {}).items(), key=lambda item: int(item[0])))
     page += f"\nSeeds: {seeds}{'; perforations: ' + shots if shots else ''}. `adversary.py BUILD --only SEED:NUMBER` repeats one set.\n"
     for finding in results["findings"]:
         page += f"\n- {finding['kind']} {finding['number']}: {finding['said'].splitlines()[0][:300]}"

@@ -71,7 +71,8 @@ def different_checkpoints(one, other, tolerance):
         if isinstance(a[name], bytes) or a[name].dtype.kind not in "fiu":
             if a[name] != b[name]:
                 wrong.append(name)
-        elif far(np.asarray(a[name]), np.asarray(b[name]), tolerance if a[name].dtype.kind == "f" and name.startswith("particles/") else 0.0):
+        elif far(np.asarray(a[name]), np.asarray(b[name]),
+                tolerance if a[name].dtype.kind == "f" and name.startswith("particles/") else 0.0):
             if tolerance == 0.0 or name.startswith("particles/"):
                 wrong.append(name)
     return [f"checkpoint.h5: {name}" for name in wrong]
@@ -96,7 +97,8 @@ def unwarned(summary):
     shares = {name: energy.get(f"{name}_share") or 0.0 for name in ("stress_integration", "transfer")}
     if NUMERICAL_ERRORS in summary.get("warnings", {}):
         return []
-    return [f"summary.json: {name} is {share:+.0%} of the energy put in, without a warning" for name, share in shares.items() if abs(share) > 0.1]
+    return [f"summary.json: {name} is {share:+.0%} of the energy put in, without a warning"
+        for name, share in shares.items() if abs(share) > 0.1]
 
 
 def unsound(folder):
@@ -107,7 +109,8 @@ def unsound(folder):
         if not file.exists():
             continue
         text = file.read_text().lower()
-        wrong += [f"{name} holds {word}" for word in ("nan", "inf") if any(cell.strip(" -+") == word for line in text.splitlines() if not line.startswith("#") for cell in line.split(","))]
+        wrong += [f"{name} holds {word}" for word in ("nan", "inf")
+            if any(cell.strip(" -+") == word for line in text.splitlines() if not line.startswith("#") for cell in line.split(","))]
     summary = json.loads((folder / "summary.json").read_text(), parse_constant=lambda word: wrong.append(f"summary.json holds {word}"))
     error = summary["balances"]["mass"]["error"]
     if error is None or not abs(error) <= 1e-12:
@@ -117,5 +120,6 @@ def unsound(folder):
         tables = []
         file.visititems(lambda name, item: tables.append(item) if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
         # Without a particle any step is stable.
-        wrong += [f"checkpoint.h5: {t.name} has values that are not finite" for t in tables if t.name != "/run/stable_step" and not np.all(np.isfinite(t[()]))]
+        wrong += [f"checkpoint.h5: {t.name} has values that are not finite" for t in tables if t.name != "/run/stable_step"
+            and not np.all(np.isfinite(t[()]))]
     return wrong

@@ -185,7 +185,8 @@ def run(barreno, full):
     result = Result(
         "Arenisca against the independent oracle",
         "Fluid, third invariant, rate dependence and the published forms in the library agree with the equations.",
-        "`verification/oracles/arenisca_model.py` and, for wet rock, `arenisca_pores.py`, extrapolated to zero substep. Differences of stresses "
+        "`verification/oracles/arenisca_model.py` and, for wet rock, `arenisca_pores.py`, extrapolated to zero substep. Differences of "
+        "stresses "
         "and (wet rock) of the pore pressure, relative to the largest of the path.",
         ["rock", "path", "card's tolerance", "tolerance 1e-6"],
         [],

@@ -17,10 +17,12 @@ BORDERS = (2.0, 1.92)  # where the small cells begin [m]: splines leave more beh
 def in_mode(mode):
     if mode != "3D":
         return {"Grid/Mode": mode}
-    settings = {"Grid/Mode": mode, "Conditions/Front/Face": "z_lower", "Conditions/Front/Kind": "symmetry", "Conditions/Back/Face": "z_upper",
+    settings = {"Grid/Mode": mode, "Conditions/Front/Face": "z_lower", "Conditions/Front/Kind": "symmetry",
+        "Conditions/Back/Face": "z_upper",
                 "Conditions/Back/Kind": "symmetry", "Bodies/Pulse/Velocity": "{0 m/s, 0.1 m/s, 0 m/s}",
                 "Bodies/Pulse/Velocity Wave Number": f"{{0 1/m, {np.pi / SIZE!r} 1/m, 0 1/m}}"}  # fmt: skip
-    for name, lower, upper in (("Grid", -0.16, 4.16), ("Refinement/Upper half", 2.0, 4.16), ("Bodies/Below", 0.0, 0.8), ("Bodies/Pulse", 0.8, 1.2),
+    for name, lower, upper in (("Grid", -0.16, 4.16), ("Refinement/Upper half", 2.0, 4.16), ("Bodies/Below", 0.0, 0.8),
+            ("Bodies/Pulse", 0.8, 1.2),
                                ("Bodies/Above", 1.2, 4.0)):  # fmt: skip
         settings |= {f"{name}/Lower": f"{{0 m, {lower} m, 0 m}}", f"{name}/Upper": f"{{0.04 m, {upper} m, 0.04 m}}"}
     return settings
@@ -53,10 +55,12 @@ def run(barreno, full):
         "d'Alembert: nothing behind the pulse. Largest velocity from 0.9 to 1.9 m, where the reflection is at 1.6 ms, and largest error "
         "of the velocity from 2.4 to 3.2 m. Both are relative to the pulse's peak. "
         "Two parts: `Step/Subcycles` = 2, which CPDI does not take.",
-        ["mode", "shape function", "grid", "border [m]", "left behind", "over the uniform grid's", "error beyond", "energy ledger remainder"],
+        ["mode", "shape function", "grid", "border [m]", "left behind", "over the uniform grid's", "error beyond",
+            "energy ledger remainder"],
         [],
     )  # fmt: skip
-    cases = [(mode, shape) for mode in ("plane strain", "axisymmetric") for shape in SHAPES] + [("3D", "GIMP")] if full else [("plane strain", "GIMP")]
+    cases = [(mode, shape) for mode in ("plane strain", "axisymmetric")
+        for shape in SHAPES] + [("3D", "GIMP")] if full else [("plane strain", "GIMP")]
     for mode, shape in cases:
         grids = ("uniform", "refined") if shape == "CPDI" else ("uniform", "refined", "refined, two parts")
         own = None

@@ -48,15 +48,18 @@ def run(barreno, full):
     end = 120 if full else 8
     result = Result(
         "Pressure of a casing that has been shot through",
-        f"With `Volume Relaxation` = {RATE} pressures in metal that has flown no longer alternate from particle to particle, and the depth stays.",
+        f"With `Volume Relaxation` = {RATE} pressures in metal that has flown no longer alternate from particle to particle, and the depth "
+        "stays.",
         f"none: the same run without it. `{DECK}`, cells of 1 mm; steel within a channel radius of the hole.",
-        ["Volume Relaxation", "behind the wall from [cells]", "difference to the mean of neighbours, rms [MPa]", "pressure, rms [MPa]", "ratio",
+        ["Volume Relaxation", "behind the wall from [cells]", "difference to the mean of neighbours, rms [MPa]",
+            "pressure, rms [MPa]", "ratio",
          "depth [mm]", "energy lost by the method [%]"],
         [],
     )  # fmt: skip
     noise, depths, early = {}, [], []
     for rate in (0, RATE):
-        finished = run_deck(barreno, DECK, {"Time/End Time": f"{end} us", "Materials/Steel/Volume Relaxation": str(rate), "Output/Field Interval": f"{end} us"})
+        finished = run_deck(barreno, DECK,
+            {"Time/End Time": f"{end} us", "Materials/Steel/Volume Relaxation": str(rate), "Output/Field Interval": f"{end} us"})
         depth = finished.table("depth.csv")
         depths.append(1e3 * float(depth["depth"][-1]))
         early.append(float(np.interp(30e-6, depth["time"], depth["depth"])))
@@ -67,7 +70,8 @@ def run(barreno, full):
             difference, pressure = noise[rate, least] = noise_of(finished, least)
             result.rows.append([rate, least, 1e-6 * difference, 1e-6 * pressure, difference / pressure, depths[-1], lost])
         result.demand(f"Volume Relaxation {rate}: energy balance", np.abs(history["energy_error"]).max(), 1e-4)
-    result.demand(f"alternating part from two cells behind the wall at {end} us, with over without", noise[RATE, 2][0] / noise[0, 2][0], 0.35)
+    result.demand(f"alternating part from two cells behind the wall at {end} us, with over without",
+        noise[RATE, 2][0] / noise[0, 2][0], 0.35)
     result.demand(f"difference of depth at {end} us", abs(depths[1] / depths[0] - 1.0), 0.005)
     if full:
         result.demand("difference of depth at 30 us", abs(early[1] / early[0] - 1.0), 0.005)

@@ -17,7 +17,8 @@ def run(barreno, full):
         "Collision of two elastic disks",
         "Contact begins when the surfaces meet, conserves momentum, and lets the bodies separate.",
         "both disks rebound with their initial speed, except for a small part that remains as vibration; momentum is conserved.",
-        ["cell [m]", "gap one step of output before contact [cells]", "smallest gap [cells]", "speed after / before", "energy lost to transfer", "ledger remainder"],
+        ["cell [m]", "gap one step of output before contact [cells]", "smallest gap [cells]", "speed after / before",
+            "energy lost to transfer", "ledger remainder"],
         [],
     )
     for h in [0.02, 0.01, 0.005, 0.0025] if full else [0.02, 0.01]:

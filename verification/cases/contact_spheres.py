@@ -126,12 +126,14 @@ def run(barreno, full):
         demand(f"contact, {RADIUS / h:g} cells per radius, Courant fraction {fraction}", m, 1e-12, result)
         what = f"approach less that of Hertz, in cells, {RADIUS / h:g} cells per radius, Courant fraction {fraction}"
         result.demand(what, abs(m["approach"] - approach) / h, 0.25)
-        result.demand(f"speed after / before, contact, {RADIUS / h:g} cells per radius, Courant fraction {fraction}", m["ratio"], 0.95, at_least=True)
+        result.demand(f"speed after / before, contact, {RADIUS / h:g} cells per radius, Courant fraction {fraction}", m["ratio"], 0.95,
+            at_least=True)
     for h, fraction in [(0.05, 0.4), (0.05, 0.2), (0.025, 0.4)] if full else [(0.05, 0.4)]:
         m = together(barreno, h, fraction)
         result.rows.append(["one velocity field", 0.2 / h, fraction, "", "", m["ratio"], m["momentum"], m["kept"], m["lost"], m["ledger"]])
         demand(f"one field, {0.2 / h:g} cells per radius, Courant fraction {fraction}", m, 1e-3, result)
-        result.demand(f"contact occurred: largest elastic energy, {0.2 / h:g} cells per radius, Courant fraction {fraction}", m["squeezed"], 0.2, at_least=True)
+        result.demand(f"contact occurred: largest elastic energy, {0.2 / h:g} cells per radius, Courant fraction {fraction}", m["squeezed"],
+            0.2, at_least=True)
     if full:
         # Of the cells, not of the step: half the step changes the loss by a factor of 1.02 (contact) and 0.77 (one field), since it is the
         # layer of a cell that gets one velocity which loses it.

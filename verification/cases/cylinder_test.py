@@ -7,7 +7,8 @@ from runs import run_deck
 MOVED = (6.0, 12.5, 19.0)  # of the outer surface [mm]
 BORE, OUTER, COPPER = 12.7e-3, 15.306e-3, 8930.0
 # Mean velocity of the wall [m/s], from a Lagrangian calculation in one dimension with 60 cells of gas and 8 of copper.
-EXACT = {"comp_b": (1381.0, 1545.0, 1600.0), "tnt": (1164.0, 1318.0, 1377.0), "c_4": (1346.0, 1490.0, 1545.0), "pbx_9404": (1569.0, 1743.0, 1797.0)}
+EXACT = {"comp_b": (1381.0, 1545.0, 1600.0), "tnt": (1164.0, 1318.0, 1377.0), "c_4": (1346.0, 1490.0, 1545.0),
+    "pbx_9404": (1569.0, 1743.0, 1797.0)}
 
 
 def settings(card, h):

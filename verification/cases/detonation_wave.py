@@ -59,12 +59,15 @@ def measure(barreno, h, returned="true"):
 def run(barreno, full):
     result = Result(
         "Detonation from a rigid wall",
-        "Programmed burn moves the front with the prescribed speed and leaves the self-similar wave behind it, with the products at rest at "
+        "Programmed burn moves the front with the prescribed speed and leaves the self-similar wave behind it, with the products at rest "
+        "at "
         "the wall.",
-        f"Chapman-Jouguet p = rho0 D^2 / 4 = {PRESSURE:.6g} Pa for gamma = 3; u = D (2 x / (D t) - 1) / 4 for D t / 2 < x < D t; nearer to the "
+        f"Chapman-Jouguet p = rho0 D^2 / 4 = {PRESSURE:.6g} Pa for gamma = 3; u = D (2 x / (D t) - 1) / 4 for D t / 2 < x < D t; nearer to "
+        "the "
         f"wall u = 0 and p = 8/27 of that, {PLATEAU:.6g} Pa. Error of the wave: integral of |u - exact| over the integral of u.",
         ["cell [mm]", "front speed error", "plateau pressure error", "wave error", "peak pressure over Chapman-Jouguet",
-         "energy ledger remainder", "plateau pressure error, losses kept out", "wave error, losses kept out", "peak pressure, losses kept out"],
+         "energy ledger remainder", "plateau pressure error, losses kept out", "wave error, losses kept out",
+         "peak pressure, losses kept out"],
         [],
     )  # fmt: skip
     levels = (0.5, 0.25, 0.125, 0.0625) if full else (0.5, 0.25)
@@ -80,7 +83,8 @@ def run(barreno, full):
         result.demand(f"wave, {h} mm", found[2], FIRST_ORDER * h)
     result.demand("order of the wave", order([waves[0], waves[-1]], ratio=levels[0] / levels[-1])[0], 0.75, at_least=True)
     result.notes = (
-        "The front is as many cells wide as Burn Width says, 2.5, and its middle lies half of that behind the time of lighting: an error of "
+        "The front is as many cells wide as Burn Width says, 2.5, and its middle lies half of that behind the time of lighting: an error "
+        "of "
         "first order. The energy that each step loses in stress_integration and transfer is returned as heat (Return Losses). A "
         "detonation of prescribed speed is tangent to its Hugoniot, so its pressure errs by the root of the loss. The losses do not "
         "decrease with the cells. Without that the "

@@ -6,7 +6,9 @@ import numpy as np
 from case import Result
 from runs import run_deck
 
-ANGLE, WALL, SPEED, FIRST = np.radians(21.0), 2e-3, 7980.0, -47.43728e-3  # of driven_cone.xml: half angle, wall [m], front [m/s], where it starts [m]
+ANGLE, WALL, SPEED, FIRST = (
+    np.radians(21.0), 2e-3, 7980.0, -47.43728e-3
+)  # of driven_cone.xml: half angle, wall [m], front [m/s], where it starts [m]
 LENGTH, CHARGE = 60e-3 / np.cos(ANGLE), 15e-3  # of the liner along its inner face, thickness of the charge [m]
 AXIS = np.array([np.sin(ANGLE), np.cos(ANGLE)])  # along the liner from its apex
 EDGES = np.arange(18e-3, 55e-3, 4e-3)  # of the slices along it [m]
@@ -49,8 +51,10 @@ def run(barreno, full):
     result = Result(
         "Cone driven by an explosive",
         "The parts of a cone that an explosive drives onto its axis become the jet that belongs to the velocities with which they fly.",
-        "Pugh, Eichelberger and Rostoker 1952 with the measured velocities (`verification/tools/collapse.py`): thin, incompressible, each part on a straight way.",
-        ["cell [mm]", "cells in the wall", "from the axis [mm]", "V0 [m/s]", "jet [m/s]", "slug [m/s]", "share", "jet, theory [m/s]", "slug, theory [m/s]", "share, theory"],
+        "Pugh, Eichelberger and Rostoker 1952 with the measured velocities (`verification/tools/collapse.py`): thin, incompressible, each "
+        "part on a straight way.",
+        ["cell [mm]", "cells in the wall", "from the axis [mm]", "V0 [m/s]", "jet [m/s]", "slug [m/s]", "share", "jet, theory [m/s]",
+            "slug, theory [m/s]", "share, theory"],
         [],
     )  # fmt: skip
     for h in (1.0, 0.5, 0.25) if full else (1.0,):

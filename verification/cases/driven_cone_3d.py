@@ -66,7 +66,8 @@ def run(barreno, full):
     )  # fmt: skip
     for h, end in ((2.0, "36 us"), (1.0, "36 us")) if full else ((2.5, "24 us"),):
         same = {"Grid/Cell Size": f"{h!r} mm", "Output/Field Interval": "1 us", "Time/End Time": end}
-        plane = run_deck(barreno, "driven_cone.xml", {**same, "Bodies/Liner/Particles Per Cell": "2", "Bodies/Charge/Particles Per Cell": "1"})
+        plane = run_deck(barreno, "driven_cone.xml",
+            {**same, "Bodies/Liner/Particles Per Cell": "2", "Bodies/Charge/Particles Per Cell": "1"})
         space = run_deck(barreno, "driven_cone_3d.xml", same)
         found = [add_rows(result, h, plane), add_rows(result, h, space)]
         name = f"{h:g} mm"
@@ -101,8 +102,10 @@ def add_quarter(result, barreno):
 
 
 NOTES = (
-    "The slices are those of which driven_cone asks something. With two cells in the wall the velocity of the liner is that of axisymmetry, while the jet is a handful of "
-    "particles in either mode. With four in three dimensions the jet's velocity is within 5 % of that with eight in axisymmetry, and its share of the mass is too large in every slice."
+    "The slices are those of which driven_cone asks something. With two cells in the wall the velocity of the liner is that of "
+    "axisymmetry, while the jet is a handful of "
+    "particles in either mode. With four in three dimensions the jet's velocity is within 5 % of that with eight in axisymmetry, and its "
+    "share of the mass is too large in every slice."
 )
 
 

@@ -34,7 +34,8 @@ def run(barreno, full):
     result = Result(
         "Wedge driven by an explosive",
         "Plates that an explosive drives against each other form the jet that belongs to the velocity with which they arrive.",
-        "Birkhoff, MacDougall, Pugh and Taylor 1948 with the measured velocity: steady, incompressible, one velocity from the front on (`verification/tools/collapse.py`). "
+        "Birkhoff, MacDougall, Pugh and Taylor 1948 with the measured velocity: steady, incompressible, one velocity from the front on "
+        "(`verification/tools/collapse.py`). "
         "Means over what starts 15 to 39 mm along the plate.",
         ["cell [mm]", "cells in the plate", "V0 [m/s]", "least V0 [m/s]", "largest V0 [m/s]", "jet [m/s]", "slug [m/s]", "share",
          "jet error", "slug error", "share error", "energy ledger remainder"],
@@ -45,7 +46,8 @@ def run(barreno, full):
         speeds, found, exact = measure(finished)
         errors = found / exact - 1.0
         remainder = finished.summary["balances"]["energy"]["error"]
-        result.rows.append([h, 2.0 / h, float(np.mean(speeds)), float(speeds.min()), float(speeds.max()), *map(float, found), *map(float, errors), remainder])
+        result.rows.append([h, 2.0 / h, float(np.mean(speeds)), float(speeds.min()), float(speeds.max()), *map(float, found),
+            *map(float, errors), remainder])
         result.demand(f"{h:g} mm: energy ledger remainder", abs(remainder), 1e-3)
         if h < 1.0:  # with two cells in the plate nothing is asked of the jet
             result.demand(f"{h:g} mm: jet against that of the measured velocity", abs(errors[0]), 0.05)

@@ -180,7 +180,8 @@ def run(barreno, full):
         "Berea card with water and quartz, 3 % axial strain, pore pressure applied before the confinement. Drained: a fluid of bulk "
         "modulus 10 Pa instead of water, whose pressure stays constant, against the dry test under the difference of the pressures.",
         ["test", "form", "confinement [MPa]", "initial pore pressure [MPa]", "stress difference at first flow [MPa]",
-         "dry envelope at P - p there [MPa]", "peak stress difference [MPa]", "P there [MPa]", "p there [MPa]", "flow off the dry envelope, maximum"],
+         "dry envelope at P - p there [MPa]", "peak stress difference [MPa]", "P there [MPa]", "p there [MPa]",
+         "flow off the dry envelope, maximum"],
         [],
     )  # fmt: skip
     laws, library = berea_laws(), load(barreno.resolve().parents[1] / "materials" / "libBARRENO.so")
@@ -204,17 +205,22 @@ def run(barreno, full):
     if full:
         squeezed(result, laws, library)
     result.notes = (
-        "Water in the pores carries part of the total pressure, so the grains are pressed together by P - p only, and friction and crushing depend "
-        "on this effective pressure. The rows `elastic centre` belong to the form that was the default before. Its yield surface accounted for the "
+        "Water in the pores carries part of the total pressure, so the grains are pressed together by P - p only, and friction and "
+        "crushing depend "
+        "on this effective pressure. The rows `elastic centre` belong to the form that was the default before. Its yield surface accounted "
+        "for the "
         "initial pore pressure and for that due to plastic strain, but not for that due to elastic compression. Drained tests have no "
         "elastic compression of the fluid, and both forms agree with dry rock at P - p. In undrained tests rock of the old form starts "
         "to yield later than its own pore pressure allows. Compare its first flow with the dry envelope at P - p in the next column. "
         "When such rock dilates, the pressure seen by its yield surface soon vanishes, whatever the pressure of the fluid. At 100 MPa of "
         "confinement its strength was that of dry rock at 100 MPa for any pore pressure up to 90 MPa.\n\n"
-        "The rows `sheared` follow rock that is squeezed to 104 MPa without drainage and then sheared at constant total pressure; its pore pressure"
-        " comes from the squeezing alone. The stress difference is sqrt(3 J2). The old form starts to flow near the envelope at P, as if there were "
+        "The rows `sheared` follow rock that is squeezed to 104 MPa without drainage and then sheared at constant total pressure; its pore "
+        "pressure"
+        " comes from the squeezing alone. The stress difference is sqrt(3 J2). The old form starts to flow near the envelope at P, as if "
+        "there were "
         "no pore pressure.\n\n"
-        "Undrained rock dilates in shear, by the associated flow rule at the angle of friction; its pore pressure falls and its strength rises with"
+        "Undrained rock dilates in shear, by the associated flow rule at the angle of friction; its pore pressure falls and its strength "
+        "rises with"
         " strain. The peak is the value at 3 % strain; every point of flow is compared with the envelope."
     )
     return result

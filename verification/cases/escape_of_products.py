@@ -7,7 +7,8 @@ from runs import run_deck
 SPEED, DENSITY = 8500.0, 1600.0  # of the deck [m/s, kg/m3]
 PISTON, LENGTH = 500.0, 0.01
 # t [us], x [mm]: u, c [m/s], from ExactPack's solution.
-POINTS = {(1, 8): (1875.0, 6125.0), (1, 5): (500.0, 4750.0), (2, 12): (4214.2857, 1785.7143), (2, 7): (803.5714, 4446.4286), (4, 4): (1208.3333, 3333.3333)}
+POINTS = {(1, 8): (1875.0, 6125.0), (1, 5): (500.0, 4750.0), (2, 12): (4214.2857, 1785.7143), (2, 7): (803.5714, 4446.4286),
+    (4, 4): (1208.3333, 3333.3333)}
 
 
 def pressure(c):
@@ -38,9 +39,11 @@ def run(barreno, full):
         "Escape of products",
         "Two rarefactions that meet, one behind the detonation and one from the free face where it arrived.",
         "Fickett & Rivard, Los Alamos Scientific Laboratory LA-5600-MS, 1974, as in ExactPack: gamma = 3, D = 8500 m/s, rho0 = 1600 kg/m3, "
-        "10 mm of explosive, piston of 500 m/s. Errors of the velocity over D / 4, of the pressure over the greater of the exact one and a tenth of "
+        "10 mm of explosive, piston of 500 m/s. Errors of the velocity over D / 4, of the pressure over the greater of the exact one and a "
+        "tenth of "
         "the Chapman-Jouguet pressure.",
-        ["cell [mm]", *(f"{what} error at {x} mm, {t} us" for t, x in POINTS for what in ("velocity", "pressure")), "energy ledger remainder"],
+        ["cell [mm]", *(f"{what} error at {x} mm, {t} us" for t, x in POINTS for what in ("velocity", "pressure")),
+            "energy ledger remainder"],
         [],
     )  # fmt: skip
     least = 0.1 * DENSITY * SPEED**2 / 4.0

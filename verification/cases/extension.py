@@ -99,7 +99,8 @@ def demand(name, shape, domain, entries, seen, result):
         clipped = np.sqrt(16.0 * domain**2 - 1.0)
         result.demand(f"{name}: parts, but not before its domains are clipped", parted, clipped, at_least=True)
         result.demand(f"{name}: nor after neighbours have no common node", parted, 4.0 * domain + 4.0)
-        result.demand(f"{name}: a domain is clipped at a stretch of {clipped:.4g} (1 % between particles); off", abs(seen / clipped - 1.0), 1e-2)
+        result.demand(f"{name}: a domain is clipped at a stretch of {clipped:.4g} (1 % between particles); off",
+            abs(seen / clipped - 1.0), 1e-2)
     elif shape == "GIMP":
         result.demand(f"{name}: parts (documented); stretch", parted, entries[-1]["stretch"])
     if shape in FOLLOWS_ITS_PARTICLES:

@@ -36,7 +36,8 @@ def add_row(result, name, finished, depths, error):
     per_cell = int(re.search('"Rock">.*?"Particles Per Cell" type="int" value="([0-9]+)"', deck, re.DOTALL).group(1))
     shown = [*depths, *[""] * (len(TIMES) - len(depths))]
     result.rows.append(
-        [name, per_cell, summary["penetration"]["cells_per_radius"]["tip"], *shown, error, 1e-6 * summary["particle_steps"], summary["cpu_seconds"], summary["wall_seconds"]]
+        [name, per_cell, summary["penetration"]["cells_per_radius"]["tip"], *shown, error, 1e-6 * summary["particle_steps"],
+            summary["cpu_seconds"], summary["wall_seconds"]]
     )
 
 
@@ -45,8 +46,10 @@ def run(barreno, full):
     result = Result(
         "Fidelities of the main job",
         "`--fidelity` trades the error of the depth for seconds, with cells and steps of several sizes.",
-        f"uniform cells of {REFERENCE:g} mm, one step for all (`verification/results/perforation_cells.csv`). `{DECK}`, all else as in the deck.",
-        ["fidelity", "particles per cell", "cells per radius", *(f"depth at {time} us [mm]" for time in TIMES), "greatest error of the depth", "particle-steps [10^6]",
+        f"uniform cells of {REFERENCE:g} mm, one step for all (`verification/results/perforation_cells.csv`). `{DECK}`, all else as in the "
+        "deck.",
+        ["fidelity", "particles per cell", "cells per radius", *(f"depth at {time} us [mm]" for time in TIMES),
+            "greatest error of the depth", "particle-steps [10^6]",
          "processor time [s]", "wall time [s]"],
         [],
     )  # fmt: skip
@@ -71,8 +74,10 @@ def run(barreno, full):
         depths = depths_of(finished, times)
         add_row(result, f"fast, {per_cell} per cell, {cells:g} per radius", finished, depths, greatest_error(depths, exact))
     result.notes = (
-        "The deck leaves Grid/Cell Size open, so each fidelity chooses it. *fast* takes cells of 1.11 mm, and of 0.56 mm along the jet's path: 1.8 in the "
-        "radius of its tip. *balanced* takes 0.83 mm, and 0.42 mm along the path, 2.4 per radius. Casing and rock start with one particle per cell, which divides where it is stretched wider "
+        "The deck leaves Grid/Cell Size open, so each fidelity chooses it. *fast* takes cells of 1.11 mm, and of 0.56 mm along the jet's "
+        "path: 1.8 in the "
+        "radius of its tip. *balanced* takes 0.83 mm, and 0.42 mm along the path, 2.4 per radius. Casing and rock start with one particle "
+        "per cell, which divides where it is stretched wider "
         "than a cell. With both slow tiles take longer steps than the jet (docs/method.md 11, 12)."
     )
     return result

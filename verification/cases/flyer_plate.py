@@ -54,7 +54,8 @@ def run(barreno, full):
                     result.demand(f"C/M {ratio:g}, {h} mm: velocity at {instant:g} L/D", abs(error), 0.02)
             result.demand(f"C/M {ratio:g}, {h} mm: energy ledger remainder", abs(balances["energy"]["error"]), 1e-3)
     result.notes = (
-        "Limits are demanded with cells of 0.25 mm; those of 0.5 mm are shown, and miss 2 % once, for the thickest plate at 3 L/D. That plate is "
+        "Limits are demanded with cells of 0.25 mm; those of 0.5 mm are shown, and miss 2 % once, for the thickest plate at 3 L/D. That "
+        "plate is "
         "four tenths as thick as the charge, and waves run through it: it is not the rigid one of the exact solution while it is pushed."
     )
     return result

@@ -57,7 +57,8 @@ def import_deck(folder, table, kind, plane=PLANE):
         for name in names:
             place.remove(place.find(f"ParameterList[@name='{name}']"))
     jet = xml.SubElement(root, "ParameterList", name="Jet")
-    for name, value in (("Material", "Copper"), ("Table", str(table)), ("Kind", kind), ("Launch Position", f"{plane} m"), ("Direction", "+y")):
+    for name, value in (("Material", "Copper"), ("Table", str(table)), ("Kind", kind), ("Launch Position", f"{plane} m"),
+            ("Direction", "+y")):
         xml.SubElement(jet, "Parameter", name=name, type="string", value=value)
     deck = pathlib.Path(folder) / "import.xml"
     tree.write(deck)
@@ -75,7 +76,8 @@ def passed(table, times, power):
 
 def moved_table(folder, table, distance):
     """jets/move_jet.py, as a table of names."""
-    text = subprocess.run([sys.executable, DECKS / "jets" / "move_jet.py", table, "--by", str(distance)], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run([sys.executable, DECKS / "jets" / "move_jet.py", table, "--by", str(distance)], capture_output=True, text=True,
+        check=True).stdout
     rows = [line for line in text.splitlines() if line and not line.startswith("#")]
     values = np.array([[float(cell) for cell in row.split(",")] for row in rows[1:]])
     return dict(zip(rows[0].split(","), values.T))
@@ -87,7 +89,8 @@ def run(barreno, full):
         "In one run an explosive forms a jet from its liner and shoots it through a casing into rock. The jet digs as deep as its table "
         "does, launched without charge and liner.",
         "The single run.",
-        ["cell [mm]", "table launched as", *[f"single run, depth at {t} us [mm]" for t in TIMES], *[f"table, depth at {t} us [mm]" for t in TIMES],
+        ["cell [mm]", "table launched as", *[f"single run, depth at {t} us [mm]" for t in TIMES],
+            *[f"table, depth at {t} us [mm]" for t in TIMES],
          "crossings", "slice loss", "largest difference of depth", "energy ledger remainder"],
         [],
     )  # fmt: skip
@@ -117,7 +120,8 @@ def add_shot(result, h, kind, single, shot):
     errors = {t: again[t] / one[t] - 1.0 for t in TIMES}
     formed, remainder = single.summary["formed_jet"], abs(single.summary["balances"]["energy"]["error"])
     worst = max(map(abs, errors.values()))
-    result.rows.append([h, kind, *[one[t] for t in TIMES], *[again[t] for t in TIMES], formed["crossed"]["count"], formed["slice_loss"], worst, remainder])
+    result.rows.append([h, kind, *[one[t] for t in TIMES], *[again[t] for t in TIMES], formed["crossed"]["count"], formed["slice_loss"],
+        worst, remainder])
     if h == 1.0:
         result.demand("1 mm: depth at 40 us, table over single run, less 1", abs(errors[40]), 0.03)
         result.demand("1 mm: the largest such difference from 28 us on", worst, 0.03)
@@ -138,4 +142,5 @@ def add_second_plane(barreno, result, h, settings):
     for power, what in enumerate(("mass", "momentum")):
         difference = passed(moved, times, power) - passed(taken, times, power)
         share = float(np.max(np.abs(difference)) / passed(taken, [end], power)[0])
-        result.demand(f"{h:g} mm, eight liner particles per cell: {what} through a second plane, moved table against the one taken there", share, 0.02)
+        result.demand(f"{h:g} mm, eight liner particles per cell: {what} through a second plane, moved table against the one taken there",
+            share, 0.02)

@@ -32,12 +32,14 @@ def fuzz(program, folder, reader, rounds, seed):
 def run(barreno, full):
     result = Result(
         "Changed input",
-        "Whatever the input, reading a deck, a card, a jet table, a path or an STL surface ends with a scene, a material, a table or one sentence.",
+        "Whatever the input, reading a deck, a card, a jet table, a path or an STL surface ends with a scene, a material, a table or one "
+        "sentence.",
         "the rule that a refusal is one line that begins with the file's name, states a reason and says what to do. The inputs are "
         "changed at random (tests/fuzz): values, names, types and lists of the decks and cards of this repository, cells of tables, "
         "corners of surfaces, bytes. The address and undefined-behaviour sanitizers watch, on a machine of 64 MB. "
         "A deck is processed completely: text, included files, tables, scene.",
-        ["reader", "inputs", "seeds", "accepted", "kinds of sentences", "crashes", "not one sentence", "over 1 s", "longest [s of processor]"],
+        ["reader", "inputs", "seeds", "accepted", "kinds of sentences", "crashes", "not one sentence", "over 1 s",
+            "longest [s of processor]"],
         [],
     )
     # In the build folder of the program, with the tests.
@@ -52,7 +54,8 @@ def run(barreno, full):
         kinds = max(part.get("kinds", 0) for part in found)
         longest = max(part.get("slowest", 0) for part in found)
         seeds = " and ".join(map(str, SEEDS))
-        result.rows.append([reader, int(sums["inputs"]), seeds, int(sums["accepted"]), int(kinds), crashes, int(sums["faults"]), int(sums["slow"]), longest])
+        result.rows.append([reader, int(sums["inputs"]), seeds, int(sums["accepted"]), int(kinds), crashes, int(sums["faults"]),
+            int(sums["slow"]), longest])
         result.demand(f"{reader}: inputs", sums["inputs"], rounds * len(SEEDS), at_least=True)
         result.demand(f"{reader}: some are accepted", sums["accepted"], 1, at_least=True)
         result.demand(f"{reader}: some are refused", sums["inputs"] - sums["accepted"], 1, at_least=True)

@@ -10,7 +10,8 @@ from runs import run_deck
 GURNEY = 2710.0  # sqrt(2 E) of Composition B [m/s]
 CHARGE, COPPER, SPEED = 1717.0, 8930.0, 7980.0  # of the cards [kg/m3, kg/m3, m/s]
 GAS = {  # comp_b.xml in the place of the deck's gas of gamma = 3
-    "Density": f"{CHARGE} kg/m3", "Detonation Speed": f"{SPEED} m/s", "A": "524.23 GPa", "B": "7.678 GPa", "R1": "4.2", "R2": "1.1", "Omega": "0.34", "Energy": "8.5 GPa",
+    "Density": f"{CHARGE} kg/m3", "Detonation Speed": f"{SPEED} m/s", "A": "524.23 GPa", "B": "7.678 GPa", "R1": "4.2", "R2": "1.1",
+    "Omega": "0.34", "Energy": "8.5 GPa",
 }  # fmt: skip
 NO_STRENGTH = {"Materials/Copper/A": "0 Pa", "Materials/Copper/B": "0 Pa"}
 HALF, BORE = 10.0, 12.7  # half of the charge between plates; radius of that in a tube [mm]
@@ -70,7 +71,8 @@ def plate_settings(layers, h):
     })  # fmt: skip
     if layers.back:
         settings.update({
-            "Bodies/Back/Material": "Copper", "Bodies/Back/Lower": f"{{{-thickness[1]!r} mm, 0 mm}}", "Bodies/Back/Upper": f"{{0 mm, {h} mm}}",
+            "Bodies/Back/Material": "Copper", "Bodies/Back/Lower": f"{{{-thickness[1]!r} mm, 0 mm}}",
+            "Bodies/Back/Upper": f"{{0 mm, {h} mm}}",
         })  # fmt: skip
     return settings
 
@@ -87,14 +89,17 @@ def run(barreno, full):
     result = Result(
         "Gurney velocities",
         "Charges in tubes and between plates give their metal the velocities of Gurney's formulas.",
-        "R. W. Gurney, BRL report 405 (1943), with sqrt(2 E) = 2710 m/s for Composition B (J. E. Kennedy, Sandia SC-RR-70-790, 1970, Table 2: 2680 to 2770): "
+        "R. W. Gurney, BRL report 405 (1943), with sqrt(2 E) = 2710 m/s for Composition B (J. E. Kennedy, Sandia SC-RR-70-790, 1970, Table "
+        "2: 2680 to 2770): "
         "linear velocity in the gas, all energy of an empirical E given. No exact answer: the formulas and E are good to some percent.",
-        ["charge", "metal over charge", "second plate over charge", "cell [mm]", "velocity [m/s]", "Gurney [m/s]", "error", "energy ledger remainder"],
+        ["charge", "metal over charge", "second plate over charge", "cell [mm]", "velocity [m/s]", "Gurney [m/s]", "error",
+            "energy ledger remainder"],
         [],
     )  # fmt: skip
     for layers in LAYERS:
         for h in (0.5, 0.25) if full else (0.5,):
-            deck, settings = ("cylinder_test.xml", tube_settings(layers, h)) if layers.tube else ("flyer_plate.xml", plate_settings(layers, h))
+            deck, settings = ("cylinder_test.xml", tube_settings(layers, h)) if layers.tube else ("flyer_plate.xml",
+                plate_settings(layers, h))
             finished = run_deck(barreno, deck, {**settings, **NO_STRENGTH})
             found, gurney = velocity(finished, layers.tube), layers.gurney() * GURNEY
             remainder = finished.summary["balances"]["energy"]["error"]

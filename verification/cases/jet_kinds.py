@@ -41,7 +41,8 @@ def without_strength(barreno, result, h):
     for kind in KINDS:
         run = run_deck(barreno, "jet_import_kinds.xml", {"Jet/Kind": kind, "Grid/Cell Size": f"{h} mm"})
         depths[kind] = 1e3 * run.summary["penetration"]["depth"]
-        result.rows.append(row_of("without strength", kind, h, run, [depths[kind]] + [1e3 * depth_at(run, 1e-6 * t) for t in (10, 20, 30)] + [""]))
+        result.rows.append(row_of("without strength", kind, h, run,
+            [depths[kind]] + [1e3 * depth_at(run, 1e-6 * t) for t in (10, 20, 30)] + [""]))
         result.demand(f"{kind}, {h:g} mm: launched over the table's mass, momentum and energy, less 1", launched_error(run), 1e-9)
         result.demand(f"{kind}, {h:g} mm: ledger remainder", abs(run.summary["balances"]["energy"]["error"]), 1e-3)
     for kind in KINDS[1:]:  # whole jets: what the rule gives for a target of the jet's own density
@@ -50,7 +51,8 @@ def without_strength(barreno, result, h):
     ratio, rule = depths["thinned"] / depths["continuous"], RULE["thinned"] / RULE["continuous"]
     result.demand(f"thinned over continuous, {h:g} mm: depth ratio against the rule's {rule:.3f}", abs(ratio / rule - 1.0), 0.05)
     ratio = depths["continuous"] / depths["discrete"]
-    result.demand(f"continuous over discrete, {h:g} mm: depth ratio against the rule's {RULE['continuous']:.3f}", abs(ratio / RULE["continuous"] - 1.0), 0.1)
+    result.demand(f"continuous over discrete, {h:g} mm: depth ratio against the rule's {RULE['continuous']:.3f}",
+        abs(ratio / RULE["continuous"] - 1.0), 0.1)
 
 
 def main_job(barreno, result):
@@ -60,7 +62,8 @@ def main_job(barreno, result):
         if kind == "continuous":
             settings["Materials/Tungsten/Expansion Strain"] = "on"
         run = run_deck(barreno, "perforation.xml", settings)
-        depths = [1e3 * run.summary["penetration"]["depth"]] + [1e3 * depth_at(run, 1e-6 * t) for t in TIMES[:3]] + [1e3 * depth_at(run, 50e-6)]
+        depths = [1e3 * run.summary["penetration"]["depth"]] + [1e3 * depth_at(run, 1e-6 * t)
+            for t in TIMES[:3]] + [1e3 * depth_at(run, 50e-6)]
         result.rows.append(row_of("main job", kind, 1.0, run, depths))
         result.demand(f"main job, {kind}: launched over the table's mass, momentum and energy, less 1", launched_error(run), 1e-9)
         result.demand(f"main job, {kind}: ledger remainder", abs(run.summary["balances"]["energy"]["error"]), 1e-3)
@@ -71,7 +74,8 @@ def run(barreno, full):
         "Kinds of a jet",
         "One jet table has its voids as gaps, as a smaller radius or as an expansion strain. Mass, momentum and energy are the same, and "
         "depths follow the hydrodynamic rule.",
-        "Hydrodynamic depths, discrete : continuous : thinned = 1 : sqrt(2 alpha - 1) : alpha, alpha = full over mean density (docs/jets.md).",
+        "Hydrodynamic depths, discrete : continuous : thinned = 1 : sqrt(2 alpha - 1) : alpha, alpha = full over mean density "
+        "(docs/jets.md).",
         ["job", "kind", "cell [mm]", "final depth [mm]", "depth at 10 us [mm]", "depth at 20 us [mm]", "depth at 30 us [mm]",
          "depth at 50 us [mm]", "particles stretched", "ejected", "clipped", "removed"],
         [],

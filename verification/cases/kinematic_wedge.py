@@ -50,7 +50,8 @@ def run(barreno, full):
         "Plates without strength that meet at an angle split into a jet and a slug as the theory of lined charges says.",
         "Steady incompressible flow (Birkhoff, MacDougall, Pugh and Taylor 1948): jet V0 cot(b / 2), slug V0 tan(b / 2), mass share of "
         "the jet sin^2(b / 2). The plates move along their normals with V0 = 1000 m/s and have b = 45 degrees to the middle.",
-        ["cell [mm]", "cells in the plate", "jet [m/s]", "slug [m/s]", "share", "jet error", "slug error", "share error", "energy ledger remainder"],
+        ["cell [mm]", "cells in the plate", "jet [m/s]", "slug [m/s]", "share", "jet error", "slug error", "share error",
+            "energy ledger remainder"],
         [],
     )  # fmt: skip
     for h in (0.5, 0.25, 0.125) if full else (0.5,):

@@ -44,7 +44,8 @@ def measure(barreno, order, steps):
     end = 9.5e-6 * steps  # s
     share, memory = watched_run(command(barreno, 1, "run", DECKS / "bar_wave.xml", "--out", folder, "--set", f"Time/End Time={end!r} s",
                                  "--set", f"Step/Order={order}", "--set", f"Output/Checkpoint Steps={steps // 20}",
-                                 "--set", f"Output/History Interval={PERIOD / ROWS!r} s", "--set", "Output/Field Interval=0 s"), folder / "history.csv")  # fmt: skip
+                                 "--set", f"Output/History Interval={PERIOD / ROWS!r} s", "--set", "Output/Field Interval=0 s"),
+                                 folder / "history.csv")  # fmt: skip
     done = Run(folder)
     table = done.table("history.csv")
     energy = (table["kinetic"] + table["elastic"])[1:]

@@ -45,7 +45,8 @@ def run(barreno, full):
         "Flow across the slab, stress along it: the middle takes over the load that the sides shed, and its pore pressure rises.",
         "the series of the slab between rigid plates, with the ramp by superposition; the block is long enough for its sections to stay "
         f"plane. Mean over the inner tenth; errors relative to the exact peak, at the instants c t / width^2 = {FIRST:g} ... {LAST:g}.",
-        ["cells in the width", "peak, p / P", "exact", "error of the peak", "largest error in the middle", "worst particle", "rms in the middle", "order",
+        ["cells in the width", "peak, p / P", "exact", "error of the peak", "largest error in the middle", "worst particle",
+            "rms in the middle", "order",
          "missing fluid"],
         [],
     )  # fmt: skip

@@ -67,7 +67,8 @@ def demand(mode, shape, amplitude, per_cell, levels, errors, result):
 
 def floor_lines(found):
     """Where the errors of each refinement at the large amplitude stop to fall, and how they grow."""
-    lines = ["| mode | shape function | particles per cell | smallest error / A | at cells | order of the last halving |", "|---|---|---|---|---|---|"]
+    lines = ["| mode | shape function | particles per cell | smallest error / A | at cells | order of the last halving |",
+        "|---|---|---|---|---|---|"]
     for (mode, shape, amplitude, per_cell, levels), errors in found:
         if amplitude == LARGE and errors and shape not in FOLLOWS_ITS_PARTICLES:
             least = min(errors)

@@ -61,7 +61,8 @@ def rings(barreno, shape, full, result):
 def run(barreno, full):
     result = Result(
         "Generalized vortex and expanding ring",
-        "Rotation with shears up to 1.2 (A = 0.2) and 6 (A = 1), and hoop strains of a ring, on a grid that is not aligned with the motion.",
+        "Rotation with shears up to 1.2 (A = 0.2) and 6 (A = 1), and hoop strains of a ring, on a grid that is not aligned with the "
+        "motion.",
         "manufactured solutions of the neo-Hookean disk (`verification/oracles/manufactured.py`); rms and largest error of the "
         "displacement over all particles, the largest over ten instants, in metres (the disk reaches to 1.25 m, the ring to "
         "0.6 m); A in radians for the vortex, in metres for the ring; the vortex preserves volumes (ratio 1). Largest Domain is 1 cell, or "

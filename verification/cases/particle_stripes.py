@@ -21,7 +21,8 @@ CHEAP = ("GIMP, sealed", "quadratic B-spline")
 
 def strains(start, now):
     """Logarithmic strains of particles from their corners: axial, radial, and that of the volume with the hoop."""
-    edge = lambda at, axis, ends: at["corners"][:, ends[0], axis] + at["corners"][:, ends[1], axis] - at["corners"][:, ends[2], axis] - at["corners"][:, ends[3], axis]  # noqa: E731
+    edge = lambda at, axis, ends: at["corners"][:, ends[0], axis] + at["corners"][:, ends[1], axis] - at["corners"][:, ends[2],
+        axis] - at["corners"][:, ends[3], axis]  # noqa: E731
     with np.errstate(divide="ignore", invalid="ignore"):  # the jet is not there at the start
         along = [np.log(edge(now, axis, ends) / edge(start, axis, ends)) for axis, ends in ((1, (2, 3, 0, 1)), (0, (1, 2, 0, 3)))]
         return [*along, np.log(now["volume_ratio"] / start["volume_ratio"])]
@@ -55,7 +56,8 @@ def row(name, start, now):
     pore = pairs(start, now["pore_pressure"] / 1e6)
     stripes = volume[0] - volume[1]
     return [
-        name, round(1e6 * now["time"], 3), part(*axial), part(*across), part(stripes, -axial[1]), float(np.corrcoef(stripes, -axial[1])[0, 1]),
+        name, round(1e6 * now["time"], 3), part(*axial), part(*across), part(stripes, -axial[1]),
+        float(np.corrcoef(stripes, -axial[1])[0, 1]),
         rms(pore[1]), rms(pore[0] - pore[1]),
     ]  # fmt: skip
 
@@ -63,10 +65,13 @@ def row(name, start, now):
 def run(barreno, full):
     result = Result(
         "Pore pressures that alternate from particle to particle",
-        "With GIMP the axial strain of a cell is the same for both particles in it, while the radial and hoop strains follow the wave. Where these nearly cancel, as in a wave that hardly changes the "
-        "volume of saturated rock, the rest is a volume strain that alternates from particle to particle. The grid does not feel it, and the stiff fluid makes it a pressure. Quadratic B-splines have none.",
+        "With GIMP the axial strain of a cell is the same for both particles in it, while the radial and hoop strains follow the wave. "
+        "Where these nearly cancel, as in a wave that hardly changes the "
+        "volume of saturated rock, the rest is a volume strain that alternates from particle to particle. The grid does not feel it, and "
+        "the stiff fluid makes it a pressure. Quadratic B-splines have none.",
         "a smooth field: the difference of the two particles of a cell is half of the change from cell to cell.",
-        ["run", "time [us]", "axial strain", "radial and hoop", "alternating volume strain over the missing axial", "their correlation", "smooth part of the pore pressure [MPa]", "alternating part [MPa]"],
+        ["run", "time [us]", "axial strain", "radial and hoop", "alternating volume strain over the missing axial", "their correlation",
+            "smooth part of the pore pressure [MPa]", "alternating part [MPa]"],
         [],
     )
     for name in RUNS if full else CHEAP:
@@ -74,14 +79,18 @@ def run(barreno, full):
         start, steps = shot.particles(0), [int(np.abs(shot.times() - 1e-6 * time).argmin()) for time in TIMES]
         result.rows += [row(name, start, shot.particles(step)) for step in steps]
     of = lambda name, column: [found[column] for found in result.rows if found[0] == name]  # noqa: E731
-    ratios = {name: [rough / smooth for rough, smooth in zip(of(name, 7), of(name, 6))] for name in dict.fromkeys(found[0] for found in result.rows)}
+    ratios = {name: [rough / smooth for rough, smooth in zip(of(name, 7), of(name, 6))]
+        for name in dict.fromkeys(found[0] for found in result.rows)}
     result.demand("GIMP, sealed: part of the axial strain's slope that the particles of a cell have", max(of("GIMP, sealed", 2)), 0.3)
     result.demand("GIMP, sealed: part of the radial and hoop strains' slope that they have", min(of("GIMP, sealed", 3)), 0.9, at_least=True)
-    result.demand("GIMP, sealed: correlation of the alternating volume strain with the missing axial strain", min(of("GIMP, sealed", 5)), 0.95, at_least=True)
-    result.demand("GIMP, sealed: alternating over smooth part of the pore pressure: it is no effect of the flow", min(ratios["GIMP, sealed"]), 2.0, at_least=True)
+    result.demand("GIMP, sealed: correlation of the alternating volume strain with the missing axial strain", min(of("GIMP, sealed", 5)),
+        0.95, at_least=True)
+    result.demand("GIMP, sealed: alternating over smooth part of the pore pressure: it is no effect of the flow",
+        min(ratios["GIMP, sealed"]), 2.0, at_least=True)
     result.demand("quadratic B-spline: alternating over smooth part of the pore pressure", max(ratios["quadratic B-spline"]), 0.2)
     result.notes = (
-        "Strains: part of the slope that the two particles of a cell have between them, 1 where a field is smooth, 0 where a cell has one value. A "
+        "Strains: part of the slope that the two particles of a cell have between them, 1 where a field is smooth, 0 where a cell has one "
+        "value. A "
         "solve of the pore flow evens the pressures of a cell by moving fluid from one particle to the other (7.4), at the state that "
         "the wave happens to have then. For a later state that fluid is in the wrong place, and there can be more stripes than in "
         "sealed rock, or fewer. "

@@ -90,7 +90,8 @@ def run(barreno, full):
             depths.append(result.rows[-1][1 : 2 + len(TIMES)])
             demand_pins(finished, f"{h} mm", result)
             off = max(abs(depth / fine - 1.0) for depth, fine in zip(depths[-1], FINE))
-            result.demand(f"{h} mm: depths against those with cells of 0.25 mm at {', '.join(map(str, TIMES))} us, the greatest difference", off, 0.02)
+            result.demand(f"{h} mm: depths against those with cells of 0.25 mm at {', '.join(map(str, TIMES))} us, the greatest difference",
+                off, 0.02)
         result.notes = compare_depths(depths)
     result.demand("mass", max(abs(r[-4]) for r in result.rows), 1e-12)
     result.demand("axial momentum", max(abs(r[-3]) for r in result.rows), 1e-12)

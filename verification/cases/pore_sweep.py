@@ -32,7 +32,8 @@ def row(name, permeability, run):
     table, particles = run.table("history.csv"), run.particles()
     drained = -100.0 * table["fluid_inflow"][-1] / table["fluid"][0 if table["fluid"][0] > 0.0 else 1] if "fluid_inflow" in table else 0.0
     pressure = float(np.nanmax(particles["pore_pressure"])) / 1e6 if "pore_pressure" in particles else 0.0
-    return [name, permeability, 1e3 * run.summary["penetration"]["depth"], table["plastic"][-1], pressure, drained, missing_fluid(run), removed(run)]
+    return [name, permeability, 1e3 * run.summary["penetration"]["depth"], table["plastic"][-1], pressure, drained, missing_fluid(run),
+        removed(run)]
 
 
 def fine(barreno):
@@ -43,12 +44,15 @@ def fine(barreno):
         depths = [1e3 * rock.summary["penetration"]["depth"] for rock in rocks]
         works = [rock.table("history.csv")["plastic"][-1] for rock in rocks]
         told.append(
-            f"cells of {cell:g} mm: depth {depths[0]:.2f} mm in dry and {depths[1]:.2f} mm in undrained rock ({100 * (depths[1] / depths[0] - 1):+.1f} %), "
+            f"cells of {cell:g} mm: depth {depths[0]:.2f} mm in dry and {depths[1]:.2f} mm in undrained rock "
+            f"({100 * (depths[1] / depths[0] - 1):+.1f} %), "
             f"plastic work {works[0]:.0f} J and {works[1]:.0f} J ({100 * (works[1] / works[0] - 1):+.0f} %)"
         )
     return (
-        f" In cells fine enough to hold the jet, to {FINE_END:g} us and from the outer face of the casing; " + "; ".join(told) + ". The jet's radius"
-        " is 1.0 mm at its tip, twice the size of the smallest of these cells. Compare the effect of the fluid with that of the cell size: the "
+        f" In cells fine enough to hold the jet, to {FINE_END:g} us and from the outer face of the casing; " + "; ".join(told)
+        + ". The jet's radius"
+        " is 1.0 mm at its tip, twice the size of the smallest of these cells. Compare the effect of the fluid with that of the cell size: "
+        "the "
         "depth is not yet independent of the cells. Both rocks are plugs of 24 mm radius, and the waves reach their sides within this time."
     )
 
@@ -58,8 +62,10 @@ def run(barreno, full):
     result = Result(
         "Depth against permeability",
         "One deck, from undrained to drained rock.",
-        "none between the limits; permeability 0 is the undrained run, the largest is close to the drained one (dry rock of equal density).",
-        ["rock", "permeability [m2]", "depth [mm]", "plastic work [J]", "highest pore pressure [MPa]", "fluid that left [%]", "missing fluid",
+        "none between the limits; permeability 0 is the undrained run, the largest is close to the drained one (dry rock of equal "
+        "density).",
+        ["rock", "permeability [m2]", "depth [mm]", "plastic work [J]", "highest pore pressure [MPa]", "fluid that left [%]",
+            "missing fluid",
          "particles removed"],
         [],
     )  # fmt: skip

@@ -24,7 +24,8 @@ ON_PATH = "0.5 mm along the path, Subcycles 4"
 def row(name, run):
     summary = run.summary
     energy, end = summary["balances"]["energy"], summary["time"]
-    return [name, 1e6 * end, 1e3 * depth_at(run, end), -energy["stress_integration"], -energy["transfer"], between_particles_and_grid(run), summary["steps"]]
+    return [name, 1e6 * end, 1e3 * depth_at(run, end), -energy["stress_integration"], -energy["transfer"], between_particles_and_grid(run),
+        summary["steps"]]
 
 
 def run(barreno, full):
@@ -38,17 +39,21 @@ def run(barreno, full):
     )
 
     def of(name, end, path=False):
-        finished = run_deck(barreno, DECK, {**STEPS[name], **(PATH if path else {}), "Time/End Time": f"{end} us", "Output/Field Interval": "0 us"})
+        finished = run_deck(barreno, DECK,
+            {**STEPS[name], **(PATH if path else {}), "Time/End Time": f"{end} us", "Output/Field Interval": "0 us"})
         result.rows.append(row(f"{name}, {ON_PATH}" if path else name, finished))
         return finished
 
     early = {name: between_particles_and_grid(of(name, CASING)) for name in (STEPS if full else (USUAL, RETURNED))}
     for name in early:
         if name != USUAL:
-            result.demand(f"{name}: energy lost by {CASING} us, over that of the deck", abs(early[name] / early[USUAL]), {RETURNED: 0.1, HALVED: 0.75}.get(name, 0.5))
+            result.demand(f"{name}: energy lost by {CASING} us, over that of the deck", abs(early[name] / early[USUAL]),
+                {RETURNED: 0.1, HALVED: 0.75}.get(name, 0.5))
     usual, kept = (of(name, CASING, path=True) for name in (USUAL, RETURNED))
-    result.demand(f"{RETURNED}, {ON_PATH}: energy lost by {CASING} us, over that without it", abs(between_particles_and_grid(kept) / between_particles_and_grid(usual)), 0.1)
-    result.demand(f"{RETURNED}, {ON_PATH}: difference of depth at {CASING} us", abs(depth_at(kept, 1e-6 * CASING) / depth_at(usual, 1e-6 * CASING) - 1.0), 0.005)
+    result.demand(f"{RETURNED}, {ON_PATH}: energy lost by {CASING} us, over that without it",
+        abs(between_particles_and_grid(kept) / between_particles_and_grid(usual)), 0.1)
+    result.demand(f"{RETURNED}, {ON_PATH}: difference of depth at {CASING} us",
+        abs(depth_at(kept, 1e-6 * CASING) / depth_at(usual, 1e-6 * CASING) - 1.0), 0.005)
     if full:
         pair = [of(name, LATER) for name in (USUAL, RETURNED)]
         depths = [depth_at(one, 1e-6 * LATER) for one in pair]

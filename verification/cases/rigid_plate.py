@@ -58,6 +58,7 @@ def run(barreno, full):
             where = f"{mode}, {h} m"
             result.demand(f"error of the force on the plateau, {where}", abs(plateau - 1.0), 1e-3)
             result.demand(f"error of the force with the front's width, {where}", abs(whole - 1.0), 10.0 * h)
-            result.demand(f"error of the force against the shortening, in cells over the length, {where}", abs(short - 1.0) * LENGTH / h, 1.0)
+            result.demand(f"error of the force against the shortening, in cells over the length, {where}",
+                abs(short - 1.0) * LENGTH / h, 1.0)
             result.demand(f"error of the force against the stress, {where}", abs(stress - 1.0), 1e-4)
     return result

@@ -134,7 +134,8 @@ def run(barreno, full):
         "Coasting implosion of a thick shell",
         "GIMP, axisymmetric, von Mises: plastic work, inertia and curved free surfaces combined.",
         "Carroll and Holt's shell with inertia, law H (`verification/oracles/shell_motion.py`), incompressible; "
-        "and a one-dimensional shell of the same K/G (dense). Lengths relative to the travel of the inner wall, pressures relative to Y, half-way.",
+        "and a one-dimensional shell of the same K/G (dense). Lengths relative to the travel of the inner wall, pressures relative to Y, "
+        "half-way.",
         ["stop strain", "K/G", "cells in the wall", "travel, error against exact", "against dense", "rms path error against dense",
          "order", "time of least kinetic energy, error", "spread of r^3 - R^3", "rms pressure error", "99 % of pressure errors"],
         [],

@@ -259,12 +259,15 @@ def run(barreno, full):
         for ratio in RATIOS if full else RATIOS[1:2]:
             compressible(barreno, result, porosity, ratio)
     result.notes = (
-        "The compressible shells (`compressible_shell.py`) have no fitted parameters either: drained modulus of the hollow sphere, modulus of its "
+        "The compressible shells (`compressible_shell.py`) have no fitted parameters either: drained modulus of the hollow sphere, modulus "
+        "of its "
         "solid, Y and porosity. None of their errors belongs to the fluid. A shell with fluid is, to round-off, a shell without fluid "
         "under the effective pressure. The poroplastic form with the drained shell's own curve in place of the crush curve finds the "
         "pressures of all shells, loading and unloading. "
-        "What is left are two properties of the dry law. In loading, a shell yields from its inner wall outwards, which rounds the knee, while Arenisca is elastic up to "
-        "the crush curve. The fewer the pores and the stiffer the solid, the larger the preceding elastic part. Rows `fitted` have p0 and p1 fitted to the loading "
+        "What is left are two properties of the dry law. In loading, a shell yields from its inner wall outwards, which rounds the knee, "
+        "while Arenisca is elastic up to "
+        "the crush curve. The fewer the pores and the stiffer the solid, the larger the preceding elastic part. Rows `fitted` have p0 and "
+        "p1 fitted to the loading "
         "of the shell without fluid, for the least greatest error. In unloading the shell yields again, from the inner wall outwards, "
         "after a few tenths of a per cent of strain. A crush curve does not yield when the pressure falls."
     )
@@ -286,7 +289,8 @@ def draw_response(axes):
     centre = statics.elastic_centre(shell, statics.distension(shell, DEEPEST))
     place, pressure = -statics.strain_of(shell, centre), statics.fluid_pressure(shell, centre) / 1e6
     axes.plot(place, pressure, "ko", ms=5)
-    axes.annotate("elastic centre,\n$P = -\\zeta/3$", (place, pressure), (0.083, 2180), ha="right", va="center", arrowprops={"arrowstyle": "-", "lw": 0.6})
+    axes.annotate("elastic centre,\n$P = -\\zeta/3$", (place, pressure), (0.083, 2180), ha="right", va="center",
+        arrowprops={"arrowstyle": "-", "lw": 0.6})
     axes.axhline(0.0, color="k", lw=0.5)
     axes.set_xlabel("volume strain, compression")
     axes.set_ylabel("pressure [MPa]")

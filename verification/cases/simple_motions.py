@@ -161,7 +161,8 @@ def check_apic(barreno, shape, order_of_step, result, radians=2.0 * np.pi, rows=
     # A bar that keeps its shape turns with the root of its kinetic energy.
     turned = float(np.trapz(np.sqrt(table["kinetic"] / table["kinetic"][0]), table["time"]) * SPIN / radians)
     for what, value in (("change of angular momentum of the velocities", momentum), ("greatest energy, less 1", gained),
-                        ("kinetic energy left", table["kinetic"][-1] / table["kinetic"][0]), ("rotation over that of a rigid bar", turned)):  # fmt: skip
+                        ("kinetic energy left", table["kinetic"][-1] / table["kinetic"][0]),
+                        ("rotation over that of a rigid bar", turned)):  # fmt: skip
         result.rows.append([motion, name, f"{what}, {radians:.4g} rad", value])
     if shape == CONTROL:
         return

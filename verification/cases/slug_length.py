@@ -75,10 +75,13 @@ def run(barreno, full):
     end, sizes = (10, (1, 2, FINE)) if full else (2, (1, 2))
     result = Result(
         "Long slugs and short ones",
-        "What cells cost of a jet's depth depends on their number in a slug's radius, and hardly on that in its length; `check` says how much.",
-        f"{sizes[-1]} cells per radius. `{DECK}` to {end} us, cells small along the path alone; slugs as in the table, neighbours joined, and cut in halves, "
+        "What cells cost of a jet's depth depends on their number in a slug's radius, and hardly on that in its length; `check` says how "
+        "much.",
+        f"{sizes[-1]} cells per radius. `{DECK}` to {end} us, cells small along the path alone; slugs as in the table, neighbours joined, "
+        "and cut in halves, "
         "with the same mass and momentum.",
-        ["slugs", "length over radius of the tip", "cells per radius", "cells per length of the tip", "depth [mm]", "error", "lowest error that check gives",
+        ["slugs", "length over radius of the tip", "cells per radius", "cells per length of the tip", "depth [mm]", "error",
+            "lowest error that check gives",
          "highest", "processor time [s]"],
         [],
     )  # fmt: skip
@@ -90,7 +93,8 @@ def run(barreno, full):
         exact = depth_at(runs[sizes[-1]], 1e-6 * end)
         for cells, one in runs.items():
             said, depth = one.summary["penetration"]["depth_error"], depth_at(one, 1e-6 * end)
-            row = [name, shape, cells, cells * shape, depth, depth / exact - 1.0, said.get("low", ""), said.get("high", ""), one.summary["cpu_seconds"]]
+            row = [name, shape, cells, cells * shape, depth, depth / exact - 1.0, said.get("low", ""), said.get("high", ""),
+                one.summary["cpu_seconds"]]
             result.rows.append(row)
             if cells != sizes[-1] and full:
                 outside = max(0.0, said["low"] - row[5], row[5] - said["high"])
@@ -99,5 +103,6 @@ def run(barreno, full):
         usual = {row[2]: row[5] for row in result.rows if row[0] == "as in the table"}
         change = max(abs(row[5] - usual[row[2]]) for row in result.rows)
         result.demand("change of the error by the length of the slugs, the greatest", change, 0.02)
-    result.demand("mass of the joined and halved jets against the table's", max(abs(mass_of(jet_of(f)) / mass_of(slugs()) - 1.0) for f in (2.0, 0.5)), 1e-12)
+    result.demand("mass of the joined and halved jets against the table's",
+        max(abs(mass_of(jet_of(f)) / mass_of(slugs()) - 1.0) for f in (2.0, 0.5)), 1e-12)
     return result

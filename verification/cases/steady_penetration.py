@@ -34,7 +34,8 @@ def enthalpy(metal, stagnation):
         return pressure(metal, eta, energy[0]) - stagnation
 
     gone_past.terminal = True
-    path = solve_ivp(lambda eta, e: [pressure(metal, eta, e[0]) / density], (0.0, 0.6), [0.0], events=gone_past, rtol=1e-11, atol=1e-3, dense_output=True)
+    path = solve_ivp(lambda eta, e: [pressure(metal, eta, e[0]) / density], (0.0, 0.6), [0.0], events=gone_past, rtol=1e-11, atol=1e-3,
+        dense_output=True)
     eta, energy = path.t_events[0][0], path.y_events[0][0][0]
     return energy + stagnation * (1.0 - eta) / density
 
@@ -54,7 +55,8 @@ def bernoulli(rod, target):
 def settings_of(rod, target, length, end):
     card, density = METALS[rod][:2]
     return {
-        "Materials/Rod/Card": card, "Materials/Target/Card": METALS[target][0], "Time/End Time": f"{end} us", "Output/Field Interval": "0 us",
+        "Materials/Rod/Card": card, "Materials/Target/Card": METALS[target][0], "Time/End Time": f"{end} us",
+        "Output/Field Interval": "0 us",
         "Jet/Slugs": f"1x5:{{0, {SPEED}, {RADIUS}, {length}, {density}}}", "Jet/Launch Position": f"{-0.5 * length - 2e-3} m",
     }  # fmt: skip
 
@@ -80,14 +82,17 @@ def run(barreno, full):
         for cells in LIMITS if full else (2,):
             for grid in ("uniform", "refined") if full else ("refined",):
                 settings = settings_of(rod, target, length, end)
-                settings |= {"Jet/Cells Per Radius": str(cells)} if grid == "refined" else {"Jet/Cells Per Radius": "0", "Grid/Cell Size": f"{RADIUS / cells} m"}
+                settings |= {"Jet/Cells Per Radius": str(cells)} if grid == "refined" else {"Jet/Cells Per Radius": "0",
+                    "Grid/Cell Size": f"{RADIUS / cells} m"}
                 finished = run_deck(barreno, DECK, settings)
                 rate = rate_of(finished)
                 result.rows.append([name, cells, grid, rate, exact, rate / exact - 1.0, finished.summary["cpu_seconds"]])
                 result.demand(f"{name}, {cells} cells per radius, {grid}: rate against Bernoulli", abs(rate / exact - 1.0), LIMITS[cells])
-                result.demand(f"{name}, {cells} cells per radius, {grid}: ledger remainder", abs(finished.summary["balances"]["energy"]["error"]), 1e-3)
+                result.demand(f"{name}, {cells} cells per radius, {grid}: ledger remainder",
+                    abs(finished.summary["balances"]["energy"]["error"]), 1e-3)
     result.notes = (
-        "The rate is the mean between depths of 30 and 50 radii. Before that it is lower: 3 % at 10 radii in copper, because the pressure of "
+        "The rate is the mean between depths of 30 and 50 radii. Before that it is lower: 3 % at 10 radii in copper, because the pressure "
+        "of "
         "the impact's waves falls only as fast as they spread."
     )
     return result

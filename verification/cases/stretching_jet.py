@@ -39,9 +39,11 @@ def run(barreno, full):
     result = Result(
         "Stretching jet",
         "A whole jet that stretches on its way digs as the theory of a virtual origin says, the closer the origin the less.",
-        "W. A. Allison & R. Vitali, BRL report 1184 (1963): P = sqrt(S V0 t) - S, t from the origin, for jet and target of one density, without strength "
+        "W. A. Allison & R. Vitali, BRL report 1184 (1963): P = sqrt(S V0 t) - S, t from the origin, for jet and target of one density, "
+        "without strength "
         "and compression. The jet of 6 km/s at its tip has a radius of 3 mm where it is launched, and is thinned as it arrives.",
-        ["origin before the target [mm]", "cell [mm]", *(f"depth {t:g} us after impact [mm]" for t in INSTANTS), *(f"error at {t:g} us" for t in INSTANTS),
+        ["origin before the target [mm]", "cell [mm]", *(f"depth {t:g} us after impact [mm]" for t in INSTANTS),
+            *(f"error at {t:g} us" for t in INSTANTS),
          "energy ledger remainder"],
         [],
     )  # fmt: skip
@@ -49,7 +51,8 @@ def run(barreno, full):
         for h in (2.0, FINE) if full else (FINE,):
             folder = scratch_folder()
             settings = {
-                "Jet/Table": str(jet_table(folder, standoff)), "Jet/Kind": "thinned", "Jet/Launch Position": f"{-1e3 * PLANE} mm", "Grid/Cell Size": f"{h} mm",
+                "Jet/Table": str(jet_table(folder, standoff)), "Jet/Kind": "thinned", "Jet/Launch Position": f"{-1e3 * PLANE} mm",
+                "Grid/Cell Size": f"{h} mm",
                 "Time/End Time": f"{INSTANTS[-1] + 0.5} us", "Output/History Interval": "0.1 us",
             }  # fmt: skip
             finished = run_deck(barreno, "jet_import_kinds.xml", settings)

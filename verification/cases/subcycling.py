@@ -27,7 +27,8 @@ def run(barreno, full):
         "Steps of several lengths",
         f"With `Step/Subcycles` = {MOST} the depth is that of one step for all tiles, and the balances close as exactly.",
         f"one step for all. `{DECK}` with cells of 1 mm everywhere, and of 0.5 mm along the jet's path (`Jet/Cells Per Radius` = 2).",
-        ["cells", "Subcycles", "end [us]", "depth in the middle [mm]", "at the end [mm]", "steps", "particle-steps [10^6]", "processor time [s]"],
+        ["cells", "Subcycles", "end [us]", "depth in the middle [mm]", "at the end [mm]", "steps", "particle-steps [10^6]",
+            "processor time [s]"],
         [],
     )  # fmt: skip
     for name, (settings, end) in grids.items():
@@ -45,7 +46,8 @@ def run(barreno, full):
         if full:
             result.demand(f"{name}: processor time, one step over subcycled", rows[0][7] / rows[1][7], 1.8, at_least=True)
     result.notes = (
-        "A tile takes the step that its fastest particle bears, so a tile that the jet shares with rock steps as the jet does. What does not depend on the steps of "
+        "A tile takes the step that its fastest particle bears, so a tile that the jet shares with rock steps as the jet does. What does "
+        "not depend on the steps of "
         "particles, as solving the nodes and finding the cells, is done in every part (docs/method.md 12)."
     )
     return result

@@ -43,7 +43,8 @@ def run(barreno, full):
         "Taylor bar, in three dimensions",
         "Large plastic strain in 3D; a round surface that cuts the cells.",
         "the axisymmetric Taylor bar at the same resolution. Foot: final position of the edge of the lowest layer of particles.",
-        ["mode", "shape function", "cell [mm]", "particles per cell and direction", "particles", "length [mm]", "foot radius [mm]", "plastic work [J]",
+        ["mode", "shape function", "cell [mm]", "particles per cell and direction", "particles", "length [mm]", "foot radius [mm]",
+            "plastic work [J]",
          "length / axisymmetric", "foot / axisymmetric", "plastic work / axisymmetric", "ledger remainder"],
         [],
     )  # fmt: skip
@@ -56,7 +57,10 @@ def run(barreno, full):
         for mode, m, over in (("axisymmetric", flat, [""] * 3), ("3D", space, ratios)):
             result.rows.append([mode, shape, h, per_cell, m["particles"], *(m[name] for name in names), *over, m["ledger"]])
         for name, ratio in zip(names, ratios):
-            what = f"{name} in 3D over the axisymmetric one, less 1: {shape}, {h} mm, {per_cell} particle{'s' if per_cell > 1 else ''} per cell"
+            what = (
+                f"{name} in 3D over the axisymmetric one, less 1: {shape}, {h} mm, {per_cell} particle{'s' if per_cell > 1 else ''} per "
+                "cell"
+            )
             result.demand(what, abs(ratio - 1.0), 0.02)
     result.notes = (
         "The foot's middle stretches to four times its length, its rim to 2.3. Rings cannot separate around the axis, but cubes of one "

@@ -62,7 +62,8 @@ def between_solves(barreno, result):
         rates = [order([found[i - 1][k], found[i][k]])[0] if i else float("nan") for k in (0, 1)]
         exact_error = states[i][2] - exact.terzaghi_ramped(states[i][1], T, RAMP_T)
         each = f"c dt / height^2 = {steps * STEP * DIFFUSIVITY / SLOWER / HEIGHT**2:.3g}"
-        result.rows.append(["plane strain", "GIMP", SOLVES_H, each, float(np.max(np.abs(exact_error))), pressure, rates[0], settled, rates[1]])
+        result.rows.append(["plane strain", "GIMP", SOLVES_H, each, float(np.max(np.abs(exact_error))), pressure, rates[0],
+            settled, rates[1]])
     rates = [order([found[-2][k], found[-1][k]])[0] for k in (0, 1)]
     result.demand("order in the time between solves, pressure", rates[0], 0.85, at_least=True)
     result.demand("order in the time between solves, settlement", rates[1], 0.85, at_least=True)

@@ -71,7 +71,8 @@ def run(barreno, full):
         "A follower pressure on a curved surface that cuts the cells; damping brings the wall to rest.",
         "Lame. rms over all particles: displacement relative to that of the wall, radial, hoop and shear stress relative to the "
         "pressure. For the radial stress also the rms over the particles within a cell of the wall, and the largest error of all.",
-        ["shape function", "particles per cell", "cells in the wall", "displacement error", "order", "stress error", "order", "radial stress at the wall",
+        ["shape function", "particles per cell", "cells in the wall", "displacement error", "order", "stress error", "order",
+            "radial stress at the wall",
          "worst radial stress", "kinetic / elastic energy", "energy ledger remainder"],
         [],
     )  # fmt: skip

@@ -23,7 +23,8 @@ def run(barreno, full):
     result = Result(
         "Wet rock before and now",
         "What the pore pressure does to a perforation in the form of today and in the one before it.",
-        f"none, a comparison. `{DECK}`" + (" with cells of 1 mm" if full else ", a plug in cells of 4 mm") + ", water in the pores, rock of equal density.",
+        f"none, a comparison. `{DECK}`" + (" with cells of 1 mm" if full else ", a plug in cells of 4 mm")
+        + ", water in the pores, rock of equal density.",
         ["rock", "depth at 5 us [mm]", "at 10 us [mm]", "at 20 us [mm]", "plastic work at 20 us [J]", "highest pore pressure [GPa]"],
         [],
     )  # fmt: skip
@@ -43,7 +44,9 @@ def run(barreno, full):
         "pore pressure. The plastic work falls by about a third. The depth grows by a few percent only, because at these velocities the "
         "inertia of the rock, not its strength, stops the jet. "
         "Expect more where strength decides: at late times, at the wall of the hole and around it.\n\n"
-        "Cells of 1 mm are as wide as the jet's radius at its tip: the depths are not converged (docs/trade.md), and only their comparison at equal cells counts. "
-        "Results of decks with `fluid_B0` that were computed with the form before are to be computed again; `Backstress strain` = `elastic centre` reproduces them."
+        "Cells of 1 mm are as wide as the jet's radius at its tip: the depths are not converged (docs/trade.md), and only their comparison "
+        "at equal cells counts. "
+        "Results of decks with `fluid_B0` that were computed with the form before are to be computed again; `Backstress strain` = `elastic "
+        "centre` reproduces them."
     )
     return result

@@ -23,7 +23,8 @@ def flying(mode, shape, per_cell, fraction, poisson, across=1, near_axis=False, 
         "Materials": {"Elastic": elastic(1e7 - 4.0 * shear / 3.0, shear)},
         "Bodies": {
             "Crumb": {
-                "Material": "Elastic", "Lower": begin, "Upper": [b + size for b in begin], "Particles Per Cell": per_cell, "Velocity": velocity,
+                "Material": "Elastic", "Lower": begin, "Upper": [b + size for b in begin], "Particles Per Cell": per_cell,
+                "Velocity": velocity,
             }
         },
         "Step": {"Shape Function": shape, "Courant Fraction": fraction, "Stable Alone": "true", **({} if viscosity else BARE)},
@@ -50,7 +51,10 @@ def alone_rows(barreno, full, table):
             for poisson in (0.0, 0.3, 0.49) if full else (0.3,):
                 for per_cell in (1, 2, 4) if full else (2,):
                     deck = flying(mode, shape, per_cell, 0.99, poisson, near_axis=near_axis)
-                    setup = f"{mode}{' at the axis' if near_axis else ''}, {shape}, {per_cell} per cell, nu = {poisson:g}, Courant Fraction 0.99"
+                    setup = (
+                        f"{mode}{' at the axis' if near_axis else ''}, {shape}, {per_cell} per cell, nu = {poisson:g}, Courant Fraction "
+                        "0.99"
+                    )
                     flown(table, title, setup, attempt(barreno, deck), may_stop(shape, near_axis, False))
 
 
@@ -71,7 +75,8 @@ def few_rows(barreno, full, table):
         for per_cell in (1, 2, 4) if full else (2,):
             for poisson in (0.3, 0.49) if full else (0.3,):
                 done = attempt(barreno, flying("plane strain", "GIMP", per_cell, 0.99, poisson, across=across))
-                flown(table, title, f"{across} by {across} particles, GIMP, {per_cell} per cell, nu = {poisson:g}, Courant Fraction 0.99", done, False)
+                flown(table, title, f"{across} by {across} particles, GIMP, {per_cell} per cell, nu = {poisson:g}, Courant Fraction 0.99",
+                    done, False)
 
 
 def may_stop(shape, near_axis, viscous):

@@ -12,7 +12,8 @@ def block(mode, per_cell, lower, upper, velocity, end, cells=4, transfer="FLIP",
         "Grid": {"Mode": mode, "Lower": [0] * n, "Upper": [cells] * n, "Cell Size": 1.0},
         "Materials": {"Elastic": {**elastic(6e6, 3e6), **material}},
         "Bodies": {
-            "Block": {"Material": "Elastic", "Lower": lower[:n], "Upper": upper[:n], "Velocity": velocity[:n], "Particles Per Cell": per_cell}
+            "Block": {"Material": "Elastic", "Lower": lower[:n], "Upper": upper[:n], "Velocity": velocity[:n],
+                "Particles Per Cell": per_cell}
         },
         "Step": {"Transfer": transfer, **BARE},
         "Time": {"End Time": end},

@@ -154,6 +154,8 @@ def run(barreno, full, table):
     title = "Density ratio"
     for ratio in (20.0, 1e4):
         done = attempt(barreno, light_target(ratio))
-        table.finishes(title, f"bars {ratio:g} to 1 at 1 m/s", done, "|interface velocity over impedances' less 1|", interface_error(ratio), 0.01)
+        table.finishes(title, f"bars {ratio:g} to 1 at 1 m/s", done, "|interface velocity over impedances' less 1|",
+            interface_error(ratio), 0.01)
         if done.finished:
-            table.within(title, f"bars {ratio:g} to 1 at 1 m/s", "energy ledger remainder", abs(done.run.summary["balances"]["energy"]["error"]), 1e-6)
+            table.within(title, f"bars {ratio:g} to 1 at 1 m/s", "energy ledger remainder",
+                abs(done.run.summary["balances"]["energy"]["error"]), 1e-6)

@@ -43,10 +43,12 @@ def flow_rows(barreno, full, table):
     for permeability in (0.0, 1e-42, 1e-30):
         done = run_column(barreno, column(permeability))
         table.holds_or_stops(title, f"k = {permeability:g} m2", done, "largest difference from undrained pressures, relative",
-                             lambda r: np.abs(pressures(r) - reference).max() / scale, 0.0 if permeability == 0.0 else 1e-8, *words)  # fmt: skip
+                             lambda r: np.abs(pressures(r) - reference).max() / scale, 0.0 if permeability == 0.0 else 1e-8,
+                             *words)  # fmt: skip
     for permeability in (1e-6, 1e0, 1e12, 1e30):
         done = run_column(barreno, column(permeability))
-        table.holds_or_stops(title, f"k = {permeability:g} m2", done, "largest pore pressure over the undrained one", lambda r: np.abs(pressures(r)).max() / scale, 1e-3,
+        table.holds_or_stops(title, f"k = {permeability:g} m2", done, "largest pore pressure over the undrained one",
+            lambda r: np.abs(pressures(r)).max() / scale, 1e-3,
                              *words)  # fmt: skip
         if done.finished:
             table.within(title, f"k = {permeability:g} m2", "missing fluid", missing(done.run), 1e-8)

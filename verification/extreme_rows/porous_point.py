@@ -36,11 +36,13 @@ def soft_rows(barreno, table):
         for fluid in (1.0, 1e3, 1e5, 1e7):
             found, sentence = hydrostatic(barreno, wet(fluid, **more))
             bound = 1.5 * fluid * math.log(0.2 / (math.exp(-SQUEEZE) - 1.0 + 0.2)) / pressure(dry)
-            within(table, title, f"Arenisca, {name}, Kf = {fluid:g} Pa, squeezed by {SQUEEZE:g}", "change of pressure from the dry rock's", found, sentence,
+            within(table, title, f"Arenisca, {name}, Kf = {fluid:g} Pa, squeezed by {SQUEEZE:g}", "change of pressure from the dry rock's",
+                found, sentence,
                    lambda t: abs(pressure(t) / pressure(dry) - 1.0), max(bound, 1e-11))  # fmt: skip
             change = pressure(found) - pressure(dry) if found is not None else float("nan")
             if last is not None and fluid >= 1e5:
-                table.within(title, f"Arenisca, {name}, Kf = {fluid:g} Pa against {fluid / 100:g}", "|change over 100 times the smaller one's, less 1|",
+                table.within(title, f"Arenisca, {name}, Kf = {fluid:g} Pa against {fluid / 100:g}",
+                    "|change over 100 times the smaller one's, less 1|",
                              abs(change / last / 100.0 - 1.0), 0.02)  # fmt: skip
             last = change
 
@@ -52,10 +54,13 @@ def stiff_rows(barreno, table):
         fluid = ratio * MATRIX
         found, sentence = hydrostatic(barreno, wet(fluid), (small,), 1)
         setup = f"Arenisca, Kf = {ratio:g} Km"
-        within(table, title, setup, "|undrained modulus over Gassmann's less 1|", found, sentence, lambda t: abs(pressure(t) / small / gassmann(fluid, 0.2) - 1.0), 1e-5)
+        within(table, title, setup, "|undrained modulus over Gassmann's less 1|", found, sentence,
+            lambda t: abs(pressure(t) / small / gassmann(fluid, 0.2) - 1.0), 1e-5)
         found, sentence = hydrostatic(barreno, wet(fluid), (0.01, 0.02), 100)
-        within(table, title, f"{setup}, squeezed by 0.02", "stress that is finite", found, sentence, lambda t: float(np.isfinite(stress_of(t)).all()), 1.0, at_least=True)
-        linear = {"Bulk Modulus": "1e10", "Shear Modulus": "8e9", "Porosity": "0.2", "Grain Bulk Modulus": repr(MATRIX), "Fluid Bulk Modulus": repr(fluid)}
+        within(table, title, f"{setup}, squeezed by 0.02", "stress that is finite", found, sentence,
+            lambda t: float(np.isfinite(stress_of(t)).all()), 1.0, at_least=True)
+        linear = {"Bulk Modulus": "1e10", "Shear Modulus": "8e9", "Porosity": "0.2", "Grain Bulk Modulus": repr(MATRIX),
+            "Fluid Bulk Modulus": repr(fluid)}
         found, sentence = answer(barreno, "Poroelastic", linear, [-small / 3.0 * np.eye(3)])
         within(table, title, f"Poroelastic, Kf = {ratio:g} Km", "|undrained modulus over Gassmann's less 1|", found, sentence,
                lambda t: abs(pressure(t) / small / gassmann(fluid, 0.2) - 1.0), 1e-9)  # fmt: skip
@@ -70,12 +75,14 @@ def porosity_rows(barreno, table):
     for fluid in (0.0, 2e9):
         found, sentence = hydrostatic(barreno, wet(fluid, 0.6, **{"Matrix bulk modulus": 5e10}), (0.3, 0.6, 0.9, 1.2), 400)
         setup = f"Arenisca, porosity 0.6, Kf = {fluid:g} Pa, squeezed by 1.2"
-        within(table, title, setup, "plastic volume strain less -p3", found, sentence, lambda t: t["plastic_volume_strain"].min() + (-math.log(0.4)), -1e-9,
+        within(table, title, setup, "plastic volume strain less -p3", found, sentence,
+            lambda t: t["plastic_volume_strain"].min() + (-math.log(0.4)), -1e-9,
                at_least=True)  # fmt: skip
         within(table, title, setup, "pressure rises: least difference over the largest pressure", found, sentence,
                lambda t: min(np.diff([pressure(t, i) for i in range(5)])) / pressure(t), 0.0, at_least=True)  # fmt: skip
         if fluid == 0.0:
-            within(table, title, setup, "|pressure over K (strain - p3) less 1|", found, sentence, lambda t: abs(pressure(t) / (1e10 * (1.2 + math.log(0.4))) - 1.0), 0.02)
+            within(table, title, setup, "|pressure over K (strain - p3) less 1|", found, sentence,
+                lambda t: abs(pressure(t) / (1e10 * (1.2 + math.log(0.4))) - 1.0), 0.02)
 
 
 def run(barreno, full, table):

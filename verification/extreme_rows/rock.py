@@ -62,7 +62,8 @@ def weibull_rows(barreno, full, table):
         table.finishes(title, setup, done, "least coherence", lambda r: coherence(r).min(), 0.0, at_least=True)
         table.finishes(title, setup, done, "coherence that is finite", lambda r: float(np.isfinite(coherence(r)).all()), 1.0, at_least=True)
         if modulus >= 1.0:
-            scatter = math.sqrt(math.gamma(1 + 2 / modulus) / math.gamma(1 + 1 / modulus) ** 2 - 1.0) if modulus < 1e3 else math.pi / math.sqrt(6) / modulus
+            scatter = math.sqrt(math.gamma(1 + 2 / modulus) / math.gamma(1 + 1 / modulus) ** 2
+                - 1.0) if modulus < 1e3 else math.pi / math.sqrt(6) / modulus
             count = (SIZE / CELL * 2) ** 2
             table.finishes(title, setup, done, "|mean coherence less 1| in standard errors",
                            lambda r, s=scatter, n=count: abs(coherence(r).mean() - 1.0) / (s / math.sqrt(n) + 1e-12), 4.0)  # fmt: skip

@@ -56,7 +56,8 @@ def turned_rows(barreno, full, table):
         if isinstance(run, Failed):
             continue
         momentum = angular_momentum(run.particles()) / angular_momentum(run.particles(0)) - 1.0
-        table.within(title, setup, "greatest energy over that at the start, less 1", energy_gained(run.table("history.csv"), every_step=False), 1e-3)
+        table.within(title, setup, "greatest energy over that at the start, less 1",
+            energy_gained(run.table("history.csv"), every_step=False), 1e-3)
         table.within(title, setup, "|change of angular momentum|", abs(momentum), 2e-2)
 
 
@@ -96,7 +97,8 @@ def incompressible_rows(barreno, full, table):
     for poisson, wanted in ((0.45, False), (0.4999, True)):
         code, said, _ = check_notes(barreno, column(poisson))
         warned = "volumetric locking" in said
-        table.add(title, f"`check` of nu = {poisson:g}", f"{'a note' if wanted else 'no note'} on locking", "note" if warned else "no note", code == 0 and warned == wanted)
+        table.add(title, f"`check` of nu = {poisson:g}", f"{'a note' if wanted else 'no note'} on locking", "note" if warned else "no note",
+            code == 0 and warned == wanted)
 
 
 def run(barreno, full, table):

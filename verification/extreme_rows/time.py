@@ -35,16 +35,19 @@ def run(barreno, full, table):
     else:
         table.stops(title, "End Time 0", now, 1, "Time/End Time")
     tiny = attempt(barreno, free_block(1e-2, Step={"Initial Step": 1e-30}))
-    table.finishes(title, "Initial Step 1e-30 s, which grows by 1.1", tiny, "|last time - End Time| [s]", lambda r: abs(last_time(r) - 1e-2), 0)
+    table.finishes(title, "Initial Step 1e-30 s, which grows by 1.1", tiny, "|last time - End Time| [s]",
+        lambda r: abs(last_time(r) - 1e-2), 0)
     largest = attempt(barreno, free_block(1.0, Step={"Largest Step": 1e-30}))
     table.stops(title, "Largest Step 1e-30 s to an end at 1 s", largest, 3, "Time has stalled", "Largest Step", "fastest particle")
     for end in (0.1, 1.0 / 3.0):
         done = attempt(barreno, free_block(end, Output={"Field Interval": 0.03, "History Interval": 0.007}))
         table.finishes(title, f"End Time {end:.6g} s, no multiple of the intervals", done, "|last time - End Time| [s]",
                        lambda r, end=end: abs(last_time(r) - end), 0)  # fmt: skip
-        table.finishes(title, f"End Time {end:.6g} s, no multiple of the intervals", done, "rows after the end", lambda r, end=end: rows_after(r, end), 0)
+        table.finishes(title, f"End Time {end:.6g} s, no multiple of the intervals", done, "rows after the end", lambda r,
+            end=end: rows_after(r, end), 0)
     even = attempt(barreno, free_block(0.1, Output={"Field Interval": 0.1, "History Interval": 0.01}))
-    table.finishes(title, "an output exactly at End Time", even, "rows more than 11", lambda r: len(r.table("history.csv")["time"]) - 11.0, 0)
+    table.finishes(title, "an output exactly at End Time", even, "rows more than 11",
+        lambda r: len(r.table("history.csv")["time"]) - 11.0, 0)
     many = attempt(barreno, free_block(1e-25))
     table.finishes(title, "End Time 1e-25 s, far below a step", many, "steps", lambda r: r.summary["steps"], 2)
     for velocity in (1e30, 1e155, 1e200):

@@ -13,17 +13,20 @@ def pressed(units="SI", length=1.0, time=1.0, mass=1.0, gravity=False, poisson_f
         "Grid": {"Mode": "plane strain", "Lower": (0, 0), "Upper": (2 * per_length, 2 * per_length), "Cell Size": 0.125 * per_length},
         "Materials": {
             "Rubber": {
-                "Model": "Neo-Hookean", "Density": repr(1000.0 * density), "Bulk Modulus": repr(6e6 * stress), "Shear Modulus": repr(3e6 * stress),
+                "Model": "Neo-Hookean", "Density": repr(1000.0 * density), "Bulk Modulus": repr(6e6 * stress),
+                "Shear Modulus": repr(3e6 * stress),
                 "Bad Particles": "stop",
             }
         },
         "Bodies": {
             "Block": {
-                "Material": "Rubber", "Lower": (0.5 * per_length, 0), "Upper": (1.5 * per_length, 1 * per_length), "Velocity": (0.3 * speed, -2.0 * speed)
+                "Material": "Rubber", "Lower": (0.5 * per_length, 0), "Upper": (1.5 * per_length, 1 * per_length),
+                "Velocity": (0.3 * speed, -2.0 * speed)
             }
         },
         "Conditions": {"Floor": {"Face": "y_lower", "Kind": "fixed"}},
-        "Loads": {"Top": {"Kind": "pressure", "Body": "Block", "Faces": "{y_upper}", "Times": (0, 0.01 / time), "Pressures": (0, repr(1e5 * stress))}},
+        "Loads": {"Top": {"Kind": "pressure", "Body": "Block", "Faces": "{y_upper}", "Times": (0, 0.01 / time),
+            "Pressures": (0, repr(1e5 * stress))}},
         "Time": {"End Time": repr(0.03 / time)},
     }  # fmt: skip
     return deck
@@ -66,7 +69,8 @@ def run(barreno, full, table):
         if done.code == 1:
             table.stops(title, name, done, 1, "Units")
         else:
-            table.finishes(title, name, done, "change of places, velocities and energies", lambda r: apart(reference, figures(r, 1.0, 1.0)), 1e-10)
+            table.finishes(title, name, done, "change of places, velocities and energies",
+                lambda r: apart(reference, figures(r, 1.0, 1.0)), 1e-10)
     title = "Scales of 1e-12 and 1e12"
     for name, length, time, mass in (
         ("lengths and times 1e-12", 1e-12, 1e-12, 1.0),

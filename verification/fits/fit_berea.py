@@ -37,7 +37,8 @@ LABELS = {
     "compaction": ("Q at P = {at:.0f} MPa, onset [MPa]", 1e6),
 }  # fmt: skip
 MEGA, GIGA = 1e6, 1e9
-UNITS = {"PEAKI1": (MEGA, "MPa"), "STREN": (MEGA, "MPa"), "B0": (GIGA, "GPa"), "B1": (GIGA, "GPa"), "B2": (MEGA, "MPa"), "G0": (GIGA, "GPa"),
+UNITS = {"PEAKI1": (MEGA, "MPa"), "STREN": (MEGA, "MPa"), "B0": (GIGA, "GPa"), "B1": (GIGA, "GPa"), "B2": (MEGA, "MPa"),
+    "G0": (GIGA, "GPa"),
          "p0_crush_curve": (MEGA, "MPa"), "p1_crush_curve": (1e-9, "1/GPa")}  # fmt: skip
 
 
@@ -45,7 +46,8 @@ def fit(card):
     """Runs the fit; its numbers."""
     files = sorted(map(str, DATA.glob("*.csv")))
     held = [word for text in HELD for word in ("--fix", text)]
-    words = [sys.executable, "-m", "barreno_fit", *files, "--start", str(DATA / "start.xml"), *held, "--out", str(card), "--name", "Berea Sandstone"]
+    words = [sys.executable, "-m", "barreno_fit", *files, "--start", str(DATA / "start.xml"), *held, "--out", str(card), "--name",
+        "Berea Sandstone"]
     environment = {"BARRENO_LIBRARY": str(LIBRARY), **os.environ, "PYTHONPATH": str(ROOT / "materials" / "python")}
     subprocess.run(words, env=environment, check=True)
     return json.loads(card.with_suffix(".json").read_text())
@@ -80,7 +82,8 @@ def to_store(numbers):
         name = pathlib.Path(row["file"]).stem
         label, scale = LABELS[name.split("_")[0] if name.startswith(("triaxial", "compaction")) else row["channel"]]
         at = (row["at"] or 0.0) / MEGA
-        rows.append([label.format(at=at), row["data"] / scale, of_shipped[row["file"], seen[row["file"]]] / scale, row["model"] / scale, row["uncertainty"], row["source"]])
+        rows.append([label.format(at=at), row["data"] / scale, of_shipped[row["file"], seen[row["file"]]] / scale, row["model"] / scale,
+            row["uncertainty"], row["source"]])
     shipped = shipped_values()
     parameters = []
     for entry in numbers["parameters"]:
@@ -96,9 +99,11 @@ def stored_part():
     lines = ["| quantity | data | shipped card | misfit | this fit | misfit | uncertainty | source |", "|---|---|---|---|---|---|---|---|"]
     for label, data, shipped, value, sigma, source in stored["rows"]:
         misfits = [f"{100 * (model / data - 1):+.0f} %" for model in (shipped, value)]
-        lines.append(f"| {label} | {data:.4g} | {shipped:.4g} | {misfits[0]} | {value:.4g} | {misfits[1]} | {100 * sigma:.0f} % | {source} |")
+        lines.append(f"| {label} | {data:.4g} | {shipped:.4g} | {misfits[0]} | {value:.4g} | {misfits[1]} | {100 * sigma:.0f} % | {source} "
+            "|")
     roots = [math.sqrt(sum((math.log(row[k] / row[1]) / row[4]) ** 2 for row in stored["rows"]) / len(stored["rows"])) for k in (2, 3)]
-    lines += ["", f"Root mean square of misfit over uncertainty: {roots[0]:.3f} of the shipped card, {roots[1]:.3f} of this fit ({len(stored['rows'])} data)", ""]
+    lines += ["", f"Root mean square of misfit over uncertainty: {roots[0]:.3f} of the shipped card, {roots[1]:.3f} of this fit "
+        f"({len(stored['rows'])} data)", ""]
     lines += ["| parameter | unit | shipped card | this fit | difference | 95 % range |", "|---|---|---|---|---|---|"]
     for name, unit, shipped, value, low, high, _ in stored["parameters"]:
         interval = f"{low:.4g} to {high:.4g}" if low is not None else "not determined"

@@ -91,7 +91,8 @@ def one_set(library, number):
         folder = pathlib.Path(scratch)
         files = [write_test(folder, test, answer, truth, noises, form, random) for test, answer in zip(shapes, answers)]
         code, said, seconds = fitted(files, folder)
-        row = {"set": number, "card": number % CARDS, "format": number % len(FORMATS), "noise": noises, "seconds": round(seconds, 1), "code": code}
+        row = {"set": number, "card": number % CARDS, "format": number % len(FORMATS), "noise": noises, "seconds": round(seconds, 1),
+            "code": code}
         if code != 0:
             return {**row, "said": said, "ratio": None, "parameters": []}
         tests, fit = list(map(read_test, files)), json.loads((folder / "card.json").read_text())
@@ -100,7 +101,8 @@ def one_set(library, number):
         ratio = (squares_of(library, tests, cards.read(str(folder / "card.xml"))) / squares_of(library, tests, truth)) ** 0.5
         widths = widths_at(library, tests, truth, [p["name"] for p in fit["parameters"]])
     parameters = [
-        {"name": p["name"], "truth": truth[p["name"]], "value": p["value"], "low": p["low"], "high": p["high"], "width": round(widths[p["name"]], 3)}
+        {"name": p["name"], "truth": truth[p["name"]], "value": p["value"], "low": p["low"], "high": p["high"],
+            "width": round(widths[p["name"]], 3)}
         for p in fit["parameters"]
     ]
     return {**row, "cards_tried": fit["cards_tried"], "ratio": round(ratio, 4), "parameters": parameters}
@@ -117,7 +119,8 @@ def set_of(number):
 def tell(row):
     missed = [p["name"] for p in row["parameters"] if not is_open(p) and not held(p)]
     open_ones = [p["name"] for p in row["parameters"] if is_open(p)]
-    print(f"set {row['set']}: {row['seconds']} s, misfit/truth {row['ratio']}, outside {missed}, not determined {open_ones} {row.get('said', '')}", flush=True)
+    print(f"set {row['set']}: {row['seconds']} s, misfit/truth {row['ratio']}, outside {missed}, not determined {open_ones} "
+        f"{row.get('said', '')}", flush=True)
 
 
 def main():
@@ -130,7 +133,8 @@ def main():
     options = parser.parse_args()
     os.environ["BARRENO_LIBRARY"] = str(pathlib.Path(options.library).resolve())
     rows, numbers = [], range(options.first, options.first + options.sets)
-    others = [row for row in json.loads(STORED.read_text())["sets"] if row["set"] not in numbers] if options.document and STORED.exists() else []
+    others = [row for row in json.loads(STORED.read_text())["sets"]
+        if row["set"] not in numbers] if options.document and STORED.exists() else []
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         for row in pool.map(set_of, numbers):
             tell(row)

@@ -57,14 +57,18 @@ def faults_of(rows):
     """A sentence for everything that is missed."""
     out = [f"set {row['set']} gives no card: {row['said']}" for row in rows if row["ratio"] is None]
     done = [row for row in rows if row["ratio"] is not None]
-    out += [f"the misfit of set {row['set']} is {row['ratio']} of the truth's, above {LARGEST_MISFIT}" for row in done if row["ratio"] > LARGEST_MISFIT]
-    out += [f"set {row['set']} takes {row['seconds']} s of the processor, above {LARGEST_SECONDS:g} s" for row in rows if row["seconds"] > LARGEST_SECONDS]
+    out += [f"the misfit of set {row['set']} is {row['ratio']} of the truth's, above {LARGEST_MISFIT}"
+        for row in done if row["ratio"] > LARGEST_MISFIT]
+    out += [f"set {row['set']} takes {row['seconds']} s of the processor, above {LARGEST_SECONDS:g} s"
+        for row in rows if row["seconds"] > LARGEST_SECONDS]
     for name, entry in coverage(done).items():
         whole = name == "all" and len(rows) >= SETS
         part = entry["held"] / max(entry["determined"], 1)
         if not (COVERED[0] <= part <= COVERED[1] if whole else is_accident(entry)):
-            out.append(f"the ranges of {name} hold the truth in {entry['held']} of {entry['determined']} sets, which is not {100 * COVERED[0]:g} to {100 * COVERED[1]:g} %")
-    return out + [f"{name} of set {number} is called determined or not determined, and is the opposite" for number, name in wrong_words(done)]
+            out.append(f"the ranges of {name} hold the truth in {entry['held']} of {entry['determined']} sets, which is not "
+                f"{100 * COVERED[0]:g} to {100 * COVERED[1]:g} %")
+    return out + [f"{name} of set {number} is called determined or not determined, and is the opposite"
+        for number, name in wrong_words(done)]
 
 
 def words_line(rows):
@@ -72,8 +76,10 @@ def words_line(rows):
     entries = [p for row in rows for p in row["parameters"]]
     wide, narrow = [p for p in entries if p["width"] > WIDE], [p for p in entries if p["width"] < NARROW]
     return (
-        "How often a fit calls a parameter what its range at the true card, with the true noise, makes it. A parameter is *not determined* if that range "
-        f"is at least {WIDE:g} times as wide as the limit from which on parameters are open: {len(wide)}, called so {sum(map(is_open, wide))}. A parameter is "
+        "How often a fit calls a parameter what its range at the true card, with the true noise, makes it. A parameter is *not determined* "
+        "if that range "
+        f"is at least {WIDE:g} times as wide as the limit from which on parameters are open: {len(wide)}, called so "
+        f"{sum(map(is_open, wide))}. A parameter is "
         f"*determined* at {NARROW:g} times that limit or less: {len(narrow)}, called so {len(narrow) - sum(map(is_open, narrow))}."
     )
 
@@ -85,7 +91,8 @@ def stored_part():
     ratios, seconds = [row["ratio"] for row in done], [row["seconds"] for row in rows]
     lines = [
         f"Sets fitted: {len(rows)} of {SETS}, of which {len(done)} gave a card. Misfit over the misfit of the true card: "
-        f"{min(ratios):.3f} to {max(ratios):.3f}; at most {LARGEST_MISFIT} in {sum(ratio <= LARGEST_MISFIT for ratio in ratios)} of {len(done)}. "
+        f"{min(ratios):.3f} to {max(ratios):.3f}; at most {LARGEST_MISFIT} in {sum(ratio <= LARGEST_MISFIT for ratio in ratios)} of "
+        f"{len(done)}. "
         f"Processor time of a fit: {min(seconds):.0f} to {max(seconds):.0f} s.",
         "", words_line(done), "", "| parameter | sets | determined | range holds the truth |", "|---|---|---|---|",
     ]  # fmt: skip

@@ -30,7 +30,8 @@ def truth_of(number):
     """A rock near the start: each of its strengths and stiffnesses within a factor of 1.5 of it, drawn once for each number."""
     random, start = numpy.random.default_rng(1000 + number), cards.read(START)
     card = {name: start[name] * FACTOR ** random.uniform(-1.0, 1.0) for name in LOG}
-    card.update(CR=random.uniform(0.3, 0.8), BETA_nonassociativity=random.uniform(0.3, 0.9), G1=random.uniform(0.15, 0.3), G2=random.uniform(-0.05, 0.05))
+    card.update(CR=random.uniform(0.3, 0.8), BETA_nonassociativity=random.uniform(0.3, 0.9), G1=random.uniform(0.15, 0.3),
+        G2=random.uniform(-0.05, 0.05))
     card["YSLOPE"] = random.uniform(0.02, 0.3) * card["FSLOPE"]
     card["STREN"] = max(card["STREN"], 3.0 * card["YSLOPE"] * card["PEAKI1"])
     return {**start, **card, "G0": 1.5 * card["B0"] * (1.0 - 2.0 * card["G1"]) / (1.0 + card["G1"])}
@@ -53,7 +54,8 @@ def laboratory_of(card, short=False):
     tests = [bare_test("hydrostatic", "hydrostatic", "volume_strain", strain, ["pressure"], 0.0)]
     for part, last in SHORT if short else LONG:
         side = round(min(part * crush, 250 * MEGA), -5)
-        tests.append(bare_test(f"triaxial_{part:g}", "triaxial", "axial_strain", line(0, last, 25), ["differential_stress", "volume_strain"], side))
+        tests.append(bare_test(f"triaxial_{part:g}", "triaxial", "axial_strain", line(0, last, 25),
+            ["differential_stress", "volume_strain"], side))
     return tests
 
 
@@ -65,7 +67,8 @@ def write_test(folder, test, answer, card, noises, form, random):
     """@param noises  {channel: standard deviation over the largest value}"""
     positive, logarithmic, unit, size, separator, comma = form
     sign = 1.0 if positive else -1.0
-    lines = [f"# kind: {test.kind}", f"# compression: {'positive' if positive else 'negative'}", f"# confinement: {test.confinement / MEGA:.9g} MPa"]
+    lines = [f"# kind: {test.kind}", f"# compression: {'positive' if positive else 'negative'}",
+        f"# confinement: {test.confinement / MEGA:.9g} MPa"]
     lines += ["# strain: logarithmic"] if logarithmic else []
     lines += [f"# porosity: {100 * -numpy.expm1(-card['p3_crush_curve']):.12g} %"] if test.kind == "hydrostatic" else []
     names, columns = [], []

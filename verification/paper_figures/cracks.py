@@ -58,9 +58,11 @@ def measure(lab):
 def draw(file, drawn, time):
     figure, panels = plt.subplots(1, len(PRESSURES), figsize=(11.0, 4.9), layout="constrained", sharey=True)
     for axes, pressure, (corners, strain) in zip(panels, PRESSURES, drawn):
-        shapes = PolyCollection(corners, array=strain, cmap="magma_r", clim=(0.0, 0.1), edgecolors="none", linewidths=0, antialiased=False, rasterized=True)
+        shapes = PolyCollection(corners, array=strain, cmap="magma_r", clim=(0.0, 0.1), edgecolors="none", linewidths=0, antialiased=False,
+            rasterized=True)
         axes.add_collection(shapes)
-        axes.set(xlim=(-44.0, 44.0), ylim=(-44.0, 44.0), aspect="equal", xlabel="x [mm]", title=f"confining pressure {pressure:g} MPa, {time:g} µs")
+        axes.set(xlim=(-44.0, 44.0), ylim=(-44.0, 44.0), aspect="equal", xlabel="x [mm]",
+            title=f"confining pressure {pressure:g} MPa, {time:g} µs")
     panels[0].set_ylabel("y [mm]")
     figure.colorbar(shapes, ax=panels, label="plastic volume strain (dilation)", extend="max")
     figure.savefig(file, dpi=110)
@@ -68,8 +70,10 @@ def draw(file, drawn, time):
 
 
 def trends(table):
-    share, along, across = (table.column(name) for name in ("share dilated by more than 0.05", "correlation along the radius", "across the radius"))
+    share, along, across = (table.column(name)
+        for name in ("share dilated by more than 0.05", "correlation along the radius", "across the radius"))
     out = [least("7: cross-section: dilated rock, unconfined over confined", share[0] / max(share[1], 1e-6), 5.0)]
     if table.column("cells [mm]")[0] <= 1.0:  # with coarser ones bands are no longer than LAG
-        out.append(least("7: cross-section, bands along radii: correlation of the dilation along radii less across", along[0] - across[0], 0.1))
+        out.append(least("7: cross-section, bands along radii: correlation of the dilation along radii less across",
+            along[0] - across[0], 0.1))
     return out

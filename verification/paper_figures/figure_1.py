@@ -58,7 +58,10 @@ def measure(lab):
         turned = max(abs(float(a[0] * b[1] - a[1] * b[0])) / (np.linalg.norm(a) * np.linalg.norm(b)) for a, b in zip(old[:2], new[:2]))
         rows.append([name, *lengths, float(turned), float(np.abs(new - old).max())])
     kept = rows[: len(drawn)] + [worst_of(rows[len(drawn) :])]
-    remark = f"Figure 1: distance of the corners from the particle's centre, in cells, l_crit = {L_CRIT:g}; the last row is the worst of {RANDOM} random domains."
+    remark = (
+        f"Figure 1: distance of the corners from the particle's centre, in cells, l_crit = {L_CRIT:g}; the last row is the worst of "
+        f"{RANDOM} random domains."
+    )
     return {"paper_1": Table(remark, ["domain", "first before", "second before", "first after", "second after", "turned", "moved"], kept)}
 
 
@@ -74,7 +77,8 @@ def draw(file, before, after):
         axes.add_patch(Circle((0.0, 0.0), L_CRIT, facecolor="#eef3f7", edgecolor="0.4", ls="--"))
         axes.fill(*old.T, facecolor="none", edgecolor="C0", lw=1.8, label="deformed domain, F times the particle")
         axes.fill(*new.T, facecolor="C1", alpha=0.35, edgecolor="C1", lw=1.8, label="domain of integration")
-        axes.plot(*(HALF * np.array([[1, 1], [1, -1], [-1, -1], [-1, 1], [1, 1]])).T, color="0.5", lw=1.0, ls=":", label="particle at the start")
+        axes.plot(*(HALF * np.array([[1, 1], [1, -1], [-1, -1], [-1, 1], [1, 1]])).T, color="0.5", lw=1.0, ls=":",
+            label="particle at the start")
         for corner, moved in zip(old, new):
             if np.linalg.norm(corner - moved) > 1e-9:
                 axes.annotate("", moved, corner, arrowprops={"arrowstyle": "->", "color": "k", "lw": 1.0})

@@ -106,14 +106,17 @@ def trends(tables):
     out = [least("10: strength carried by PEAKI1: depth, largest scatter over none", most_scattered / none, 1.005)]
     if not len(table.column("seed", variation=SCALE)):
         scattered, even = means("Berea", (f"m = {MODULI[0]:g}", NONE))
-        out.append(most("10: Berea (against the paper, no increase): depth, largest scatter over none, difference", abs(scattered / even - 1.0), 0.02))
+        out.append(most("10: Berea (against the paper, no increase): depth, largest scatter over none, difference",
+            abs(scattered / even - 1.0), 0.02))
     else:
         falling = means("cohesive", (*(f"m = {m:g}" for m in MODULI), NONE))
         spread = max(float(np.ptp(depths(table, "cohesive", f"m = {m:g}"))) for m in MODULI)
         berea = means("Berea", (*(f"m = {m:g}" for m in MODULI), SCALE))
         out += [
             least("10: cohesive rock: fall of the depth from one modulus to the next [mm]", -np.diff(falling).max(), 0.1),
-            least("10: cohesive rock: whole fall over the largest difference of seeds", (falling[0] - falling[-1]) / max(spread, 1e-9), 2.0),
-            most("10: Berea, all moduli and scale only (against the paper, no increase): largest difference of depth, relative", max(berea) / min(berea) - 1.0, 0.02),
+            least("10: cohesive rock: whole fall over the largest difference of seeds",
+                (falling[0] - falling[-1]) / max(spread, 1e-9), 2.0),
+            most("10: Berea, all moduli and scale only (against the paper, no increase): largest difference of depth, relative",
+                max(berea) / min(berea) - 1.0, 0.02),
         ]
     return [*out, sound(table, 10)]

@@ -17,7 +17,8 @@ FACE, DETONATOR = 106.0, 10.0  # mm, of the deck: y of the rock's face, x of the
 SHOWN = (8.0, 12.0, 20.0, 32.0)  # us
 QUICK = (8.0, 12.0)  # us, of the short form: when the liner collapses, in cells twice as wide
 FAST = 2000.0  # m/s: what is called jet
-COLUMNS = ["time [us]", "fastest copper [m/s]", "jet [% of the liner]", "its angle to the axis [degrees]", "its place beside the axis [mm]", "copper in the rock, deepest [mm]", "numerical energy"]
+COLUMNS = ["time [us]", "fastest copper [m/s]", "jet [% of the liner]", "its angle to the axis [degrees]", "its place beside the axis [mm]",
+    "copper in the rock, deepest [mm]", "numerical energy"]
 SIDES = ["time [us]", "towards the axis, on the detonator's side [m/s]", "on the other [m/s]"]
 COLOURS = {"Comp B": "0.86", "Sandstone": "tan", "Copper": "C3"}  # what is drawn later covers what was drawn before
 BEHIND = "#e88080"  # copper behind the plane
@@ -25,14 +26,20 @@ NAMES = {"Comp B": "explosive and its products", "Sandstone": "sandstone", "Copp
 
 
 def measure(lab):
-    folder = lab.run(DECK, lab.of_form({"Time/End Time": f"{QUICK[-1]:g} us", "Grid/Cell Size": "4 mm", "Grid/Upper": "{42 mm, 150 mm, 44 mm}"}, {}), "formation-3d")
+    folder = lab.run(DECK,
+        lab.of_form({"Time/End Time": f"{QUICK[-1]:g} us", "Grid/Cell Size": "4 mm", "Grid/Upper": "{42 mm, 150 mm, 44 mm}"}, {}),
+        "formation-3d")
     with contextlib.ExitStack() as stack:
         run = Run(folder, stack)
         lost = numerical_energy(run)
         rows = [row_of(run.file.frame(step), lost) for step in range(1, len(run.file.times))]
         draw(lab.picture("paper_2"), run, lab.of_form(QUICK, SHOWN))
-        sides = Table("Figure 2: inward speed of the liner's halves", SIDES, [[frame.time / MICRO, *inward(frame)] for frame in (run.frame(QUICK[0] * MICRO),)])
-    remark = "Figure 2: input_xml/jet_formation_3d.xml; jet: copper faster than 2 km/s along the axis; angle and place are positive on the detonator's side; numerical energy: until then, over what was put in until then"
+        sides = Table("Figure 2: inward speed of the liner's halves", SIDES,
+            [[frame.time / MICRO, *inward(frame)] for frame in (run.frame(QUICK[0] * MICRO),)])
+    remark = (
+        "Figure 2: input_xml/jet_formation_3d.xml; jet: copper faster than 2 km/s along the axis; angle and place are positive on the "
+        "detonator's side; numerical energy: until then, over what was put in until then"
+    )
     return {"paper_2": Table(remark, COLUMNS, rows)} | ({"sides": sides} if lab.form == "quick" else {})
 
 
@@ -40,7 +47,8 @@ def numerical_energy(run):
     """Time to what the method has added or lost by then, over what was put in."""
     table = run.history_table()
     given = put_in(table, run.summary)
-    share = np.divide(table["stress_integration"] + table["transfer"], given, out=np.zeros_like(given), where=given > 0.0)  # nothing burns at the start
+    share = np.divide(table["stress_integration"] + table["transfer"], given, out=np.zeros_like(given),
+        where=given > 0.0)  # nothing burns at the start
     return lambda time: float(np.interp(time, table["time"], share))
 
 
@@ -73,7 +81,8 @@ def draw_frame(axes, frame):
     shapes, of = frame.shapes
     names = np.array(frame.file.block_names)[frame.block[of]]
     for name, colour in COLOURS.items():
-        axes.add_collection(PolyCollection(shapes[names == name] / MILLI, facecolors=colour, edgecolors="none", linewidths=0, antialiased=False, rasterized=True, zorder=2.0 if name == "Copper" else 1.0))
+        axes.add_collection(PolyCollection(shapes[names == name] / MILLI, facecolors=colour, edgecolors="none", linewidths=0,
+            antialiased=False, rasterized=True, zorder=2.0 if name == "Copper" else 1.0))
 
 
 def draw(file, run, shown):
@@ -84,7 +93,9 @@ def draw(file, run, shown):
         axes.plot([DETONATOR], [0.0], "k*", ms=7)
         axes.set(title=f"{time:g} µs", xlabel="x [mm]", xlim=(-40.0, 40.0), ylim=(148.0, -26.0), aspect="equal")
     panels[0].set_ylabel("y [mm]")
-    legend = [*(Patch(color=colour, label=NAMES[name]) for name, colour in COLOURS.items()), Line2D([], [], color=BEHIND, marker=".", ls="none", ms=8, label="copper behind the plane"), Line2D([], [], color="k", marker="*", ls="none", ms=8, label="detonator")]
+    legend = [*(Patch(color=colour, label=NAMES[name]) for name, colour in COLOURS.items()),
+        Line2D([], [], color=BEHIND, marker=".", ls="none", ms=8, label="copper behind the plane"),
+        Line2D([], [], color="k", marker="*", ls="none", ms=8, label="detonator")]
     figure.legend(handles=legend, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=len(legend), frameon=False)
     figure.savefig(file, dpi=110, bbox_inches="tight")  # the legend is below the panels
     plt.close(figure)

@@ -59,15 +59,18 @@ def measure(lab):
     rows = []
     for pressure, modulus, uncertainty, source in data_rows("bulk_modulus.csv"):
         elastic = pressure * MEGA < crushing(answer)
-        rows.append(["bulk modulus [GPa]", pressure, modulus, tangent(answer, pressure * MEGA) / GIGA if elastic else float("nan"), uncertainty, source])
+        rows.append(["bulk modulus [GPa]", pressure, modulus, tangent(answer, pressure * MEGA) / GIGA if elastic else float("nan"),
+            uncertainty, source])
     for pressure, left, uncertainty, source in data_rows("open_pores.csv"):
         total = card_numbers(CARD)["p3_crush_curve"]
         found = 100.0 * (1.0 - np.interp(pressure * MEGA, answer["pressure"][: top + 1], answer["plastic"][: top + 1]) / total)
         reached = pressure * MEGA <= answer["pressure"][top]
         rows.append(["pore strain left [%]", pressure, left, float(found) if reached else float("nan"), uncertainty, source])
-    rows.append(["crushing pressure [MPa]", float("nan"), 408.1, crushing(answer) / MEGA, 5.0, "both blocks brought to the card's porosity"])
+    rows.append(["crushing pressure [MPa]", float("nan"), 408.1, crushing(answer) / MEGA, 5.0,
+        "both blocks brought to the card's porosity"])
     cut = np.unique(np.append(np.linspace(0, len(answer["pressure"]) - 1, 100).astype(int), top))
-    curve = [["load" if i <= top else "unload", answer["pressure"][i] / MEGA, 100.0 * answer["strain"][i], 100.0 * answer["plastic"][i]] for i in cut]
+    curve = [["load" if i <= top else "unload", answer["pressure"][i] / MEGA, 100.0 * answer["strain"][i], 100.0 * answer["plastic"][i]]
+        for i in cut]
     draw(lab.picture("paper_3"), answer, rows, porosity)
     columns = ["quantity", "pressure [MPa]", "datum", "card", "uncertainty [%]", "known"]
     remark = "Figure 3: data of the fit (verification/fits/berea) and the card's answer along input_xml/paper/hydrostat.csv"
@@ -87,7 +90,8 @@ def draw(file, answer, rows, porosity):
     strength = Strength(lambda name: numbers.get(name, float("nan")))
     surface = draw_surface(right, strength, 0.0, 1.0)
     figure.colorbar(surface, ax=right, label=r"$\sqrt{J_2}$ [MPa]", shrink=0.6, pad=0.1)
-    right.set_title(f"yield surface of virgin rock (porosity {100.0 * porosity:.0f} %)\nin principal stresses, compression positive", fontsize=11)
+    right.set_title(f"yield surface of virgin rock (porosity {100.0 * porosity:.0f} %)\nin principal stresses, compression positive",
+        fontsize=11)
     figure.savefig(file, dpi=110)
     plt.close(figure)
 
@@ -103,14 +107,16 @@ def draw_curve(axes, answer, rows):
             # Pore strain left fixes the plastic strain; the elastic one is the card's.
             strain, plastic = (np.interp(pressure * MEGA, loading[0], values) for values in loading[1:])
             at = 100.0 * (strain - plastic + (1.0 - 0.01 * datum) * total)
-            axes.errorbar(at, pressure, xerr=0.01 * uncertainty * 0.01 * datum * total * 100.0, fmt="go", capsize=3, label="data: pore strain left" if pressure < 1000 else None)
+            axes.errorbar(at, pressure, xerr=0.01 * uncertainty * 0.01 * datum * total * 100.0, fmt="go", capsize=3,
+                label="data: pore strain left" if pressure < 1000 else None)
         if quantity.startswith("crushing"):
             at = 100.0 * np.interp(datum * MEGA, loading[0], loading[1])
             axes.errorbar(at, datum, yerr=0.01 * uncertainty * datum, fmt="g^", capsize=3, label="data: onset of crushing")
         if quantity.startswith("bulk") and np.isfinite(rows[0][3]) and pressure <= 60:
             at, half = np.interp(pressure * MEGA, loading[0], loading[1]), 0.006
             # Not into tension, where nobody has measured.
-            ends, label = np.array([-min(half, 1e-3 * pressure / datum), half]), "data: slopes, bulk moduli to 60 MPa" if pressure == 10 else None
+            ends, label = np.array([-min(half, 1e-3 * pressure / datum),
+                half]), "data: slopes, bulk moduli to 60 MPa" if pressure == 10 else None
             axes.plot(100.0 * (at + ends), pressure + datum * 1e3 * ends, "g-", lw=2.5, alpha=0.7, label=label)
     axes.set(xlabel="volume strain [%], compression positive", ylabel="pressure [MPa]", xlim=(-0.5, None), ylim=(-50.0, None))
     axes.set_title("hydrostatic load and unload of the Berea card", fontsize=11)
@@ -118,7 +124,8 @@ def draw_curve(axes, answer, rows):
     axes.legend(fontsize=9, loc="upper left")
     near = axes.inset_axes([0.36, 0.07, 0.36, 0.32])
     for line in list(axes.get_lines()):
-        near.plot(*line.get_data(), color=line.get_color(), lw=line.get_linewidth(), alpha=line.get_alpha() or 1.0, marker=line.get_marker(), ls=line.get_linestyle())
+        near.plot(*line.get_data(), color=line.get_color(), lw=line.get_linewidth(), alpha=line.get_alpha() or 1.0,
+            marker=line.get_marker(), ls=line.get_linestyle())
     near.set(xlim=(0.0, 3.0), ylim=(0.0, 450.0))
     near.tick_params(labelsize=7)
     near.set_title("the start of the load", fontsize=8)

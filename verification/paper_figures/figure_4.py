@@ -43,10 +43,13 @@ def measure(lab):
         curves[name] = (*closed_form(variant, at), *driven(lab, variant, at))
         shell, fluid, pressure, pore, plastic = curves[name]
         for i in range(0, len(at), 5):
-            rows.append([name, "load" if i < turn else "unload", -100.0 * at[i], *(float(x) / MEGA for x in (shell[i], fluid[i], pressure[i], pore[i])), -100.0 * plastic[i]])
+            rows.append([name, "load" if i < turn else "unload", -100.0 * at[i],
+                *(float(x) / MEGA for x in (shell[i], fluid[i], pressure[i], pore[i])), -100.0 * plastic[i]])
     draw(lab.picture("paper_4"), at, turn, curves)
-    columns = ["rock", "leg", "volume strain [%]", "shell [MPa]", "fluid of the shell [MPa]", "Arenisca [MPa]", "pore pressure of Arenisca [MPa]", "plastic volume strain [%]"]
-    return {"paper_4": Table("Figure 4: shell of an incompressible matrix (closed form) and Arenisca with its parameters; compression positive", columns, rows)}
+    columns = ["rock", "leg", "volume strain [%]", "shell [MPa]", "fluid of the shell [MPa]", "Arenisca [MPa]",
+        "pore pressure of Arenisca [MPa]", "plastic volume strain [%]"]
+    return {"paper_4": Table("Figure 4: shell of an incompressible matrix (closed form) and Arenisca with its parameters; compression "
+        "positive", columns, rows)}
 
 
 def draw(file, at, turn, curves):
@@ -84,7 +87,8 @@ def draw_surfaces(axes, plastic, pore):
     low = axes.get_ylim()[1]
     axes.annotate("", (pore / MEGA, 0.03 * low), (0.0, 0.03 * low), arrowprops={"arrowstyle": "->", "color": "C0", "lw": 1.6})
     axes.annotate(f"pore pressure {pore / MEGA:.0f} MPa", (0.5 * pore / MEGA, 0.045 * low), ha="center", color="C0", fontsize=9)
-    axes.set(xlabel="pressure (total) [MPa]", ylabel=r"$\sqrt{J_2}$ [MPa]", title="Arenisca's yield surface, meridian", ylim=(0.0, 1.3 * low))
+    axes.set(xlabel="pressure (total) [MPa]", ylabel=r"$\sqrt{J_2}$ [MPa]", title="Arenisca's yield surface, meridian",
+        ylim=(0.0, 1.3 * low))
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9, loc="upper left")
 
@@ -95,7 +99,8 @@ def trends(tables):
     # At the knee, which is round for a shell that yields from its inner wall outwards and sharp for a crush curve.
     for name, limit in (("drained", 0.1), ("undrained", 0.03)):
         shell, rock = (table.column(column, rock=name, leg="load") for column in ("shell [MPa]", "Arenisca [MPa]"))
-        out.append(most(f"4: {name}, load: Arenisca less closed form, over the largest pressure", np.abs(rock - shell).max() / shell.max(), limit))
+        out.append(most(f"4: {name}, load: Arenisca less closed form, over the largest pressure",
+            np.abs(rock - shell).max() / shell.max(), limit))
     wet, dry = (table.column("Arenisca [MPa]", rock=name, leg="load").max() for name in ("undrained", "drained"))
     pore = table.column("pore pressure of Arenisca [MPa]", rock="undrained", leg="load")
     out += [
@@ -104,5 +109,6 @@ def trends(tables):
         least("4: deepest strain: pore pressure over total pressure", pore[-1] / wet, 0.2),
     ]
     fluid = [table.column(column, rock="undrained") for column in ("fluid of the shell [MPa]", "pore pressure of Arenisca [MPa]")]
-    out.append(most("4: load and unload: pore pressure less that of the shell's fluid, over the largest", np.abs(fluid[1] - fluid[0]).max() / pore.max(), 0.01))
+    out.append(most("4: load and unload: pore pressure less that of the shell's fluid, over the largest",
+        np.abs(fluid[1] - fluid[0]).max() / pore.max(), 0.01))
     return out

@@ -93,13 +93,18 @@ def measure(lab):
         lines = paths(run, followed(run))
         draw(lab.picture("paper_5"), run, edges, shares, lines)
     rows = [[float(low), float(low + BAND), float(share)] for low, share in zip(edges, shares)]
-    path_rows = [[distance, float(t / MICRO), *map(float, stress)] for distance, (times, found) in lines.items() for t, stress in zip(times, found)]
+    path_rows = [[distance, float(t / MICRO), *map(float, stress)] for distance, (times, found) in lines.items()
+        for t, stress in zip(times, found)]
     cells = lab.of_form("2", "0.5", "0.25")
-    remark = f"Figure 5: input_xml/paper/{DECK}, cells of {cells} mm; share of the volume of rock within {NEAR:g} mm of the tip under sqrt(J2) > {SHEARED:g} MPa, over all times"
+    remark = (
+        f"Figure 5: input_xml/paper/{DECK}, cells of {cells} mm; share of the volume of rock within {NEAR:g} mm of the tip under sqrt(J2) "
+        f"> {SHEARED:g} MPa, over all times"
+    )
     of_paths = ["distance [mm]", "time [us]", "axial [MPa]", "radial [MPa]", "hoop [MPa]"]
     return {
         "paper_5": Table(remark, ["from [degrees]", "to [degrees]", "share"], rows),
-        "paper_5_paths": Table(f"Figure 5: principal stresses of particles at a depth of {DEPTH:g} mm, compression positive", of_paths, path_rows),
+        "paper_5_paths": Table(f"Figure 5: principal stresses of particles at a depth of {DEPTH:g} mm, compression positive",
+            of_paths, path_rows),
     }
 
 
@@ -138,7 +143,8 @@ def draw_map(axes, run):
     for element, colour in zip(followed(run).values(), COLOURS):
         if frame.alive[element]:
             axes.plot(*(frame.centres[alive[element]] / MILLI), "o", color=colour, mec="k", ms=6)
-    axes.set(xlim=(-26.0, 26.0), ylim=(38.0, -14.0), aspect="equal", xlabel="r [mm]", ylabel="y [mm]", title=f"stress of the rock at {frame.time / MICRO:.3g} µs (jet grey)")
+    axes.set(xlim=(-26.0, 26.0), ylim=(38.0, -14.0), aspect="equal", xlabel="r [mm]", ylabel="y [mm]",
+        title=f"stress of the rock at {frame.time / MICRO:.3g} µs (jet grey)")
     axes.set_facecolor("#d9d9d9")
 
 
@@ -155,7 +161,8 @@ def draw_legend(axes):
 def draw_shares(axes, edges, shares):
     axes.bar(edges[:-1], 100.0 * shares, width=BAND, align="edge", color="0.6", edgecolor="k", linewidth=0.6)
     axes.axhline(100.0 / len(shares), color="C0", ls="--", lw=1.2, label="all angles alike")
-    axes.set(xlim=(0.0, 60.0), xlabel="Lode angle [degrees]", ylabel="share of the sheared rock [%]", title=f"stress states within {NEAR:g} mm of the tip")
+    axes.set(xlim=(0.0, 60.0), xlabel="Lode angle [degrees]", ylabel="share of the sheared rock [%]",
+        title=f"stress states within {NEAR:g} mm of the tip")
     axes.set_xticks(np.arange(0, 61, 15), ["0\ntriaxial\ncompression", "15", "30\npure\nshear", "45", "60\ntriaxial\nextension"])
     axes.legend(fontsize=8)
 
@@ -173,7 +180,8 @@ def highest_of(lines):
 
 def octahedral_size(lines):
     """Of a view that holds the widest surface and all paths [MPa]."""
-    return 1.15 * max(radius_of(-np.inf, highest_of(lines)), max(np.abs([stress @ ACROSS, stress @ UP]).max() for _, stress in lines.values()))
+    return 1.15 * max(radius_of(-np.inf, highest_of(lines)),
+        max(np.abs([stress @ ACROSS, stress @ UP]).max() for _, stress in lines.values()))
 
 
 def draw_octahedral(axes, lines, size):
@@ -182,7 +190,8 @@ def draw_octahedral(axes, lines, size):
     for radius, style, label in ((radius_of(0.0, 1e4), "k-", "virgin rock, widest section"), (radius_of(-np.inf, highest), "k--", closed)):
         axes.plot(radius * np.cos(turn), radius * np.sin(turn), style, lw=1.2, label=label)
     for (distance, (_, stress)), colour in zip(lines.items(), COLOURS):
-        axes.plot(stress @ ACROSS, stress @ UP, "-", color=colour, lw=1.2, marker=".", ms=3, label=f"particle from r = {distance:g} mm, y = {DEPTH:g} mm")
+        axes.plot(stress @ ACROSS, stress @ UP, "-", color=colour, lw=1.2, marker=".", ms=3,
+            label=f"particle from r = {distance:g} mm, y = {DEPTH:g} mm")
     for angle, name in ((90.0, "axial"), (-30.0, "radial"), (210.0, "hoop")):
         way = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
         axes.plot(*np.outer(way, [0.0, size]), color="0.75", lw=0.8, zorder=0)
@@ -211,11 +220,13 @@ def trends(tables):
     low, part = share.column("from [degrees]"), share.column("share")
     spans = []
     for distance in TIPS:
-        stress = np.stack([paths_of.column(name, **{"distance [mm]": distance}) for name in ("axial [MPa]", "radial [MPa]", "hoop [MPa]")], axis=-1)
+        stress = np.stack([paths_of.column(name, **{"distance [mm]": distance}) for name in ("axial [MPa]", "radial [MPa]", "hoop [MPa]")],
+            axis=-1)
         ordered = -np.sort(-stress, axis=-1)
         sheared = pressure_and_shear(ordered)[1] > SHEARED
         spans.append(np.ptp(lode_angle(ordered[sheared])))
     return [
-        least("5: Lode angle below 20 degrees (a third if all are alike): share of triaxial compression", part[low < 20.0].sum(), 1.0 / 2.0),
+        least("5: Lode angle below 20 degrees (a third if all are alike): share of triaxial compression",
+            part[low < 20.0].sum(), 1.0 / 2.0),
         least("5: path of a particle beside the hole: range of Lode angles [degrees]", max(spans), 45.0),
     ]

@@ -16,17 +16,20 @@ CELLS = {"quick": (4.0, 2.0), "default": (2.0, 1.0, 0.5), "fine": (2.0, 1.0, 0.5
 def measure(lab):
     cells, shapes = CELLS[lab.form], SHAPES[:2] if lab.form == "quick" else SHAPES
     asked = [(shape, h) for h in cells for shape in shapes]
-    runs = [(DECK, {"Grid/Cell Size": f"{h:g} mm", "Step/Shape Function": shape}, f"plane-{shape.replace(' ', '-')}-{h:g}") for shape, h in asked]
+    runs = [(DECK, {"Grid/Cell Size": f"{h:g} mm", "Step/Shape Function": shape}, f"plane-{shape.replace(' ', '-')}-{h:g}")
+        for shape, h in asked]
     folders, rows = lab.runs(runs), []
     for (shape, h), folder in zip(asked, folders):
         shot = measured(folder)
         # A slot: its area per thickness stands where the volume of a round hole would.
         rows.append([shape, h, shot.depth, shot.volume])
     columns = ["shape function", "cells [mm]", "depth [mm]", "slot [cm2]"]
-    table = Table(f"Figure 6: input_xml/paper/{DECK}, plane strain; depth and area of the slot at 30 us", columns, [[*row[:3], 0.01 * row[3]] for row in rows])
+    table = Table(f"Figure 6: input_xml/paper/{DECK}, plane strain; depth and area of the slot at 30 us", columns,
+        [[*row[:3], 0.01 * row[3]] for row in rows])
     if lab.form != "quick":
         shown = min(cells)
-        channels = [(f"{shape}, cells of {h:g} mm\n{row[2]:.1f} mm deep at 30 µs", folder) for (shape, h), row, folder in zip(asked, rows, folders) if h == shown]
+        channels = [(f"{shape}, cells of {h:g} mm\n{row[2]:.1f} mm deep at 30 µs", folder)
+            for (shape, h), row, folder in zip(asked, rows, folders) if h == shown]
         fields, limits = ("pressure", "equivalent_plastic_strain"), ((0.0, 1500.0), (0.0, 2.0))
         draw_channels(lab.picture("paper_6"), channels, fields, limits, (20.0, -10.0, 46.0))
         draw_convergence(lab.picture("paper_6_convergence"), table)
@@ -59,8 +62,11 @@ def limits_of(table):
     common = float(np.mean(limits)) if limits else math.nan
     cells = list(rows[0][3])
     columns = ["shape function", "order", "limit [mm]", *(f"cells of {h:g} mm: off the mean limit" for h in cells)]
-    remark = f"Figure 6: limits of the depth through the three finest cells, where it converges at first order or better; mean {common:.4g} mm"
-    return Table(remark, columns, [[shape, order, limit, *(float(d / common - 1.0) for d in depth)] for shape, limit, order, _, depth in rows])
+    remark = (
+        f"Figure 6: limits of the depth through the three finest cells, where it converges at first order or better; mean {common:.4g} mm"
+    )
+    return Table(remark, columns,
+        [[shape, order, limit, *(float(d / common - 1.0) for d in depth)] for shape, limit, order, _, depth in rows])
 
 
 def stored_limit():
@@ -98,7 +104,8 @@ def trends(tables):
     out = [least("6: coarsest cells: depth, GIMP over CPDI, difference", abs(coarse["GIMP"] / coarse["CPDI"] - 1.0), 0.01)]
     if len(shapes) == 2:
         off = {shape: abs(finest[shape] / stored_limit() - 1.0) for shape in shapes}
-        out.append(most("6: cells of 2 mm (against the paper's guess): distance from the stored mean limit, GIMP over CPDI", off["GIMP"] / off["CPDI"], 0.8))
+        out.append(most("6: cells of 2 mm (against the paper's guess): distance from the stored mean limit, GIMP over CPDI",
+            off["GIMP"] / off["CPDI"], 0.8))
     if len(shapes) > 2:
         values, limits = list(finest.values()), tables["paper_6_limits"]
         known = limits.column("limit [mm]")
@@ -107,6 +114,7 @@ def trends(tables):
             most("6: finest cells, all shape functions: largest difference of depth, relative", max(values) / min(values) - 1.0, 0.04),
             least("6: first order or better: number of shape functions", np.isfinite(known).sum(), 2.0),
             most("6: these shape functions: largest difference of limits, relative", np.nanmax(known) / np.nanmin(known) - 1.0, 0.02),
-            most("6: cells of 1 mm (against the paper's guess): distance from the mean limit, GIMP over CPDI", off["GIMP"] / off["CPDI"], 0.5),
+            most("6: cells of 1 mm (against the paper's guess): distance from the mean limit, GIMP over CPDI",
+                off["GIMP"] / off["CPDI"], 0.5),
         ]
     return out

@@ -35,14 +35,17 @@ def measure(lab):
     for (pressure, cells), folder in zip(asked, folders):
         shot = measured(folder)
         rows.append([pressure, cells, shot.early, shot.depth, shot.growth, shot.volume, shot.radius, shot.lost])
-    columns = ["confinement [MPa]", "cells [mm]", "depth at 30 us [mm]", "depth [mm]", "growth in the last 20 us", "hole [cm3]", "mean radius [mm]", "numerical energy"]
+    columns = ["confinement [MPa]", "cells [mm]", "depth at 30 us [mm]", "depth [mm]", "growth in the last 20 us", "hole [cm3]",
+        "mean radius [mm]", "numerical energy"]
     table = Table(f"Figure 7: input_xml/paper/{DECK}; depth: the greatest of 100 us", columns, rows)
     if lab.form != "quick":
-        main = [(f"confining pressure {p:g} MPa\n{row[3]:.1f} mm deep", folder) for (p, cells), row, folder in zip(asked, rows, folders) if cells == CELLS[lab.form]]
+        main = [(f"confining pressure {p:g} MPa\n{row[3]:.1f} mm deep", folder)
+            for (p, cells), row, folder in zip(asked, rows, folders) if cells == CELLS[lab.form]]
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 300.0), (-0.2, 0.2))
         draw_channels(lab.picture("paper_7"), main, fields, limits, (22.0, -8.0, 60.0))
         draw_depths(lab.picture("paper_7_depth"), table)
-    return {"paper_7": table, "paper_7_strength": strengths(lab), "paper_7_cracks": cracks.measure(lab), "paper_7_spall": spall.measure(lab)}
+    return {"paper_7": table, "paper_7_strength": strengths(lab), "paper_7_cracks": cracks.measure(lab),
+        "paper_7_spall": spall.measure(lab)}
 
 
 def strengths(lab):
@@ -55,7 +58,10 @@ def strengths(lab):
     for factor, folder in zip(factors, folders):
         shot = measured(folder)
         rows.append([factor * UNCONFINED, shot.early, shot.depth, shot.lost])
-    remark = f"Figure 7: input_xml/paper/{DECK}, cells of {cells:g} mm, no confinement; the card's PEAKI1 and STREN times {', '.join(f'{f:g}' for f in factors)}"
+    remark = (
+        f"Figure 7: input_xml/paper/{DECK}, cells of {cells:g} mm, no confinement; the card's PEAKI1 and STREN times "
+        f"{', '.join(f'{f:g}' for f in factors)}"
+    )
     return Table(remark, ["unconfined strength [MPa]", *DEPTHS, "numerical energy"], rows)
 
 
@@ -70,7 +76,8 @@ def draw_depths(file, table):
         for i, cells in enumerate(sorted(set(table.column("cells [mm]")), reverse=True)):
             pressure, depth = (table.column(name, **{"cells [mm]": cells}) for name in ("confinement [MPa]", column))
             axes.plot(pressure, depth, "o-", color=f"C{i}", label=f"cells of {cells:g} mm, {2.0 / cells:g} per jet radius")
-        axes.set(xlabel="confining pressure [MPa]", ylabel="depth [mm]", title=title, ylim=(0.93 * axes.get_ylim()[0], 1.03 * axes.get_ylim()[1]))
+        axes.set(xlabel="confining pressure [MPa]", ylabel="depth [mm]", title=title,
+            ylim=(0.93 * axes.get_ylim()[0], 1.03 * axes.get_ylim()[1]))
         axes.grid(alpha=0.3)
     panels[0].legend(fontsize=9, loc="lower left")
     figure.savefig(file, dpi=110)
@@ -83,7 +90,8 @@ def experiments(table, strength):
     pressure, depth = (table.column(name, **{"cells [mm]": cells}) for name in ("confinement [MPa]", "depth [mm]"))
     return [
         most("7: over effective confining pressure (experiments, negative): slope of ln(depth) per MPa", slope(pressure, depth), -2e-4),
-        most("7: over unconfined strength (experiments, negative): slope of ln(depth) per MPa", slope(strength.column("unconfined strength [MPa]"), strength.column("depth [mm]")), -1e-3),
+        most("7: over unconfined strength (experiments, negative): slope of ln(depth) per MPa",
+            slope(strength.column("unconfined strength [MPa]"), strength.column("depth [mm]")), -1e-3),
         sound(strength, 7, "strengths: "),
     ]
 
@@ -93,7 +101,8 @@ def fall_of(table, cells):
     return high / low
 
 
-DRAWN = {"paper_7_depth": lambda file, tables: draw_depths(file, tables["paper_7"]), "paper_7_spall": lambda file, tables: spall.draw(file, tables["paper_7_spall"])}  # of the tables alone
+DRAWN = {"paper_7_depth": lambda file, tables: draw_depths(file, tables["paper_7"]), "paper_7_spall": lambda file,
+    tables: spall.draw(file, tables["paper_7_spall"])}  # of the tables alone
 
 
 def trends(tables):
@@ -106,16 +115,21 @@ def trends(tables):
         order = np.argsort(pressure)
         steps = [-np.diff(depth[order]) for depth in (early, final)]
         out += [
-            least(f"7: cells of {cells:g} mm, after 30 us: fall of the depth from one confining pressure to the next [mm]", steps[0].min(), 0.1),
-            least(f"7: cells of {cells:g} mm (noise allowed): fall of the greatest depth from one confining pressure to the next [mm]", steps[1].min(), -NOISE),
-            most(f"7: cells of {cells:g} mm: greatest depth, highest over lowest confining pressure", final[order][-1] / final[order][0], 0.98),
+            least(f"7: cells of {cells:g} mm, after 30 us: fall of the depth from one confining pressure to the next [mm]",
+                steps[0].min(), 0.1),
+            least(f"7: cells of {cells:g} mm (noise allowed): fall of the greatest depth from one confining pressure to the next [mm]",
+                steps[1].min(), -NOISE),
+            most(f"7: cells of {cells:g} mm: greatest depth, highest over lowest confining pressure",
+                final[order][-1] / final[order][0], 0.98),
         ]
     own = table.rows[0][1]
     growth = table.column("growth in the last 20 us", **{"cells [mm]": own}).max()
     out.append(most(f"7: cells of {own:g} mm, last 20 us: growth of the depth", growth, 0.03))
-    falls = [fall_of(table, cells) for cells in set(table.column("cells [mm]")) if cells in table.column("cells [mm]", **{"confinement [MPa]": CONVERGED_AT[0]})]
+    falls = [fall_of(table, cells) for cells in set(table.column("cells [mm]"))
+        if cells in table.column("cells [mm]", **{"confinement [MPa]": CONVERGED_AT[0]})]
     if len(falls) > 1:
-        out.append(most("7: all cell sizes: difference of the ratio of greatest depths, 138 MPa over 34 MPa", max(falls) - min(falls), 0.02))
+        out.append(most("7: all cell sizes: difference of the ratio of greatest depths, 138 MPa over 34 MPa",
+            max(falls) - min(falls), 0.02))
     out.append(sound(table, 7))
     strength = tables["paper_7_strength"]
     if len(strength.rows) > 1:

@@ -34,13 +34,15 @@ def cases(form):
 
 def measure(lab):
     cells, asked = CELLS[lab.form], cases(lab.form)
-    runs = [(DECK, settings_of(cells, confinement, more), f"fluid-{rock.replace(', ', '-').replace(' ', '-')}-{confinement:g}-{pore}") for rock, confinement, pore, more in asked]
+    runs = [(DECK, settings_of(cells, confinement, more), f"fluid-{rock.replace(', ', '-').replace(' ', '-')}-{confinement:g}-{pore}")
+        for rock, confinement, pore, more in asked]
     folders, rows = lab.runs(runs), []
     for (rock, confinement, pore, _), folder in zip(asked, folders):
         shot = measured(folder)
         rows.append([rock, confinement, float("nan") if pore is DRY else pore, shot.early, shot.depth, shot.volume, shot.radius, shot.lost])
     remark = f"Figure 8: input_xml/paper/{DECK}, cells of {cells:g} mm; pore pressure of the start; depth: the greatest of 100 us"
-    table = Table(remark, ["rock", "confinement [MPa]", "pore pressure [MPa]", "depth at 30 us [mm]", "depth [mm]", "hole [cm3]", "mean radius [mm]", "numerical energy"], rows)
+    table = Table(remark, ["rock", "confinement [MPa]", "pore pressure [MPa]", "depth at 30 us [mm]", "depth [mm]", "hole [cm3]",
+        "mean radius [mm]", "numerical energy"], rows)
     if lab.form != "quick":
         channels = [(f"{rock}\n{rows[i][4]:.1f} mm deep", folders[i]) for i, rock in ((0, "drained"), (1, "undrained"))]
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 200.0), (-0.2, 0.2))
@@ -56,7 +58,8 @@ def spall_cases():
 
 
 def depth_of(table, confinement, pore, column="depth [mm]"):
-    rows = [row for row in table.rows if row[1] == confinement and (np.isnan(row[2]) if pore is DRY else row[2] == pore) and row[0] in ("drained", "undrained")]
+    rows = [row for row in table.rows if row[1] == confinement and (np.isnan(row[2]) if pore is DRY else row[2] == pore)
+        and row[0] in ("drained", "undrained")]
     return rows[0][table.columns.index(column)]
 
 
@@ -69,7 +72,8 @@ def draw_depths(file, table):
             depths = [depth_of(table, *pair, column) for pair in pairs]
             axes.plot([pore for _, pore in pairs], depths, "o-", label="undrained")
             for (confinement, pore), depth in zip(pairs if varied else (), depths):
-                axes.annotate(f"confined by {confinement:g} MPa", (pore, depth), (0, 9), textcoords="offset points", ha="center", fontsize=8)
+                axes.annotate(f"confined by {confinement:g} MPa", (pore, depth), (0, 9), textcoords="offset points",
+                    ha="center", fontsize=8)
             axes.grid(alpha=0.3)
         row[1].axhline(depth_of(table, *EQUAL_CONFINEMENT[0], column), color="0.4", ls="--", label="drained")
         row[0].set_ylabel(f"depth {when} [mm]")
@@ -89,17 +93,21 @@ DRAWN = {"paper_8_pore": lambda file, tables: draw_depths(file, tables["paper_8"
 
 def trends(tables):
     table = tables["paper_8"]
-    out = [least(f"8: no confinement, no initial pore pressure: {column.removesuffix(' [mm]')}, undrained over drained", ratio_of(table, UNLOADED, column), 1.005) for column in DEPTHS]
+    out = [least(f"8: no confinement, no initial pore pressure: {column.removesuffix(' [mm]')}, undrained over drained",
+        ratio_of(table, UNLOADED, column), 1.005) for column in DEPTHS]
     heavy = table.value(DEPTHS[0], rock="drained, as heavy as undrained")
-    out.append(most("8: mass of the fluid alone: depth at 30 us, heavier over lighter drained rock", heavy / depth_of(table, *UNLOADED[0], DEPTHS[0]), 1.0))
+    out.append(most("8: mass of the fluid alone: depth at 30 us, heavier over lighter drained rock",
+        heavy / depth_of(table, *UNLOADED[0], DEPTHS[0]), 1.0))
     for column, spread, step in zip(DEPTHS, (0.01, 0.03), (0.05, 0.1)):
         alike, rising = ([depth_of(table, *pair, column) for pair in pairs] for pairs in (EQUAL_EFFECTIVE, EQUAL_CONFINEMENT))
         name = column.removesuffix(" [mm]")
         out.append(most(f"8: equal effective stress: {name}, largest over smallest less 1", max(alike) / min(alike) - 1.0, spread))
-        out.append(least(f"8: equal confinement, from drained rock to higher pore pressures: least growth of {name} [mm]", np.diff(rising).min(), step))
+        out.append(least(f"8: equal confinement, from drained rock to higher pore pressures: least growth of {name} [mm]",
+            np.diff(rising).min(), step))
     if "paper_8_spall" in tables:
         depth = spall.ratio(tables["paper_8_spall"], spall.FINAL, "2 GPa", "undrained", "drained")
-        out.append(least("8: spall stress, no confinement, no initial pore pressure: depth after 60 us, undrained over drained", depth, 1.005))
+        out.append(least("8: spall stress, no confinement, no initial pore pressure: depth after 60 us, undrained over drained",
+            depth, 1.005))
     return [*out, sound(table, 8)]
 
 

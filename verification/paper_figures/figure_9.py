@@ -42,11 +42,13 @@ def measured(folder):
 
 def measure(lab):
     cells = CELLS[lab.form]
-    folders = lab.runs([(DECK, {"Grid/Cell Size": f"{cells:g} mm", **more}, f"rod-{name.replace(' ', '-')}") for name, more in FORMS.items()])
+    folders = lab.runs([(DECK, {"Grid/Cell Size": f"{cells:g} mm", **more}, f"rod-{name.replace(' ', '-')}")
+        for name, more in FORMS.items()])
     rows = [[name, *measured(folder)] for name, folder in zip(FORMS, folders)]
     with contextlib.ExitStack() as stack:
         time = Run(folders[0], stack).file.times[-1] / MICRO
-    columns = ["flow", "depth of the nose [mm]", "volume gained [cm3]", "swollen by more than a fifth [cm3]", "fastest ejecta [m/s]", "particles removed"]
+    columns = ["flow", "depth of the nose [mm]", "volume gained [cm3]", "swollen by more than a fifth [cm3]", "fastest ejecta [m/s]",
+        "particles removed"]
     if lab.form != "quick":
         channels = [(f"{row[0]}\nnose {row[1]:.1f} mm deep at {time:g} µs", folder) for row, folder in zip(rows, folders)]
         fields, limits = ("pressure", "plastic_volume_strain"), ((0.0, 1000.0), (-0.6, 0.6))
@@ -56,7 +58,8 @@ def measure(lab):
 
 def trends(tables):
     table = tables["paper_9"]
-    depth, gained, fastest = ({name: float(table.value(column, flow=name)) for name in FORMS} for column in ("depth of the nose [mm]", "volume gained [cm3]", "fastest ejecta [m/s]"))
+    depth, gained, fastest = ({name: float(table.value(column, flow=name)) for name in FORMS}
+        for column in ("depth of the nose [mm]", "volume gained [cm3]", "fastest ejecta [m/s]"))
     associated, porous, nonassociated = FORMS
     return [
         least("9: associated over nonassociated flow: volume gained", gained[associated] / gained[nonassociated], 3.0),

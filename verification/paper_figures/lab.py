@@ -39,7 +39,10 @@ class Trend:
         return math.isfinite(self.value) and met(self.value, self.limit, self.at_least)
 
     def __str__(self):
-        return f"{'holds' if self.holds else 'FAILS'}: {self.what}: {self.value:.4g}, {'at least' if self.at_least else 'at most'} {self.limit:.4g}"
+        return (
+            f"{'holds' if self.holds else 'FAILS'}: {self.what}: {self.value:.4g}, {'at least' if self.at_least else 'at most'} "
+            f"{self.limit:.4g}"
+        )
 
 
 def least(what, value, limit):
@@ -152,7 +155,8 @@ class Lab:
     def is_there(self, folder, key):
         """Whether an earlier call with the same --runs has made this run, with this program and these decks."""
         file = folder / "asked.json"
-        made_from = [self.barreno, PAPER / key[0], *PAPER.glob("*.csv"), *(ROOT / "materials" / "cards").iterdir(), *(DECKS / "jets").iterdir()]
+        made_from = [self.barreno, PAPER / key[0], *PAPER.glob("*.csv"), *(ROOT / "materials" / "cards").iterdir(),
+            *(DECKS / "jets").iterdir()]
         changed = max(one.stat().st_mtime for one in made_from)
         return file.exists() and json.loads(file.read_text()) == json.loads(json.dumps(key)) and file.stat().st_mtime > changed
 
@@ -170,7 +174,8 @@ def stored_costs():
 def write_cost(number, cost):
     """A figure's row of paper_time.csv."""
     rows = [[float(other), *found] for other, found in stored_costs().items() if other != number]
-    table = Table("Processor time of the runs of each figure of docs/paper.md, a core each; pictures take seconds more", ["figure", "runs", "processor time [s]"], sorted([*rows, [float(number), *cost]]))
+    table = Table("Processor time of the runs of each figure of docs/paper.md, a core each; pictures take seconds more",
+        ["figure", "runs", "processor time [s]"], sorted([*rows, [float(number), *cost]]))
     write_table(COSTS, table)
 
 

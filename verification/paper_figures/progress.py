@@ -14,7 +14,8 @@ class Progress:
     def __init__(self, expected, numbers, jobs, say=print):
         known = bool(numbers) and all(number in expected for number in numbers)
         # Figures come one after the other, and a single run has one core.
-        self.expected = {number: (count, cost / max(1.0, min(jobs, count))) for number, (count, cost) in expected.items() if number in numbers} if known else None
+        self.expected = {number: (count, cost / max(1.0, min(jobs, count)))
+            for number, (count, cost) in expected.items() if number in numbers} if known else None
         self.rest = sum(cost for _, cost in self.expected.values()) if known else None  # [s] on the machine that it was made on last
         self.jobs, self.say, self.lock = jobs, say, threading.Lock()
         self.began, self.computed, self.number, self.ended = time.monotonic(), 0.0, None, 0
@@ -23,7 +24,10 @@ class Progress:
         if self.expected is None:
             return "How long this takes is not known."
         runs = sum(count for count, _ in self.expected.values())
-        return f"{len(self.expected)} figures of {runs:.0f} runs: about {duration(self.left())} with {self.jobs} at a time if none is there already."
+        return (
+            f"{len(self.expected)} figures of {runs:.0f} runs: about {duration(self.left())} with {self.jobs} at a time if none is there "
+            "already."
+        )
 
     def begin(self, number):
         self.number, self.ended = number, 0

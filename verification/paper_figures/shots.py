@@ -74,7 +74,8 @@ def draw_channels(file, channels, fields, limits, box, edges=False):
         with contextlib.ExitStack() as stack:
             run = Run(folder, stack)
             frame = run.frame()
-            halves = [draw_half(axes, frame, run.deck, Half(field, mirror, limit), edges=edges) for field, mirror, limit in zip(fields, (-1.0, 1.0), limits)]
+            halves = [draw_half(axes, frame, run.deck, Half(field, mirror, limit), edges=edges)
+                for field, mirror, limit in zip(fields, (-1.0, 1.0), limits)]
             set_up(axes, run.deck)
             draw_outlines(axes, frame, run.deck, (-1.0, 1.0), 0.7)
         axes.set(xlim=(-box[0], box[0]), ylim=(box[2], box[1]), title=name)
@@ -89,5 +90,6 @@ def add_bars(figure, panels, halves, fields):
     sides = ("left", "right") if fields[0] != fields[1] else ("right",)
     for (quads, label), side in reversed(list(zip(halves, sides))):  # each bar is put between the panels and the others
         words = f"{side} half: {label}" if len(sides) > 1 else label
-        bar = figure.colorbar(quads, ax=panels, location="right", label=textwrap.fill(words, LONGEST_LABEL), shrink=0.8, aspect=30, pad=0.01, extend="both")
+        bar = figure.colorbar(quads, ax=panels, location="right", label=textwrap.fill(words, LONGEST_LABEL), shrink=0.8, aspect=30,
+            pad=0.01, extend="both")
         bar.solids.set_edgecolor("face")

@@ -25,7 +25,8 @@ def asked(form):
 
 def measure(lab):
     wanted = asked(lab.form)
-    runs = [(DECK, settings_of(h, p, {"Time/End Time": f"{END:g} us", **SPALL[spall]}), f"spall-{spall.replace(' ', '')}-{p:g}-{h:g}") for spall, p, h in wanted]
+    runs = [(DECK, settings_of(h, p, {"Time/End Time": f"{END:g} us", **SPALL[spall]}), f"spall-{spall.replace(' ', '')}-{p:g}-{h:g}")
+        for spall, p, h in wanted]
     rows = []
     for (spall, pressure, cells), folder in zip(wanted, lab.runs(runs)):
         shot = measured(folder)
@@ -47,13 +48,17 @@ def compare(lab, number, confinement, cases):
     for (rock, stress, _), folder in zip(wanted, folders):
         shot = measured(folder)
         rows.append([rock, stress, shot.early, shot.depth, shot.volume, shot.radius, shot.lost])
-    remark = f"Figure {number}: input_xml/paper/{DECK}, cells of {cells:g} mm, {confinement:g} MPa of confinement, to {END:g} us, without and with Spall Stress"
+    remark = (
+        f"Figure {number}: input_xml/paper/{DECK}, cells of {cells:g} mm, {confinement:g} MPa of confinement, to {END:g} us, without and "
+        "with Spall Stress"
+    )
     return Table(remark, ["rock", "spall stress", EARLY, FINAL, "hole [cm3]", "mean radius [mm]", ENERGY], rows)
 
 
 def ratio(table, column, spall, rock, other):
     """Of a column, of one rock over another."""
-    return float(table.value(column, **{"spall stress": spall, "rock": rock}) / table.value(column, **{"spall stress": spall, "rock": other}))
+    return float(table.value(column, **{"spall stress": spall, "rock": rock}) / table.value(column,
+        **{"spall stress": spall, "rock": other}))
 
 
 def value_at(table, column, spall, cells, pressure):
@@ -69,8 +74,10 @@ def change_of(table, column, spall, cells):
 def falls_of(table):
     """What confinement does, without and with a spall stress: changes in percent."""
     columns = [EARLY, FINAL, "hole [cm3]"]
-    heads = ["spall stress", "cells [mm]", *(f"{name.rsplit(' [', 1)[0]}: change from {PRESSURES[0]:g} to {PRESSURES[1]:g} MPa [%]" for name in columns)]
-    rows = [[spall, cells, *(100.0 * change_of(table, name, spall, cells) for name in columns)] for spall in SPALL for cells in CELLS[spall]]
+    heads = ["spall stress", "cells [mm]",
+        *(f"{name.rsplit(' [', 1)[0]}: change from {PRESSURES[0]:g} to {PRESSURES[1]:g} MPa [%]" for name in columns)]
+    rows = [[spall, cells, *(100.0 * change_of(table, name, spall, cells) for name in columns)] for spall in SPALL
+        for cells in CELLS[spall]]
     return Table("", heads, rows)
 
 
@@ -96,10 +103,12 @@ def trends(table):
         if cells in table.column("cells [mm]"):
             depth = [value_at(table, FINAL, spall, cells, 0.0) for spall in SPALL]
             out.append(least(f"7: cells of {cells:g} mm: depth after 60 us, with a spall stress over without", depth[1] / depth[0], deeper))
-    holes = [-change_of(table, "hole [cm3]", "2 GPa", cells) for cells in sorted(set(table.column("cells [mm]", **{"spall stress": "2 GPa"})))]
+    holes = [-change_of(table, "hole [cm3]", "2 GPa", cells)
+        for cells in sorted(set(table.column("cells [mm]", **{"spall stress": "2 GPa"})))]
     out.append(least("7: spall stress, any cells, 0 to 138 MPa: fall of the hole's volume, relative", min(holes), 0.15))
     finest = min(CELLS["2 GPa"])
     if finest in table.column("cells [mm]"):
         fall = -change_of(table, FINAL, "2 GPa", finest)
-        out.append(most(f"7: spall stress, cells of {finest:g} mm, {PRESSURES[0]:g} to {PRESSURES[1]:g} MPa (against the paper, hardly): fall of the depth after {END:g} us, relative", fall, 0.02))
+        out.append(most(f"7: spall stress, cells of {finest:g} mm, {PRESSURES[0]:g} to {PRESSURES[1]:g} MPa (against the paper, hardly): "
+            f"fall of the depth after {END:g} us, relative", fall, 0.02))
     return out

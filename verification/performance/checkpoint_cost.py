@@ -66,14 +66,17 @@ def page(found, ranks):
     size = 1e-6 * found["bytes"]
     both = found["write"] + found["verify"]
     return [
-        f"{found['particles']:,.0f} particles in three dimensions on {ranks} rank{'s' if ranks > 1 else ''}, {size:.0f} MB ({found['bytes'] / found['particles']:.0f} bytes per particle), "
+        f"{found['particles']:,.0f} particles in three dimensions on {ranks} rank{'s' if ranks > 1 else ''}, {size:.0f} MB "
+        f"({found['bytes'] / found['particles']:.0f} bytes per particle), "
         f"mean of {found['writes']:.0f} checkpoints.", "",
         "| part | what | seconds | MB/s | relative to the disk | required |", "|---|---|---|---|---|---|",
         f"| the disk | the same number of bytes, fsync included (median of 5) | {found['raw']:.2f} | {size / found['raw']:.0f} | 1 | |",
-        f"| write | lay out, rows by every rank, seal, fsync, rename | {found['write']:.2f} | {size / found['write']:.0f} | {found['raw'] / found['write']:.2f} | {LEAST_BANDWIDTH} |",
+        f"| write | lay out, rows by every rank, seal, fsync, rename | {found['write']:.2f} | {size / found['write']:.0f} | "
+        f"{found['raw'] / found['write']:.2f} | {LEAST_BANDWIDTH} |",
         f"| verify | read back, compare the CRC-32 of each piece | {found['verify']:.2f} | {size / found['verify']:.0f} | | |",
         f"| both | write and verify | {both:.2f} | {size / both:.0f} | {found['raw'] / both:.2f} | |", "",
-        f"Both take {100 * both / DEFAULT_INTERVAL:.2f} % of the {DEFAULT_INTERVAL:.0f} s between two checkpoints by default; at most {100 * MOST_SHARE:.0f} % are allowed.",
+        f"Both take {100 * both / DEFAULT_INTERVAL:.2f} % of the {DEFAULT_INTERVAL:.0f} s between two checkpoints by default; at most "
+        f"{100 * MOST_SHARE:.0f} % are allowed.",
     ]  # fmt: skip
 
 

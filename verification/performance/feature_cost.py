@@ -29,20 +29,24 @@ COMPARISON = ("bisection", "elastic centre", "plastic", "plastic, arenisca3")
 ANGLES = ("Gudehus", "Willam-Warnke", "Mohr-Coulomb")
 
 WHY_ANGLE = (
-    "The closest point is searched in pressure and Lode angle together. One evaluation of both conditions with their derivatives costs more than "
+    "The closest point is searched in pressure and Lode angle together. One evaluation of both conditions with their derivatives costs "
+    "more than "
     "one of the condition in pressure. Flow leaves the plane of stress and strain increment, so six components of shear stress are carried "
-    "instead of two. The angle with its direction is needed at the prediction, where flow begins, and in the second pass, which is never left out."
+    "instead of two. The angle with its direction is needed at the prediction, where flow begins, and in the second pass, which is never "
+    "left out."
 )
 WHY_DRY = (
     "A point that flows takes 15 evaluations of the law on average at the default tolerance (docs/materials/arenisca_cost.md). The two "
     "predictions and the return need most of them; fewer need a looser tolerance."
 )
 WHY_SLOWEST = (
-    "The substeps take the time, one after the other, however many lanes are free. The tolerance asks for so many where the increment is of "
+    "The substeps take the time, one after the other, however many lanes are free. The tolerance asks for so many where the increment is "
+    "of "
     "the order of 1e-2 and the direction of flow turns. Up to as many again are tried and found too long."
 )
 WHY_SLOWEST_ANGLE = (
-    "As above, at twice the time of each substep. Where closed pores open, Newton's method does not find some returns; these are searched by one "
+    "As above, at twice the time of each substep. Where closed pores open, Newton's method does not find some returns; these are searched "
+    "by one "
     "Lode angle after the other, each with a return of its own."
 )
 
@@ -81,8 +85,10 @@ def bars(rows):
         (("dry point that flows, in lanes", "no slower than before"), dry["ns_lanes"], MOST_DRY, "ns", WHY_DRY),
         (("dry point that flows, in lanes", "half of a run's time"), dry["ns_lanes"], WISHED_DRY, "ns", WHY_DRY),
         (("dry elastic point, in lanes", "no slower than before"), dry["ns_elastic"], MOST_DRY_ELASTIC, "ns", ""),
-        (("wet point that flows, in lanes", ""), wet["ns_lanes"], MOST_WET, "ns", "The pores are filled again in every prediction, return and second pass."),
-        (("wet elastic point, in lanes", ""), wet["ns_elastic"], MOST_WET_ELASTIC, "ns", "The fluid's pressure is a root of its own for every point."),
+        (("wet point that flows, in lanes", ""), wet["ns_lanes"], MOST_WET, "ns",
+            "The pores are filled again in every prediction, return and second pass."),
+        (("wet elastic point, in lanes", ""), wet["ns_elastic"], MOST_WET_ELASTIC, "ns",
+            "The fluid's pressure is a root of its own for every point."),
     ]
     for base in ("dry", "wet"):
         for feature in ("scatter", "rate", *ANGLES):
@@ -104,7 +110,8 @@ def bar_lines(rows):
         missed = measured > most
         digits = f"{measured:.2f}" if unit == "times" else f"{measured:.0f} {unit}"
         bar = f"{most:g}" if unit == "times" else f"{most:.0f} {unit}"
-        lines.append(f"| {what[0]} | {what[1]} | {digits} | {bar} | {f'missed, by a factor of {measured / most:.2f}' if missed else 'met'} |")
+        lines.append(f"| {what[0]} | {what[1]} | {digits} | {bar} | {f'missed, by a factor of {measured / most:.2f}' if missed else 'met'} "
+            "|")
         if missed and why:
             reasons.setdefault(why, []).append(what[0])
     if reasons:
@@ -123,7 +130,8 @@ def summary_lines(rows):
     for form, row in found.items():
         lanes = "" if is_comparison(form) else f"{row['ns_lanes']:.0f}"
         lines.append(
-            f"| {form} | {row['card']} | {row['model']} | {lanes} | {row['ns_lanes'] / found[base_of(form)]['ns_lanes']:.2f} | {row['ns_single']:.0f} | "
+            f"| {form} | {row['card']} | {row['model']} | {lanes} | {row['ns_lanes'] / found[base_of(form)]['ns_lanes']:.2f} | "
+            f"{row['ns_single']:.0f} | "
             f"{row['ns_elastic']:.1f} | {1e-3 * row['ns_slowest']:.1f} |"
         )
     return lines
@@ -181,20 +189,27 @@ def page_text(notes, rows):
     lines = [
         "# Arenisca's forms: error against cost",
         "",
-        "Written by `verification/performance/feature_cost.py build/release`; do not edit by hand. Every form of Arenisca, each feature alone and",
-        "all together, and the forms for comparison, updates rock points of `input_xml/perforation_quick.xml`. Dry forms update points of the dry",
-        "deck, wet forms points of the deck with water in the pores, and forms with a third invariant points of decks whose rock has the same one. The",
+        "Written by `verification/performance/feature_cost.py build/release`; do not edit by hand. Every form of Arenisca, each feature "
+        "alone and",
+        "all together, and the forms for comparison, updates rock points of `input_xml/perforation_quick.xml`. Dry forms update points of "
+        "the dry",
+        "deck, wet forms points of the deck with water in the pores, and forms with a third invariant points of decks whose rock has the "
+        "same one. The",
         "points are random samples of all steps, and the updates that flow with the most substeps, recorded by",
         "",
         *recorded,
         "",
         *(f"- {note}" for note in notes),
-        "- Errors are errors of the stress after one update. They are relative to the largest of three: the effective stresses before and after, and",
-        "  the strength at zero pressure. The reference is the same update with the smallest tolerance of 1e-8, 1e-7, 1e-6, 1e-5 that needs at most",
+        "- Errors are errors of the stress after one update. They are relative to the largest of three: the effective stresses before and "
+        "after, and",
+        "  the strength at zero pressure. The reference is the same update with the smallest tolerance of 1e-8, 1e-7, 1e-6, 1e-5 that "
+        "needs at most",
         "  2000 substeps. Points whose reference tolerance is above a fifth of the tolerance have no error.",
-        "- Internal variables that were not recorded are those of virgin rock. Each shape of the third invariant updates points of its own run. States",
+        "- Internal variables that were not recorded are those of virgin rock. Each shape of the third invariant updates points of its own "
+        "run. States",
         "  of another shape lie off the surface, which costs crossings, substeps and accuracy that no run has.",
-        "- Times are for one core, the minimum of several runs: in lanes as in a run, or one point at a time as for a host with a single point. Forms",
+        "- Times are for one core, the minimum of several runs: in lanes as in a run, or one point at a time as for a host with a single "
+        "point. Forms",
         "  for comparison go one at a time. The dearest update is the largest of the minima of each point that flows.",
         "- failed: updates that would need more than 2000 substeps; they have no error.",
         "",
@@ -238,9 +253,11 @@ def stored_part():
         line("with `Weibull modulus` or `T1_rate_dependence`", "rated wet", ["wet, scatter", "wet, rate"]),
         line("with `J3_type`", "angled wet; with rate dependence and scatter too", [f"wet, {one}" for one in (*ANGLES, "all")]),
         line("`Return solver = bisection`", "general", ["dry, bisection"]),
-        line("`fluid_B0`, `Backstress strain = elastic centre` or `plastic`", "general: published", [f"wet, {one}" for one in COMPARISON[1:]]),
+        line("`fluid_B0`, `Backstress strain = elastic centre` or `plastic`", "general: published",
+            [f"wet, {one}" for one in COMPARISON[1:]]),
         "",
-        "Measured by `verification/performance/feature_cost.py build/release`, which has the errors and other tolerances too: [arenisca_forms_cost.md](arenisca_forms_cost.md).",
+        "Measured by `verification/performance/feature_cost.py build/release`, which has the errors and other tolerances too: "
+        "[arenisca_forms_cost.md](arenisca_forms_cost.md).",
     ]
 
 

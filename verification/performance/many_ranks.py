@@ -45,13 +45,15 @@ def write_scene(file, n):
         "Materials": {"Elastic": elastic},
         "Bodies": {
             "Slab": {"Material": "Elastic", "Lower": point(0, 0, 0), "Upper": point(size, low, size)},
-            "Ball": {"Material": "Elastic", "Shape": "ball", "Centre": point(middle, low + 0.22 * size, 0.25 * size), "Radius": f"{0.215 * size:g} mm",
+            "Ball": {"Material": "Elastic", "Shape": "ball", "Centre": point(middle, low + 0.22 * size, 0.25 * size),
+                "Radius": f"{0.215 * size:g} mm",
                      "Velocity": "{0 m/s, -2 m/s, 0 m/s}"},
             "Drilled": {"Material": "Elastic", "Shape": "difference", "Parts": "{Block, Bore}", "Velocity": "{0 m/s, -2 m/s, 0 m/s}"},
         },
         "Shapes": {
             "Block": {"Shape": "box", "Lower": point(0.05 * size, low, 0.51 * size), "Upper": point(0.95 * size, high, 0.95 * size)},
-            "Bore": {"Shape": "cylinder", "Start": point(middle, 0, 0.73 * size), "End": point(middle, size, 0.73 * size), "Radius": f"{0.1 * size:g} mm"},
+            "Bore": {"Shape": "cylinder", "Start": point(middle, 0, 0.73 * size), "End": point(middle, size, 0.73 * size),
+                "Radius": f"{0.1 * size:g} mm"},
         },
         "Time": {"End Time": f"{STEPS * 2.4:g} us"},
     })  # fmt: skip
@@ -92,7 +94,8 @@ def run_on(barreno, library, deck, ranks, scratch):
     tables = counts(told, ranks)
     return folder, {
         "ranks": ranks, "steps": run.summary["steps"], "particles": run.summary["particles"],
-        **{name: run.summary["set_up"][name] for name in ("candidate_points", "largest_rank_candidate_points", "largest_rank_undivided_points", "particles_made", "largest_rank_particles_made")},
+        **{name: run.summary["set_up"][name] for name in ("candidate_points", "largest_rank_candidate_points",
+            "largest_rank_undivided_points", "particles_made", "largest_rank_particles_made")},
         "largest_rank_peak_bytes": run.summary["largest_rank_peak_bytes"],
         **{f"largest_rank_{name}": max(table[kind][column] for table in tables)
            for name, kind, column in (("messages", "sends", 0), ("sent_bytes", "sends", 1), ("reductions", "reductions", 0))},
@@ -123,12 +126,16 @@ def measure(barreno, cells, all_ranks, resumed_on=None):
 
 
 def page(rows):
-    lines = [f"{rows[0]['particles']:,.0f} particles, {rows[0]['steps']} steps, one checkpoint of {1e-6 * rows[0]['checkpoint_bytes']:.0f} MB halfway and one at the end.", "",
-             "| ranks | places looked at | of these on every rank | particles made | peak memory, MB | messages | MB sent | reductions | MB read on resume |",
+    lines = [f"{rows[0]['particles']:,.0f} particles, {rows[0]['steps']} steps, one checkpoint of {1e-6 * rows[0]['checkpoint_bytes']:.0f} "
+        "MB halfway and one at the end.", "",
+             "| ranks | places looked at | of these on every rank | particles made | peak memory, MB | messages | MB sent | reductions | "
+             "MB read on resume |",
              "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for row in rows:
-        of = {"checkpoint_bytes": float("nan")} | {name.removeprefix("largest_rank_"): value for name, value in row.items() if name.startswith("largest_rank_")}
-        lines.append(f"| {row['ranks']} | {of['candidate_points']:,.0f} | {of['undivided_points']:,.0f} | {of['particles_made']:,.0f} | {1e-6 * of['peak_bytes']:.0f} | {of['messages']:,.0f} "
+        of = {"checkpoint_bytes": float("nan")} | {name.removeprefix("largest_rank_"): value
+            for name, value in row.items() if name.startswith("largest_rank_")}
+        lines.append(f"| {row['ranks']} | {of['candidate_points']:,.0f} | {of['undivided_points']:,.0f} | {of['particles_made']:,.0f} | "
+            f"{1e-6 * of['peak_bytes']:.0f} | {of['messages']:,.0f} "
                      f"| {1e-6 * of['sent_bytes']:.1f} | {of['reductions']:,.0f} | {1e-6 * of['checkpoint_bytes']:.1f} |")  # fmt: skip
     return lines
 

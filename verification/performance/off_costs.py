@@ -33,7 +33,8 @@ FEATURES = {
     "contact": (["step/contact/", "step/nodes/node_copies"],
                 r"contact|shared_tile|detect_contact"),
     "rigid bodies": (["step/boundary/move_rigid"], r"rigid"),
-    "pressure loads": (["step/loads/project_loads", "step/loads/surface_pressures", "step/loads/release_torn_faces"], r"project_loads|tally_loads|surface_pressures|grow_cavities|torn_faces"),
+    "pressure loads": (["step/loads/project_loads", "step/loads/surface_pressures", "step/loads/release_torn_faces"],
+        r"project_loads|tally_loads|surface_pressures|grow_cavities|torn_faces"),
     "non-reflecting faces": ([], r"impedance|resisted|absorbed"),
     "body force": (["step/loads/project_body_force", "scene/body_force"], r"body_force"),
     "jet": (["step/jet/"], r"launch_jet"),
@@ -69,10 +70,12 @@ def count_lines(barreno, order):
     write_deck(folder / "deck.xml", deck(order))
     out = folder / "callgrind.out"
     command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--compress-strings=no", "--compress-pos=no",
-               "--toggle-collect=barreno::advance*", str(barreno), "run", str(folder / "deck.xml"), "--out", str(folder / "run")]  # fmt: skip
+               "--toggle-collect=barreno::advance*", str(barreno), "run", str(folder / "deck.xml"), "--out",
+               str(folder / "run")]  # fmt: skip
     done = subprocess.run(command, capture_output=True, text=True, env=mpi_environment())
     if done.returncode != 0:
-        sys.exit(f"off_costs.py: the run under valgrind ended with {done.returncode}; is BARRENO built without AVX-512? {done.stderr[-400:]}")
+        sys.exit(f"off_costs.py: the run under valgrind ended with {done.returncode}; is BARRENO built without AVX-512? "
+            f"{done.stderr[-400:]}")
     return read_counts(out)
 
 

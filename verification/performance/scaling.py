@@ -71,7 +71,8 @@ def one_round(barreno, one_rank: Problem, two_ranks: Problem):
 def median_round(barreno, one_rank, two_ranks, repeats):
     """Of an odd number of rounds the one whose ratio of times is the median; least and largest ratio; median of what two runs at once
     allow."""
-    rounds = sorted((one_round(barreno, one_rank, two_ranks) for _ in range(repeats)), key=lambda r: step_seconds(r[0]) / step_seconds(r[1]))
+    rounds = sorted((one_round(barreno, one_rank, two_ranks) for _ in range(repeats)),
+        key=lambda r: step_seconds(r[0]) / step_seconds(r[1]))
     ratios = [step_seconds(one) / step_seconds(two) for one, two, _ in rounds]
     one, two, _ = rounds[len(rounds) // 2]
     allowed = statistics.median(2.0 * step_seconds(one) / apart for one, _, apart in rounds)
@@ -119,7 +120,8 @@ def messages(barreno, library, problem, ranks):
 def lost(one, two):
     """Verbs of the run on two ranks that take more than half of what they take on one, the largest first."""
     a, b = one.summary["phases"], two.summary["phases"]
-    more = {name: b[name]["largest_rank_seconds"] - 0.5 * a.get(name, {}).get("largest_rank_seconds", 0.0) for name in b if name != "advance"}
+    more = {name: b[name]["largest_rank_seconds"] - 0.5 * a.get(name, {}).get("largest_rank_seconds", 0.0)
+        for name in b if name != "advance"}
     return sorted(((name, seconds) for name, seconds in more.items() if seconds > 0.0), key=lambda item: -item[1])[:6]
 
 
@@ -158,13 +160,16 @@ def stored_part():
 def page(result):
     one, two = (result["triad"].get(n) or result["triad"][str(n)] for n in (1, 2))  # JSON has words for keys
     lines = [f"Triad: {one:.1f} GB/s by one process, {two:.1f} GB/s by two at once, a ratio of {two / one:.2f}.", "",
-             "| strong scaling | particles | steps | one rank | two ranks | speed-up | range over rounds | required | two runs at once |", "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
+             "| strong scaling | particles | steps | one rank | two ranks | speed-up | range over rounds | required | two runs at once |",
+             "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for s in result["strong"]:
         lines.append(f"| {s['name']} | {s['particles']:,.0f} | {s['steps']} | {s['one']:.2f} s | {s['two']:.2f} s | {s['speedup']:.2f} "
                      f"| {s['bounds'][0]:.2f} to {s['bounds'][1]:.2f} | {s['least']:.2f} | {s['allowed']:.2f} |")
-    lines += ["", "Largest losses on two ranks: seconds of a verb less half of those on one rank.", "", "| run | verb | lost, s |", "|---|---|---|",
+    lines += ["", "Largest losses on two ranks: seconds of a verb less half of those on one rank.", "", "| run | verb | lost, s |",
+        "|---|---|---|",
               *(f"| {s['name']} | {name} | {seconds:.2f} |" for s in result["strong"] for name, seconds in s["lost"]),
-              "", f"Weak scaling ({result['weak']['name']}): {1e3 * result['weak']['one']:.2f} ms and {1e3 * result['weak']['two']:.2f} ms per step, "
+              "", f"Weak scaling ({result['weak']['name']}): {1e3 * result['weak']['one']:.2f} ms and {1e3 * result['weak']['two']:.2f} ms "
+                  "per step, "
               f"an efficiency of {result['weak']['one'] / result['weak']['two']:.2f}.",
               "", "Per step and rank, on two ranks. The share of time in MPI is the minimum over ranks and includes output.", "",
               "| run | messages | KB sent | reductions | bytes reduced | other collectives | time in MPI |",

@@ -112,16 +112,21 @@ def row(d, particles, ranks, efficiency):
     gathered = 8.0 * components * total
     of_box = box_bytes(tiles)
     of_rank = memory[0] + memory[1] * particles + of_box
-    return (f"| {d}D | {ranks:,} | {particles:,.0f} | {total:.0e} | {1e-6 * parts['bytes']:.2f} | {parts['messages']} | {1e3 * parts['computing']:.3f} "
-            f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * of_box:.2g} | {1e-9 * of_rank:.2g} "
-            f"| {1e-9 * gathered:.2g}{' (too many)' if components * total > MOST_VALUES else ''} | {STATE_BYTES[d] * total / min(ranks * DISK, FILE_SYSTEM):.2g} "
+    return (f"| {d}D | {ranks:,} | {particles:,.0f} | {total:.0e} | {1e-6 * parts['bytes']:.2f} | {parts['messages']} | "
+        f"{1e3 * parts['computing']:.3f} "
+            f"| {1e3 * parts['halo']:.3f} | {1e3 * parts['reductions']:.3f} | {efficiency:.2f} | {1e-9 * of_box:.2g} | "
+            f"{1e-9 * of_rank:.2g} "
+            f"| {1e-9 * gathered:.2g}{' (too many)' if components * total > MOST_VALUES else ''} | "
+            f"{STATE_BYTES[d] * total / min(ranks * DISK, FILE_SYSTEM):.2g} "
             f"| {places[0] + places[1] * particles:.0e} | {tiles:.0e} | {parcels(tiles):.0e} |")  # fmt: skip
 
 
 def predictions():
-    lines = ["Columns with *rank* are per rank, halo and times per step. *Box, GB*: memory for the whole box on every rank. *Field, GB*: the widest field "
+    lines = ["Columns with *rank* are per rank, halo and times per step. *Box, GB*: memory for the whole box on every rank. *Field, GB*: "
+        "the widest field "
              "on rank 0. *Places*: places that a rank looks at during set-up.", "",
-             "| mode | ranks | particles per rank | particles | halo per rank, MB | messages | computing, ms | halo, ms | reductions, ms | efficiency | box, GB "
+             "| mode | ranks | particles per rank | particles | halo per rank, MB | messages | computing, ms | halo, ms | reductions, ms | "
+             "efficiency | box, GB "
              "| memory per rank, GB | field, GB | checkpoint, s | places | tiles of the box | parcels |",
              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for d in (2, 3):
@@ -159,20 +164,26 @@ def fits():
     """Lines through the counts of many_ranks.py, beside the counts."""
     counts, (a, b, worst), (c, d, off) = lines_of_counts()
     lines = ["Counts on 1 to 16 ranks (many_ranks.py, three dimensions), and lines through them. With n particles of a rank the lines are",
-             f"{1e-6 * a:.0f} MB + {b:.0f} bytes n for the memory (within {100 * worst:.0f} %) and {c:,.0f} + {d:.2f} n for the places looked at (within {100 * off:.0f} %).", "",
-             "| ranks | particles of a rank | MB, line | MB, counted | places, line | places, counted |", "|---|---|---|---|---|---|"]  # fmt: skip
+             f"{1e-6 * a:.0f} MB + {b:.0f} bytes n for the memory (within {100 * worst:.0f} %) and {c:,.0f} + {d:.2f} n for the places "
+             f"looked at (within {100 * off:.0f} %).", "",
+             "| ranks | particles of a rank | MB, line | MB, counted | places, line | places, counted |",
+             "|---|---|---|---|---|---|"]  # fmt: skip
     for row in counts:
         n = row["largest_rank_particles_made"]
-        lines.append(f"| {row['ranks']} | {n:,} | {1e-6 * (a + b * n):.0f} | {1e-6 * row['largest_rank_peak_bytes']:.0f} | {c + d * n:,.0f} | {row['largest_rank_candidate_points']:,} |")
+        lines.append(f"| {row['ranks']} | {n:,} | {1e-6 * (a + b * n):.0f} | {1e-6 * row['largest_rank_peak_bytes']:.0f} | "
+            f"{c + d * n:,.0f} | {row['largest_rank_candidate_points']:,} |")
     return [*lines, ""]
 
 
 def assumed():
     """What the model takes for given."""
     return ["| parameter | value | from |", "|---|---|---|",
-            f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node busy | assumed; a single rank needs less |",
-            f"| alpha, beta | {1e6 * LATENCY:.0f} us; {1e-9 * BANDWIDTH:.0f} GB/s for each rank when all ranks of a node send | assumed, typical of a cluster |",
-            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from each rank, {1e-9 * FILE_SYSTEM:.0f} GB/s in all | assumed: the first of the order measured on two ranks (below), the second of a parallel file system |", ""]  # fmt: skip
+            f"| t_p | {NANOSECONDS[2]:.0f} ns (2D), {NANOSECONDS[3]:.0f} ns (3D) per particle-step, all ranks of a node busy | assumed; a "
+            "single rank needs less |",
+            f"| alpha, beta | {1e6 * LATENCY:.0f} us; {1e-9 * BANDWIDTH:.0f} GB/s for each rank when all ranks of a node send | assumed, "
+            "typical of a cluster |",
+            f"| checkpoint | {1e-9 * DISK:.1f} GB/s from each rank, {1e-9 * FILE_SYSTEM:.0f} GB/s in all | assumed: the first of the order "
+            "measured on two ranks (below), the second of a parallel file system |", ""]  # fmt: skip
 
 
 def stored_part():

@@ -82,15 +82,18 @@ def page_text(notes, rows):
         "`build/release/verification/barreno_record_rock_points input_xml/perforation_quick.xml "
         "verification/performance/rock_points.csv --flowing 2048 --elastic 512`.",
         "",
-        "Errors are errors of the stress after one update, against the same update in 32768 second-order substeps. They are relative to the largest of",
-        "three: the stresses before and after, and the strength at zero pressure. The table gives the mean, the error that 99 of 100 updates stay",
+        "Errors are errors of the stress after one update, against the same update in 32768 second-order substeps. They are relative to "
+        "the largest of",
+        "three: the stresses before and after, and the strength at zero pressure. The table gives the mean, the error that 99 of 100 "
+        "updates stay",
         "below, and the largest. Times are for one core, the minimum of several runs.",
         "",
         "- fast: the default solver; the parameter is the card's `Tolerance`.",
         "- bisected returns: the same error-controlled substeps, each returned by the published bisection, to the last bit.",
         "- nested bisection: the published scheme, equal substeps of one return each; the parameter is their number. It bisects",
         "  to 1e-9; *to last bit* is the oracle of the tests.",
-        "- failed: how many of 2048 updates would need more than 2000 substeps. The outcome reports this and the state is unchanged; they have no error.",
+        "- failed: how many of 2048 updates would need more than 2000 substeps. The outcome reports this and the state is unchanged; they "
+        "have no error.",
         "",
         "| solver | parameter | mean error | 99 % below | largest | evaluations | substeps | failed | ns | ns in lanes |",
         "|---|---|---|---|---|---|---|---|---|---|",
@@ -99,7 +102,8 @@ def page_text(notes, rows):
         lanes = f"{r['ns_lanes']:.0f}" if r["solver"] == FAST else ""
         lines.append(
             f"| {r['solver']} | {r['knob']:g} | {r['mean_error']:.1e} | {r['error_of_99_percent']:.1e} | "
-            f"{r['largest_error']:.1e} | {r['evaluations']:.1f} | {r['substeps']:.2f} | {r['failed']:.0f} | {r['ns_single']:.0f} | {lanes} |"
+            f"{r['largest_error']:.1e} | {r['evaluations']:.1f} | {r['substeps']:.2f} | {r['failed']:.0f} | {r['ns_single']:.0f} | {lanes} "
+            "|"
         )
     controlled = at_error(rows, CONTROLLED, "evaluations")
     lines += [

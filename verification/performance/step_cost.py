@@ -30,14 +30,19 @@ COPPER, BLOCK, METAL = "axisymmetric GIMP, Johnson-Cook", "3D GIMP, elastic", "u
 DEMANDS = ((COPPER, METAL, 35.0, 17.0), (COPPER, None, 95.0, 17.0), (BLOCK, "update_deformation", 40.0, 13.5), (BLOCK, None, 190.0, 13.5))
 FRACTIONS = (("axisymmetric", 0.45), ("plane strain", 0.45), ("3D", 0.32))
 WHY = (
-    "Memory does not limit these steps. A scene that the last cache holds costs about as much per particle as one that the cache does not hold. "
-    "The fractions fall where the machine reads faster, since the steps do not become shorter. The virtual machine hides the processor's own "
+    "Memory does not limit these steps. A scene that the last cache holds costs about as much per particle as one that the cache does not "
+    "hold. "
+    "The fractions fall where the machine reads faster, since the steps do not become shorter. The virtual machine hides the processor's "
+    "own "
     "counters (`perf stat -e cycles,instructions` says *not supported*), so timing shows the limit.",
     "",
-    "A flowing point takes two evaluations of the flow stress on average, three logarithms, two exponentials, 14 divisions and a square root. "
+    "A flowing point takes two evaluations of the flow stress on average, three logarithms, two exponentials, 14 divisions and a square "
+    "root. "
     "valgrind counts about 1260 instructions of 256 bits for a group of points (`valgrind --tool=callgrind`, built with -march=x86-64-v3). "
-    "A tenth of them select by masks. Without one of the two powers (m = 1) a point was 2 ns faster; without the rate (C = 0, one evaluation less) "
-    "5 ns. Four changes gained nothing: several groups taken through each part in turn, a first evaluation of its own, fewer checks of the input, "
+    "A tenth of them select by masks. Without one of the two powers (m = 1) a point was 2 ns faster; without the rate (C = 0, one "
+    "evaluation less) "
+    "5 ns. Four changes gained nothing: several groups taken through each part in turn, a first evaluation of its own, fewer checks of the "
+    "input, "
     "and columns of particles padded against collisions in the caches.",
 )
 NUMBERS = ("ns", "nodes", "least bytes", "least operations", "limit ns", "fraction", "project ns", "interpolate ns", "memory bytes")
@@ -72,7 +77,8 @@ def table_of(cost):
         lines += [f"| | {verb} | {ns:.1f} |" for verb, ns in scene["phases"].items() if ns >= LEAST_PHASE]
     columns = ("mode", "shape function", "ns", "nodes", "least bytes", "least operations", "limit ns", "fraction")
     lines += ["", "| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
-    return lines + ["| " + " | ".join(f"{row[c]:g}" if isinstance(row[c], float) else row[c] for c in columns) + " |" for row in cost["shapes"]]
+    return lines + ["| " + " | ".join(f"{row[c]:g}" if isinstance(row[c], float) else row[c] for c in columns) + " |"
+        for row in cost["shapes"]]
 
 
 def verdict(measured, most):
@@ -87,7 +93,8 @@ def demands_of(cost):
         here = cost["triad"] / bandwidth
         answer = f"{verdict(measured, most)}, with memory {here:.1f} times as fast"
         lines.append(
-            f"| time of {verb or 'a step'} | {name} | {most:g} ns at {bandwidth:g} GB/s | {measured:.0f} ns at {cost['triad']:.1f} GB/s | {answer} |"
+            f"| time of {verb or 'a step'} | {name} | {most:g} ns at {bandwidth:g} GB/s | {measured:.0f} ns at {cost['triad']:.1f} GB/s | "
+            f"{answer} |"
         )
     for mode, least in FRACTIONS:
         row = next(row for row in cost["shapes"] if row["mode"] == mode and row["shape function"] == "GIMP")
@@ -96,7 +103,8 @@ def demands_of(cost):
     small = cost["small"]
     lines += [
         "",
-        f"Points of flowing copper alone, all in the first cache, take {cost['metal alone']:.1f} ns. The rest of update_stress reads and writes, "
+        f"Points of flowing copper alone, all in the first cache, take {cost['metal alone']:.1f} ns. The rest of update_stress reads and "
+        "writes, "
         "computes artificial viscosity and stable step, and sums up energies.",
         f"The same cylinder with {small['particles']:,} particles, which the last cache holds, takes {small['ns']:.0f} ns "
         f"({100.0 * (small['ns'] / scenes[COPPER]['ns'] - 1.0):+.0f} %).",

@@ -33,7 +33,8 @@ def measured(barreno, settings):
 def stored_part():
     data = json.loads(STORED.read_text())
     rows = [
-        f"| {name} | {run['seconds']:.1f} | {run['steps']} | {1e-6 * run['particle_steps']:.1f} | {1e9 * run['seconds'] / run['particle_steps']:.0f} |"
+        f"| {name} | {run['seconds']:.1f} | {run['steps']} | {1e-6 * run['particle_steps']:.1f} | "
+        f"{1e9 * run['seconds'] / run['particle_steps']:.0f} |"
         for name, run in data["runs"].items()
     ]
     ratio = data["runs"]["wet"]["seconds"] / data["runs"]["dry"]["seconds"]
@@ -47,7 +48,8 @@ def stored_part():
         "|---|---|---|---|---|",
         *rows,
         "",
-        f"Wet rock takes {ratio:.2f} times as long as dry rock, {least:.2f} to {most:.2f} over {len(data['ratios'])} rounds. At most {MOST} is required: {verdict}. "
+        f"Wet rock takes {ratio:.2f} times as long as dry rock, {least:.2f} to {most:.2f} over {len(data['ratios'])} rounds. At most "
+        f"{MOST} is required: {verdict}. "
         f"Wet rock is stiffer, and takes {steps:.2f} times as many particle-steps.",
     ]
 

@@ -38,7 +38,8 @@ def curves_of(picture, data):
     rows = [row for row in data["rows"] if all(row[column[name]] in values for name, values in wanted.items())]
     curves = {}
     for row in rows:
-        of = ", ".join(f"{name} {row[column[name]]}" if not isinstance(row[column[name]], str) else row[column[name]] for name in picture.get("by", ()))
+        of = ", ".join(f"{name} {row[column[name]]}" if not isinstance(row[column[name]], str) else row[column[name]]
+            for name in picture.get("by", ()))
         if "over" in picture:
             curves.setdefault(of, []).extend((x, row[column[name]]) for name, x in picture["over"].items())
             continue
@@ -72,7 +73,8 @@ def number_errors(axis, low, high):
     """Ticks with numbers on the logarithmic axis of what was measured, however short it is."""
     from matplotlib.ticker import FormatStrFormatter, LogFormatterSciNotation, LogLocator, NullLocator
 
-    parts = (1.0,) if high > SHORT_SPAN * low else (1.0, 3.0) if high > 30.0 * low else (1.0, 2.0, 5.0) if high > 5.0 * low else (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
+    parts = (1.0,) if high > SHORT_SPAN * low else (1.0, 3.0) if high > 30.0 * low else (1.0, 2.0, 5.0) if high > 5.0 * low else (1.0, 1.5,
+        2.0, 3.0, 5.0, 7.0)
     axis.set_major_locator(LogLocator(10.0, parts))
     axis.set_major_formatter(LogFormatterSciNotation() if len(parts) == 1 else FormatStrFormatter("%g"))
     axis.set_minor_locator(NullLocator())
@@ -88,7 +90,8 @@ def draw(file, title, picture, curves):
     figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
     for i, (label, points) in enumerate(curves.items()):
         # Hollow marks of several sizes: curves that coincide are all seen.
-        axes.plot(*zip(*points), "-", marker=MARKS[i % len(MARKS)], mfc="none", ms=4.0 + 1.2 * (len(curves) - 1 - i), lw=1.2, color=f"C{i}", label=label or None)
+        axes.plot(*zip(*points), "-", marker=MARKS[i % len(MARKS)], mfc="none", ms=4.0 + 1.2 * (len(curves) - 1 - i), lw=1.2, color=f"C{i}",
+            label=label or None)
     if "over" not in picture and not picture.get("linear"):
         axes.set(xscale="log", yscale="log")
         ticks = sorted({x for points in curves.values() for x, _ in points})

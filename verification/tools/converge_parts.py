@@ -26,10 +26,12 @@ def lines(name, digits):
         values = " | ".join(millimetres(value, digits) for value in reversed(one["values"]))
         order = "" if one["order"] is None else f"{one['order']:.2f}"
         interval = f"{millimetres(one['low'], digits)} to {millimetres(one['high'], digits)}"
-        out.append(f"| {one['time'] / MICRO:g} | {values} | {order} | {millimetres(one['extrapolated'], digits)} | {interval} | {one['verdict']} |")
+        out.append(f"| {one['time'] / MICRO:g} | {values} | {order} | {millimetres(one['extrapolated'], digits)} | {interval} | "
+            f"{one['verdict']} |")
     error = data["depth_error"]
     if error and "value" in error:
-        out += ["", f"Measured error with the smallest of these cells, {error['cells_per_radius']:g} per radius of the tip: {error_text(error)}."]
+        out += ["", f"Measured error with the smallest of these cells, {error['cells_per_radius']:g} per radius of the tip: "
+            f"{error_text(error)}."]
     return out
 
 
@@ -46,4 +48,5 @@ def fine_jet():
     last, finest = data["results"][-1], min(cells for cells, _ in found)
     depth = found[finest, round(last["time"] / MICRO)] * MILLI
     inside = "lies inside" if last["low"] <= depth <= last["high"] else "lies outside"
-    return [*lines("fine jet", 2), "", f"The depth of {millimetres(depth, 1)} mm at {last['time'] / MICRO:g} us with cells of {finest:g} mm ([trade.md](trade.md)) {inside} the last interval."]
+    return [*lines("fine jet", 2), "", f"The depth of {millimetres(depth, 1)} mm at {last['time'] / MICRO:g} us with cells of {finest:g} "
+        f"mm ([trade.md](trade.md)) {inside} the last interval."]

@@ -14,7 +14,8 @@ def decks():
     listed = tomllib.loads((VERIFICATION / "decks.toml").read_text())
     there = {file.name for file in FOLDER.glob("*.xml")}
     if set(listed) != there:
-        raise SystemExit(f"verification/decks.toml and input_xml differ in {sorted(set(listed) ^ there)}; list each deck once, with what it shows")
+        raise SystemExit(f"verification/decks.toml and input_xml differ in {sorted(set(listed) ^ there)}; list each deck once, with what "
+            "it shows")
     return listed
 
 
@@ -22,6 +23,8 @@ def lines():
     times = json.loads(STORED.read_text())
     missing = [name for name in decks() if name not in times]
     if missing:
-        raise SystemExit(f"verification/results/decks.json lacks {missing}; measure: verification/deck_times.py BARRENO {' '.join(missing)}")
+        raise SystemExit(f"verification/results/decks.json lacks {missing}; measure: verification/deck_times.py BARRENO "
+            f"{' '.join(missing)}")
     return ["| deck | what it shows | seconds on one core | particles | steps |", "|---|---|---|---|---|",
-            *(f"| [{name}]({name}) | {shows} | {times[name]['seconds']:.2g} | {times[name]['particles']:,} | {times[name]['steps']:,} |" for name, shows in decks().items())]  # fmt: skip
+            *(f"| [{name}]({name}) | {shows} | {times[name]['seconds']:.2g} | {times[name]['particles']:,} | {times[name]['steps']:,} |"
+                for name, shows in decks().items())]  # fmt: skip

@@ -41,7 +41,8 @@ def read_open(file=FILE):
         for entry in entries:
             unknown = set(entry) - {"reason", *FORMS}
             if unknown or not any(entry.get(form) for form in FORMS):
-                raise ValueError(f"{file}: [[{case}]] needs a reason and worst values under cheap, full or both" + (f", not {sorted(unknown)}" if unknown else ""))
+                raise ValueError(f"{file}: [[{case}]] needs a reason and worst values under cheap, full or both"
+                    + (f", not {sorted(unknown)}" if unknown else ""))
             for form in FORMS:
                 for what, worst in entry.get(form, {}).items():
                     known = out.setdefault((case, form), {})

@@ -11,7 +11,8 @@ RUNS = "verification/depth_runs.py BARRENO"
 
 # (aim, its condition) -> case, and the requirements of it that count, by the beginning of their names.
 CASES = {
-    ("rate against Bernoulli", "long rods, metals without strength, 2 and 4 cells per radius, equal and refined"): ("steady_penetration", ""),
+    ("rate against Bernoulli", "long rods, metals without strength, 2 and 4 cells per radius, equal and refined"): ("steady_penetration",
+        ""),
     ("left behind over the uniform grid's own", "a pulse into smaller cells, one step and two parts"): ("border_pulse", ""),
     ("difference of depth", "refined against uniform cells of 0.25 mm"): ("levels", "difference of depth"),
     ("difference of the channel's radius", "refined against uniform cells of 0.25 mm"): ("levels", "difference of the channel's radius"),
@@ -23,7 +24,8 @@ CASES = {
     ("CPU time, one step over several lengths", "cells of 1 mm"): ("subcycling", "1 mm: processor time"),
     ("difference of depth at 60 and 120 us", "steps of several lengths, cells of 1 mm"): ("subcycling", "1 mm: difference of depth"),
     ("pressure: difference to neighbours, relative", "steel around the hole"): ("casing_pressure", "difference to the neighbours"),
-    ("energy lost, over energy put in", "to 12 us, Return Losses, cells of 1 mm"): ("returned_losses", "Return Losses: energy lost by 12 us"),
+    ("energy lost, over energy put in", "to 12 us, Return Losses, cells of 1 mm"): ("returned_losses",
+        "Return Losses: energy lost by 12 us"),
 }
 OTHERS = ("ledger remainder", "energy balance", "axial momentum")  # of these cases, requirements of another kind
 
@@ -32,7 +34,8 @@ TESTS = (
     ("error of a constant velocity, relative", "across levels, every mode and shape function", "1e-13",
      "at most 1e-11: round-off is divided by the mass of nodes that particles hardly reach", "ctest -R step.levels"),
     ("error of linear fields", "nodes that follow coarser ones, every mode", "1e-13", "equal to the last digit", "ctest -R grid.tiles"),
-    ("velocity over that of a free face", "preloaded body at rest on three levels (two in space)", "1e-9", "at most 1e-9", "ctest -R step.levels"),
+    ("velocity over that of a free face", "preloaded body at rest on three levels (two in space)", "1e-9", "at most 1e-9",
+        "ctest -R step.levels"),
     ("change of momentum", "across levels", "1e-13", "at most 1e-13", "ctest -R step.levels"),
     ("order of a standing wave", "a bar that is half refined", "2", "at least 1.8, as on equal cells", "ctest -R step.levels"),
 )  # fmt: skip
@@ -82,14 +85,18 @@ def reference_row(data):
     finest = min(cells for cells, _ in depths())
     time = max(time for cells, time in depths() if cells == finest)
     minutes = data["wall_seconds"] / 60.0
-    verdict = f"{'holds' if minutes <= 10.0 and doubt() <= 0.02 else 'missed'}; the interval is the largest difference from cells of {finest:g} mm, run to {time:g} us"
+    verdict = (
+        f"{'holds' if minutes <= 10.0 and doubt() <= 0.02 else 'missed'}; the interval is the largest difference from cells of {finest:g} "
+        f"mm, run to {time:g} us"
+    )
     measured = f"+-{100 * doubt():.2g} %; {minutes:.1f} minutes"
     return row("interval of the depth; time", "*reference*, two ranks", "2 %, 10 minutes", measured, verdict, f"`{RUNS} reference`")
 
 
 def refined_ranks_row(data):
     verdict = "holds" if data["speedup"] >= 1.7 else "missed"
-    return row("speed, two ranks over one", "perforation_refined.xml to 10 us", ">= 1.7", f"{data['speedup']:.2f}", verdict, f"`{RUNS} ranks`")
+    return row("speed, two ranks over one", "perforation_refined.xml to 10 us", ">= 1.7", f"{data['speedup']:.2f}", verdict,
+        f"`{RUNS} ranks`")
 
 
 def rod_row(data):
@@ -100,7 +107,8 @@ def rod_row(data):
 
 
 def section():
-    lines = ["## What is reached", "", "Aims for the depth of a jet, each with its command; BARRENO is the built program. Of several requirements the one nearest to its limit",
+    lines = ["## What is reached", "", "Aims for the depth of a jet, each with its command; BARRENO is the built program. Of several "
+        "requirements the one nearest to its limit",
              "is shown.", "", "| aim | condition | bar | measured | verdict | command |", "|---|---|---|---|---|---|"]  # fmt: skip
     lines += [case_row(aim, *which) for aim, which in CASES.items()]
     lines += [losses_row(), two_ranks_row()]

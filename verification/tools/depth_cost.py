@@ -26,14 +26,16 @@ def points():
         out.append((kind, cells, row["processor time [s]"], row["at 10 us [mm]"]))
     for row in rows("slug_length"):
         if row["slugs"] == "as in the table":
-            out.append(("small along the path, steps of several lengths", TIP / row["cells per radius"], row["processor time [s]"], row["depth [mm]"]))
+            out.append(("small along the path, steps of several lengths", TIP / row["cells per radius"], row["processor time [s]"],
+                row["depth [mm]"]))
     return out
 
 
 def curves():
     """{kind with its cells: [(time, depth)]}"""
     found = points()
-    sizes = {kind: ", ".join(f"{cells:g}" for cells in sorted({cells for of, cells, *_ in found if of == kind}, reverse=True)) for kind, *_ in found}
+    sizes = {kind: ", ".join(f"{cells:g}" for cells in sorted({cells for of, cells, *_ in found if of == kind}, reverse=True))
+        for kind, *_ in found}
     out = {}
     for kind, _, seconds, depth in found:
         out.setdefault(f"{kind}: {sizes[kind]} mm", []).append((seconds, depth))

@@ -34,7 +34,8 @@ def draw_half(axes, state, mirror):
     wet = np.isfinite(pressure)
     axes.add_collection(PolyCollection(corners[~wet], facecolor="0.75", edgecolors="none", linewidths=0, antialiased=False))
     # Lines between neighbours would show through the gaps of antialiasing.
-    shapes = PolyCollection(corners[wet], array=pressure[wet], cmap="viridis", edgecolors="none", linewidths=0, antialiased=False, rasterized=True)
+    shapes = PolyCollection(corners[wet], array=pressure[wet], cmap="viridis", edgecolors="none", linewidths=0, antialiased=False,
+        rasterized=True)
     shapes.set_clim(0.0, MOST)
     axes.add_collection(shapes)
     return shapes

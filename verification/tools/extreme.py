@@ -31,10 +31,12 @@ class Table:
 
     def add(self, extreme, setup, criterion, found, good, verdict=HOLDS, note=""):
         """A row without a figure cannot be open."""
-        self.rows.append(Row(extreme, setup, criterion, found, verdict if good else RED, note if good else "", failure="" if good else "does not hold"))
+        self.rows.append(Row(extreme, setup, criterion, found, verdict if good else RED, note if good else "",
+            failure="" if good else "does not hold"))
 
     def within(self, extreme, setup, what, value, limit, at_least=False):
-        row = Row(extreme, setup, f"{what} {'>=' if at_least else '<='} {limit:.3g}", f"{float(value):.3g}", RED, what=what, value=float(value))
+        row = Row(extreme, setup, f"{what} {'>=' if at_least else '<='} {limit:.3g}", f"{float(value):.3g}", RED, what=what,
+            value=float(value))
         verdict, words = judge(row.value, limit, at_least, self.known.get(row.name))
         if verdict == HOLDS:
             row.verdict = HOLDS
@@ -49,7 +51,8 @@ class Table:
         if outcome.finished:
             self.within(extreme, setup, what, value(outcome.run), limit, at_least)
         else:
-            self.add(extreme, setup, f"finishes; {what} {'>=' if at_least else '<='} {limit:.3g}", f"exit {outcome.code}: {outcome.sentence}", False)
+            self.add(extreme, setup, f"finishes; {what} {'>=' if at_least else '<='} {limit:.3g}",
+                f"exit {outcome.code}: {outcome.sentence}", False)
 
     def stops(self, extreme, setup, outcome, code, *words):
         """The run ends with this exit code and a sentence that has all these words."""

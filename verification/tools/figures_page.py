@@ -47,7 +47,8 @@ def largest_error(size):
 def depths():
     """Depths by the cells in the radius of the jet's tip, and by fidelity."""
     runs, jobs = rows_of("perforation"), rows_of("fidelities")
-    lines = [f"| cells | cells per jet radius | depth at 50 us [mm] | depth at {LAST} us [mm] | depth at 120 us [mm] | largest error, 10 to {LAST} us | CPU time |",
+    lines = [f"| cells | cells per jet radius | depth at 50 us [mm] | depth at {LAST} us [mm] | depth at 120 us [mm] | largest error, 10 "
+        f"to {LAST} us | CPU time |",
              "|---|---|---|---|---|---|---|"]  # fmt: skip
     for size in (2.0, 1.0, 0.5):
         run = runs[f"{size} mm"]
@@ -76,9 +77,11 @@ def figures():
         f"| particle-steps skipped in dormant tiles | {main_job} | {100 * skipped:.0f} % | |",
         f"| speed of two ranks over one | {strong['name']} | {strong['speedup']:.1f} | [performance](performance.md) |",
         f"| remainder of the mass | {main_job} | {exponent(run['mass'])} | [perforation](verification/perforation.md) |",
-        f"| remainder of the axial momentum | {main_job} | {exponent(run['axial momentum'])} | [perforation](verification/perforation.md) |",
+        f"| remainder of the axial momentum | {main_job} | {exponent(run['axial momentum'])} | [perforation](verification/perforation.md) "
+        "|",
         f"| remainder of the energy ledger | {main_job} | {exponent(run['energy ledger'])} | [perforation](verification/perforation.md) |",
-        f"| stress update of a rock point | yielding | {1e-3 * point['ns_lanes']:.2g} us | [cost of Arenisca](materials/arenisca_cost.md) |",
+        f"| stress update of a rock point | yielding | {1e-3 * point['ns_lanes']:.2g} us | [cost of Arenisca](materials/arenisca_cost.md) "
+        "|",
         f"| stress update of a rock point | elastic | {elastic} | [cost of Arenisca](materials/arenisca_cost.md) |",
     ]  # fmt: skip
 

@@ -3,14 +3,18 @@
 sentence."""
 import sys
 
-PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib", "mpmath": "python3-mpmath", "h5py": "python3-h5py", "netCDF4": "python3-netcdf4", "PIL": "python3-pil", "vtkmodules": "python3-vtk9"}  # fmt: skip
+PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib", "mpmath": "python3-mpmath",
+    "h5py": "python3-h5py", "netCDF4": "python3-netcdf4", "PIL": "python3-pil", "vtkmodules": "python3-vtk9"}  # fmt: skip
 usual = sys.excepthook
 
 
 def sentence(error):
     name = (error.name or "").split(".")[0]
     package = f" (Debian: apt-get install {PACKAGES[name]})" if name in PACKAGES else ""
-    return f"{sys.argv[0]}: Python lacks {name} ('{sys.executable}' runs this script); install it{package}, or call the script with another Python of 3.11 or later, as /usr/bin/python3."
+    return (
+        f"{sys.argv[0]}: Python lacks {name} ('{sys.executable}' runs this script); install it{package}, or call the script with another "
+        "Python of 3.11 or later, as /usr/bin/python3."
+    )
 
 
 def say_missing(kind, error, trace):

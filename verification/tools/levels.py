@@ -27,7 +27,8 @@ def last_of_parts(run):
 
 def draw(folder, png):
     with opened(folder) as run:
-        figure = draw_channel(last_of_parts(run), run.deck, "cell_size", "step_length", box=BOX, edges=False, title="perforation.xml, balanced, ")
+        figure = draw_channel(last_of_parts(run), run.deck, "cell_size", "step_length", box=BOX, edges=False,
+            title="perforation.xml, balanced, ")
         figure.savefig(png, dpi=110, bbox_inches="tight")
 
 

@@ -29,9 +29,14 @@ def moved(text, digits):
 
 
 def depths_of_cells():
-    head = "# Depth of the jet of perforation.xml [m] at a time [s]: of runs with cells of a size [m], of `finest` cells that only parts of the path\n"
-    head += "# had, and by the hydrodynamic estimate.\n" + HEAD.format("perforation_cells.csv and estimated_depths.csv of verification/results")
-    runs = [("finest" if row["cells_mm"] == FINEST else "run", moved(row["cells_mm"], -3), moved(row["time_us"], -6), moved(row["depth_mm"], -3))
+    head = (
+        "# Depth of the jet of perforation.xml [m] at a time [s]: of runs with cells of a size [m], of `finest` cells that only parts of "
+        "the path\n"
+    )
+    head += "# had, and by the hydrodynamic estimate.\n" + HEAD.format(
+        "perforation_cells.csv and estimated_depths.csv of verification/results")
+    runs = [("finest" if row["cells_mm"] == FINEST else "run", moved(row["cells_mm"], -3), moved(row["time_us"], -6),
+        moved(row["depth_mm"], -3))
             for row in read("perforation_cells.csv")]  # fmt: skip
     estimates = [("estimate", 0, moved(row["time_us"], -6), moved(row["depth_mm"], -3)) for row in read("estimated_depths.csv")]
     return table(head, ("what", "cell", "time", "depth"), runs + estimates)
@@ -46,7 +51,10 @@ def steady_errors():
 
 
 def length_errors():
-    head = "# Relative error of the depth of perforation.xml to 10 us, of jets of the same mass and momentum whose slugs are shorter or longer.\n"
+    head = (
+        "# Relative error of the depth of perforation.xml to 10 us, of jets of the same mass and momentum whose slugs are shorter or "
+        "longer.\n"
+    )
     head += HEAD.format("verification/results/slug_length.json (the case slug_length)")
     data = json.loads((RESULTS / "slug_length.json").read_text())
     rows = [dict(zip(data["columns"], row)) for row in data["rows"]]

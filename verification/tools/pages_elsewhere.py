@@ -15,13 +15,15 @@ def predictions_row(data):
     ratio = {name: deck["seconds"]["predicted"] / deck["seconds"]["came"] for name, deck in data.items()}
     within = sum(abs(value - 1.0) <= 0.3 for value in ratio.values())
     name, worst = max(ratio.items(), key=lambda item: abs(item[1] - 1.0))
-    return (f"| [`check` predicts the cost of a run](cost.md) | the run | predicted over actual seconds, largest deviation | {name} | {worst:.2f} | 0.7 to 1.3 | "
+    return (f"| [`check` predicts the cost of a run](cost.md) | the run | predicted over actual seconds, largest deviation | {name} | "
+        f"{worst:.2f} | 0.7 to 1.3 | "
             f"{within} of {len(data)} decks | |")  # fmt: skip
 
 
 def extremes_row(rows):
     count = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in ("holds", "stops", "RED")}
-    return (f"| [Extreme inputs meet their criterion, or stop with a sentence that gives the reason](../verification/results/extremes.md) | one per row | | | | | "
+    return ("| [Extreme inputs meet their criterion, or stop with a sentence that gives the reason](../verification/results/extremes.md) "
+        "| one per row | | | | | "
             f"{count['holds']} hold, {count['stops']} stop, {count['RED']} open | |")  # fmt: skip
 
 

@@ -41,7 +41,8 @@ def part(number):
         else:
             shown = [[cell(value) for value in row] for row in found.rows]
             lines += [remark_of(found, number) + ":", "", *table(found.columns, shown), ""]
-    return [*lines, *table(["trend", "condition", "measured", "must be", "verdict"], [row_of(trend) for trend in figure(number).trends(tables)])]
+    return [*lines, *table(["trend", "condition", "measured", "must be", "verdict"],
+        [row_of(trend) for trend in figure(number).trends(tables)])]
 
 
 def row_of(trend):
@@ -68,7 +69,8 @@ def unmeasured_words(lacking):
     if not lacking:
         return []
     which = ", ".join(f"{count} runs of figure {number}" for number, count in lacking.items())
-    return ["", f"Not in these times: {which} (`verification/paper.py BARRENO {' '.join(f'--only {number}' for number in lacking)}` measures them)."]
+    return ["", f"Not in these times: {which} (`verification/paper.py BARRENO {' '.join(f'--only {number}' for number in lacking)}` "
+        "measures them)."]
 
 
 def time():
@@ -76,7 +78,9 @@ def time():
     total = sum(row[2] for row in found.rows)
     wall = sum(row[2] / min(CORES, max(row[1], 1.0)) for row in found.rows)  # a single run has one core
     rows = [[f"{row[0]:.0f}", f"{row[1]:.0f}", f"{row[2]:.0f}"] for row in found.rows]
-    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "", f"On two idle cores that is {wall / 60.0:.0f} minutes or more: a core idles while the last run of a figure ends. Pictures take seconds.",
+    return [*table(found.columns, [*rows, ["all", f"{sum(row[1] for row in found.rows):.0f}", f"{total:.0f}"]]), "",
+        f"On two idle cores that is {wall / 60.0:.0f} minutes or more: a core idles while the last run of a figure ends. Pictures take "
+        "seconds.",
             *unmeasured_words(unmeasured({int(row[0]): row[1] for row in found.rows}, rows_of))]  # fmt: skip
 
 

@@ -27,7 +27,8 @@ def demands(points, tiny, said):
         for name in FIDELITIES:
             one, two = at[problem, name, coarse], at[problem, name, fine]
             demand(f"{problem}, {name}: error ratio after halving the cells", two["error"] / one["error"], 0.95)
-            demand(f"{problem}, {name}: error relative to the smallest of any choice at its particle-steps", two["error"] / front(points, problem, two["work"]), NEAR)
+            demand(f"{problem}, {name}: error relative to the smallest of any choice at its particle-steps",
+                two["error"] / front(points, problem, two["work"]), NEAR)
         costs = [at[problem, name, fine]["work"] for name in FIDELITIES]
         demand(f"{problem}: particle-steps of fast over balanced", costs[0] / costs[1], 1.0)
         demand(f"{problem}: particle-steps of balanced over reference", costs[1] / costs[2], 1.0)
@@ -47,5 +48,6 @@ def demands(points, tiny, said):
 def verdict_lines(checks, tiny=False):
     """A line for each check: figure, limit, verdict."""
     judged, _ = judge_all(checks, open_demands("trade", not tiny))
-    return [f"{check['what']}: {check['value']:.3g} {'>=' if check['at_least'] else '<='} {check['limit']:.3g}, {verdict}" + (f" ({words})" if words else "")
+    return [f"{check['what']}: {check['value']:.3g} {'>=' if check['at_least'] else '<='} {check['limit']:.3g}, {verdict}"
+        + (f" ({words})" if words else "")
             for check, verdict, words in judged]  # fmt: skip

@@ -36,8 +36,10 @@ def trust(data):
     """Two signs of other work on the machine: waiting, and unequal times of equal runs."""
     at = {(p["knob"], p["name"], p["problem"], p["level"]): p for p in data["points"] if "cpu" in p}
     waits = statistics.median(p["wall"] / p["seconds"] for p in data["points"] if p.get("seconds", 0.0) > 1.0)
-    same = [at["fidelity", "balanced", *key[2:]]["cpu"] / p["cpu"] for key, p in at.items() if key[1] == "default" and ("fidelity", "balanced", *key[2:]) in at]
-    return (f"wall seconds\nare {waits:.2f} times CPU seconds in the median, and the rows *default* and *balanced*, which are identical runs, "
+    same = [at["fidelity", "balanced", *key[2:]]["cpu"] / p["cpu"] for key, p in at.items() if key[1] == "default"
+        and ("fidelity", "balanced", *key[2:]) in at]
+    return (f"wall seconds\nare {waits:.2f} times CPU seconds in the median, and the rows *default* and *balanced*, which are identical "
+        "runs, "
             f"differ by\nfactors of {min(same):.2f} to {max(same):.2f}.\n")  # fmt: skip
 
 
@@ -48,11 +50,15 @@ def fidelity_section(data):
     for name in FIDELITIES:
         said, per_cell = data["chosen"][name]
         lines.append(f"| {name} | " + " | ".join(said[word] for word in WORDS[:-1]) + f" | {per_cell} | {said['Jet']} |")
-    lines += ["", "In decks with a jet it also refines the cells along the jet's path, puts fewer particles into the bodies' cells, and lets slow tiles take",
-              "longer steps. A deck that can have neither gets a note, and both are left out. Where the deck gives Grid/Cell Size, *fast* leaves the path",
-              "as it is and *balanced* refines it to 2 cells per radius. [fidelities](verification/fidelities.md) has the effect on the depth and on the cost",
+    lines += ["", "In decks with a jet it also refines the cells along the jet's path, puts fewer particles into the bodies' cells, and "
+        "lets slow tiles take",
+              "longer steps. A deck that can have neither gets a note, and both are left out. Where the deck gives Grid/Cell Size, *fast* "
+              "leaves the path",
+              "as it is and *balanced* refines it to 2 cells per radius. [fidelities](verification/fidelities.md) has the effect on the "
+              "depth and on the cost",
               "of the main job.", "",
-              "| fidelity | " + " | ".join(data["with_jet"]["balanced"]) + " |", "|---|" + "---|" * len(data["with_jet"]["balanced"])]  # fmt: skip
+              "| fidelity | " + " | ".join(data["with_jet"]["balanced"]) + " |",
+              "|---|" + "---|" * len(data["with_jet"]["balanced"])]  # fmt: skip
     lines += [f"| {name} | " + " | ".join(data["with_jet"][name].values()) + " |" for name in FIDELITIES]
     lines += ["", "Error (and cost relative to balanced) at equal cells, one step for all:", "",
               "| fidelity | " + " | ".join(f"{p.title}: {p.error}, {unit_text(p, p.levels[-1])}" for p in PROBLEMS) + " |",
@@ -80,7 +86,8 @@ def former_settings(data):
             then = in_words(json.loads(text))
             changed = [f"{word} {then[word]} (now {now[word]})" for word in now if str(then[word]) != str(now[word])]
             lines += [f"- *{name}*: " + ", ".join(changed)] if changed else []
-    return ["", "Rows of these fidelities were measured with former settings (`trade.py BARRENO --only fidelity --document` repeats them):", "", *lines] if lines else []
+    return ["", "Rows of these fidelities were measured with former settings (`trade.py BARRENO --only fidelity --document` repeats them):",
+        "", *lines] if lines else []
 
 
 def unit_text(problem, level):
@@ -89,20 +96,28 @@ def unit_text(problem, level):
 
 def depth_lines(depth):
     return [
-        "The depth has no exact answer. Depth of `input_xml/perforation.xml` with uniform cells [mm], and in brackets the relative difference from",
+        "The depth has no exact answer. Depth of `input_xml/perforation.xml` with uniform cells [mm], and in brackets the relative "
+        "difference from",
         f"cells of {depth['cells']:g} mm:", "", *depth_table(), "",
-        f"Halving the cells of {depth['cells']:g} mm changes the depth by {100 * doubt():.1f} % at most, to 30 us. At 5, 20 and 30 us the smallest cells lie along the",
-        "jet's path alone. The error grows with the depth. The depths with cells of 2, 1 and 0.5 mm do not tend to a limit with an order: cells of 2 mm",
-        "are wider than the jet, and at two cells per radius errors of both signs may cancel. So no depth is extrapolated here (docs/converge.md).", "",
+        f"Halving the cells of {depth['cells']:g} mm changes the depth by {100 * doubt():.1f} % at most, to 30 us. At 5, 20 and 30 us the "
+        "smallest cells lie along the",
+        "jet's path alone. The error grows with the depth. The depths with cells of 2, 1 and 0.5 mm do not tend to a limit with an order: "
+        "cells of 2 mm",
+        "are wider than the jet, and at two cells per radius errors of both signs may cancel. So no depth is extrapolated here "
+        "(docs/converge.md).", "",
         "Cost with equal cells, and with small cells along the jet's path alone ([levels](verification/levels.md),",
-        "[slug_length](verification/slug_length.md)). The times were not measured side by side: they are good to a fifth or so. Rock at rest costs",
+        "[slug_length](verification/slug_length.md)). The times were not measured side by side: they are good to a fifth or so. Rock at "
+        "rest costs",
         "nothing on any grid, and early in a run most of the equal cells hold such rock.", "",
         f"![depth against cost](pictures/{depth_cost.FILE})", "",
-        "Error of the rate at which a long rod penetrates steadily. The reference for metals without strength is compressible Bernoulli, for sandstone",
+        "Error of the rate at which a long rod penetrates steadily. The reference for metals without strength is compressible Bernoulli, "
+        "for sandstone",
         "(3 to 7 km/s) a run with four cells per radius.", "", *steady_table(), "",
-        "In rock the channel is two jet radii wide. Jet, spent jet and wall then share nodes, which slows the jet. `barreno check` and every run with",
+        "In rock the channel is two jet radii wide. Jet, spent jet and wall then share nodes, which slows the jet. `barreno check` and "
+        "every run with",
         "a jet say which of these errors belongs to their cells.", "",
-        f"Errors of the runs are relative to {depth['reference']:.1f} mm, the depth at {depth['time']} us with cells of {depth['cells']:g} mm.", "",
+        f"Errors of the runs are relative to {depth['reference']:.1f} mm, the depth at {depth['time']} us with cells of {depth['cells']:g} "
+        "mm.", "",
     ]  # fmt: skip
 
 
@@ -112,7 +127,8 @@ def problem_section(problem, data):
 
 
 def table(problem, data):
-    lines = [f"## {problem.title}", "", f"| option | choice | {problem.unit} | {problem.error} | {problem.second} | particle-steps | ns | CPU s | wall s |",
+    lines = [f"## {problem.title}", "",
+        f"| option | choice | {problem.unit} | {problem.error} | {problem.second} | particle-steps | ns | CPU s | wall s |",
               "|---|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for p in data["points"]:
         if p["problem"] != problem.name:
@@ -121,14 +137,17 @@ def table(problem, data):
         if "failed" in p:
             lines.append(f"{start} {p['failed']} | | | | | |")
         else:
-            lines.append(f"{start} {p['error']:.4g} | {p['second']:.3g} | {p['work']:.3g} | {p['ns']:.0f} | {p['cpu']:.3g} | {p['wall']:.3g} |")
+            lines.append(f"{start} {p['error']:.4g} | {p['second']:.3g} | {p['work']:.3g} | {p['ns']:.0f} | {p['cpu']:.3g} | "
+                f"{p['wall']:.3g} |")
     return "\n".join(lines) + "\n"
 
 
 def reading(data):
     """What the numbers say, worked out from them: cost and error of each choice over those of the default at the same level."""
-    lines = ["## Effect of each option", "", "Error of a choice at its cost, both relative to the default at the same, finest common level:", "",
-             "| option | choice | " + " | ".join(p.title.split(" (")[0] for p in PROBLEMS) + " |", "|---|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
+    lines = ["## Effect of each option", "",
+        "Error of a choice at its cost, both relative to the default at the same, finest common level:", "",
+             "| option | choice | " + " | ".join(p.title.split(" (")[0] for p in PROBLEMS) + " |",
+             "|---|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
     at = {(p["problem"], p["knob"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
     names = list(dict.fromkeys((p["knob"], p["name"]) for p in data["points"] if p["knob"] != "default"))
     names.sort(key=lambda name: KNOBS.index(name[0]))
@@ -147,7 +166,8 @@ def check_lines(data):
 
 def page_of(data):
     text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
-    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), reading(data), *(problem_section(problem, data) for problem in PROBLEMS), check_lines(data)]
+    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), reading(data),
+        *(problem_section(problem, data) for problem in PROBLEMS), check_lines(data)]
     return "\n".join(parts)
 
 
@@ -185,7 +205,8 @@ def draw(data):
         knobs = [knob for knob in KNOBS if any(p["knob"] == knob for p in mine)]
         columns = 3
         rows = -(-len(knobs) // columns)
-        figure, grid = plt.subplots(rows, columns, figsize=(3.8 * columns, 3.9 * rows), sharex=True, sharey=True, layout="constrained", squeeze=False)
+        figure, grid = plt.subplots(rows, columns, figsize=(3.8 * columns, 3.9 * rows), sharex=True, sharey=True, layout="constrained",
+            squeeze=False)
         for axes, knob in zip(grid.flat, knobs):
             draw_knob(axes, mine, knob)
         for axes in list(grid.flat)[len(knobs) :]:

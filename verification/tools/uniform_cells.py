@@ -38,7 +38,8 @@ def errors_with(cells_per_radius):
     if size == REFERENCE:
         return -doubt(), doubt()
     errors = [depth / found[REFERENCE, time] - 1.0 for (cells, time), depth in found.items() if cells == size]
-    rows = [row for row in read("steady_penetration.csv") if float(row["cells_per_radius"]) == cells_per_radius and "sandstone" in row["target"]]
+    rows = [row for row in read("steady_penetration.csv") if float(row["cells_per_radius"]) == cells_per_radius
+        and "sandstone" in row["target"]]
     return tuple(choose([*errors, *(0.01 * float(row[side]) for row in rows)]) for choose, side in ((min, "low"), (max, "high")))
 
 
@@ -67,7 +68,8 @@ def depth_table():
     """Lines: depth and error by cell size and time."""
     found = depths()
     times = sorted({time for _, time in found})
-    lines = ["| cells | cells per radius of the tip | " + " | ".join(f"{time:g} us" for time in times) + " |", "|---|---|" + "---|" * len(times)]
+    lines = ["| cells | cells per radius of the tip | " + " | ".join(f"{time:g} us" for time in times) + " |",
+        "|---|---|" + "---|" * len(times)]
     for cells in sorted({cells for cells, _ in found}, reverse=True):
         row = []
         for time in times:

@@ -49,7 +49,8 @@ def shown(entry, judged, name):
     """(requirement, condition, measured, limit) of the one that stands for the case."""
     for check, *_ in judged:
         if check["what"] == entry["shown"]:
-            return *name_and_condition(check["what"], entry.get("condition_last", False)), f"{check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}"
+            return *name_and_condition(check["what"],
+                entry.get("condition_last", False)), f"{check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}"
     raise SystemExit(f"cases.toml: [{name}] shows '{entry['shown']}', which results/{name}.json does not have; name one of its demands")
 
 
@@ -82,7 +83,10 @@ def open_section():
         for known in open_demands(name, True).values():
             reasons[known.reason] = reasons.get(known.reason, 0) + 1
         lines += [f"| [{name}](verification/{name}.md) | {count} | {reason} |" for reason, count in reasons.items()]
-    return "\n".join(lines) + "\n\nOpen rows of the extremes: [extremes](../verification/results/extremes.md). Open trade-offs: [trade.md](trade.md#requirements).\n"
+    return (
+        "\n".join(lines) + "\n\nOpen rows of the extremes: [extremes](../verification/results/extremes.md). Open trade-offs: "
+            "[trade.md](trade.md#requirements).\n"
+    )
 
 
 def nearness(check):
@@ -105,13 +109,17 @@ def demand_lines(judged, known, condition_last=False):
     if len(judged) > LONGEST:
         held = sorted((one for one in judged if one[1] == HOLDS), key=lambda one: -nearness(one[0]))[:12]
         listed = [one for one in judged if one[1] != HOLDS or one in held]
-        words = f"The other {len(judged) - len(listed)} of {len(judged)} requirements hold by a larger margin. All are in `verification/results`."
+        words = (
+            f"The other {len(judged) - len(listed)} of {len(judged)} requirements hold by a larger margin. All are in "
+            "`verification/results`."
+        )
     rows = []
     for check, verdict, reason in listed:
         if verdict == OPEN:
             verdict = f"open, at worst {known[check['what']].worst:.3g}: {reason}"
         verdict = verdict if verdict != FAILS else f"FAILS: {reason}"
-        rows.append([*name_and_condition(check["what"], condition_last), f"{check['value']:.3g}", f"{sign(check)} {check['limit']:.3g}", verdict])
+        rows.append([*name_and_condition(check["what"], condition_last), f"{check['value']:.3g}",
+            f"{sign(check)} {check['limit']:.3g}", verdict])
     columns = ["requirement", "condition", "measured", "limit", "verdict"]
     if not any(row[1] for row in rows):
         columns, rows = [columns[0], *columns[2:]], [[row[0], *row[2:]] for row in rows]

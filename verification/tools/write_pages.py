@@ -12,4 +12,5 @@ PAGES = pathlib.Path(__file__).resolve().parents[1] / "pages.py"
 
 def write_pages():
     if subprocess.run([sys.executable, str(PAGES), "--write", "--unchecked"], check=False).returncode != 0:
-        raise SystemExit(f"{PAGES} has not written the pages (its message is above); the results file is written: correct that, then call '{PAGES} --write'")
+        raise SystemExit(f"{PAGES} has not written the pages (its message is above); the results file is written: correct that, then call "
+            f"'{PAGES} --write'")

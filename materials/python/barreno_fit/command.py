@@ -30,13 +30,18 @@ class Words(argparse.ArgumentParser):
 def parse(words):
     parser = Words(prog="barreno fit", description="A card of Arenisca from laboratory tests (docs/fit.md).")
     parser.add_argument("data", nargs="+", metavar="DATA", help="a CSV file for each test")
-    parser.add_argument("--out", required=True, metavar="CARD.xml", help="the card; a picture (.png) and all numbers (.json) are written beside it")
-    parser.add_argument("--start", metavar="CARD.xml", help=f"start, and what the data do not determine (a path or a name; default {DEFAULT_START})")
+    parser.add_argument("--out", required=True, metavar="CARD.xml",
+        help="the card; a picture (.png) and all numbers (.json) are written beside it")
+    parser.add_argument("--start", metavar="CARD.xml",
+        help=f"start, and what the data do not determine (a path or a name; default {DEFAULT_START})")
     parser.add_argument("--fix", action="append", default=[], metavar="NAME=value", help='holds a parameter, "PEAKI1=12 MPa"')
     parser.add_argument("--bounds", action="append", default=[], metavar="NAME=low,high", help="holds a parameter between two values")
-    parser.add_argument("--column", action="append", default=[], metavar="NAME=column", help='what a column of the files is, "Force=axial_force"')
-    parser.add_argument("--sign", action="append", default=[], metavar="column=negative", help="sign of compression in a column, positive or negative")
-    parser.add_argument("--say", action="append", default=[], metavar="[FILE:]key=value", help='a line of the header, "tri40.csv:confinement=40 MPa"')
+    parser.add_argument("--column", action="append", default=[], metavar="NAME=column",
+        help='what a column of the files is, "Force=axial_force"')
+    parser.add_argument("--sign", action="append", default=[], metavar="column=negative",
+        help="sign of compression in a column, positive or negative")
+    parser.add_argument("--say", action="append", default=[], metavar="[FILE:]key=value",
+        help='a line of the header, "tri40.csv:confinement=40 MPa"')
     parser.add_argument("--name", metavar="NAME", help="name of the rock in the card (default: from the name of the file)")
     return parser.parse_args(words)
 
@@ -58,7 +63,8 @@ def said_of(options):
         left, equal, value = word.partition("=")
         file, _, key = left.rpartition(":")
         if not equal or key.strip() not in (*data.KEYS, "decimal"):
-            raise Fault(f"--say {word} is no line of a header; write for example --say \"tri40.csv:confinement=40 MPa\" (keys: {', '.join((*data.KEYS, 'decimal'))}).")
+            raise Fault(f"--say {word} is no line of a header; write for example --say \"tri40.csv:confinement=40 MPa\" (keys: "
+                f"{', '.join((*data.KEYS, 'decimal'))}).")
         if file and file not in {pathlib.Path(name).name for name in options.data}:
             raise Fault(f"--say {word} names no file of the data; write its name without a folder.")
         said.keys.append((file, key.strip(), value.strip()))
@@ -71,7 +77,8 @@ def read_tests(files, said):
     tests = [data.read_test(file, said) for file in files]
     unused = [name for name in said.columns if name not in said.used]
     if unused:
-        raise Fault(f"--column {unused[0]}={said.columns[unused[0]]} names no column of the files; write the name as it stands there, without its unit.")
+        raise Fault(f"--column {unused[0]}={said.columns[unused[0]]} names no column of the files; write the name as it stands there, "
+            "without its unit.")
     return sorted(tests, key=lambda test: (list(KINDS).index(test.kind), test.confinement))
 
 
@@ -82,7 +89,8 @@ def fix_porosity(tests, fixed):
         return
     if len(said) > 1:
         (a, first), (b, second) = list(said.items())[:2]
-        raise Fault(f"{first} and {second} have porosities of {100 * a:.4g} and {100 * b:.4g} %, and a card has one; decide with --fix p3_crush_curve=value, -ln(1 - porosity).")
+        raise Fault(f"{first} and {second} have porosities of {100 * a:.4g} and {100 * b:.4g} %, and a card has one; decide with --fix "
+            "p3_crush_curve=value, -ln(1 - porosity).")
     fixed["p3_crush_curve"] = -math.log(1.0 - next(iter(said)))
 
 
@@ -92,9 +100,11 @@ def check_scope(tests, given_start):
         return
     kinds = {test.kind for test in tests}
     if not kinds & {"hydrostatic", "uniaxial strain", "bulk modulus"}:
-        raise Fault("no hydrostatic test is among the data (nor uniaxial strain, nor bulk moduli), so nothing says how the rock is compressed and crushed; add one, or name a card with --start that this is taken from.")
+        raise Fault("no hydrostatic test is among the data (nor uniaxial strain, nor bulk moduli), so nothing says how the rock is "
+            "compressed and crushed; add one, or name a card with --start that this is taken from.")
     if not any(set(KINDS[kind].fits) & set(STRENGTH) for kind in kinds):
-        raise Fault("no triaxial test is among the data, so nothing says how strong the rock is; add one, or name a card with --start that the strength is taken from.")
+        raise Fault("no triaxial test is among the data, so nothing says how strong the rock is; add one, or name a card with --start that "
+            "the strength is taken from.")
 
 
 def check_out(out):

@@ -26,7 +26,8 @@ LARGEST_STRESS = 200e9
 CURVE_UNCERTAINTY, TABLE_UNCERTAINTY = 0.02, 0.10
 KEYS = ("kind", "compression", "confinement", "porosity", "uncertainty", "strain", "strain_limit", "source", "diameter", "length")
 EXAMPLES = {"stress": "MPa", "strain": "%", "force": "kN", "length": "mm", "time": "s"}  # of units
-RAW_OF = {"volume_strain": ("axial_strain", "radial_strain", "axial_displacement", "diameter_change"), "axial_strain": ("axial_displacement",), "axial_stress": ("axial_force", "differential_force")}
+RAW_OF = {"volume_strain": ("axial_strain", "radial_strain", "axial_displacement", "diameter_change"),
+    "axial_strain": ("axial_displacement",), "axial_stress": ("axial_force", "differential_force")}
 
 
 @dataclass
@@ -86,7 +87,8 @@ def header_keys(file, comments):
 
 def kind_of(file, keys):
     if "kind" not in keys:
-        raise Fault(f"{file} does not say which kind of test it is; add a line '# kind: NAME', or --say \"{pathlib.Path(file).name}:kind=NAME\", with one of {', '.join(KINDS)}.")
+        raise Fault(f"{file} does not say which kind of test it is; add a line '# kind: NAME', or --say "
+            f"\"{pathlib.Path(file).name}:kind=NAME\", with one of {', '.join(KINDS)}.")
     name = keys["kind"].lower()
     if name in KINDS:
         return name
@@ -110,7 +112,8 @@ def numbers_of(file, name, unit, at, rows):
             values.append(float(own.group(1)) * units.factor(own.group(2), dimension, f"{file}, line {number}"))
             continue
         if not is_number(cells[at]) or not numpy.isfinite(float(cells[at])):
-            raise Fault(f"{file}, line {number} has '{cells[at]}' in the column '{name}', which is not a number; correct the row or take it out.")
+            raise Fault(f"{file}, line {number} has '{cells[at]}' in the column '{name}', which is not a number; correct the row or take "
+                "it out.")
         values.append(float(cells[at]) * scale)
     return numpy.array(values)
 
@@ -118,7 +121,9 @@ def numbers_of(file, name, unit, at, rows):
 def check_rows(file, names, rows):
     for number, cells in rows:
         if len(cells) != len(names):
-            commas = "decimal commas need semicolons between the cells" if len(cells) == 2 * len(names) else "text with commas goes in quotes"
+            commas = (
+                "decimal commas need semicolons between the cells" if len(cells) == 2 * len(names) else "text with commas goes in quotes"
+            )
             raise Fault(f"{file}, line {number} has {len(cells)} cells under {len(names)} column names; complete it ({commas}).")
 
 
@@ -136,7 +141,8 @@ def check_columns(file, kind, names, heads):
         if any(name in names for name in RAW_OF.get(group[0], ())):
             continue
         advice = f" (is one misspelt? they are {', '.join(names)})" if like else ""
-        raise Fault(f"{file} lacks the column '{group[0]}', which a test of kind '{kind}' needs{advice}; its columns are {', '.join(columns_of(what))}; say which it is with --column \"NAME={group[0]}\", NAME one of {', '.join(heads)}.")
+        raise Fault(f"{file} lacks the column '{group[0]}', which a test of kind '{kind}' needs{advice}; its columns are "
+            f"{', '.join(columns_of(what))}; say which it is with --column \"NAME={group[0]}\", NAME one of {', '.join(heads)}.")
     for group in what.channels:
         both = [name for name in group if name in names]
         if len(both) > 1:
@@ -149,11 +155,14 @@ def check_curve(file, control, columns, confinement):
         raise Fault(f"{file} has {len(values)} rows, too few for a curve ({LEAST_ROWS} at least); give more of the test.")
     turns = numpy.flatnonzero(numpy.diff(numpy.sign(numpy.diff(values)[numpy.diff(values) != 0.0])))
     if len(turns) > MOST_TURNS:
-        raise Fault(f"{file} is not monotone: '{control}' turns {len(turns)} times (noise, or rows out of order; a loop of unloading has 2 turns, and {MOST_TURNS} are possible); sort, smooth or thin the rows.")
+        raise Fault(f"{file} is not monotone: '{control}' turns {len(turns)} times (noise, or rows out of order; a loop of unloading has 2 "
+            f"turns, and {MOST_TURNS} are possible); sort, smooth or thin the rows.")
     if "axial_stress" in columns and control == "axial_strain" and confinement is not None:
         stress = columns["axial_stress"]
         if stress.max() < confinement or stress[0] < 0.5 * confinement:
-            raise Fault(f"{file} begins with an axial_stress of {stress[0] / 1e6:.4g} MPa under a confinement of {confinement / 1e6:.4g} MPa (the axial stress includes the confinement); if the column is the stress above the confinement, call it differential_stress.")
+            raise Fault(f"{file} begins with an axial_stress of {stress[0] / 1e6:.4g} MPa under a confinement of {confinement / 1e6:.4g} "
+                "MPa (the axial stress includes the confinement); if the column is the stress above the confinement, call it "
+                "differential_stress.")
 
 
 def check_magnitudes(file, columns):
@@ -216,7 +225,8 @@ def read_table(file, said):
 def confinement_of(file, kind, keys, columns, notes):
     column = confinement_of_column(file, columns, notes) if kind == "triaxial" else None
     if kind == "triaxial" and "confinement" not in keys and column is None:
-        raise Fault(f"{file} does not say its confinement; add a line such as '# confinement: 40 MPa' (0 MPa for an unconfined test), or --say \"{pathlib.Path(file).name}:confinement=40 MPa\".")
+        raise Fault(f"{file} does not say its confinement; add a line such as '# confinement: 40 MPa' (0 MPa for an unconfined test), or "
+            f"--say \"{pathlib.Path(file).name}:confinement=40 MPa\".")
     return header_value(file, keys, "confinement", "stress", 0.0 if column is None else column, 0.0, LARGEST_STRESS)
 
 
@@ -246,7 +256,8 @@ def read_test(file, said=None):
         raise Fault(f"{file} has an uncertainty that is not above 0; correct the column.")
     test = Test(
         file, kind, digest, keys.get("source", ""), columns, labels, uncertainty, confinement,
-        header_value(file, keys, "porosity", "ratio", 0.0, 1e-3, 0.6), header_value(file, keys, "strain_limit", "strain", 0.1, 1e-3, LARGEST_STRAIN),
+        header_value(file, keys, "porosity", "ratio", 0.0, 1e-3, 0.6),
+        header_value(file, keys, "strain_limit", "strain", 0.1, 1e-3, LARGEST_STRAIN),
         notes, "uncertainty" in keys,
     )  # fmt: skip
     extra = [name for name in names if name not in used and name != "source"]

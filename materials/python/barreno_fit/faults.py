@@ -24,7 +24,10 @@ def internal(error):
     own = ([line for line in lines if "barreno_" in line.filename] or lines)[-1]
     what = " ".join(f"{type(error).__name__}: {error}".split())[:300]
     where = f"{'/'.join(pathlib.Path(own.filename).parts[-2:])}, line {own.lineno}"
-    return f"internal error at {where} ({what}); please report it with the command and the files that it reads (BARRENO_TRACEBACK=1 prints all of it)."
+    return (
+        f"internal error at {where} ({what}); please report it with the command and the files that it reads (BARRENO_TRACEBACK=1 prints "
+        "all of it)."
+    )
 
 
 class Rejected(Exception):

@@ -33,7 +33,8 @@ TITLES = {  # lines above the column names that say what a line of the header do
     "length": r"(specimen |sample |core )?(length|height)",
     "porosity": r"porosity",
 }
-COMPRESSIVE = ("pressure", "axial_stress", "differential_stress", "axial_strain", "confinement", "axial_force", "differential_force", "axial_displacement")
+COMPRESSIVE = ("pressure", "axial_stress", "differential_stress", "axial_strain", "confinement", "axial_force", "differential_force",
+    "axial_displacement")
 ELASTIC = 0.3  # of the largest stress, up to which a rock is taken as elastic
 SURE = 3.0  # standard deviations by which a slope must be wrong
 
@@ -105,12 +106,14 @@ def negative_columns(file, keys, said, names):
     """Columns in which compression is negative: "positive", or "positive, volume_strain negative"."""
     first, *others = [part.strip().lower() for part in keys.get("compression", "").split(",")]
     if first not in ("positive", "negative"):
-        raise Fault(f"{file} does not say its sign convention; add a line '# compression: positive' (or negative), or --say compression=positive.")
+        raise Fault(f"{file} does not say its sign convention; add a line '# compression: positive' (or negative), or --say "
+            "compression=positive.")
     negative = {name for name in names if (first == "negative") != (name == "diameter_change")}
     for other in others:
         name, _, word = other.replace("dilatancy positive", "volume_strain negative").partition(" ")
         if name not in names or word not in ("positive", "negative"):
-            raise Fault(f"{file} has '# compression: {keys['compression']}', of which '{other}' is no column with positive or negative; write for example 'positive, volume_strain negative'.")
+            raise Fault(f"{file} has '# compression: {keys['compression']}', of which '{other}' is no column with positive or negative; "
+                "write for example 'positive, volume_strain negative'.")
         negative = negative | {name} if word == "negative" else negative - {name}
     for name, is_negative in said.signs.items():
         negative = negative | {name} if is_negative else negative - {name}
@@ -119,7 +122,8 @@ def negative_columns(file, keys, said, names):
 
 def turn_signs(file, keys, said, columns):
     """Turns signs that are those of mechanics, and checks that the data are as the file says."""
-    signed = [name for name in columns if dimension_of(name) in ("stress", "strain", "force") or name in ("axial_displacement", "diameter_change")]
+    signed = [name for name in columns if dimension_of(name) in ("stress", "strain", "force")
+        or name in ("axial_displacement", "diameter_change")]
     negative = negative_columns(file, keys, said, signed)
     for name in signed:
         if name in negative:
@@ -128,12 +132,14 @@ def turn_signs(file, keys, said, columns):
         values = columns[name]
         if values[numpy.argmax(numpy.abs(values))] < 0.0:
             said_sign, other = ("negative", "positive") if name in negative else ("positive", "negative")
-            raise Fault(f"{file} says that compression is {said_sign}, but the largest value of '{name}' has the other sign; correct the column, or write '# compression: {other}' (--sign {name}={other} for the column alone).")
+            raise Fault(f"{file} says that compression is {said_sign}, but the largest value of '{name}' has the other sign; correct the "
+                f"column, or write '# compression: {other}' (--sign {name}={other} for the column alone).")
 
 
 def dimensions_of_specimen(file, keys, key, need):
     if key not in keys:
-        raise Fault(f"{file} has the column '{need}' but not the {key} of the specimen; add a line such as '# {key}: 50 mm', or --say \"{key}=50 mm\".")
+        raise Fault(f"{file} has the column '{need}' but not the {key} of the specimen; add a line such as '# {key}: 50 mm', or --say "
+            f"\"{key}=50 mm\".")
     value = units.quantity(keys[key], "length", f"{file}, '{key}'")
     if not 1e-4 <= value <= 10.0:
         raise Fault(f"{file} has '# {key}: {keys[key]}', which no specimen has; correct the line.")
@@ -176,7 +182,9 @@ def stress_from_force(file, kind, keys, columns, confinement, notes):
         if force == "differential_force" or first <= max(0.1 * confinement, least if not confinement else 0.0):
             name = "differential_stress"
         elif abs(first - confinement) > 0.2 * confinement:
-            raise Fault(f"{file} begins with an {force} of {stress[0] / 1e6:.4g} MPa over the area, neither 0 nor the confinement of {confinement / 1e6:.4g} MPa, so it is open whether the force includes it; say which with --column \"NAME=differential_force\", or correct it.")
+            raise Fault(f"{file} begins with an {force} of {stress[0] / 1e6:.4g} MPa over the area, neither 0 nor the confinement of "
+                f"{confinement / 1e6:.4g} MPa, so it is open whether the force includes it; say which with --column "
+                "\"NAME=differential_force\", or correct it.")
     columns[name] = stress
     area_words = "original area (no radial strain is known)" if strain is None else "present area"
     notes.append(f"{file}: {name} is {force} per {area_words}, diameter {1e3 * diameter:.4g} mm.")
@@ -201,7 +209,8 @@ def confinement_of_column(file, columns, notes):
         return None
     middle = float(numpy.median(values))
     if numpy.abs(values - middle).max() > max(0.05 * middle, 0.5e6):
-        raise Fault(f"{file} has a confinement from {values.min() / 1e6:.4g} to {values.max() / 1e6:.4g} MPa, and a triaxial test has a constant one; take out the rows of the hydrostatic loading.")
+        raise Fault(f"{file} has a confinement from {values.min() / 1e6:.4g} to {values.max() / 1e6:.4g} MPa, and a triaxial test has a "
+            "constant one; take out the rows of the hydrostatic loading.")
     notes.append(f"{file}: confinement {middle / 1e6:.4g} MPa, the median of its column.")
     return middle
 
@@ -249,11 +258,17 @@ def check_elastic_signs(file, kind, columns):
 
 def refuse_sign(file, control, name, slope, low):
     column = control if name == "pressure" else name
-    advice = f"if compression is negative in that column (dilatancy positive), say --sign {column}=negative, or positive where it is turned already, else check its unit"
+    advice = (
+        f"if compression is negative in that column (dilatancy positive), say --sign {column}=negative, or positive where it is turned "
+        "already, else check its unit"
+    )
     if name == "radial_strain" and not low:
-        raise Fault(f"{file} has a specimen that becomes thinner while it is compressed elastically ('{name}' is {slope:.3g} of '{control}', and rock widens); {advice}.")
+        raise Fault(f"{file} has a specimen that becomes thinner while it is compressed elastically ('{name}' is {slope:.3g} of "
+            f"'{control}', and rock widens); {advice}.")
     if name == "volume_strain" and not low:
-        raise Fault(f"{file} has a specimen that becomes thinner while it is compressed elastically ('{name}' is {slope:.3g} of '{control}', at most 1 is possible); check the units of both.")
+        raise Fault(f"{file} has a specimen that becomes thinner while it is compressed elastically ('{name}' is {slope:.3g} of "
+            f"'{control}', at most 1 is possible); check the units of both.")
     if name == "radial_stress":
         raise Fault(f"{file} has a radial stress that falls while the specimen is compressed elastically; {advice}.")
-    raise Fault(f"{file} has a specimen that swells while it is compressed elastically ('{name}' over '{control}' is {slope:.3g}); {advice}.")
+    raise Fault(f"{file} has a specimen that swells while it is compressed elastically ('{name}' over '{control}' is {slope:.3g}); "
+        f"{advice}.")

@@ -78,7 +78,8 @@ def label_of(row):
 
 def aligned(lines):
     widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
-    return ["  ".join([line[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(line[1:], widths[1:]))]).rstrip() for line in lines]
+    return ["  ".join([line[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(line[1:], widths[1:]))]).rstrip()
+        for line in lines]
 
 
 def misfit_lines(summary):
@@ -98,7 +99,9 @@ def weight_lines(summary):
 
 
 def range_text(entry):
-    return f"{shown(entry['name'], entry['low'])} to {shown(entry['name'], entry['high'])}" if entry["low"] is not None else "not determined"
+    return (
+        f"{shown(entry['name'], entry['low'])} to {shown(entry['name'], entry['high'])}" if entry["low"] is not None else "not determined"
+    )
 
 
 def tables(summary, out):
@@ -106,7 +109,8 @@ def tables(summary, out):
     for entry in summary["parameters"]:
         parameters.append([entry["name"], shown(entry["name"], entry["value"]), range_text(entry)])
     sentences = [entry["open"] for entry in summary["parameters"] if entry["open"]]
-    sentences += [f"{name} is held at {shown(name, value) if name in PARAMETERS else f'{value:g}'}." for name, value in summary["fixed"].items()]
+    sentences += [f"{name} is held at {shown(name, value) if name in PARAMETERS else f'{value:g}'}."
+        for name, value in summary["fixed"].items()]
     return "\n".join([
         *aligned(misfit_lines(summary)), *weight_lines(summary), "", *aligned(parameters), *([""] if sentences else []), *sentences, "",
         f"Written: {out}, {out.with_suffix('.png')} (picture), {out.with_suffix('.json')} (all numbers).",
@@ -115,7 +119,8 @@ def tables(summary, out):
 
 
 def card_text(name, result, summary, tests):
-    head = [f"Fitted by barreno fit {summary['version']} (docs/fit.md), start {pathlib.Path(summary['start']).name}. Behind parameters stand their 95 % ranges; the data, with the first digits of their SHA-256:"]
+    head = [f"Fitted by barreno fit {summary['version']} (docs/fit.md), start {pathlib.Path(summary['start']).name}. Behind parameters "
+        "stand their 95 % ranges; the data, with the first digits of their SHA-256:"]
     for test in tests:
         rows = [row for row in summary["misfits"] if row["file"] == test.file]
         misfits = ", ".join(f"{row['channel']} {100 * row['rms_relative']:.2f} % rms" for row in rows)

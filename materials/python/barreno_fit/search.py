@@ -158,7 +158,8 @@ class Search:
         ranked = sorted(((float((r**2).sum()), i, z) for i, z in enumerate(map(self.seen_start, starts)) for r in [self.residuals(z)]))
         ranked = [entry for entry in ranked if entry[0] < self.count * REJECTED**2][:BEST_STARTS]
         if not ranked:
-            raise Fault(f"the library refuses every card that the fit could start from ({self.refusal(starts[0])}); change --start or --fix.", NUMERICAL)
+            raise Fault(f"the library refuses every card that the fit could start from ({self.refusal(starts[0])}); change --start or "
+                "--fix.", NUMERICAL)
         z = ranked[0][2]
         if len(ranked) > 1:
             z = min((self.descend(entry[2], ROUGH, FEW) for entry in ranked), key=lambda found: found.cost).x

@@ -181,12 +181,14 @@ def staged(problem, tests, names):
     values, simpler, shapes = {}, {}, []
     first = [test for test in tests if test.kind in HYDROSTATIC]
     rest = [test for test in tests if test.kind not in HYDROSTATIC]
-    for stage, chosen, starts in (("moduli and crushing", first, guess.crushing_starts), ("strength and shear", rest, guess.strength_starts)):
+    for stage, chosen, starts in (("moduli and crushing", first, guess.crushing_starts),
+            ("strength and shear", rest, guess.strength_starts)):
         mine = [name for name in free_of(chosen, problem.card({}), problem.fixed) if name in names and name not in values] if chosen else []
         if not mine:
             continue
         problem.say(f"{stage}: {', '.join(mine)}")
-        offers = unique([{name: value for name, value in start.items() if name in mine} for start in [{}, *starts(chosen, problem.card(values))]])
+        offers = unique([{name: value for name, value in start.items() if name in mine}
+            for start in [{}, *starts(chosen, problem.card(values))]])
         search = Search(problem, chosen, mine, values)
         shapes = with_shapes(search, offers)
         values = search.solve(offers, FEW if shapes else MANY)[0]
@@ -198,10 +200,12 @@ def fit(problem, tests):
     """Crushing and bulk moduli first, from hydrostatic tests; then strength and shear; then all together."""
     names = free_of(tests, problem.card({}), problem.fixed)
     if not names:
-        raise Fault("nothing is left to fit (every parameter that these tests could determine is fixed, or 0 in the start); take a --fix out.")
+        raise Fault("nothing is left to fit (every parameter that these tests could determine is fixed, or 0 in the start); take a --fix "
+            "out.")
     count = sum(map(size_of, tests))
     if count < len(names):
-        raise Fault(f"{count} data cannot determine {len(names)} parameters ({', '.join(names)}); give more tests, or hold some with --fix.")
+        raise Fault(f"{count} data cannot determine {len(names)} parameters ({', '.join(names)}); give more tests, or hold some with "
+            "--fix.")
     starts, simpler = staged(problem, tests, names)
     card = problem.card(simpler)
     problem.say("all of them together")
@@ -214,7 +218,9 @@ def fit(problem, tests):
     found, spread, ranges, left_open = opened_and_ranged(search, found)
     for name in [name for name, (low, high) in ranges.items() if abs(seen(name, high) - seen(name, low)) > 2.0 * PARAMETERS[name].wide]:
         del ranges[name]
-        left_open[name] = f"{name} is not determined by these data (its range is too wide) and is kept at {shown(name, found[0][name])}, which fits best."
+        left_open[name] = (
+            f"{name} is not determined by these data (its range is too wide) and is kept at {shown(name, found[0][name])}, which fits best."
+        )
     return Result({name: found[0][name] for name in names}, ranges, left_open, spread.rho if spread else 0.0, problem.card(found[0]))
 
 

@@ -77,7 +77,8 @@ class Specimens:
         found = self.rock.follow(strain, wanted, self.stress, self.state)
         if found.status.any():
             raise Rejected("no strain gives the stress that is asked for")
-        course = Course(found.stress, self.axial - numpy.cumsum(found.strain[..., 0], axis=0), self.radial - numpy.cumsum(found.strain[..., 1], axis=0))
+        course = Course(found.stress, self.axial - numpy.cumsum(found.strain[..., 0], axis=0),
+            self.radial - numpy.cumsum(found.strain[..., 1], axis=0))
         self.stress, self.state, self.axial, self.radial = found.stress[-1], found.state, course.axial[-1], course.radial[-1]
         return course
 

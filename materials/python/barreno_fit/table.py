@@ -87,7 +87,8 @@ def header_at(lines, known):
     for i, (_, cells) in enumerate(lines):
         if any(name_of(head_and_unit(cell)[0]) in known for cell in cells):
             return i
-    first = next((i for i, (_, cells) in enumerate(lines) if len(cells) > 1 and sum(bool(DIGITS.match(c)) for c in cells) > len(cells) / 2), 0)
+    first = next((i for i, (_, cells) in enumerate(lines) if len(cells) > 1 and sum(bool(DIGITS.match(c)) for c in cells) > len(cells) / 2),
+        0)
     while first > 1 and is_text_row(lines[first - 1][1]) and all(is_unit(c.strip("[]() ")) for c in lines[first - 1][1] if c):
         first -= 1
     return max(first - 1, 0)
@@ -146,7 +147,8 @@ def split_table(file, text, known, decimal=""):
     table.titles = lines[:at]
     if at:
         first, last = lines[0][0], lines[at - 1][0]
-        table.notes.append(f"line {first} stands above the column names." if at == 1 else f"lines {first} to {last} stand above the column names.")
+        table.notes.append(f"line {first} stands above the column names." if at == 1
+            else f"lines {first} to {last} stand above the column names.")
     take_header(table, lines[at])
     table.rows = [line for line in lines[at + 1 :] if any(line[1])]
     take_unit_row(table)
@@ -220,9 +222,11 @@ def put_decimal_points(file, table, decimal):
     if found is None and not (comma.first and point.first):
         return  # the cell is named where numbers are read
     if found == "":
-        raise Fault(f'{file}, line {comma.first[0]} has "{comma.first[1]}" (a decimal comma, or a comma between thousands); say which with a line "# decimal: comma" or "# decimal: point", or with --say decimal=comma.')
+        raise Fault(f'{file}, line {comma.first[0]} has "{comma.first[1]}" (a decimal comma, or a comma between thousands); say which with '
+            'a line "# decimal: comma" or "# decimal: point", or with --say decimal=comma.')
     if found is None:
-        raise Fault(f'{file}, line {comma.first[0]} has "{comma.first[1]}" and line {point.first[0]} has "{point.first[1]}" (a table has one decimal mark); write its numbers with one.')
+        raise Fault(f'{file}, line {comma.first[0]} has "{comma.first[1]}" and line {point.first[0]} has "{point.first[1]}" (a table has '
+            'one decimal mark); write its numbers with one.')
     if found == "." and not comma.first:
         return
     for _, cells in table.rows:

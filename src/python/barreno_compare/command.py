@@ -15,8 +15,12 @@ from barreno_runs.words import Words
 
 EXAMPLE = "write for example barreno compare runs/perforation-1 runs/perforation-2"
 RECORD = "compare.json"
-SHOWN = re.compile(r"penetration\.(depth|through_since|channel_depth|channel_radius_mid|jet_mass_inside|tip_velocity)|balances\.energy\.(kinetic|elastic|plastic|viscous|error)|"
-                   r"time|steps|particle_steps|wall_seconds|peak_resident_bytes")  # fmt: skip
+SHOWN = (
+    re.compile(
+        r"penetration\.(depth|through_since|channel_depth|channel_radius_mid|jet_mass_inside|tip_velocity)|"
+        r"balances\.energy\.(kinetic|elastic|plastic|viscous|error)|"
+        r"time|steps|particle_steps|wall_seconds|peak_resident_bytes")
+)  # fmt: skip
 
 
 def parse(words):
@@ -25,7 +29,8 @@ def parse(words):
         EXAMPLE,
         "sweep.md",
         description="Runs side by side: what their decks and results differ in, curves and channels (docs/sweep.md).",
-        epilog="Example:\n  barreno compare runs/perforation-1 runs/perforation-2\n\nExit codes: 0 compared, 1 bad arguments, 2 file, 4 internal.",
+        epilog="Example:\n  barreno compare runs/perforation-1 runs/perforation-2\n\nExit codes: 0 compared, 1 bad arguments, 2 file, 4 "
+            "internal.",
     )
     parser.add_argument("runs", nargs="*", metavar="RUN", help="folders of runs; differences are those from the first")
     parser.add_argument("--out", metavar="FOLDER", help="folder of the results (default runs/FIRST-compare)")
@@ -45,7 +50,8 @@ def check_runs(runs):
         if deck_in(run) is None:
             raise Fault(f"{run} is not the folder of a run (it has no readable deck.xml); give folders that barreno run has written.", FILE)
         if not (run / "summary.json").exists():
-            raise Fault(f"{run} has no summary.json (its run goes on, or was killed); wait for it, or continue it with barreno resume {run}.", FILE)
+            raise Fault(f"{run} has no summary.json (its run goes on, or was killed); wait for it, or continue it with barreno resume "
+                f"{run}.", FILE)
 
 
 def labels_of(runs):
@@ -65,7 +71,8 @@ def out_folder(options, labels):
         raise Fault(f"--out {out} is a file (the results need a folder); name another one.", FILE)
     held = sorted(file.name for file in out.iterdir()) if out.exists() else []
     if held and RECORD not in held:
-        raise Fault(f"--out {out} holds something else ({', '.join(held[:3])}{', ...' if len(held) > 3 else ''}, and no {RECORD}); name another folder.", FILE)
+        raise Fault(f"--out {out} holds something else ({', '.join(held[:3])}{', ...' if len(held) > 3 else ''}, and no {RECORD}); name "
+            "another folder.", FILE)
     return out
 
 
@@ -89,7 +96,8 @@ def result_lines(labels, quantities):
 
 
 def unfinished_lines(rows):
-    return [f"{row.label} has not finished: it ended at {row.scalars.get('time', 0.0):.4g} s ({printable(row.scalars.get('reason') or 'no reason given')})." for row in rows if row.scalars.get("finished") is not True]
+    return [f"{row.label} has not finished: it ended at {row.scalars.get('time', 0.0):.4g} s "
+        f"({printable(row.scalars.get('reason') or 'no reason given')})." for row in rows if row.scalars.get("finished") is not True]
 
 
 def write(out, options, labels, rows, differences, quantities):

@@ -45,7 +45,8 @@ def quantities_of(rows):
 
 def as_csv(labels, quantities):
     out = io.StringIO()
-    out.write(f"# SI units; difference: of each run from the first ({labels[0]}), also in percent of its amount; names as in summary.json (docs/output.md)\n")
+    out.write(f"# SI units; difference: of each run from the first ({labels[0]}), also in percent of its amount; names as in summary.json "
+        "(docs/output.md)\n")
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(["quantity", labels[0], *(head for label in labels[1:] for head in (label, f"{label} difference", f"{label} percent"))])
     text = lambda number: "" if number is None else repr(number)  # noqa: E731

@@ -21,17 +21,23 @@ EXAMPLE = "write for example barreno converge input_xml/perforation_quick.xml --
 
 
 def parse(words):
-    parser = Words("converge", EXAMPLE, "converge.md", description="A deck with cells of several sizes: order, limit and interval of a result (docs/converge.md).")
+    parser = Words("converge", EXAMPLE, "converge.md",
+        description="A deck with cells of several sizes: order, limit and interval of a result (docs/converge.md).")
     parser.add_argument("deck", metavar="DECK", help="deck file (docs/deck.md)")
-    parser.add_argument("--quantity", default="depth", metavar="NAME", help="depth (default), a column of depth.csv, history.csv or radii.csv, or a number of summary.json")
-    parser.add_argument("--times", default="", metavar="LIST", help='when the column is compared, "10 us, 20 us" (default: four equal parts of the run)')
-    parser.add_argument("--levels", type=int, default=3, metavar="N", help="number of cell sizes, 2 to 6 (default 3: twice, once and half the deck's)")
-    parser.add_argument("--refine", type=float, default=2.0, metavar="RATIO", help="ratio of successive cell sizes, above 1, at most 4 (default 2)")
+    parser.add_argument("--quantity", default="depth", metavar="NAME",
+        help="depth (default), a column of depth.csv, history.csv or radii.csv, or a number of summary.json")
+    parser.add_argument("--times", default="", metavar="LIST",
+        help='when the column is compared, "10 us, 20 us" (default: four equal parts of the run)')
+    parser.add_argument("--levels", type=int, default=3, metavar="N",
+        help="number of cell sizes, 2 to 6 (default 3: twice, once and half the deck's)")
+    parser.add_argument("--refine", type=float, default=2.0, metavar="RATIO",
+        help="ratio of successive cell sizes, above 1, at most 4 (default 2)")
     parser.add_argument("--formal-order", type=float, default=2.0, metavar="P", help="order that the method can have at most (default 2)")
     parser.add_argument("--out", metavar="FOLDER", help="folder of the runs and of the result (default runs/DECK-converge)")
     parser.add_argument("--ranks", type=int, default=1, metavar="N", help="processes of every run")
     parser.add_argument("--fidelity", metavar="NAME", help="fast, balanced or reference, as for run")
-    parser.add_argument("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"', help="changes a value of the deck on all levels, as often as needed")
+    parser.add_argument("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
+        help="changes a value of the deck on all levels, as often as needed")
     return parser.parse_args(words)
 
 
@@ -39,7 +45,8 @@ def check_words(options):
     if not 2 <= options.levels <= 6:
         raise Fault(f"--levels {options.levels} is not a number of cell sizes from 2 to 6 (three show an order); {EXAMPLE}.")
     if not 1.1 <= options.refine <= 4.0:
-        raise Fault(f"--refine {options.refine:g} is not a ratio from 1.1 to 4 (levels that are closer tell nothing apart); write for example --refine 2.")
+        raise Fault(f"--refine {options.refine:g} is not a ratio from 1.1 to 4 (levels that are closer tell nothing apart); write for "
+            "example --refine 2.")
     if not 0.0 < options.formal_order <= 10.0:
         raise Fault(f"--formal-order {options.formal_order:g} is not an order above 0 and at most 10; write for example --formal-order 2.")
     check_ranks(options.ranks)
@@ -60,7 +67,8 @@ def times_of(text, end):
         return [end * part / 4.0 for part in (1, 2, 3, 4)]
     times = sorted({time_of(part) for part in text.split(",")})
     if times[0] <= 0.0 or times[-1] > end * (1.0 + 1e-9):
-        raise Fault(f"--times has {times[0] if times[0] <= 0.0 else times[-1]:g} s, which is not in the run (0 to {end:g} s); choose times up to Time/End Time.")
+        raise Fault(f"--times has {times[0] if times[0] <= 0.0 else times[-1]:g} s, which is not in the run (0 to {end:g} s); choose times "
+            "up to Time/End Time.")
     return times
 
 
@@ -70,7 +78,8 @@ def out_folder(options):
 
 def check_quantity(name, deck):
     if name == "depth" and all(value_in(deck, path) is None for path in ("Jet/Material", "Jet Monitor/Position")):
-        raise Fault('--quantity depth needs a jet, and the deck has none; name a column of history.csv or a number of summary.json, for example --quantity kinetic.')
+        raise Fault('--quantity depth needs a jet, and the deck has none; name a column of history.csv or a number of summary.json, for '
+            'example --quantity kinetic.')
 
 
 def resolving(levels, quantity):
@@ -97,7 +106,8 @@ def refuse_through(levels, quantity):
     through = [level for level in levels if read_summary(level.folder).get("penetration", {}).get("through")]
     if through:
         raise Fault(
-            f"the jet has come out of the rear of the target in {len(through)} of the {len(levels)} runs, so depth is the length of the target there;"
+            f"the jet has come out of the rear of the target in {len(through)} of the {len(levels)} runs, so depth is the length of the "
+            "target there;"
             " make the target thicker, or choose an earlier Time/End Time."
         )
 

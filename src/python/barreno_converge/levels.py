@@ -105,7 +105,10 @@ def run_level(program, level, places, say):
     """Takes, continues or makes the run of a level. @raises Fault if it fails"""
     version = program.version()
     if take_finished(level, version, finished_in(places, version)):
-        older = " (made before the program was built last; remove it if its answer has changed since)" if program.is_newer_than(level.folder / "deck.xml") else ""
+        older = (
+            " (made before the program was built last; remove it if its answer has changed since)"
+            if program.is_newer_than(level.folder / "deck.xml") else ""
+        )
         say(f"cells of {level.cells:.6g} m: finished run in {level.folder}{older}")
         return
     say(f"cells of {level.cells:.6g} m: computing in {level.folder} (progress in its run.log)")

@@ -113,7 +113,8 @@ def sentence(verdict, formal=2.0):
     if verdict.kind in (CONVERGES, EQUAL):
         return ""
     if verdict.kind == TWO_AGREE:
-        return (f"not extrapolated: the largest cells are wider than the radius of the jet and are left out, and two levels show no order; these two agree to {100.0 * AGREE:g} %, and "
+        return ("not extrapolated: the largest cells are wider than the radius of the jet and are left out, and two levels show no order; "
+            f"these two agree to {100.0 * AGREE:g} %, and "
                 f"the interval is {UNCONFIRMED_SAFETY:g} times what cells of first order would leave")  # fmt: skip
     if verdict.kind == OUT_OF_RANGE:
         seen = "above any bound" if math.isinf(verdict.order) else f"{verdict.order:.2f}"
@@ -125,4 +126,7 @@ def sentence(verdict, formal=2.0):
             FEW: "two levels show no order",
             UNRESOLVED: "the largest cells are wider than the radius of the jet, so the sequence has no order yet",
         }[verdict.kind]
-    return f"not extrapolated: {why}; the interval is the spread of the levels about the value of the smallest cells, without a level of confidence"
+    return (
+        f"not extrapolated: {why}; the interval is the spread of the levels about the value of the smallest cells, without a level of "
+        "confidence"
+    )

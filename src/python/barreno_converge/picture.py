@@ -4,7 +4,8 @@
 from barreno_runs.plots import plt
 
 LENGTHS = ("depth", "channel_depth", "channel_radius_mid", "inner_radius", "outer_radius")
-ENERGIES = ("kinetic", "elastic", "plastic", "viscous", "friction", "stress_integration", "transfer", "removed_kinetic", "launched_kinetic", "boundary_work",
+ENERGIES = ("kinetic", "elastic", "plastic", "viscous", "friction", "stress_integration", "transfer", "removed_kinetic", "launched_kinetic",
+    "boundary_work",
             "body_work", "fluid_work", "damped", "explosive")  # fmt: skip
 
 

@@ -12,7 +12,8 @@ from barreno_runs.run_folder import read_summary
 from barreno_runs.tables import aligned, number, place
 
 METHOD = (
-    "Grid Convergence Index of the three smallest cells, with the observed order and a safety factor of 1.25, or where the observed order is above "
+    "Grid Convergence Index of the three smallest cells, with the observed order and a safety factor of 1.25, or where the observed order "
+    "is above "
     "the formal one with that and a factor of 3 (Roache, J. Fluids Eng. 116, 405, 1994; Celik et al., J. Fluids Eng. 130, 078001, 2008)"
 )
 
@@ -29,7 +30,8 @@ def table(name, levels, rows):
     heads = ["time [s]", *(level.name() for level in levels), "order", "extrapolated", "interval"]
     body = []
     for time, values, verdict in rows:
-        body.append([number(time, 4), *(number(value) for value in values), number(verdict.order, 3), number(verdict.limit), interval_text(verdict)])
+        body.append([number(time, 4), *(number(value) for value in values), number(verdict.order, 3), number(verdict.limit),
+            interval_text(verdict)])
     return "\n".join([f"{name} with cells of", *aligned([heads, *body])])
 
 
@@ -46,7 +48,10 @@ def remarks(rows, formal):
 def offer(settings):
     """What one more level, of smaller cells, takes.  @param settings  of the smallest cells so far, which then are the middle ones"""
     words = " ".join(f'--set "{setting}"' for setting in settings)
-    return f"The same command with {words} adds a level of smaller cells, whose run takes about eight times as long, and leaves the largest out."
+    return (
+        f"The same command with {words} adds a level of smaller cells, whose run takes about eight times as long, and leaves the largest "
+        "out."
+    )
 
 
 def measured_error(quantity, finest):
@@ -54,7 +59,8 @@ def measured_error(quantity, finest):
     error = read_summary(finest.folder).get("penetration", {}).get("depth_error", {}) if quantity.name == "depth" else {}
     if "value" not in error:
         return ""
-    return (f"Error of the depth at the end with the smallest cells, which are {error['cells_per_radius']:.2g} per jet radius: {error_text(error)}, "
+    return (f"Error of the depth at the end with the smallest cells, which are {error['cells_per_radius']:.2g} per jet radius: "
+        f"{error_text(error)}, "
             f"{error['source']}.")  # fmt: skip
 
 
@@ -84,7 +90,8 @@ def as_json(deck, name, levels, rows, formal):
             "extrapolated": verdict.limit, "low": verdict.low, "high": verdict.high, "why": order.sentence(verdict, formal),
         })  # fmt: skip
     runs = [{"cells": level.cells, "refined_to": level.refined_to(), "folder": str(level.folder), "how": level.how} for level in levels]
-    return json.dumps({"deck": str(deck), "quantity": name, "formal_order": formal, "method": METHOD, "levels": runs, "results": results}, indent=1) + "\n"
+    return json.dumps({"deck": str(deck), "quantity": name, "formal_order": formal, "method": METHOD, "levels": runs, "results": results},
+        indent=1) + "\n"
 
 
 def note_in_summaries(levels, verdict, file):
@@ -95,6 +102,7 @@ def note_in_summaries(levels, verdict, file):
             continue
         summary["penetration"]["convergence"] = {
             "cells": [one.cells for one in levels], "low": verdict.low, "high": verdict.high, "extrapolated": verdict.limit,
-            "order": verdict.order if verdict.limit is not None else None, "verdict": verdict.kind, "file": os.path.relpath(file, level.folder),
+            "order": verdict.order if verdict.limit is not None else None, "verdict": verdict.kind,
+            "file": os.path.relpath(file, level.folder),
         }  # fmt: skip
         place(level.folder / "summary.json", json.dumps(summary, indent=2, ensure_ascii=False) + "\n")

@@ -34,7 +34,8 @@ class Contents:
 def particles_of(piece, space, where, notes):
     counts = [round(count) for count in space.point(piece.vector("res", default=(2, 2, 2)))]
     if len(set(counts)) > 1:
-        notes.add(f"of {' x '.join(map(str, counts))} particles per cell the largest is taken along each axis (a deck has one number).", where)
+        notes.add(f"of {' x '.join(map(str, counts))} particles per cell the largest is taken along each axis (a deck has one number).",
+            where)
     return max(1, *counts)
 
 
@@ -52,7 +53,8 @@ def check_temperature(piece, parameters, where, notes):
         return
     start, room = piece.number("temperature"), parameters.get("Room Temperature", ROOM)
     if start != room:
-        notes.lost(f"the start at {start:g} K is left out (metals start at their Room Temperature, {room:g} K, that of the flow rule).", where)
+        notes.lost(f"the start at {start:g} K is left out (metals start at their Room Temperature, {room:g} K, that of the flow rule).",
+            where)
 
 
 def label_of(piece):
@@ -96,14 +98,17 @@ def read_pieces(material, name, contents, shapes, space, notes):
         contents.pieces.append(Piece(piece, name, index, body, shape))
 
 
-PROPERTIES = ("res", "velocity", "temperature", "color", "volumeFraction", "affineTransformation_A0", "affineTransformation_A1", "affineTransformation_A2",
-              "affineTransformation_b", "numLevelsParticleFilling", "concentration", "pos_charge", "neg_charge", "permittivity")  # fmt: skip
+PROPERTIES = ("res", "velocity", "temperature", "color", "volumeFraction", "affineTransformation_A0", "affineTransformation_A1",
+    "affineTransformation_A2",
+              "affineTransformation_b", "numLevelsParticleFilling", "concentration", "pos_charge", "neg_charge",
+              "permittivity")  # fmt: skip
 
 
 def refuse_turned(material, name, notes):
     turned = [piece for piece in material.children("geom_object") if piece.has("affineTransformation_A0", "affineTransformation_b")]
     for piece in turned:
-        for child in piece.children("affineTransformation_A0", "affineTransformation_A1", "affineTransformation_A2", "affineTransformation_b"):
+        for child in piece.children("affineTransformation_A0", "affineTransformation_A1", "affineTransformation_A2",
+                "affineTransformation_b"):
             child.cover()
     if turned:
         notes.lost(f"affine transformations of pieces are left out (shapes of a deck are given where they are); turn the shape.", name)

@@ -33,13 +33,17 @@ def parse(words):
         EXAMPLE,
         "import.md",
         description="An input of Uintah's MPM (.ups) as a deck, and what of it cannot carry over (docs/import.md).",
-        epilog="Example:\n  barreno import-ups penetration.ups --out penetration.xml\n\nExit codes: 0 the deck is written and barreno check takes it, 1 bad input, a deck that barreno check refuses, or with --strict an incomplete one, 2 file.",
+        epilog="Example:\n  barreno import-ups penetration.ups --out penetration.xml\n\nExit codes: 0 the deck is written and barreno "
+            "check takes it, 1 bad input, a deck that barreno check refuses, or with --strict an incomplete one, 2 file.",
     )
     parser.add_argument("file", metavar="FILE", help="input file of Uintah")
     parser.add_argument("--out", metavar="DECK", help="deck to write (default: FILE's name with .xml, in the working folder)")
-    parser.add_argument("--units", default="SI", metavar="NAME", help="units of the file's numbers: SI (default), or those of length, time and mass, such as mm-us-g")
-    parser.add_argument("--card", action="append", default=[], metavar='"MATERIAL=CARD"', help="a card of Barreno instead of a material of the file, as often as needed")
-    parser.add_argument("--strict", action="store_true", help="exit code 1 where something that moves, loads, breaks or ends the simulation did not carry over")
+    parser.add_argument("--units", default="SI", metavar="NAME",
+        help="units of the file's numbers: SI (default), or those of length, time and mass, such as mm-us-g")
+    parser.add_argument("--card", action="append", default=[], metavar='"MATERIAL=CARD"',
+        help="a card of Barreno instead of a material of the file, as often as needed")
+    parser.add_argument("--strict", action="store_true",
+        help="exit code 1 where something that moves, loads, breaks or ends the simulation did not carry over")
     parser.add_argument("--overwrite", action="store_true", help="replace a deck that is there")
     return parser.parse_args(words)
 
@@ -71,9 +75,12 @@ def convert(root, folder, units, cards, notes):
     title = root.find("Meta").text("title", default="") or "Imported from Uintah"
     look_at_component(root, notes)
     entries = {
-        "Schema Version": SCHEMA, "Title": " ".join(title.split()), "Units": units, "Grid": grid_of(space), "Materials": contents.materials, "Shapes": contents.shapes,
-        "Bodies": contents.bodies, "Conditions": read_conditions(root, space, notes), "Loads": read_loads(root, contents, space, notes), "Jet": jet,
-        "Body Force": gravity_of(root, space, notes), "Contact": read_contact(root, contents, notes), "Step": step_of(root, notes), "Time": time,
+        "Schema Version": SCHEMA, "Title": " ".join(title.split()), "Units": units, "Grid": grid_of(space), "Materials": contents.materials,
+        "Shapes": contents.shapes,
+        "Bodies": contents.bodies, "Conditions": read_conditions(root, space, notes),
+        "Loads": read_loads(root, contents, space, notes), "Jet": jet,
+        "Body Force": gravity_of(root, space, notes), "Contact": read_contact(root, contents, notes), "Step": step_of(root, notes),
+        "Time": time,
         "Output": output_of(root, time["End Time"], notes),
     }  # fmt: skip
     read_heat(root, notes)
@@ -85,9 +92,11 @@ def look_at_component(root, notes):
     """Parts of a file that another solver than the material point method reads are left out whole."""
     kind = root.find("SimulationComponent").attribute("type")
     if kind.lower().endswith("mpm") and kind.lower() != "mpm":
-        notes.lost(f"SimulationComponent {kind} is read as mpm, the explicit material point method (a deck has no other); what {kind} adds to it or does in another way is left out.")
+        notes.lost(f"SimulationComponent {kind} is read as mpm, the explicit material point method (a deck has no other); what {kind} adds "
+            "to it or does in another way is left out.")
     elif kind.lower() not in ("", "mpm"):
-        notes.lost(f"SimulationComponent {kind} is left out but for its material points (Barreno has the explicit material point method alone: no gas, no fluid on the grid).")
+        notes.lost(f"SimulationComponent {kind} is left out but for its material points (Barreno has the explicit material point method "
+            "alone: no gas, no fluid on the grid).")
     for section, tags in ((root, ("CFD", "Models", "ICE", "Arches", "EqPort", "MPMICE")), (root.find("MaterialProperties"), ("ICE",))):
         for part in section.children(*tags):
             part.cover()
@@ -97,12 +106,15 @@ def look_at_component(root, notes):
 def refuse_empty(deck, contents, entries):
     """A deck without materials or bodies: why."""
     if not contents.materials and contents.left:
-        raise Fault(f"{deck} is written, but has no material: Barreno has no counterpart of the model of {listed(contents.left)}; choose a card for each with --card \"MATERIAL=CARD\".")
+        raise Fault(f"{deck} is written, but has no material: Barreno has no counterpart of the model of {listed(contents.left)}; choose a "
+            "card for each with --card \"MATERIAL=CARD\".")
     if not contents.materials:
-        raise Fault(f"{deck} is written, but has no material (the file has no <material> in MaterialProperties/MPM); add materials to the deck.")
+        raise Fault(f"{deck} is written, but has no material (the file has no <material> in MaterialProperties/MPM); add materials to the "
+            "deck.")
     if not contents.bodies and not entries["Jet"]:
         left = f" or the models of their materials ({listed(contents.left)})" if contents.left else ""
-        raise Fault(f"{deck} is written, but has no body: none of the file's has a counterpart of its shape{left}, as the remarks say; add bodies to the deck.")
+        raise Fault(f"{deck} is written, but has no body: none of the file's has a counterpart of its shape{left}, as the remarks say; add "
+            "bodies to the deck.")
 
 
 def listed(names):
@@ -115,9 +127,11 @@ def check(deck):
     if not binary:
         raise Fault(f"{deck} is written but not checked (the program barreno is not found); name it in BARRENO_PROGRAM.", FILE)
     try:
-        result = subprocess.run([binary, "check", str(deck), "--print-deck"], capture_output=True, encoding="utf-8", errors="replace", check=False)
+        result = subprocess.run([binary, "check", str(deck), "--print-deck"], capture_output=True, encoding="utf-8", errors="replace",
+            check=False)
     except OSError as error:
-        raise Fault(f"{deck} is written but not checked (the program {binary} cannot be started: {error.strerror}); name it in BARRENO_PROGRAM.", FILE) from None
+        raise Fault(f"{deck} is written but not checked (the program {binary} cannot be started: {error.strerror}); name it in "
+            "BARRENO_PROGRAM.", FILE) from None
     if result.returncode:
         said = result.stderr.strip().removeprefix("barreno: ") or "it cannot be checked."
         raise Fault(f"{deck} is written, but barreno check refuses it: {said}", result.returncode)

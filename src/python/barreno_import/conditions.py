@@ -27,7 +27,8 @@ def condition_of(face, entry, space, notes):
 def velocity_of(face, entry, space, notes):
     velocity = entry.vector("value", default=(0.0, 0.0, 0.0))
     if space.axes == 2 and face[0] == "z":
-        notes.lost(f"The velocity {entry.attribute('var')} on {face}, a face normal to the plane, is left out (a deck in {space.mode} moves in its plane alone).")
+        notes.lost(f"The velocity {entry.attribute('var')} on {face}, a face normal to the plane, is left out (a deck in {space.mode} "
+            "moves in its plane alone).")
         return None
     if not any(velocity):
         return {"Kind": "fixed"}
@@ -53,7 +54,8 @@ def add_condition(out, side, condition, axis, notes):
     if name in out and {out[name]["Kind"], entry["Kind"]} == {"fixed", "symmetry"}:  # Uintah does both: nothing moves there
         out[name] = {"Face": SIDES[side], "Kind": "fixed"}
     elif out.get(name, entry) != entry:
-        notes.lost(f"{side} has several conditions: {condition['Kind']} is left out, {out[name]['Kind']} is taken (a face of a deck has one).")
+        notes.lost(f"{side} has several conditions: {condition['Kind']} is left out, {out[name]['Kind']} is taken (a face of a deck has "
+            "one).")
     out.setdefault(name, entry)
 
 
@@ -66,7 +68,8 @@ def read_conditions(root, space, notes):
             side = face.attribute("side")
             if side not in SIDES:
                 face.cover()
-                notes.lost(f"A condition on a part of a face, <Face {' '.join(face.element.attrib)}>, is left out (those of a deck hold on whole faces of the grid).")
+                notes.lost(f"A condition on a part of a face, <Face {' '.join(face.element.attrib)}>, is left out (those of a deck hold on "
+                    "whole faces of the grid).")
                 continue
             for entry in face.children("BCType"):
                 condition = condition_of(side, entry, space, notes) if is_for_all(side, entry, count, notes) else None

@@ -19,7 +19,9 @@ def parse(path):
     except ElementTree.ParseError as error:
         raise Fault(f"{path} is not XML ({error}); correct it.") from None
     except (LookupError, ValueError) as error:  # a name of an encoding that Python or the parser lacks
-        raise Fault(f'{path} cannot be read ({error}); write its first line with encoding="UTF-8" or "ISO-8859-1", whichever the file has.') from None
+        raise Fault(
+            f'{path} cannot be read ({error}); write its first line with encoding="UTF-8" or "ISO-8859-1", whichever the file has.'
+        ) from None
     refuse_depth(root, path)
     return root
 
@@ -44,7 +46,8 @@ def found_beside(name, folder, named_by):
                 return place / name
         except (OSError, ValueError):  # a name that no file can have
             break
-    raise Fault(f"{name} does not exist (named by {named_by} in {folder}, and sought there and in the folders above); bring the file to its place.", FILE)
+    raise Fault(f"{name} does not exist (named by {named_by} in {folder}, and sought there and in the folders above); bring the file to "
+        "its place.", FILE)
 
 
 def section_of(root, section, path):

@@ -39,6 +39,7 @@ def read_heat(root, notes):
         notes.lost("Conduction of heat is left out (Barreno's metals keep their heat where it arises).")
     elif len(found) > 1 and flags.flag(SWITCHES[0], default=True):
         root.record.update((element, what) for element in bodies for what in ("", TEXT))
-        notes.lost(f"Heat that flows between bodies or faces of several temperatures, from {found[0]:g} to {found[-1]:g}, is left out (a deck conducts no heat).")
+        notes.lost(f"Heat that flows between bodies or faces of several temperatures, from {found[0]:g} to {found[-1]:g}, is left out (a "
+            "deck conducts no heat).")
     elif faces:
         notes.add_neutral("BCType Dirichlet Temperature")

@@ -17,7 +17,8 @@ def materials_of(contact, contents, notes):
     indices = [int(part) for part in re.findall(r"\d+", text)] if text else range(len(contents.names))
     absent = [str(index) for index in indices if index >= len(contents.names)]
     if absent:
-        notes.add(f"A contact names materials that the file does not have ({', '.join(absent)}; it has {len(contents.names)}, counted from 0); the others are taken.")
+        notes.add(f"A contact names materials that the file does not have ({', '.join(absent)}; it has {len(contents.names)}, counted from "
+            "0); the others are taken.")
     return [contents.names[i] for i in indices if i < len(contents.names) and contents.names[i] in contents.materials]
 
 
@@ -36,7 +37,8 @@ def note_free_pairs(contents, touching, notes):
     free = [f"{one} and {other}" for one, other in itertools.combinations(contents.materials, 2) if frozenset((one, other)) not in touching]
     if free:
         named = "; ".join(free[:MOST_PAIRS]) + (f"; and {len(free) - MOST_PAIRS} more pairs" if len(free) > MOST_PAIRS else "")
-        notes.lost(f"No contact of the file holds for {named}: in Uintah they pass through each other, in the deck they stick (add friction or frictionless under Contact).")
+        notes.lost(f"No contact of the file holds for {named}: in Uintah they pass through each other, in the deck they stick (add "
+            "friction or frictionless under Contact).")
 
 
 def pairs_of(contact, names, contents):
@@ -63,11 +65,14 @@ def read_contact(root, contents, notes):
         if kind in FRICTION:
             rub(contact, names, out, notes)
         elif kind == "null" and several:
-            notes.lost(f"Contact null of {', '.join(names)} becomes sticking (materials of a deck that share a node never pass through each other).")
+            notes.lost(f"Contact null of {', '.join(names)} becomes sticking (materials of a deck that share a node never pass through "
+                "each other).")
         elif kind == "approach" and several:
-            notes.lost("Contact approach becomes sticking (surfaces of a deck that may separate have friction, or none: add it under Contact).")
+            notes.lost("Contact approach becomes sticking (surfaces of a deck that may separate have friction, or none: add it under "
+                "Contact).")
         elif kind not in (*STUCK, "null", "approach"):
             contact.cover()
-            notes.lost(f"Contact {kind} is left out (a deck has friction, frictionless and stick; a body with a prescribed velocity has Motion).")
+            notes.lost(f"Contact {kind} is left out (a deck has friction, frictionless and stick; a body with a prescribed velocity has "
+                "Motion).")
     note_free_pairs(contents, touching, notes)
     return out

@@ -24,7 +24,8 @@ def read_rows(path):
         except ValueError:
             row = []
         if words and (len(row) != 8 or not all(map(math.isfinite, row))):
-            raise Fault(f"{path}, line {number} has not eight numbers (time, colour, three of the translation, three of the velocity); correct it.")
+            raise Fault(f"{path}, line {number} has not eight numbers (time, colour, three of the translation, three of the velocity); "
+                "correct it.")
         if words:
             rows.append(row)
     return rows
@@ -65,14 +66,17 @@ def read_jet(root, folder, contents, space, notes):
     slugs = [slug_of(row, contents.pieces, contents, space) for row in rows]
     kinds = {(slug[2], slug[3].material) for slug in slugs if slug}
     if not rows or None in slugs or len(kinds) != 1:
-        notes.lost(f"The particles that {path.name} inserts are left out (a jet is of one material, with slugs that are cylinders on the axis and fly along y, each of a colour of its own, and with density in the file); write a Jet.")
+        notes.lost(f"The particles that {path.name} inserts are left out (a jet is of one material, with slugs that are cylinders on the "
+            "axis and fly along y, each of a colour of its own, and with density in the file); write a Jet.")
         return {}
     places = [slug[1] for slug in slugs]
     direction, material = kinds.pop()
     if max(places) - min(places) > 1e-6 * max(slug[0][3] for slug in slugs):
-        notes.add(f"Slugs that {path.name} inserts with their noses between y = {min(places):g} and {max(places):g} are launched through one plane, y = {places[0]:g}.")
+        notes.add(f"Slugs that {path.name} inserts with their noses between y = {min(places):g} and {max(places):g} are launched through "
+            f"one plane, y = {places[0]:g}.")
     for piece in {id(slug[3]): slug[3] for slug in slugs}.values():
         contents.bodies.pop(piece.body, None)
-    notes.add(f"{len(slugs)} insertions of {path.name} become slugs of a Jet, which enter through the plane as they fly instead of at once.")
+    notes.add(f"{len(slugs)} insertions of {path.name} become slugs of a Jet, which enter through the plane as they fly instead of at "
+        "once.")
     rows = sorted(slug[0] for slug in slugs)
     return {"Material": material, "Slugs": rows, "Launch Position": places[0], "Direction": "+y" if direction > 0 else "-y"}

@@ -42,7 +42,8 @@ def faces_of_cylinder(surface, body, space):
     size = size_of(body)
     if end and not side:
         way = ALONG if top[1] > bottom[1] else "against"
-        return [(face, way, spans(low, high, body, 2, 1, size)) for face, y in (("y_lower", body["Lower"][1]), ("y_upper", body["Upper"][1])) if low[1] <= y <= high[1]]
+        return [(face, way, spans(low, high, body, 2, 1, size))
+            for face, y in (("y_lower", body["Lower"][1]), ("y_upper", body["Upper"][1])) if low[1] <= y <= high[1]]
     if not end and abs(body["Upper"][0] - radius) <= NEAR * radius:
         return [("x_upper", OUTWARD, spans(low, high, body, 2, 0, size))]
     return []
@@ -103,7 +104,8 @@ def read_pressure(pressure, contents, space, out, notes):
     times, loads = curve_of(pressure)
     found = []
     if surface is not None and times and surface.children():
-        found = [(name, *one) for name, body in bodies_of(pressure, contents).items() if "Motion" not in body for one in surfaces_of(surface, body, space)]
+        found = [(name, *one) for name, body in bodies_of(pressure, contents).items() if "Motion" not in body
+            for one in surfaces_of(surface, body, space)]
     if not found:
         leave_out(pressure, surface, notes)
         return
@@ -113,9 +115,11 @@ def read_pressure(pressure, contents, space, out, notes):
     for name, where, sign, cover in found:
         place = (name, *sum(where.values(), []))
         if cover != "all":
-            notes.lost(f"The pressure {described(surface)}of PhysicalBC covers a part of {place[1]} of {name} and is left out there (a load of a deck is on a whole face); add a body for that part.")
+            notes.lost(f"The pressure {described(surface)}of PhysicalBC covers a part of {place[1]} of {name} and is left out there (a "
+                "load of a deck is on a whole face); add a body for that part.")
         elif place in [(load["Body"], *load.get("Faces", ()), *load.get("Surfaces", ())) for load in out.values()]:
-            notes.lost(f"A second pressure {described(surface)}on {place[1]} of {name} is left out (a face of a deck has one); add it to the first.")
+            notes.lost(f"A second pressure {described(surface)}on {place[1]} of {name} is left out (a face of a deck has one); add it to "
+                "the first.")
         else:
             out[f"Pressure on {name} {len(out) + 1}"] = {"Kind": "pressure", "Body": name, **where, **amount_of(times, loads, sign)}
 
@@ -123,7 +127,8 @@ def read_pressure(pressure, contents, space, out, notes):
 def leave_out(condition, surface, notes):
     on = described(surface) if surface is not None else ""
     condition.cover()
-    notes.lost(f"The load <{condition.tag}> {on}of PhysicalBC is left out (a deck has pressures on faces of boxes and on balls, and none of these was met); add it under Loads or Confinement.")
+    notes.lost(f"The load <{condition.tag}> {on}of PhysicalBC is left out (a deck has pressures on faces of boxes and on balls, and none "
+        "of these was met); add it under Loads or Confinement.")
 
 
 def read_loads(root, contents, space, notes):

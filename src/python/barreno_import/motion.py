@@ -87,7 +87,8 @@ def look_at_limits(contact, space, name, notes):
     direction = space.point(contact.vector("direction", default=(0.0, 0.0, 1.0)))
     if not all(direction):
         free = ", ".join("xyz"[i] for i, along in enumerate(direction) if not along)
-        notes.lost(f"its contact leaves other materials free along {free}; in the deck they stick to it (add friction or frictionless under Contact).", name)
+        notes.lost(f"its contact leaves other materials free along {free}; in the deck they stick to it (add friction or frictionless "
+            "under Contact).", name)
     if contact.flag("normal_only"):
         notes.lost("normal_only = true is left out (in the deck other materials stick to it); add frictionless under Contact.", name)
     if contact.flag("include_rotation"):

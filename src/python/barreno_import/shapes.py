@@ -8,7 +8,8 @@ from barreno_import.deck import name_of, table
 from barreno_runs.faults import Fault
 
 # Pieces of Uintah, with and without a counterpart.
-PIECES = (*COMBINED, "box", "sphere", "cylinder", "cone", "parallelepiped", "ellipsoid", "torus", "tri", "file", "smoothcyl", "smooth_sphere", "sphere_membrane", "corrugated", "shell",
+PIECES = (*COMBINED, "box", "sphere", "cylinder", "cone", "parallelepiped", "ellipsoid", "torus", "tri", "file", "smoothcyl",
+    "smooth_sphere", "sphere_membrane", "corrugated", "shell",
           "plane", "null", "abaqus_mesh", "convex_polyhedron", "image", "naaba", "cubic_sphere", "svg", "linesegment")  # fmt: skip
 
 
@@ -38,7 +39,8 @@ class Shapes:
         label = piece.attribute("label") or piece.attribute("name")
         if label and not piece.children():
             if label not in self.labelled:
-                raise Left(f'the piece <{piece.tag} label="{label}"> has no dimensions, and no piece of that label with a counterpart stands before it')
+                raise Left(f'the piece <{piece.tag} label="{label}"> has no dimensions, and no piece of that label with a counterpart '
+                    'stands before it')
             return self.labelled[label]
         makers = {"box": self.box, "sphere": self.ball, "cylinder": self.cylinder, "cone": self.cone, "parallelepiped": self.parallelepiped}
         if piece.tag in COMBINED:
@@ -86,13 +88,16 @@ class Shapes:
 
     def inside(self, shape):
         low, high = bounds_of(shape, self.lists)
-        outside = [(i, edge) for i in range(len(low)) for edge, out in ((self.space.lower[i], low[i] < self.space.lower[i]), (self.space.upper[i], high[i] > self.space.upper[i])) if out]
+        outside = [(i, edge) for i in range(len(low))
+            for edge, out in ((self.space.lower[i], low[i] < self.space.lower[i]),
+                (self.space.upper[i], high[i] > self.space.upper[i])) if out]
         if not outside or all(is_cut_there(shape, i, edge) for i, edge in outside):
             return shape
         if any(low[i] >= self.space.upper[i] or high[i] <= self.space.lower[i] for i in range(len(low))):
             raise Left("it lies outside of the grid")
         if shape["Shape"] == "box":
-            return {"Shape": "box", "Lower": [max(x) for x in zip(low, self.space.lower)], "Upper": [min(x) for x in zip(high, self.space.upper)]}
+            return {"Shape": "box", "Lower": [max(x) for x in zip(low, self.space.lower)],
+                "Upper": [min(x) for x in zip(high, self.space.upper)]}
         names = [name_of("whole", self.lists, "part")]
         self.lists[names[0]] = shape
         names.append(name_of("inside of the grid", self.lists, "part"))
@@ -102,7 +107,8 @@ class Shapes:
     def box(self, piece):
         low, high = piece.vector("min", "lower"), piece.vector("max", "upper")
         self.check_in_plane(min(low[2], high[2]), max(low[2], high[2]))
-        return {"Shape": "box", "Lower": self.space.point([min(x) for x in zip(low, high)]), "Upper": self.space.point([max(x) for x in zip(low, high)])}
+        return {"Shape": "box", "Lower": self.space.point([min(x) for x in zip(low, high)]),
+            "Upper": self.space.point([max(x) for x in zip(low, high)])}
 
     def ball(self, piece):
         centre = piece.vector("origin", "center", default=(0.0, 0.0, 0.0))

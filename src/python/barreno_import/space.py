@@ -40,7 +40,8 @@ def spacing_of(level, box, lower, upper):
         if place.has("spacing"):
             spacing = place.vector("spacing")
             if min(spacing) <= 0.0:
-                raise Fault(f"{place.where}/spacing is [{', '.join(f'{s:g}' for s in spacing)}], which is not positive everywhere; write three lengths of a cell.")
+                raise Fault(f"{place.where}/spacing is [{', '.join(f'{s:g}' for s in spacing)}], which is not positive everywhere; write "
+                    "three lengths of a cell.")
             if box.has("resolution"):
                 box.vector("resolution")
             return spacing
@@ -65,7 +66,8 @@ def read_box(level, notes):
         if box.has("resolution", "spacing"):
             other = spacing_of(level, box, box.vector("lower"), box.vector("upper"))
             if any(abs(a - b) > NEAR * a for a, b in zip(other, spacing_of(level, boxes[0], lowers[0], uppers[0]))):
-                notes.lost("boxes of the grid have cells of several sizes; those of the first box are taken everywhere (cells of several sizes are regions of Refinement); add them in the deck.")
+                notes.lost("boxes of the grid have cells of several sizes; those of the first box are taken everywhere (cells of several "
+                    "sizes are regions of Refinement); add them in the deck.")
     return lower, upper, spacing_of(level, boxes[0], lowers[0], uppers[0])
 
 
@@ -75,12 +77,14 @@ def read_space(root, notes):
     if not levels:
         raise Fault(f"{root.where} has no <Grid> with a <Level> (the grid of the deck is that level's); add it.")
     if len(levels) > 1:
-        notes.lost(f"Of {len(levels)} levels of the grid the first is taken (cells of several sizes are regions of Refinement, which do not follow); add them in the deck.")
+        notes.lost(f"Of {len(levels)} levels of the grid the first is taken (cells of several sizes are regions of Refinement, which do "
+            "not follow); add them in the deck.")
     for level in levels[1:]:
         level.cover()
     lower, upper, spacing = read_box(levels[0], notes)
     if not all((high - low) / min(spacing) < MOST_CELLS for low, high in zip(lower, upper)):
-        raise Fault(f"{levels[0].where} has more than {MOST_CELLS:g} cells along an axis (a grid of a deck has fewer); correct lower, upper or the cells.")
+        raise Fault(f"{levels[0].where} has more than {MOST_CELLS:g} cells along an axis (a grid of a deck has fewer); correct lower, "
+            "upper or the cells.")
     if root.find("MPM").flag("axisymmetric"):
         mode = "axisymmetric"
     else:
@@ -91,7 +95,8 @@ def read_space(root, notes):
     lower, upper, spacing = (space.point(vector) for vector in (lower, upper, spacing))
     space.cell = min(spacing)
     if max(spacing) > space.cell * (1 + NEAR):
-        notes.add(f"Cells of {', '.join(f'{s:g}' for s in spacing)} become squares or cubes of the smallest of these (a deck has no others); the cost rises accordingly.")
+        notes.add(f"Cells of {', '.join(f'{s:g}' for s in spacing)} become squares or cubes of the smallest of these (a deck has no "
+            "others); the cost rises accordingly.")
     counts = [math.ceil((high - low) / space.cell * (1 - NEAR)) for low, high in zip(lower, upper)]
     space.lower, space.upper = lower, [low + count * space.cell for low, count in zip(lower, counts)]
     if any(abs(new - old) > NEAR * abs(old) for new, old in zip(space.upper, upper)):

@@ -4,30 +4,47 @@
 from barreno_import.ups import ALL, TEXT
 
 # Sections that only choose what is written, how work is shared, and what is measured.
-NEUTRAL_SECTIONS = {"Meta", "DataArchiver", "DataAnalysis", "LoadBalancer", "Scheduler", "ProfileDriver", "Debug", "ParallelComponent", "VisIt", "TaskThrottle", "OnTheFlyAnalysis"}
+NEUTRAL_SECTIONS = {"Meta", "DataArchiver", "DataAnalysis", "LoadBalancer", "Scheduler", "ProfileDriver", "Debug", "ParallelComponent",
+    "VisIt", "TaskThrottle", "OnTheFlyAnalysis"}
 # Ends of paths without effect on the answer of a deck.
 NEUTRAL = (
-    "Time/delt_min", "Time/max_delt_increase", "Time/max_initial_delt", "Time/initial_delt_range", "Time/clamp_time_to_output", "Time/override_restart_delt",
-    "Time/clamp_timesteps_to_output", "Time/end_on_max_time_exactly", "Time/end_at_max_time_exactly", "Box@label", "Box@name", "Box/patches", "Box/extraCells", "Level/patches", "Level/extraCells",
-    "MPM/withColor", "MPM/nodes8or27", "MPM/minimum_particle_mass", "MPM/minimum_mass_for_acc", "MPM/minimum_subcycles_for_F", "MPM/computeScaleFactor",
-    "MPM/extra_solver_flushes", "MPM/UseMomentumForm", "MPM/use_CBDI_boundary_condition", "MPM/testForNegTemps_mpm", "MPM/DeleteGeometryObjects", "MPM/CanAddMPMMaterial",
-    "MPM/interpolateParticleTempToGridEveryStep", "MPM/computeNodalHeatFlux", "MPM/computeColinearNormals", "MPM/restartOnLargeNodalVelocity", "MPM/with_gauss_solver",
-    "MPM/boundary_traction_faces", "MPM/solver", "MPM/convergence_criteria_disp", "MPM/convergence_criteria_energy", "MPM/iters_before_timestep_restart",
-    "MPM/num_iters_to_decrease_delT", "MPM/num_iters_to_increase_delT", "MPM/delT_decrease_factor", "MPM/delT_increase_factor", "constitutive_model/tolerance",
-    "PhysicalConstants/reference_pressure", "geom_object/temperature", "geom_object/color", "geom_object/numLevelsParticleFilling", "geom_object/pressure", "geom_object/density",
-    "material/specific_heat", "material/thermal_conductivity", "material/C_p", "material/room_temp", "material/melt_temp", "contact/volume_constraint", "contact/separation_factor",
+    "Time/delt_min", "Time/max_delt_increase", "Time/max_initial_delt", "Time/initial_delt_range", "Time/clamp_time_to_output",
+    "Time/override_restart_delt",
+    "Time/clamp_timesteps_to_output", "Time/end_on_max_time_exactly", "Time/end_at_max_time_exactly", "Box@label", "Box@name",
+    "Box/patches", "Box/extraCells", "Level/patches", "Level/extraCells",
+    "MPM/withColor", "MPM/nodes8or27", "MPM/minimum_particle_mass", "MPM/minimum_mass_for_acc", "MPM/minimum_subcycles_for_F",
+    "MPM/computeScaleFactor",
+    "MPM/extra_solver_flushes", "MPM/UseMomentumForm", "MPM/use_CBDI_boundary_condition", "MPM/testForNegTemps_mpm",
+    "MPM/DeleteGeometryObjects", "MPM/CanAddMPMMaterial",
+    "MPM/interpolateParticleTempToGridEveryStep", "MPM/computeNodalHeatFlux", "MPM/computeColinearNormals",
+    "MPM/restartOnLargeNodalVelocity", "MPM/with_gauss_solver",
+    "MPM/boundary_traction_faces", "MPM/solver", "MPM/convergence_criteria_disp", "MPM/convergence_criteria_energy",
+    "MPM/iters_before_timestep_restart",
+    "MPM/num_iters_to_decrease_delT", "MPM/num_iters_to_increase_delT", "MPM/delT_decrease_factor", "MPM/delT_increase_factor",
+    "constitutive_model/tolerance",
+    "PhysicalConstants/reference_pressure", "geom_object/temperature", "geom_object/color", "geom_object/numLevelsParticleFilling",
+    "geom_object/pressure", "geom_object/density",
+    "material/specific_heat", "material/thermal_conductivity", "material/C_p", "material/room_temp", "material/melt_temp",
+    "contact/volume_constraint", "contact/separation_factor",
     "contact/OneOrTwoStep", "pressure/res", "load_curve/id", "pressure/numberOfParticlesOnLoadSurface",
     "material@index", "material@id",
 )  # fmt: skip
 # Switches that are off where a file leaves them out: written with false they say nothing.
 OFF = {
-    "artificial_viscosity_heating", "refine_particles", "AMR", "do_contact_friction_heating", "UseGradientEnhancedVelocityProjection", "DoExplicitHeatConduction", "XPIC2",
-    "DoPressureStabilization", "DoCapDensity", "DoDefGradAveraging", "DoThermalExpansion", "temperature_solve", "use_load_curves", "use_cohesive_zones", "use_volume_integral",
-    "UsePrescribedDeformation", "exactDeformation", "InsertParticles", "DoImplicitHeatConduction", "do_scalar_diffusion", "do_auto_cycle_bc", "auto_cycle_use_minmax",
-    "coupled_flow_analysis", "PorePressureFilter", "create_new_particles", "manual_new_material", "axisymmetric", "artificial_viscosity", "is_rigid", "do_conc_reduction",
-    "usePlasticity", "useDamage", "useModifiedEOS", "useInitialStress", "useInitialDensity", "evolve_porosity", "evolve_specific_heat", "compute_specific_heat", "isothermal",
-    "check_TEPLA_failure_criterion", "check_max_stress_failure", "outward_normal", "cylinder_end", "axisymmetric_end", "axisymmetric_side", "normal_only", "include_rotation",
-    "use_svf", "colinear_norms", "delete_rogue_particles", "LocalizeParticles", "brittle_damage_allowRecovery", "brittle_damage_printDamage", "do_rotation",
+    "artificial_viscosity_heating", "refine_particles", "AMR", "do_contact_friction_heating", "UseGradientEnhancedVelocityProjection",
+    "DoExplicitHeatConduction", "XPIC2",
+    "DoPressureStabilization", "DoCapDensity", "DoDefGradAveraging", "DoThermalExpansion", "temperature_solve", "use_load_curves",
+    "use_cohesive_zones", "use_volume_integral",
+    "UsePrescribedDeformation", "exactDeformation", "InsertParticles", "DoImplicitHeatConduction", "do_scalar_diffusion",
+    "do_auto_cycle_bc", "auto_cycle_use_minmax",
+    "coupled_flow_analysis", "PorePressureFilter", "create_new_particles", "manual_new_material", "axisymmetric", "artificial_viscosity",
+    "is_rigid", "do_conc_reduction",
+    "usePlasticity", "useDamage", "useModifiedEOS", "useInitialStress", "useInitialDensity", "evolve_porosity", "evolve_specific_heat",
+    "compute_specific_heat", "isothermal",
+    "check_TEPLA_failure_criterion", "check_max_stress_failure", "outward_normal", "cylinder_end", "axisymmetric_end", "axisymmetric_side",
+    "normal_only", "include_rotation",
+    "use_svf", "colinear_norms", "delete_rogue_particles", "LocalizeParticles", "brittle_damage_allowRecovery",
+    "brittle_damage_printDamage", "do_rotation",
 }  # fmt: skip
 # Switches that are on where a file leaves them out, and coefficients of nothing.
 ON = {"do_melting", "DoMechanics", "dynamic", "testForNegTemps_mpm", "is_active", "do_grid_reset", "DoTransientImplicitHeatConduction"}
@@ -70,7 +87,8 @@ def note_element(element, path, subject, notes):
     if not inner and not text and own in (["@type = none"], ["@algorithm = none"]):
         notes.add_neutral(path)
     elif inner:
-        stray = [t for one in element.iter() for t in (one.text if len(one) else None, one.tail if one is not element else None) if t and t.strip()]
+        stray = [t for one in element.iter() for t in (one.text if len(one) else None, one.tail if one is not element else None) if t
+            and t.strip()]
         names = ", ".join(dict.fromkeys([*own, *inner, *(" ".join(t.split()) for t in stray)]))
         note(f"{path} with all in it ({names})", "", subject, notes, path)
     else:
@@ -102,4 +120,5 @@ def note(name, value, subject, notes, path=None):
     if is_neutral(path or name, text):
         notes.add_neutral(name)
     else:
-        notes.lost(f"{name}{f' = {text}' if text else ''} is left out (it has no counterpart in a deck, or none that the import knows).", subject)
+        notes.lost(f"{name}{f' = {text}' if text else ''} is left out (it has no counterpart in a deck, or none that the import knows).",
+            subject)

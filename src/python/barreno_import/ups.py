@@ -40,7 +40,8 @@ class Ups:
 
     def children(self, *tags):
         """Those of these names are read; without names it is a look that reads nothing."""
-        found = [Ups(child, f"{self.where}/{child.tag}", self.record) for child in self.element if isinstance(child.tag, str) and (not tags or child.tag in tags)]
+        found = [Ups(child, f"{self.where}/{child.tag}", self.record) for child in self.element if isinstance(child.tag, str)
+            and (not tags or child.tag in tags)]
         for child in found if tags else ():
             child.mark()
         return found
@@ -96,7 +97,8 @@ class Ups:
         except ValueError:
             numbers = []
         if len(numbers) != 3 or not all(map(math.isfinite, numbers)):
-            raise Fault(f'{self.where}/{tags[0]} is "{" ".join(text.split())}", which is not a vector; write three numbers, for example [0.0, 1.0, 0.0].')
+            raise Fault(f'{self.where}/{tags[0]} is "{" ".join(text.split())}", which is not a vector; write three numbers, for example '
+                '[0.0, 1.0, 0.0].')
         return numbers
 
     def flag(self, *tags, default=False):

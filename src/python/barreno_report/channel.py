@@ -89,7 +89,8 @@ def draw_outlines(axes, frame, deck, mirrors, width=0.8):
     for block in np.unique(frame.block[of]):
         colour, label = line_of(frame, deck, int(block))
         for mirror in mirrors:
-            draw_outline(axes, shapes[frame.block[of] == block] / MILLI, mirror, deck.mirrored(), crumbs=colour == JET, colors=colour, linewidths=width)
+            draw_outline(axes, shapes[frame.block[of] == block] / MILLI, mirror, deck.mirrored(), crumbs=colour == JET, colors=colour,
+                linewidths=width)
         legend.append(Line2D([], [], color=colour, lw=1.5, label=label))
     return legend
 
@@ -177,6 +178,7 @@ def draw_channel(frame, deck, left, right, box=None, limits=(None, None), edges=
         panels[0].axvline(0.0, color="k", lw=0.5, ls=(0, (8, 4)))
     if legend:
         drop = 0.55 / tall  # half an inch below the axes, whatever their height
-        panels[0].legend(handles=legend, loc="upper center", bbox_to_anchor=(0.5, -drop), ncols=min(len(legend), 3), fontsize=9, frameon=False)
+        panels[0].legend(handles=legend, loc="upper center", bbox_to_anchor=(0.5, -drop), ncols=min(len(legend), 3), fontsize=9,
+            frameon=False)
     panels[0].set_title(f"{title}t = {time_text(frame.time)}")
     return figure

@@ -18,9 +18,13 @@ from barreno_runs.faults import FILE, BadRun, Fault, exit_code, on_one_line
 def report(words):
     options = report_parser().parse_args(words)
     folder = check_folder(options.run)
-    wishes = Wishes(options.left, options.right, time_of("--time", options.time), depths_of("--depths", options.depths), options.particles, options.pdf)
+    wishes = Wishes(options.left, options.right, time_of("--time", options.time), depths_of("--depths", options.depths), options.particles,
+        options.pdf)
     page = make_report(folder, wishes)
-    beside = ["report.pdf"] * options.pdf + ["profile.csv"] * (page.parent / "profile.csv").exists() + ["paths.csv"] * (options.particles is not None)
+    beside = (
+        ["report.pdf"] * options.pdf + ["profile.csv"] * (page.parent / "profile.csv").exists()
+        + ["paths.csv"] * (options.particles is not None)
+    )
     print(f"{page} (one file with its pictures); beside it index.md, the pictures, {', '.join([*beside, 'paraview/view.py'])}")
 
 

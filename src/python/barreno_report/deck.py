@@ -18,12 +18,14 @@ class Deck:
         """A list by the names that lead to it; an empty one where it is missing."""
         node = self.root
         for name in names:
-            node = next((child for child in node if child.tag == "ParameterList" and child.get("name") == name), xml.Element("ParameterList"))
+            node = next((child for child in node if child.tag == "ParameterList" and child.get("name") == name),
+                xml.Element("ParameterList"))
         return node
 
     def text(self, path, default=""):
         *lists, name = path.split("/")
-        return next((one.get("value", default) for one in self.list_at(*lists) if one.tag == "Parameter" and one.get("name") == name), default)
+        return next((one.get("value", default) for one in self.list_at(*lists) if one.tag == "Parameter" and one.get("name") == name),
+            default)
 
     def number(self, path, default=float("nan")):
         return float(self.text(path) or default)
@@ -63,7 +65,8 @@ class Deck:
         if self.mode == "axisymmetric":
             return True
         lower = self.vector("Grid/Lower")
-        symmetric = any(self.text(f"Conditions/{name}/Face") == "x_lower" and self.text(f"Conditions/{name}/Kind") == "symmetry" for name in self.entries("Conditions"))
+        symmetric = any(self.text(f"Conditions/{name}/Face") == "x_lower" and self.text(f"Conditions/{name}/Kind") == "symmetry"
+            for name in self.entries("Conditions"))
         return symmetric and bool(lower) and abs(lower[0]) < 1e-12
 
     def materials_of_bodies(self):

@@ -14,7 +14,8 @@ def draw_depth(axes, table, interval):
     axes.plot(time, table["channel_depth"] / MILLI, label="open channel (whole cells)")
     if interval:
         low, high, words = interval
-        axes.errorbar([time[-1]], [0.5 * (low + high) / MILLI], [[0.5 * (high - low) / MILLI]], fmt="none", ecolor="k", capsize=5, label=words, clip_on=False)
+        axes.errorbar([time[-1]], [0.5 * (low + high) / MILLI], [[0.5 * (high - low) / MILLI]], fmt="none", ecolor="k", capsize=5,
+            label=words, clip_on=False)
     axes.set_ylabel("depth [mm]")
     axes.legend(fontsize=8, loc="upper left")
 

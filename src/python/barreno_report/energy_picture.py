@@ -13,7 +13,8 @@ def parts_of(table):
     """[(name, values)] of what the energy went into; terms that a deck has nothing of are left out."""
     kept = [name for name in KEPT if name in ("kinetic", "elastic", "plastic") or np.any(table.get(name, 0.0))]
     # Lost between particles and grid, and by stress integration: a loss, so that all parts add up to what was put in.
-    return [*((name.replace("_", " "), table[name]) for name in kept), ("numerical loss", -(table["transfer"] + table["stress_integration"]))]
+    return [*((name.replace("_", " "), table[name]) for name in kept),
+        ("numerical loss", -(table["transfer"] + table["stress_integration"]))]
 
 
 def put_in(table, summary):

@@ -21,7 +21,8 @@ UNITS = {  # beginning of a name: (unit of the picture, in SI)
     "cell_size": ("mm", 1e-3), "step_length": ("ns", 1e-9),
 }  # fmt: skip
 DOUBLING = ("cell_size", "step_length")
-COLOURS = {"cell_size": "YlGnBu_r", "step_length": "YlOrRd_r", "pressure": "viridis", "pore_pressure": "viridis", "porosity": "cividis", "speed": "plasma", "temperature": "magma"}
+COLOURS = {"cell_size": "YlGnBu_r", "step_length": "YlOrRd_r", "pressure": "viridis", "pore_pressure": "viridis", "porosity": "cividis",
+    "speed": "plasma", "temperature": "magma"}
 
 
 @dataclasses.dataclass
@@ -51,7 +52,8 @@ def known_fields(file, deck):
     found = [name for name in file.fields() if name != "status"]
     if "velocity_x" in found:
         found.append("speed")
-    if "porosity" not in found and "plastic_volume_strain" in found and any("p3_crush_curve" in deck.parameters("Materials", m) for m in deck.entries("Materials")):
+    if "porosity" not in found and "plastic_volume_strain" in found and any("p3_crush_curve" in deck.parameters("Materials", m)
+            for m in deck.entries("Materials")):
         found.append("porosity")
     return found
 

@@ -21,7 +21,8 @@ def reading(file):
         yield
     except OSError as error:
         raise BadRun(f"{file.name} cannot be read: {on_one_line(error.strerror or error)}") from error
-    except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError, ValueError, xml.etree.ElementTree.ParseError) as error:
+    except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError, ValueError,
+            xml.etree.ElementTree.ParseError) as error:
         raise BadRun(f"{file.name} is truncated or was changed: {on_one_line(error)[:200]}") from error
 
 

@@ -22,7 +22,8 @@ def check_out(out):
     if out.suffix not in (".gif", ".png", ".mp4"):
         raise Fault(f'--out "{out.name}" is no film that can be written; end it with .gif, .png (animated) or .mp4.')
     if out.suffix == ".mp4" and shutil.which("ffmpeg") is None:
-        raise Fault(f'--out "{out.name}" needs ffmpeg, which is not installed; install the package ffmpeg, or end the name with .gif or .png.', FILE)
+        raise Fault(f'--out "{out.name}" needs ffmpeg, which is not installed; install the package ffmpeg, or end the name with .gif or '
+            '.png.', FILE)
     if not out.parent.is_dir():
         raise Fault(f"--out {out}: '{out.parent}' is not a folder; make it first, or name another file.", FILE)
 

@@ -22,12 +22,14 @@ def draw_wall(axes, hole, zones, mark):
         step = (below.depth - ring.depth) if below else 2.0 * hole.cell
         y = np.array([ring.depth - 0.5 * step, ring.depth + 0.5 * step]) / MILLI
         values = (ring.porosity / ring.virgin)[None, :]
-        drawn = axes.pcolormesh(ring.edges / MILLI, y, values, cmap="RdBu", norm=TwoSlopeNorm(1.0, 1.0 - SPREAD, 1.0 + SPREAD), rasterized=True)
+        drawn = axes.pcolormesh(ring.edges / MILLI, y, values, cmap="RdBu", norm=TwoSlopeNorm(1.0, 1.0 - SPREAD, 1.0 + SPREAD),
+            rasterized=True)
     axes.plot(radius, depth, "k-", lw=1.6, label="wall of the hole")
     axes.plot([0.0, radius[-1] if len(radius) else 0.0], [depth[-1]] * 2, "k-", lw=1.6)
     if mark:
         axes.plot([mark[1] / MILLI], [mark[0] / MILLI], "C1D", ms=6, label="half depth, in whole cells (depth.csv)")
-    axes.set(xlabel="radius [mm]" if not hole.plane else "half width [mm]", ylabel="depth [mm]", xlim=(0.0, None), ylim=(depth[-1] + 6.0 * hole.cell / MILLI, 0.0))
+    axes.set(xlabel="radius [mm]" if not hole.plane else "half width [mm]", ylabel="depth [mm]", xlim=(0.0, None),
+        ylim=(depth[-1] + 6.0 * hole.cell / MILLI, 0.0))
     axes.legend(fontsize=8, loc="lower right")
     axes.set_title("hole, and porosity around it", fontsize=10)
     return drawn

@@ -21,7 +21,8 @@ def rows_in_rock(hole, top, across):
     if top is None or hole.length <= top:
         return []
     return [
-        ("length in rock", f"{(hole.length - top) / MILLI:.1f} mm below the face of the rock, which was {top / MILLI:.1f} mm below the outer face"),
+        ("length in rock", f"{(hole.length - top) / MILLI:.1f} mm below the face of the rock, which was {top / MILLI:.1f} mm below the "
+            "outer face"),
         (f"entrance {across} in rock", f"{hole.diameter_below(top) / MILLI:.2f} mm"),
     ]
 
@@ -40,11 +41,13 @@ def hole_rows(hole, mark, time, top):
         ("time", time_text(time)),
         *rows_in_rock(hole, top, across),
         ("length of the hole", f"{hole.length / MILLI:.1f} mm below the outer face, to where it is closed or leaves the target"),
-        (f"entrance {across}", f"{hole.entrance_diameter / MILLI:.2f} mm, in the first row with a wall, {hole.depth[hole.first_row] / MILLI:.2g} mm below the outer face"),
+        (f"entrance {across}", f"{hole.entrance_diameter / MILLI:.2f} mm, in the first row with a wall, "
+            f"{hole.depth[hole.first_row] / MILLI:.2g} mm below the outer face"),
         ("volume", f"{hole.volume / scale:.3g} {per}"),
     ]
     if mark:
-        rows.append(("radius at half the depth of the channel", f"{hole.radius_at(mark[0]) / MILLI:.2f} mm; depth.csv, without the shear of particles, has {mark[1] / MILLI:.2f} mm"))
+        rows.append(("radius at half the depth of the channel",
+            f"{hole.radius_at(mark[0]) / MILLI:.2f} mm; depth.csv, without the shear of particles, has {mark[1] / MILLI:.2f} mm"))
     return rows
 
 
@@ -54,33 +57,42 @@ def rock_rows(rock):
 
 def ring_table(rings):
     """Heads and rows: the zones at chosen depths."""
-    heads = ("depth [mm]", "wall [mm]", "crushed from [mm]", "to [mm]", "dilated to [mm]", "least porosity [%]", "least permeability / virgin", "skin")
+    heads = ("depth [mm]", "wall [mm]", "crushed from [mm]", "to [mm]", "dilated to [mm]", "least porosity [%]",
+        "least permeability / virgin", "skin")
     rows = []
     for ring in rings:
         (crushed_from, crushed_to), dilated = ring.crushed, ring.dilated[1]
         none = crushed_from == crushed_to
         rows.append((
-            f"{ring.depth / MILLI:.1f}", f"{ring.edges[0] / MILLI:.2f}", "none" if none else f"{crushed_from / MILLI:.1f}", "" if none else f"{crushed_to / MILLI:.1f}",
-            "none" if dilated == ring.edges[0] else f"{dilated / MILLI:.1f}", f"{100.0 * np.nanmin(ring.porosity):.1f}", f"{np.nanmin(ring.permeability):.2f}", f"{ring.skin:+.2f}",
+            f"{ring.depth / MILLI:.1f}", f"{ring.edges[0] / MILLI:.2f}", "none" if none else f"{crushed_from / MILLI:.1f}",
+            "" if none else f"{crushed_to / MILLI:.1f}",
+            "none" if dilated == ring.edges[0] else f"{dilated / MILLI:.1f}", f"{100.0 * np.nanmin(ring.porosity):.1f}",
+            f"{np.nanmin(ring.permeability):.2f}", f"{ring.skin:+.2f}",
         ))  # fmt: skip
     return heads, rows
 
 
 WALL = (
     "The wall is where the target's particles, with their deformed shapes, cover half of a window one cell wide and high. A sharp wall is "
-    "found to less than a tenth of a cell; debris that is half a cell away from it makes no difference. profile.csv has the radius in rows of half a cell."
+    "found to less than a tenth of a cell; debris that is half a cell away from it makes no difference. profile.csv has the radius in rows "
+    "of half a cell."
 )
 ROCK = (
-    "Porosity is what crushing and dilation have left, phi = 1 - (1 - phi_0) exp(-e) with the plastic volume strain e, averaged over rings one cell wide and four "
-    f"cells high; a zone is crushed or dilated where it differs from the virgin porosity by more than {100.0 * CHANGED:.0f} % of that. Permeability follows Kozeny and Carman, "
-    "k ~ phi^3/(1 - phi)^2, for grains that stay whole: broken grains of a crushed zone let less through. The skin is Hawkins' sum of (k_0/k - 1) ln(r_outer/r_inner) over the "
-    f"rings, for flow towards the hole at that depth; closed pores count as {LEAST_PERMEABILITY:g} of the virgin permeability. Expanded debris at the wall counts as rock."
+    "Porosity is what crushing and dilation have left, phi = 1 - (1 - phi_0) exp(-e) with the plastic volume strain e, averaged over rings "
+    "one cell wide and four "
+    f"cells high; a zone is crushed or dilated where it differs from the virgin porosity by more than {100.0 * CHANGED:.0f} % of that. "
+    "Permeability follows Kozeny and Carman, "
+    "k ~ phi^3/(1 - phi)^2, for grains that stay whole: broken grains of a crushed zone let less through. The skin is Hawkins' sum of "
+    "(k_0/k - 1) ln(r_outer/r_inner) over the "
+    f"rings, for flow towards the hole at that depth; closed pores count as {LEAST_PERMEABILITY:g} of the virgin permeability. Expanded "
+    "debris at the wall counts as rock."
 )
 
 
 def profile_text(hole, rock, top):
     lines = [
-        "# SI units: depth below the outer face, radius of the wall, inner and outer radius of the crushed zone, outer radius of the dilated zone m;"
+        "# SI units: depth below the outer face, radius of the wall, inner and outer radius of the crushed zone, outer radius of the "
+        "dilated zone m;"
         " nan where there is no rock with pores",
         COLUMNS,
     ]
@@ -105,7 +117,8 @@ def depths_in_rock(hole, top, wanted):
         return []
     for depth in wanted:
         if not top <= depth <= hole.length:
-            raise Fault(f"--depths has {depth / MILLI:g} mm, where there is no hole in rock ({top / MILLI:.1f} to {hole.length / MILLI:.1f} mm); choose depths in between.")
+            raise Fault(f"--depths has {depth / MILLI:g} mm, where there is no hole in rock ({top / MILLI:.1f} to "
+                f"{hole.length / MILLI:.1f} mm); choose depths in between.")
     return wanted or chosen_depths(hole, top)
 
 
@@ -125,5 +138,6 @@ def hole_section(frame, deck, table, wanted, folder):
         section.words.append(ROCK)
     if deck.mode == "3D":
         section.words.append("In three dimensions the hole is measured in the plane of the picture.")
-    section.pictures.append(Picture("hole", hole_figure(hole, zones, rings, mark), "Wall of the hole against depth and porosity around it; porosity and permeability against radius."))
+    section.pictures.append(Picture("hole", hole_figure(hole, zones, rings, mark),
+        "Wall of the hole against depth and porosity around it; porosity and permeability against radius."))
     return section

@@ -26,6 +26,8 @@ def draw_inks(axes):
     pressure, shear = np.geomspace(PRESSURES[0] / 3.0, PRESSURES[1], 120), np.geomspace(SHEARS[0] / 2.0, SHEARS[1], 120)
     colours = colour_of(*np.meshgrid(pressure, shear))
     number = np.arange(colours[..., 0].size).reshape(colours.shape[:2])
-    axes.pcolormesh(pressure, shear, number, cmap=ListedColormap(colours.reshape(-1, 3)), vmin=-0.5, vmax=number.size - 0.5, rasterized=True)
-    axes.set(xscale="log", yscale="log", xlim=(pressure[0], pressure[-1]), ylim=(shear[0], shear[-1]), xlabel="pressure [MPa]", ylabel="√J₂ [MPa]", title="colours (tension: yellow)")
+    axes.pcolormesh(pressure, shear, number, cmap=ListedColormap(colours.reshape(-1, 3)), vmin=-0.5, vmax=number.size - 0.5,
+        rasterized=True)
+    axes.set(xscale="log", yscale="log", xlim=(pressure[0], pressure[-1]), ylim=(shear[0], shear[-1]), xlabel="pressure [MPa]",
+        ylabel="√J₂ [MPa]", title="colours (tension: yellow)")
     plain_log(axes.xaxis, axes.yaxis)

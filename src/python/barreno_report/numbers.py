@@ -28,7 +28,10 @@ def depth_text(depth, penetration):
         what = "grid convergence index" if study["extrapolated"] is not None else alone
         text += f"; {study['low'] / MILLI:.1f} to {study['high'] / MILLI:.1f} mm by cells of {cells} mm ({what})"
     if "value" in error:
-        text += f"; error from the size of the cells {error_text(error)} at {count_text(error['cells_per_radius'])} per jet radius, as {error['source']}"
+        text += (
+            f"; error from the size of the cells {error_text(error)} at {count_text(error['cells_per_radius'])} per jet radius, as "
+            f"{error['source']}"
+        )
     elif "unknown" in error:
         text += f"; error from the size of the cells unknown ({error['unknown']})"
     return text
@@ -48,13 +51,15 @@ def resolution_rows(penetration):
     cells = penetration.get("cells_per_radius")
     if not cells:
         return []
-    return [("cells per radius of the jet at impact", f"{cells['least']:.3g} to {cells['most']:.3g} (tip {cells['tip']:.3g}, tail {cells['tail']:.3g})")]
+    return [("cells per radius of the jet at impact",
+        f"{cells['least']:.3g} to {cells['most']:.3g} (tip {cells['tip']:.3g}, tail {cells['tail']:.3g})")]
 
 
 def entrance_rows(penetration):
     """Diameter of the hole in the face of every body on the path, the jet's nearest last."""
     found = [(name, value) for name, value in penetration.get("entrance_diameter_in_body", {}).items() if value > 0.0]
-    return [("entrance diameter by body", ", ".join(f"{value / MILLI:.2f} mm in {name}" for name, value in reversed(found)))] if found else []
+    return [("entrance diameter by body",
+        ", ".join(f"{value / MILLI:.2f} mm in {name}" for name, value in reversed(found)))] if found else []
 
 
 def depth_rows(summary, depth):
@@ -87,7 +92,8 @@ def energy_rows(summary):
         *([("warning", warning)] if warning else []),
         (
             "energy that the method itself has added (+) or lost (-)",
-            f"{sum(shares):+.2g} % of the energy put in (stress integration {shares[0]:+.2g} %, transfer between particles and grid {shares[1]:+.2g} %)",
+            f"{sum(shares):+.2g} % of the energy put in (stress integration {shares[0]:+.2g} %, transfer between particles and grid "
+            f"{shares[1]:+.2g} %)",
         )
     ]
 
@@ -107,7 +113,8 @@ def run_rows(summary, history, depth):
     """What a run is, where it came to, and what it cost."""
     state = "finished" if summary.get("finished") else summary.get("reason", "not finished")
     rows = [("deck", summary.get("deck", "")), ("result", state)]
-    rows += [("time", f"{history['time'] / MICRO:.4g} µs"), ("steps", f"{history['step']:.0f}"), ("particles", f"{history['particles']:.0f}")]
+    rows += [("time", f"{history['time'] / MICRO:.4g} µs"), ("steps", f"{history['step']:.0f}"),
+        ("particles", f"{history['particles']:.0f}")]
     rows += depth_rows(summary, depth) + energy_rows(summary)
     errors = (history[f"{name}_error"] for name in ("energy", "mass", "momentum"))
     rows.append(("what the balances then leave over", "energy {:+.2e}, mass {:+.1e}, axial momentum {:+.1e}".format(*errors)))

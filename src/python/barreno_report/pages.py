@@ -55,7 +55,8 @@ def html_picture(picture, folder):
 def as_html(title, sections, folder):
     """@param folder  of the pictures, which the page takes in"""
     name = html.escape(on_one_line(title))
-    parts = [f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{name}</title><style>\n{STYLE}\n</style></head><body>\n<h1>{name}</h1>']
+    parts = ['<!DOCTYPE html>\n<html lang="en"><head><meta '
+        f'charset="utf-8"><title>{name}</title><style>\n{STYLE}\n</style></head><body>\n<h1>{name}</h1>']
     for section in sections:
         parts += [f"<h2>{html.escape(section.title)}</h2>"] if section.title else []
         parts += [html_table(("", ""), section.rows)] if section.rows else []

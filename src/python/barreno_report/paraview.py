@@ -47,9 +47,11 @@ def view_script(run, fields, time):
     left, right = (shown_field(frame, run.deck, name) for name in fields)
     values = {
         "FOLDER": str(here.resolve()),
-        "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "BLOCKS": run.file.block_names, "LEFT": left, "RIGHT": right,
+        "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "BLOCKS": run.file.block_names, "LEFT": left,
+        "RIGHT": right,
         "TIME": frame.time, "MIRRORED": run.deck.mirrored(), "DOWN": bool(run.deck.has_jet and run.deck.direction > 0.0),
         "POINTS": frame.corners.shape[1] == 1, "SIZE": size_of_points(run.file), "DIMENSIONS": run.file.dimensions,
     }  # fmt: skip
     constants = "\n".join(f"{name} = {value!r}" for name, value in values.items())
-    return TEMPLATE.replace("# CONSTANTS\n", f"# LEFT and RIGHT: array, component, colours, their range in SI, and whether they are turned over\n{constants}\n")
+    return TEMPLATE.replace("# CONSTANTS\n",
+        f"# LEFT and RIGHT: array, component, colours, their range in SI, and whether they are turned over\n{constants}\n")

@@ -64,12 +64,14 @@ class ParticleFile:
         """(time, axis): the centre of an element at all times."""
         nodes = len(self.start[0]) // self.elements
         own = slice(element * nodes, (element + 1) * nodes)
-        return np.stack([start[own].mean() + self.data.variables[f"vals_nod_var{axis}"][:, own].mean(axis=1) for axis, start in enumerate(self.start, 1)], axis=-1)
+        return np.stack([start[own].mean() + self.data.variables[f"vals_nod_var{axis}"][:, own].mean(axis=1)
+            for axis, start in enumerate(self.start, 1)], axis=-1)
 
     def radius(self):
         """Half of the size at the start of particles that the file has as plain points; nan without."""
         parts = [self.data.variables.get(f"attrib{b}") for b in range(1, len(self.sizes) + 1)]
-        return np.concatenate([np.full(size, np.nan) if part is None else np.ravel(part[:])[:size] for part, size in zip(parts, self.sizes)])
+        return np.concatenate([np.full(size, np.nan) if part is None else np.ravel(part[:])[:size]
+            for part, size in zip(parts, self.sizes)])
 
 
 class Frame:
@@ -128,7 +130,8 @@ class Frame:
 
     def squares(self):
         """Plain points as squares of their volume."""
-        half = self.file.radius()[self.alive] * np.clip(np.nan_to_num(self.of_alive(["volume_ratio"]), nan=1.0), 0.0, 4.0) ** (1.0 / self.file.dimensions)
+        half = self.file.radius()[self.alive] * np.clip(np.nan_to_num(self.of_alive(["volume_ratio"]), nan=1.0), 0.0,
+            4.0) ** (1.0 / self.file.dimensions)
         if np.isnan(half).any():
             area = np.prod(np.ptp(self.centres[:, :2], axis=0)) if len(half) else 0.0
             half = np.where(np.isnan(half), 0.5 * np.sqrt(area / max(len(half), 1)), half)

@@ -30,7 +30,8 @@ def draw_map(axes, frame, deck, paths, box):
     q = frame.of_alive(["shear_stress"])[of] / MEGA
     mirrors = (-1.0, 1.0) if deck.mirrored() else (1.0,)
     for mirror in mirrors:
-        axes.add_collection(PolyCollection(shapes / MILLI * np.array([mirror, 1.0]), facecolors=colour_of(p, q), edgecolors="none", linewidths=0, antialiased=False, rasterized=True))
+        axes.add_collection(PolyCollection(shapes / MILLI * np.array([mirror, 1.0]), facecolors=colour_of(p, q), edgecolors="none",
+            linewidths=0, antialiased=False, rasterized=True))
     set_up(axes, deck)
     axes.set_facecolor(VOID)
     handles = draw_outlines(axes, frame, deck, mirrors, 0.7)
@@ -164,7 +165,8 @@ def paths_figure(time, deck, paths, surfaces, wet):
     upper, lower = figure.add_gridspec(2, 1)
     whole = draw_row(figure, upper.subgridspec(1, 3), time, deck, paths, surfaces, most, wet)
     draw_row(figure, lower.subgridspec(1, 3), time, deck, paths, surfaces, 1.3 * low if 0.0 < low < CLOSE * most else CLOSE * most, wet)
-    for axes, title in zip(figure.axes, (*VIEWS, *(f"the same {'up to the crushing of virgin rock' if 0.0 < low < CLOSE * most else 'at low pressure'}",) * 3)):
+    for axes, title in zip(figure.axes,
+            (*VIEWS, *(f"the same {'up to the crushing of virgin rock' if 0.0 < low < CLOSE * most else 'at low pressure'}",) * 3)):
         axes.set_title(title, fontsize=11)
     # Below the panels: pictures are cut to what is drawn.
     handles, labels = whole.get_legend_handles_labels()

@@ -10,13 +10,17 @@ from barreno_report.section import Picture, Section
 from barreno_report.stress_paths import COARSE, elements_near, elements_of, numbers_of, path_of, share_of_strength, surface_of
 
 MILLI, MEGA = 1e-3, 1e6
-HEADS = ("particle", "material", "starts at [mm]", "at [mm]", "p [MPa]", "sqrt(J2) [MPa]", "Lode angle [degrees]", "plastic volume strain", "sqrt(J2) / surface", "largest step of the path [%]")
+HEADS = ("particle", "material", "starts at [mm]", "at [mm]", "p [MPa]", "sqrt(J2) [MPa]", "Lode angle [degrees]", "plastic volume strain",
+    "sqrt(J2) / surface", "largest step of the path [%]")
 SURFACES = (
-    "Solid: the surface of the card for virgin rock, in triaxial compression. Dashed, in the colour of a particle: its own surface now, with the cap where its plastic volume strain has "
-    "brought it, and its own strength where that is scattered; in the octahedral view at its present pressure. With rate dependence a path may leave its surface."
+    "Solid: the surface of the card for virgin rock, in triaxial compression. Dashed, in the colour of a particle: its own surface now, "
+    "with the cap where its plastic volume strain has "
+    "brought it, and its own strength where that is scattered; in the octahedral view at its present pressure. With rate dependence a path "
+    "may leave its surface."
 )
 ANGLES = (
-    "The Lode angle is 0 in triaxial compression, 30 in pure shear, 60 in triaxial extension. Each principal stress is followed by its direction, and named after that at the start. "
+    "The Lode angle is 0 in triaxial compression, 30 in pure shear, 60 in triaxial extension. Each principal stress is followed by its "
+    "direction, and named after that at the start. "
     "paths.csv has every point of the paths."
 )
 
@@ -41,8 +45,10 @@ def coarse_words(paths):
         return []
     enough = rounded(interval * COARSE / share)
     return [
-        f"The times of particles.e are too far apart for these paths: from one to the next, {time_text(interval)} later, the stress of particle {number} changes by {100.0 * share:.0f} % of all that "
-        f"its path extends over, and the line between two marks is not the way that it took. A run with an Output/Field Interval of {time_text(enough)} or less would show it."
+        f"The times of particles.e are too far apart for these paths: from one to the next, {time_text(interval)} later, the stress of "
+        f"particle {number} changes by {100.0 * share:.0f} % of all that "
+        "its path extends over, and the line between two marks is not the way that it took. A run with an Output/Field Interval of "
+        f"{time_text(enough)} or less would show it."
     ]
 
 
@@ -54,15 +60,20 @@ def path_row(path, strength, time):
     at = path.at(time)
     share = share_of_strength(path, strength, at) if strength else float("nan")
     return (
-        str(path.number), path.material, place_text(path.places[0]), place_text(path.places[at]), f"{path.pressure[at] / MEGA:.4g}", f"{path.shear[at] / MEGA:.4g}", f"{path.lode[at]:.0f}",
-        f"{path.strain[at]:+.4f}" if np.isfinite(path.strain[at]) else "none", f"{share:.2f}" if np.isfinite(share) else "none", f"{100.0 * path.largest_step[0]:.0f}",
+        str(path.number), path.material, place_text(path.places[0]), place_text(path.places[at]), f"{path.pressure[at] / MEGA:.4g}",
+        f"{path.shear[at] / MEGA:.4g}", f"{path.lode[at]:.0f}",
+        f"{path.strain[at]:+.4f}" if np.isfinite(path.strain[at]) else "none", f"{share:.2f}" if np.isfinite(share) else "none",
+        f"{100.0 * path.largest_step[0]:.0f}",
     )  # fmt: skip
 
 
 def path_lines(paths, names):
     """paths.csv."""
     stresses = ",".join(name.replace(" ", "_") for name in names)
-    yield f"# SI units, compression positive; principal stresses by their directions at the start, {', '.join(names)}; effective where there is pore pressure; lode: degrees from triaxial compression"
+    yield (
+        f"# SI units, compression positive; principal stresses by their directions at the start, {', '.join(names)}; effective where there "
+        "is pore pressure; lode: degrees from triaxial compression"
+    )
     yield f"particle,time,{stresses},pressure,shear_stress,lode,plastic_volume_strain"
     for path in paths:
         for time, stress, p, q, lode, e in zip(path.times, path.stress, path.pressure, path.shear, path.lode, path.strain):
@@ -78,8 +89,10 @@ def path_section(run, frame, paths, box, folder):
     write_text(folder / "paths.csv", "\n".join([*path_lines(paths, axis_names(run.deck)), ""]))
     words = [*([SURFACES] if any(surfaces.values()) else []), *reasons, ANGLES, *coarse_words(paths)]
     pictures = [
-        Picture("map", map_figure(frame, run.deck, paths, surfaces, box), "Pressure and shear stress as one colour, with its legend; the particles, and their paths in the legend."),
-        Picture("paths", paths_figure(frame.time, run.deck, paths, surfaces, wet), "Stress paths with a mark for every time of particles.e, and a larger one for the time of the pictures."),
+        Picture("map", map_figure(frame, run.deck, paths, surfaces, box),
+            "Pressure and shear stress as one colour, with its legend; the particles, and their paths in the legend."),
+        Picture("paths", paths_figure(frame.time, run.deck, paths, surfaces, wet),
+            "Stress paths with a mark for every time of particles.e, and a larger one for the time of the pictures."),
     ]
     table = [path_row(path, surfaces[path.material], frame.time) for path in paths]
     return Section("Stress paths", words=words, pictures=pictures, heads=HEADS, table=table)

@@ -55,7 +55,8 @@ class Run:
             return len(times) - 1
         slack = 0.5 * float(np.diff(times).max(initial=0.0)) + 1e-12 * abs(float(times[-1]))
         if not times[0] - slack <= time <= times[-1] + slack:
-            raise Fault(f"--time {time / MICRO:g} us is not in the run's particles.e ({times[0] / MICRO:g} to {times[-1] / MICRO:g} us); choose a time in between.")
+            raise Fault(f"--time {time / MICRO:g} us is not in the run's particles.e ({times[0] / MICRO:g} to {times[-1] / MICRO:g} us); "
+                "choose a time in between.")
         return int(np.abs(times - time).argmin())
 
     def frame(self, time=None):

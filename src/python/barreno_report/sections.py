@@ -41,7 +41,8 @@ def channel_section(run, frame, fields, table):
     """Fields on both sides of the axis, whole and near the tip; the pore fluid where there is one."""
     deck = run.deck
     caption = "Particles in their deformed shapes. A material without the field is grey. " + (
-        "Cells and steps have a colour for each of their sizes." if any(look_of(name).doubling for name in fields) else "The colour scale leaves out the extreme 1.5 % of the area at each end."
+        "Cells and steps have a colour for each of their sizes." if any(look_of(name).doubling for name in fields)
+        else "The colour scale leaves out the extreme 1.5 % of the area at each end."
     )
     section = Section("Channel", pictures=[Picture("fields", draw_channel(frame, deck, *fields), caption)])
     tip = tip_of(run, table, frame)
@@ -51,7 +52,8 @@ def channel_section(run, frame, fields, table):
     if "pore_pressure" in frame.names:
         beside = "porosity" if "porosity" in known_fields(run.file, deck) else "pressure"
         figure = draw_channel(frame, deck, "pore_pressure", beside)
-        section.pictures.append(Picture("pore_fluid", figure, f"Pressure of the pore fluid, and {'pore volume over volume' if beside == 'porosity' else 'mean stress of rock and fluid'}."))
+        section.pictures.append(Picture("pore_fluid", figure,
+            f"Pressure of the pore fluid, and {'pore volume over volume' if beside == 'porosity' else 'mean stress of rock and fluid'}."))
     return section
 
 
@@ -59,8 +61,10 @@ def share_words(run, shares):
     time, spent, stopped = shares[-1]
     launched = launched_share(run.deck, time)
     return (
-        f"At {time / MICRO:.4g} µs {100.0 * launched:.0f} % of the jet's table has been launched. Of that mass {100.0 * spent:.0f} % is slower along its flight than the hole grows, "
-        f"so it will never get to the bottom, and {100.0 * stopped:.0f} % has stopped (below {100.0 * STOPPED:.0f} % of the fastest slug's speed)."
+        f"At {time / MICRO:.4g} µs {100.0 * launched:.0f} % of the jet's table has been launched. Of that mass {100.0 * spent:.0f} % is "
+        "slower along its flight than the hole grows, "
+        f"so it will never get to the bottom, and {100.0 * stopped:.0f} % has stopped (below {100.0 * STOPPED:.0f} % of the fastest slug's "
+        "speed)."
     )
 
 
@@ -73,13 +77,16 @@ def depth_section(run, table):
     time, depth, rate, window = depth_and_rate(table)
     shares = []
     if len(time):
-        section.rows.append(("rate of the depth at the end", f"{rate[-1]:.0f} m/s, by least squares over the last {0.5 * window / MICRO:.3g} µs"))
-        section.words.append(f"The rate is the slope of the depth over windows of {window / MICRO:.3g} µs; the speed of the deepest piece of the jet (tip_velocity in depth.csv) is not that of the hole.")
+        section.rows.append(("rate of the depth at the end",
+            f"{rate[-1]:.0f} m/s, by least squares over the last {0.5 * window / MICRO:.3g} µs"))
+        section.words.append(f"The rate is the slope of the depth over windows of {window / MICRO:.3g} µs; the speed of the deepest piece "
+            "of the jet (tip_velocity in depth.csv) is not that of the hole.")
         with run.particles_read():
             shares = jet_shares(run.file, run.deck, lambda when: float(np.interp(when, time, rate)))
     if shares:
         section.words.append(share_words(run, shares))
-    section.pictures.append(Picture("depth", depth_figure(table, interval, time, rate, window, shares), "Depth, its rate, and the share of the launched jet that has done its work."))
+    section.pictures.append(Picture("depth", depth_figure(table, interval, time, rate, window, shares),
+        "Depth, its rate, and the share of the launched jet that has done its work."))
     return section
 
 
@@ -90,8 +97,10 @@ def strength_section(run, frame, table):
     if figure is None:
         return None
     words = (
-        "Every point is a particle. The surface is that of the run's card in triaxial compression: solid for virgin rock, dashed where crushing has closed the pores. "
-        "In between, a particle's cap lies further out the more it is crushed; with rate dependence or scatter of the strength points may lie outside."
+        "Every point is a particle. The surface is that of the run's card in triaxial compression: solid for virgin rock, dashed where "
+        "crushing has closed the pores. "
+        "In between, a particle's cap lies further out the more it is crushed; with rate dependence or scatter of the strength points may "
+        "lie outside."
     )
     return Section("Strength at the tip", words=[words], pictures=[Picture("strength", figure, "Pressure and shear of rock near the tip.")])
 
@@ -102,10 +111,13 @@ def ledger_words(summary, remainder):
         return []
     total = sum(shares)
     return [
-        f"Numerically {'lost' if total < 0.0 else 'gained'}: {abs(total):.2g} % of the energy put in (stress integration {shares[0]:+.2g} %, transfer {shares[1]:+.2g} %); "
+        f"Numerically {'lost' if total < 0.0 else 'gained'}: {abs(total):.2g} % of the energy put in (stress integration {shares[0]:+.2g} "
+        f"%, transfer {shares[1]:+.2g} %); "
         f"remainder of the ledger: {100.0 * remainder:+.1g} %.",
-        "Stress integration is the work of the nodes' forces less that of the stresses at the particles; transfer is the kinetic energy that particles lose or gain when velocities go to the "
-        "grid and back. Both are errors of the method, which the ledger measures step by step and counts as terms. Its remainder is what is still missing then: a small one says "
+        "Stress integration is the work of the nodes' forces less that of the stresses at the particles; transfer is the kinetic energy "
+        "that particles lose or gain when velocities go to the "
+        "grid and back. Both are errors of the method, which the ledger measures step by step and counts as terms. Its remainder is what "
+        "is still missing then: a small one says "
         "that nothing was forgotten, not that nothing was lost.",
     ]
 

@@ -38,7 +38,8 @@ def draw_points(axes, found, deck, most):
     lowest, highest, points = 0.0, MEGA, None
     for name, (p, q, _, e) in found.items():
         span = max(float(np.percentile(np.abs(e), 90.0)), 1e-6)
-        points = axes.scatter(p / MEGA, q / MEGA, c=e, s=10, cmap="RdBu", vmin=-span, vmax=span, edgecolors="0.4", linewidths=0.3, rasterized=True, label=f"{name} ({len(p)} particles)")
+        points = axes.scatter(p / MEGA, q / MEGA, c=e, s=10, cmap="RdBu", vmin=-span, vmax=span, edgecolors="0.4", linewidths=0.3,
+            rasterized=True, label=f"{name} ({len(p)} particles)")
         lowest, highest = min(lowest, float(p.min())), max(highest, float(q[p <= most].max(initial=0.0)))
         strength = strength_of(deck, name)
         if strength:

@@ -103,7 +103,8 @@ def elements_near(frame, deck, tip, distance):
     porous = near & np.isfinite(frame.of_alive(["plastic_volume_strain"]))
     rows = np.flatnonzero(porous if porous.any() else near)
     if not len(rows):
-        raise Fault(f'--particles "{NEAR_TIP}" finds no particle of the target within {1e3 * distance:.3g} mm of the tip; name particles by their numbers, for example --particles 120,340.')
+        raise Fault(f'--particles "{NEAR_TIP}" finds no particle of the target within {1e3 * distance:.3g} mm of the tip; name particles '
+            'by their numbers, for example --particles 120,340.')
     kept = rows[nearest_in_sectors(frame.centres[rows], tip, deck.direction, APART * distance)]
     if not len(kept):
         kept = rows[[int(away[rows].argmin())]]
@@ -122,7 +123,8 @@ def path_of(file, element):
     stress = along_path(tensors(*parts)) - pores[:, None]
     coherence = np.nan_to_num(file.series("coherence", element)[alive], nan=1.0)
     strain = file.series("plastic_volume_strain", element)[alive]
-    return StressPath(int(file.numbers[element]), file.block_names[file.block[element]], file.times[alive], file.track(element)[alive], stress[:, [1, 0, 2]], strain, coherence)
+    return StressPath(int(file.numbers[element]), file.block_names[file.block[element]], file.times[alive], file.track(element)[alive],
+        stress[:, [1, 0, 2]], strain, coherence)
 
 
 def surface_of(deck, material):
@@ -132,7 +134,11 @@ def surface_of(deck, material):
         return None, f"{material}: a report knows no surface of its model ({model or 'unknown'}), so only the path is drawn"
     published = deck.text(f"Materials/{material}/Backstress strain", "poroplastic") != "poroplastic"
     if published and deck.number(f"Materials/{material}/fluid_B0", 0.0) > 0.0:
-        return None, f"{material}: its form of the pore fluid (Backstress strain) moves the surface by a part of the pore pressure that particles.e does not have, so only the path is drawn"
+        return (
+            None,
+            f"{material}: its form of the pore fluid (Backstress strain) moves the surface by a part of the pore pressure that particles.e "
+            "does not have, so only the path is drawn"
+        )
     return strength, ""
 
 

@@ -13,23 +13,29 @@ EXAMPLES = {
 
 
 def report_parser():
-    parser = Words("report", EXAMPLES["report"], "report.md", description="Pictures and numbers of a run: RUN/report/index.html (docs/report.md).")
+    parser = Words("report", EXAMPLES["report"], "report.md",
+        description="Pictures and numbers of a run: RUN/report/index.html (docs/report.md).")
     parser.add_argument("run", metavar="RUN", help="run folder")
     parser.add_argument("--left", default="", metavar="FIELD", help="field at the left of the axis (default pressure)")
     parser.add_argument("--right", default="", metavar="FIELD", help="field at the right (default equivalent_plastic_strain)")
-    parser.add_argument("--time", default="", metavar="TIME", help='of the pictures of particles, for example "30 us": the nearest that particles.e has (default: the last)')
-    parser.add_argument("--depths", default="", metavar="LIST", help='below the outer face, of porosity against radius: "30 mm, 60 mm" (default: three in rock)')
-    parser.add_argument("--particles", metavar="near tip|ID,...", help='stress paths of particles at the tip of the hole, "near tip", or by their numbers (as ParaView shows them): "120,340"')
+    parser.add_argument("--time", default="", metavar="TIME",
+        help='of the pictures of particles, for example "30 us": the nearest that particles.e has (default: the last)')
+    parser.add_argument("--depths", default="", metavar="LIST",
+        help='below the outer face, of porosity against radius: "30 mm, 60 mm" (default: three in rock)')
+    parser.add_argument("--particles", metavar="near tip|ID,...",
+        help='stress paths of particles at the tip of the hole, "near tip", or by their numbers (as ParaView shows them): "120,340"')
     parser.add_argument("--pdf", action="store_true", help="report.pdf too")
     return parser
 
 
 def film_parser():
-    parser = Words("film", EXAMPLES["film"], "report.md", description="Particles in the colours of a field, from the start to the end of a run (docs/report.md).")
+    parser = Words("film", EXAMPLES["film"], "report.md",
+        description="Particles in the colours of a field, from the start to the end of a run (docs/report.md).")
     parser.add_argument("run", metavar="RUN", help="run folder")
     parser.add_argument("--field", required=True, metavar="FIELD", help="field at both sides of the axis")
     parser.add_argument("--right", default="", metavar="FIELD", help="another field at the right")
-    parser.add_argument("--out", default="", metavar="FILE", help=".gif (default RUN/report/FIELD.gif), .png (animated) or, with ffmpeg installed, .mp4")
+    parser.add_argument("--out", default="", metavar="FILE",
+        help=".gif (default RUN/report/FIELD.gif), .png (animated) or, with ffmpeg installed, .mp4")
     parser.add_argument("--per-second", type=float, default=6.0, metavar="N", help="pictures per second (default 6)")
     return parser
 

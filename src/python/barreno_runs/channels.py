@@ -140,7 +140,8 @@ def draw_channels(file, rows, columns):
     panels = 1 if mirrored else 2
     box = box_of(channels, mirrored)
     wide, lines, columns = shape_of(channels, mirrored, box, columns)
-    figure, axes = plt.subplots(lines, panels * columns, figsize=(wide * columns + 2.0, (TALL + 1.0) * lines), squeeze=False, layout="constrained")
+    figure, axes = plt.subplots(lines, panels * columns, figsize=(wide * columns + 2.0, (TALL + 1.0) * lines), squeeze=False,
+        layout="constrained")
     halves = []
     for i in range(lines * columns):
         place = axes[i // columns, panels * (i % columns) : panels * (i % columns + 1)]

@@ -28,7 +28,8 @@ def value_in(deck, path):
     """Text of a parameter, or None."""
     owner, _, name = path.rpartition("/")
     node = find_list(deck, owner)
-    return next((child.get("value") for child in (() if node is None else node) if child.tag == "Parameter" and child.get("name") == name), None)
+    return next((child.get("value") for child in (() if node is None else node) if child.tag == "Parameter" and child.get("name") == name),
+        None)
 
 
 def values_of(node, path=""):

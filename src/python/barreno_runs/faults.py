@@ -9,7 +9,8 @@ import traceback
 
 USAGE, FILE, NUMERICAL, INTERNAL = 1, 2, 3, 4
 INTERRUPTED, UNREAD = 130, 141  # as a shell says of SIGINT and SIGPIPE
-PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "netCDF4": "python3-netcdf4", "scipy": "python3-scipy", "PIL": "python3-pil"}
+PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "netCDF4": "python3-netcdf4", "scipy": "python3-scipy",
+    "PIL": "python3-pil"}
 
 
 class Fault(Exception):
@@ -64,7 +65,10 @@ def sentence_of(error):
         name = f"'{error.filename}'" if error.filename is not None else "what is printed"
         return f"{name} cannot be read or written ({error.strerror}); make room or check the permissions, and try again.", FILE
     what = on_one_line(f"{type(error).__name__}: {error}")[:300]
-    return f"internal error at {place_of(error)} ({what}); please report it with the command and the files that it reads (BARRENO_TRACEBACK=1 prints all of it).", INTERNAL
+    return (
+        f"internal error at {place_of(error)} ({what}); please report it with the command and the files that it reads (BARRENO_TRACEBACK=1 "
+        "prints all of it).", INTERNAL
+    )
 
 
 def say(sentence):

@@ -15,9 +15,12 @@ DEEPEST = 40  # objects in objects; a summary has four
 MOST_DIGITS = 18  # of a whole number
 NUMBER, LIST = (int, float), dict
 KINDS = {  # what commands reckon with, where a summary has it: a number, an object, or the word that says so
-    "time": NUMBER, "wall_seconds": NUMBER, "steps": NUMBER, "exit_code": NUMBER, "reason": str, "version": str, "penetration": LIST, "penetration.depth": NUMBER,
-    "penetration.channel_depth": NUMBER, "penetration.cells_per_radius": LIST, "penetration.cells_per_radius.tip": NUMBER, "penetration.depth_error": LIST,
-    "penetration.depth_error.value": NUMBER, "penetration.depth_error.low": NUMBER, "penetration.depth_error.high": NUMBER, "penetration.depth_error.cells_per_radius": NUMBER,
+    "time": NUMBER, "wall_seconds": NUMBER, "steps": NUMBER, "exit_code": NUMBER, "reason": str, "version": str, "penetration": LIST,
+    "penetration.depth": NUMBER,
+    "penetration.channel_depth": NUMBER, "penetration.cells_per_radius": LIST, "penetration.cells_per_radius.tip": NUMBER,
+    "penetration.depth_error": LIST,
+    "penetration.depth_error.value": NUMBER, "penetration.depth_error.low": NUMBER, "penetration.depth_error.high": NUMBER,
+    "penetration.depth_error.cells_per_radius": NUMBER,
     "penetration.depth_error.source": str, "balances": LIST, "balances.energy": LIST, "balances.energy.error": NUMBER,
 }  # fmt: skip
 WORDS = {NUMBER: "a number", LIST: "an object", str: "a text"}
@@ -86,7 +89,8 @@ def scalars_of(tree, path=""):
 
 def numbers_of(tree):
     """{dotted path: number} of a JSON object."""
-    return {path: float(value) for path, value in scalars_of(tree).items() if isinstance(value, (int, float)) and not isinstance(value, bool)}
+    return {path: float(value) for path, value in scalars_of(tree).items() if isinstance(value, (int, float))
+        and not isinstance(value, bool)}
 
 
 def deck_in(folder):

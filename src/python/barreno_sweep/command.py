@@ -39,7 +39,8 @@ def names_of(points):
 def refuse_interrupted(program, points):
     if program.asked and any(not point.how or point.code for point in points):
         there = sum(bool(point.how) and not point.code for point in points)
-        raise Fault(f"interrupted with {there} of {len(points)} runs finished; the same command continues, and takes the finished runs as they are.", 128 + program.asked)
+        raise Fault(f"interrupted with {there} of {len(points)} runs finished; the same command continues, and takes the finished runs as "
+            "they are.", 128 + program.asked)
 
 
 def say_failures(points):
@@ -69,7 +70,8 @@ def collect(program, points, places, write):
     code, absent = say_failures(points), [point for point in missing if not point.code]
     if absent:
         numbers = slurm.ranges_of([i for i, point in enumerate(points, 1) if point in absent])
-        raise Fault(f"{len(absent)} of {len(points)} runs have not finished ({names_of(absent)}); the command without --collect computes them, or the tasks {numbers} of the array job.", FILE)
+        raise Fault(f"{len(absent)} of {len(points)} runs have not finished ({names_of(absent)}); the command without --collect computes "
+            f"them, or the tasks {numbers} of the array job.", FILE)
     return code
 
 
@@ -79,7 +81,8 @@ def submit(options, words, program, points, places, out):
         raise Fault("all runs have finished, so there is nothing to submit; write --collect instead of --submit slurm.")
     print(slurm.script(options, words, points, out), end="")
     collect_words = [*slurm.without_submit(words), "--collect"]
-    print(f"barreno: {len(missing)} tasks; send what was printed to sbatch, and when they have ended: {slurm.user_command(collect_words)}", file=sys.stderr)
+    print(f"barreno: {len(missing)} tasks; send what was printed to sbatch, and when they have ended: {slurm.user_command(collect_words)}",
+        file=sys.stderr)
     return 0
 
 

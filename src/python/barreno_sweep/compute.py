@@ -74,7 +74,10 @@ class Watch:
         self.line(f"[{self.ended}/{self.total}] {point.label}: {outcome(point)}, {duration(clock.passed())}{left_words(left)}")
 
     def tick(self, clocks, left):
-        text = f"{self.ended} of {self.total} ended, {len(clocks)} running ({', '.join(f'{100.0 * clock.share:.0f} %' for clock in clocks[:8])}){left_words(left)}"
+        text = (
+            f"{self.ended} of {self.total} ended, {len(clocks)} running "
+            f"({', '.join(f'{100.0 * clock.share:.0f} %' for clock in clocks[:8])}){left_words(left)}"
+        )
         if self.terminal:
             print(f"\r\033[K{text[: shutil.get_terminal_size().columns - 1]}", end="", flush=True)
         elif time.monotonic() - self.last > SILENCE:

@@ -77,7 +77,8 @@ def folder_names(names, points):
 def make_points(program, deck, settings, variations, points, out):
     """Every run's effective deck: what is wrong with one is said before anything is computed."""
     names = short_names(variations)
-    words = [[deck, *as_set([*settings, *(f"{variation.path}={value.text}" for variation, value in zip(variations, values))])] for values in points]
+    words = [[deck, *as_set([*settings, *(f"{variation.path}={value.text}" for variation, value in zip(variations, values))])]
+        for values in points]
     with concurrent.futures.ThreadPoolExecutor(CHECKS_AT_ONCE) as checks:
         decks = list(checks.map(program.effective_deck, words))
     made = [
@@ -111,13 +112,16 @@ def check_out(out, base):
         raise Fault(f"--out {out} is a file (the runs of the sweep need a folder); name another one.", FILE)
     record, held = out / RECORD, sorted(file.name for file in out.iterdir() if not file.name.startswith("."))
     if held and not record.exists():
-        raise Fault(f"--out {out} holds something else ({', '.join(held[:3])}{', ...' if len(held) > 3 else ''}, and no {RECORD}); name another folder.", FILE)
+        raise Fault(f"--out {out} holds something else ({', '.join(held[:3])}{', ...' if len(held) > 3 else ''}, and no {RECORD}); name "
+            "another folder.", FILE)
     if held and recorded_base(record) != digest_of(base):
-        raise Fault(f"--out {out} holds a sweep of another deck, or of this one with other values of what is not varied; name another folder, or remove that one.", FILE)
+        raise Fault(f"--out {out} holds a sweep of another deck, or of this one with other values of what is not varied; name another "
+            "folder, or remove that one.", FILE)
 
 
 def write_record(options, base, variations, points, out):
-    runs = [{"values": {v.path: value.text for v, value in zip(variations, point.values)}, "folder": str(point.folder), "how": point.how} for point in points]
+    runs = [{"values": {v.path: value.text for v, value in zip(variations, point.values)}, "folder": str(point.folder), "how": point.how}
+        for point in points]
     record = {"deck": str(options.deck), "base": digest_of(base), "settings": options.settings, "sample": options.sample, "runs": runs}
     make_folder(out)
     place(out / RECORD, json.dumps(record, indent=1, ensure_ascii=False) + "\n")

@@ -20,7 +20,8 @@ def together(variations):
     counts = [len(variation.values) for variation in variations]
     if len(set(counts)) > 1:
         said = " and ".join(f"{count} of {variation.path}" for count, variation in zip(counts, variations))
-        raise Fault(f"--sample list takes values position by position, and there are {said}; give every --vary as many values, or take --sample grid.")
+        raise Fault(f"--sample list takes values position by position, and there are {said}; give every --vary as many values, or take "
+            "--sample grid.")
     return list(zip(*(variation.values for variation in variations)))
 
 
@@ -46,7 +47,8 @@ def points_of(variations, sample, samples, seed):
         for variation in variations:
             count *= len(variation.values)
     if count is not None and count > MOST_RUNS:
-        raise Fault(f"the sweep has {count} runs, more than {MOST_RUNS}; give fewer values, or draw some with --sample latin --samples 100.")
+        raise Fault(f"the sweep has {count} runs, more than {MOST_RUNS}; give fewer values, or draw some with --sample latin --samples "
+            "100.")
     if sample == "grid":
         return full_grid(variations)
     return together(variations) if sample == "list" else latin_hypercube(variations, samples, seed)

@@ -63,7 +63,8 @@ def refuse_control_characters(texts):
     """A line end in a name would end a line of the script, and what follows it would be a command.  @param texts  {what: text}"""
     for what, text in texts.items():
         if CONTROL.search(text):
-            raise Fault(f'{what} is "{printable(text)}", which has a line end or another control character (a script has one command in a line); rename it.')
+            raise Fault(f'{what} is "{printable(text)}", which has a line end or another control character (a script has one command in a '
+                'line); rename it.')
 
 
 def script(options, words, points, out):

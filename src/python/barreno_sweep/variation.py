@@ -92,7 +92,8 @@ def is_range(text):
 def read_range(word):
     path, text = parts_of(word)
     if not is_range(text) or "..." in text:
-        raise Fault(f'--vary "{word}" is not a range (--sample latin draws between two numbers, LIST/NAME=LOW..HIGH UNIT); {RANGE_EXAMPLE}.')
+        raise Fault(f'--vary "{word}" is not a range (--sample latin draws between two numbers, LIST/NAME=LOW..HIGH UNIT); '
+            f'{RANGE_EXAMPLE}.')
     low, high = (value_of(part) for part in text.split("..", 1))
     unit = high.unit or low.unit
     if low.unit not in ("", unit):

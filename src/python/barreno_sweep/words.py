@@ -25,18 +25,22 @@ def parse(words):
     add = parser.add_argument
     add("deck", metavar="DECK", help="deck file (docs/deck.md)")
     add("--vary", action="append", default=[], metavar='"LIST/NAME=VALUE,VALUE..."',
-        help="parameter and its values, as often as needed; a unit behind the last value is that of all; of --sample latin a range, LIST/NAME=LOW..HIGH UNIT")  # fmt: skip
-    add("--sample", default="grid", metavar="WORD", help="grid: all values with all others (default); list: position by position; latin: Latin hypercube in ranges")
+        help="parameter and its values, as often as needed; a unit behind the last value is that of all; of --sample latin a range, "
+            "LIST/NAME=LOW..HIGH UNIT")  # fmt: skip
+    add("--sample", default="grid", metavar="WORD",
+        help="grid: all values with all others (default); list: position by position; latin: Latin hypercube in ranges")
     add("--samples", type=int, metavar="N", help="number of runs of --sample latin")
     add("--seed", type=int, default=1, metavar="N", help="of --sample latin (default 1); the same seed draws the same values")
     add("--jobs", type=int, metavar="N", help="runs at a time (default: the cores, divided by --ranks)")
     add("--ranks", type=int, default=1, metavar="N", help="processes of every run (default 1)")
     add("--out", metavar="FOLDER", help="folder of the runs and of the results (default runs/DECK-sweep)")
-    add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"', help="changes a value of the deck in all runs, as often as needed")
+    add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
+        help="changes a value of the deck in all runs, as often as needed")
     add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
     add("--submit", nargs="?", const="", metavar="slurm", help="print the script of an array job, one task per run, instead of computing")
     add("--collect", action="store_true", help="compute nothing: table and pictures of the runs that are there")
-    add("--only", type=int, metavar="N", help="compute the run of this number alone, from 1, without table and pictures (a task of the array job)")
+    add("--only", type=int, metavar="N",
+        help="compute the run of this number alone, from 1, without table and pictures (a task of the array job)")
     return parser.parse_args(words)
 
 
@@ -53,16 +57,21 @@ def check_sample(options):
     if options.sample == "latin" and options.samples is None:
         raise Fault("--sample latin needs the number of its samples; write for example --sample latin --samples 20.")
     if options.sample != "latin" and options.samples is not None:
-        raise Fault(f"--samples {options.samples} belongs to --sample latin (a grid and a list have the values of --vary); leave it out, or add --sample latin.")
+        raise Fault(f"--samples {options.samples} belongs to --sample latin (a grid and a list have the values of --vary); leave it out, "
+            "or add --sample latin.")
 
 
 def check_modes(options):
     if options.submit is not None and options.submit != "slurm":
-        named = f"--submit {options.submit} is not a batch system that scripts are written for" if options.submit else "--submit does not say which batch system"
+        named = (
+            f"--submit {options.submit} is not a batch system that scripts are written for" if options.submit
+            else "--submit does not say which batch system"
+        )
         raise Fault(f"{named}; write --submit slurm.")
     chosen = [name for name in ("submit", "collect", "only") if getattr(options, name) not in (None, False)]
     if len(chosen) > 1:
-        raise Fault(f"--{chosen[0]} and --{chosen[1]} exclude each other (one prints a script, one collects, one computes a single run); choose one.")
+        raise Fault(f"--{chosen[0]} and --{chosen[1]} exclude each other (one prints a script, one collects, one computes a single run); "
+            "choose one.")
 
 
 def check_words(options):

@@ -26,7 +26,8 @@ class Column:
         elif all(value.number is not None for value in values):
             self.numbers, head = si_values(variation.path, points), "SI"
         if self.numbers:
-            self.texts = [value.text.removesuffix(unit).strip() if unit is not None else repr(number) for value, number in zip(values, self.numbers)]
+            self.texts = [value.text.removesuffix(unit).strip() if unit is not None else repr(number)
+                for value, number in zip(values, self.numbers)]
         self.head = f"{variation.path} [{head}]" if self.numbers and head else variation.path
 
 
@@ -70,7 +71,8 @@ def write_against(out, variations, columns, rows, remarks):
     def draw(aside):
         from barreno_sweep.picture import Axis, draw_against  # slow to load
 
-        axes = [Axis(column.head, column.numbers and [column.numbers[i] for i in found], [column.texts[i] for i in found]) for column in columns]
+        axes = [Axis(column.head, column.numbers and [column.numbers[i] for i in found], [column.texts[i] for i in found])
+            for column in columns]
         name = short_names(variations)[-1]
         labels = [f"{name} = {rows[i].values[-1]} {variations[-1].common_unit() or ''}".strip() for i in found]
         draw_against(aside, axes, labels, [rows[i].depth() for i in found])

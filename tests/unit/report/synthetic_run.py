@@ -120,7 +120,10 @@ def write_particles(file, blocks, times=(0.0, 1e-5)):
                 data.createVariable(f"attrib{b}", "f8", (f"num_el_in_blk{b}", f"num_att_in_blk{b}"))[:] = block.radius[:, None]
 
 
-HISTORY = "time,step,particles,kinetic,elastic,plastic,viscous,boundary_work,launched_kinetic,stress_integration,transfer,removed_kinetic,energy_error,mass_error,momentum_error,removed_left_grid,held"
+HISTORY = (
+    "time,step,particles,kinetic,elastic,plastic,viscous,boundary_work,launched_kinetic,stress_integration,transfer,removed_kinetic,"
+    "energy_error,mass_error,momentum_error,removed_left_grid,held"
+)
 
 
 def write_run(folder, blocks, depth=0.02, mode="axisymmetric", lower="0"):
@@ -130,7 +133,8 @@ def write_run(folder, blocks, depth=0.02, mode="axisymmetric", lower="0"):
     (folder / "deck.xml").write_text(DECK.format(mode=mode, lower=lower))
     (folder / "history.csv").write_text(f"{HISTORY}\n0,0,9,0,1,0,0,0,0,0,0,0,0,0,0,0,0\n1e-5,10,9,60,10,20,0,0,100,-4,-6,0,1e-5,0,0,0,0\n")
     rows = "\n".join(f"{1e-6 * i},{depth * i / 10},{round(depth * i / 10, 3)},0.003,0.001,3000" for i in range(11))
-    (folder / "depth.csv").write_text(f"# depths from the outer face at y = 0 along\ntime,depth,channel_depth,channel_radius_mid,jet_mass_inside,tip_velocity\n{rows}\n")
+    (folder / "depth.csv").write_text("# depths from the outer face at y = 0 "
+        f"along\ntime,depth,channel_depth,channel_radius_mid,jet_mass_inside,tip_velocity\n{rows}\n")
     energy = {"stress_integration_share": -0.04, "transfer_share": -0.06}
     (folder / "summary.json").write_text(json.dumps({"title": "By <hand>", "mode": mode, "finished": True, "balances": {"energy": energy}}))
     return folder

@@ -44,8 +44,10 @@ def check_straight(folder):
     for cells in (0.6, 1.0, 2.25, 3.37, 3.5, 5.71):
         radius = cells * CELL
         hole, _, _ = measured(folder / "straight", [bored(radius)])
-        assert hole.cell == CELL and worst(hole, lambda y: radius) < TENTH, f"{cells}: {worst(hole, lambda y: radius) / CELL:.3f} cells"  # noqa: B023
-        assert abs(hole.length - LENGTH) <= 0.25 * CELL + 1e-12 and abs(hole.entrance_diameter - 2.0 * radius) < 2.0 * TENTH, (hole.length, hole.entrance_diameter)
+        assert hole.cell == CELL and worst(hole,
+            lambda y: radius) < TENTH, f"{cells}: {worst(hole, lambda y: radius) / CELL:.3f} cells"  # noqa: B023
+        assert abs(hole.length - LENGTH) <= 0.25 * CELL + 1e-12 and abs(hole.entrance_diameter - 2.0 * radius) < 2.0 * TENTH, (hole.length,
+            hole.entrance_diameter)
         assert abs(hole.volume / (np.pi * radius**2 * LENGTH) - 1.0) < 0.03, hole.volume
 
 
@@ -102,7 +104,8 @@ def check_through(folder):
     radius = 3.37 * CELL
     hole, _, _ = measured(folder / "through", [rock(lattice(radius, radius + WIDTH, CELL, LENGTH))])
     assert abs(hole.length - LENGTH) < CELL and worst(hole, lambda y: radius, 2.0) < TENTH, (hole.length, hole.radius)
-    assert abs(hole.volume / (np.pi * radius**2 * 19.0 * CELL) - 1.0) < 0.05 and abs(hole.entrance_diameter - 2.0 * radius) < 2.0 * TENTH, (hole.volume, hole.entrance_diameter)
+    assert abs(hole.volume / (np.pi * radius**2 * 19.0 * CELL) - 1.0) < 0.05 and abs(hole.entrance_diameter
+        - 2.0 * radius) < 2.0 * TENTH, (hole.volume, hole.entrance_diameter)
     assert abs(hole.radius_at(0.0) - radius) < TENTH
 
 
@@ -112,10 +115,12 @@ def check_gap(folder):
     bodies = np.concatenate([lattice(near, near + WIDTH, 0.0, 4.0 * CELL), lattice(far, far + WIDTH, 9.0 * CELL, LENGTH)])
     hole, _, _ = measured(folder / "gap", [rock(bodies)])
     assert abs(hole.length - LENGTH) < CELL and not np.isfinite(hole.radius[12]), (hole.length, hole.radius)
-    assert abs(hole.diameter_below(0.0) - 2.0 * near) < 2.0 * TENTH and abs(hole.diameter_below(9.0 * CELL) - 2.0 * far) < 2.0 * TENTH, hole.radius / CELL
+    assert abs(hole.diameter_below(0.0) - 2.0 * near) < 2.0 * TENTH and abs(hole.diameter_below(9.0 * CELL)
+        - 2.0 * far) < 2.0 * TENTH, hole.radius / CELL
     assert hole.diameter_below(LENGTH + CELL) == 0.0
     rows = dict(hole_section.rows_in_rock(hole, 9.0 * CELL, "diameter"))
-    assert rows["length in rock"].startswith(f"{(hole.length - 9.0 * CELL) / 1e-3:.1f} mm") and rows["entrance diameter in rock"].startswith(f"{2.0 * far / 1e-3:.2f}"[:3]), rows
+    assert rows["length in rock"].startswith(
+        f"{(hole.length - 9.0 * CELL) / 1e-3:.1f} mm") and rows["entrance diameter in rock"].startswith(f"{2.0 * far / 1e-3:.2f}"[:3]), rows
     assert hole_section.rows_in_rock(hole, None, "diameter") == [] == hole_section.rows_in_rock(hole, 2.0 * LENGTH, "diameter")
 
 
@@ -128,8 +133,10 @@ def check_zones(folder):
     hole, frame, deck = measured(folder / "zones", [block])
     rings = zones.rings_at(zones.Rock(frame, deck, 0.0), hole, 10.0 * CELL)
     crushed, dilated = 1.0 - (1.0 - virgin) * np.exp(-e), 1.0 - (1.0 - virgin) * np.exp(-0.05)
-    assert np.allclose(rings.porosity[:4], [crushed, crushed, dilated, virgin], atol=2e-3) and abs(rings.virgin - virgin) < 1e-12, rings.porosity[:4]
-    assert np.allclose(rings.crushed, [radius, radius + 2.0 * CELL], atol=TENTH) and abs(rings.dilated[1] - radius - 3.0 * CELL) < TENTH, (rings.crushed, rings.dilated)
+    assert np.allclose(rings.porosity[:4], [crushed, crushed, dilated, virgin],
+        atol=2e-3) and abs(rings.virgin - virgin) < 1e-12, rings.porosity[:4]
+    assert np.allclose(rings.crushed, [radius, radius + 2.0 * CELL],
+        atol=TENTH) and abs(rings.dilated[1] - radius - 3.0 * CELL) < TENTH, (rings.crushed, rings.dilated)
     k = [(p / virgin) ** 3 * ((1.0 - virgin) / (1.0 - p)) ** 2 for p in (crushed, dilated)]
     by_hand = (1.0 / k[0] - 1.0) * np.log(5.25 / 3.25) + (1.0 / k[1] - 1.0) * np.log(6.25 / 5.25)
     assert abs(rings.skin - by_hand) < 0.03 * abs(by_hand), (rings.skin, by_hand)
@@ -161,7 +168,8 @@ def check_porosity():
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_gap, check_zones, check_wide_particles):
+        for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_gap, check_zones,
+                check_wide_particles):
             check(folder)
     check_porosity()
     print("holes and their zones are measured as they were laid")

@@ -62,19 +62,22 @@ def said_by(command, *words):
 
 def whole_run(folder):
     """A run with a hole in rock, and what compare asks of it."""
-    blocks = [synthetic_run.rock(synthetic_run.lattice(0.004, 0.02, 0.0, 0.03)), synthetic_run.jet(synthetic_run.lattice(0.0, 0.002, 0.005, 0.02), 3000.0)]
+    blocks = [synthetic_run.rock(synthetic_run.lattice(0.004, 0.02, 0.0, 0.03)),
+        synthetic_run.jet(synthetic_run.lattice(0.0, 0.002, 0.005, 0.02), 3000.0)]
     synthetic_run.write_run(folder, blocks)
     more = json.loads((folder / "summary.json").read_text())
     made = synthetic_runs.summary_of(0.02)
     made["penetration"]["cells_per_radius"] = {"least": 1.0, "most": 2.0, "tip": 1.5, "tail": 1.0}
     made["balances"]["energy"].update(more.pop("balances")["energy"])
-    (folder / "summary.json").write_text(json.dumps({**made, **more, "wall_seconds": 3.0, "ranks": 1, "ns_per_particle_step": 9.0, "bytes_per_particle": 400.0}))
+    (folder / "summary.json").write_text(
+        json.dumps({**made, **more, "wall_seconds": 3.0, "ranks": 1, "ns_per_particle_step": 9.0, "bytes_per_particle": 400.0}))
     return folder
 
 
 def check_sentence(code, said, what):
     lines = said.strip().splitlines()
-    assert code in (1, 2) and len(lines) == 1 and lines[0].startswith("barreno: ") and "internal error" not in said, f"{what}: exit {code}: {said}"
+    assert code in (1,
+        2) and len(lines) == 1 and lines[0].startswith("barreno: ") and "internal error" not in said, f"{what}: exit {code}: {said}"
 
 
 def check_no_fault(code, said, what):
@@ -93,7 +96,8 @@ def renamed(run, name):
     (run / "deck.xml").write_text(deck)
     summary = json.loads((run / "summary.json").read_text())
     (run / "summary.json").write_text(json.dumps({**summary, "title": name, "reason": name, "deck": f"{name}.xml"}))
-    blocks = [synthetic_run.rock(synthetic_run.lattice(0.004, 0.02, 0.0, 0.03)), synthetic_run.jet(synthetic_run.lattice(0.0, 0.002, 0.005, 0.02), 3000.0)]
+    blocks = [synthetic_run.rock(synthetic_run.lattice(0.004, 0.02, 0.0, 0.03)),
+        synthetic_run.jet(synthetic_run.lattice(0.0, 0.002, 0.005, 0.02), 3000.0)]
     for block in blocks:
         block.name = f"{block.name[0]} {name}"[:60]
     synthetic_run.write_particles(run / "particles.e", blocks)
@@ -169,7 +173,8 @@ def check_other_kinds(folder):
             assert words[kind] in said and name in said, f"{what}: {said}"
             check_no_fault(*said_by(report, "film", run, "--field", "pressure"), what)
             code, said = said_by(compare, run, other, "--out", folder / f"out {kind} {name}")
-            assert (code == 0) == (name in ("history.csv", "particles.e")) and (name != "particles.e" or words[kind] in said), f"{what}: {said}"
+            assert (code == 0) == (name in ("history.csv", "particles.e")) and (name != "particles.e"
+                or words[kind] in said), f"{what}: {said}"
             if code:
                 check_sentence(code, said, what)
     code, said = said_by(join_exodus.main, folder / "pipe particles.e", "--out", folder / "a.e")
@@ -218,11 +223,15 @@ def check_odd_summaries(folder):
 
 
 ODD_FILES = {  # file: what it holds
-    "summary.json": (b'{"a": ' * 3000 + b"1" + b"}" * 3000, b'{"a": ' + b"[" * 100000 + b"]" * 100000 + b"}", b'{"time": "ten", "finished": true}', b"\xff\xfe{\x00}\x00", b"{\"title\": \"\xe9\"}", b"null", b""),
-    "deck.xml": (b"<ParameterList name='a'>" * 20000 + b"</ParameterList>" * 20000, "<?xml version='1.0' encoding='latin-1'?><ParameterList name='é'/>".encode("latin-1"),
-                 b"<?xml version='1.0' encoding='nonsense'?><ParameterList/>", b"<ParameterList><Parameter/><ParameterList/></ParameterList>", b"\xff\xfe<\x00", b"",
+    "summary.json": (b'{"a": ' * 3000 + b"1" + b"}" * 3000, b'{"a": ' + b"[" * 100000 + b"]" * 100000 + b"}",
+        b'{"time": "ten", "finished": true}', b"\xff\xfe{\x00}\x00", b"{\"title\": \"\xe9\"}", b"null", b""),
+    "deck.xml": (b"<ParameterList name='a'>" * 20000 + b"</ParameterList>" * 20000,
+        "<?xml version='1.0' encoding='latin-1'?><ParameterList name='é'/>".encode("latin-1"),
+                 b"<?xml version='1.0' encoding='nonsense'?><ParameterList/>",
+                 b"<ParameterList><Parameter/><ParameterList/></ParameterList>", b"\xff\xfe<\x00", b"",
                  b"<ParameterList><Parameter name='Title' value='a&#10;forged: line'/></ParameterList>"),
-    "depth.csv": (b"time,depth\n0,ten\n1,2\n", b"time,depth\n0,\xe9\n", b"time;depth\n0;1\n", b"\x00\n", b"", b"time,time\n1,2\n", b"time,depth\n" + b"9" * 5000 + b",1\n"),
+    "depth.csv": (b"time,depth\n0,ten\n1,2\n", b"time,depth\n0,\xe9\n", b"time;depth\n0;1\n", b"\x00\n", b"", b"time,time\n1,2\n",
+        b"time,depth\n" + b"9" * 5000 + b",1\n"),
     "history.csv": (b"time,step\n0,ten\n", b"\xff\n", b"time\n1\n"),
 }  # fmt: skip
 
@@ -258,7 +267,9 @@ def check_last_resort():
         return 1 // 0
 
     code, said = said_by(lambda words: faults.exit_code(fails, words))
-    assert code == 4 and said.count("\n") == 1 and "internal error at report/test_odd_runs.py, line" in said and "ZeroDivisionError" in said, said
+    assert (
+        code == 4 and said.count("\n") == 1 and "internal error at report/test_odd_runs.py, line" in said and "ZeroDivisionError" in said
+    ), said
     def lacks(_):
         raise ModuleNotFoundError("No module named 'netCDF4'", name="netCDF4")
 
@@ -270,16 +281,21 @@ def check_bare_python(folder):
     """A Python without packages, from every package that is started; a terminal without the letters of a name; a full disk behind the
     output."""
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'src' / 'python'}:{ROOT / 'materials' / 'python'}"}
-    for package, words in {"barreno_report": ("report", "x"), "barreno_compare": ("x", "y"), "barreno_runs.join_exodus": ("x", "--out", "y"), "barreno_fit": ("x", "--out", "y.xml")}.items():
-        result = subprocess.run([sys.executable, "-S", "-m", package, *words], env=environment, cwd=folder, capture_output=True, text=True, timeout=60, check=False)
+    for package, words in {"barreno_report": ("report", "x"), "barreno_compare": ("x", "y"),
+            "barreno_runs.join_exodus": ("x", "--out", "y"), "barreno_fit": ("x", "--out", "y.xml")}.items():
+        result = subprocess.run([sys.executable, "-S", "-m", package, *words], env=environment, cwd=folder, capture_output=True, text=True,
+            timeout=60, check=False)
         assert result.returncode == 2 and result.stderr.count("\n") == 1 and "Traceback" not in result.stderr, f"{package}: {result.stderr}"
     runs = [whole_run(folder / name) for name in ("µ", "b")]
     words = [sys.executable, "-m", "barreno_compare", *map(str, runs), "--out", str(folder / "out")]
-    result = subprocess.run(words, env={**environment, "PYTHONIOENCODING": "ascii"}, capture_output=True, text=True, timeout=60, check=False)
+    result = subprocess.run(words, env={**environment, "PYTHONIOENCODING": "ascii"}, capture_output=True, text=True, timeout=60,
+        check=False)
     assert result.returncode == 0 and r"\xb5" in result.stdout, result.stderr
     with open("/dev/full", "w", encoding="utf-8") as full:
         result = subprocess.run(words, env=environment, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
-    assert result.returncode == 2 and result.stderr.count("\n") == 1 and "what is printed cannot be" in result.stderr, f"{result.returncode}: {result.stderr}"
+    assert (
+        result.returncode == 2 and result.stderr.count("\n") == 1 and "what is printed cannot be" in result.stderr
+    ), f"{result.returncode}: {result.stderr}"
 
 
 def laid(_, file, **__):
@@ -290,9 +306,11 @@ def main():
     np.seterr(all="ignore")
     check_last_resort()
     check_plain_logs()
-    for check in (check_dollars, check_swept_dollars, check_bare_python, check_other_kinds, check_odd_summaries, check_odd_files, check_odd_decks):
+    for check in (check_dollars, check_swept_dollars, check_bare_python, check_other_kinds, check_odd_summaries, check_odd_files,
+            check_odd_decks):
         # What a picture is made of is looked at in all checks, how its dots come out in the first ones.
-        drawn = contextlib.nullcontext() if check in (check_dollars, check_swept_dollars) else unittest.mock.patch("matplotlib.figure.Figure.savefig", laid)
+        drawn = contextlib.nullcontext() if check in (check_dollars,
+            check_swept_dollars) else unittest.mock.patch("matplotlib.figure.Figure.savefig", laid)
         with tempfile.TemporaryDirectory() as scratch, drawn:
             check(pathlib.Path(scratch).resolve())
     print("odd run folders end in results or in sentences")

@@ -64,12 +64,15 @@ def check_strength(run):
     card = strength_of(read_deck(run / "deck.xml"), "Sandstone")
     assert strength_of(read_deck(run / "deck.xml"), "Tungsten") is None
     p, q = card.curve(0.0, 1e9)
-    assert abs(p[0] + 9.36e6 / 3.0) < 1.0 and abs(q[0]) < 1.0 and abs(p[-1] - 1.2244e9 / 3.0) < 1.0 and abs(q[-1]) < 1.0, (p[[0, -1]], q[[0, -1]])
+    assert abs(p[0] + 9.36e6 / 3.0) < 1.0 and abs(q[0]) < 1.0 and abs(p[-1] - 1.2244e9 / 3.0) < 1.0 and abs(q[-1]) < 1.0, (p[[0, -1]],
+        q[[0, -1]])
     x = -3.0 * 1e8
     a2 = (0.549 - 0.0724) / (128.5e6 - 0.0724 * 9.36e6)
     by_hand = 128.5e6 - (128.5e6 - 0.0724 * 9.36e6) * np.exp(a2 * (x - 9.36e6)) - 0.0724 * x
     assert abs(np.interp(1e8, p, q) - by_hand) < 1e-3 * by_hand, (np.interp(1e8, p, q), by_hand)
-    assert card.hydrostatic_strength(-0.2231) == -np.inf and card.hydrostatic_strength(-0.1) < -1.2244e9 < card.hydrostatic_strength(0.1) < 0.0
+    assert (
+        card.hydrostatic_strength(-0.2231) == -np.inf and card.hydrostatic_strength(-0.1) < -1.2244e9 < card.hydrostatic_strength(0.1) < 0.0
+    )
 
 
 def check_fields(run):
@@ -78,7 +81,8 @@ def check_fields(run):
     assert {"speed", "porosity", "pressure"} <= set(known) and "status" not in known, known
     frame = file.frame()
     speed, strain = fields.values_of(frame, deck, "speed"), fields.values_of(frame, deck, "equivalent_plastic_strain")
-    assert speed.max() == 7000.0 and not np.isnan(strain).any() and np.isnan(fields.values_of(frame, deck, "plastic_volume_strain")[:4]).all()
+    assert speed.max() == 7000.0 and not np.isnan(strain).any() and np.isnan(fields.values_of(frame, deck,
+        "plastic_volume_strain")[:4]).all()
     areas = np.ones(1000)
     assert fields.range_of(np.r_[np.linspace(0, 1, 999), 1e9], areas, fields.look_of("pressure"))[1] < 1.0
     low, high = fields.range_of(np.linspace(-1.0, 3.0, 1000), areas, fields.look_of("velocity_x"))
@@ -89,9 +93,11 @@ def check_fields(run):
 def check_doubling():
     """Sizes of cells and steps are all in the scale, with a tick for each; a step of nothing has no colour."""
     look, areas = fields.look_of("cell_size"), np.r_[np.full(999, 1.0), 1e-6]
-    assert fields.range_of(np.r_[np.full(999, 4.0), 0.5], areas, look) == (0.5, 4.0) and fields.range_of(np.full(3, 2.0), np.ones(3), look) == (1.0, 4.0)
+    assert fields.range_of(np.r_[np.full(999, 4.0), 0.5], areas, look) == (0.5, 4.0) and fields.range_of(np.full(3, 2.0), np.ones(3),
+        look) == (1.0, 4.0)
     assert fields.range_of(np.zeros(3), np.ones(3), fields.look_of("step_length"))[0] > 0.0 and not fields.look_of("speed").doubling
-    shapes = np.stack([square + np.array([4.0 * i, 0.0]) for i, square in enumerate([np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])] * 5)])
+    shapes = np.stack([square + np.array([4.0 * i, 0.0])
+        for i, square in enumerate([np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])] * 5)])
     figure, axes = plt.subplots()
     quads = channel.draw_quads(axes, shapes, np.array([4.0, 2.0, 0.0, 0.5, np.nan]), look.colours, (0.5, 4.0), doubling=True)
     assert channel.doubling_values(quads) == [0.5, 2.0, 4.0] and len(axes.collections[0].get_paths()) == 2, axes.collections
@@ -128,7 +134,8 @@ def check_interval():
     error = {"value": -0.2, "low": -0.25, "high": -0.2}
     assert numbers.depth_interval(0.08, {"depth_error": error})[:2] == (0.08 / 0.8, 0.08 / 0.75)
     study = {"low": 0.07, "high": 0.09}
-    assert numbers.depth_interval(0.08, {"depth_error": error, "convergence": study})[:2] == (0.07, 0.09) and numbers.depth_interval(0.08, {}) is None
+    assert numbers.depth_interval(0.08, {"depth_error": error, "convergence": study})[:2] == (0.07,
+        0.09) and numbers.depth_interval(0.08, {}) is None
 
 
 def said(*words, code=0):
@@ -152,7 +159,8 @@ def words_of_pdf(file):
 def check_captions(run):
     """A page of the PDF has the heading and the caption of its picture, which the picture itself does not keep."""
     words = words_of_pdf(run / "report" / "report.pdf")
-    for said in ("The colour scale leaves out the extreme 1.5 % of the area", "where the size of particles shows the size of cells", "Energy by term, and the remainder of the ledger."):
+    for said in ("The colour scale leaves out the extreme 1.5 % of the area", "where the size of particles shows the size of cells",
+            "Energy by term, and the remainder of the ledger."):
         assert re.sub(r"\s", "", said) in words, said
     picture = section.Picture("a", plt.figure(), "one caption")
     pages.write_pdf(run / "one.pdf", "title", [section.Section("Heading", pictures=[picture])])
@@ -162,7 +170,8 @@ def check_captions(run):
 
 def check_page(run):
     """One page with its pictures inside, as text that came from a title; the same numbers in both forms."""
-    printed = said("report", run, "--left", "pressure", "--right", "plastic_volume_strain", "--time", "10 us", "--depths", "5 mm, 1 cm", "--pdf")
+    printed = said("report", run, "--left", "pressure", "--right", "plastic_volume_strain", "--time", "10 us", "--depths",
+        "5 mm, 1 cm", "--pdf")
     page, marked = ((run / "report" / name).read_text() for name in ("index.html", "index.md"))
     assert str(run / "report" / "index.html") in printed and "By &lt;hand&gt;" in page and "# By <hand>" in marked, printed
     pictures = sorted(file.stem for file in (run / "report").glob("*.png"))
@@ -170,7 +179,8 @@ def check_page(run):
     assert page.count('src="data:image/png;base64,') == len(pictures) and all(f"({name}.png)" in marked for name in pictures)
     assert not re.search(r'(src|href)="(?!data:)', page) and "http" not in page.replace("http-equiv", ""), "the page needs something else"
     assert "<td>5.0</td>" in page and "<td>10.0</td>" in page and "<td>plastic</td><td>20 J, 20 %</td>" in page, page[:3000]
-    for words in ("numerically lost: 10 % of the energy put in (stress integration -4 %, transfer -6 %); remainder of the ledger: +0.001 %", "slower along its flight than the hole grows"):
+    for words in ("numerically lost: 10 % of the energy put in (stress integration -4 %, transfer -6 %); remainder of the ledger: +0.001 %",
+            "slower along its flight than the hole grows"):
         assert words in page.lower() and words in marked.lower(), words
     assert (run / "report" / "report.pdf").read_bytes()[:5] == b"%PDF-" and not list((run / "report").glob(".*"))
     profile = np.genfromtxt(run / "report" / "profile.csv", delimiter=",", names=True, skip_header=1)
@@ -189,14 +199,16 @@ REFUSED = [  # words, exit code, part of the sentence
     ((), 1, "the first word is report or film"),
     (("report",), 1, "the following arguments are required: RUN; write for example barreno report"),
     (("report", "nowhere"), 2, "'nowhere' is not a folder"),
-    (("report", "RUN", "--left", "pressur"), 1, '--left "pressur" is not a field of this run, which has density, equivalent_plastic_strain, plastic_strain'),
+    (("report", "RUN", "--left", "pressur"), 1,
+        '--left "pressur" is not a field of this run, which has density, equivalent_plastic_strain, plastic_strain'),
     (("report", "RUN", "--left", "pressur"), 1, "did you mean pressure?"),
     (("report", "RUN", "--right", "Plastic Volume"), 1, "did you mean plastic_volume_strain?"),
     (("report", "RUN", "--right", "xyzzy"), 1, "choose one of these."),
     (("report", "RUN", "--time", "soon"), 1, '--time "soon" is not a time; write for example --time "30 us"'),
     (("report", "RUN", "--time", "3 weeks"), 1, '--time "3 weeks" is not a time'),
     (("report", "RUN", "--time", "30 us"), 1, "--time 30 us is not in the run's particles.e (0 to 10 us)"),
-    (("report", "RUN", "--depths", "5 mm, deep"), 1, '--depths has "deep", which is not a length; write for example --depths "30 mm, 60 mm"'),
+    (("report", "RUN", "--depths", "5 mm, deep"), 1,
+        '--depths has "deep", which is not a length; write for example --depths "30 mm, 60 mm"'),
     (("report", "RUN", "--depths", "5"), 1, '--depths has "5", which is not a length'),
     (("report", "RUN", "--colour"), 1, "unrecognized arguments: --colour"),
     (("film", "RUN"), 1, "the following arguments are required: --field; write for example barreno film"),

@@ -61,12 +61,14 @@ def check_shapes():
 def check_surface(run):
     """Vertex and cap bound the surface; scatter moves its vertex; a revolved meridian has its own pressure and shear."""
     card = strength_of(read_deck(run / "deck.xml"), "Sandstone")
-    assert card.shear_at(-9.37e6 / 3.0, 0.0) == 0.0 < card.shear_at(-9.35e6 / 3.0, 0.0) and card.shear_at(1.23e9 / 3.0, 0.0) == 0.0 < card.shear_at(1.22e9 / 3.0, 0.0)
+    assert card.shear_at(-9.37e6 / 3.0, 0.0) == 0.0 < card.shear_at(-9.35e6 / 3.0, 0.0) and card.shear_at(1.23e9 / 3.0,
+        0.0) == 0.0 < card.shear_at(1.22e9 / 3.0, 0.0)
     assert card.scaled(2.0).shear_at(-18e6 / 3.0, 0.0) > 0.0 == card.shear_at(-18e6 / 3.0, 0.0) and card.peak == 9.36e6
     p, q = card.curve(0.0, 1e9, 50)
     points = np.moveaxis(np.array(principal.revolved(p, q, 13, lode_shape("Mohr-Coulomb", 0.75))), 0, -1)
     mean, shear = principal.pressure_and_shear(points)
-    assert np.allclose(mean, p[:, None], atol=1.0) and np.allclose(shear[:, 0], q, atol=1.0) and np.allclose(shear[:, 2], 0.75 * q, atol=1.0), (shear[5], q[5])  # Pa; the third point: triaxial extension
+    assert np.allclose(mean, p[:, None], atol=1.0) and np.allclose(shear[:, 0], q, atol=1.0) and np.allclose(shear[:, 2], 0.75 * q,
+        atol=1.0), (shear[5], q[5])  # Pa; the third point: triaxial extension
     lode = principal.lode_angle(-np.sort(-points[5], axis=-1))
     assert np.allclose(lode, [0, 30, 60, 30, 0, 30, 60, 30, 0, 30, 60, 30, 0], atol=1e-5), lode
 
@@ -83,7 +85,8 @@ def check_sectors():
 def path(stress, times=None):
     stress = np.array(stress, float)
     count = len(stress)
-    return StressPath(7, "Sandstone", np.arange(count) * 1e-6 if times is None else times, np.zeros((count, 2)), stress, np.full(count, np.nan), np.ones(count))
+    return StressPath(7, "Sandstone", np.arange(count) * 1e-6 if times is None else times, np.zeros((count, 2)), stress,
+        np.full(count, np.nan), np.ones(count))
 
 
 def check_coarse():
@@ -91,7 +94,9 @@ def check_coarse():
     fine = np.linspace(0.0, 1e8, 101)[:, None] * [3.0, 1.0, 1.0]
     assert coarse_words([path(fine)]) == [] and coarse_words([path(np.ones((3, 3)))]) == []
     (words,) = coarse_words([path(fine), path(np.concatenate([fine[:30], fine[80:]]))])
-    assert "1 µs later, the stress of particle 7 changes by 51 % of all that" in words and "Output/Field Interval of 0.1 µs or less" in words, words
+    assert (
+        "1 µs later, the stress of particle 7 changes by 51 % of all that" in words and "Output/Field Interval of 0.1 µs or less" in words
+    ), words
 
 
 def wall():
@@ -114,7 +119,8 @@ def check_page(run):
     """Three particles at the tip, with their place, their share of the strength and a file of their paths."""
     assert "paths.csv" in said("report", run, "--particles", "near  tip")
     marked = (run / "report" / "index.md").read_text()
-    rows = [line.strip("| ").split(" | ") for line in marked.split("## Stress paths")[1].splitlines() if line.startswith("| ") and "Sandstone" in line]
+    rows = [line.strip("| ").split(" | ") for line in marked.split("## Stress paths")[1].splitlines() if line.startswith("| ")
+        and "Sandstone" in line]
     assert len(rows) == 3 and all(name in marked for name in ("(map.png)", "(paths.png)")), rows
     card = strength_of(read_deck(run / "deck.xml"), "Sandstone")
     for row in rows:  # of numbers to a tenth of a mm and of a MPa
@@ -136,14 +142,18 @@ def check_numbers(run, numbers, lines):
         of_jet = int(whole.file.numbers[np.flatnonzero(whole.file.block == whole.file.block_names.index("Tungsten"))[0]])
         paths = paths_wished(whole, Wishes(particles=", ".join(map(str, [*numbers, of_jet, numbers[0]]))))
         section = path_section(whole, whole.frame(), paths, None, run / "report")
-    assert "Tungsten: a report knows no surface of its model (Johnson-Cook), so only the path is drawn." in section.words and len(section.pictures) == 2, section.words
+    assert (
+        "Tungsten: a report knows no surface of its model (Johnson-Cook), so only the path is drawn." in section.words
+        and len(section.pictures) == 2
+    ), section.words
     assert [row[0] for row in section.table] == [*map(str, numbers), str(of_jet)], section.table
     found = (run / "report" / "paths.csv").read_text().splitlines()
     assert found[:-1] == lines and found[-1].startswith(f"{of_jet},"), "the jet is there at one of the two times"
 
 
 REFUSED = [  # words, part of the sentence
-    ("deep", '--particles "deep" is neither "near tip" nor numbers of particles; write for example --particles "near tip" or --particles 120,340.'),
+    ("deep", '--particles "deep" is neither "near tip" nor numbers of particles; write for example --particles "near tip" or --particles '
+        '120,340.'),
     ("", '--particles "" is neither'),
     ("3,,4", '--particles "3,,4" is neither'),
     ("-3", '--particles "-3" is neither'),
@@ -161,7 +171,8 @@ def check_refusals(run, folder):
     found = said("report", run, "--particles", "near tip", "--time", "0 us", code=1)
     assert '--particles "near tip" finds no tip (the jet has not hit the target at 0 us); name particles by their numbers' in found, found
     assert sorted(run.rglob("*")) == before, "a refusal leaves files"
-    far = write_run(folder / "far", [jet(np.array([[0.2 * CELL, CELL]]), np.array([100.0])), rock(lattice(0.0, 5 * CELL, 0.0, 5 * CELL))], depth=0.04)
+    far = write_run(folder / "far", [jet(np.array([[0.2 * CELL, CELL]]), np.array([100.0])), rock(lattice(0.0, 5 * CELL, 0.0, 5 * CELL))],
+        depth=0.04)
     found = said("report", far, "--particles", "near tip", code=1)
     assert '--particles "near tip" finds no particle of the target within 8 mm of the tip' in found, found
     bare = write_run(folder / "bare", [rock(lattice(0.0, 5 * CELL, 0.0, 5 * CELL))])
