@@ -108,7 +108,11 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   };
   const std::string fidelities = fidelity_lines(scene_with, ranks);
   if (is_root(*comm))
-    std::cout << plan_text(scene, probe_cost(scene), ranks, notes_of(deck, scene)) << fidelities;
+    std::cout
+        << plan_text(
+               scene, probe_cost(scene), ranks, notes_of(deck, scene), jet_monitor_of(deck, scene)
+           )
+        << fidelities;
   return static_cast<int>(ExitCode::finished);
 }
 

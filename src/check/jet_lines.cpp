@@ -4,6 +4,7 @@
 #include "base/format.hpp"
 #include "jet/estimate.hpp"
 #include "jet/kinds.hpp"
+#include "jet/path.hpp"
 
 #include <algorithm>
 
@@ -72,17 +73,22 @@ std::string kind_line(const Scene& scene) {
          (thin ? std::string() : porous_words(material, voids.least_filled)) + "\n";
 }
 
+std::string error_line(const DepthDoubt& doubt) {
+  return "Depth     expected error at the end from the size of the cells: " +
+         depth_doubt_text(doubt) + "\n";
+}
+
 std::string depth_line(const Scene& scene) {
   if (estimate_jet(scene, scene.end_time).thinnest == 0.0) return {};
-  return "Depth     expected error at the end from the size of the cells: " +
-         depth_doubt_text(depth_doubt(scene, scene.end_time)) + "\n";
+  return error_line(depth_doubt(scene, scene.end_time));
 }
 
 }  // namespace
 
-std::string jet_lines(const Scene& scene) {
-  return scene.jet.present ? slug_line(scene) + kind_line(scene) + depth_line(scene)
-                           : std::string();
+std::string jet_lines(const Scene& scene, const JetMonitorSpec& monitor) {
+  if (scene.jet.present) return slug_line(scene) + kind_line(scene) + depth_line(scene);
+  if (!recorded_path(scene, monitor)) return {};
+  return error_line(depth_doubt(scene, scene.end_time, Penetration{}));
 }
 
 }  // namespace barreno

@@ -214,7 +214,8 @@ void refuse_unreachable_end(const Deck& deck, const Scene& scene) {
 std::string depth_error(const Scene& scene) {
   if (!scene.jet.present) return {};
   const DepthDoubt doubt = depth_doubt(scene, scene.end_time);
-  return ", depth " + (doubt.unknown.empty() ? depth_error_text(doubt.error) : "unknown");
+  if (!doubt.unknown.empty()) return ", depth unknown (" + doubt.unknown + ")";
+  return ", depth " + depth_error_text(doubt.error);
 }
 
 namespace {
@@ -266,7 +267,11 @@ double sum_of(const std::vector<long long>& counts) {
 }  // namespace
 
 std::string plan_text(
-    const Scene& scene, const Probe& probe, int ranks, const std::vector<std::string>& notes
+    const Scene& scene,
+    const Probe& probe,
+    int ranks,
+    const std::vector<std::string>& notes,
+    const JetMonitorSpec& monitor
 ) {
   const std::vector<long long> counts = particle_counts(scene);  // with the whole jet
   const double particles = sum_of(counts);
@@ -287,7 +292,7 @@ std::string plan_text(
   );
   text += time_line(scene, cost);
   text += cost_line(scene, cost, ranks) + files_line(scene, counts, ranks) + step_line(scene) +
-          share_line(scene, cost.shares) + jet_lines(scene);
+          share_line(scene, cost.shares) + jet_lines(scene, monitor);
   if (!scene.bodies.empty()) text += "Bodies\n" + body_lines(scene);
   text += "Materials\n" + material_lines(scene) + feature_table(scene, probe);
   for (const std::string& note : notes) text += "Note: " + note + "\n";

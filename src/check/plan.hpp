@@ -4,6 +4,7 @@
 #include "check/notes.hpp"
 #include "check/probe_cost.hpp"
 #include "deck/deck.hpp"
+#include "deck/sections/jet_monitor_section.hpp"
 #include "scene/scene.hpp"
 
 #include <functional>
@@ -25,8 +26,13 @@ std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene
 /// What a run of this scene will do: bodies, what is modelled and what is not and why, particles,
 /// memory, step size and number of steps. Nothing is written and no particle is kept.
 /// @param ranks  of the run that is asked for; the probe is of one
+/// @param monitor  of a jet that is formed in the run
 std::string plan_text(
-    const Scene& scene, const Probe& probe, int ranks, const std::vector<std::string>& notes
+    const Scene& scene,
+    const Probe& probe,
+    int ranks,
+    const std::vector<std::string>& notes,
+    const JetMonitorSpec& monitor = {}
 );
 
 }  // namespace barreno

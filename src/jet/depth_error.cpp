@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jet/depth_error.hpp"
 
+#include "jet/failure.hpp"
 #include "jet/path.hpp"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ const BodySpec& main_body(const Scene& scene, const std::vector<PathLayer>& laye
 /// Densities of jet over rock as measured, tungsten over Berea, by less than a third.
 bool is_measured_pair(const MaterialSpec& jet, const MaterialSpec& target) {
   constexpr double measured = 8.3;
-  return target.model_name().rfind("Arenisca", 0) == 0 &&
+  return is_metal(jet) && target.model_name().rfind("Arenisca", 0) == 0 &&
          is_near(jet.density() / target.density() / measured);
 }
 
@@ -95,6 +96,9 @@ std::string number(const char* pattern, double x) {
 
 const char* const depth_error_source =
     "measured with tungsten jets in dry Berea sandstone (docs/trade.md)";
+
+const char* const unknown_error_advice =
+    "barreno converge compares three sizes of cells, and the error is at least their spread";
 
 CellRange measured_cells(const DepthTables& tables) {
   return {tables.steady.front().cells_per_radius, tables.steady.back().cells_per_radius};
@@ -178,9 +182,42 @@ std::string why_reach_unknown(
   return {};
 }
 
+std::string why_slugs_unknown(
+    const DepthTables& tables, double length_over_radius, double slowest, double least_filled
+) {
+  if (length_over_radius < shortest_measured_length(tables))
+    return "it was measured with slugs that are at least half as long as their radius";
+  if (slowest * largest_ratio < measured_slowest)
+    return "it was measured with slugs faster than " + number("%.0f m/s only", measured_slowest);
+  if (least_filled * largest_ratio < measured_least_filled)
+    return "it was measured with slugs that fill at least " +
+           number("%.2g of their flight only", measured_least_filled);
+  return {};
+}
+
 /// With fewer the error of one particle per cell and direction exceeds that of two by far: 15 %
 /// with 1.4, where it is 7 % (docs/verification/fidelities.md).
 constexpr double fewest_cells_of_one = 1.8;
+
+namespace {
+
+/// Why the measurements say nothing of a step or contact; empty if they do.
+std::string why_method_unknown(const Scene& scene) {
+  const StepSpec& step = scene.step;
+  if (step.transfer != Transfer::flip || step.pic_fraction > 0.0)
+    return "it was measured with Transfer FLIP only";
+  if (step.shape != StepSpec{}.shape)
+    return "it was measured with Shape Function " + StepSpec{}.shape + " only";
+  if (step.order != Order::stress_last)
+    return "it was measured with Order " + word_of(Order::stress_last) + " only";
+  if (step.return_losses) return "it was measured without Return Losses only";
+  for (const ContactSpec& contact : scene.contacts)
+    if (contact.materials[0] == scene.jet.material || contact.materials[1] == scene.jet.material)
+      return "it was measured without contact of the jet only";
+  return {};
+}
+
+}  // namespace
 
 std::string why_depth_error_unknown(
     const DepthTables& tables, const Scene& scene, double cells_per_radius
@@ -189,8 +226,8 @@ std::string why_depth_error_unknown(
   if (scene.grid.mode == Mode::plane_strain) return "it was measured with round jets only";
   if (scene.grid.mode == Mode::three_dimensional) return "it was measured in axisymmetry only";
   if (scene.jet.kind != JetKind::discrete) return "it was measured with discrete jets only";
-  if (scene.step.transfer != Transfer::flip || scene.step.pic_fraction > 0.0)
-    return "it was measured with Transfer FLIP only";
+  std::string why = why_method_unknown(scene);
+  if (!why.empty()) return why;
   const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));
   if (layers.empty()) return "the jet meets no target";
   const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
@@ -200,6 +237,10 @@ std::string why_depth_error_unknown(
   if (!is_measured_pair(jet, target))
     return "it was measured with tungsten in dry Berea sandstone only, not with " + jet.name() +
            " in " + target.name();
+  if (breaks(jet))
+    return "it was measured with tungsten that does not break only, not with the Spall Stress or "
+           "damage of " +
+           jet.name();
   const CellRange range = measured_cells(tables);
   // A table's last digit must not decide.
   constexpr double round_off = 1e-6;

@@ -60,14 +60,29 @@ std::string why_reach_unknown(
     const DepthTables& tables, double time, double radius, double velocity, double depth
 );
 
+/// The slowest slug of the measured jet that has dug when the measurements end, and the least share
+/// of its flight that metal fills: slower slugs and wider gaps were never measured.
+inline constexpr double measured_slowest = 3092.9;  ///< [velocity]
+inline constexpr double measured_least_filled = 0.39;
+
+/// Why the measurements say nothing of the slugs that dig; empty if they do.
+/// @param slowest, least_filled  of those slugs, as in JetEstimate
+std::string why_slugs_unknown(
+    const DepthTables& tables, double length_over_radius, double slowest, double least_filled
+);
+
 /// Why the measurements say nothing of this scene, or are not there; empty if they do. They are of
-/// a round tungsten jet in dry sandstone, axisymmetric, with FLIP.
+/// a round jet of tungsten that does not break, in dry sandstone, axisymmetric, with FLIP, GIMP and
+/// without contact.
 std::string why_depth_error_unknown(
     const DepthTables& tables, const Scene& scene, double cells_per_radius
 );
 
 /// The error in words, "-14 % (-15 to -3 %)".
 std::string depth_error_text(const DepthError& error);
+
+/// What to do where the error is unknown, for a sentence.
+extern const char* const unknown_error_advice;
 
 /// What was measured, for a sentence.
 extern const char* const depth_error_source;

@@ -75,6 +75,30 @@ double volume_of(const Scene& scene, const JetSlug& slug, double length) {
 
 }  // namespace
 
+namespace {
+
+/// Share of the flight that a slug fills until the next one; the last one's is that before it.
+double filled_share(const std::vector<JetSlug>& slugs, std::size_t i) {
+  if (slugs.size() < 2) return 1.0;
+  const std::size_t first = std::min(i, slugs.size() - 2);
+  const double way = slugs[i].velocity * (slugs[first + 1].time - slugs[first].time);
+  return way > slugs[i].length ? slugs[i].length / way : 1.0;
+}
+
+/// What the measurements ask of slugs that dig.
+void note_slug(const std::vector<JetSlug>& slugs, std::size_t i, JetEstimate& result) {
+  const JetSlug& slug = slugs[i];
+  const bool first = result.thinnest == 0.0;
+  if (first || slug.radius < result.thinnest) {
+    result.thinnest = slug.radius;
+    result.length = slug.length;
+  }
+  if (first || slug.velocity < result.slowest) result.slowest = slug.velocity;
+  result.least_filled = std::min(result.least_filled, filled_share(slugs, i));
+}
+
+}  // namespace
+
 JetEstimate estimate_jet(const Scene& scene, double until) {
   JetEstimate result;
   const Target target(scene);
@@ -82,7 +106,9 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
   const double launch = scene.jet.direction * scene.jet.launch_position;
   Bottom bottom{target.face(), 0.0, false};
   double mass = 0.0, energy = 0.0, mass_left = 0.0, energy_left = 0.0;
-  for (const JetSlug& slug : scene.jet.slugs) {
+  const std::vector<JetSlug>& slugs = scene.jet.slugs;
+  for (std::size_t i = 0; i < slugs.size(); ++i) {
+    const JetSlug& slug = slugs[i];
     const double way = std::max(0.0, bottom.place - launch - 0.5 * slug.length);
     const double start = std::max(bottom.time, slug.time + way / slug.velocity);
     double left = slug.length;
@@ -90,10 +116,7 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
       bottom.time = start;
       left = target.dig(slug, until, bottom);
       result.time = bottom.time;
-      if (result.thinnest == 0.0 || slug.radius < result.thinnest) {
-        result.thinnest = slug.radius;
-        result.length = slug.length;
-      }
+      note_slug(slugs, i, result);
     }
     const double square = slug.velocity * slug.velocity;
     mass += volume_of(scene, slug, slug.length);
@@ -131,13 +154,13 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth, const Dept
   }
   doubt.unknown = why_depth_error_unknown(tables, scene, doubt.cells_per_radius);
   const double shape = estimate.length / estimate.thinnest;
-  if (doubt.unknown.empty() && shape < shortest_measured_length(tables))
-    doubt.unknown = "it was measured with slugs that are at least half as long as their radius";
   if (doubt.unknown.empty()) {
     const JetSlug& tip = scene.jet.slugs.front();
     doubt.unknown =
         why_reach_unknown(tables, time - tip.time, estimate.thinnest, tip.velocity, depth);
   }
+  if (doubt.unknown.empty())
+    doubt.unknown = why_slugs_unknown(tables, shape, estimate.slowest, estimate.least_filled);
   if (!doubt.unknown.empty()) return doubt;
   const DepthOf whose = depth > 0.0 ? DepthOf::run : DepthOf::estimate;
   const double reached = whose == DepthOf::run ? depth : estimate.depth;
@@ -148,13 +171,16 @@ DepthDoubt depth_doubt(const Scene& scene, double time, double depth, const Dept
 }
 
 DepthDoubt depth_doubt(const Scene& scene, double time, const Penetration& found) {
-  DepthDoubt doubt = depth_doubt(scene, time, found.depth);
+  DepthDoubt doubt;
+  doubt.unknown = "it was measured with launched jets only";
+  if (!scene.jet.present) return doubt;
+  doubt = depth_doubt(scene, time, found.depth);
   if (found.through) doubt.unknown = "the jet has come out of the rear of the target";
   return doubt;
 }
 
 std::string depth_doubt_text(const DepthDoubt& doubt) {
-  if (!doubt.unknown.empty()) return "unknown (" + doubt.unknown + ")";
+  if (!doubt.unknown.empty()) return "unknown (" + doubt.unknown + "); " + unknown_error_advice;
   char cells[96];
   const bool one = std::abs(doubt.cells_per_radius - 1.0) < 0.005;
   std::snprintf(

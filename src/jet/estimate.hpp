@@ -22,6 +22,10 @@ struct JetEstimate {
   bool passed = false;       ///< it has come out of the back of the target
   double thinnest = 0.0;     ///< least radius of the slugs that have dug; 0: none has [length]
   double length = 0.0;       ///< of the slug with that radius [length]
+  double slowest = 0.0;      ///< least velocity of the slugs that have dug [length/time]
+  /// Least share of the flight that metal fills, of those slugs: length over the way that a slug
+  /// flies until the next one is launched.
+  double least_filled = 1.0;
 };
 JetEstimate estimate_jet(const Scene& scene, double until);
 
@@ -43,10 +47,11 @@ DepthDoubt depth_doubt(
     const Scene& scene, double time, double depth = 0.0, const DepthTables& tables = depth_tables()
 );
 
-/// Of a run. Nothing is known of a jet that is through its target.
+/// Of a run. Nothing is known of a jet that is through its target, or that is formed.
 DepthDoubt depth_doubt(const Scene& scene, double time, const Penetration& found);
 
-/// One sentence without a full stop: "error of the depth from the cells -14 % (...)".
+/// One sentence without a full stop, after "error of the depth from the cells": "-14 % (...)", or
+/// "unknown", why, and what to do.
 std::string depth_doubt_text(const DepthDoubt& doubt);
 
 }  // namespace barreno

@@ -60,7 +60,7 @@ std::vector<std::string> result_numbers(
     lines.push_back(
         penetration.met ? depth_words(scene, penetration) : "no depth: the jet has hit no target"
     );
-  if (scene.jet.present && penetration.met)
+  if (penetration.met)
     lines.push_back(
         "error of the depth from the size of the cells: " +
         depth_doubt_text(depth_doubt(scene, totals.time, penetration))

@@ -124,8 +124,8 @@ void put_cells(Json& json, const char* name, const SlugCells& cells) {
   one["most"] = number(cells.most);
 }
 
-/// How well the cells resolve the jet, and what that was measured to do to a depth.
-void put_resolution(Json& json, const Scene& scene, double time, const Penetration& p) {
+/// How well the cells resolve the jet, and how deep it is in which body.
+void put_resolution(Json& json, const Scene& scene, const Penetration& p) {
   put_cells(json, "cells_per_radius", slug_cells(scene, &JetSlug::radius));
   put_cells(json, "cells_per_length", slug_cells(scene, &JetSlug::length));
   if (!p.met) return;
@@ -135,10 +135,15 @@ void put_resolution(Json& json, const Scene& scene, double time, const Penetrati
     json["depth_in_body"][name] = number(depth_in(layer, path, p.depth));
     json["entrance_diameter_in_body"][name] = number(entrance_diameter(layer, path, p));
   }
+}
+
+/// What the cells were measured to do to the depth, or why that is unknown and what to do.
+void put_depth_error(Json& json, const Scene& scene, double time, const Penetration& p) {
   const DepthDoubt doubt = depth_doubt(scene, time, p);
   Json& error = json["depth_error"];
   if (!doubt.unknown.empty()) {
     error["unknown"] = as_utf8(doubt.unknown);
+    error["advice"] = unknown_error_advice;
     return;
   }
   error["value"] = number(doubt.error.value);
@@ -160,7 +165,8 @@ void put_penetration(Json& json, const Scene& scene, double time, const Penetrat
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["jet_mass_inside"] = number(p.jet_mass_inside);
   reached["tip_velocity"] = number(p.tip_velocity);
-  if (scene.jet.present) put_resolution(reached, scene, time, p);
+  if (scene.jet.present) put_resolution(reached, scene, p);
+  if (p.met) put_depth_error(reached, scene, time, p);
 }
 
 void put_balance(Json& json, const Balance& balance) {

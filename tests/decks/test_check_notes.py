@@ -141,7 +141,16 @@ def check_plan():
     assert "at impact 0.5 to 1.1 cells per radius (tip 0.5, tail 1.1), 0.151 to 0.503 cells per length" in plan, plan
     assert "expected error at the end from the size of the cells: -25 % (-33 to -16 %) at 0.5 cells per jet radius" in plan, plan
     unknown = barreno("check", QUICK, "--set", "Step/Transfer=APIC")
-    assert "at the end from the size of the cells: unknown (it was measured with Transfer FLIP only" in unknown, unknown
+    words = "at the end from the size of the cells: unknown (it was measured with Transfer FLIP only); barreno converge compares"
+    assert words in unknown, unknown
+    # At rest, and with metal that fails; the fidelities say why too.
+    late = barreno("check", QUICK, "--set", "Time/End Time=330 us")
+    assert "from the size of the cells: unknown (it was measured until 90 us only); barreno converge" in late, late
+    assert late.count("depth unknown (it was measured until 90 us only)") == 3, late
+    torn = barreno("check", QUICK, "--set", "Materials/Tungsten/Spall Stress=2 GPa")
+    assert "unknown (it was measured with tungsten that does not break only" in torn, torn
+    formed = barreno("check", DECKS / "jet_formation_penetration.xml")
+    assert "from the size of the cells: unknown (it was measured with launched jets only); barreno converge" in formed, formed
 
 
 def check_run(folder):

@@ -160,6 +160,8 @@ DEPTHS = [  # what a summary holds, words of the line
     ({"depth_error": {**ERROR, "cells_per_radius": 0.5}}, "at 0.5 cells per jet radius"),
     ({"depth_error": {"unknown": "of plane jets nothing was measured"}},
         "23.40 mm; error from the size of the cells unknown (of plane jets"),
+    ({"depth_error": {"unknown": "it was measured until 90 us only", "advice": "barreno converge compares"}},
+        "(it was measured until 90 us only); barreno converge compares"),
     ({"convergence": STUDY}, "23.40 mm; 21.0 to 26.0 mm by cells of 2, 1, 0.5 mm (grid convergence index)"),
     ({"convergence": {**STUDY, "extrapolated": None}}, "(spread, without an order)"),
     ({}, "23.40 mm"),

@@ -170,10 +170,31 @@ def check_cells():
     assert levels.cell_settings(deck.format(jet.format("4")), 5e-4) == ["Grid/Cell Size=0.0005 m", "Jet/Cells Per Radius=8.0"]
 
 
+def check_measured_error():
+    """What the smallest cells were measured to do to a depth, or why that is unknown; nothing without a jet, or of another quantity."""
+
+    class Named:
+        def __init__(self, name):
+            self.name = name
+
+    known = {"value": -0.07, "low": -0.15, "high": -0.03, "cells_per_radius": 1.0, "source": "measured"}
+    cases = [
+        ({"depth_error": known}, "which are 1 per jet radius: -7 % (-15 to -3 %), measured."),
+        ({"depth_error": {"unknown": "it was measured until 90 us only"}}, "(it was measured until 90 us only); the interval above"),
+        ({}, ""),
+    ]
+    with tempfile.TemporaryDirectory() as scratch:
+        level = levels.Level([], "", pathlib.Path(scratch), cells=1e-3)
+        for penetration, words in cases:
+            (level.folder / "summary.json").write_text(json.dumps({"penetration": penetration}))
+            line = report.measured_error(Named("depth"), level)
+            assert words in line and bool(words) == bool(line), line
+            assert report.measured_error(Named("kinetic"), level) == ""
+
+
 def main():
-    for check in (check_cells, check_equation, check_power_laws, check_published, check_limited_order, check_refusals, check_equal,
-            check_three_smallest,
-                  check_two_that_agree, check_coverage, check_equal_by_chance, check_names):
+    for check in (check_measured_error, check_cells, check_equation, check_power_laws, check_published, check_limited_order, check_refusals,
+                  check_equal, check_three_smallest, check_two_that_agree, check_coverage, check_equal_by_chance, check_names):
         check()
     print("orders and intervals are those of the sequences")
 

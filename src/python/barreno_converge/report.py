@@ -55,8 +55,11 @@ def offer(settings):
 
 
 def measured_error(quantity, finest):
-    """What cells of that size were measured to do to a depth, which needs no order; empty where it is not known."""
+    """What cells of that size were measured to do to a depth, which needs no order, or why that is unknown; empty without a jet."""
     error = read_summary(finest.folder).get("penetration", {}).get("depth_error", {}) if quantity.name == "depth" else {}
+    if "unknown" in error:
+        return (f"Error of the depth at the end with the smallest cells: unknown ({error['unknown']}); "
+                "the interval above counts these levels alone, so give it no level of confidence.")  # fmt: skip
     if "value" not in error:
         return ""
     return (f"Error of the depth at the end with the smallest cells, which are {error['cells_per_radius']:.2g} per jet radius: "
@@ -68,6 +71,11 @@ def error_text(error):
     """-14 % (-15 to -3 %)"""
     percent = lambda share: f"{round(100.0 * share):+d}" if round(100.0 * share) else "0"  # noqa: E731
     return f"{percent(error['value'])} % ({percent(error['low'])} to {percent(error['high'])} %)"
+
+
+def unknown_text(error):
+    """unknown (why); what to do"""
+    return "; ".join([f"unknown ({error['unknown']})", *([error["advice"]] if "advice" in error else [])])
 
 
 def as_csv(name, levels, rows):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Numbers of a run as rows of a table: (name, value)."""
 
-from barreno_converge.report import error_text
+from barreno_converge.report import error_text, unknown_text
 
 MILLI, MICRO = 1e-3, 1e-6
 
@@ -33,7 +33,7 @@ def depth_text(depth, penetration):
             f"{error['source']}"
         )
     elif "unknown" in error:
-        text += f"; error from the size of the cells unknown ({error['unknown']})"
+        text += f"; error from the size of the cells {unknown_text(error)}"
     return text
 
 

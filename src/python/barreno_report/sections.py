@@ -74,6 +74,8 @@ def depth_section(run, table):
     with reading(run.folder / "summary.json"):
         section.rows = [("depth", depth_text(last, penetration)), *resolution_rows(penetration)]
         interval = depth_interval(last["depth"], penetration)
+        if interval is None and "unknown" in penetration.get("depth_error", {}):
+            section.words.append("No interval is drawn at the end of the depth: its error from the size of the cells is unknown.")
     time, depth, rate, window = depth_and_rate(table)
     shares = []
     if len(time):

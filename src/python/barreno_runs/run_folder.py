@@ -21,7 +21,8 @@ KINDS = {  # what commands reckon with, where a summary has it: a number, an obj
     "penetration.depth_error": LIST,
     "penetration.depth_error.value": NUMBER, "penetration.depth_error.low": NUMBER, "penetration.depth_error.high": NUMBER,
     "penetration.depth_error.cells_per_radius": NUMBER,
-    "penetration.depth_error.source": str, "balances": LIST, "balances.energy": LIST, "balances.energy.error": NUMBER,
+    "penetration.depth_error.source": str, "penetration.depth_error.unknown": str, "penetration.depth_error.advice": str,
+    "balances": LIST, "balances.energy": LIST, "balances.energy.error": NUMBER,
 }  # fmt: skip
 WORDS = {NUMBER: "a number", LIST: "an object", str: "a text"}
 

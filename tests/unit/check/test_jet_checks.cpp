@@ -48,15 +48,27 @@ Material rock() {
   return {"sandstone", rock_density, Arenisca(p, rock_density)};
 }
 
+JohnsonCook::Parameters tungsten_parameters() {
+  JohnsonCook::Parameters p;
+  p.shear_modulus = 147e9;
+  p.a = 1506e6;
+  p.b = 176.5e6;
+  p.n = 0.12;
+  p.melt_temperature = 3695.0;
+  p.specific_heat = 135.0;
+  p.sound_speed = 3992.0;
+  p.slope = 1.23;
+  p.gamma = 1.43;
+  return p;
+}
+MaterialSpec tungsten(const JohnsonCook::Parameters& p = tungsten_parameters()) {
+  return Material{"tungsten", jet_density, JohnsonCook(p, jet_density)};
+}
+
 /// A tungsten jet along +y in front of steel and rock; cells of 1 mm.
 Scene jet_scene(std::vector<JetSlug> slugs) {
-  Scene scene = testing::box_scene(
-      Mode::axisymmetric,
-      cell,
-      {0, -0.04, 0},
-      {0.08, 0.33, 0},
-      testing::elastic(4e11, 0.28, jet_density)
-  );
+  Scene scene =
+      testing::box_scene(Mode::axisymmetric, cell, {0, -0.04, 0}, {0.08, 0.33, 0}, tungsten());
   scene.materials.push_back(testing::elastic(2e11, 0.3, steel_density));
   scene.materials.emplace_back(rock());
   testing::add_box(scene, "Casing", {0, face, 0}, {0.05, border, 0}, 2).material = 1;
@@ -224,6 +236,84 @@ TEST(DepthDoubt, IsUnknownBeyondWhatWasMeasured) {
   EXPECT_TRUE(says(why_reach_unknown(tables, 1e-6, 1e-3, 4000.0, 0.0), "a tip of 7830 m/s only"));
 }
 
+/// Until the measurements end, no slug was slower and no gap wider.
+TEST(DepthDoubt, IsUnknownOfSlowerSlugsAndWiderGaps) {
+  const JetEstimate measured = estimate_jet(main_job(), tables.times.back());
+  EXPECT_NEAR(measured.slowest, measured_slowest, 0.1);
+  EXPECT_NEAR(measured.least_filled, measured_least_filled, 0.005);
+
+  Scene slow = jet_scene({slug(0, 7000, 1e-3, 1e-3), slug(0.2e-6, 2000, 1e-3, 1e-3)});
+  EXPECT_EQ(depth_doubt(slow, 2e-6).unknown, "");  // the second one has not arrived
+  EXPECT_TRUE(says(depth_doubt(slow, 10e-6).unknown, "slugs faster than 3093 m/s only"));
+  slow.jet.slugs[1].velocity = 2500.0;
+  EXPECT_EQ(depth_doubt(slow, 10e-6).unknown, "");
+
+  Scene thin = jet_scene({slug(0, 7000, 1e-3, 1e-3), slug(0.6e-6, 7000, 1e-3, 1e-3)});
+  EXPECT_TRUE(says(depth_doubt(thin, 10e-6).unknown, "at least 0.39 of their flight only"));
+  thin.jet.slugs[1].time = 0.4e-6;
+  EXPECT_EQ(depth_doubt(thin, 10e-6).unknown, "");
+}
+
+TEST(DepthDoubt, IsUnknownOfAFormedJetAndSaysWhatToDo) {
+  Scene formed = main_job();
+  formed.jet = {};
+  Penetration found;
+  found.met = true;
+  found.depth = 0.01;
+  const DepthDoubt doubt = depth_doubt(formed, 10e-6, found);
+  const std::string text = depth_doubt_text(doubt);
+  EXPECT_TRUE(says(text, "unknown (it was measured with launched jets only); barreno converge"))
+      << text;
+  EXPECT_EQ(depth_doubt(main_job(), 10e-6, found).unknown, "");
+
+  // Its plan says the same if it meets a target.
+  BodySpec liner = formed.bodies.front();
+  liner.shape = Box{{0.0, -0.03, 0.0}, {0.004, -0.02, 0.0}};
+  formed.bodies.push_back(liner);
+  JetMonitorSpec monitor;
+  monitor.bodies = {2};
+  monitor.position = -10e-3;
+  EXPECT_TRUE(says(
+      jet_lines(formed, monitor),
+      "Depth     expected error at the end from the size "
+      "of the cells: unknown (it was measured with launched"
+  )) << jet_lines(formed, monitor);
+  EXPECT_EQ(jet_lines(formed), "");
+}
+
+TEST(DepthError, IsUnknownWithAnotherMethodContactOrFailure) {
+  const Scene scene = jet_scene({slug(0, 7000, 1e-3, 1e-3)});
+  const auto unknown = [&](const auto& change) {
+    Scene other = scene;
+    change(other);
+    return why_depth_error_unknown(tables, other, 1.0);
+  };
+  EXPECT_EQ(unknown([](Scene&) {}), "");
+  EXPECT_TRUE(says(unknown([](Scene& s) { s.step.shape = "CPDI"; }), "Shape Function GIMP only"));
+  EXPECT_TRUE(
+      says(unknown([](Scene& s) { s.step.order = Order::stress_first; }), "Order stress last only")
+  );
+  EXPECT_TRUE(says(unknown([](Scene& s) { s.step.return_losses = true; }), "Return Losses"));
+  ContactSpec contact;
+  contact.materials = {1, 2};
+  EXPECT_EQ(unknown([&](Scene& s) { s.contacts = {contact}; }), "");
+  contact.materials = {2, 0};
+  EXPECT_TRUE(says(unknown([&](Scene& s) { s.contacts = {contact}; }), "without contact of the"));
+  const auto with_metal = [&](const auto& change) {
+    JohnsonCook::Parameters p = tungsten_parameters();
+    change(p);
+    return unknown([&](Scene& s) { s.materials[0] = tungsten(p); });
+  };
+  EXPECT_EQ(with_metal([](auto&) {}), "");
+  const char* const failure = "not with the Spall Stress or damage of tungsten";
+  EXPECT_TRUE(says(with_metal([](auto& p) { p.spall_stress = 2e9; }), failure));
+  EXPECT_TRUE(says(with_metal([](auto& p) { p.d2 = 0.33; }), failure));
+  EXPECT_TRUE(says(
+      unknown([](Scene& s) { s.materials[0] = testing::elastic(4e11, 0.28, jet_density); }),
+      "not with elastic in sandstone"
+  ));
+}
+
 TEST(DepthError, IsUnknownWhereNothingWasMeasured) {
   const Scene scene = jet_scene({slug(0, 7000, 1e-3, 1e-3)});
   EXPECT_EQ(why_depth_error_unknown(tables, scene, 1.0), "");
@@ -237,7 +327,7 @@ TEST(DepthError, IsUnknownWhereNothingWasMeasured) {
   EXPECT_TRUE(says(why_depth_error_unknown(tables, other, 1.0), "FLIP"));
   other = scene;
   other.bodies[1].material = 1;
-  EXPECT_TRUE(says(why_depth_error_unknown(tables, other, 1.0), "not with elastic in elastic"));
+  EXPECT_TRUE(says(why_depth_error_unknown(tables, other, 1.0), "not with tungsten in elastic"));
   other = scene;
   other.materials[0] = testing::copper();
   EXPECT_TRUE(says(why_depth_error_unknown(tables, other, 1.0), "not with copper in sandstone"));
@@ -285,7 +375,8 @@ TEST(JetLines, SayCellsOfTipAndTailAndTheErrorToExpect) {
   EXPECT_TRUE(says(text, "1 to 2.2 cells per radius (tip 1, tail 2.2)")) << text;
   EXPECT_TRUE(says(text, "0.302 to 1.01 cells per length (tip 1.01, tail 0.302)")) << text;
   // It ends later than any error was measured.
-  EXPECT_TRUE(says(text, "the cells: unknown (it was measured until 90 us only)")) << text;
+  EXPECT_TRUE(says(text, "the cells: unknown (it was measured until 90 us only); barreno converge"))
+      << text;
   // As it was measured with cells of 1 mm.
   for (const auto& [time, error] : std::map<double, std::string>{
            {10e-6, "-7 %"},

@@ -177,7 +177,9 @@ TEST(DepthDoubt, IsUnknownWithoutTheNumbersAndSaysSo) {
   scene.jet.slugs = {{0.0, 7000.0, 0.1, 0.1, 8930.0}};
   const DepthDoubt doubt = depth_doubt(scene, 1e-3, 0.0, none);
   EXPECT_EQ(doubt.unknown, "they are gone");
-  EXPECT_EQ(depth_doubt_text(doubt), "unknown (they are gone)");
+  EXPECT_EQ(
+      depth_doubt_text(doubt), std::string("unknown (they are gone); ") + unknown_error_advice
+  );
 }
 
 }  // namespace

@@ -190,6 +190,20 @@ TEST(Summary, SaysHowWellCellsResolveTheJet) {
   met.met = true;
   met.depth = 0.01;
   EXPECT_NE(text_with(met).find("\"depth_error\": {\n      \"unknown\": "), std::string::npos);
+  EXPECT_NE(text_with(met).find("\"advice\": \"barreno converge "), std::string::npos);
+
+  // A formed jet, of which nothing was measured.
+  scene.jet.present = false;
+  BodySpec liner;
+  liner.material = 2;
+  liner.shape = Box{{0.0, -0.012, 0.0}, {0.004, -0.007, 0.0}};
+  scene.bodies.push_back(liner);
+  RunDescription run{"out", "deck.xml", "", "1.0", {}};
+  run.monitor.bodies = {2};
+  run.monitor.position = -5e-3;
+  const std::string formed = summary_text(scene, state, run, sum_totals(state), met, {}, {});
+  EXPECT_NE(formed.find("\"unknown\": \"it was measured with launched"), std::string::npos)
+      << formed;
 }
 
 TEST(History, HasAHeaderAndARowThatMatch) {
