@@ -10,6 +10,9 @@ namespace barreno {
 
 enum class Command { help, version, run, resume, check, drive, describe };
 
+/// Tables of what a run writes, as docs/output.md and the report have them.
+enum class OutputTable { none, fields, history, ledger, report };
+
 /// What was typed after `barreno`.
 struct Options {
   Command command = Command::help;
@@ -20,10 +23,10 @@ struct Options {
   std::string out;  ///< empty: a new folder below runs/
   bool overwrite = false;
   int ranks = 0;  ///< --ranks; 0: not given. The launcher starts that many; the code only compares.
-  std::string section;      ///< describe; empty: overview
-  bool markdown = false;    ///< describe as docs/deck.md
-  bool fields = false;      ///< describe the fields of particles.e
-  bool print_deck = false;  ///< check: the effective deck instead of the plan
+  std::string section;                    ///< describe; empty: overview
+  bool markdown = false;                  ///< describe as docs/deck.md
+  OutputTable table = OutputTable::none;  ///< describe that one
+  bool print_deck = false;                ///< check: the effective deck instead of the plan
 };
 
 /// @throws DeckError  with one sentence

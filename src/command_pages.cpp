@@ -214,7 +214,22 @@ CommandPage describe_page() {
         nullptr,
         nullptr,
         "the fields of particles.e, as in docs/output.md",
-        [](Options& options, const std::string&) { options.fields = true; }}},
+        [](Options& options, const std::string&) { options.table = OutputTable::fields; }},
+       {"--history",
+        nullptr,
+        nullptr,
+        "the columns of history.csv, as in docs/output.md",
+        [](Options& options, const std::string&) { options.table = OutputTable::history; }},
+       {"--ledger",
+        nullptr,
+        nullptr,
+        "the ledger in summary.json, as in docs/output.md",
+        [](Options& options, const std::string&) { options.table = OutputTable::ledger; }},
+       {"--report-tables",
+        nullptr,
+        nullptr,
+        "units and energies for the report, as in run_tables.json",
+        [](Options& options, const std::string&) { options.table = OutputTable::report; }}},
       "barreno describe Grid\n"
       "barreno describe \"Pore Flow/Rocks\"\n"
       "barreno describe Arenisca\n"

@@ -11,8 +11,10 @@
 #include "deck/sections/head_section.hpp"
 #include "drive/drive.hpp"
 #include "output/folder_lock.hpp"
+#include "output/history_columns.hpp"
 #include "output/output.hpp"
 #include "output/particle_field_table.hpp"
+#include "output/report_tables.hpp"
 #include "output/run_folder.hpp"
 #include "pore_flow/check_solver_lists.hpp"
 #include "resume.hpp"
@@ -20,6 +22,7 @@
 #include "scene/build_scene.hpp"
 #include "scene/jet/jet_monitor.hpp"
 #include "state/build_state.hpp"
+#include "state/ledger_table.hpp"
 #include "version.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -117,7 +120,18 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
 }
 
 std::string description(const Options& options) {
-  if (options.fields) return particle_fields_markdown();
+  switch (options.table) {
+    case OutputTable::fields:
+      return particle_fields_markdown();
+    case OutputTable::history:
+      return history_markdown();
+    case OutputTable::ledger:
+      return ledger_markdown();
+    case OutputTable::report:
+      return report_tables();
+    case OutputTable::none:
+      break;
+  }
   return options.markdown ? describe_markdown() : describe_text(options.section);
 }
 

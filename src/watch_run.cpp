@@ -3,6 +3,7 @@
 
 #include "base/gather.hpp"
 #include "state/balance.hpp"
+#include "state/ledger_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,9 +81,8 @@ struct Energies {
 
 Energies sum_energies(const State& state) {
   const Ledger l = sum_over_ranks(*state.grid.comm, state.ledger);
-  const double supplied = l.initial_kinetic + l.launched_kinetic + l.prestress +
-                          std::abs(l.explosive) + std::abs(l.boundary_work) +
-                          std::abs(l.body_work) + std::abs(l.fluid_work);
+  const double put_in = energy_balance(l).put_in;
+  const double supplied = add_magnitudes(l, Conserved::energy, Part::exchanged, put_in);
   return {l.kinetic, l.elastic, supplied};
 }
 

@@ -2,6 +2,7 @@
 #include "output/history_writer.hpp"
 
 #include "base/region.hpp"
+#include "output/history_columns.hpp"
 #include "output/pore_flow_columns.hpp"
 #include "output/reactions.hpp"
 #include "state/balance.hpp"
@@ -49,13 +50,9 @@ HistoryWriter::HistoryWriter(
     const PreviousRow& before
 )
     : before_(before) {
-  std::string header =
-      "time,step,dt,particles,mass,momentum,kinetic,elastic,plastic,viscous,boundary_work,launched_"
-      "kinetic,"
-      "body_work,damped,stress_integration,transfer,removed_kinetic,energy_error,mass_error,"
-      "momentum_error";
-  for (const char* cause : removal_names) header += std::string(",removed_") + cause;
-  header += ",held,retried,friction,rigid_impulse,clipped,remembered,explosive";
+  std::string header;
+  for (const HistoryColumn& column : history_columns())
+    header += (header.empty() ? "" : ",") + column.name;
   for (const std::string& column : pore_flow_columns(scene)) header += "," + column;
   const std::vector<std::string> columns = reaction_columns(scene);
   for (const std::string& column : columns) header += "," + column;
@@ -80,33 +77,9 @@ HistoryWriter::HistoryWriter(
 
 void HistoryWriter::write(const Comm& comm, const Clock& clock, const RunTotals& totals) {
   const Region region("write_history");
-  const Ledger& l = totals.ledger;
-  std::vector<double> row{
-      clock.time,
-      static_cast<double>(clock.step),
-      clock.dt,
-      totals.particles,
-      l.mass,
-      l.momentum,
-      l.kinetic,
-      l.elastic,
-      l.plastic,
-      l.viscous,
-      l.boundary_work,
-      l.launched_kinetic,
-      l.body_work,
-      l.damped,
-      l.stress_integration,
-      l.transfer,
-      total_removed(l).kinetic,
-      energy_balance(l).error(),
-      mass_balance(l).error(),
-      momentum_balance(l).error()};
-  for (const RemovalTally& tally : l.removed) row.push_back(tally.count);
-  row.insert(
-      row.end(),
-      {l.held, l.retried_steps, l.friction, l.rigid_impulse, l.clipped, l.remembered, l.explosive}
-  );
+  std::vector<double> row;
+  for (const HistoryColumn& column : history_columns())
+    row.push_back(column.value({clock, totals}));
   row.insert(row.end(), totals.pore_flow.begin(), totals.pore_flow.end());
   const bool first = before_.reactions.empty();
   const std::vector<double>& before = first ? totals.reactions : before_.reactions;

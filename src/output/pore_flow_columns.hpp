@@ -3,13 +3,20 @@
 
 #include "state/state.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace barreno {
 
-/// Columns of history.csv that a scene with draining pore fluid has, and what the comment of the
-/// file says of them.
+/// A column of history.csv that a scene with draining pore fluid has.
+struct PoreFlowColumn {
+  std::string name, unit, meaning;
+  std::function<double(const PoreFlowState&, const Ledger&)> value;
+};
+const std::vector<PoreFlowColumn>& pore_flow_table();
+
+/// Their names, none in other scenes, and what the comment of the file says of them.
 std::vector<std::string> pore_flow_columns(const Scene& scene);
 inline constexpr const char* pore_flow_note =
     "; fluid in the pores, fluid_inflow through the surfaces of rock and fluid_removed with "

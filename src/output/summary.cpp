@@ -10,6 +10,7 @@
 #include "output/share_numbers.hpp"
 #include "scene/input_speeds.hpp"
 #include "state/balance.hpp"
+#include "state/ledger_table.hpp"
 
 #include <cmath>
 #include <limits>
@@ -169,51 +170,17 @@ void put_penetration(Json& json, const Scene& scene, double time, const Penetrat
   if (p.met) put_depth_error(reached, scene, time, p);
 }
 
-void put_balance(Json& json, const Balance& balance) {
-  json["remainder"] = number(balance.remainder);
-  json["put_in"] = number(balance.put_in);
-  json["error"] = number(balance.error());
-}
-
-void put_balances(Json& json, const Ledger& l) {
-  Json& balances = json["balances"];
-  Json& mass = balances["mass"];
-  mass["now"] = number(l.mass);
-  mass["initial"] = number(l.initial_mass);
-  mass["launched"] = number(l.launched_mass);
-  mass["removed"] = number(total_removed(l).mass);
-  put_balance(mass, mass_balance(l));
-  Json& momentum = balances["momentum"];
-  momentum["now"] = number(l.momentum);
-  momentum["initial"] = number(l.initial_momentum);
-  momentum["launched"] = number(l.launched_momentum);
-  momentum["condition_impulse"] = number(l.condition_impulse);
-  momentum["load_impulse"] = number(l.load_impulse);
-  momentum["body_impulse"] = number(l.body_impulse);
-  momentum["damping_impulse"] = number(l.damping_impulse);
-  momentum["rigid_impulse"] = number(l.rigid_impulse);
-  momentum["removed"] = number(total_removed(l).momentum);
-  put_balance(momentum, momentum_balance(l));
-  Json& energy = balances["energy"];
-  energy["kinetic"] = number(l.kinetic);
-  energy["elastic"] = number(l.elastic);
-  energy["plastic"] = number(l.plastic);
-  energy["viscous"] = number(l.viscous);
-  energy["friction"] = number(l.friction);
-  energy["stress_integration"] = number(l.stress_integration);
-  energy["transfer"] = number(l.transfer);
-  energy["removed_kinetic"] = number(total_removed(l).kinetic);
-  energy["initial_kinetic"] = number(l.initial_kinetic);
-  energy["launched_kinetic"] = number(l.launched_kinetic);
-  energy["boundary_work"] = number(l.boundary_work);
-  energy["body_work"] = number(l.body_work);
-  energy["fluid_work"] = number(l.fluid_work);
-  energy["damped"] = number(l.damped);
-  energy["prestress"] = number(l.prestress);
-  energy["explosive"] = number(l.explosive);
-  put_balance(energy, energy_balance(l));
-  energy["stress_integration_share"] = number(numerical_energy(l).stress_integration);
-  energy["transfer_share"] = number(numerical_energy(l).transfer);
+/// The rows of the ledger whose paths begin with `group`, or stand alone if that is empty.
+void put_ledger(Json& json, const Ledger& ledger, const std::string& group) {
+  for (const LedgerRow& row : ledger_table()) {
+    const bool alone = row.summary.find('.') == std::string::npos;
+    if (row.summary.empty() || (group.empty() ? !alone : row.summary.rfind(group, 0) != 0))
+      continue;
+    Json* place = &json;
+    std::istringstream path(row.summary);
+    for (std::string word; std::getline(path, word, '.');) place = &(*place)[word];
+    *place = number(row.value(ledger));
+  }
 }
 
 /// The largest numerical errors of the run; `since` is null and `warning` empty where they are
@@ -357,16 +324,13 @@ std::string summary_text(
   put_prediction(json, run, summary);
   if (recorded_path(scene, run.monitor))
     put_penetration(json, scene, state.clock.time, penetration);
-  put_balances(json, totals.ledger);
+  put_ledger(json, totals.ledger, "balances.");
   put_numerical_energy(json, summary);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
   if (summary.formed_jet) put_formed_jet(json, run.monitor, *summary.formed_jet);
   put_removed(json, totals.ledger);
-  json["held_particles"] = number(totals.ledger.held);
-  json["unloaded_particles"] = number(totals.ledger.unloaded);
-  json["clipped_particles"] = number(totals.ledger.clipped);
+  put_ledger(json, totals.ledger, "");
   put_anomalies(json, scene, summary.anomalies);
-  json["retried_steps"] = number(totals.ledger.retried_steps);
   Json& warnings = json["warnings"] = Json::object();
   for (const auto& [kind, count] : summary.warnings) warnings[as_utf8(kind)] = count;
   return json.dump(2) + "\n";

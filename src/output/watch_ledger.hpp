@@ -6,7 +6,7 @@
 
 namespace barreno {
 
-/// A warning for each cause of removal and for held particles when the first ones appear.
+/// A warning for each count of ledger_table() that has one, when it grows.
 /// @param watched  what was warned about; becomes `ledger`
 void watch_ledger(const Ledger& ledger, double time, Ledger& watched, Progress& progress);
 

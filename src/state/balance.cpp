@@ -2,6 +2,7 @@
 #include "state/balance.hpp"
 
 #include "base/numbers.hpp"
+#include "state/ledger_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,52 +72,53 @@ double Balance::error() const {
 
 namespace {
 
+double signed_put_in(const Ledger& l, Conserved what) {
+  return add_rows(l, what, Part::worked, add_rows(l, what, Part::supplied, 0.0));
+}
 double energy_put_in(const Ledger& l) {
-  return l.initial_kinetic + l.launched_kinetic + l.prestress + std::abs(l.explosive) +
-         std::abs(l.boundary_work) + std::abs(l.body_work);
+  const double supplied = add_magnitudes(l, Conserved::energy, Part::supplied, 0.0);
+  return add_magnitudes(l, Conserved::energy, Part::worked, supplied);
 }
 double energy_moved(const Ledger& l) {
-  return std::max({std::abs(l.fluid_work), std::abs(l.transfer), std::abs(l.stress_integration)});
+  return std::max(
+      largest_magnitude(l, Conserved::energy, Part::exchanged),
+      largest_magnitude(l, Conserved::energy, Part::numerical)
+  );
 }
 
 }  // namespace
 
 Balance mass_balance(const Ledger& l) {
-  const double put_in = l.initial_mass + l.launched_mass;
-  return {l.mass + total_removed(l).mass - put_in, put_in};
+  const double put_in = signed_put_in(l, Conserved::mass);
+  return {add_rows(l, Conserved::mass, Part::held, 0.0) - put_in, put_in};
 }
 
 Balance momentum_balance(const Ledger& l) {
-  const double put_in = l.initial_momentum + l.launched_momentum + l.condition_impulse +
-                        l.load_impulse + l.body_impulse + l.damping_impulse + l.rigid_impulse;
+  constexpr Conserved along_y = Conserved::momentum;
   // Net momenta may cancel (a standing wave, a load across y): the roots are what the same energy
   // carries one way.
-  const double work = std::abs(l.explosive) + std::abs(l.boundary_work) + std::abs(l.body_work);
-  const double scale = std::sqrt(2.0 * l.initial_mass * l.initial_kinetic) +
+  const double work = add_magnitudes(l, Conserved::energy, Part::worked, 0.0);
+  const double roots = std::sqrt(2.0 * l.initial_mass * l.initial_kinetic) +
                        std::sqrt(2.0 * l.launched_mass * l.launched_kinetic) +
-                       std::sqrt(2.0 * l.initial_mass * work) + std::abs(l.condition_impulse) +
-                       std::abs(l.load_impulse) + std::abs(l.body_impulse) +
-                       std::abs(l.damping_impulse) + std::abs(l.rigid_impulse);
+                       std::sqrt(2.0 * l.initial_mass * work);
+  const double scale = add_magnitudes(l, along_y, Part::worked, roots);
   const double unpaid = std::max(0.0, energy_moved(l) - energy_put_in(l));
-  const RemovalTally removed = total_removed(l);
   // |p| <= sqrt(2 m K): the round-off of forces that cancel, before any of them has done work.
   const bool is_round_off =
-      scale == 0.0 && unpaid == 0.0 && l.kinetic == 0.0 && removed.kinetic == 0.0;
+      scale == 0.0 && unpaid == 0.0 && l.kinetic == 0.0 && total_removed(l).kinetic == 0.0;
+  const double held = add_rows(l, along_y, Part::held, 0.0);
   return {
-      is_round_off ? 0.0 : l.momentum + removed.momentum - put_in,
+      is_round_off ? 0.0 : held - signed_put_in(l, along_y),
       scale,
       std::sqrt(2.0 * l.initial_mass * unpaid)};
 }
 
 Balance energy_balance(const Ledger& l) {
-  const double found = l.kinetic + l.elastic + l.plastic + l.viscous + l.friction + l.damped +
-                       total_removed(l).kinetic;
-  const double put_in = l.initial_kinetic + l.launched_kinetic + l.prestress + l.explosive +
-                        l.boundary_work + l.body_work;
-  return {
-      found - put_in - l.fluid_work - l.transfer - l.stress_integration,
-      energy_put_in(l),
-      energy_moved(l)};
+  constexpr Conserved energy = Conserved::energy;
+  double remainder = add_rows(l, energy, Part::held, 0.0) - signed_put_in(l, energy);
+  remainder = add_rows(l, energy, Part::exchanged, remainder, -1.0);
+  remainder = add_rows(l, energy, Part::numerical, remainder, -1.0);
+  return {remainder, energy_put_in(l), energy_moved(l)};
 }
 
 NumericalEnergy numerical_energy(const Ledger& l) {

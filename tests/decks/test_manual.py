@@ -14,6 +14,7 @@ DECKS = pathlib.Path(__file__).resolve().parents[2] / "input_xml"
 # What these hold is in the words of another library.
 ELSEWHERE = {"Belos", "Ifpack2", "MueLu"}
 OUTPUT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "output.md"
+TABLES = pathlib.Path(__file__).resolve().parents[2] / "src" / "python" / "barreno_report" / "run_tables.json"
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "deck.md"
 
 
@@ -34,9 +35,14 @@ def words_of(parameters):
 
 def main():
     manual = describe("--markdown")
-    page, table = OUTPUT.read_text(), describe("--fields")
-    mine = re.search(r"<!-- words of particles.e -->\n\n(.*?)\n<!-- end of words -->", page, re.DOTALL).group(1)
-    assert mine == table, "the table of particles.e in docs/output.md is old; write it with: barreno describe --fields"
+    page = OUTPUT.read_text()
+    for file, option in (("particles.e", "--fields"), ("history.csv", "--history")):
+        mine = re.search(rf"<!-- words of {file} -->\n\n(.*?)\n<!-- end of words -->", page, re.DOTALL).group(1)
+        assert mine == describe(option), f"the table of {file} in docs/output.md is old; write it with: barreno describe {option}"
+    ledger = describe("--ledger")
+    assert ledger.count("\n") > 30 and "\n" + ledger in page, (
+        "the rows of the ledger in docs/output.md (summary.json) are old; write them with: barreno describe --ledger")
+    assert TABLES.read_text() == describe("--report-tables"), f"{TABLES} is old; write it with: barreno describe --report-tables"
     assert PAGE.read_text() == manual, "docs/deck.md is old; write it with: barreno describe --markdown > docs/deck.md"
     # A list of free name has its entries under "NAME/*"; a model is asked for by its name.
     sections = re.findall(r"^## (?:Model )?([A-Z][A-Za-z -]*)$", manual, re.MULTILINE)

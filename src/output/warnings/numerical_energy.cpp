@@ -4,6 +4,7 @@
 #include "files/text_file.hpp"
 #include "scene/tile_levels.hpp"
 #include "state/balance.hpp"
+#include "state/ledger_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,25 @@
 namespace barreno {
 namespace {
 
+/// Whether a row of the ledger counts in Balance::put_in of the energy.
+bool is_put_in(const LedgerRow& row) {
+  return row.unit == Conserved::energy && (row.part == Part::supplied || row.part == Part::worked);
+}
+
 /// Energy put in until the start, which history.csv leaves out.
-double put_in_at_start(const Ledger& l) {
-  return l.initial_kinetic + l.prestress;
+double put_in_at_start(const Ledger& ledger) {
+  double sum = 0.0;
+  for (const LedgerRow& row : ledger_table())
+    if (is_put_in(row) && row.column == 0) sum += std::abs(row.value(ledger));
+  return sum;
+}
+
+/// Energy put in until a row of history.csv, by the names of its columns.
+double put_in_until(const Ledger& ledger, std::map<std::string, double>& numbers) {
+  double sum = put_in_at_start(ledger);
+  for (const LedgerRow& row : ledger_table())
+    if (is_put_in(row) && row.column > 0) sum += std::abs(numbers[row.name]);
+  return sum;
 }
 
 std::vector<std::string> words_of_line(const std::string& line) {
@@ -55,10 +72,8 @@ std::vector<EnergyRow> energy_rows(
     }
     auto of = numbers_of_line(header, line);
     if (of.empty()) continue;
-    const double put_in = put_in_at_start(ledger) + of["launched_kinetic"] +
-                          std::abs(of["explosive"]) + std::abs(of["boundary_work"]) +
-                          std::abs(of["body_work"]);
-    rows.push_back({of["time"], put_in, of["stress_integration"], of["transfer"]});
+    rows.push_back({of["time"], put_in_until(ledger, of), of["stress_integration"], of["transfer"]}
+    );
   }
   const double put_in = energy_balance(ledger).put_in;
   rows.push_back({time, put_in, ledger.stress_integration, ledger.transfer});

@@ -3,25 +3,25 @@
 
 import numpy as np
 
+from barreno_report.run_tables import energies
 from barreno_runs.plots import plt
 
 MICRO = 1e-6
-KEPT = ("kinetic", "elastic", "plastic", "viscous", "friction", "removed_kinetic", "damped")
+ALWAYS = ("kinetic", "elastic", "plastic")
 
 
 def parts_of(table):
     """[(name, values)] of what the energy went into; terms that a deck has nothing of are left out."""
-    kept = [name for name in KEPT if name in ("kinetic", "elastic", "plastic") or np.any(table.get(name, 0.0))]
+    kept = [name for name in energies("held") if name in ALWAYS or np.any(table.get(name, 0.0))]
     # Lost between particles and grid, and by stress integration: a loss, so that all parts add up to what was put in.
-    return [*((name.replace("_", " "), table[name]) for name in kept),
-        ("numerical loss", -(table["transfer"] + table["stress_integration"]))]
+    loss = -sum(table[name] for name in energies("numerical"))
+    return [*((name.replace("_", " "), table[name]) for name in kept), ("numerical loss", loss)]
 
 
 def put_in(table, summary):
-    """Energy at the start, of the jet, and work of the boundary and of body forces."""
-    energy = summary.get("balances", {}).get("energy", {})
-    start = energy.get("initial_kinetic", table["kinetic"][0]) + energy.get("prestress", 0.0)
-    return start + table["launched_kinetic"] + table["boundary_work"] + table.get("body_work", 0.0) + table.get("explosive", 0.0)
+    """Energy at the start, of the jet, work of forces, and what pore fluid brought; history.csv has no columns for the start."""
+    start = {"initial_kinetic": table["kinetic"][0], **summary.get("balances", {}).get("energy", {})}
+    return sum(table.get(name, start.get(name, 0.0)) for name in energies("supplied", "worked", "exchanged"))
 
 
 def energy_terms(table, summary):

@@ -7,19 +7,15 @@ import difflib
 import numpy as np
 
 from barreno_report.porosity import permanent_porosity
+from barreno_report.run_tables import UNITS
 from barreno_runs.faults import Fault
 
 # The same quantity under the names of two models.
 PLASTIC_STRAIN = ("equivalent_plastic_strain", "plastic_strain")
 DERIVED = ("speed", "porosity")
-MEGA = 1e6
 SIGNED = ("velocity_", "darcy_velocity_", "plastic_volume_strain", "stress_")
-UNITS = {  # beginning of a name: (unit of the picture, in SI)
-    "pressure": ("MPa", MEGA), "shear_stress": ("MPa", MEGA), "stress_": ("MPa", MEGA), "viscous_pressure": ("MPa", MEGA),
-    "pore_pressure": ("MPa", MEGA), "density": ("kg/m³", 1.0), "velocity_": ("m/s", 1.0), "speed": ("m/s", 1.0),
-    "darcy_velocity_": ("m/s", 1.0), "temperature": ("K", 1.0), "internal_energy": ("kJ/kg", 1e3),
-    "cell_size": ("mm", 1e-3), "step_length": ("ns", 1e-9),
-}  # fmt: skip
+# Of SI units: the unit of pictures, in SI.
+PICTURE_UNITS = {"Pa": ("MPa", 1e6), "kg/m3": ("kg/m³", 1.0), "J/kg": ("kJ/kg", 1e3), "m": ("mm", 1e-3), "s": ("ns", 1e-9)}
 DOUBLING = ("cell_size", "step_length")
 COLOURS = {"cell_size": "YlGnBu_r", "step_length": "YlOrRd_r", "pressure": "viridis", "pore_pressure": "viridis", "porosity": "cividis",
     "speed": "plasma", "temperature": "magma"}
@@ -37,14 +33,20 @@ class Look:
     doubling: bool = False  # a few positive values, each twice another: colours follow their logarithm
 
 
+def unit_of(name):
+    """(unit of the picture, in SI); a field that the table lacks, of a model from elsewhere, has none."""
+    si = UNITS.get("velocity_x" if name == "speed" else name)
+    return PICTURE_UNITS.get(si, (si, 1.0))
+
+
 def look_of(name):
-    unit, scale = next((known for start, known in UNITS.items() if name.startswith(start)), ("-", 1.0))
+    unit, scale = unit_of(name)
     signed = name.startswith(SIGNED)
     colours = "RdBu_r" if signed else next((found for start, found in COLOURS.items() if name.startswith(start)), "inferno")
     words = "plastic strain" if name in PLASTIC_STRAIN else name.replace("_", " ")
     if name == "plastic_volume_strain":
         colours, words = "RdBu", "plastic volume strain: crushed < 0 < dilated"
-    return Look(f"{words} [{unit}]", scale, colours, signed, name == "plastic_volume_strain", name in DOUBLING)
+    return Look(f"{words} [{unit}]" if unit else words, scale, colours, signed, name == "plastic_volume_strain", name in DOUBLING)
 
 
 def known_fields(file, deck):

@@ -15,7 +15,7 @@ import numpy as np
 from PIL import Image
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
-from barreno_report import channel, command, fields, numbers, pages, penetration, section  # noqa: E402
+from barreno_report import channel, command, energy_picture, fields, numbers, pages, penetration, section  # noqa: E402
 from barreno_report.deck import read_deck  # noqa: E402
 from barreno_report.outline import without_gaps  # noqa: E402
 from barreno_report.particles import ParticleFile, areas_of  # noqa: E402
@@ -107,6 +107,28 @@ def check_doubling():
     assert [text.get_text() for text in axes.child_axes[-1].get_yticklabels()] == ["0.5", "2", "4"]
     assert channel.doubling_values(channel.draw_quads(axes, shapes, np.ones(5), "viridis", (0.0, 2.0))) == []
     plt.close(figure)
+
+
+def check_units():
+    """Units are those of the program's table; a field of a model from elsewhere has none."""
+    for name, label, scale in (
+        ("overstress_xx", "overstress xx [MPa]", 1e6), ("lighting_time", "lighting time [ns]", 1e-9), ("speed", "speed [m/s]", 1.0),
+        ("density", "density [kg/m³]", 1.0), ("internal_energy", "internal energy [kJ/kg]", 1e3), ("gas", "gas [-]", 1.0),
+        ("of_another_model", "of another model", 1.0),
+    ):  # fmt: skip
+        look = fields.look_of(name)
+        assert (look.label, look.scale) == (label, scale), look
+
+
+def check_energy():
+    """All that went in, the work of pore fluid included, is what the parts of the picture add up to."""
+    held = {"kinetic": 3.0, "elastic": 5.0, "plastic": 7.0, "viscous": 0.0, "friction": 2.0}
+    ends = {**held, "launched_kinetic": 11.0, "boundary_work": -1.0, "fluid_work": 4.0, "transfer": -1.5, "stress_integration": 0.5}
+    table = {name: np.array([0.0, value]) for name, value in ends.items()}
+    summary = {"balances": {"energy": {"initial_kinetic": 1.0, "prestress": 3.0}}}
+    parts = energy_picture.parts_of(table)
+    assert [name for name, _ in parts] == ["kinetic", "elastic", "plastic", "friction", "numerical loss"], parts
+    assert energy_picture.put_in(table, summary)[-1] == 18.0 == sum(values[-1] for _, values in parts), parts
 
 
 def check_points(folder):
@@ -241,6 +263,8 @@ def main():
     check_outline()
     check_interval()
     check_doubling()
+    check_units()
+    check_energy()
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         run = shared(folder)

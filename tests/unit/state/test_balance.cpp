@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/balance.hpp"
+#include "state/ledger_table.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace barreno {
 namespace {
@@ -123,6 +127,84 @@ TEST(JetTableTotals, AreThoseOfCylindersOrOfTheSlabInsideTheGrid) {
   EXPECT_NEAR(jet_table_totals(scene, 99).mass, 2.0 * one.mass, 1e-15);
   scene.grid.mode = Mode::plane_strain;
   EXPECT_NEAR(jet_table_totals(scene, 1).mass, 8.0 * 0.5 * 0.25, 1e-15);
+}
+
+/// A ledger in which one number of the struct is 1 and all others are 0.
+Ledger only_term(std::size_t term) {
+  Ledger ledger;
+  auto& terms = static_cast<LedgerTerms<double>&>(ledger);
+  reinterpret_cast<double*>(&terms)[term] = 1.0;
+  return ledger;
+}
+
+TEST(LedgerTable, HasARowForEveryTerm) {
+  constexpr std::size_t terms = sizeof(LedgerTerms<double>) / sizeof(double);
+  for (std::size_t term = 0; term < terms; ++term) {
+    const Ledger ledger = only_term(term);
+    int found = 0;
+    for (const LedgerRow& row : ledger_table()) found += row.value(ledger) == 1.0 ? 1 : 0;
+    EXPECT_GT(found, 0) << "the " << term << "th number of LedgerTerms is in no row";
+  }
+  Ledger retried;
+  retried.retried_steps = 1.0;
+  EXPECT_EQ(ledger_row("retried").value(retried), 1.0);
+}
+
+TEST(LedgerTable, CountsItsColumnsOn) {
+  const std::vector<const LedgerRow*> columns = ledger_columns();
+  ASSERT_FALSE(columns.empty());
+  std::set<std::string> names, paths;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    EXPECT_EQ(columns[i]->column, static_cast<int>(i) + 1) << columns[i]->name;
+    EXPECT_TRUE(names.insert(columns[i]->name).second) << columns[i]->name;
+  }
+  for (const LedgerRow& row : ledger_table()) {
+    EXPECT_FALSE(row.meaning.empty()) << row.name;
+    if (!row.summary.empty()) {
+      EXPECT_TRUE(paths.insert(row.summary).second) << row.summary;
+    }
+  }
+}
+
+/// The identities as docs/method.md has them, term by term.
+TEST(LedgerTable, GivesEveryTermItsSign) {
+  using L = Ledger;
+  const auto remainder = [](double LedgerTerms<double>::*term, Balance (*balance)(const Ledger&)) {
+    Ledger ledger;
+    ledger.initial_kinetic = ledger.initial_mass = 1.0;  // so that no momentum is round-off
+    const double before = balance(ledger).remainder;
+    ledger.*term += 1.0;
+    return balance(ledger).remainder - before;
+  };
+  EXPECT_EQ(remainder(&L::mass, mass_balance), 1.0);
+  for (const auto term : {&L::initial_mass, &L::launched_mass})
+    EXPECT_EQ(remainder(term, mass_balance), -1.0);
+  EXPECT_EQ(remainder(&L::momentum, momentum_balance), 1.0);
+  for (const auto term :
+       {&L::initial_momentum,
+        &L::launched_momentum,
+        &L::condition_impulse,
+        &L::load_impulse,
+        &L::body_impulse,
+        &L::damping_impulse,
+        &L::rigid_impulse})
+    EXPECT_EQ(remainder(term, momentum_balance), -1.0);
+  for (const auto term :
+       {&L::kinetic, &L::elastic, &L::plastic, &L::viscous, &L::friction, &L::damped})
+    EXPECT_EQ(remainder(term, energy_balance), 1.0);
+  for (const auto term :
+       {&L::initial_kinetic,
+        &L::launched_kinetic,
+        &L::prestress,
+        &L::explosive,
+        &L::boundary_work,
+        &L::body_work,
+        &L::fluid_work,
+        &L::transfer,
+        &L::stress_integration})
+    EXPECT_EQ(remainder(term, energy_balance), -1.0);
+  for (const auto term : {&L::remembered, &L::held, &L::unloaded, &L::clipped})
+    EXPECT_EQ(remainder(term, energy_balance), 0.0);
 }
 
 }  // namespace
