@@ -79,9 +79,10 @@ def run(barreno, full):
         result.demand(f"{name}: velocity lost", abs(velocity), MOST)
         result.demand(f"{name}: energy lost", abs(energy), MOST)
     result.notes = (
-        "Particles of two bodies whose distance is less than about two cells share nodes, and without a contact a node has one velocity. The "
-        "wall, or debris that lies beside the path, then shears the slug and takes momentum from it, as if both were glued together. Steps of "
-        "several lengths change nothing of this, and CPDI makes it worse. A contact, which gives the jet a velocity field of its own, removes "
-        "it, and so do cells of which more than two lie in between. Spent jet is of the jet's own material, so no contact with it is possible."
+        "Particles of two bodies whose distance is less than about two cells share nodes, and without a contact a node has one "
+        "velocity. The wall, or debris that lies beside the path, then shears the slug and takes momentum from it, as if both "
+        "were glued together. Steps of several lengths change nothing of this, and CPDI makes it worse. A contact, which gives "
+        "the jet a velocity field of its own, removes it, and so do cells of which more than two lie in between. Spent jet is "
+        "of the jet's own material, so no contact with it is possible."
     )
     return result
