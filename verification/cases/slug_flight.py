@@ -39,8 +39,9 @@ def settings_of(way, channel, length, settings):
     return {
         "Materials/Rod/Card": "tungsten.xml", "Materials/Rod/A": "", "Materials/Rod/B": "", "Materials/Target/Card": "berea_sandstone.xml",
         "Materials/Target/A": "", "Materials/Target/B": "", "Grid/Lower": f"{{0 mm, {lower:.12g} mm}}",
-        "Grid/Upper": f"{{{right:.12g} mm, {whole(end + BEYOND):.12g} mm}}", "Grid/Cell Size": f"{cell:.12g} mm", "Jet/Cells Per Radius": "0",
-        "Jet/Slugs": f"1x5:{{0, {VELOCITY:g}, {1e-3 * RADIUS:g}, {1e-3 * length * RADIUS:g}, 17600}}", "Jet/Launch Position": f"{LAUNCH:g} mm",
+        "Grid/Upper": f"{{{right:.12g} mm, {whole(end + BEYOND):.12g} mm}}", "Grid/Cell Size": f"{cell:.12g} mm",
+        "Jet/Cells Per Radius": "0", "Jet/Launch Position": f"{LAUNCH:g} mm",
+        "Jet/Slugs": f"1x5:{{0, {VELOCITY:g}, {1e-3 * RADIUS:g}, {1e-3 * length * RADIUS:g}, 17600}}",
         "Bodies/Block/Lower": f"{{{channel * RADIUS:g} mm, 0 mm}}", "Bodies/Block/Upper": f"{{{right - 2.0 * cell:.12g} mm, {end:g} mm}}",
         "Bodies/Block/Particles Per Cell": "1", "Step/Largest Strain": "0.1", "Time/End Time": f"{1e3 * (end - LAUNCH) / VELOCITY:.12g} us",
         "Output/Field Interval": "0 us", **change,
