@@ -8,6 +8,7 @@
 #include "state/particles.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace barreno {
@@ -19,8 +20,8 @@ constexpr const char* no_pic = "Transfer is not FLIP, or PIC Fraction is 0";
 struct Feature {
   const char* name;
   Choice choice;
-  void (*leave_out)(Scene&);       ///< makes the scene that does without it
-  std::vector<const char*> verbs;  ///< that do nothing else
+  std::function<void(Scene&)> leave_out;  ///< makes the scene that does without it
+  std::vector<const char*> verbs;         ///< that do nothing else
 };
 
 /// Of the particles of that material that need most.
@@ -56,11 +57,30 @@ Choice loads_of(const Scene& scene, LoadKind kind) {
   return {count > 0, std::to_string(count) + " in the deck"};
 }
 
-template <LoadKind kind>
-void leave_out_loads(Scene& scene) {
+void leave_out_loads(Scene& scene, LoadKind kind) {
   auto& loads = scene.loads;
-  const auto is_of_kind = [](const PressureLoadSpec& load) { return load.kind == kind; };
+  const auto is_of_kind = [&](const PressureLoadSpec& load) { return load.kind == kind; };
   loads.erase(std::remove_if(loads.begin(), loads.end(), is_of_kind), loads.end());
+}
+
+/// A row for each kind; the functions that apply loads of all kinds are counted with the first.
+std::vector<Feature> load_features(const Scene& scene) {
+  std::vector<Feature> features;
+  for (const LoadTraits& traits : load_traits)
+    features.push_back(
+        {traits.feature,
+         loads_of(scene, traits.kind),
+         [kind = traits.kind](Scene& without) { leave_out_loads(without, kind); },
+         {}}
+    );
+  features.front().verbs = {
+      "project_loads",
+      "tally_loads",
+      "project_surface_pressures",
+      "tally_surface_pressures",
+      "grow_cavities",
+      "release_torn_faces"};
+  return features;
 }
 
 void leave_out_transfer(Scene& scene) {
@@ -149,33 +169,21 @@ std::vector<Feature> step_features(const Scene& scene) {
        {}}};
 }
 
-/// Of what is in the scene.
-std::vector<Feature> scene_features(const Scene& scene) {
-  const bool space = scene.grid.mode == Mode::three_dimensional;
-  const bool forced = scene.body_force.kind != BodyForceKind::none;
+/// Of how a scene starts.
+std::vector<Feature> start_features(const Scene& scene) {
   return {
       {"jet",
        {scene.jet.present, scene.jet.present ? "the deck has a Jet list" : "no Jet list"},
        keep_all,
        {"launch_jet"}},
-      {"initial confinement", confinement_choice(scene), keep_all, {}},
-      {"pressure loads",
-       loads_of(scene, LoadKind::pressure),
-       leave_out_loads<LoadKind::pressure>,
-       {"project_loads",
-        "tally_loads",
-        "project_surface_pressures",
-        "tally_surface_pressures",
-        "grow_cavities",
-        "release_torn_faces"}},
-      {"non-reflecting faces",
-       loads_of(scene, LoadKind::non_reflecting),
-       leave_out_loads<LoadKind::non_reflecting>,
-       {}},
-      {"fluid in cavities",
-       loads_of(scene, LoadKind::pore_fluid),
-       leave_out_loads<LoadKind::pore_fluid>,
-       {}},
+      {"initial confinement", confinement_choice(scene), keep_all, {}}};
+}
+
+/// Of what else is in the scene.
+std::vector<Feature> scene_features(const Scene& scene) {
+  const bool space = scene.grid.mode == Mode::three_dimensional;
+  const bool forced = scene.body_force.kind != BodyForceKind::none;
+  return {
       {"walls moved by tables", tables_choice(scene), keep_all, {}},
       {"body force",
        {forced, forced ? "the deck has a Body Force list" : "no Body Force list"},
@@ -207,7 +215,8 @@ std::string feature_table(const Scene& scene, const Probe& probe) {
       "Features                     bytes   time  (bytes per particle that a feature needs; share "
       "of "
       "the first steps that its functions take)\n";
-  for (const auto& features : {scene_features(scene), step_features(scene)})
+  for (const auto& features :
+       {start_features(scene), load_features(scene), scene_features(scene), step_features(scene)})
     for (const Feature& feature : features) text += row(scene, probe, feature);
   return text;
 }

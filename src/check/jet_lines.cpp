@@ -55,22 +55,23 @@ std::string porous_words(const MaterialSpec& material, double least_filled) {
 std::string kind_line(const Scene& scene) {
   const JetSpec& jet = scene.jet;
   const MaterialSpec& material = scene.materials[static_cast<std::size_t>(jet.material)];
-  const JetVoids voids = jet_voids(jet.table.empty() ? jet.slugs : jet.table, material.density());
-  const std::string filled = format(
-      "metal fills %.3g of the jet's length, at least %.3g of a slug's",
+  const std::vector<JetSlug>& table = jet.table.empty() ? jet.slugs : jet.table;
+  const JetVoids voids = jet_voids(table, material.density());
+  const JetTraits& traits = traits_of(jet.kind);
+  std::string line = format(
+      "Kind      %s: metal fills %.3g of the jet's length, at least %.3g of a slug's, %s",
+      traits.word,
       voids.filled,
-      voids.least_filled
+      voids.least_filled,
+      traits.rest
   );
-  const std::string kind = "Kind      " + word_of(jet.kind) + ": ";
-  if (jet.kind == JetKind::discrete)
-    return kind + filled + ", the rest are gaps, as after break-up (docs/jets.md)\n";
-  const bool thin = jet.kind == JetKind::thinned;
-  return kind + filled + (thin ? ", so the radius is smaller" : ", the rest are voids in it") +
-         format(
-             "; hydrodynamic depth %.3g times that of the discrete jet",
-             thin ? voids.thinned_depth : voids.continuous_depth
-         ) +
-         (thin ? std::string() : porous_words(material, voids.least_filled)) + "\n";
+  if (traits.touching)
+    line += format(
+        "; hydrodynamic depth %.3g times that of the discrete jet",
+        hydrodynamic_depth(table, jet.kind, scene.grid.mode, material.density())
+    );
+  if (traits.expanded) line += porous_words(material, voids.least_filled);
+  return line + "\n";
 }
 
 std::string error_line(const DepthDoubt& doubt) {

@@ -10,23 +10,31 @@ namespace barreno {
 
 JetVoids jet_voids(const std::vector<JetSlug>& table, double material_density) {
   JetVoids voids;
-  double whole = 0.0, solid = 0.0, continuous = 0.0;
+  double whole = 0.0, solid = 0.0;
   for (const JetSlug& slug : touching_slugs(table)) {
     if (!(slug.length > 0.0)) return voids;
     const double filled = std::min(1.0, slug.density / material_density);
     whole += slug.length;
     solid += slug.length * filled;
-    continuous += slug.length * filled * std::sqrt(2.0 / filled - 1.0);
     voids.least_filled = std::min(voids.least_filled, filled);
   }
   voids.filled = solid / whole;
-  voids.thinned_depth = whole / solid;
-  voids.continuous_depth = continuous / solid;
   return voids;
 }
 
+double hydrodynamic_depth(
+    const std::vector<JetSlug>& table, JetKind kind, Mode mode, double material_density
+) {
+  double solid = 0.0, depth = 0.0;
+  for (const JetSlug& row : table) solid += row.length * row.density / material_density;
+  for (const JetSlug& slug : slugs_of_kind(table, kind, mode, material_density))
+    depth +=
+        slug.length * std::sqrt(digging_density(kind, slug, material_density) / material_density);
+  return solid > 0.0 ? depth / solid : 1.0;
+}
+
 double digging_density(JetKind kind, const JetSlug& slug, double material_density) {
-  if (kind != JetKind::continuous) return slug.density;
+  if (!traits_of(kind).expanded) return slug.density;
   return slug.density * (2.0 - slug.density / material_density);
 }
 

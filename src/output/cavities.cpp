@@ -2,7 +2,6 @@
 #include "output/cavities.hpp"
 
 #include "base/region.hpp"
-#include "deck/sections/load_traits.hpp"
 #include "step/loads/load_pressures.hpp"
 
 namespace barreno {

@@ -33,7 +33,7 @@ void check_speeds(const Deck& deck, const Scene& scene) {
       check_speed(deck, path_of(&MotionSpec::velocity, body.name), motion_speed(body.motion));
   }
   for (const ConditionSpec& condition : scene.conditions)
-    if (condition.kind == ConditionKind::prescribed_velocity)
+    if (traits_of(condition.kind).moves)
       check_speed(deck, path_of(&ConditionSpec::velocity, condition.name), face_speed(condition));
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/dormant.hpp"
 
-#include "deck/sections/load_traits.hpp"
-
 #include <algorithm>
 
 namespace barreno {

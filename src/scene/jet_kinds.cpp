@@ -52,7 +52,7 @@ std::vector<JetSlug> touching_slugs(const std::vector<JetSlug>& table) {
 std::vector<JetSlug> slugs_of_kind(
     const std::vector<JetSlug>& table, JetKind kind, Mode mode, double material_density
 ) {
-  if (kind == JetKind::discrete) {
+  if (!traits_of(kind).touching) {
     std::vector<JetSlug> slugs;
     slugs.reserve(table.size());
     for (const JetSlug& row : table) slugs.push_back(with_gap(row, material_density));
@@ -70,7 +70,7 @@ std::vector<JetSlug> slugs_of_kind(
 std::string problem_of_kind(
     const std::vector<JetSlug>& table, JetKind kind, double material_density
 ) {
-  if (kind == JetKind::discrete) return {};
+  if (!traits_of(kind).touching) return {};
   const std::string name = word_of(kind);
   for (std::size_t i = 1; i < table.size(); ++i)
     if (!(table[i].time > table[i - 1].time))

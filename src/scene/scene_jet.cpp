@@ -31,7 +31,7 @@ const MaterialSpec& material_of_jet(const Scene& scene) {
 }
 
 void check_kind(const Deck& deck, const Scene& scene) {
-  if (scene.jet.kind != JetKind::continuous || material_of_jet(scene).holds_voids()) return;
+  if (!traits_of(scene.jet.kind).expanded || material_of_jet(scene).holds_voids()) return;
   const std::string& name = material_of_jet(scene).name();
   deck.refuse_value(
       path_of(&JetSpec::kind),
@@ -60,7 +60,7 @@ void check_relaxation(const Deck& deck, const Scene& scene) {
 
 void check_jet_expansion(const Deck& deck, const Scene& scene) {
   const JetSpec& jet = scene.jet;
-  if (!jet.present || jet.kind != JetKind::continuous) return;
+  if (!jet.present || !traits_of(jet.kind).expanded) return;
   const double density = material_of_jet(scene).density();
   for (std::size_t s = 0; s < jet.slugs.size(); ++s) {
     const double expansion = density / jet.slugs[s].density;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
-#include "deck/sections/load_traits.hpp"
 #include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
 #include "scene/load_tables.hpp"
@@ -141,9 +140,9 @@ void add_conditions(const Deck& deck, Scene& scene) {
     auto condition = read_list<ConditionSpec>(deck, path);
     condition.name = name;
     const std::string velocity = path_of(&ConditionSpec::velocity, name);
-    if (condition.kind == ConditionKind::prescribed_velocity) {
+    if (traits_of(condition.kind).moves) {
       if (!deck.has(velocity))
-        deck.refuse(velocity, "is missing (a prescribed velocity needs it); add it");
+        deck.refuse(velocity, "is missing (a " + word_of(condition.kind) + " needs it); add it");
       condition.factor = read_factors(deck, path, "");
     } else {
       for (const std::string& entry :

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/section_table.hpp"
-#include "deck/sections/load_traits.hpp"
 #include "scene/load_tables.hpp"
 #include "scene/scene_parts.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state/cavity.hpp"
 
-#include "deck/sections/load_traits.hpp"
 #include "state/surface_share.hpp"
 
 namespace barreno {

@@ -2,7 +2,6 @@
 #include "state/load_table.hpp"
 
 #include "base/view_of.hpp"
-#include "deck/sections/load_traits.hpp"
 #include "state/surface_share.hpp"
 
 #include <algorithm>

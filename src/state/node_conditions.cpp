@@ -19,8 +19,8 @@ NodeConditions make_node_conditions(
     c.lower = face % 2 == 0;
     c.bound = c.lower ? 0 : grid.cells[c.axis];
     for (int d = 0; d < grid.patch.dimensions; ++d)
-      c.sets[d] = spec.kind != ConditionKind::symmetry || d == c.axis;
-    if (spec.kind != ConditionKind::prescribed_velocity) continue;
+      c.sets[d] = !traits_of(spec.kind).slides || d == c.axis;
+    if (!traits_of(spec.kind).moves) continue;
     for (int d = 0; d < grid.patch.dimensions; ++d)
       c.velocity[d] = spec.velocity[static_cast<std::size_t>(d)];
     c.table = static_cast<int>(factors.size());

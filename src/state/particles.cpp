@@ -2,7 +2,6 @@
 #include "state/particles.hpp"
 
 #include "base/rows.hpp"
-#include "deck/sections/load_traits.hpp"
 #include "scene/body_force.hpp"
 #include "scene/explosive_traits.hpp"
 #include "scene/heat.hpp"

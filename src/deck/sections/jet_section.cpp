@@ -35,10 +35,8 @@ SectionTable<JetSpec> jet_table() {
            &JetSpec::kind,
            "Kind",
            "what becomes of the voids of the table, which are densities below the material's and "
-           "room between slugs: discrete: gaps between slugs of full density, of a jet that has "
-           "broken up; thinned: slugs touch, with full density and a smaller radius, of a solid "
-           "liner before break-up; continuous: slugs touch, with the mean density, and voids are "
-           "an expansion strain of the material, of a powder liner (docs/jets.md)"
+           "room between slugs: " +
+               meanings_of(jet_traits) + " (docs/jets.md)"
        ),
        needed(
            &JetSpec::launch_position, "Launch Position", dim::length, any(), "y of the launch plane"

@@ -2,22 +2,12 @@
 #pragma once
 
 #include "deck/section_of.hpp"
-#include "deck/words.hpp"
+#include "deck/sections/jet_kinds.hpp"
 
 #include <string>
 #include <vector>
 
 namespace barreno {
-
-/// What becomes of the voids that a table's slugs leave: gaps between pieces, a thinner jet, or
-/// voids in its material (docs/jets.md).
-enum class JetKind { discrete, thinned, continuous };
-inline Words<JetKind> words_of(JetKind /*of*/) {
-  return {
-      {"discrete", JetKind::discrete},
-      {"thinned", JetKind::thinned},
-      {"continuous", JetKind::continuous}};
-}
 
 struct JetSlug {
   double time = 0.0;                  ///< its centre crosses the launch plane [time]

@@ -15,11 +15,7 @@ SectionTable<ConditionSpec> condition_table() {
       "prescribed motion of the faces of the grid box, one freely named list each",
       Presence::defaulted,
       {needed(&ConditionSpec::face, "Face", "face of the grid box"),
-       needed(
-           &ConditionSpec::kind,
-           "Kind",
-           "symmetry: no normal velocity; fixed: no velocity; prescribed velocity: that of Velocity"
-       ),
+       needed(&ConditionSpec::kind, "Kind", meanings_of(condition_traits)),
        if_given(
            &ConditionSpec::velocity,
            "Velocity",
@@ -45,14 +41,7 @@ SectionTable<PressureLoadSpec> load_table() {
       "Loads",
       "prescribed forces, one freely named list each",
       Presence::defaulted,
-      {needed(
-           &PressureLoadSpec::kind,
-           "Kind",
-           "pressure: follows the surface, pushes inward when positive; non-reflecting: the same "
-           "(or the confinement's, or none), and waves that reach these faces of a box leave "
-           "through them; pore fluid: fills the cavity of a ball, p = Pressure - Bulk Modulus ln(V "
-           "/ V0)"
-       ),
+      {needed(&PressureLoadSpec::kind, "Kind", meanings_of(load_traits)),
        read_by("body_named", &PressureLoadSpec::body, text("Body", "name of a list in Bodies")),
        read_by(
            "read_faces",

@@ -3,6 +3,8 @@
 
 #include "deck/face.hpp"
 #include "deck/section_of.hpp"
+#include "deck/sections/condition_kinds.hpp"
+#include "deck/sections/load_kinds.hpp"
 #include "deck/table.hpp"
 #include "deck/words.hpp"
 #include "geometry/shape.hpp"
@@ -13,20 +15,12 @@
 
 namespace barreno {
 
-/// Kinematic condition on the nodes of one face of the grid box (and beyond it).
-enum class ConditionKind { symmetry, fixed, prescribed_velocity };
-inline Words<ConditionKind> words_of(ConditionKind /*of*/) {
-  return {
-      {"symmetry", ConditionKind::symmetry},
-      {"fixed", ConditionKind::fixed},
-      {"prescribed velocity", ConditionKind::prescribed_velocity}};
-}
-
+/// Prescribed motion of one face of the grid box.
 struct ConditionSpec {
   std::string name;
   Face face = Face::x_lower;
   ConditionKind kind = ConditionKind::symmetry;
-  Vector velocity{};           ///< prescribed_velocity only [length/time]
+  Vector velocity{};           ///< of a kind that moves [length/time]
   Table factor{{0.0}, {1.0}};  ///< of velocity, as time goes on [-]
 };
 template <>
@@ -36,14 +30,6 @@ const SectionTable<ConditionSpec>& table_of<ConditionSpec>();
 enum class BallSurface { inner, outer };
 inline Words<BallSurface> words_of(BallSurface /*of*/) {
   return {{"inner", BallSurface::inner}, {"outer", BallSurface::outer}};
-}
-
-enum class LoadKind { pressure, non_reflecting, pore_fluid };
-inline Words<LoadKind> words_of(LoadKind /*of*/) {
-  return {
-      {"pressure", LoadKind::pressure},
-      {"non-reflecting", LoadKind::non_reflecting},
-      {"pore fluid", LoadKind::pore_fluid}};
 }
 
 /// Pressure that follows a body's own surface (pushes inward if > 0): faces of a box, surfaces of a

@@ -43,7 +43,7 @@ SlugLattice slug_lattice(const Scene& scene) {
 /// Layers of a slug along its axis, which is as long as its mass is at the material's own density,
 /// or in a continuous jet as long as it is.
 Division divide_length(const SlugLattice& lattice, const JetSlug& slug) {
-  const bool whole = lattice.jet.kind == JetKind::continuous;
+  const bool whole = traits_of(lattice.jet.kind).expanded;
   const double length = whole ? slug.length : slug.length * slug.density / lattice.density;
   return divide(-0.5 * length, 0.5 * length, lattice.size(), lattice.grid.cell_size);
 }

@@ -42,7 +42,7 @@ std::vector<NewParticle> cut_slug(
 
 /// A point of a slug before it moves: of a continuous jet with the voids of the slug's density.
 StartPoint start_of(const JetSpec& jet, const JetSlug& slug, const MaterialSpec& material) {
-  if (jet.kind != JetKind::continuous) return start_point(material, nullptr);
+  if (!traits_of(jet.kind).expanded) return start_point(material, nullptr);
   return expanded_start_point(material, std::max(1.0, material.density() / slug.density));
 }
 

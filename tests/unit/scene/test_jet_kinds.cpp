@@ -102,11 +102,16 @@ TEST(JetKinds, DiscreteLeavesGapsAndOnlyDiscrete) {
 TEST(JetKinds, HydrodynamicDepths) {
   for (const auto& [alpha, continuous] :
        {std::pair{1.25, 1.2247449}, {1.5, 1.4142136}, {2.0, 1.7320508}}) {
-    const JetVoids voids = jet_voids(stretching_jet(1.0 / alpha), density);
+    const std::vector<JetSlug> table = stretching_jet(1.0 / alpha);
+    const JetVoids voids = jet_voids(table, density);
+    const auto depth_of = [&](JetKind kind) {
+      return hydrodynamic_depth(table, kind, Mode::axisymmetric, density);
+    };
     EXPECT_NEAR(voids.filled, 1.0 / alpha, 1e-12);
     EXPECT_NEAR(voids.least_filled, 1.0 / alpha, 1e-12);
-    EXPECT_NEAR(voids.thinned_depth, alpha, 1e-12);
-    EXPECT_NEAR(voids.continuous_depth, continuous, 1e-6);
+    EXPECT_NEAR(depth_of(JetKind::discrete), 1.0, 1e-12);
+    EXPECT_NEAR(depth_of(JetKind::thinned), alpha, 1e-12);
+    EXPECT_NEAR(depth_of(JetKind::continuous), continuous, 1e-6);
     // And as what digs: P = L sqrt(rho_j / rho_t).
     const JetSlug mean{0.0, 1.0, 1.0, alpha, density / alpha};
     const double depth =

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/sections/load_traits.hpp"
 #include "step/loads/loaded_sets.hpp"
 #include "support/scenes.hpp"
 
