@@ -66,6 +66,7 @@ void leave_out_loads(Scene& scene, LoadKind kind) {
 /// A row for each kind; the functions that apply loads of all kinds are counted with the first.
 std::vector<Feature> load_features(const Scene& scene) {
   std::vector<Feature> features;
+  features.reserve(load_traits.size());
   for (const LoadTraits& traits : load_traits)
     features.push_back(
         {traits.feature,
