@@ -246,6 +246,9 @@ def check_tests(machine):
         assert any("-DBARRENO_TESTS=ON" in call
             for call in calls) and any(call.endswith("build/release " + ("all" if more else "user_tests")) for call in calls), calls
 
+    _, calls = machine.run("test", SLURM_NTASKS="4")
+    assert any(call.startswith("ctest") and " -j 6" in call for call in calls), calls  # half again as many as cores
+
 
 def check_ci(machine):
     """.ci/run: first the tests of a user, with nothing set and from an empty build folder, then the rest of a build of everything."""
