@@ -21,17 +21,16 @@
 #include "step/update_sets.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace barreno {
 namespace {
 
 /// Where velocity fields meet: usually there is one. docs/method.md 6
 void detect_contact(const SymmetryPlanes& symmetry, State& state) {
-  const auto& [grid, fields, sets] = std::tie(state.grid, state.fields, state.particles);
-  detect_contact_nodes(grid, fields, sets, state.nodes, state.contact);
-  fit_surface_normals(grid, fields, sets, symmetry, state.contact);
-  refine_surface_normals(grid, fields, sets, symmetry, state.contact);  // and the gaps
+  const ContactBodies bodies{state.grid, state.fields, state.particles, symmetry};
+  detect_contact_nodes(state.grid, state.fields, state.particles, state.nodes, state.contact);
+  fit_surface_normals(bodies, state.contact);
+  refine_surface_normals(bodies, state.contact);  // and the gaps
 }
 
 /// The powers of XPIC; none for other transfers.
@@ -56,11 +55,13 @@ void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTa
       state.clock.time + (state.subcycling.most + 1) * dt
   );  // which may keep their sums
   project_sets(state.grid, state.particles, state.nodes, state.effort);  // m, p, f  (2.1-2.3)
-  apply_loads(scene, state);                               // pressures, body force    (2.4)
-  sum_halos(symmetry, state.grid, state.nodes);            // symmetry planes, other ranks
-  detect_contact(symmetry, state);                         // contact
-  solve_motion(scene, dt, state, tally);                   // v', conditions; v, dt L (2.5-2.6)
-  tally.applied_work = tally_applied_loads(scene, state);  // before F and x move on
+  apply_loads(
+      {scene.loads, scene.body_force}, scene.materials, state
+  );                                             // pressures, body force    (2.4)
+  sum_halos(symmetry, state.grid, state.nodes);  // symmetry planes, other ranks
+  detect_contact(symmetry, state);               // contact
+  solve_motion(scene, dt, state, tally);         // v', conditions; v, dt L (2.5-2.6)
+  tally.applied_work = tally_applied_loads(scene.body_force, state);  // before F and x move on
   state.ledger.remembered = gather_affine(state.grid, state.nodes, state.particles);  // APIC
   tally.filter = filter_velocity(                                                     // XPIC (2.10)
       filter_rule(scene, state),
@@ -88,7 +89,7 @@ void strain_again(const Scene& scene, const Clock& clock, double dt, State& stat
 void step_usl(const Scene& scene, double& dt, State& state, StepTally& tally, StepResult& result) {
   solve_momentum_balance(scene, dt, state, tally);
   update_sets(
-      set_update(scene, state.clock.time + dt, state), tally, result
+      set_update(scene.materials, scene.step, state.clock.time + dt, state), tally, result
   );  // v, x, F, sigma (2.7-2.9)
 }
 
@@ -96,9 +97,9 @@ void step_usl(const Scene& scene, double& dt, State& state, StepTally& tally, St
 void step_musl(const Scene& scene, double& dt, State& state, StepTally& tally, StepResult& result) {
   solve_momentum_balance(scene, dt, state, tally);
   const double end = state.clock.time + dt;
-  accelerate_sets(set_update(scene, end, state), tally);
+  accelerate_sets(set_update(scene.materials, scene.step, end, state), tally);
   strain_again(scene, state.clock, dt, state);
-  move_and_strain_sets(set_update(scene, end, state), tally, result);
+  move_and_strain_sets(set_update(scene.materials, scene.step, end, state), tally, result);
 }
 
 /// Stress first (USF): the strain of the last step is found where the particles have come to. The
@@ -107,12 +108,14 @@ void step_usf(const Scene& scene, double& dt, State& state, StepTally& tally, St
   const Clock& clock = state.clock;
   if (clock.dt > 0.0) {
     strain_again(scene, {clock.time - clock.dt, clock.dt, clock.step - 1}, clock.dt, state);
-    strain_sets(set_update(scene, clock.time, state), tally, result);
+    strain_sets(set_update(scene.materials, scene.step, clock.time, state), tally, result);
   } else {
     tally.stress.stable_step = state.stable_step;
   }
   solve_momentum_balance(scene, dt, state, tally);
-  accelerate_and_move_sets(set_update(scene, state.clock.time + dt, state), tally);
+  accelerate_and_move_sets(
+      set_update(scene.materials, scene.step, state.clock.time + dt, state), tally
+  );
 }
 
 /// What is left of a step after its parts is their rounding: a step of that length would double a

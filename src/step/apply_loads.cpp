@@ -11,21 +11,23 @@
 
 namespace barreno {
 
-void apply_loads(const Scene& scene, State& state) {
+void apply_loads(
+    const ExternalForces& forces, const std::vector<MaterialSpec>& materials, State& state
+) {
   const auto& [grid, sets, nodes] = std::tie(state.grid, state.particles, state.nodes);
-  set_load_pressures(scene.loads, state.cavities, state.clock.time, state.loads);
+  set_load_pressures(forces.loads, state.cavities, state.clock.time, state.loads);
   state.ledger.unloaded += release_torn_faces(grid, nodes, sets, state.loads);  // debris has none
-  project_loads(grid, state.loads, scene.materials, sets, nodes);
-  project_surface_pressures(grid, state.loads, sets, nodes);
-  project_body_force(scene.body_force, state.clock, grid, sets, nodes);
+  project_loads(tractions_of(state), materials);
+  project_surface_pressures(tractions_of(state));
+  project_body_force(forces.body_force, state.clock, grid, sets, nodes);
 }
 
-ReproducibleSum tally_applied_loads(const Scene& scene, State& state) {
-  const auto& [grid, sets, nodes] = std::tie(state.grid, state.particles, state.nodes);
-  ReproducibleSum work = tally_loads(grid, state.loads, sets, nodes, state.dormancy, state.ledger);
-  work += tally_surface_pressures(grid, state.loads, sets, nodes, state.ledger);
-  work += tally_body_force(scene.body_force, state.clock, grid, sets, state.ledger);
-  grow_cavities(grid, state.loads, sets, nodes, state.cavities);
+ReproducibleSum tally_applied_loads(const BodyForceSpec& body_force, State& state) {
+  const Tractions tractions = tractions_of(state);
+  ReproducibleSum work = tally_loads(tractions, state.dormancy, state.ledger);
+  work += tally_surface_pressures(tractions, state.ledger);
+  work += tally_body_force(body_force, state.clock, state.grid, state.particles, state.ledger);
+  grow_cavities(tractions, state.cavities);
   return work;
 }
 

@@ -49,7 +49,7 @@ void end_or_carry_steps(
     return;
   }
   move_other_tiles(scene, dt, state);
-  update_sets(set_update(scene, state.clock.time + dt, state), tally, result);
+  update_sets(set_update(scene.materials, scene.step, state.clock.time + dt, state), tally, result);
   agree_on_failure(scene.materials, *state.grid.comm, result);
   tally_all_momentum(state, tally.moved);
   // Chunks that this left as they are had moved before.
@@ -65,9 +65,7 @@ void prepare_next_part(State& state) {
   if (!state.subcycling.strays) return;
   Placement placement = place_strays(grid, state.subcycling, state.particles, state.ledger);
   agree_on_stable_step(*grid.comm, not_asked, placement);
-  place_particles(
-      placement, between_permutations, grid, state.particles, state.ledger, state.effort
-  );
+  place_particles(placement, between_permutations, continuum_of(state));
 }
 
 }  // namespace barreno

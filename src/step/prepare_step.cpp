@@ -39,36 +39,30 @@ void launch_slugs(const Scene& scene, State& state) {
 /// Where a step ends at the latest: where no particle bounds it, as before the first slug of a jet
 /// alone, that is the launch of the next slug, which would else be skipped. A step of
 /// t - time may end a rounding before t, hence the few bits behind it.
-double end_of_step(const Scene& scene, const State& state, double stable, double next_time) {
+double end_of_step(const JetSpec& jet, const State& state, double stable, double next_time) {
   const std::size_t slug = state.jet.next_slug;
-  if (std::isfinite(stable) || !scene.jet.present || slug >= scene.jet.slugs.size())
-    return next_time;
-  return std::min(next_time, scene.jet.slugs[slug].time * (1.0 + 1e-15));
+  if (std::isfinite(stable) || !jet.present || slug >= jet.slugs.size()) return next_time;
+  return std::min(next_time, jet.slugs[slug].time * (1.0 + 1e-15));
 }
 
 /// Particles of materials that are to be divided.
-void split_sets(const Scene& scene, State& state) {
+void split_sets(const std::vector<MaterialSpec>& materials, State& state) {
   for (Particles& particles : state.particles) {
-    const MaterialSpec& material = scene.materials[static_cast<std::size_t>(particles.material)];
+    const MaterialSpec& material = materials[static_cast<std::size_t>(particles.material)];
     split_particles(material.splits(), material.splits_column(), state.grid, particles);
   }
 }
 
 /// How the step is divided, with all tiles active that particles may enter before it is over.
-void plan_parts(const Scene& scene, double dt, double left, State& state) {
+void plan_parts(const StepSpec& step, double dt, double left, State& state) {
   const auto reaches_others = [&] {
     return plan_subcycles(
-        scene.step, state.grid, state.particles, state.dormancy, dt, left, state.subcycling
+        step, state.grid, state.particles, state.dormancy, dt, left, state.subcycling
     );
   };
   while (reaches_others())
     activate_reached_tiles(
-        reached_tiles(state.grid, state.subcycling),
-        state.clock.step,
-        state.grid,
-        state.particles,
-        state.ledger,
-        state.effort
+        reached_tiles(state.grid, state.subcycling), state.clock.step, continuum_of(state)
     );
 }
 
@@ -78,21 +72,20 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   const Clock& clock = state.clock;
   Grid& grid = state.grid;
   std::vector<Particles>& sets = state.particles;
-  OwnLedger& ledger = state.ledger;
-  Effort& effort = state.effort;
-  balance_load(clock, grid, sets, ledger, effort, state.sharing);  // tiles to ranks by cost
-  launch_slugs(scene, state);                                      // whose time has come
-  split_sets(scene, state);                                        // what is wider than a cell
-  if (state.subcycling.on()) forget_keys(sets);  // parts of the last step kept some
-  Placement placement = locate_particles(grid, sets, ledger, effort);  // cells; lost are tallied
+  const Continuum continuum = continuum_of(state);
+  balance_load(clock, continuum, state.sharing);      // tiles to ranks by cost
+  launch_slugs(scene, state);                         // whose time has come
+  split_sets(scene.materials, state);                 // what is wider than a cell
+  if (state.subcycling.on()) forget_keys(sets);       // parts of the last step kept some
+  Placement placement = locate_particles(continuum);  // cells; lost are tallied
   const double stable = agree_on_stable_step(*grid.comm, state.stable_step, placement);
   const double with_fluids = stable_step_with_fluids(state.cavities, grid.smallest_cell(), stable);
-  const double end = end_of_step(scene, state, stable, next_time);
+  const double end = end_of_step(scene.jet, state, stable, next_time);
   const double dt = next_step(scene.step, clock, end, with_fluids);
-  place_particles(placement, clock.step, grid, sets, ledger, effort);  // ranks, tiles, order
-  if (clock.step == 0) start_affine(grid, sets);                       // APIC
+  place_particles(placement, clock.step, continuum);  // ranks, tiles, order
+  if (clock.step == 0) start_affine(grid, sets);      // APIC
   // The first step settles what materials make of their initial states: together.
-  plan_parts(scene, dt, clock.step == 0 ? 0.0 : next_time - clock.time, state);
+  plan_parts(scene.step, dt, clock.step == 0 ? 0.0 : next_time - clock.time, state);
   return {dt, placement.interrupt};
 }
 

@@ -65,8 +65,10 @@ GridTally solve_fields(
   return tally;
 }
 
-void relax(const Scene& scene, const State& state, const Particles& particles) {
-  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(particles.material)];
+void relax(
+    const std::vector<MaterialSpec>& materials, const State& state, const Particles& particles
+) {
+  const MaterialSpec& material = materials[static_cast<std::size_t>(particles.material)];
   const double rate = material.volume_relaxation, density = material.density();
   relax_volumes(state.grid, state.dormancy, rate, density, particles);
 }
@@ -85,7 +87,7 @@ double move_with_nodes(const Scene& scene, State& state) {
     const double of_set =
         interpolate_motion(state.grid, state.dormancy, state.subcycling, nodes, particles);
     strain[0] = std::max(strain[0], of_set);
-    relax(scene, state, particles);
+    relax(scene.materials, state, particles);
   }
   state.effort.node_seconds += watch.seconds();
   max_over_ranks(*state.grid.comm, strain);
@@ -130,7 +132,7 @@ void solve_strain(const Scene& scene, const Clock& clock, State& state) {
     Particles asking = particles;  // views of the same rows, but for the motion of the step
     asking.grid_motion = particles.second_pass_motion;
     interpolate_motion(state.grid, state.dormancy, state.subcycling, nodes, asking);
-    relax(scene, state, particles);
+    relax(scene.materials, state, particles);
   }
   state.effort.node_seconds += watch.seconds();
 }

@@ -88,10 +88,12 @@ void strain_after(
 
 }  // namespace
 
-SetUpdate set_update(const Scene& scene, double end, State& state) {
+SetUpdate set_update(
+    const std::vector<MaterialSpec>& materials, const StepSpec& step, double end, State& state
+) {
   return {
-      scene.materials,
-      scene.step,
+      materials,
+      step,
       state.grid,
       state.dormancy,
       state.particles,

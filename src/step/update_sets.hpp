@@ -19,7 +19,9 @@ struct SetUpdate {
   double end;       ///< of the step [time]
   bool own_fields;  ///< contact gives sets velocity fields of their own
 };
-SetUpdate set_update(const Scene& scene, double end, State& state);
+SetUpdate set_update(
+    const std::vector<MaterialSpec>& materials, const StepSpec& step, double end, State& state
+);
 
 /// What is done to all particles that forces move, block after block (base/rows.hpp): each function
 /// takes the verbs that its order of the step has neighbours. docs/method.md (2.7-2.9)

@@ -16,9 +16,7 @@ namespace barreno::testing {
 inline State in_tiles(const Scene& scene, double dt) {
   State state = start_alone(scene);
   state.dormancy.on = false;
-  give_parcels(
-      std::vector<int>(state.grid.owner), 1, state.grid, state.particles, state.ledger, state.effort
-  );
+  give_parcels(std::vector<int>(state.grid.owner), 1, continuum_of(state));
   set_tile_steps(state.grid, dt);
   for (Nodes& nodes : state.nodes) {
     clear_nodes(state.grid, nodes);

@@ -19,9 +19,9 @@ inline Scene two_tiles(const MaterialSpec& material, int particles_per_cell = 1)
 /// The state at the start on this rank alone, its particles in their tiles.
 inline State start_in_tiles(const Scene& scene) {
   State state = start_alone(scene);
-  Placement placement = locate_particles(state.grid, state.particles, state.ledger, state.effort);
+  Placement placement = locate_particles(continuum_of(state));
   placement.new_tile = true;
-  place_particles(placement, 0, state.grid, state.particles, state.ledger, state.effort);
+  place_particles(placement, 0, continuum_of(state));
   return state;
 }
 

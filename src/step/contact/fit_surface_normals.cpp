@@ -124,18 +124,14 @@ void project_moments(
 
 }  // namespace
 
-void fit_surface_normals(
-    const Grid& grid,
-    const VelocityFields& fields,
-    const std::vector<Particles>& sets,
-    const SymmetryPlanes& planes,
-    const ContactNodes& contact
-) {
+void fit_surface_normals(const ContactBodies& bodies, const ContactNodes& contact) {
+  const Grid& grid = bodies.grid;
+  const VelocityFields& fields = bodies.fields;
   if (!has_surfaces(fields)) return;
   const Region region("fit_surface_normals");
   visit_kernels(grid, [&](auto mode, auto shape) {
     using M = decltype(mode);
-    project_moments<M, decltype(shape)>(grid, sets, contact);
+    project_moments<M, decltype(shape)>(grid, bodies.sets, contact);
     for (std::size_t i = 0; i < fields.pairs.size(); ++i) {
       const FieldPair& pair = fields.pairs[i];
       if (pair.kind == ContactKind::bonded) continue;
@@ -145,7 +141,7 @@ void fit_surface_normals(
           FitSurfaceNormals<M::dimensions>{
               NodeCopies(grid),
               grid.tile_frame,
-              planes,
+              bodies.planes,
               bits_of(pair),
               contact.shared_tile,
               contact.fields,

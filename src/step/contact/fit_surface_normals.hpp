@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
-#include "step/boundary/symmetry_planes.hpp"
+#include "step/contact/contact_bodies.hpp"
 
 namespace barreno {
 
@@ -19,12 +18,6 @@ namespace barreno {
 /// @post contact.normal, of unit length from a to b, for every pair that is not bonded; zero at
 /// nodes where not both have mass. Collective.
 /// Source: J. Nairn, C. Hammerquist, G. Smith, Comput. Methods Appl. Mech. Eng. 362 (2020) 112859.
-void fit_surface_normals(
-    const Grid& grid,
-    const VelocityFields& fields,
-    const std::vector<Particles>& sets,
-    const SymmetryPlanes& planes,
-    const ContactNodes& contact
-);
+void fit_surface_normals(const ContactBodies& bodies, const ContactNodes& contact);
 
 }  // namespace barreno

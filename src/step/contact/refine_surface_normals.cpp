@@ -220,20 +220,22 @@ void compare_directions(const PairSurfaces& of, double spread, bool axes) {
 
 }  // namespace
 
-void refine_surface_normals(
-    const Grid& grid,
-    const VelocityFields& fields,
-    const std::vector<Particles>& sets,
-    const SymmetryPlanes& planes,
-    const ContactNodes& contact
-) {
+void refine_surface_normals(const ContactBodies& bodies, const ContactNodes& contact) {
+  const Grid& grid = bodies.grid;
+  const VelocityFields& fields = bodies.fields;
   if (!has_surfaces(fields)) return;
   const Region region("refine_surface_normals");
   visit_kernels(grid, [&](auto mode, auto shape) {
     for (std::size_t i = 0; i < fields.pairs.size(); ++i) {
       if (fields.pairs[i].kind == ContactKind::bonded) continue;
       const PairSurfaces surfaces{
-          grid, sets, planes, contact, fields.pairs[i], contact.normal[i], contact.reach[i]};
+          grid,
+          bodies.sets,
+          bodies.planes,
+          contact,
+          fields.pairs[i],
+          contact.normal[i],
+          contact.reach[i]};
       bool first = true;
       for (const double spread : spreads) {
         compare_directions<decltype(mode), decltype(shape)>(surfaces, spread, first);

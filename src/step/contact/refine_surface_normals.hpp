@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
-#include "step/boundary/symmetry_planes.hpp"
+#include "step/contact/contact_bodies.hpp"
 
 namespace barreno {
 
@@ -20,12 +19,6 @@ namespace barreno {
 ///
 /// @pre  fit_surface_normals
 /// @post contact.normal holds normal and gap [cells]. Collective.
-void refine_surface_normals(
-    const Grid& grid,
-    const VelocityFields& fields,
-    const std::vector<Particles>& sets,
-    const SymmetryPlanes& planes,
-    const ContactNodes& contact
-);
+void refine_surface_normals(const ContactBodies& bodies, const ContactNodes& contact);
 
 }  // namespace barreno

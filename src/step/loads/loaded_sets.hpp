@@ -4,12 +4,7 @@
 #include "base/reproducible_sum.hpp"
 #include "shape/patch_frame.hpp"
 #include "shape/visit_kernels.hpp"
-#include "state/ledger.hpp"
-#include "state/load_table.hpp"
-#include "state/nodes.hpp"
-#include "state/particles.hpp"
-
-#include <vector>
+#include "step/loads/tractions.hpp"
 
 namespace barreno {
 
@@ -25,23 +20,17 @@ struct LoadedSet {
 /// visit(LoadedSet of a set, as its kernels are compiled) for every deformable set that has a field
 /// of loads: loaded_faces or surface_share.
 template <class Visitor>
-void for_each_loaded_set(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    Field Particles::*needed,
-    Visitor&& visit
-) {
+void for_each_loaded_set(const Tractions& tractions, Field Particles::*needed, Visitor&& visit) {
+  const Grid& grid = tractions.grid;
   visit_kernels(grid, [&](auto mode, auto shape) {
     using M = decltype(mode);
-    for (const Particles& particles : sets)
+    for (const Particles& particles : tractions.sets)
       if (!particles.rigid && (particles.*needed).components > 0)
         visit(LoadedSet<M, decltype(shape)>{
             PatchFrame<M::dimensions>(grid),
-            loads,
+            tractions.loads,
             particles,
-            nodes[static_cast<std::size_t>(particles.field)]});
+            tractions.nodes[static_cast<std::size_t>(particles.field)]});
   });
 }
 

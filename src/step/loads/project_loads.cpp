@@ -161,37 +161,29 @@ LoadTally launch_tally(int tiles, const LoadedSet<M, S>& set, const Dormancy& do
 
 }  // namespace
 
-void project_loads(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<MaterialSpec>& materials,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes
-) {
-  if (!loads.any) return;
+void project_loads(const Tractions& tractions, const std::vector<MaterialSpec>& materials) {
+  if (!tractions.loads.any) return;
   const Region region("project_loads");
-  for (const Particles& particles : sets)
+  for (const Particles& particles : tractions.sets)
     find_shear_moduli(
-        grid, loads, materials[static_cast<std::size_t>(particles.material)], particles
+        tractions.grid,
+        tractions.loads,
+        materials[static_cast<std::size_t>(particles.material)],
+        particles
     );
-  for_each_loaded_set(grid, loads, sets, nodes, &Particles::loaded_faces, [&](const auto& set) {
-    launch_projection(grid.active, set);
+  for_each_loaded_set(tractions, &Particles::loaded_faces, [&](const auto& set) {
+    launch_projection(tractions.grid.active, set);
   });
 }
 
 ReproducibleSum tally_loads(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    const Dormancy& dormancy,
-    OwnLedger& ledger
+    const Tractions& tractions, const Dormancy& dormancy, OwnLedger& ledger
 ) {
-  if (!loads.any) return {};
+  if (!tractions.loads.any) return {};
   const Region region("tally_loads");
   LoadTally sum;
-  for_each_loaded_set(grid, loads, sets, nodes, &Particles::loaded_faces, [&](const auto& set) {
-    add(launch_tally(grid.active, set, dormancy), sum);
+  for_each_loaded_set(tractions, &Particles::loaded_faces, [&](const auto& set) {
+    add(launch_tally(tractions.grid.active, set, dormancy), sum);
   });
   ledger.load_impulse += sum.impulse;
   ledger.boundary_work += sum.work;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
+#include "step/loads/tractions.hpp"
 
 namespace barreno {
 
@@ -13,25 +13,14 @@ namespace barreno {
 ///
 /// @pre  set_load_pressures, release_torn_faces
 /// @post particles.shear_modulus of particles with non-reflecting faces
-void project_loads(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<MaterialSpec>& materials,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes
-);
+void project_loads(const Tractions& tractions, const std::vector<MaterialSpec>& materials);
 
 /// Work of the same forces over the step on the mean nodal velocity, and their axial impulse, into
 /// the ledger.
 /// @pre  project_loads of the same step
 /// @return the work [energy], this rank's part
 ReproducibleSum tally_loads(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    const Dormancy& dormancy,
-    OwnLedger& ledger
+    const Tractions& tractions, const Dormancy& dormancy, OwnLedger& ledger
 );
 
 }  // namespace barreno

@@ -218,55 +218,39 @@ CavityGrowth launch_growth(int tiles, const LoadedSet<M, S>& set, int load, doub
 
 }  // namespace
 
-void project_surface_pressures(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes
-) {
-  if (!loads.any_on_surfaces) return;
+void project_surface_pressures(const Tractions& tractions) {
+  if (!tractions.loads.any_on_surfaces) return;
   const Region region("project_surface_pressures");
-  for_each_loaded_set(grid, loads, sets, nodes, &Particles::surface_share, [&](const auto& set) {
-    launch_surface_projection(grid.active, set);
+  for_each_loaded_set(tractions, &Particles::surface_share, [&](const auto& set) {
+    launch_surface_projection(tractions.grid.active, set);
   });
 }
 
-ReproducibleSum tally_surface_pressures(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    OwnLedger& ledger
-) {
-  if (!loads.any_on_surfaces) return {};
+ReproducibleSum tally_surface_pressures(const Tractions& tractions, OwnLedger& ledger) {
+  if (!tractions.loads.any_on_surfaces) return {};
   const Region region("tally_surface_pressures");
   LoadTally sum;
-  for_each_loaded_set(grid, loads, sets, nodes, &Particles::surface_share, [&](const auto& set) {
-    add(launch_tally(grid.active, set), sum);
+  for_each_loaded_set(tractions, &Particles::surface_share, [&](const auto& set) {
+    add(launch_tally(tractions.grid.active, set), sum);
   });
   ledger.load_impulse += sum.impulse;
   ledger.boundary_work += sum.work;
   return sum.work;
 }
 
-void grow_cavities(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    std::vector<Cavity>& cavities
-) {
-  if (!loads.any_on_surfaces) return;
+void grow_cavities(const Tractions& tractions, std::vector<Cavity>& cavities) {
+  if (!tractions.loads.any_on_surfaces) return;
   const Region region("grow_cavities");
   for (std::size_t l = 0; l < cavities.size(); ++l) {
     Cavity& cavity = cavities[l];
     if (!cavity.holds_fluid()) continue;
     CavityGrowth sum;
-    for_each_loaded_set(grid, loads, sets, nodes, &Particles::surface_share, [&](const auto& set) {
-      add(launch_growth(grid.active, set, static_cast<int>(l), cavity.initial_volume), sum);
+    for_each_loaded_set(tractions, &Particles::surface_share, [&](const auto& set) {
+      add(launch_growth(tractions.grid.active, set, static_cast<int>(l), cavity.initial_volume),
+          sum);
     });
     std::array<ReproducibleSum, 1> share{sum.share};
-    sum_over_ranks(*grid.comm, share);
+    sum_over_ranks(*tractions.grid.comm, share);
     cavity.volume += cavity.initial_volume * share[0].value();
   }
 }

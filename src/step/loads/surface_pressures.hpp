@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "state/state.hpp"
+#include "step/loads/tractions.hpp"
 
 namespace barreno {
 
@@ -11,33 +11,16 @@ namespace barreno {
 ///   too
 ///
 /// @pre  set_load_pressures, release_torn_faces
-void project_surface_pressures(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes
-);
+void project_surface_pressures(const Tractions& tractions);
 
 /// Work of the same forces over the step on the mean nodal velocity, and their axial impulse, into
 /// the ledger.
 /// @return the work [energy], this rank's part
-ReproducibleSum tally_surface_pressures(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    OwnLedger& ledger
-);
+ReproducibleSum tally_surface_pressures(const Tractions& tractions, OwnLedger& ledger);
 
 /// Cavities grow by the work that a unit pressure would have done on the velocity with which
 /// particles move (with the mean one the fluid would gain energy at every step). Collective if
 /// there is a pore fluid: the sum is exact, so that it is the same on any number of ranks.
-void grow_cavities(
-    const Grid& grid,
-    const LoadTable& loads,
-    const std::vector<Particles>& sets,
-    const std::vector<Nodes>& nodes,
-    std::vector<Cavity>& cavities
-);
+void grow_cavities(const Tractions& tractions, std::vector<Cavity>& cavities);
 
 }  // namespace barreno

@@ -198,18 +198,17 @@ bool find_keys(const Grid& grid, Particles& particles, Placement& placement) {
 
 }  // namespace
 
-Placement locate_particles(
-    const Grid& grid, std::vector<Particles>& sets, OwnLedger& ledger, Effort& effort
-) {
+Placement locate_particles(const Continuum& continuum) {
+  const Grid& grid = continuum.grid;
   const Region region("locate_particles");
   const Stopwatch watch;
   Placement placement;
-  for (Particles& particles : sets) {
+  for (Particles& particles : continuum.sets) {
     if (find_keys(grid, particles, placement)) continue;
-    remove_lost(grid, particles, ledger);
+    remove_lost(grid, particles, continuum.ledger);
     find_keys(grid, particles, placement);
   }
-  effort.tile_seconds += watch.seconds();
+  continuum.effort.tile_seconds += watch.seconds();
   return placement;
 }
 

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "grid/grid.hpp"
-#include "state/effort.hpp"
-#include "state/ledger.hpp"
-#include "state/particles.hpp"
-
-#include <vector>
+#include "step/continuum.hpp"
 
 namespace barreno {
 
@@ -22,9 +17,7 @@ struct Placement {
 ///
 /// @post rows in tiles that are not active on this rank are unplaced; a set whose rows all keep
 ///       their cells is as it was, sorted or not
-Placement locate_particles(
-    const Grid& grid, std::vector<Particles>& sets, OwnLedger& ledger, Effort& effort
-);
+Placement locate_particles(const Continuum& continuum);
 
 /// The same for the rows of a set from `first_row` on, none of which is lost.
 void locate_newcomers(const Grid& grid, const Particles& particles, int first_row);

@@ -139,14 +139,9 @@ std::vector<ParcelCost> parcel_costs(
   return costs;
 }
 
-void balance_load(
-    const Clock& clock,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort,
-    LoadBalance& sharing
-) {
+void balance_load(const Clock& clock, const Continuum& continuum, LoadBalance& sharing) {
+  const Grid& grid = continuum.grid;
+  Effort& effort = continuum.effort;
   const Teuchos::Comm<int>& comm = *grid.comm;
   const int ranks = comm.getSize();
   if (ranks == 1 || clock.step == 0 || clock.step % steps_per_balance != 0) return;
@@ -161,11 +156,11 @@ void balance_load(
   const double least = min_gain * mean[0];
   sharing.waited_seconds += waited;
   if (waited > least && sharing.waited_seconds > cost_of_change * sharing.change_seconds) {
-    const std::vector<ParcelCost> costs = parcel_costs(grid, sets, effort);
+    const std::vector<ParcelCost> costs = parcel_costs(grid, continuum.sets, effort);
     const std::vector<int> owner = bisect_parcels(grid.parcels.along, costs, ranks, grid.owner);
     if (step_cost(grid.owner, costs, ranks) - step_cost(owner, costs, ranks) > least) {
       const Stopwatch watch;
-      give_parcels(owner, clock.step, grid, sets, ledger, effort);
+      give_parcels(owner, clock.step, continuum);
       sharing.change_seconds = shortest_change(comm, watch.seconds(), sharing.change_seconds);
     }
     sharing.waited_seconds = 0.0;

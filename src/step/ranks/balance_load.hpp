@@ -2,10 +2,7 @@
 #pragma once
 
 #include "grid/partition.hpp"
-#include "state/clock.hpp"
-#include "state/effort.hpp"
-#include "state/ledger.hpp"
-#include "state/particles.hpp"
+#include "step/continuum.hpp"
 
 #include <vector>
 
@@ -16,16 +13,9 @@ namespace barreno {
 /// noticeable part of a step.
 /// Collective. Answers do not depend on who owns what (docs/method.md 3).
 ///
-/// @param[in,out] effort   of this rank since the ranks last compared; starts anew
+/// @param continuum  its effort: since the ranks last compared; starts anew
 /// @param[in,out] sharing  what ranks have waited for each other, and what a change takes
-void balance_load(
-    const Clock& clock,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort,
-    LoadBalance& sharing
-);
+void balance_load(const Clock& clock, const Continuum& continuum, LoadBalance& sharing);
 
 /// Seconds that each tile of the box has cost, over all ranks. Collective.
 std::vector<ParcelCost> parcel_costs(

@@ -109,27 +109,21 @@ std::vector<int> tiles_to_activate(
 }
 
 /// With the tiles that hold particles, and those that some are about to enter; all get new numbers.
-void make_active(
-    const std::vector<int>& reached,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort
-) {
-  activate_tiles(grid, tiles_to_activate(grid, sets, reached));
-  forget_keys(sets);
-  locate_particles(grid, sets, ledger, effort);
-  for (Particles& particles : sets) particles.sorted = false;
+void make_active(const std::vector<int>& reached, const Continuum& continuum) {
+  activate_tiles(continuum.grid, tiles_to_activate(continuum.grid, continuum.sets, reached));
+  forget_keys(continuum.sets);
+  locate_particles(continuum);
+  for (Particles& particles : continuum.sets) particles.sorted = false;
 }
 
-void sort_sets(long step, const Grid& grid, std::vector<Particles>& sets, Effort& effort) {
+void sort_sets(long step, const Continuum& continuum) {
   const Stopwatch watch;
-  for (Particles& particles : sets) {
+  for (Particles& particles : continuum.sets) {
     if (particles.sorted) continue;
-    sort_by_cell(grid, particles);
+    sort_by_cell(continuum.grid, particles);
     if (step % steps_per_permutation == 0) permute_rows(particles);
   }
-  effort.tile_seconds += watch.seconds();
+  continuum.effort.tile_seconds += watch.seconds();
 }
 
 /// @param tiles  of any ranks
@@ -149,51 +143,34 @@ void forget_keys(std::vector<Particles>& sets) {
   for (Particles& particles : sets) particles.settled_chunks = 0;
 }
 
-void place_particles(
-    const Placement& agreed,
-    long step,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort
-) {
+void place_particles(const Placement& agreed, long step, const Continuum& continuum) {
   const Region region("place_particles");
   if (agreed.someone_left) {
-    const std::vector<int> first_row = migrate_particles(grid, sets);
-    for (std::size_t s = 0; s < sets.size(); ++s) locate_newcomers(grid, sets[s], first_row[s]);
+    std::vector<Particles>& sets = continuum.sets;
+    const std::vector<int> first_row = migrate_particles(continuum.grid, sets);
+    for (std::size_t s = 0; s < sets.size(); ++s)
+      locate_newcomers(continuum.grid, sets[s], first_row[s]);
   }
-  if (agreed.new_tile) make_active({}, grid, sets, ledger, effort);
-  sort_sets(step, grid, sets, effort);
+  if (agreed.new_tile) make_active({}, continuum);
+  sort_sets(step, continuum);
 }
 
 void activate_reached_tiles(
-    const std::vector<int>& reached,
-    long step,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort
+    const std::vector<int>& reached, long step, const Continuum& continuum
 ) {
   const Region region("activate_reached_tiles");
-  make_active(tell_owners(grid, reached), grid, sets, ledger, effort);
-  sort_sets(step, grid, sets, effort);
+  make_active(tell_owners(continuum.grid, reached), continuum);
+  sort_sets(step, continuum);
 }
 
-void give_parcels(
-    const std::vector<int>& owner,
-    long step,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort
-) {
+void give_parcels(const std::vector<int>& owner, long step, const Continuum& continuum) {
   const Region region("give_parcels");
-  set_owners(owner, grid);
+  set_owners(owner, continuum.grid);
   // No tile is active in the new partition: everybody is looked for afresh.
-  activate_tiles(grid, {});
-  forget_keys(sets);
-  locate_particles(grid, sets, ledger, effort);
-  place_particles({true, true}, step, grid, sets, ledger, effort);
+  activate_tiles(continuum.grid, {});
+  forget_keys(continuum.sets);
+  locate_particles(continuum);
+  place_particles({true, true}, step, continuum);
 }
 
 }  // namespace barreno

@@ -19,36 +19,15 @@ void forget_keys(std::vector<Particles>& sets);
 ///
 /// @param placement  agreed between the ranks
 /// @param step       number of the step
-void place_particles(
-    const Placement& placement,
-    long step,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort
-);
+void place_particles(const Placement& placement, long step, const Continuum& continuum);
 
 /// Activate tiles that particles are about to enter too, whichever rank they belong to. Collective.
 ///
 /// @param reached  what reached_tiles found on this rank
-void activate_reached_tiles(
-    const std::vector<int>& reached,
-    long step,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort
-);
+void activate_reached_tiles(const std::vector<int>& reached, long step, const Continuum& continuum);
 
 /// Give the parcels of the box to other ranks, `owner` by parcel; every particle goes home.
 /// Collective.
-void give_parcels(
-    const std::vector<int>& owner,
-    long step,
-    Grid& grid,
-    std::vector<Particles>& sets,
-    OwnLedger& ledger,
-    Effort& effort
-);
+void give_parcels(const std::vector<int>& owner, long step, const Continuum& continuum);
 
 }  // namespace barreno

@@ -35,7 +35,7 @@ struct Moved {
     scene.materials[0].bad_particles = policy;
     return scene;
   }
-  SetUpdate update() { return set_update(scene, 0.0, state); }
+  SetUpdate update() { return set_update(scene.materials, scene.step, 0.0, state); }
   bool accelerated() const { return particles.velocity(0, 0) == 1.0; }
   bool moved() const { return particles.position(0, 1) == 3.0; }
   bool strained() const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The gap between two blocks, along the normal that makes it widest.
+#include "step/contact/contact_bodies.hpp"
 #include "unit/step/contact/two_blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ std::vector<double> refined(const Scene& scene) {
   State state = testing::in_tiles(scene, 1.0);
   testing::meet(scene, state);
   const SymmetryPlanes planes(scene.conditions, state.grid);
-  refine_surface_normals(state.grid, state.fields, state.particles, planes, state.contact);
+  refine_surface_normals({state.grid, state.fields, state.particles, planes}, state.contact);
   const double* const n = testing::normal_at(state, 0, {4, 4});
   return {n[0], n[1], n[2]};
 }

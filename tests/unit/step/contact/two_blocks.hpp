@@ -34,7 +34,7 @@ inline void meet(const Scene& scene, State& state) {
     );
   detect_contact_nodes(state.grid, state.fields, state.particles, state.nodes, state.contact);
   const SymmetryPlanes planes(scene.conditions, state.grid);
-  fit_surface_normals(state.grid, state.fields, state.particles, planes, state.contact);
+  fit_surface_normals({state.grid, state.fields, state.particles, planes}, state.contact);
 }
 
 /// The normal of a pair at a node of the box, and the gap behind it.

@@ -24,10 +24,8 @@ Scene two_tiles() {
 
 State placed(const Scene& scene) {
   State state = testing::start_alone(scene);
-  const Placement seen = locate_particles(state.grid, state.particles, state.ledger, state.effort);
-  place_particles(
-      seen, steps_per_permutation, state.grid, state.particles, state.ledger, state.effort
-  );
+  const Placement seen = locate_particles(continuum_of(state));
+  place_particles(seen, steps_per_permutation, continuum_of(state));
   state.clock.step = 1;
   return state;
 }

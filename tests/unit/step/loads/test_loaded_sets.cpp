@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/loads/loaded_sets.hpp"
+#include "step/loads/tractions.hpp"
 #include "support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,8 @@ TEST(LoadTraits, EveryKindActsSomewhere) {
 /// How many sets of a state have loads by that field.
 int visits(const State& state, const std::vector<Particles>& sets, Field Particles::*needed) {
   int count = 0;
-  for_each_loaded_set(state.grid, LoadTable{}, sets, state.nodes, needed, [&](const auto& set) {
+  const Tractions tractions{state.grid, state.loads, sets, state.nodes};
+  for_each_loaded_set(tractions, needed, [&](const auto& set) {
     EXPECT_EQ(set.particles.count, sets[0].count);
     ++count;
   });

@@ -23,7 +23,7 @@ using testing::two_particles;
 void apply(const Scene& scene, State& state) {
   set_load_pressures(scene.loads, state.cavities, 0.0, state.loads);
   release_torn_faces(state.grid, state.nodes, state.particles, state.loads);
-  project_loads(state.grid, state.loads, scene.materials, state.particles, state.nodes);
+  project_loads(tractions_of(state), scene.materials);
 }
 
 TEST(ProjectLoads, APressurePushesTheNodesOfItsFaceInwards) {
@@ -91,9 +91,7 @@ Tallied tally(double dt, double dt_above, int particles) {
   testing::set_tile_step(state.grid, 1, dt_above);
   apply(scene, state);
   testing::set_motion(state, {7.0, 5.0, 0.0}, {2.0, 4.0, 0.0});
-  const double work = tally_loads(
-      state.grid, state.loads, state.particles, state.nodes, state.dormancy, state.ledger
-  );
+  const double work = tally_loads(tractions_of(state), state.dormancy, state.ledger);
   EXPECT_EQ(state.ledger.boundary_work.value(), work);
   return {work, state.ledger.load_impulse.value()};
 }

@@ -61,9 +61,7 @@ TEST(ReleaseTornFaces, StretchedParticlesAndDebrisLoseTheirLoadsForGood) {
   load.pressure = {{0.0}, {70e6}};
   scene.loads.push_back(load);
   State state = start(scene);
-  give_parcels(
-      state.grid.owner, 0, state.grid, state.particles, state.ledger, state.effort
-  );  // keys and tiles
+  give_parcels(state.grid.owner, 0, continuum_of(state));  // keys and tiles
   Particles& particles = state.particles.front();
   // By the particle's id, which does not depend on the ranks: whole, stretched, torn, debris.
   double loaded = 0.0, torn = 0.0;

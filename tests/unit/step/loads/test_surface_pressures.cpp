@@ -138,8 +138,7 @@ double work_error(Mode mode, double h) {
       }
     }
   set_tile_steps(state.grid, dt);
-  std::vector<double> work{
-      tally_surface_pressures(state.grid, state.loads, state.particles, state.nodes, state.ledger)};
+  std::vector<double> work{tally_surface_pressures(tractions_of(state), state.ledger)};
   sum_over_ranks(*state.grid.comm, work);
   // x grows the cavity by its powers of the radius times its volume.
   return work[0] / (p * dt * powers_of(mode) * cavity(mode, a)) - 1.0;
@@ -165,10 +164,9 @@ StepSums sums_of_steps(const Scene& scene, const std::vector<double>& steps) {
   release_torn_faces(state.grid, state.nodes, state.particles, state.loads);
   testing::set_motion(state, {3.0, 5.0, 0.0}, {1.0, 2.0, 0.0});
   StepSums sums;
-  sums.work =
-      tally_surface_pressures(state.grid, state.loads, state.particles, state.nodes, state.ledger);
+  sums.work = tally_surface_pressures(tractions_of(state), state.ledger);
   sums.impulse = state.ledger.load_impulse;
-  grow_cavities(state.grid, state.loads, state.particles, state.nodes, state.cavities);
+  grow_cavities(tractions_of(state), state.cavities);
   sums.growth = state.cavities[0].volume - state.cavities[0].initial_volume;
   return sums;
 }

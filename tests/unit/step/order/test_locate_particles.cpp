@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which cell a particle is in, at its edges too, and what locate_particles sees on the way.
+#include "step/continuum.hpp"
 #include "step/order/locate_particles.hpp"
 #include "step/ranks/place_particles.hpp"
 #include "unit/step/order/four_particles.hpp"
@@ -15,7 +16,7 @@ using testing::four_particles;
 using testing::put;
 
 Placement locate(State& state) {
-  return locate_particles(state.grid, state.particles, state.ledger, state.effort);
+  return locate_particles(continuum_of(state));
 }
 
 /// All four tiles active, a particle in each.
@@ -25,7 +26,7 @@ State in_four_tiles() {
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 2; ++i) put(particles, 2 * j + i, 0.5 + 8.0 * i, 0.5 + 8.0 * j);
   locate(state);
-  place_particles({false, true}, 1, state.grid, state.particles, state.ledger, state.effort);
+  place_particles({false, true}, 1, continuum_of(state));
   return state;
 }
 
@@ -59,7 +60,7 @@ TEST(LocateParticles, ParticlesThatStayInTheirCellsStaySorted) {
 TEST(LocateParticles, ATileThatIsNotActiveLeavesItsParticleUnplaced) {
   State state = testing::start_alone(four_particles());
   locate(state);
-  place_particles({false, true}, 1, state.grid, state.particles, state.ledger, state.effort);
+  place_particles({false, true}, 1, continuum_of(state));
   ASSERT_EQ(state.grid.active, 1);
   put(state.particles[0], 2, 9.5, 0.5);
   const Placement placement = locate(state);

@@ -24,8 +24,8 @@ State shuffled(int stride) {
     particles.id(row) = 100 - k;
     testing::put(particles, row, 7.2 + 0.1 * (k % 16), 0.5 + 2.0 * (k % 3));
   }
-  locate_particles(state.grid, state.particles, state.ledger, state.effort);
-  place_particles({false, true}, 1, state.grid, state.particles, state.ledger, state.effort);
+  locate_particles(continuum_of(state));
+  place_particles({false, true}, 1, continuum_of(state));
   return state;
 }
 

@@ -22,7 +22,7 @@ State in_four_tiles() {
   for (const double x : {1.0, 9.0, 17.0, 25.0})
     testing::add_box(scene, "block", {x, 1.0}, {x + 2.0, 3.0}, 1);
   State state = testing::start(scene);
-  give_parcels({0, 0, 0, 0}, 1, state.grid, state.particles, state.ledger, state.effort);
+  give_parcels({0, 0, 0, 0}, 1, continuum_of(state));
   state.effort = {};
   return state;
 }
@@ -66,9 +66,7 @@ TEST(BalanceLoad, ARankThatWaitedGetsTiles) {
   const int ranks = state.grid.comm->getSize();
   measure(state);
   const auto balance = [&](long step) {
-    balance_load(
-        {0.0, 0.0, step}, state.grid, state.particles, state.ledger, state.effort, state.sharing
-    );
+    balance_load({0.0, 0.0, step}, continuum_of(state), state.sharing);
   };
   balance(24);  // not yet
   EXPECT_TRUE(std::all_of(state.grid.owner.begin(), state.grid.owner.end(), [](int owner) {

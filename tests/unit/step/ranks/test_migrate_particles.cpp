@@ -19,7 +19,7 @@ State in_two_tiles() {
   testing::add_box(scene, "right", {10.0, 1.0}, {12.0, 3.0}, 1);
   State state = testing::start(scene);
   const int last = state.grid.comm->getSize() - 1;
-  give_parcels({0, last}, 1, state.grid, state.particles, state.ledger, state.effort);
+  give_parcels({0, last}, 1, continuum_of(state));
   return state;
 }
 
@@ -36,7 +36,7 @@ TEST(MigrateParticles, GoToTheRankThatOwnsTheirTile) {
       particles.stress(p, 3) = -1.0 / 3.0;
       particles.body(p) |= debris_bit;
     }
-  const Placement seen = locate_particles(state.grid, state.particles, state.ledger, state.effort);
+  const Placement seen = locate_particles(continuum_of(state));
   EXPECT_EQ(seen.someone_left, ranks == 2 && me == 0);
   const std::vector<int> first_row = migrate_particles(state.grid, state.particles);
   ASSERT_EQ(first_row.size(), 1U);
@@ -60,7 +60,7 @@ TEST(MigrateParticles, GoToTheRankThatOwnsTheirTile) {
 
 TEST(MigrateParticles, SetsThatNobodyLeavesOrJoinsStaySorted) {
   State state = in_two_tiles();
-  locate_particles(state.grid, state.particles, state.ledger, state.effort);
+  locate_particles(continuum_of(state));
   migrate_particles(state.grid, state.particles);
   EXPECT_TRUE(state.particles[0].sorted);
 }

@@ -12,8 +12,8 @@ using testing::four_particles;
 using testing::put;
 
 void place(State& state, long step) {
-  const Placement seen = locate_particles(state.grid, state.particles, state.ledger, state.effort);
-  place_particles(seen, step, state.grid, state.particles, state.ledger, state.effort);
+  const Placement seen = locate_particles(continuum_of(state));
+  place_particles(seen, step, continuum_of(state));
 }
 
 TEST(PlaceParticles, TilesThatHoldParticlesAreActive) {
@@ -69,7 +69,7 @@ TEST(PlaceParticles, RowsAreStoredInOrderOnceInSoManySteps) {
 TEST(GiveTiles, OnOneRankChangesNothing) {
   State state = testing::start_alone(four_particles());
   place(state, 1);
-  give_parcels(state.grid.owner, 1, state.grid, state.particles, state.ledger, state.effort);
+  give_parcels(state.grid.owner, 1, continuum_of(state));
   EXPECT_EQ(state.grid.active, 1);
   EXPECT_EQ(state.particles[0].count, 4);
   EXPECT_TRUE(state.particles[0].sorted);

@@ -104,7 +104,7 @@ TEST(PlanSubcycles, TilesAheadOfParticlesAreAskedFor) {
   const std::vector<int> reached = reached_tiles(state.grid, state.subcycling);
   EXPECT_EQ(reached, (std::vector<int>{1, 3, 4}));
   ASSERT_EQ(state.grid.active, 1);
-  activate_reached_tiles(reached, 0, state.grid, state.particles, state.ledger, state.effort);
+  activate_reached_tiles(reached, 0, continuum_of(state));
   EXPECT_EQ(state.grid.active, 4);
   EXPECT_FALSE(plan(scene, dt, forever, state));
 }
