@@ -13,10 +13,10 @@ struct Material;
 /// Searched: the name as a path from `directory`; then the directories of the environment variable
 /// BARRENO_MATERIALS (':' between them); then the cards that Barreno comes with (beside the library
 /// or program, in the source tree, in the installation). In the last two the case of letters does
-/// not count, because hosts turn names to upper case; the same case goes first.
+/// not count, because hosts write names in upper case; the same case goes first.
 ///
 /// Throws FileError with the part of a sentence after the name, the nearest name included.
-/// @param beside  what that directory is to the user
+/// @param beside  how a message names that directory
 std::string find_card(
     const std::string& card,
     const std::string& directory = "",
@@ -29,7 +29,8 @@ std::string named_card(const std::string& card);
 /// The material of a card by path or by name, material_open("berea_sandstone"): what
 /// barreno_material_open() is in C and --material in `barreno drive`.
 ///
-/// Throws FileError if there is no such card or it cannot be read, InputError for what it says.
+/// Throws FileError if there is no such card or it cannot be read, InputError if its contents are
+/// wrong.
 Material material_open(const std::string& card);
 
 }  // namespace barreno

@@ -45,7 +45,7 @@ struct IncrementOf {
 /// Points with a step to take. Where hardly any point needs more than a quick look, a model may
 /// offer its update in two parts:
 ///
-///   MaskOf<R> start_points(PointsOf&) const    updates what is quick, returns where more is to do
+///   MaskOf<R> start_points(PointsOf&) const    updates the quick points, returns the others
 ///   void finish_points(PointsOf* groups, const MaskOf<R>* rest, int count) const
 ///
 /// count is at most the model's groups_together: the work left in several groups is shared out over

@@ -17,7 +17,7 @@ struct PlausibleRange {
 };
 
 /// Ranges of the parameters of a model that have a dimension, Density first. Zero, where a
-/// parameter may be zero, turns something off and lies in every range.
+/// parameter may be zero, switches something off and lies in every range.
 const std::vector<PlausibleRange>& plausible_ranges(const std::string& model);
 
 /// The range of one parameter; null where none is known.

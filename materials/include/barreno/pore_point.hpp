@@ -25,8 +25,8 @@ struct PorePoint {
   double porosity = 0.0;         ///< pore volume over volume [-]
   double fluid_mass = 1.0;       ///< over the initial one of the reference volume [-]
   double mass_per_volume = 0.0;  ///< d fluid_mass for v = 1 [-]
-  /// Of pores that gas fills in part: its volume per volume, and the rise of the fluid's pressure
-  /// that closes it. Storage is that of full pores and gap/gap_pressure.
+  /// Pores that gas fills in part: volume of the gas per volume, and the rise of the fluid's
+  /// pressure that closes it. Storage is the sum of full pores' storage and gap/gap_pressure.
   double gap = 0.0;
   double gap_pressure = 0.0;  ///< [stress]
 };

@@ -77,7 +77,8 @@ struct PlainUpdate {
     return model.update(i, stress, h);
   }
 };
-/// The same for a model that chooses substeps by their error: again with those of the first.
+/// The same for a model that chooses substeps by their error: later calls take the substeps of the
+/// first call.
 template <class Model>
 struct FrozenUpdate {
   const Model& model;
@@ -126,7 +127,8 @@ inline double largest(Sym3 s) {
 
 /// Slope of the stress from three of its values, h apart. Centred, unless the stress jumps on one
 /// side, which shows as a slope steeper than any material's (large steps can end on one branch of
-/// the return or another, and moduli jump where rock becomes dilated): then that of the other side.
+/// the return or another, and moduli jump where rock becomes dilated): then the slope of the other
+/// side.
 inline Sym3 slope(const Sym3& left, const Sym3& middle, const Sym3& right, double h, double steep) {
   const Sym3 one = (1.0 / h) * (middle - left), other = (1.0 / h) * (right - middle);
   if (largest(one) > steep && largest(other) <= steep) return other;
@@ -192,10 +194,10 @@ bool visit_neighbours_in_lanes(
 
 }  // namespace tangent
 
-/// update() and the tangent of what it did: d sigma(end) / d strain increment by central
+/// update() and the tangent of this update: d sigma(end) / d strain increment by central
 /// differences of the whole update, as accurate as its solvers (Arenisca: 1e-6 and better away from
 /// kinks). A zero increment, or one whose neighbours fail, gets the elastic tangent at the end of
-/// the step; a failed update that at its start.
+/// the step; a failed update gets the elastic tangent at its start.
 template <class Model>
 Outcome update_with_tangent(
     const Model& model,
