@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
 #include <cmath>
+#include <map>
 
 namespace barreno {
 namespace {
@@ -253,15 +254,45 @@ Shape read_half_space(const GivenShape& list) {
   return half;
 }
 
-/// Where in the tree of parts a shape is read: the combinations around it, and the shapes read so
-/// far. Shapes that name shapes twice over would else grow without bound.
+/// A shape of the deck's Shapes, and of how many shapes it is made.
+struct NamedShape {
+  Shape shape;
+  int shapes = 0;
+};
+
+/// Where in the tree of parts a shape is read: the combinations around it, and the number of shapes
+/// so far. Shapes that name shapes twice over would else grow without bound.
 struct Reached {
   std::vector<std::string> within;
   int shapes = 0;
+  std::map<std::string, NamedShape> read;  ///< a shape that many name is read once
 };
-constexpr int max_shapes = 1000;
+
+void check_number(const GivenShape& list, const Reached& reached) {
+  constexpr int max_shapes = 1000;
+  if (reached.shapes <= max_shapes) return;
+  refuse(
+      list,
+      &ShapeSection::parts,
+      "makes a shape of more than " + std::to_string(max_shapes) +
+          " shapes (parts of parts count); make it simpler, or an STL surface"
+  );
+}
 
 Shape read_any(const Deck& deck, const std::string& path, Mode mode, Reached& reached);
+
+Shape read_named(const Deck& deck, const std::string& name, Mode mode, Reached& reached) {
+  if (const auto known = reached.read.find(name); known != reached.read.end()) {
+    reached.shapes += known->second.shapes;
+    return known->second.shape;
+  }
+  const int before = reached.shapes;
+  reached.within.push_back(name);
+  Shape shape = read_any(deck, list_of<ShapeSection>(name), mode, reached);
+  reached.within.pop_back();
+  reached.read[name] = {shape, reached.shapes - before};
+  return shape;
+}
 
 Shape read_combination(const GivenShape& list, Reached& reached) {
   Combination combination;
@@ -279,7 +310,7 @@ Shape read_combination(const GivenShape& list, Reached& reached) {
               (names.empty() ? "add that section with the shape" : input::suggest_name(part, names))
       );
     }
-    auto& within = reached.within;
+    const auto& within = reached.within;
     if (std::find(within.begin(), within.end(), part) != within.end()) {
       refuse(
           list,
@@ -287,18 +318,10 @@ Shape read_combination(const GivenShape& list, Reached& reached) {
           "names '" + part + "', of which this is a part (a shape cannot contain itself); remove it"
       );
     }
-    if (++reached.shapes > max_shapes) {
-      refuse(
-          list,
-          &ShapeSection::parts,
-          "makes a shape of more than " + std::to_string(max_shapes) +
-              " shapes (parts of parts count); make it simpler, or an STL surface"
-      );
-    }
-    within.push_back(part);
-    combination.parts.push_back(read_any(list.deck, list_of<ShapeSection>(part), list.mode, reached)
-    );
-    within.pop_back();
+    ++reached.shapes;
+    check_number(list, reached);  // before the parts of the part, which may be nested deep
+    combination.parts.push_back(read_named(list.deck, part, list.mode, reached));
+    check_number(list, reached);
   }
   return combination;
 }
@@ -337,9 +360,10 @@ Shape read_shape(const Deck& deck, const std::string& path, Mode mode) {
 }
 
 void check_shapes(const Deck& deck, Mode mode) {
+  Reached reached;
   for (const std::string& name : deck.lists(table_of<ShapeSection>().path)) {
-    Reached reached{{name}, 0};
-    read_any(deck, list_of<ShapeSection>(name), mode, reached);
+    reached.shapes = 0;
+    read_named(deck, name, mode, reached);
   }
 }
 
