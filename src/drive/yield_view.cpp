@@ -47,20 +47,11 @@ YieldView view_of_law(const Law& law, const Sym3& stress, const History& h) {
   if constexpr (Law::rated) bounded = bounded - arenisca::overstress_of<double>(h);
   if constexpr (Law::wet) bounded = bounded + isotropic(h.pore_pressure);
   if constexpr (Law::angled) lode = law.lode;
+  // Of the forms for comparison the surface bounds the stress less that at the elastic centre.
+  if constexpr (Law::about_centre)
+    bounded = bounded - isotropic(rock.zeta(h.plastic_volume_strain) / 3.0);
   const auto cap = arenisca::cap_of<double>(rock, h.plastic_volume_strain);
   return view_of(bounded, rock.surface, cap, lode);
-}
-
-/// The forms for comparison: the surface bounds the stress less that at the elastic centre.
-YieldView view_of_general(
-    const arenisca::GeneralRock& rock, const Sym3& stress, const GeneralArenisca::History& h
-) {
-  const arenisca::PointRock point(rock, h.coherence, h.fluid_mass_ratio);
-  const double e = h.plastic_volume_strain;
-  const Sym3 quasi_static = stress - arenisca::overstress_of<double>(h);
-  return view_of(
-      quasi_static - isotropic(point.zeta(e) / 3.0), point.surface, point.cap_at(e), rock.lode
-  );
 }
 
 /// Von Mises' circle at the flow stress of the plastic strain rate that led here, or of the
@@ -94,8 +85,6 @@ std::optional<YieldView> view_for(
     const auto h_before = history_from<Model>(before.history);
     const double dt = now.time - before.time;
     return view_of_metal(model.metal(), now.stress, h.metal, h_before.metal, dt);
-  } else if constexpr (std::is_same_v<Model, GeneralArenisca>) {
-    return view_of_general(model.rock(), now.stress, h);
   } else if constexpr (std::is_same_v<P, AreniscaParameters>) {
     return view_of_law(model.rock(), now.stress, h);
   } else {

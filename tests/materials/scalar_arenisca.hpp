@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "frozen_substeps.hpp"
 #include "scalar_flow.hpp"
 
-#include <barreno/arenisca/frozen_substeps.hpp>
 #include <barreno/models/arenisca.hpp>
 #include <cmath>
+#include <type_traits>
 
 namespace barreno::arenisca {
 
@@ -186,7 +187,7 @@ integrate(const Rock& rock, PointState& state, const Sym3& strain, Counter& coun
       continue;
     }
     state = a.end;
-    count.took(fraction);
+    if constexpr (std::is_same_v<Counter, SubstepRecord>) count.took(fraction);
     outcome.elastic_work += a.elastic_work;
     outcome.plastic_work += a.plastic_work;
     outcome.longitudinal_modulus = a.moduli.bulk + 4.0 / 3.0 * a.moduli.shear;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "scalar_return.hpp"
 #include "scalar_state.hpp"
 
-#include <barreno/arenisca/bisection.hpp>
-#include <barreno/arenisca/return_map.hpp>
 #include <cmath>
 
 namespace barreno::arenisca {

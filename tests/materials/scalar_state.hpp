@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <barreno/arenisca/general_substep.hpp>
 #include <barreno/arenisca/rock.hpp>
+#include <barreno/arenisca/root_finding.hpp>
+#include <barreno/outcome.hpp>
 #include <cmath>
 
 // The dry law of Arenisca once more, for one point and written apart from that of the library
@@ -36,6 +37,23 @@ struct Prediction {
   double evp = 0.0;               ///< plastic strain the moduli were taken at
   BARRENO_FUNCTION double q() const { return std::sqrt(J2); }
 };
+
+/// What is known of the error of an attempt at a substep.
+struct Attempt {
+  double error = 0.0;    ///< estimated local error [stress]
+  double allowed = 0.0;  ///< what it may be [stress]
+  int order = 2;         ///< power of the step size in `error`
+};
+
+/// Factor for the next substep, in sixteenths: then round-off does not reach the choice of
+/// substeps, and both solvers, or two machines, take the same ones.
+BARRENO_FUNCTION double step_factor(const Attempt& a) {
+  constexpr double safety = 0.9, smallest = 0.125, largest = 4.0, grain = 16.0;
+  if (a.error <= 0.0) return largest;
+  const double ratio = a.allowed / a.error;
+  const double factor = safety * (a.order == 3 ? std::cbrt(ratio) : std::sqrt(ratio));
+  return smaller(larger(std::floor(grain * factor) / grain, smallest), largest);
+}
 
 /// Result of one attempt at a substep.
 struct ScalarAttempt : Attempt {

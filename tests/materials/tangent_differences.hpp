@@ -158,9 +158,7 @@ inline void demand_tangents(const Tallies& regions) {
         tally.at_kinks,
         tally.jumped
     );
-    // Substeps end at the jump. Where it lies moves with the strain, which frozen ones do not
-    // follow.
-    EXPECT_LT(tally.worst, name == through_jump ? 2e-2 : 2e-5) << name;
+    EXPECT_LT(tally.worst, 2e-5) << name;
     if (name == through_jump) continue;
     EXPECT_GE(tally.checked, 10) << name;
     EXPECT_LE(tally.at_kinks + tally.jumped, tally.checked) << name;

@@ -168,26 +168,29 @@ TEST(Lode, TurnedTensorHasTheAngle) {
 }
 
 /// No point of the surface is closer to the trial than the returned one: against samples of it.
-void expect_closest(const PointRock& point, const Sym3& t) {
-  const arenisca::GeneralState n{0.0, {}, 0.0, 0.0};
+void expect_closest(const GeneralArenisca& model, const Sym3& t) {
+  const arenisca::GeneralRock& rock = model.rock();
+  const arenisca::GeneralPiecesOf<double> piece(rock, 1.0, 1.0);
+  const PointRock& point = piece.points[0];
   const arenisca::Moduli m{8e9, 8e9};
+  const double x = 3.0 * m.bulk * trace(t), metric = 9.0 * m.bulk / m.shear;
+  const Sym3 s = (2.0 * m.shear) * deviator(t);
+  const double q = std::sqrt(second_invariant(s));
+  const double gamma = rock.lode.at(arenisca::lode_angle(s)).gamma;
   arenisca::NoCounter none;
-  const Sym3 de = deviator(t);
-  const auto end = arenisca::return_trial(point, n, trace(t), de, m, none);
-  if (!end.plastic) return;
-  const double x = 3.0 * m.bulk * trace(t);
-  const Sym3 s = (2.0 * m.shear) * de;
-  const double metric = 9.0 * m.bulk / m.shear;
+  if (arenisca::scaled_surface(point.surface, gamma).contains(x, q * q, {}, none)) return;
+  const arenisca::TrialOf<double> trial{x, q, metric, 3.0 * m.bulk, 0.0, {}};
+  const auto end = arenisca::return_alone<double>(piece, {s}, trial, true);
   const auto distance = [&](double x1, const Sym3& s1) {
     return (x1 - x) * (x1 - x) + metric * second_invariant(s1 - s);
   };
-  const double found = distance(end.state.x, end.state.s);
+  const double found = distance(end.point.x, end.shear.tensor);
   const double theta = arenisca::lode_angle(s);
   for (int a = 0; a <= 60; ++a) {
     const double angle = Lode::third_turn * a / 60.0;
-    const double gamma = point.rock.lode.at(angle).gamma;
+    const double strength = rock.lode.at(angle).gamma;
     for (double y = point.surface.vertex; y > x - 3e9; y -= 2e7) {
-      const Sym3 on = arenisca::turned(s, angle - theta, gamma * point.surface.limit(y));
+      const Sym3 on = arenisca::turned(s, angle - theta, strength * point.surface.limit(y));
       EXPECT_GE(distance(y, on), found * (1.0 - 1e-9));
     }
   }
@@ -200,13 +203,12 @@ TEST(GeneralArenisca, ReturnIsClosestInThreeDimensions) {
     p.J3_type = kind;
     p.J3_psi = 0.8;
     const GeneralArenisca model(p, 2300.0);
-    const PointRock point(model.rock(), 1.0, 1.0);
     std::mt19937_64 engine(6);
     std::normal_distribution<double> normal(0.0, 1.0);
     for (int i = 0; i < 50; ++i) {
       Sym3 t;
       for (double* c : {&t.xx, &t.yy, &t.zz, &t.xy, &t.yz, &t.zx}) *c = 0.01 * normal(engine);
-      expect_closest(point, t);
+      expect_closest(model, t);
     }
   }
 }

@@ -93,35 +93,6 @@ TEST(Tangent, DoesNotSeeTheChoiceOfSubsteps) {
   EXPECT_GT(steep, 5) << "no stress jumps: substeps need not be frozen any more";
 }
 
-using ModelsWithSubsteps = ::testing::Types<GeneralArenisca>;
-template <class Model>
-class ModelWithSubsteps : public ::testing::Test {};
-TYPED_TEST_SUITE(ModelWithSubsteps, ModelsWithSubsteps, ModelName);
-
-TYPED_TEST(ModelWithSubsteps, FrozenSubstepsGiveTheSameStep) {
-  const auto model = sample_model<TypeParam>();
-  std::mt19937 engine(2);
-  int divided = 0;
-  for (int path = 0; path < 200; ++path) {
-    Point<TypeParam> point(model);
-    const Sym3 way = direction(path % 6, engine);
-    for (int i = 0; i < 5; ++i) {
-      SmoothUpdate<TypeParam> update{model};
-      Sym3 first = point.stress, again = point.stress;
-      typename TypeParam::History h_first = point.history, h_again = point.history;
-      const Increment increment = point.increment(3e-3 * way, 0.0);
-      ASSERT_FALSE(update.first(increment, first, h_first).failed());
-      ASSERT_FALSE(update.again(increment, again, h_again).failed());
-      const double size = norm(first) + 1.0;
-      EXPECT_LE(norm(first - again), 1e-13 * size);
-      EXPECT_NEAR(h_first.plastic_volume_strain, h_again.plastic_volume_strain, 1e-15);
-      divided += update.record.count > 1;
-      ASSERT_FALSE(point.apply(3e-3 * way, 0.0).failed());
-    }
-  }
-  EXPECT_GT(divided, 50) << "steps must be divided, or this tests nothing";
-}
-
 /// Whether rock has its moduli from beyond their jump.
 template <class Model>
 bool is_dilated(const Point<Model>& point) {

@@ -197,6 +197,43 @@ inline Lanes pow(const Lanes& x, double y) {
 }
 #endif
 
+/// One point or lane of several, and what a function of its number gives for each: for what knows
+/// but one point at a time.
+template <class R>
+inline constexpr int count_of = 1;
+BARRENO_FUNCTION double lane(double x, int /*i*/) {
+  return x;
+}
+BARRENO_FUNCTION bool lane(bool x, int /*i*/) {
+  return x;
+}
+BARRENO_FUNCTION void set_lane(double& x, int /*i*/, double value) {
+  x = value;
+}
+template <class F>
+BARRENO_FUNCTION double each(const F& f, const double& /*like*/) {
+  return f(0);
+}
+#if BARRENO_HAS_LANES
+template <>
+inline constexpr int count_of<Lanes> = lane_count;
+inline double lane(const Lanes& x, int i) {
+  return x[i];
+}
+inline bool lane(const LaneMask& x, int i) {
+  return x[i] != 0;
+}
+inline void set_lane(Lanes& x, int i, double value) {
+  x[i] = value;
+}
+template <class F>
+inline Lanes each(const F& f, const Lanes& /*like*/) {
+  Lanes x{};
+  for (int i = 0; i < lane_count; ++i) x[i] = f(i);
+  return x;
+}
+#endif
+
 template <class R>
 BARRENO_FUNCTION R larger(const R& a, double b) {
   return select(a > b, a, b);

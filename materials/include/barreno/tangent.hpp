@@ -34,11 +34,6 @@ double shear_modulus(const Model& model, const Sym3& stress, const typename Mode
   else
     return model.parameters().shear_modulus;
 }
-inline double shear_modulus(
-    const GeneralArenisca& model, const Sym3& stress, const GeneralArenisca::History& h
-) {
-  return model.moduli(stress, h).shear;
-}
 
 /// Isotropic stiffness of an unloading point in this state.
 template <class Model>
@@ -62,38 +57,6 @@ constexpr bool goes_in_lanes = false;
 template <class Model>
 constexpr bool goes_in_lanes<Model, std::enable_if_t<(Model::groups_together > 0)>> = true;
 #endif
-/// Models that choose substeps by their error one point at a time.
-template <class Model>
-constexpr bool chooses_substeps = std::is_same_v<Model, GeneralArenisca>;
-
-/// A model's update, and ends of the same step for strains close by that are smooth in them.
-template <class Model>
-struct PlainUpdate {
-  const Model& model;
-  Outcome first(const Increment& i, Sym3& stress, typename Model::History& h) {
-    return model.update(i, stress, h);
-  }
-  Outcome again(const Increment& i, Sym3& stress, typename Model::History& h) const {
-    return model.update(i, stress, h);
-  }
-};
-/// The same for a model that chooses substeps by their error: later calls take the substeps of the
-/// first call.
-template <class Model>
-struct FrozenUpdate {
-  const Model& model;
-  arenisca::SubstepRecord record{};
-  Outcome first(const Increment& i, Sym3& stress, typename Model::History& h) {
-    return model.update_counted(i, stress, h, record);
-  }
-  Outcome again(const Increment& i, Sym3& stress, typename Model::History& h) const {
-    arenisca::SubstepReplay replay{record};
-    return model.update_counted(i, stress, h, replay);
-  }
-};
-template <class Model>
-using SmoothUpdate =
-    std::conditional_t<chooses_substeps<Model>, FrozenUpdate<Model>, PlainUpdate<Model>>;
 
 namespace tangent {
 
@@ -145,7 +108,7 @@ struct Neighbours {
 
 template <class Model>
 bool visit_neighbours(
-    const SmoothUpdate<Model>& update,
+    const Model& model,
     const Increment& increment,
     const Sym3& stress,
     const typename Model::History& begin,
@@ -157,7 +120,7 @@ bool visit_neighbours(
       n.side[j][k] = stress;
       typename Model::History end = begin;
       const Increment near = shifted(increment, j, k == 0 ? -h : h);
-      if (update.again(near, n.side[j][k], end).failed()) return false;
+      if (model.update(near, n.side[j][k], end).failed()) return false;
     }
   }
   return true;
@@ -208,8 +171,7 @@ Outcome update_with_tangent(
 ) {
   const Sym3 stress_begin = stress;
   const typename Model::History begin = history;
-  SmoothUpdate<Model> update{model};
-  const Outcome outcome = update.first(increment, stress, history);
+  const Outcome outcome = model.update(increment, stress, history);
   result = elastic_tangent(
       model,
       stress,
@@ -228,7 +190,7 @@ Outcome update_with_tangent(
   if constexpr (goes_in_lanes<Model>)
     found = tangent::visit_neighbours_in_lanes(model, increment, stress_begin, begin, h, near);
   else
-    found = tangent::visit_neighbours<Model>(update, increment, stress_begin, begin, h, near);
+    found = tangent::visit_neighbours(model, increment, stress_begin, begin, h, near);
   if (!found) return outcome;
   Tangent differences;
   for (int j = 0; j < 6; ++j) {

@@ -1,11 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/return_map.hpp"
+#include "barreno/arenisca/closest_point.hpp"
+#include "barreno/arenisca/root_finding.hpp"
 
 #include <cmath>
 
 namespace barreno::arenisca {
+
+/// Where the trial state comes back to: on the surface hardened to `evp`.
+struct Returned {
+  double x, q, evp;
+};
+
+/// I1 of the point of the limit surface (no cap) closest to the trial point; the vertex included.
+template <class Counter>
+BARRENO_FUNCTION double return_to_limit(
+    const YieldSurface& surface, const Trial& trial, Counter& count
+) {
+  if (trial.x - surface.vertex >= trial.metric * trial.q * surface.steepest) return surface.vertex;
+  double x = smaller(trial.x, surface.vertex);
+  const Cap none;
+  const MeridianOf<double> start = surface.at(x, none, count);
+  if (trial.x <= surface.vertex && trial.q <= start.limit) return trial.x;
+  // Newton on the monotone condition (x - x_tr) - metric (q_tr - Ff) Ff'; Ff'' <= 0 keeps its slope
+  // >= 1.
+  double lower = trial.x - trial.metric * trial.q * surface.steepest, upper = x;
+  MeridianOf<double> m = start;
+  constexpr int max_iterations = 60;
+  for (int i = 0; i < max_iterations; ++i) {
+    const double curvature = surface.curvature(m.curved);
+    const double residual = (x - trial.x) - trial.metric * (trial.q - m.limit) * m.slope;
+    const double slope = 1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
+    (residual > 0.0 ? upper : lower) = x;
+    double next = x - residual / slope;
+    if (surface.straight) return next;
+    if (!(next >= lower && next <= upper)) next = 0.5 * (lower + upper);
+    const bool done = std::fabs(next - x) <= 1e-14 * (std::fabs(x) + std::fabs(upper - lower));
+    x = next;
+    if (done) break;
+    m = surface.at(x, none, count);
+  }
+  return x;
+}
+
+/// return_with_closed_pores() as a Returned.
+template <class Crush>
+BARRENO_FUNCTION Returned
+closed_pores(const YieldSurface& surface, const Crush& crush, const Trial& trial) {
+  const ClosedOf<double> c = return_with_closed_pores(surface, crush.closed(), trial);
+  return {c.x, c.q, c.evp};
+}
+
+/// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it
+/// opens.
+template <class Crush>
+BARRENO_FUNCTION bool clears_cap(
+    const YieldSurface& surface, const Crush& crush, double x, double evp
+) {
+  if (crush.p3 == 0.0) return true;
+  const double open_evp = larger(evp, crush.last_open());
+  return x >= branch_point(surface, crush.strength(open_evp));
+}
+
+/// First guess of enough dilation onto the cap: half more than the non-hardening return to the
+/// tangent of the surface straight below the trial point.
+BARRENO_FUNCTION double dilation_guess(const Trial& trial, const MeridianOf<double>& below) {
+  constexpr double margin = 1.5;
+  const double fc = std::sqrt(larger(below.cap_squared, 0.0));
+  const double slope = below.slope / fc;
+  return -margin * trial.metric * (trial.q - below.limit * fc) * slope /
+         ((1.0 + trial.metric * slope * slope) * trial.triple_bulk);
+}
 
 /// Meridian of a fixed surface as a curve with one parameter, for the nested bisection.
 ///
@@ -131,7 +197,7 @@ struct ConsistencyOfEta {
 };
 
 /// The paper's return: non-hardening return, then eta by bisection. Slow; the oracle of
-/// return_fast().
+/// return_points().
 /// @param resolution of eta and of the angle along the meridian; 0, the oracle's: the last bit
 template <class Crush, class Counter>
 BARRENO_FUNCTION Returned return_bisection(
@@ -150,7 +216,7 @@ BARRENO_FUNCTION Returned return_bisection(
   }
   ConsistencyOfEta<Crush, Counter> consistency{surface, crush, trial, devp0, count, resolution};
   // Steep retraction of the cap: the paper's eta <= 1 does not hold, and there may be several
-  // roots; the same places are tried as in return_fast(), so that both take the same one.
+  // roots; the same places are tried as in return_points(), so that both take the same one.
   double above = 1.0;
   if (devp0 > 0.0) {
     const double x_limit = return_to_limit(surface, trial, count);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "barreno/arenisca/centre_path.hpp"
-#include "barreno/arenisca/general_step.hpp"
+#include "barreno/arenisca/general_law.hpp"
+#include "barreno/arenisca/points_queue.hpp"
+#include "barreno/arenisca/points_start.hpp"
 #include "barreno/pore_point.hpp"
 
 #include <cmath>
@@ -83,16 +85,31 @@ drained_centre(const PointRock& before, const PointRock& after, double e) {
   return {kept - (pressure - p_w) / matrix, pressure - p_c};
 }
 
+/// State of a point, seen from its elastic centre.
+struct CentreState {
+  double x;  ///< [stress]
+  Sym3 s;    ///< stress deviator [stress]
+  double e, shear_strain;
+};
+BARRENO_FUNCTION double distance(const CentreState& a, const CentreState& b) {
+  return size_of_stress(a.x - b.x, second_invariant(a.s - b.s));
+}
+BARRENO_FUNCTION double size_of(const CentreState& n) {
+  return size_of_stress(n.x, second_invariant(n.s));
+}
+
 /// Whether a state lies outside the surface of the rock.
-template <class Counter>
-BARRENO_FUNCTION bool is_outside(const PointRock& point, const GeneralState& n, Counter& count) {
-  const Moduli moduli = point.moduli(n.x, n.e);
-  return make_trial(point, n, point.cap_at(n.e), 0.0, Sym3{}, moduli, count).outside;
+BARRENO_FUNCTION bool is_outside(const PointRock& point, const CentreState& n) {
+  NoCounter none;
+  const Lode& lode = point.rock.lode;
+  const double gamma = lode.active() ? lode.at(lode_angle(n.s)).gamma : 1.0;
+  const YieldSurface surface = scaled_surface(point.surface, gamma);
+  return !surface.contains(n.x, second_invariant(n.s), point.cap_at(n.e), none);
 }
 
 /// What became of a point into which fluid has flowed.
 struct DrainEnd {
-  GeneralState state;
+  CentreState state;
   bool plastic = false;
   bool crossed = false;     ///< a gas gap opened or closed at the centre
   double fluid_work = 0.0;  ///< integral of p dv [stress]
@@ -101,55 +118,74 @@ struct DrainEnd {
   Status status = Status::ok;
 };
 
+/// The model's own step under a volume strain about the centre.
+BARRENO_FUNCTION void strain_volume(const PointRock& point, double strain, DrainEnd& end) {
+  const Lanes none{}, coherence = none + point.coherence, mass = none + point.mass;
+  const GeneralPiecesOf<Lanes> rock(point.rock, coherence, mass);
+  const CentreState& n = end.state;
+  StartOf<Lanes, GeneralRock> start{};
+  start.x = none + n.x;
+  start.s = {none + n.s.xx, none + n.s.yy, none + n.s.zz, none + n.s.xy, none + n.s.yz, none + n.s.zx};
+  start.evp = none + n.e;
+  start.dv = none + strain;
+  LaneMask first{};
+  first[0] = -1;
+  StepOf<Lanes, GeneralRock> step[1] = {
+      begin_step<Lanes, GeneralRock>(rock, start, none + n.shear_strain, first)};
+  step[0].coherence = coherence;
+  step[0].fluid_mass_ratio = mass;
+  finish_steps(point.rock, step, 1);
+  if (step[0].refused[0] != 0) end.status = Status::substep_limit;
+  const StateOf<Lanes, GeneralRock>& m = step[0].state;
+  end.state = {m.x[0], one_tensor(m.s.tensor, 0), m.evp[0], m.shear_strain[0]};
+  end.plastic_work += step[0].plastic_work[0];
+  end.substeps += static_cast<int>(step[0].substeps[0]);
+}
+
 /// One part of the flow. The strain about the centre is what the total strain leaves,
 ///
 ///   elastic strain = that before + (p_c' - p_c)/Km
 ///
 /// and x follows from it exactly if the rock stays elastic, else by the model's own step.
-template <class Counter>
 BARRENO_FUNCTION void drain_part(
-    const PointRock& before, const PointRock& after, DrainEnd& end, Counter& count
+    const PointRock& before, const PointRock& after, DrainEnd& end
 ) {
-  const GeneralState n = end.state;
+  const CentreState n = end.state;
   const Elasticity& elasticity = before.rock.elasticity;
   const DrainedCentre centre = drained_centre(before, after, n.e);
   const CentrePath old = centre_path(before.fluid, elasticity, before.at_centre(n.e), n.x, n.e);
   const FluidState at = after.at_centre(centre.e);
   const double strain = old.strain + centre.rise / before.fluid.matrix;
-  GeneralState elastic{n.x, n.s, centre.e, n.shear_strain};
+  CentreState elastic{n.x, n.s, centre.e, n.shear_strain};
   elastic.x = end_of_path(after.fluid, elasticity, at, strain, n.x, centre.e);
-  const bool plastic = is_outside(after, elastic, count);
+  const bool plastic = is_outside(after, elastic);
   end.crossed = end.crossed || at.gap != before.at_centre(n.e).gap;
   end.state = elastic;
-  end.substeps += 1;
-  if (plastic) {
-    end.plastic = true;
-    end.state.x = n.x;
-    const double left = strain - centre_path(after.fluid, elasticity, at, n.x, centre.e).strain;
-    const GeneralStep step = integrate_general(after, end.state, isotropic(left / 3.0), count);
-    end.status = step.outcome.status;
-    end.plastic_work += step.outcome.plastic_work;
-    end.substeps += step.outcome.substeps - 1;
+  if (!plastic) {
+    end.substeps += 1;
+    return;
   }
+  end.plastic = true;
+  end.state.x = n.x;
+  const double left = strain - centre_path(after.fluid, elasticity, at, n.x, centre.e).strain;
+  strain_volume(after, left, end);
 }
 
 /// Pressure times volume per mass of the fluid.
-BARRENO_FUNCTION double work_per_mass(const PointRock& point, const GeneralState& n) {
+BARRENO_FUNCTION double work_per_mass(const PointRock& point, const CentreState& n) {
   const FluidState at = point.at_centre(n.e);
   const double p = centre_path(point.fluid, point.rock.elasticity, at, n.x, n.e).pressure;
   return p / mass_per_volume(point, at.pressure, n.e);
 }
 
 /// The flow from one mass to another in `parts` equal parts.
-template <class Counter>
 BARRENO_FUNCTION DrainEnd drain_in_parts(
     const GeneralRock& rock,
     double coherence,
-    const GeneralState& begin,
+    const CentreState& begin,
     double mass,
     double mass_end,
-    int parts,
-    Counter& count
+    int parts
 ) {
   DrainEnd end;
   end.state = begin;
@@ -159,7 +195,7 @@ BARRENO_FUNCTION DrainEnd drain_in_parts(
     const double next = i == parts ? mass_end : mass + i * (change / parts);
     const PointRock before(rock, coherence, at), after(rock, coherence, next);
     const double work = work_per_mass(before, end.state);
-    drain_part(before, after, end, count);
+    drain_part(before, after, end);
     end.fluid_work += 0.5 * (work + work_per_mass(after, end.state)) * (next - at);
     at = next;
   }
@@ -170,25 +206,23 @@ BARRENO_FUNCTION DrainEnd drain_in_parts(
 /// once, flowing rock in as many parts as twice as many agree with, to the rock's tolerance (in one
 /// if less than that changes). Where a gas gap opens or closes rock may flow on the way although
 /// its end is elastic.
-template <class Counter>
 BARRENO_FUNCTION DrainEnd drain_rock(
     const GeneralRock& rock,
     double coherence,
-    const GeneralState& begin,
+    const CentreState& begin,
     double mass,
-    double mass_end,
-    Counter& count
+    double mass_end
 ) {
   constexpr int max_parts = 64, parts_of_crossing = 8;
-  DrainEnd end = drain_in_parts(rock, coherence, begin, mass, mass_end, 1, count);
-  const auto agree = [&](const GeneralState& a, const DrainEnd& b) {
+  DrainEnd end = drain_in_parts(rock, coherence, begin, mass, mass_end, 1);
+  const auto agree = [&](const CentreState& a, const DrainEnd& b) {
     const double allowed = rock.tolerance * larger(rock.stress_floor, size_of(b.state));
     return b.status == Status::ok && distance(a, b.state) <= allowed;
   };
   if (agree(begin, end)) return end;
   const int fewest = end.crossed ? parts_of_crossing : 2;
   for (int parts = fewest; (end.plastic || end.crossed) && parts <= max_parts; parts *= 2) {
-    const DrainEnd finer = drain_in_parts(rock, coherence, begin, mass, mass_end, parts, count);
+    const DrainEnd finer = drain_in_parts(rock, coherence, begin, mass, mass_end, parts);
     const bool agreed = end.status == Status::ok && agree(end.state, finer);
     const int before = end.substeps;
     end = finer;

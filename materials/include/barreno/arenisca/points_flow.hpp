@@ -48,6 +48,8 @@ BARRENO_FUNCTION R crossing_over_angles(
   };
   R inside{}, outside = R{} + 1.0;
   R f_inside = excess(inside), f_outside = excess(outside);
+  // The nearest place so far, on either side: which of two it is round-off decides.
+  R nearest = inside, least = real::abs(f_inside);
   MaskOf<R> last_inside = none_of<R>(), last_outside = none_of<R>();
   for (int i = 0; i < iterations; ++i) {
     const MaskOf<R> regular = asked & (f_inside < 0.0) & (f_outside > 0.0);
@@ -57,12 +59,15 @@ BARRENO_FUNCTION R crossing_over_angles(
     const MaskOf<R> in = regular & (f < 0.0), out = regular & !in;
     f_outside = real::select(in & last_inside, 0.5 * f_outside, real::select(out, f, f_outside));
     f_inside = real::select(out & last_outside, 0.5 * f_inside, real::select(in, f, f_inside));
+    const MaskOf<R> nearer = regular & (real::abs(f) < least);
+    nearest = real::select(nearer, t, nearest);
+    least = real::select(nearer, real::abs(f), least);
     inside = real::select(in, t, inside);
     outside = real::select(out, t, outside);
     last_inside = in;
     last_outside = out;
   }
-  return inside;
+  return nearest;
 }
 
 /// Fraction of elastic paths from inside at which they leave the surface; roughly, since it only
@@ -267,6 +272,11 @@ BARRENO_FUNCTION void finish_flow(
     a.elastic_work =
         0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de - dep);
   }
+  if constexpr (Law::about_centre) {
+    const R mean_x = 0.5 * (n.x + r.x + rock.zeta(n.evp) + rock.zeta(r.evp));
+    const R total = mean_x * (step.dv * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de);
+    a.elastic_work = total - a.plastic_work;
+  }
   a.moduli = rock.elasticity.moduli_at(r.x, Elasticity::seen_from(p.evp, r.evp));
   if constexpr (Law::wet) {
     const R rise = p.rise - p.fall * devp;
@@ -327,7 +337,11 @@ BARRENO_FUNCTION void refine_points(
   const R half = 0.5 * c.distance / real::sqrt(metric);
   const ShearIn<R, Law> moved = moved_shear<R, Law>(p, c, f, half);
   const R J2 = squared(moved), q = real::sqrt(J2);
-  const R evp = n.evp + (p.x - moved_x) / triple_bulk;
+  R evp{};
+  if constexpr (Law::about_centre)
+    evp = rock.strain_for(n.evp, R(p.x - moved_x), triple_bulk);
+  else
+    evp = n.evp + (p.x - moved_x) / triple_bulk;
   if (rock.crush.porous()) {
     const MaskOf<R> stays_closed = (!step.cap.present) & (a.end.evp == n.evp) & (evp == n.evp);
     asked = asked & ((evp > rock.crush.last_open()) | stays_closed);

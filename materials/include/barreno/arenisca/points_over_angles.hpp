@@ -152,7 +152,7 @@ using GuessIn = std::conditional_t<Law::angled, TurnGuess<R>, R>;
 template <class R, class Law>
 BARRENO_FUNCTION GuessIn<R, Law> no_guess() {
   if constexpr (Law::angled)
-    return {R{} + HUGE_VAL, R{}, false, rough_turn};
+    return {R{} + HUGE_VAL, R{}, false, Law::about_centre ? patient_turn : rough_turn};
   else
     return R{} + HUGE_VAL;
 }
@@ -170,7 +170,7 @@ BARRENO_FUNCTION GuessIn<R, Law> guess_from(
         gain,
         real::select(ahead, across / real::select(ahead, size + along, 1.0), 0.0),
         true,
-        exact_turn};
+        Law::about_centre ? patient_turn : exact_turn};
   } else {
     return gain;
   }
@@ -189,6 +189,8 @@ BARRENO_FUNCTION ReturnedShear<R, Law> return_shear(
     const MeridianOf<R>& at_trial,
     const GuessIn<R, Law>& guess
 ) {
+  if constexpr (Law::about_centre)
+    if (rock.returns_alone()) return return_alone(rock, s, trial, outside);
   if constexpr (Law::angled) {
     const AngleOf<R>& angle = p.angle;
     TurnedReturn<R> r = return_with_turn(rock, angle, trial, outside, at_trial, guess);

@@ -62,7 +62,9 @@ using RockOf = typename RockFor<R, Law>::type;
 /// @param holder of the points' coherence: a history or a step
 template <class R, class Law, class Holder>
 BARRENO_FUNCTION decltype(auto) rock_of(const Law& law, const Holder& holder) {
-  if constexpr (Law::scattered)
+  if constexpr (Law::about_centre)
+    return RockOf<R, Law>(law, holder.coherence, holder.fluid_mass_ratio);
+  else if constexpr (Law::scattered)
     return RockOf<R, Law>(law, holder.coherence);
   else
     return (law);
@@ -90,12 +92,16 @@ void set_strength(
   rock.mean_first_cap = {cap.present[0] != 0, cap.X[0], cap.kappa[0], cap.slope[0]};
 }
 
-/// What a step keeps of points whose strength is their own.
-template <class R, bool scattered>
-struct WithCoherence {};
+/// What a step keeps of points whose strength, or whose mass of fluid, is their own.
+template <class R, bool scattered, bool about_centre>
+struct OfPieces {};
 template <class R>
-struct WithCoherence<R, true> {
+struct OfPieces<R, true, false> {
   R coherence = R{} + 1.0;
+};
+template <class R>
+struct OfPieces<R, true, true> {
+  R coherence = R{} + 1.0, fluid_mass_ratio = R{} + 1.0;
 };
 
 }  // namespace barreno::arenisca

@@ -3,6 +3,8 @@
 
 #include "barreno/arenisca/points_equation.hpp"
 
+#include <type_traits>
+
 namespace barreno::arenisca {
 
 /// Where trial states come back to. `refused` where no root was found.
@@ -76,9 +78,12 @@ template <class R, class Law>
 BARRENO_FUNCTION MaskOf<R> caught_by_cap(
     const Law& rock, const TrialOf<R>& trial, const MaskOf<R>& limited, const ReturnedOf<R>& r
 ) {
-  // The crush curve is concave: its tangent tells most that clear the cap.
-  const R bound = trial.cap.kappa + rock.surface.CR * trial.cap.slope * (r.evp - trial.evp);
-  const MaskOf<R> unclear = limited & !(trial.cap.present & (r.x >= bound));
+  MaskOf<R> unclear = limited;
+  if constexpr (is_concave<std::decay_t<decltype(rock.crush)>>) {
+    // The tangent tells most that clear the cap.
+    const R bound = trial.cap.kappa + rock.surface.CR * trial.cap.slope * (r.evp - trial.evp);
+    unclear = limited & !(trial.cap.present & (r.x >= bound));
+  }
   if (!real::any(unclear)) return none_of<R>();
   const CapOf<R> end = cap_of(rock, R(real::larger(r.evp, rock.crush.last_open())));
   return unclear & (r.x < end.kappa);

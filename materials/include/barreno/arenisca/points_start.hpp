@@ -37,9 +37,7 @@ struct StartOf : WithPores<R, Law::wet> {
   R evp;
   R dv;
   Sym3Of<R> de;
-  PressureTermOf<R> term{};
-  R coupling{};
-  ModuliOf<R> moduli{};
+  ElasticStateOf<R> elastic;
 };
 
 template <class R, class Law>
@@ -51,8 +49,8 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
 ) {
   WholeStepOf<R, Law> p;
   R strain = n.dv;
-  if constexpr (Law::wet) strain = skeleton_guess(rock.constituents, n.pores, n.moduli.bulk, n.dv);
-  p.used = used_moduli(rock, n.x, R(3.0 * strain), cap, n.term, n.coupling, n.moduli);
+  if constexpr (Law::wet) strain = skeleton_guess(rock.constituents, n.pores, n.elastic.moduli.bulk, n.dv);
+  p.used = used_moduli(rock, R(3.0 * strain), cap, n.elastic);
   if constexpr (Law::wet) {
     const Constituents& c = rock.constituents;
     const R guess = (strain - n.dv) * c.matrix;
@@ -82,7 +80,9 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
     PointsOutcome<R>& outcome
 ) {
   // Inside the virgin rock's surface is inside that of compacted rock: no logarithm is needed.
-  p = predict_whole_step(rock, n, same_cap<R>(rock.first_cap), MaskOf<R>(asked & (n.evp <= 0.0)));
+  MaskOf<R> virgin = asked & (n.evp <= 0.0);
+  if constexpr (Law::about_centre) virgin = none_of<R>();  // the fluid may draw the cap in
+  p = predict_whole_step(rock, n, same_cap<R>(rock.first_cap), virgin);
   const MaskOf<R> open = asked & !p.inside;
   if (real::any(open)) {
     const WholeStepOf<R, Law> own = predict_whole_step(rock, n, cap_of(rock, n.evp), open);
@@ -92,9 +92,10 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
     p.inside = p.inside | own.inside;
     if constexpr (Law::wet) assign_where(open, own.pores, p.pores);
   }
-  const ModuliOf<R> end =
-      rock.elasticity.moduli_after(p.inside, n.x, n.evp, p.x, n.term, n.coupling);
+  const ModuliOf<R> end = rock.elasticity.moduli_after(p.inside, n.elastic, p.x);
   outcome.elastic_work = 0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
+  if constexpr (Law::about_centre)
+    outcome.elastic_work = outcome.elastic_work + rock.zeta(n.evp) * (n.dv * (1.0 / 3.0));
   outcome.plastic_work = R{};
   R bulk = end.bulk;
   if constexpr (Law::wet) {
@@ -104,7 +105,7 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
   }
   outcome.longitudinal_modulus = bulk + (4.0 / 3.0) * end.shear;
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
-  return p.inside & (2.0 * mismatch_of(n.moduli, p.used, end) <= rock.tolerance);
+  return p.inside & (2.0 * mismatch_of(n.elastic.moduli, p.used, end) <= rock.tolerance);
 }
 
 /// Basis of the plane of stress deviator and strain increment: s + t * along is orthogonal to s.

@@ -43,9 +43,8 @@ struct PredictionOf : PressurePath<R, Law::wet>, WithAngle<R, Law::angled> {
   ShearIn<R, Law> s;
   R J2, q;
   ModuliOf<R> start, used;
-  PressureTermOf<R> term;
-  R coupling;
-  R evp;  ///< plastic strain that the moduli were taken at
+  ElasticStateOf<R> begin;  ///< of the substep
+  R evp;                      ///< plastic strain that the moduli were taken at
 };
 
 /// What an attempt tells besides of rock with overstress: the moduli that an elastic substep would

@@ -12,16 +12,13 @@ namespace barreno::arenisca {
 template <class R, class Law>
 BARRENO_FUNCTION ModuliOf<R> used_moduli(
     const Law& rock,
-    const R& x_n,
     const R& triple_dv,
     const CapOf<R>& cap,
-    const PressureTermOf<R>& term,
-    const R& coupling,
-    const ModuliOf<R>& start
+    const ElasticStateOf<R>& n
 ) {
-  R x = smaller_of(R(x_n + start.bulk * triple_dv), R(R{} + rock.surface.vertex));
+  R x = smaller_of(R(n.x + n.moduli.bulk * triple_dv), R(R{} + rock.surface.vertex));
   x = real::select(cap.present & (x < cap.X), cap.X, x);
-  return rock.elasticity.moduli_midway(term, coupling, R(x - x_n));
+  return rock.elasticity.moduli_midway(n, R(x - n.x));
 }
 
 /// Elastic prediction with the moduli of this plastic strain.
@@ -29,18 +26,14 @@ template <class R, class Law>
 BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
     const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const R& evp
 ) {
-  const StateOf<R, Law>& n = step.n;
-  const Elasticity& e = rock.elasticity;
   PredictionOf<R, Law> p;
   p.evp = evp;
-  p.term = e.pressure_term(n.x, evp);
-  p.coupling = e.coupling(n.x, evp);
-  p.start = e.moduli(p.term.value, p.coupling);
+  p.begin = rock.elasticity.state_at(step.n.x, evp);
+  p.start = p.begin.moduli;
   R strain = step.dv;
   if constexpr (Law::wet)
     strain = skeleton_guess(rock.constituents, step.pores, p.start.bulk, step.dv);
-  const ModuliOf<R> used =
-      used_moduli(rock, n.x, R(3.0 * strain), step.cap, p.term, p.coupling, p.start);
+  const ModuliOf<R> used = used_moduli(rock, R(3.0 * strain), step.cap, p.begin);
   predict_pressure(rock, step, used.bulk, p);
   predict_with(rock, step, used, p);
   find_angle(rock, p.s, p);
@@ -70,6 +63,7 @@ BARRENO_FUNCTION void accept_elastic(
     work = work_of_stress(step, a);
   } else {
     work = 0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de);
+    if constexpr (Law::about_centre) work = work + rock.zeta(n.evp) * (step.dv * (1.0 / 3.0));
   }
   a.elastic_work = real::select(inside, work, a.elastic_work);
   a.plastic_work = real::select(inside, 0.0, a.plastic_work);
@@ -103,7 +97,9 @@ struct SubstepsOfTheFirst {
   BARRENO_FUNCTION void operator()(VerdictOf<R>& v) const {
     v.takes = MaskOf<R>{} + v.takes[0];
     v.gives_up = MaskOf<R>{} + v.gives_up[0];
-    v.factor = R{} + v.factor[0];
+    // The way to the jump of the moduli moves with the strain, and smoothly.
+    const MaskOf<R> own = v.crosses & (MaskOf<R>{} + v.crosses[0]);
+    v.factor = real::select(own, v.factor, R{} + v.factor[0]);
   }
 };
 
@@ -169,7 +165,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   a.elastic = inside;
   if (!real::any(asked & inside)) return a;
   const ModuliOf<R> moduli =
-      rock.elasticity.moduli_after(MaskOf<R>(asked & inside), n.x, n.evp, p.x, p.term, p.coupling);
+      rock.elasticity.moduli_after(MaskOf<R>(asked & inside), p.begin, p.x);
   accept_elastic(rock, inside, step, p, moduli, a);
   return a;
 }
@@ -207,7 +203,7 @@ struct FluidOfStep<R, true> {
 /// A step of points in progress.
 template <class R, class Law>
 struct StepOf : FluidOfStep<R, Law::wet>,
-                WithCoherence<R, Law::scattered>,
+                OfPieces<R, Law::scattered, Law::about_centre>,
                 Missed<R, Law, Law::rated> {
   StateOf<R, Law> state;
   CapOf<R> cap;
@@ -343,7 +339,7 @@ BARRENO_FUNCTION void note_crossing(
 /// One attempt of every active point, and what follows from it.
 template <class R, class Law, class Choice = OwnSubsteps>
 BARRENO_FUNCTION void advance_step(const Law& law, StepOf<R, Law>& step, Choice choose = {}) {
-  const MaskOf<R> last = step.done + step.fraction >= 1.0;
+  const MaskOf<R> last = choose.alike(MaskOf<R>(step.done + step.fraction >= 1.0));
   const R fraction = real::select(last, 1.0 - step.done, step.fraction);
   const auto& rock = rock_of<R>(law, step);
   const AttemptOf<R, Law> a = attempt_points(rock, step.active, substep_of(step, fraction), choose);

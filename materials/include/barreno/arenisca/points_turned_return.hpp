@@ -110,6 +110,8 @@ struct TurnAccuracy {
 /// Of a return that a second one follows, and of the last one. What they leave falls with the
 /// increment at least as fast as the step's own error, so that its order and its tangent remain.
 constexpr TurnAccuracy rough_turn{1e-7, 1e-12, 0.05}, exact_turn{1e-7, 1e-12, 0.0};
+/// Where the slope of the crush curve is not exact, so that steps fall in proportion.
+constexpr TurnAccuracy patient_turn{1e-13, 1e-24, 0.0};
 
 /// Which closest point is searched, and from where.
 template <class R>

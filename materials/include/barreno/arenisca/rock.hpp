@@ -30,6 +30,7 @@ struct DryRock {
   static constexpr bool scattered = false;  ///< every piece has the same strength
   static constexpr bool angled = false;     ///< no dependence on the third invariant
   static constexpr bool rated = false;      ///< no overstress
+  static constexpr bool about_centre = false;  ///< I1 is not counted from an elastic centre
 
   Elasticity elasticity;
   SurfaceOf<double, typename Parts::ShearLimit> surface;

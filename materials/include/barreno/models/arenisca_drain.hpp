@@ -11,9 +11,8 @@ namespace barreno {
 BARRENO_FUNCTION PorePoint GeneralArenisca::pore_point(const Sym3& stress, const History& h) const {
   PorePoint p{h.pore_pressure, 0.0, 0.0, h.porosity, h.fluid_mass_ratio, 0.0};
   if (!holds_fluid()) return p;
-  const arenisca::PointRock point(rock_, h.coherence, h.fluid_mass_ratio);
-  const double x = trace(stress - overstress(h)) - point.zeta(h.plastic_volume_strain);
-  p = arenisca::fluid_of(point, x, h.plastic_volume_strain);
+  const arenisca::PointRock point = point_rock(h);
+  p = arenisca::fluid_of(point, from_centre(point, stress, h), h.plastic_volume_strain);
   p.fluid_mass = h.fluid_mass_ratio;
   const bool dry_and_closed = p.fluid_mass == 0.0 && p.pressure > 0.0;
   if (dry_and_closed) p.storage = 0.0;  // they take no fluid
@@ -35,19 +34,16 @@ GeneralArenisca::drain(double fluid_volume, Sym3& stress, History& h) const {
   const PorePoint before = pore_point(stress, h);
   const double mass = fluid_mass_after(before, fluid_volume);
   if (!(before.storage > 0.0) || !(mass >= 0.0) || !std::isfinite(mass)) return refused;
-  const Sym3 over = overstress(h), quasi_static = stress - over;
-  const arenisca::PointRock old(rock_, h.coherence, h.fluid_mass_ratio);
-  const double zeta = old.zeta(h.plastic_volume_strain);
-  const arenisca::GeneralState begin{
-      trace(quasi_static) - zeta,
-      deviator(quasi_static),
+  const Sym3 over = arenisca::overstress_of<double>(h);
+  const arenisca::CentreState begin{
+      from_centre(point_rock(h), stress, h),
+      deviator(stress - over),
       h.plastic_volume_strain,
       h.equivalent_plastic_strain};
-  arenisca::NoCounter none;
   const arenisca::DrainEnd end =
-      arenisca::drain_rock(rock_, h.coherence, begin, h.fluid_mass_ratio, mass, none);
+      arenisca::drain_rock(rock_, h.coherence, begin, h.fluid_mass_ratio, mass);
   const arenisca::PointRock point(rock_, h.coherence, mass);
-  const arenisca::GeneralState& n = end.state;
+  const arenisca::CentreState& n = end.state;
   const Sym3 new_stress = n.s + isotropic((n.x + point.zeta(n.e)) / 3.0) + over;
   const arenisca::Moduli m = point.moduli(n.x, n.e);
   const PorePoint after = arenisca::fluid_of(point, n.x, n.e);

@@ -54,17 +54,17 @@ inline bool is_scattered(const AreniscaParameters& p) {
          p.J3_type == 0 && p.return_solver == 0;
 }
 
-/// Dry rock, or wet rock in the poroplastic form; with the fast return.
-inline bool goes_in_lanes(const AreniscaParameters& p, bool wet) {
+/// Dry rock, or wet rock in the poroplastic form; with the fast return: not a form for comparison.
+inline bool is_plain_law(const AreniscaParameters& p, bool wet) {
   return p.return_solver == 0 && (wet ? is_poroplastic(p) : p.fluid_B0 == 0.0);
 }
 /// With third invariant.
 inline bool is_angled(const AreniscaParameters& p, bool wet) {
-  return goes_in_lanes(p, wet) && p.J3_type != 0;
+  return is_plain_law(p, wet) && p.J3_type != 0;
 }
 /// With rate dependence, or wet and of scattering strength.
 inline bool is_rated(const AreniscaParameters& p, bool wet) {
-  return goes_in_lanes(p, wet) && p.J3_type == 0 &&
+  return is_plain_law(p, wet) && p.J3_type == 0 &&
          (p.T1_rate_dependence > 0.0 || (wet && p.weibull_modulus > 0.0));
 }
 

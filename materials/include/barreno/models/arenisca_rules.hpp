@@ -75,7 +75,7 @@ inline std::string check_other_parts(const AreniscaParameters& p) {
     if (Part::asked(p)) words += (words.empty() ? "" : " and ") + std::string(Part::word);
   });
   if (count_of_others(p) > 1) return words + " exclude each other; keep one of them.";
-  if (words.empty() || (is_plain(p) && goes_in_lanes(p, p.fluid_B0 > 0.0))) return {};
+  if (words.empty() || (is_plain(p) && is_plain_law(p, p.fluid_B0 > 0.0))) return {};
   return words +
          " goes with neither rate dependence, J3_type, a Weibull modulus, the bisection nor a "
          "published pore fluid; leave those out.";

@@ -44,7 +44,7 @@ BARRENO_FUNCTION Sym3Of<R> quasi_static(const Points& p) {
 
 /// @param Points PointsOf<Sym3Of<R>, History>; wet where the history holds pores
 template <class R, class Law, class Points>
-BARRENO_FUNCTION StartOf<R, Law> start_of(const Law& rock, const Points& p) {
+BARRENO_FUNCTION StartOf<R, Law> start_of(const RockOf<R, Law>& rock, const Points& p) {
   StartOf<R, Law> n;
   const Sym3Of<R> stress = quasi_static<R, Law>(p);
   n.x = trace(stress);
@@ -56,9 +56,8 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const Law& rock, const Points& p) {
     n.pores = pores_of<R>(p.history);
     n.x = n.x + 3.0 * n.pores.pressure;
   }
-  n.term = rock.elasticity.pressure_term(n.x, n.evp);
-  n.coupling = rock.elasticity.coupling(n.x, n.evp);
-  n.moduli = rock.elasticity.moduli(n.term.value, n.coupling);
+  if constexpr (Law::about_centre) n.x = n.x - rock.zeta(n.evp);
+  n.elastic = rock.elasticity.state_at(n.x, n.evp);
   return n;
 }
 
@@ -110,7 +109,8 @@ struct StepEnd {
 
 /// The overstress at the end of a step, and the works of the dynamic stress.
 /// @param missed  change of the effective stress had the step been elastic, less what it was
-/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress
+/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress. Of rock
+///   about a centre, the mean pressure there
 /// @param[in,out] end    of the quasi-static stress; of the dynamic one
 template <class R, class Law, class Points>
 BARRENO_FUNCTION void add_overstress(
@@ -126,7 +126,7 @@ BARRENO_FUNCTION void add_overstress(
   const Sym3Of<R> over = overstress_of<R>(p.history);
   const Sym3Of<R> new_over = relaxed(rock.T1, rock.T2, p.increment, missed, over);
   const MaskOf<R> over_any = contract(over, over) + contract(new_over, new_over) > 0.0;
-  PoresOf<R> begin{};
+  PoresOf<R> begin = pores;
   Sym3Of<R> strain = p.increment.strain;
   if constexpr (Law::wet) {
     begin = pores_of<R>(p.history);
@@ -147,26 +147,44 @@ BARRENO_FUNCTION void add_overstress(
   set_overstress<R>(choice, new_over, p.history);
 }
 
+/// I1 at the elastic centre, where rock has one, on the way of a step.
+template <class R>
+struct CentreWay {
+  R begin{}, end{};
+};
+
 /// End of steps that flow, from the stress and strain increment that they began with.
 /// @return where the step is left to update()
 template <class R, class Law, class Points>
 BARRENO_ALIKE MaskOf<R> end_step(
     const Law& rock, const MaskOf<R>& flows, const StepOf<R, Law>& step, Points& p
 ) {
+  const MaskOf<R> good = flows & !step.refused;
+  auto& h = p.history;
   R mean_stress = step.state.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
+  CentreWay<R> centre;
+  if constexpr (Law::about_centre) {
+    const auto& pieces = rock_of<R>(rock, step);
+    centre = {pieces.zeta(h.plastic_volume_strain), pieces.zeta(step.state.evp)};
+    mean_stress = mean_stress + centre.end * (1.0 / 3.0);
+    tell_pores(pieces, good, step.state.x, step.state.evp, h);
+  }
   StepEnd<R> end{
       tensor_of<R, Law>(step.state.s, p) + isotropic(mean_stress),
       step.elastic_work,
       step.plastic_work};
-  const MaskOf<R> good = flows & !step.refused;
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
-  auto& h = p.history;
   PoresOf<R> pores{};
   if constexpr (Law::wet) pores = step.pores;
   if constexpr (Law::rated) {
+    R missed_x = step.missed_x;
+    if constexpr (Law::about_centre) {
+      missed_x = missed_x - (centre.end - centre.begin);
+      pores.pressure = (centre.begin + centre.end) * (-1.0 / 6.0);
+    }
     const Sym3Of<R> missed =
-        tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
+        tensor_of<R, Law>(step.missed_s, p) + isotropic(R(missed_x * (1.0 / 3.0)));
     add_overstress<R>(rock, good, missed, step.mean_moduli, pores, p, end);
   }
   assign_where(good, end.stress, p.stress);
@@ -184,11 +202,12 @@ BARRENO_ALIKE MaskOf<R> end_step(
 /// A step that flows, from the point as it is before it.
 template <class R, class Law, class Points>
 BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, const Points& p) {
-  const StartOf<R, Law> n = start_of<R>(law, p);
   const auto& rock = rock_of<R>(law, p.history);
+  const StartOf<R, Law> n = start_of<R, Law>(rock, p);
   const R& flowed = p.history.equivalent_plastic_strain;
   StepOf<R, Law> step = begin_step(rock, n, flowed, flows);
   if constexpr (Law::scattered) step.coherence = p.history.coherence;
+  if constexpr (Law::about_centre) step.fluid_mass_ratio = p.history.fluid_mass_ratio;
   return step;
 }
 
@@ -218,18 +237,25 @@ inline void repeat_point(
 /// @return where more is to do
 template <class R, class Law, class Points>
 BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Points& p) {
-  const StartOf<R, Law> n = start_of<R>(law, p);
   const auto& rock = rock_of<R>(law, p.history);
+  const StartOf<R, Law> n = start_of<R, Law>(rock, p);
   p.outcome.sound = sound;
   WholeStepOf<R, Law> whole;
   const MaskOf<R> elastic = step_elastically(rock, n, sound, whole, p.outcome);
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   R mean_stress = whole.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - whole.pores.pressure;
+  R zeta{};
+  if constexpr (Law::about_centre) {
+    zeta = rock.zeta(n.evp);
+    mean_stress = mean_stress + zeta * (1.0 / 3.0);
+    tell_pores(rock, elastic, whole.x, n.evp, p.history);
+  }
   PointsOutcome<R>& out = p.outcome;
   StepEnd<R> end{whole.s + isotropic(mean_stress), out.elastic_work, out.plastic_work};
   PoresOf<R> pores{};
   if constexpr (Law::wet) pores = whole.pores;
+  if constexpr (Law::about_centre) pores.pressure = zeta * (-1.0 / 3.0);
   if constexpr (Law::rated) {
     add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, pores, p, end);
     out.elastic_work = end.elastic_work;

@@ -37,7 +37,7 @@ struct ExchangedArenisca : Form {
   static constexpr const char* form = words.letters;
 
   static bool needed(const AreniscaParameters& p) {
-    return Part::asked(p) && arenisca::is_plain(p) && arenisca::goes_in_lanes(p, wet) &&
+    return Part::asked(p) && arenisca::is_plain(p) && arenisca::is_plain_law(p, wet) &&
            (p.fluid_B0 > 0.0) == wet;
   }
 };

@@ -17,6 +17,10 @@ struct CrushedOf {
   R slope{};         ///< dX/d(evp) [stress]
 };
 
+/// Whether the strength is a concave function of the plastic strain.
+template <class Crush>
+inline constexpr bool is_concave = true;
+
 /// Hydrostatic strength X (value of I1 < 0 at which the rock crushes) against the volumetric
 /// plastic strain evp, of one point or several (real.hpp):
 ///

@@ -23,6 +23,15 @@ struct PressureTermOf {
   R value{}, slope{}, curvature{};
 };
 
+/// An elastic state, and what moduli further on are found from.
+template <class R>
+struct ElasticStateOf {
+  R x{}, evp{};
+  PressureTermOf<R> term{};
+  R coupling{};
+  ModuliOf<R> moduli{};
+};
+
 /// Nonlinear isotropic elasticity of the drained rock, I1 = tr(sigma), tension positive; of one
 /// point or several (real.hpp).
 ///
@@ -134,36 +143,35 @@ struct Elasticity {
   BARRENO_FUNCTION ModuliOf<R> moduli_at(const R& I1, const R& evp) const {
     return moduli(pressure_term(I1, evp).value, coupling(I1, evp));
   }
+  template <class R>
+  BARRENO_FUNCTION ElasticStateOf<R> state_at(const R& I1, const R& evp) const {
+    ElasticStateOf<R> n{I1, evp, pressure_term(I1, evp), coupling(I1, evp)};
+    n.moduli = moduli(n.term.value, n.coupling);
+    return n;
+  }
   /// Moduli half way to a change of I1, to second order.
   template <class R>
-  BARRENO_FUNCTION ModuliOf<R> moduli_midway(
-      const PressureTermOf<R>& term, const R& coupling_value, const R& change
-  ) const {
-    const R middle = term.value + 0.5 * term.slope * change;
-    return moduli(R(real::smaller(real::larger(middle, 0.0), 1.0)), coupling_value);
+  BARRENO_FUNCTION ModuliOf<R> moduli_midway(const ElasticStateOf<R>& n, const R& change) const {
+    const R middle = n.term.value + 0.5 * n.term.slope * change;
+    return moduli(R(real::smaller(real::larger(middle, 0.0), 1.0)), n.coupling);
   }
   /// Moduli at the end of an elastic change of I1: a parabola in I1 for short ones in compression
   /// (its relative error in exp(B2/I1) is below (B2/I1 dI1/I1)^3, here 1e-6), else the exponential.
   /// @param asked where they are asked for
   template <class R>
   BARRENO_FUNCTION ModuliOf<R> moduli_after(
-      const MaskOf<R>& asked,
-      const R& x_n,
-      const R& evp,
-      const R& x_end,
-      const PressureTermOf<R>& term,
-      const R& coupling_value
+      const MaskOf<R>& asked, const ElasticStateOf<R>& n, const R& x_end
   ) const {
     constexpr double short_step = 0.01;
-    const R change = x_end - x_n;
+    const R change = x_end - n.x;
     const MaskOf<R> is_short =
-        (x_n < 0.0) & (evp <= at_jump) &
-        (real::abs(change) * (real::abs(x_n) + B2) <= short_step * x_n * x_n);
-    R value = term.value + change * (term.slope + 0.5 * change * term.curvature);
-    R coupled = coupling_value;
+        (n.x < 0.0) & (n.evp <= at_jump) &
+        (real::abs(change) * (real::abs(n.x) + B2) <= short_step * n.x * n.x);
+    R value = n.term.value + change * (n.term.slope + 0.5 * change * n.term.curvature);
+    R coupled = n.coupling;
     if (real::any(asked & !is_short)) {
-      value = real::select(is_short, value, pressure_term(x_end, evp).value);
-      coupled = real::select(is_short, coupled, coupling(x_end, evp));
+      value = real::select(is_short, value, pressure_term(x_end, n.evp).value);
+      coupled = real::select(is_short, coupled, coupling(x_end, n.evp));
     }
     return moduli(value, coupled);
   }

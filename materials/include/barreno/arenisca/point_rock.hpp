@@ -3,33 +3,24 @@
 
 #include "barreno/arenisca/bisection.hpp"
 #include "barreno/arenisca/centre_path.hpp"
-#include "barreno/arenisca/parts/crush_curve.hpp"
-#include "barreno/arenisca/parts/elasticity.hpp"
-#include "barreno/arenisca/parts/list.hpp"
+#include "barreno/arenisca/points_angle.hpp"
 #include "barreno/arenisca/pore_fluid.hpp"
 #include "barreno/arenisca/published_fluid.hpp"
-#include "barreno/arenisca/return_map.hpp"
-#include "barreno/arenisca/yield_surface.hpp"
 
 #include <cmath>
 
 namespace barreno::arenisca {
 
-/// Everything that a point update of the forms for comparison reads: pore fluid in a published
-/// form, the paper's return, with the other features of a card.
-struct GeneralRock {
-  Elasticity elasticity;
-  double PEAKI1, FSLOPE, STREN, YSLOPE, CR;
-  CrushCurve crush;
+/// What points of the forms for comparison share: pore fluid in a published form, the paper's
+/// return, with the other features of a card. Where there is fluid, x = I1 - zeta and e are counted
+/// from the elastic centre (e is the volumetric plastic strain where the published backstress is
+/// asked for).
+struct GeneralRock : AngledRock<Rock> {
+  static constexpr bool about_centre = true;
+
   PoreFluid fluid;
-  PublishedFluid published;  ///< instead of `fluid` where it is present
-  Lode lode;
-  double T1, T2;  ///< overstress: relaxation time T1 |D|^-T2; T1 = 0: none
-  FlowRule flow;
-  double tolerance;         ///< relative local error of a substep
-  double stress_floor;      ///< below this the local error is measured against it [stress]
-  bool bisection;           ///< the paper's return instead of the fast one
-  bool plastic_backstress;  ///< the published backstress: zeta at the plastic strain
+  PublishedFluid published;         ///< instead of `fluid` where it is present
+  bool plastic_backstress = false;  ///< the published backstress: zeta at the plastic strain
 };
 
 /// The rock of one point: coherence and mass of fluid are its own. Serves the returns as crush
@@ -37,15 +28,20 @@ struct GeneralRock {
 struct PointRock {
   const GeneralRock& rock;
   YieldSurface surface;
+  double coherence, mass;  ///< strength at the vertex, and mass of fluid, over those of the card
   PoreFluid fluid;       ///< as in virgin rock with that mass of it: e counts from there
   double mu;             ///< 1, or less where that rock is not full
   double density = 1.0;  ///< mass of fluid over mu
   double p3;             ///< -ln(1 - porosity), as the returns ask for it
   double filling = 0.0;  ///< e at which the fluid just fills the pores
 
-  BARRENO_FUNCTION PointRock(const GeneralRock& r, double coherence, double fluid_mass_ratio)
+  BARRENO_FUNCTION PointRock(const GeneralRock& r, double strength_ratio, double fluid_mass_ratio)
       : rock(r),
-        surface(make_yield_surface(coherence * r.PEAKI1, r.FSLOPE, r.STREN, r.YSLOPE, r.CR)),
+        surface(make_surface<ShearLimit>(
+            r.strength, strength_ratio * ShearLimit::peak(r.strength), r.surface.CR
+        )),
+        coherence(strength_ratio),
+        mass(fluid_mass_ratio),
         fluid(r.fluid),
         mu(fluid_mass_ratio),
         p3(r.crush.p3) {
@@ -59,6 +55,11 @@ struct PointRock {
     filling = fluid.filling_strain(mu);
   }
 
+  BARRENO_FUNCTION bool is_alike(const PointRock& other) const {
+    return mass == other.mass && coherence == other.coherence;
+  }
+  /// Whether the fluid changes anything.
+  BARRENO_FUNCTION bool wet() const { return rock.published.present() || fluid.present(); }
   BARRENO_FUNCTION bool has_cap(double e) const { return rock.crush.has_cap(e); }
   BARRENO_FUNCTION double last_open() const { return rock.crush.last_open(); }
   BARRENO_FUNCTION double closed() const { return rock.crush.closed(); }
@@ -165,20 +166,15 @@ struct PublishedReturn {
 /// Return at a fixed Lode angle: the meridian of that half-plane, and the trial's part in it.
 template <class Counter>
 BARRENO_FUNCTION Returned return_in_half_plane(
-    const PointRock& point,
-    const YieldSurface& surface,
-    const Trial& trial,
-    double zeta,
-    Counter& count
+    const PointRock& point, const YieldSurface& surface, const Trial& trial, Counter& count
 ) {
-  if (surface.contains(trial.x, trial.q * trial.q, trial.cap, count)) {
+  if (surface.contains(trial.x, trial.q * trial.q, trial.cap, count))
     return {trial.x, trial.q, trial.evp};
-  }
   if (point.rock.plastic_backstress) {
+    const double zeta = point.zeta(trial.evp);
     return PublishedReturn<Counter>{point, surface, trial, zeta, count}.solve();
   }
-  return point.rock.bisection ? return_bisection(surface, point, trial, count)
-                              : return_fast(surface, point, trial, count);
+  return return_bisection(surface, point, trial, count);
 }
 
 /// Closest point in three dimensions: where the distance along the Lode angle has its minimum too.
@@ -193,13 +189,12 @@ struct ReturnOverAngles {
   const PointRock& point;
   const Trial& trial;  ///< with the trial's full q
   double theta;        ///< of the trial
-  double zeta;
   Counter& count;
 
   BARRENO_FUNCTION Returned at(double angle, double gamma) const {
     Trial part = trial;
     part.q = trial.q * std::cos(angle - theta);
-    return return_in_half_plane(point, scaled_surface(point.surface, gamma), part, zeta, count);
+    return return_in_half_plane(point, scaled_surface(point.surface, gamma), part, count);
   }
   BARRENO_FUNCTION double operator()(double angle) const {
     const Lode::Value g = point.rock.lode.at(angle);

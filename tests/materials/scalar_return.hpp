@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/arenisca/closest_point.hpp"
-#include "barreno/arenisca/root_finding.hpp"
-#include "barreno/portability.hpp"
-
+#include <barreno/arenisca/bisection.hpp>
 #include <cmath>
 
+// The return of the dry law once more, for one point and without derivatives of the equation that
+// it solves: what tests and benchmarks compare that of the library with (points_return.hpp).
 namespace barreno::arenisca {
-
-/// Where the trial state comes back to: on the surface hardened to `evp`.
-struct Returned {
-  double x, q, evp;
-};
 
 /// Meridian point at evp on the way back from the trial state.
 struct OnTheWay {
@@ -60,45 +54,6 @@ struct DilatingSide {
   }
 };
 
-/// I1 of the point of the limit surface (no cap) closest to the trial point; the vertex included.
-template <class Counter>
-BARRENO_FUNCTION double return_to_limit(
-    const YieldSurface& surface, const Trial& trial, Counter& count
-) {
-  if (trial.x - surface.vertex >= trial.metric * trial.q * surface.steepest) return surface.vertex;
-  double x = smaller(trial.x, surface.vertex);
-  const Cap none;
-  const MeridianOf<double> start = surface.at(x, none, count);
-  if (trial.x <= surface.vertex && trial.q <= start.limit) return trial.x;
-  // Newton on the monotone condition (x - x_tr) - metric (q_tr - Ff) Ff'; Ff'' <= 0 keeps its slope
-  // >= 1.
-  double lower = trial.x - trial.metric * trial.q * surface.steepest, upper = x;
-  MeridianOf<double> m = start;
-  constexpr int max_iterations = 60;
-  for (int i = 0; i < max_iterations; ++i) {
-    const double curvature = surface.curvature(m.curved);
-    const double residual = (x - trial.x) - trial.metric * (trial.q - m.limit) * m.slope;
-    const double slope = 1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
-    (residual > 0.0 ? upper : lower) = x;
-    double next = x - residual / slope;
-    if (surface.straight) return next;
-    if (!(next >= lower && next <= upper)) next = 0.5 * (lower + upper);
-    const bool done = std::fabs(next - x) <= 1e-14 * (std::fabs(x) + std::fabs(upper - lower));
-    x = next;
-    if (done) break;
-    m = surface.at(x, none, count);
-  }
-  return x;
-}
-
-/// return_with_closed_pores() as a Returned.
-template <class Crush>
-BARRENO_FUNCTION Returned
-closed_pores(const YieldSurface& surface, const Crush& crush, const Trial& trial) {
-  const ClosedOf<double> c = return_with_closed_pores(surface, crush.closed(), trial);
-  return {c.x, c.q, c.evp};
-}
-
 /// Point of the hardened surface at a solved evp; towards the tip q comes from the smooth form,
 /// since Ff fc would turn the last digit of evp into the eighth of q (and the smooth form is 0/0 at
 /// the top).
@@ -112,17 +67,6 @@ BARRENO_FUNCTION Returned point_on_cap(
   const double q =
       at_tip ? w.m.limit * tip_ratio(trial, w.m, w.back).value : shear_strength<double>(w.m, {}).q;
   return {w.x, smaller(q, trial.q), evp};
-}
-
-/// True where a return to the limit surface leaves the cap behind it, that is, keeps the pores it
-/// opens.
-template <class Crush>
-BARRENO_FUNCTION bool clears_cap(
-    const YieldSurface& surface, const Crush& crush, double x, double evp
-) {
-  if (crush.p3 == 0.0) return true;
-  const double open_evp = larger(evp, crush.last_open());
-  return x >= branch_point(surface, crush.strength(open_evp));
 }
 
 /// Function values that count as zero, relative to the solution's own scale: five digits beyond the
@@ -172,16 +116,6 @@ BARRENO_FUNCTION double find_dilation(
   }
   if (b.f == 0.0) b.f = side(b.x);
   return find_root(side, a, b, 1e-15 * (b.x - a.x), small);
-}
-
-/// First guess of enough dilation onto the cap: half more than the non-hardening return to the
-/// tangent of the surface straight below the trial point.
-BARRENO_FUNCTION double dilation_guess(const Trial& trial, const MeridianOf<double>& below) {
-  constexpr double margin = 1.5;
-  const double fc = std::sqrt(larger(below.cap_squared, 0.0));
-  const double slope = below.slope / fc;
-  return -margin * trial.metric * (trial.q - below.limit * fc) * slope /
-         ((1.0 + trial.metric * slope * slope) * trial.triple_bulk);
 }
 
 /// Return to the cap as it retracts.
