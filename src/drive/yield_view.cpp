@@ -56,18 +56,19 @@ YieldView view_of_law(const Law& law, const Sym3& stress, const History& h) {
 
 /// Von Mises' circle at the flow stress of the plastic strain rate that led here, or of the
 /// reference rate where nothing has flowed.
+template <class Solid>
 YieldView view_of_metal(
-    const JohnsonCook& model,
+    const Solid& model,
     const Sym3& stress,
-    const JohnsonCook::History& h,
-    const JohnsonCook::History& h_before,
+    const typename Solid::History& h,
+    const typename Solid::History& h_before,
     double dt
 ) {
   const double growth = h.plastic_strain - h_before.plastic_strain;
   const double rate = dt > 0.0 ? growth / dt : 0.0;
   // The flow stress of a step is that of the temperature at its start.
-  const double flow = model.flow().stress(h.plastic_strain, rate, h_before.temperature);
-  const double radius = h.damage >= 1.0 ? 0.0 : flow / std::sqrt(3.0);
+  const double flow = model.strength().stress(h.plastic_strain, rate, h_before.temperature);
+  const double radius = model.is_broken(h) ? 0.0 : flow / std::sqrt(3.0);
   return {
       stress, -infinite, infinite, [radius](double) { return radius; }, [](double) { return 1.0; }};
 }
@@ -78,13 +79,9 @@ std::optional<YieldView> view_for(
 ) {
   using P = typename Model::Parameters;
   [[maybe_unused]] const auto h = history_from<Model>(now.history);
-  if constexpr (std::is_same_v<Model, JohnsonCook>) {
+  if constexpr (is_metal<Model>) {
     const auto h_before = history_from<Model>(before.history);
-    return view_of_metal(model, now.stress, h, h_before, now.time - before.time);
-  } else if constexpr (std::is_same_v<Model, Expanded<JohnsonCook>>) {
-    const auto h_before = history_from<Model>(before.history);
-    const double dt = now.time - before.time;
-    return view_of_metal(model.metal(), now.stress, h.metal, h_before.metal, dt);
+    return view_of_metal(model.solid(), now.stress, h, h_before, now.time - before.time);
   } else if constexpr (std::is_same_v<P, AreniscaParameters>) {
     return view_of_law(model.rock(), now.stress, h);
   } else {

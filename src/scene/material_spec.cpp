@@ -52,7 +52,7 @@ double MaterialSpec::largest_porous_expansion() const {
   return std::visit(
       [](const auto& model) {
         if constexpr (barreno::holds_voids<std::decay_t<decltype(model)>>)
-          return model.metal().largest_porous_expansion();
+          return model.largest_porous_expansion();
         else
           return std::numeric_limits<double>::infinity();
       },

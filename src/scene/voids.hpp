@@ -7,7 +7,7 @@
 namespace barreno {
 
 /// Models whose points may have voids: expanded_state(solid over mean density)
-/// (barreno/models/expanded.hpp).
+/// (barreno/models/voided_metal.hpp).
 template <class Model, class = void>
 inline constexpr bool holds_voids = false;
 template <class Model>

@@ -89,25 +89,55 @@ struct Sample<NeoHookean> {
   }
 };
 
-/// Copper, as in materials/cards/copper.xml.
+/// Copper, as in materials/cards/copper.xml. A part from outside of the library brings its own.
+template <class Part>
+void set_copper(typename Part::Parameters& p) {
+  Part::example(p);
+}
 template <>
-struct Sample<JohnsonCook> {
+inline void set_copper<JohnsonCookFlow>(JohnsonCookFlow::Parameters& p) {
+  p.shear_modulus = 47.7e9;
+  p.a = 90e6;
+  p.b = 292e6;
+  p.c = 0.025;
+  p.n = 0.31;
+  p.m = 1.09;
+  p.melt_temperature = 1356.0;
+}
+template <>
+inline void set_copper<MieGruneisen>(MieGruneisen::Parameters& p) {
+  p.specific_heat = 383.0;
+  p.sound_speed = 3940.0;
+  p.slope = 1.489;
+  p.gamma = 2.02;
+}
+template <class Strength, class EquationOfState, class Failure>
+struct SampleOfMetal {
+  using Parameters = typename Metal<Strength, EquationOfState, Failure>::Parameters;
   static constexpr double density = 8930.0, elastic = 1e-4, plastic = 2e-2, pressure = 68.95e6;
-  static JohnsonCook::Parameters parameters() {
-    JohnsonCook::Parameters p;
-    p.shear_modulus = 47.7e9;
-    p.a = 90e6;
-    p.b = 292e6;
-    p.c = 0.025;
-    p.n = 0.31;
-    p.m = 1.09;
-    p.melt_temperature = 1356.0;
-    p.specific_heat = 383.0;
-    p.sound_speed = 3940.0;
-    p.slope = 1.489;
-    p.gamma = 2.02;
+  static Parameters parameters() {
+    Parameters p;
+    set_copper<Strength>(p);
+    set_copper<EquationOfState>(p);
     return p;
   }
+  static std::vector<std::pair<Parameters, std::string>> contradictions() { return {}; }
+};
+template <class Strength, class EquationOfState, class Failure>
+struct Sample<Metal<Strength, EquationOfState, Failure>>
+    : SampleOfMetal<Strength, EquationOfState, Failure> {};
+template <class Strength, class EquationOfState, class Failure>
+struct Sample<Metal<Strength, EquationOfState, Voids<Failure>>>
+    : SampleOfMetal<Strength, EquationOfState, Failure> {
+  static auto parameters() {
+    auto p = SampleOfMetal<Strength, EquationOfState, Failure>::parameters();
+    p.expansion_strain = 1;
+    return p;
+  }
+};
+
+template <>
+struct Sample<JohnsonCook> : SampleOfMetal<JohnsonCookFlow, MieGruneisen, Fracture> {
   static std::vector<std::pair<JohnsonCook::Parameters, std::string>> contradictions() {
     std::vector<std::pair<JohnsonCook::Parameters, std::string>> list(
         5, {parameters(), "Melt Temperature"}

@@ -3,12 +3,11 @@
 
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/exchanged_arenisca.hpp"
-#include "barreno/models/expanded.hpp"
 #include "barreno/models/featured_arenisca.hpp"
 #include "barreno/models/general_arenisca.hpp"
-#include "barreno/models/johnson_cook.hpp"
 #include "barreno/models/jwl_explosive.hpp"
 #include "barreno/models/linear_elastic.hpp"
+#include "barreno/models/metals.hpp"
 #include "barreno/models/neo_hookean.hpp"
 #include "barreno/models/poroelastic.hpp"
 #include "barreno/models/wet_arenisca.hpp"
@@ -23,23 +22,20 @@ namespace barreno {
 /// output names, host interfaces and contract tests all follow from it.
 ///
 /// A model with a SpecialForm is not asked for by name: it serves those parameter sets of that
-/// other model for which its needed() says so. Those of other parts of Arenisca follow from their
-/// lists (arenisca/parts/list.hpp).
-using AnyModel = arenisca::WithOtherParts<std::variant<
-    LinearElastic,
-    Poroelastic,
-    JwlExplosive,
-    NeoHookean,
-    JohnsonCook,
-    Expanded<JohnsonCook>,
-    Arenisca,
-    ScatteredArenisca,
-    WetArenisca,
-    RatedArenisca,
-    RatedWetArenisca,
-    AngledArenisca,
-    AngledWetArenisca,
-    GeneralArenisca>>;
+/// other model for which its needed() says so. Metals, and rocks with other parts than the
+/// published ones, follow from the lists of their parts (metal/list.hpp, arenisca/parts/list.hpp).
+using AnyModel = arenisca::WithOtherParts<JoinedVariants<
+    std::variant<LinearElastic, Poroelastic, JwlExplosive, NeoHookean>,
+    Metals,
+    std::variant<
+        Arenisca,
+        ScatteredArenisca,
+        WetArenisca,
+        RatedArenisca,
+        RatedWetArenisca,
+        AngledArenisca,
+        AngledWetArenisca,
+        GeneralArenisca>>::type>;
 
 /// Name of a model, and that of its form where several models serve one name: "Arenisca wet".
 template <class Model, class = void>

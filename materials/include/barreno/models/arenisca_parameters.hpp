@@ -6,22 +6,13 @@
 #include <type_traits>
 
 namespace barreno {
-namespace arenisca {
-
-template <class List>
-struct ParametersOf;
-template <class... Parts>
-struct ParametersOf<PartList<Parts...>> : Parts::Parameters... {};
-
-}  // namespace arenisca
-
 /// What a card says about Arenisca; published names. Each part of the law has its own.
-struct AreniscaParameters : arenisca::ParametersOf<arenisca::AllParts> {};
+struct AreniscaParameters : ParametersOf<arenisca::AllParts> {};
 
 inline ParameterTable<AreniscaParameters> arenisca_parameter_table() {
   ParameterTable<AreniscaParameters> table;
-  arenisca::for_each_part(arenisca::AllParts{}, [&](const auto* part) {
-    arenisca::add_table(std::decay_t<decltype(*part)>::parameter_table(), table);
+  for_each_part(arenisca::AllParts{}, [&](const auto* part) {
+    add_table(std::decay_t<decltype(*part)>::parameter_table(), table);
   });
   return table;
 }

@@ -8,22 +8,6 @@
 
 namespace barreno {
 
-namespace arenisca {
-
-/// A name made of two.
-struct Words {
-  char letters[64] = "";
-};
-constexpr Words joined_words(const char* first, const char* second) {
-  Words words;
-  int at = 0;
-  for (const char* part : {first, second})
-    for (; *part != '\0'; ++part) words.letters[at++] = *part;
-  return words;
-}
-
-}  // namespace arenisca
-
 /// Arenisca, dry or in the wet poroplastic form, with one part in place of a published one
 /// (arenisca/parts/list.hpp); for the cards that ask for it.
 /// @param Part  the part
@@ -33,7 +17,7 @@ struct ExchangedArenisca : Form {
   using SpecialForm = Arenisca;
   using Form::Form;
   static constexpr bool wet = Form::Law::wet;
-  static constexpr arenisca::Words words = arenisca::joined_words(Part::word, wet ? " wet" : "");
+  static constexpr JoinedText words = joined_text(Part::word, wet ? " wet" : "");
   static constexpr const char* form = words.letters;
 
   static bool needed(const AreniscaParameters& p) {
@@ -48,16 +32,6 @@ template <class Part, class Parts>
 using ExchangedForms = std::variant<
     ExchangedArenisca<Part, AreniscaOf<Parts>>,
     ExchangedArenisca<Part, WetAreniscaOf<Parts>>>;
-
-template <class... Variants>
-struct JoinedVariants;
-template <class... As>
-struct JoinedVariants<std::variant<As...>> {
-  using type = std::variant<As...>;
-};
-template <class... As, class... Bs, class... Rest>
-struct JoinedVariants<std::variant<As...>, std::variant<Bs...>, Rest...>
-    : JoinedVariants<std::variant<As..., Bs...>, Rest...> {};
 
 /// The forms of the parts in all three lists.
 template <class Models, class Limits, class Curves, class Rules>

@@ -12,19 +12,6 @@
 #include "barreno/arenisca/parts/scatter.hpp"
 #include "barreno/arenisca/parts/shear_limit.hpp"
 
-namespace barreno::arenisca {
-
-template <class... Parts>
-struct PartList {};
-template <class A, class B>
-struct JoinedLists;
-template <class... As, class... Bs>
-struct JoinedLists<PartList<As...>, PartList<Bs...>> {
-  using type = PartList<As..., Bs...>;
-};
-
-}  // namespace barreno::arenisca
-
 #ifdef BARRENO_OUTSIDE_PARTS
 // Parts of a program that builds the library with parts of its own (docs/extending.md).
 #include BARRENO_OUTSIDE_PARTS
@@ -70,11 +57,5 @@ struct PartsOf {
   using FlowRule = FlowRule_;
 };
 using PublishedParts = PartsOf<ShearLimit, CrushCurve, FlowRule>;
-
-/// f(part) for each part of a list, as a pointer that holds nothing.
-template <class... Parts, class F>
-void for_each_part(PartList<Parts...> /*list*/, const F& f) {
-  (f(static_cast<const Parts*>(nullptr)), ...);
-}
 
 }  // namespace barreno::arenisca

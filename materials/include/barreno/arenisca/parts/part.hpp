@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "barreno/describe.hpp"
+#include "barreno/parts.hpp"
 
 #include <cstdio>
 #include <string>
@@ -23,17 +23,6 @@ inline std::string named(const char* name, double value) {
 /// The value alone.
 inline std::string shown(double value) {
   return named("", value).substr(3);
-}
-
-/// Appends the table of a part to that of a whole, which inherits the part's parameters.
-template <class Whole, class Part>
-void add_table(const ParameterTable<Part>& part, ParameterTable<Whole>& whole) {
-  for (const auto& n : part.numbers)
-    whole.numbers.push_back(
-        {n.member, n.name, n.dimension, n.bounds, n.meaning, n.required, n.default_value}
-    );
-  for (const auto& c : part.choices)
-    whole.choices.push_back({c.member, c.name, c.words, c.default_index, c.meaning});
 }
 
 }  // namespace barreno::arenisca

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/metal/part.hpp"
 #include "barreno/portability.hpp"
 #include "barreno/real.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace barreno {
 
-/// Mie-Grueneisen equation of state about a linear shock Hugoniot U_s = c0 + s u_p, with Gamma rho
-/// constant, in energy form. Pressure is positive in compression, eta = 1 - V / V_ref.
+/// Mie-Grueneisen equation of state (list.hpp) about a linear shock Hugoniot U_s = c0 + s u_p, with
+/// Gamma rho constant, in energy form. Pressure is positive in compression, eta = 1 - V / V_ref.
 ///
 ///   P(eta, e) = a(eta) + Gamma0 rho0 e
 ///   a(eta) = P_H(eta) (1 - Gamma0 eta / 2),  P_H = rho0 c0^2 eta / (1 - s eta)^2    (eta >= 0)
@@ -21,6 +23,41 @@ namespace barreno {
 /// U_s-u_p);
 ///              Wilkins, Computer Simulation of Dynamic Phenomena, Springer, 1999 (energy form).
 struct MieGruneisen {
+  static constexpr const char* name = "Mie-Grueneisen";
+  static constexpr const char* summary = "Mie-Grueneisen pressure";
+  static constexpr int passes = 1;  ///< the pressure is linear in the energy
+  struct Parameters {
+    double specific_heat = 0.0;
+    double sound_speed = 0.0, slope = 0.0, gamma = 0.0;
+  };
+  static ParameterTable<Parameters> parameter_table() {
+    using P = Parameters;
+    namespace dim = dimension;
+    return {
+        {required(
+             &P::specific_heat, "Specific Heat", dim::heat_capacity, above(0.0), "heat capacity"
+         ),
+         required(
+             &P::sound_speed,
+             "Sound Speed",
+             dim::velocity,
+             above(0.0),
+             "c0 in U_s = c0 + s u_p; K = rho0 c0^2"
+         ),
+         required(&P::slope, "Hugoniot Slope", dim::none, at_least(0.0), "s in U_s = c0 + s u_p"),
+         required(
+             &P::gamma, "Gruneisen", dim::none, at_least(0.0), "Gamma0; Gamma rho is constant"
+         )},
+        {}};
+  }
+  static metal::BulkModulus bulk(const Parameters& p, double density) {
+    return {density * p.sound_speed * p.sound_speed, "Density * Sound Speed^2", "the three"};
+  }
+  static std::string check(const Parameters& /*p*/) { return ""; }
+  static MieGruneisen make(const Parameters& p, double density) {
+    return {density, p.sound_speed, p.slope, p.gamma};
+  }
+
   double density;      ///< rho0 [mass/length^3]
   double sound_speed;  ///< c0 [length/time]
   double slope;        ///< s [-]
@@ -32,6 +69,12 @@ struct MieGruneisen {
   /// First eta that is refused [-]. With s <= 1 it is the vanishing volume that limits, not the
   /// shock.
   BARRENO_FUNCTION double compression_limit() const { return slope > 1.0 ? 0.99 / slope : 0.99; }
+
+  /// Whether the update can take a step that changes V / V_ref by `change` to this compression.
+  template <class R>
+  BARRENO_FUNCTION MaskOf<R> allows(const R& eta, const R& change) const {
+    return (eta < compression_limit()) & (1.0 + 0.5 * gamma * change > 0.0);
+  }
 
   /// a(eta) and its derivative.
   template <class R>
@@ -51,6 +94,17 @@ struct MieGruneisen {
     return {
         real::select(expanded, bulk * eta, hugoniot * eta * factor),
         real::select(expanded, R{} + bulk, hugoniot * (growth * factor - 0.5 * gamma * eta))};
+  }
+
+  /// The part of the pressure that no energy gives, about a state with this energy per reference
+  /// volume, and what the pressure gains per energy.
+  template <class R>
+  BARRENO_FUNCTION ReferenceOf<R> at(const R& eta, const R& /*energy*/) const {
+    return reference(eta);
+  }
+  template <class R>
+  BARRENO_FUNCTION double per_energy(const ReferenceOf<R>& /*at*/) const {
+    return gamma;
   }
 
   /// P(eta, e) [stress]; energy is the specific internal energy [energy/mass].
@@ -75,8 +129,8 @@ struct MieGruneisen {
   /// follows from de = -P dV / m on an isentrope; it may become negative in strong tension.
   template <class R>
   BARRENO_FUNCTION R
-  isentropic_modulus(const R& eta, const R& reference_derivative, const R& pressure_now) const {
-    return (1.0 - eta) * (reference_derivative + gamma * pressure_now);
+  isentropic_modulus(const R& eta, const ReferenceOf<R>& at, const R& pressure_now) const {
+    return (1.0 - eta) * (at.derivative + gamma * pressure_now);
   }
 
   /// T / T_begin of an isentropic volume change [-]: dT / T = -Gamma dV / V = -Gamma0 d(V / V_ref).
@@ -85,7 +139,9 @@ struct MieGruneisen {
   /// @param change   of V / V_ref
   /// @param implicit 1 / (1 + Gamma0 change / 2), which a caller has at hand
   template <class R>
-  BARRENO_FUNCTION R isentropic_temperature_ratio(const R& change, const R& implicit) const {
+  BARRENO_FUNCTION R isentropic_temperature_ratio(
+      const ReferenceOf<R>& /*at*/, const R& change, const R& implicit
+  ) const {
     const R x = gamma * change;
     const R short_step = (1.0 - 0.5 * x) * implicit;
     const MaskOf<R> is_long = !(real::abs(x) < 0.02);
@@ -132,6 +188,30 @@ struct MieGruneisen {
     }
     return compression_limit();
   }
+
+  /// The state on that isentrope with this pressure.
+  metal::IsentropeState isentrope_at(double asked) const {
+    double limit = compression_limit();
+    if (!(asked < isentrope_pressure(limit))) limit = rising_limit();
+    if (!(asked >= 0.0 && asked < isentrope_pressure(limit))) return {};
+    double low = 0.0, high = limit;
+    double eta = asked / bulk_modulus();
+    // Newton on the isentrope, where dP/deta = a' + Gamma0 P; bisection when a step leaves the
+    // bracket.
+    for (int i = 0; i < 100; ++i) {
+      if (!(eta >= low && eta <= high)) eta = 0.5 * (low + high);
+      const double p = pressure(eta, isentrope_energy(eta) * (1.0 / density));
+      (p > asked ? high : low) = eta;
+      const double step = (asked - p) / (reference(eta).derivative + gamma * p);
+      if (std::fabs(step) <= 1e-15 * eta) break;
+      eta += step;
+    }
+    return {true, eta, isentrope_energy(eta), std::exp(gamma * eta)};
+  }
+
+  /// Solid over mean density above which a shock from rest leaves voids, or this metal less dense
+  /// than at reference: with the heat U^2/2, p = a(eta) / (1 - Gamma0 (alpha - 1 + eta) / 2).
+  double largest_porous_expansion() const { return 1.0 + 2.0 / gamma; }
 };
 
 }  // namespace barreno
