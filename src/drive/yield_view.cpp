@@ -79,7 +79,7 @@ std::optional<YieldView> view_for(
 ) {
   using P = typename Model::Parameters;
   [[maybe_unused]] const auto h = history_from<Model>(now.history);
-  if constexpr (is_metal<Model>) {
+  if constexpr (is_metal_model<Model>) {
     const auto h_before = history_from<Model>(before.history);
     return view_of_metal(model.solid(), now.stress, h, h_before, now.time - before.time);
   } else if constexpr (std::is_same_v<P, AreniscaParameters>) {

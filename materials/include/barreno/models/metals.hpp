@@ -21,9 +21,9 @@ using Expanded = typename ExpandedForm<Solid>::type;
 
 /// Metals, with voids or without.
 template <class Model>
-inline constexpr bool is_metal = false;
+inline constexpr bool is_metal_model = false;
 template <class... Parts>
-inline constexpr bool is_metal<Metal<Parts...>> = true;
+inline constexpr bool is_metal_model<Metal<Parts...>> = true;
 
 namespace metal {
 
