@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "barreno/plausible.hpp"
 
+#include "barreno/registry.hpp"
+
 #include <cmath>
 #include <map>
 
@@ -48,21 +50,6 @@ const Ranges arenisca_ranges = {
     {"Matrix bulk modulus", 1e8, stiffest},
     {"Weibull reference volume", 1e-12, 1e3}};
 
-/// Elements and alloys: Johnson and Cook 1983; Steinberg 1996, UCRL-MA-106439; Marsh 1980, LASL
-/// Shock Hugoniot Data. Metals melt from 234 K on (mercury); a high number turns thermal
-/// softening off.
-const Ranges johnson_cook = {
-    density,
-    {"Shear Modulus", 1e6, stiffest},
-    {"A", 1e4, 2e10},
-    {"B", 1e4, 2e10},
-    {"Reference Strain Rate", 1e-6, 1e8},
-    {"Room Temperature", 1.0, 3000.0},
-    {"Melt Temperature", 200.0, 1e12},
-    {"Specific Heat", 50.0, 2e4},
-    {"Sound Speed", 100.0, 2e4},
-    {"Spall Stress", 1e4, 1e11}};
-
 /// Dobratz and Crawford 1985, LLNL Explosives Handbook, UCRL-52997: detonation from 1.5 to 10 km/s,
 /// A from 40 to 2000 GPa, E0 from 1 to 13 GPa; with a margin for diluted and emulsion explosives.
 const Ranges explosive = {
@@ -84,6 +71,22 @@ const Ranges poroelastic = {
     {"Grain Bulk Modulus", 1e8, stiffest},
     {"Initial Pore Pressure", least_pressure, most_pressure, true}};
 
+/// Ranges by the name of a model: those above, and those that a model says itself.
+std::map<std::string, Ranges> all_ranges() {
+  std::map<std::string, Ranges> ranges = {
+      {"Arenisca", arenisca_ranges},
+      {"JWL Explosive", explosive},
+      {"Linear Elastic", elastic},
+      {"Neo-Hookean", elastic},
+      {"Poroelastic", poroelastic}};
+  for (const ModelDescription& model : describe_models()) {
+    if (model.plausible.empty()) continue;
+    Ranges& of_model = ranges[model.name] = {density};
+    of_model.insert(of_model.end(), model.plausible.begin(), model.plausible.end());
+  }
+  return ranges;
+}
+
 }  // namespace
 
 bool PlausibleRange::holds(double value) const {
@@ -92,13 +95,7 @@ bool PlausibleRange::holds(double value) const {
 }
 
 const std::vector<PlausibleRange>& plausible_ranges(const std::string& model) {
-  static const std::map<std::string, Ranges> ranges = {
-      {"Arenisca", arenisca_ranges},
-      {"Johnson-Cook", johnson_cook},
-      {"JWL Explosive", explosive},
-      {"Linear Elastic", elastic},
-      {"Neo-Hookean", elastic},
-      {"Poroelastic", poroelastic}};
+  static const std::map<std::string, Ranges> ranges = all_ranges();
   static const Ranges unknown;
   const auto found = ranges.find(model);
   return found == ranges.end() ? unknown : found->second;

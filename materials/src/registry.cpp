@@ -42,7 +42,10 @@ std::vector<Entry> parameters_of() {
 
 template <class Model>
 ModelDescription describe() {
-  return {Model::name, Model::summary, parameters_of<Model>(), Model::history_table(), {}};
+  std::vector<PlausibleRange> plausible;
+  if constexpr (says_plausible_ranges<Model>) plausible = Model::plausible_ranges();
+  return {
+      Model::name, Model::summary, parameters_of<Model>(), Model::history_table(), {}, plausible};
 }
 
 /// True for a model that stands in the list for some parameter sets of another.

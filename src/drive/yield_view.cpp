@@ -56,12 +56,12 @@ YieldView view_of_law(const Law& law, const Sym3& stress, const History& h) {
 
 /// Von Mises' circle at the flow stress of the plastic strain rate that led here, or of the
 /// reference rate where nothing has flowed.
-template <class Solid>
+template <class Model>
 YieldView view_of_metal(
-    const Solid& model,
+    const Model& model,
     const Sym3& stress,
-    const typename Solid::History& h,
-    const typename Solid::History& h_before,
+    const typename Model::History& h,
+    const typename Model::History& h_before,
     double dt
 ) {
   const double growth = h.plastic_strain - h_before.plastic_strain;
@@ -81,7 +81,7 @@ std::optional<YieldView> view_for(
   [[maybe_unused]] const auto h = history_from<Model>(now.history);
   if constexpr (is_metal_model<Model>) {
     const auto h_before = history_from<Model>(before.history);
-    return view_of_metal(model.solid(), now.stress, h, h_before, now.time - before.time);
+    return view_of_metal(model, now.stress, h, h_before, now.time - before.time);
   } else if constexpr (std::is_same_v<P, AreniscaParameters>) {
     return view_of_law(model.rock(), now.stress, h);
   } else {

@@ -430,8 +430,11 @@ TEST(JohnsonCookFlow, ReturnSolvesTheFlowStress) {
     EXPECT_LE(flow.lower_bound(ep, temperature), still * (1.0 + 1e-14));
     const double trial = still * (1.0 + std::pow(10.0, 1.0 - 14.0 * u(engine)));
     const double dt = u(engine) < 0.1 ? 0.0 : std::pow(10.0, -4.0 - 8.0 * u(engine));
-    const auto result =
-        metal::return_to_flow_stress(flow, trial, 1.1 * still * u(engine), dt, temperature, ep);
+    const double scale = metal::rate_scale(dt, flow.reference_rate);
+    const metal::ReturnProblemOf<double> problem{trial, 1.1 * still * u(engine), scale, ep};
+    metal::ReturnSearchOf<JohnsonCookFlow, double> search;
+    metal::search_return(flow, temperature, problem, search);
+    const auto result = metal::end_return(flow, problem, search);
     ASSERT_TRUE(result.converged);
     const double x = result.plastic_increment;
     if (x == 0.0) continue;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <barreno/plausible.hpp>
 #include <barreno/registry.hpp>
 #include <cmath>
 #include <string>
@@ -84,6 +85,73 @@ TEST(OutsideMetals, RulesOfTheirPartsRefuseACard) {
   );
   const std::string ends = sentence(any, [](auto& p) { p.ends = p.begins; });
   EXPECT_NE(ends.find("Vaporisation Ends = "), std::string::npos) << ends;
+}
+
+TEST(OutsideMetals, PartsSayWhichValuesAreUsual) {
+  const std::string metal = Usual<ZerilliArmstrong, Tillotson>::name;
+  const PlausibleRange* const yield = find_plausible_range(metal, "C0");
+  ASSERT_NE(yield, nullptr);
+  EXPECT_TRUE(yield->holds(65e6));
+  EXPECT_FALSE(yield->holds(65.0)) << "MPa that were meant";
+  EXPECT_NE(find_plausible_range(metal, "Spall Stress"), nullptr);
+  EXPECT_EQ(plausible_ranges(metal).front().parameter, std::string("Density"));
+  EXPECT_EQ(find_plausible_range("Johnson-Cook", "C0"), nullptr);
+}
+
+/// A failure without parameters and history.
+struct NoFailure {
+  static constexpr const char *name = "no failure", *of_flow = "", *of_pressure = "";
+  struct Parameters {};
+  static ParameterTable<Parameters> parameter_table() { return {}; }
+  static std::string check(const Parameters& /*p*/, const metal::BulkModulus& /*bulk*/) {
+    return "";
+  }
+  template <class R>
+  struct HistoryOf {};
+  static std::vector<HistoryField> history_table() { return {}; }
+  static NoFailure make(const Parameters& /*p*/) { return {}; }
+  template <class R>
+  static MaskOf<R> broken(const HistoryOf<R>& /*history*/) {
+    return R{} > 0.0;
+  }
+  template <class Strength, class R>
+  MaskOf<R> grow(
+      const Strength& /*strength*/,
+      const metal::ReturnOf<R>& /*flow*/,
+      const R& /*pressure*/,
+      const R& /*temperature*/,
+      const R& /*dt*/,
+      const MaskOf<R>& /*was_broken*/,
+      HistoryOf<R>& /*end*/
+  ) const {
+    return R{} > 0.0;
+  }
+};
+
+/// Another failure is only a part: with one that never breaks, the metal is the published one
+/// whose damage and spall are off, down to a tension of 5 GPa.
+TEST(OutsideMetals, AFailureIsExchangeable) {
+  using Whole = Metal<JohnsonCookFlow, MieGruneisen, NoFailure>;
+  EXPECT_EQ(Whole::history_table().size() + 1, JohnsonCook::history_table().size());
+  EXPECT_EQ(Whole::name, std::string("Johnson-Cook with no failure"));
+  Whole::Parameters p{};
+  set_copper<JohnsonCookFlow>(p);
+  set_copper<MieGruneisen>(p);
+  const Whole whole_model(p, density);
+  const JohnsonCook usual_model(Sample<JohnsonCook>::parameters(), density);
+  Point<Whole> whole(whole_model);
+  Point<JohnsonCook> usual(usual_model);
+  for (int i = 0; i < 200; ++i) {
+    const double pull = i < 100 ? -4e-4 : 6e-4;
+    const Sym3 strain{pull, 0.3 * pull, 0.0, 0.5 * pull, 0.0, 0.0};
+    ASSERT_FALSE(whole.apply(strain, 1e-8).failed());
+    ASSERT_FALSE(usual.apply(strain, 1e-8).failed());
+    EXPECT_NEAR(whole.stress.xx, usual.stress.xx, 1e-9 * std::fabs(usual.stress.xx) + 1.0);
+    EXPECT_NEAR(whole.stress.xy, usual.stress.xy, 1e-9 * std::fabs(usual.stress.xy) + 1.0);
+    EXPECT_NEAR(whole.history.plastic_strain, usual.history.plastic_strain, 1e-12);
+    EXPECT_NEAR(whole.history.temperature / usual.history.temperature, 1.0, 1e-12);
+  }
+  EXPECT_LT(pressure(whole.stress), -2e9);
 }
 
 /// In shear the equivalent stress is the published equation's, of the strain at the end of the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace barreno {
@@ -15,6 +16,13 @@ struct PlausibleRange {
   bool of_magnitude = false;
   bool holds(double value) const;
 };
+
+/// Whether a model, or a part of one, says ranges of its own: plausible_ranges().
+template <class Of, class = void>
+inline constexpr bool says_plausible_ranges = false;
+template <class Of>
+inline constexpr bool says_plausible_ranges<Of, std::void_t<decltype(Of::plausible_ranges())>> =
+    true;
 
 /// Ranges of the parameters of a model that have a dimension, Density first. Zero, where a
 /// parameter may be zero, switches something off and lies in every range.

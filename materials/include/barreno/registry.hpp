@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/input/schema.hpp"
+#include "barreno/plausible.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_XMLObject.hpp>
@@ -25,6 +26,7 @@ struct ModelDescription {
   std::vector<input::Entry> parameters;    ///< in the order of the model's table
   std::vector<HistoryField> history;       ///< in the order of the History struct
   std::vector<HistoryField> more_history;  ///< what its other forms have besides, in no order
+  std::vector<PlausibleRange> plausible;   ///< that the model says itself
 };
 
 const std::vector<ModelDescription>& describe_models();

@@ -50,6 +50,9 @@ struct ZerilliArmstrong {
          )},
         {}};
   }
+  static std::vector<PlausibleRange> plausible_ranges() {
+    return {{"Shear Modulus", 1e6, 1e12}, {"C0", 1e4, 2e10}, {"Melt Temperature", 200.0, 1e12}};
+  }
   static std::string check(const Parameters& p, const BulkModulus& bulk) {
     return check_solid(p.shear_modulus, p.room_temperature, p.melt_temperature, bulk);
   }

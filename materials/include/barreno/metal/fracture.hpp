@@ -58,6 +58,7 @@ struct Fracture {
          optional(&P::d5, "D5", dim::none, any(), 0.0, "Johnson-Cook damage, temperature")},
         {}};
   }
+  static std::vector<PlausibleRange> plausible_ranges() { return {{"Spall Stress", 1e4, 1e11}}; }
   static std::string check(const Parameters& p, const metal::BulkModulus& bulk) {
     std::ostringstream text;
     if (p.spall_stress > bulk.value) {
@@ -89,13 +90,6 @@ struct Fracture {
   BARRENO_FUNCTION static MaskOf<R> broken(const HistoryOf<R>& h) {
     return h.damage >= 1.0;
   }
-  /// Moduli K and 4G/3 that bound the wave speed of an open broken point: it bears nothing, but
-  /// those that it will have when it closes keep the step safe [stress].
-  template <class R>
-  BARRENO_FUNCTION static R open_bulk_modulus(double bulk, const R& volume_ratio) {
-    return bulk * real::smaller(volume_ratio, 1.0);
-  }
-  BARRENO_FUNCTION static double open_shear_part(double shear_part) { return shear_part; }
 
   /// What the end of a step does to the damage of points that were not broken before.
   /// @return the points that break at once, whose tension is let go

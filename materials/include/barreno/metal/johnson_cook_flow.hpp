@@ -80,6 +80,17 @@ struct JohnsonCookFlow {
          )},
         {}};
   }
+  /// Elements and alloys: Johnson and Cook 1983; Steinberg 1996, UCRL-MA-106439. Metals melt from
+  /// 234 K on (mercury); a high number turns thermal softening off.
+  static std::vector<PlausibleRange> plausible_ranges() {
+    return {
+        {"Shear Modulus", 1e6, 1e12},
+        {"A", 1e4, 2e10},
+        {"B", 1e4, 2e10},
+        {"Reference Strain Rate", 1e-6, 1e8},
+        {"Room Temperature", 1.0, 3000.0},
+        {"Melt Temperature", 200.0, 1e12}};
+  }
   static std::string check(const Parameters& p, const metal::BulkModulus& bulk) {
     std::ostringstream text;
     text << metal::check_solid(p.shear_modulus, p.room_temperature, p.melt_temperature, bulk);

@@ -50,6 +50,10 @@ struct MieGruneisen {
          )},
         {}};
   }
+  /// Elements and alloys: Marsh, as above.
+  static std::vector<PlausibleRange> plausible_ranges() {
+    return {{"Specific Heat", 50.0, 2e4}, {"Sound Speed", 100.0, 2e4}};
+  }
   static metal::BulkModulus bulk(const Parameters& p, double density) {
     return {density * p.sound_speed * p.sound_speed, "Density * Sound Speed^2", "the three"};
   }
@@ -82,7 +86,6 @@ struct MieGruneisen {
     R pressure;    ///< a(eta), the pressure at zero internal energy [stress]
     R derivative;  ///< d a / d eta [stress]
   };
-  using Reference = ReferenceOf<double>;
   template <class R>
   BARRENO_FUNCTION ReferenceOf<R> reference(const R& eta) const {
     const double bulk = bulk_modulus();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/parts.hpp"
+#include "barreno/plausible.hpp"
 
 #include <sstream>
 #include <string>

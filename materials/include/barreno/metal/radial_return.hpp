@@ -135,10 +135,14 @@ BARRENO_FUNCTION void take_step(
 }
 
 template <class Strength, class R>
-BARRENO_FUNCTION void take_steps(
-    const Strength& strength, const ReturnProblemOf<R>& problem, ReturnSearchOf<Strength, R>& search
+BARRENO_FUNCTION void search_return(
+    const Strength& strength,
+    const R& temperature,
+    const ReturnProblemOf<R>& problem,
+    ReturnSearchOf<Strength, R>& search
 ) {
   constexpr int max_iterations = 80;
+  begin_return(strength, temperature, problem, search);
   for (int i = 0; i < max_iterations && !real::all(search.done); ++i)
     take_step(strength, problem, search);
 }
@@ -162,25 +166,5 @@ BARRENO_FUNCTION ReturnOf<R> end_return(
       search.done};
 }
 
-/// All of it.
-/// @param trial equivalent stress of the elastic trial [stress]
-/// @param start equivalent stress at the start of the step in the direction of flow [stress]
-/// @param plastic_strain at the start of the step [-]
-template <class Strength, class R>
-BARRENO_FUNCTION ReturnOf<R> return_to_flow_stress(
-    const Strength& strength,
-    const R& trial,
-    const R& start,
-    const R& dt,
-    const R& temperature,
-    const R& plastic_strain
-) {
-  const ReturnProblemOf<R> problem{
-      trial, start, rate_scale(dt, strength.reference_rate), plastic_strain};
-  ReturnSearchOf<Strength, R> search;
-  begin_return(strength, temperature, problem, search);
-  take_steps(strength, problem, search);
-  return end_return(strength, problem, search);
-}
 
 }  // namespace barreno::metal

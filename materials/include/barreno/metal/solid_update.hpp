@@ -6,6 +6,8 @@
 #include "barreno/outcome.hpp"
 #include "barreno/tensor.hpp"
 
+#include <cmath>
+
 namespace barreno::metal {
 
 /// What a metal remembers whatever its parts are.
@@ -40,8 +42,7 @@ struct SolidUpdate {
     Trial<R> trial;
     start_update(increment, stress, history, trial);
     if (trial.flows) {
-      begin_return(strength, trial.end.temperature, trial.problem, trial.search);
-      take_steps(strength, trial.problem, trial.search);
+      search_return(strength, trial.end.temperature, trial.problem, trial.search);
       return_deviator(trial);
     }
     return finish_update(increment, trial, stress, history);
@@ -74,8 +75,9 @@ struct SolidUpdate {
     const R closed = real::larger(isentropic, floor_fraction * bulk);
     const MaskOf<R> open = broken & (pressure <= 0.0);
     if (!real::any(open)) return shear_part + closed;
-    return real::select(open, failure.open_shear_part(shear_part), shear_part) +
-           real::select(open, failure.open_bulk_modulus(bulk, volume_ratio), closed);
+    // An open broken point bears nothing; the modulus it will have when it closes keeps the step
+    // safe.
+    return shear_part + real::select(open, bulk * real::smaller(volume_ratio, 1.0), closed);
   }
 
 private:
@@ -96,7 +98,7 @@ private:
     R p_n, squares_n;          ///< at the start: pressure, s_n : s_n
     R implicit, known;         ///< of the energy at the end (find_pressure)
     typename EquationOfState::template ReferenceOf<R> reference;
-    R limit;  ///< equivalent stress a broken point can hold, if any is
+    R limit = R{} + HUGE_VAL;  ///< equivalent stress that a point can hold if it is broken
     MaskOf<R> solved, may_flow;
     bool flows;  ///< whether any point may
     ReturnProblemOf<R> problem;
@@ -176,7 +178,7 @@ private:
     const double negligible = 1e-30 * strength.stiffness;
     trial.may_flow =
         trial.solved & (trial_squared > least * least) & (trial_squared > negligible * negligible);
-    trial.flow = ReturnOf<R>{};
+    trial.flow = {};
     trial.flows = real::any(trial.may_flow);
     if (!trial.flows) return;
     const R equivalent = real::select(trial.may_flow, real::sqrt(trial_squared), 0.0);
@@ -244,15 +246,6 @@ private:
     step.elastic_work = step.elastic_work - freed;
   }
 
-  /// The new history where the step was sound.
-  template <class Base, class R>
-  BARRENO_FUNCTION static void keep_sound(
-      const MaskOf<R>& sound, const History<R>& end, History<R>& history
-  ) {
-    if constexpr (!std::is_empty_v<Base>)
-      assign_where(sound, static_cast<const Base&>(end), static_cast<Base&>(history));
-  }
-
   /// Pressure and energy, per reference volume; breaking, plastic heat, and what is reported.
   template <class R>
   BARRENO_FUNCTION PointsOutcome<R> finish_update(
@@ -291,9 +284,7 @@ private:
     const MaskOf<R> sound =
         admissible(increment, stress, history) & trial.solved & real::is_finite(all);
     stress = select_points(sound, s, stress);
-    keep_sound<typename Strength::template HistoryOf<R>>(sound, end, history);
-    keep_sound<HeatOf<R>>(sound, end, history);
-    keep_sound<typename Failure::template HistoryOf<R>>(sound, end, history);
+    assign_reals_where<R>(sound, end, history);
     return {
         sound,
         step.elastic_work,

@@ -32,7 +32,7 @@ struct Heating {
   }
 };
 
-/// Whether the metal may have voids (voids.hpp).
+/// Whether the metal may have voids (voided_metal.hpp).
 struct VoidsChoice {
   struct Parameters {
     int expansion_strain = 0;  ///< 1: the form with Voids
@@ -50,6 +50,10 @@ struct VoidsChoice {
 };
 
 }  // namespace metal
+
+/// A failure whose broken points, and whose porous bodies, have voids (voided_metal.hpp).
+template <class Failure>
+struct Voids {};
 
 /// Metal at high rate: a flow stress with heating and melting, a pressure, breaking; each of them a
 /// part (metal/list.hpp).
@@ -77,6 +81,7 @@ struct VoidsChoice {
 /// @par Source  Wilkins, Computer Simulation of Dynamic Phenomena, 1999 (energy, radial return).
 template <class Strength, class EquationOfState, class Failure>
 struct Metal {
+  using WithVoids = Metal<Strength, EquationOfState, Voids<Failure>>;
   using Beside = metal::NameBeside<EquationOfState, metal::EquationsOfState>;
   using BesideBoth = metal::NameBeside<Failure, metal::Failures>;
   static constexpr JoinedText name_text = joined_text(
@@ -117,6 +122,16 @@ struct Metal {
     );
     for (const HistoryField& field : Failure::history_table()) table.push_back(field);
     return table;
+  }
+
+  static std::vector<PlausibleRange> plausible_ranges() {
+    std::vector<PlausibleRange> all;
+    for_each_part(Parts{}, [&](const auto* part) {
+      using Part = std::decay_t<decltype(*part)>;
+      if constexpr (says_plausible_ranges<Part>)
+        for (const PlausibleRange& range : Part::plausible_ranges()) all.push_back(range);
+    });
+    return all;
   }
 
   /// Rules across parameters; an empty text means that the set is sound.
@@ -229,8 +244,6 @@ struct Metal {
   const Parameters& parameters() const { return p_; }
   const Strength& strength() const { return update_.strength; }
   const EquationOfState& equation_of_state() const { return update_.eos; }
-  /// The metal without its voids: itself.
-  const Metal& solid() const { return *this; }
 
 protected:
   double inverse_density() const { return update_.inverse_density; }

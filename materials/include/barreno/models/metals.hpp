@@ -9,15 +9,9 @@
 namespace barreno {
 
 using JohnsonCook = Metal<JohnsonCookFlow, MieGruneisen, Fracture>;
-template <class Solid>
-struct ExpandedForm;
-template <class Strength, class EquationOfState, class Failure>
-struct ExpandedForm<Metal<Strength, EquationOfState, Failure>> {
-  using type = Metal<Strength, EquationOfState, Voids<Failure>>;
-};
 /// The form of a metal that may have voids.
 template <class Solid>
-using Expanded = typename ExpandedForm<Solid>::type;
+using Expanded = typename Solid::WithVoids;
 
 /// Metals, with voids or without.
 template <class Model>
@@ -27,29 +21,20 @@ inline constexpr bool is_metal_model<Metal<Parts...>> = true;
 
 namespace metal {
 
-template <class Strength, class EquationOfState, class Failure>
-using FormsOf = std::variant<
-    Metal<Strength, EquationOfState, Failure>,
-    Metal<Strength, EquationOfState, Voids<Failure>>>;
-template <class Strength, class EquationOfState, class FailureList>
-struct WithFailures;
-template <class Strength, class EquationOfState, class... Failures>
-struct WithFailures<Strength, EquationOfState, PartList<Failures...>>
-    : JoinedVariants<FormsOf<Strength, EquationOfState, Failures>...> {};
-template <class Strength, class EquationList, class FailureList>
-struct WithEquations;
-template <class Strength, class... Equations, class FailureList>
-struct WithEquations<Strength, PartList<Equations...>, FailureList>
-    : JoinedVariants<typename WithFailures<Strength, Equations, FailureList>::type...> {};
-template <class StrengthList, class EquationList, class FailureList>
-struct AllOf;
-template <class... Strengths, class EquationList, class FailureList>
-struct AllOf<PartList<Strengths...>, EquationList, FailureList>
-    : JoinedVariants<typename WithEquations<Strengths, EquationList, FailureList>::type...> {};
+template <class... Variants>
+using Joined = typename JoinedVariants<Variants...>::type;
+
+// Every strength with every equation of state and failure, without voids and with them.
+template <class S, class E, class... F>
+Joined<std::variant<Metal<S, E, F>, Metal<S, E, Voids<F>>>...> with_failures(PartList<F...>);
+template <class S, class... E>
+Joined<decltype(with_failures<S, E>(Failures{}))...> with_equations(PartList<E...>);
+template <class... S>
+Joined<decltype(with_equations<S>(EquationsOfState{}))...> with_strengths(PartList<S...>);
 
 }  // namespace metal
 
 /// Every metal that the lists of parts make (metal/list.hpp).
-using Metals = metal::AllOf<metal::Strengths, metal::EquationsOfState, metal::Failures>::type;
+using Metals = decltype(metal::with_strengths(metal::Strengths{}));
 
 }  // namespace barreno

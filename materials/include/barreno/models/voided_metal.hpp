@@ -8,10 +8,6 @@
 
 namespace barreno {
 
-/// A failure whose broken points, and whose porous bodies, have voids.
-template <class Failure>
-struct Voids {};
-
 /// A metal with voids (Expansion strain): the metal's own law between voids that bear nothing.
 ///
 /// The expansion strain e_v = ln(alpha) >= 0 is that of the voids, alpha = solid over mean density:
@@ -124,9 +120,7 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
     outcome.longitudinal_modulus =
         outcome.longitudinal_modulus * real::exp(R(-end.expansion_strain));
     stress = select_points(outcome.sound, s, stress);
-    for (int i = 0; i < history_count; ++i)
-      reals_of<R>(history)[i] =
-          real::select(outcome.sound, reals_of<R>(end)[i], reals_of<R>(history)[i]);
+    assign_reals_where<R>(outcome.sound, end, history);
     return outcome;
   }
 
@@ -137,9 +131,6 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
     const double metal_share = std::exp(-history.expansion_strain);
     return metal_share * Solid::longitudinal_modulus(stress, history, volume_ratio * metal_share);
   }
-
-  /// The metal between the voids.
-  const Solid& solid() const { return *this; }
 
 private:
   /// What a step leaves to the metal.
