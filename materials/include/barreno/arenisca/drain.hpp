@@ -125,7 +125,8 @@ BARRENO_FUNCTION void strain_volume(const PointRock& point, double strain, Drain
   const CentreState& n = end.state;
   StartOf<Lanes, GeneralRock> start{};
   start.x = none + n.x;
-  start.s = {none + n.s.xx, none + n.s.yy, none + n.s.zz, none + n.s.xy, none + n.s.yz, none + n.s.zx};
+  start.s = {
+      none + n.s.xx, none + n.s.yy, none + n.s.zz, none + n.s.xy, none + n.s.yz, none + n.s.zx};
   start.evp = none + n.e;
   start.dv = none + strain;
   LaneMask first{};
@@ -147,9 +148,7 @@ BARRENO_FUNCTION void strain_volume(const PointRock& point, double strain, Drain
 ///   elastic strain = that before + (p_c' - p_c)/Km
 ///
 /// and x follows from it exactly if the rock stays elastic, else by the model's own step.
-BARRENO_FUNCTION void drain_part(
-    const PointRock& before, const PointRock& after, DrainEnd& end
-) {
+BARRENO_FUNCTION void drain_part(const PointRock& before, const PointRock& after, DrainEnd& end) {
   const CentreState n = end.state;
   const Elasticity& elasticity = before.rock.elasticity;
   const DrainedCentre centre = drained_centre(before, after, n.e);

@@ -129,7 +129,9 @@ struct GeneralPiecesOf : AngledPiecesOf<R, Rock> {
     const auto one = [&](int i) {
       const double e = real::lane(begin, i), K3 = real::lane(triple_bulk, i);
       const double wanted = real::lane(change, i), zeta = points[i].zeta(e);
-      const auto left = [&](double at) { return K3 * (at - e) + points[i].zeta(at) - zeta - wanted; };
+      const auto left = [&](double at) {
+        return K3 * (at - e) + points[i].zeta(at) - zeta - wanted;
+      };
       const double far = real::lane(straight, i), beyond = left(far);
       if (!(beyond * wanted > 0.0)) return far;
       return find_root(left, {e, -wanted}, {far, beyond}, 1e-15 * std::fabs(far - e), 0.0);

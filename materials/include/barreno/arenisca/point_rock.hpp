@@ -29,11 +29,11 @@ struct PointRock {
   const GeneralRock& rock;
   YieldSurface surface;
   double coherence, mass;  ///< strength at the vertex, and mass of fluid, over those of the card
-  PoreFluid fluid;       ///< as in virgin rock with that mass of it: e counts from there
-  double mu;             ///< 1, or less where that rock is not full
-  double density = 1.0;  ///< mass of fluid over mu
-  double p3;             ///< -ln(1 - porosity), as the returns ask for it
-  double filling = 0.0;  ///< e at which the fluid just fills the pores
+  PoreFluid fluid;         ///< as in virgin rock with that mass of it: e counts from there
+  double mu;               ///< 1, or less where that rock is not full
+  double density = 1.0;    ///< mass of fluid over mu
+  double p3;               ///< -ln(1 - porosity), as the returns ask for it
+  double filling = 0.0;    ///< e at which the fluid just fills the pores
 
   BARRENO_FUNCTION PointRock(const GeneralRock& r, double strength_ratio, double fluid_mass_ratio)
       : rock(r),

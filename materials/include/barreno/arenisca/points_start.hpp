@@ -49,7 +49,8 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
 ) {
   WholeStepOf<R, Law> p;
   R strain = n.dv;
-  if constexpr (Law::wet) strain = skeleton_guess(rock.constituents, n.pores, n.elastic.moduli.bulk, n.dv);
+  if constexpr (Law::wet)
+    strain = skeleton_guess(rock.constituents, n.pores, n.elastic.moduli.bulk, n.dv);
   p.used = used_moduli(rock, R(3.0 * strain), cap, n.elastic);
   if constexpr (Law::wet) {
     const Constituents& c = rock.constituents;

@@ -44,7 +44,7 @@ struct PredictionOf : PressurePath<R, Law::wet>, WithAngle<R, Law::angled> {
   R J2, q;
   ModuliOf<R> start, used;
   ElasticStateOf<R> begin;  ///< of the substep
-  R evp;                      ///< plastic strain that the moduli were taken at
+  R evp;                    ///< plastic strain that the moduli were taken at
 };
 
 /// What an attempt tells besides of rock with overstress: the moduli that an elastic substep would

@@ -11,10 +11,7 @@ namespace barreno::arenisca {
 /// Moduli at the middle of a substep, I1 kept within what the surface admits.
 template <class R, class Law>
 BARRENO_FUNCTION ModuliOf<R> used_moduli(
-    const Law& rock,
-    const R& triple_dv,
-    const CapOf<R>& cap,
-    const ElasticStateOf<R>& n
+    const Law& rock, const R& triple_dv, const CapOf<R>& cap, const ElasticStateOf<R>& n
 ) {
   R x = smaller_of(R(n.x + n.moduli.bulk * triple_dv), R(R{} + rock.surface.vertex));
   x = real::select(cap.present & (x < cap.X), cap.X, x);
@@ -164,8 +161,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   }
   a.elastic = inside;
   if (!real::any(asked & inside)) return a;
-  const ModuliOf<R> moduli =
-      rock.elasticity.moduli_after(MaskOf<R>(asked & inside), p.begin, p.x);
+  const ModuliOf<R> moduli = rock.elasticity.moduli_after(MaskOf<R>(asked & inside), p.begin, p.x);
   accept_elastic(rock, inside, step, p, moduli, a);
   return a;
 }

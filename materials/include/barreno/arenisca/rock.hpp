@@ -26,10 +26,10 @@ BARRENO_FUNCTION CapOf<R> cap_of(const Law& rock, const R& evp) {
 template <class Parts_>
 struct DryRock {
   using Parts = Parts_;
-  static constexpr bool wet = false;        ///< no pore fluid
-  static constexpr bool scattered = false;  ///< every piece has the same strength
-  static constexpr bool angled = false;     ///< no dependence on the third invariant
-  static constexpr bool rated = false;      ///< no overstress
+  static constexpr bool wet = false;           ///< no pore fluid
+  static constexpr bool scattered = false;     ///< every piece has the same strength
+  static constexpr bool angled = false;        ///< no dependence on the third invariant
+  static constexpr bool rated = false;         ///< no overstress
   static constexpr bool about_centre = false;  ///< I1 is not counted from an elastic centre
 
   Elasticity elasticity;

@@ -166,5 +166,4 @@ BARRENO_FUNCTION ReturnOf<R> end_return(
       search.done};
 }
 
-
 }  // namespace barreno::metal

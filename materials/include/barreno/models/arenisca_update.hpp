@@ -109,7 +109,8 @@ struct StepEnd {
 
 /// The overstress at the end of a step, and the works of the dynamic stress.
 /// @param missed  change of the effective stress had the step been elastic, less what it was
-/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress. Of rock
+/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress. Of
+/// rock
 ///   about a centre, the mean pressure there
 /// @param[in,out] end    of the quasi-static stress; of the dynamic one
 template <class R, class Law, class Points>

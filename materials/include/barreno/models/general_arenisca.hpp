@@ -33,9 +33,7 @@ struct GeneralArenisca : FeaturedForm<Arenisca, arenisca::GeneralRock, GeneralHi
   static constexpr const char* form = "general";  ///< tells it from others of that name
   static constexpr int history_count = 12;
 
-  static bool needed(const Parameters& p) {
-    return !arenisca::is_plain_law(p, p.fluid_B0 > 0.0);
-  }
+  static bool needed(const Parameters& p) { return !arenisca::is_plain_law(p, p.fluid_B0 > 0.0); }
   static std::vector<HistoryField> history_table();
 
   GeneralArenisca(const Parameters& p, double density) : Base(p, density) { add_fluid(p, rock_); }
