@@ -2,7 +2,6 @@
 #pragma once
 
 #include "barreno/portability.hpp"
-#include "barreno/real.hpp"
 
 #include <type_traits>
 
@@ -22,17 +21,6 @@ BARRENO_FUNCTION auto* reals_of(Structure& structure) {
   );
   using Value = std::conditional_t<std::is_const_v<Structure>, const R, R>;
   return reinterpret_cast<Value*>(&structure);
-}
-
-/// Puts the reals of `other` in place of those of `to` where `choice` holds.
-template <class R, class Structure>
-BARRENO_FUNCTION void assign_reals_where(
-    const MaskOf<R>& choice, const Structure& other, Structure& to
-) {
-  const R* const from = reals_of<R>(other);
-  R* const into = reals_of<R>(to);
-  for (std::size_t i = 0; i < sizeof(Structure) / sizeof(R); ++i)
-    into[i] = real::select(choice, from[i], into[i]);
 }
 
 /// The Model::history_count internal variables of one point, or of several (R = Lanes), in the

@@ -246,6 +246,14 @@ private:
     step.elastic_work = step.elastic_work - freed;
   }
 
+  template <class Base, class R>
+  BARRENO_FUNCTION static void keep_sound(
+      const MaskOf<R>& sound, const History<R>& end, History<R>& history
+  ) {
+    if constexpr (!std::is_empty_v<Base>)
+      assign_where(sound, static_cast<const Base&>(end), static_cast<Base&>(history));
+  }
+
   /// Pressure and energy, per reference volume; breaking, plastic heat, and what is reported.
   template <class R>
   BARRENO_FUNCTION PointsOutcome<R> finish_update(
@@ -284,7 +292,9 @@ private:
     const MaskOf<R> sound =
         admissible(increment, stress, history) & trial.solved & real::is_finite(all);
     stress = select_points(sound, s, stress);
-    assign_reals_where<R>(sound, end, history);
+    keep_sound<typename Strength::template HistoryOf<R>>(sound, end, history);
+    keep_sound<HeatOf<R>>(sound, end, history);
+    keep_sound<typename Failure::template HistoryOf<R>>(sound, end, history);
     return {
         sound,
         step.elastic_work,

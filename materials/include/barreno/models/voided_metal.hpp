@@ -120,7 +120,9 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
     outcome.longitudinal_modulus =
         outcome.longitudinal_modulus * real::exp(R(-end.expansion_strain));
     stress = select_points(outcome.sound, s, stress);
-    assign_reals_where<R>(outcome.sound, end, history);
+    for (int i = 0; i < history_count; ++i)
+      reals_of<R>(history)[i] =
+          real::select(outcome.sound, reals_of<R>(end)[i], reals_of<R>(history)[i]);
     return outcome;
   }
 
