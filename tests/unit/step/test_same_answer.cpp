@@ -338,10 +338,7 @@ void expect_same_when_moved(const Scene& scene) {
   give_parcels(
       bisect_parcels(moved.grid.parcels.along, costs, moved.grid.comm->getSize()),
       moved.clock.step,
-      moved.grid,
-      moved.particles,
-      moved.ledger,
-      moved.effort
+      continuum_of(moved)
   );
   advance_to(scene, end_time, moved);
   expect_same(balanced, moved);
