@@ -73,7 +73,7 @@ class Columns(unittest.TestCase):
     def test_long_lines_are_found(self):
         words = "word " * 40
         self.assertEqual(check_columns.long_on_page(f"a\n{words}"), [2])
-        self.assertEqual(check_columns.long_in_python(f'def f():\n    """{words}"""\n    # {words}\n    x = "{words}"\n'), [2, 3])
+        self.assertEqual(check_columns.long_in_python(f'def f():\n    """{words}"""\n    # {words}\n    x = "{words}"\n'), [2, 3, 4])
         self.assertEqual(check_columns.long_lines(f"// {words}"), [1])
 
 
