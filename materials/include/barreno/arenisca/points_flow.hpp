@@ -204,7 +204,9 @@ BARRENO_FUNCTION DirectionChangeOf<R, Law> direction_change_in_full(
     const FlowStartOf<R, Law>& f,
     const R& metric
 ) {
-  const R back_x = p.x - r.x;
+  R back_x = p.x - r.x;
+  // A published backstress moves the surface besides, which is no flow.
+  if constexpr (Law::about_centre) back_x = 3.0 * p.used.bulk * (r.evp - p.begin.evp);
   const ShearIn<R, Law> apart = p.s - end;
   DirectionChangeOf<R, Law> c;
   c.distance = real::sqrt(R(back_x * back_x + metric * squared(apart)));
