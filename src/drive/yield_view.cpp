@@ -45,11 +45,9 @@ YieldView view_of_law(const Law& law, const Sym3& stress, const History& h) {
   Sym3 bounded = stress;
   arenisca::Lode lode;
   if constexpr (Law::rated) bounded = bounded - arenisca::overstress_of<double>(h);
-  if constexpr (Law::wet) bounded = bounded + isotropic(h.pore_pressure);
+  // Of the forms for comparison, the stress less that at the elastic centre.
+  bounded = bounded + isotropic(arenisca::pores_before<double>(rock, h).pressure);
   if constexpr (Law::angled) lode = law.lode;
-  // Of the forms for comparison the surface bounds the stress less that at the elastic centre.
-  if constexpr (Law::about_centre)
-    bounded = bounded - isotropic(rock.zeta(h.plastic_volume_strain) / 3.0);
   const auto cap = arenisca::cap_of<double>(rock, h.plastic_volume_strain);
   return view_of(bounded, rock.surface, cap, lode);
 }

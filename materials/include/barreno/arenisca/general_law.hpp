@@ -98,7 +98,7 @@ inline constexpr bool is_concave<CrushCurveAboutCentre<R>> = false;
 /// Pieces of the forms for comparison.
 template <class R>
 struct GeneralPiecesOf : AngledPiecesOf<R, Rock> {
-  static constexpr bool about_centre = true;
+  static constexpr bool wet = true, about_centre = true;
 
   PointRock points[real::count_of<R>];
   ElasticityAboutCentre<R> elasticity{points};
@@ -213,8 +213,9 @@ BARRENO_FUNCTION ReturnedShear<R, GeneralRock> return_alone(
 /// What a host is told of the pores in a state.
 template <class R, class History>
 BARRENO_FUNCTION void tell_pores(
-    const GeneralPiecesOf<R>& rock, const MaskOf<R>& choice, const R& x, const R& e, History& h
+    const GeneralPiecesOf<R>& rock, const MaskOf<R>& choice, const R& x, History& h
 ) {
+  const R& e = h.plastic_volume_strain;
   const auto pressure = [&](int i) {
     const double in_pores = rock.points[i].pore_pressure(real::lane(x, i), real::lane(e, i));
     return pressure_of_fluid(in_pores, real::lane(h.fluid_mass_ratio, i));

@@ -16,7 +16,7 @@ namespace barreno::arenisca {
 /// from the elastic centre (e is the volumetric plastic strain where the published backstress is
 /// asked for).
 struct GeneralRock : AngledRock<Rock> {
-  static constexpr bool about_centre = true;
+  static constexpr bool wet = true, about_centre = true;
 
   PoreFluid fluid;
   PublishedFluid published;         ///< instead of `fluid` where it is present

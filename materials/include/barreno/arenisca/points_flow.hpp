@@ -247,6 +247,24 @@ BARRENO_FUNCTION DirectionChangeOf<R, Law> direction_change_of(
   return c;
 }
 
+/// The pores at the end of a substep that flows.
+template <class R, class Law>
+BARRENO_FUNCTION PoresOf<R> pores_after(
+    const RockOf<R, Law>& rock,
+    const SubstepOf<R, Law>& step,
+    const PredictionOf<R, Law>& p,
+    const ReturnedOf<R>& r
+) {
+  if constexpr (Law::about_centre) {
+    return {rock.zeta(r.evp) / -3.0};
+  } else {
+    const Constituents& c = rock.constituents;
+    const R rise = p.rise - p.fall * (r.evp - step.n.evp);
+    const GrainsOf<R> grains = loaded_grains(c, step.pores, R(r.x - step.n.x));
+    return fill_pores(c, step.pores, grains, step.dv, rise).end;
+  }
+}
+
 /// End of a substep from its return: state, moduli, work.
 /// @param end shear stress that the return leaves
 template <class R, class Law>
@@ -270,27 +288,13 @@ BARRENO_FUNCTION void finish_flow(
   const R start_work = f.x * third + 2.0 * f.scale * dot(f.s, dep);
   const R mean_work = 0.5 * (start_work + end_work);
   a.plastic_work = real::select(mean_work >= 0.0, mean_work, end_work);
-  if constexpr (!Law::wet) {
-    a.elastic_work =
-        0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de - dep);
-  }
-  if constexpr (Law::about_centre) {
-    const R mean_x = 0.5 * (n.x + r.x + rock.zeta(n.evp) + rock.zeta(r.evp));
-    const R total = mean_x * (step.dv * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de);
-    a.elastic_work = total - a.plastic_work;
-  }
   a.moduli = rock.elasticity.moduli_at(r.x, Elasticity::seen_from(p.evp, r.evp));
   if constexpr (Law::wet) {
-    const R rise = p.rise - p.fall * devp;
-    const FilledOf<R> filled = fill_pores(
-        rock.constituents,
-        step.pores,
-        loaded_grains(rock.constituents, step.pores, R(r.x - n.x)),
-        step.dv,
-        rise
-    );
-    a.pores = filled.end;
+    a.pores = pores_after(rock, step, p, r);
     a.elastic_work = work_of_stress(step, a) - a.plastic_work;
+  } else {
+    a.elastic_work =
+        0.5 * (n.x + r.x) * ((step.dv - devp) * (1.0 / 3.0)) + dot(n.s + a.end.s, step.de - dep);
   }
 }
 
@@ -415,7 +419,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
   const MaskOf<R> at_vertex = r.x >= rock.surface.vertex;
   const R way = f.scale * size_of_stress(R(f.x - r.x), R(f.q * f.q));
   a.error = of_moduli + real::select(at_vertex & (way < change.error), way, change.error);
-  if constexpr (Law::wet) a.error = a.error + pressure_error(rock, step, p, a);
+  if constexpr (has_poroplastic_fluid<Law>) a.error = a.error + pressure_error(rock, step, p, a);
   constexpr double largest_retraction = 0.1, negligible = Law::angled ? 0.0 : 0.01;
   const MaskOf<R> retracts =
       (!at_vertex) & (r.evp > n.evp) & step.cap.present & r.cap.present & (r.x < r.cap.kappa);

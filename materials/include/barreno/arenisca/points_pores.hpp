@@ -159,4 +159,53 @@ BARRENO_FUNCTION R undrained_bulk(const Constituents& c, const PoresOf<R>& n, co
   return bulk + real::select(n.pressure > 0.0, biot * biot / storage_of(c, n, bulk), 0.0);
 }
 
+// The same for any rock: `holder` is a structure of a step, with pores where the rock has them.
+
+/// Fluid in the pores by their volumes; not that of the forms about a centre.
+template <class Rock>
+inline constexpr bool has_poroplastic_fluid = Rock::wet && !Rock::about_centre;
+
+/// The pores of points before a step. About a centre, their pressure is that of the centre.
+template <class R, class Rock, class History>
+BARRENO_FUNCTION PoresOf<R> pores_before(const Rock& rock, const History& h) {
+  if constexpr (Rock::about_centre)
+    return {rock.zeta(h.plastic_volume_strain) / -3.0};
+  else if constexpr (Rock::wet)
+    return pores_of<R>(h);
+  else
+    return {};
+}
+/// Strain of the skeleton in an elastic step, to first order.
+template <class R, class Rock, class Step>
+BARRENO_FUNCTION R skeleton_guess(const Rock& rock, const Step& step, const R& bulk) {
+  if constexpr (has_poroplastic_fluid<Rock>)
+    return skeleton_guess(rock.constituents, step.pores, bulk, step.dv);
+  else
+    return step.dv;
+}
+/// Bulk modulus with the fluid that cannot leave [stress].
+template <class R, class Rock, class Holder>
+BARRENO_FUNCTION R bulk_of(const Rock& rock, const Holder& holder, const R& drained) {
+  if constexpr (has_poroplastic_fluid<Rock>)
+    return undrained_bulk(rock.constituents, holder.pores, drained);
+  else
+    return drained;
+}
+/// Into a history whose plastic strain is that of the end.
+/// @param x  I1 of the effective stress [stress]
+template <class R, class Rock, class History>
+BARRENO_FUNCTION void keep_pores(
+    const Rock& rock, const MaskOf<R>& choice, const R& x, const PoresOf<R>& pores, History& h
+) {
+  if constexpr (has_poroplastic_fluid<Rock>)
+    set_pores<R>(choice, pores, h);
+  else if constexpr (Rock::about_centre)
+    tell_pores(rock, choice, x, h);
+}
+/// The pores of one structure into another.
+template <class Rock, class Mask, class From, class To>
+BARRENO_FUNCTION void assign_pores(const Mask& choice, const From& from, To& to) {
+  if constexpr (Rock::wet) assign_where(choice, from.pores, to.pores);
+}
+
 }  // namespace barreno::arenisca

@@ -48,11 +48,10 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
     const MaskOf<R>& asked
 ) {
   WholeStepOf<R, Law> p;
-  R strain = n.dv;
-  if constexpr (Law::wet)
-    strain = skeleton_guess(rock.constituents, n.pores, n.elastic.moduli.bulk, n.dv);
+  R strain = skeleton_guess<R>(rock, n, n.elastic.moduli.bulk);
   p.used = used_moduli(rock, R(3.0 * strain), cap, n.elastic);
-  if constexpr (Law::wet) {
+  if constexpr (Law::wet) p.pores = n.pores;
+  if constexpr (has_poroplastic_fluid<Law>) {
     const Constituents& c = rock.constituents;
     const R guess = (strain - n.dv) * c.matrix;
     const GrainsOf<R> grains = elastic_grains(c, n.pores, p.used.bulk, n.dv);
@@ -91,20 +90,15 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
     assign_where(open, own.s, p.s);
     assign_where(open, own.used, p.used);
     p.inside = p.inside | own.inside;
-    if constexpr (Law::wet) assign_where(open, own.pores, p.pores);
+    assign_pores<Law>(open, own, p);
   }
   const ModuliOf<R> end = rock.elasticity.moduli_after(p.inside, n.elastic, p.x);
   outcome.elastic_work = 0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
-  if constexpr (Law::about_centre)
-    outcome.elastic_work = outcome.elastic_work + rock.zeta(n.evp) * (n.dv * (1.0 / 3.0));
   outcome.plastic_work = R{};
-  R bulk = end.bulk;
-  if constexpr (Law::wet) {
+  if constexpr (Law::wet)
     outcome.elastic_work =
         outcome.elastic_work - 0.5 * (n.pores.pressure + p.pores.pressure) * n.dv;
-    bulk = undrained_bulk(rock.constituents, p.pores, end.bulk);
-  }
-  outcome.longitudinal_modulus = bulk + (4.0 / 3.0) * end.shear;
+  outcome.longitudinal_modulus = bulk_of<R>(rock, p, end.bulk) + (4.0 / 3.0) * end.shear;
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
   return p.inside & (2.0 * mismatch_of(n.elastic.moduli, p.used, end) <= rock.tolerance);
 }

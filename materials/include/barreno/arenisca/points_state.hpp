@@ -73,7 +73,7 @@ template <class R, class Law>
 BARRENO_FUNCTION R skeleton_strain(
     const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p
 ) {
-  if constexpr (Law::wet)
+  if constexpr (has_poroplastic_fluid<Law>)
     return step.dv + p.rise * rock.constituents.per_matrix;
   else
     return step.dv;
@@ -119,7 +119,8 @@ BARRENO_FUNCTION void predict_pressure(
     const R& bulk,
     PredictionOf<R, Law>& p
 ) {
-  if constexpr (Law::wet) {
+  if constexpr (Law::wet) p.elastic = step.pores;
+  if constexpr (has_poroplastic_fluid<Law>) {
     const Constituents& c = rock.constituents;
     const PoresOf<R>& n = step.pores;
     const R biot = 1.0 - bulk * c.per_matrix;
@@ -135,7 +136,7 @@ BARRENO_FUNCTION void predict_pressure(
 /// strains it too.
 template <class R, class Law>
 BARRENO_FUNCTION R stiffness_of_return(const RockOf<R, Law>& rock, const PredictionOf<R, Law>& p) {
-  if constexpr (Law::wet)
+  if constexpr (has_poroplastic_fluid<Law>)
     return 3.0 * p.used.bulk * (1.0 + p.fall * rock.constituents.per_matrix);
   else
     return 3.0 * p.used.bulk;
@@ -165,7 +166,7 @@ BARRENO_FUNCTION void follow_pressure(
     const AttemptOf<R, Law>& a,
     PredictionOf<R, Law>& p
 ) {
-  if constexpr (Law::wet) {
+  if constexpr (has_poroplastic_fluid<Law>) {
     p.fall = fall_of(rock.constituents, a.pores, bulk);
     p.rise = a.pores.pressure - step.pores.pressure + p.fall * (a.end.evp - step.n.evp);
   }
@@ -176,7 +177,7 @@ template <class R, class Law>
 BARRENO_FUNCTION R
 metric_of(const RockOf<R, Law>& rock, const StateOf<R, Law>& n, const PredictionOf<R, Law>& p) {
   const R metric = rock.flow.metric(p.used, n.x, n.evp);
-  if constexpr (Law::wet)
+  if constexpr (has_poroplastic_fluid<Law>)
     return metric * (1.0 + p.fall * rock.constituents.per_matrix);
   else
     return metric;
@@ -211,7 +212,7 @@ BARRENO_FUNCTION void select_attempt(
   assign_where(choice, other.elastic_work, a.elastic_work);
   assign_where(choice, other.plastic_work, a.plastic_work);
   assign_where(choice, other.moduli, a.moduli);
-  if constexpr (Law::wet) assign_where(choice, other.pores, a.pores);
+  assign_pores<Law>(choice, other, a);
   if constexpr (Law::rated) assign_where(choice, other.used, a.used);
 }
 

@@ -27,9 +27,7 @@ BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
   p.evp = evp;
   p.begin = rock.elasticity.state_at(step.n.x, evp);
   p.start = p.begin.moduli;
-  R strain = step.dv;
-  if constexpr (Law::wet)
-    strain = skeleton_guess(rock.constituents, step.pores, p.start.bulk, step.dv);
+  const R strain = skeleton_guess<R>(rock, step, p.start.bulk);
   const ModuliOf<R> used = used_moduli(rock, R(3.0 * strain), step.cap, p.begin);
   predict_pressure(rock, step, used.bulk, p);
   predict_with(rock, step, used, p);
@@ -60,7 +58,6 @@ BARRENO_FUNCTION void accept_elastic(
     work = work_of_stress(step, a);
   } else {
     work = 0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de);
-    if constexpr (Law::about_centre) work = work + rock.zeta(n.evp) * (step.dv * (1.0 / 3.0));
   }
   a.elastic_work = real::select(inside, work, a.elastic_work);
   a.plastic_work = real::select(inside, 0.0, a.plastic_work);
@@ -226,13 +223,15 @@ BARRENO_FUNCTION void add_missed(
     StepOf<R, Law>& step
 ) {
   R strain = fraction * step.dv;
-  if constexpr (Law::wet)
+  if constexpr (has_poroplastic_fluid<Law>)
     strain = strain + (a.pores.pressure - step.pores.pressure) * rock.constituents.per_matrix;
   const R &bulk = a.used.bulk, &shear = a.used.shear;
   step.mean_moduli.bulk = step.mean_moduli.bulk + real::select(takes, fraction * bulk, 0.0);
   step.mean_moduli.shear = step.mean_moduli.shear + real::select(takes, fraction * shear, 0.0);
   const MaskOf<R> flows = takes & !a.elastic;
-  const R missed_x = 3.0 * bulk * strain - (a.end.x - step.state.x);
+  R missed_x = 3.0 * bulk * strain - (a.end.x - step.state.x);
+  if constexpr (Law::about_centre)
+    missed_x = missed_x + 3.0 * (a.pores.pressure - step.pores.pressure);
   const ShearIn<R, Law> missed_s = R(2.0 * fraction * shear) * step.de - (a.end.s - step.state.s);
   step.missed_x = step.missed_x + real::select(flows, missed_x, 0.0);
   assign_where(flows, step.missed_s + missed_s, step.missed_s);
@@ -268,10 +267,9 @@ BARRENO_FUNCTION void take_substeps(
   assign_where(takes, a.end, step.state);
   step.elastic_work = step.elastic_work + real::select(takes, a.elastic_work, 0.0);
   step.plastic_work = step.plastic_work + real::select(takes, a.plastic_work, 0.0);
-  R bulk = a.moduli.bulk;
-  if constexpr (Law::wet) bulk = undrained_bulk(rock.constituents, a.pores, bulk);
+  const R bulk = bulk_of<R>(rock, a, a.moduli.bulk);
   step.modulus = real::select(takes, bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
-  if constexpr (Law::wet) {
+  if constexpr (has_poroplastic_fluid<Law>) {
     if (real::any(step.inflow != 0.0)) {
       const R begin = step.pores.pressure, end = a.pores.pressure;
       // What comes later is compressed by then.
@@ -280,8 +278,8 @@ BARRENO_FUNCTION void take_substeps(
       step.fluid_work = step.fluid_work + 0.5 * (begin + end * ratio) * volume;
       step.inflow = real::select(takes, step.inflow * ratio, step.inflow);
     }
-    assign_where(takes, a.pores, step.pores);
   }
+  assign_pores<Law>(takes, a, step);
 }
 
 /// The part of a substep that ends at the jump of the moduli. Flow in proportion to strain tells

@@ -53,10 +53,9 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const RockOf<R, Law>& rock, const Poin
   n.dv = trace(p.increment.strain);
   n.de = deviator(p.increment.strain);
   if constexpr (Law::wet) {
-    n.pores = pores_of<R>(p.history);
+    n.pores = pores_before<R>(rock, p.history);
     n.x = n.x + 3.0 * n.pores.pressure;
   }
-  if constexpr (Law::about_centre) n.x = n.x - rock.zeta(n.evp);
   n.elastic = rock.elasticity.state_at(n.x, n.evp);
   return n;
 }
@@ -109,9 +108,8 @@ struct StepEnd {
 
 /// The overstress at the end of a step, and the works of the dynamic stress.
 /// @param missed  change of the effective stress had the step been elastic, less what it was
-/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress. Of
-/// rock
-///   about a centre, the mean pressure there
+/// @param begin   pores before the step
+/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress
 /// @param[in,out] end    of the quasi-static stress; of the dynamic one
 template <class R, class Law, class Points>
 BARRENO_FUNCTION void add_overstress(
@@ -119,6 +117,7 @@ BARRENO_FUNCTION void add_overstress(
     const MaskOf<R>& choice,
     const Sym3Of<R>& missed,
     const ModuliOf<R>& moduli,
+    const PoresOf<R>& begin,
     PoresOf<R>& pores,
     Points& p,
     StepEnd<R>& end
@@ -127,10 +126,8 @@ BARRENO_FUNCTION void add_overstress(
   const Sym3Of<R> over = overstress_of<R>(p.history);
   const Sym3Of<R> new_over = relaxed(rock.T1, rock.T2, p.increment, missed, over);
   const MaskOf<R> over_any = contract(over, over) + contract(new_over, new_over) > 0.0;
-  PoresOf<R> begin = pores;
   Sym3Of<R> strain = p.increment.strain;
-  if constexpr (Law::wet) {
-    begin = pores_of<R>(p.history);
+  if constexpr (has_poroplastic_fluid<Law>) {
     const MaskOf<R> moves = over_any & (p.increment.dt > 0.0);
     const R gained = trace(new_over - over);
     end.stress =
@@ -148,11 +145,14 @@ BARRENO_FUNCTION void add_overstress(
   set_overstress<R>(choice, new_over, p.history);
 }
 
-/// I1 at the elastic centre, where rock has one, on the way of a step.
-template <class R>
-struct CentreWay {
-  R begin{}, end{};
-};
+/// What pores are asked of: the points' own rock where that has a centre, else the law.
+template <class R, class Law, class Holder>
+BARRENO_FUNCTION decltype(auto) rock_of_pores(const Law& law, const Holder& holder) {
+  if constexpr (Law::about_centre)
+    return rock_of<R>(law, holder);
+  else
+    return (law);
+}
 
 /// End of steps that flow, from the stress and strain increment that they began with.
 /// @return where the step is left to update()
@@ -164,13 +164,6 @@ BARRENO_ALIKE MaskOf<R> end_step(
   auto& h = p.history;
   R mean_stress = step.state.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
-  CentreWay<R> centre;
-  if constexpr (Law::about_centre) {
-    const auto& pieces = rock_of<R>(rock, step);
-    centre = {pieces.zeta(h.plastic_volume_strain), pieces.zeta(step.state.evp)};
-    mean_stress = mean_stress + centre.end * (1.0 / 3.0);
-    tell_pores(pieces, good, step.state.x, step.state.evp, h);
-  }
   StepEnd<R> end{
       tensor_of<R, Law>(step.state.s, p) + isotropic(mean_stress),
       step.elastic_work,
@@ -179,20 +172,16 @@ BARRENO_ALIKE MaskOf<R> end_step(
   PoresOf<R> pores{};
   if constexpr (Law::wet) pores = step.pores;
   if constexpr (Law::rated) {
-    R missed_x = step.missed_x;
-    if constexpr (Law::about_centre) {
-      missed_x = missed_x - (centre.end - centre.begin);
-      pores.pressure = (centre.begin + centre.end) * (-1.0 / 6.0);
-    }
     const Sym3Of<R> missed =
-        tensor_of<R, Law>(step.missed_s, p) + isotropic(R(missed_x * (1.0 / 3.0)));
-    add_overstress<R>(rock, good, missed, step.mean_moduli, pores, p, end);
+        tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
+    const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(rock, step), h);
+    add_overstress<R>(rock, good, missed, step.mean_moduli, begin, pores, p, end);
   }
   assign_where(good, end.stress, p.stress);
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
       real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
-  if constexpr (Law::wet) set_pores<R>(good, pores, h);
+  keep_pores<R>(rock_of_pores<R>(rock, step), good, step.state.x, pores, h);
   PointsOutcome<R>& out = p.outcome;
   out.elastic_work = real::select(good, mean_ratio * end.elastic_work, out.elastic_work);
   out.plastic_work = real::select(good, mean_ratio * end.plastic_work, out.plastic_work);
@@ -246,24 +235,18 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   R mean_stress = whole.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - whole.pores.pressure;
-  R zeta{};
-  if constexpr (Law::about_centre) {
-    zeta = rock.zeta(n.evp);
-    mean_stress = mean_stress + zeta * (1.0 / 3.0);
-    tell_pores(rock, elastic, whole.x, n.evp, p.history);
-  }
   PointsOutcome<R>& out = p.outcome;
   StepEnd<R> end{whole.s + isotropic(mean_stress), out.elastic_work, out.plastic_work};
   PoresOf<R> pores{};
   if constexpr (Law::wet) pores = whole.pores;
-  if constexpr (Law::about_centre) pores.pressure = zeta * (-1.0 / 3.0);
   if constexpr (Law::rated) {
-    add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, pores, p, end);
+    const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(law, p.history), p.history);
+    add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, begin, pores, p, end);
     out.elastic_work = end.elastic_work;
     out.plastic_work = mean_ratio * end.plastic_work;
   }
   out.elastic_work = mean_ratio * out.elastic_work;
-  if constexpr (Law::wet) set_pores<R>(elastic, pores, p.history);
+  keep_pores<R>(rock, elastic, whole.x, pores, p.history);
   assign_where(elastic, end.stress, p.stress);
   return sound & !elastic;
 }

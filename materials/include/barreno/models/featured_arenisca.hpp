@@ -80,12 +80,10 @@ struct FeaturedForm {
       sum = sum + trace(arenisca::overstress_of<R>(h)) + h.overstress_xy + h.overstress_yz +
             h.overstress_zx;
     if constexpr (Law::wet) sum = sum + h.fluid_mass_ratio + h.pore_pressure;
-    if constexpr (Law::about_centre) sum = sum + h.fluid_mass_ratio;
     MaskOf<R> sound =
         arenisca::sound_points(p.increment, p.stress, sum, h.equivalent_plastic_strain) &
         (h.coherence >= 0.0);
-    if constexpr (Law::wet) sound = sound & arenisca::sound_pores<R>(h);
-    if constexpr (Law::about_centre) sound = sound & (h.fluid_mass_ratio >= 0.0);
+    if constexpr (Law::wet) sound = sound & arenisca::sound_pores<R, Law>(h);
     return arenisca::start_rock<R>(rock_, sound, p);
   }
   template <class R>

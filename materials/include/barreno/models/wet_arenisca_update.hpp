@@ -92,10 +92,14 @@ inline Outcome drain_point(
 }
 
 /// Whether the fluid of points can be.
-template <class R, class History>
+template <class R, class Law, class History>
 BARRENO_FUNCTION MaskOf<R> sound_pores(const History& h) {
-  return (h.fluid_mass_ratio >= 0.0) & (h.pore_pressure >= 0.0) & (h.porosity >= 0.0) &
-         (h.porosity < 1.0) & (h.gas >= 0.0) & (h.gas <= h.porosity);
+  const MaskOf<R> some = h.fluid_mass_ratio >= 0.0;
+  if constexpr (has_poroplastic_fluid<Law>)
+    return some & (h.pore_pressure >= 0.0) & (h.porosity >= 0.0) & (h.porosity < 1.0) &
+           (h.gas >= 0.0) & (h.gas <= h.porosity);
+  else
+    return some;
 }
 
 }  // namespace arenisca
@@ -110,7 +114,7 @@ BARRENO_FUNCTION MaskOf<R> WetAreniscaOf<Parts>::start_points(Points<R>& p) cons
                               R(h.plastic_volume_strain + h.fluid_mass_ratio + h.pore_pressure),
                               h.equivalent_plastic_strain
                           ) &
-                          arenisca::sound_pores<R>(h);
+                          arenisca::sound_pores<R, Law>(h);
   return arenisca::start_rock<R>(rock_, sound, p);
 }
 
