@@ -142,7 +142,7 @@ struct Crossings {
   /// The part of an attempt that ends at the jump; 1 where it does not go beyond it.
   BARRENO_FUNCTION double way(const Rock& rock, double begin, double end_now, double now) {
     if (is_at_jump(rock, begin)) return 1.0;
-    double part = rock.elasticity.way_to_jump(begin, end_now);
+    double part = way_to_jump(rock.elasticity, begin, end_now);
     if (part == 1.0) return part;
     // Where proportion has failed several times: the line through both ends.
     if (count >= 4 && fraction > now && std::fabs(end) > std::fabs(end_now)) {

@@ -3,13 +3,28 @@
 
 #include <barreno/arenisca/rock.hpp>
 #include <barreno/arenisca/root_finding.hpp>
-#include <barreno/outcome.hpp>
+#include <barreno/models/arenisca.hpp>
 #include <cmath>
 
 // The dry law of Arenisca once more, for one point and written apart from that of the library
 // (barreno/arenisca/points_step.hpp): what tests and benchmarks compare that one with. It can take
 // the published nested bisection instead of the fast return.
 namespace barreno::arenisca {
+
+/// False for NaN, infinite or absurd input: a strain increment beyond exp(10) is meaningless.
+BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
+  constexpr double largest_increment = 10.0;
+  const double strain_squared = contract(i.strain, i.strain);
+  return strain_squared <= largest_increment * largest_increment &&
+         std::isfinite(contract(stress, stress)) &&
+         std::isfinite(i.volume_ratio_begin + i.volume_ratio_end);
+}
+
+/// Part of the way from one evp to the other at which the moduli jump; 1 if it does not lie
+/// between.
+BARRENO_FUNCTION double way_to_jump(const Elasticity& e, double evp_begin, double evp_end) {
+  return e.crosses_jump(evp_begin, evp_end) ? evp_begin / (evp_begin - evp_end) : 1.0;
+}
 
 /// State of a point between substeps.
 struct PointState {

@@ -378,15 +378,19 @@ TEST(AreniscaCrushCurve, is_its_own_inverse_and_smooth_at_zero) {
   EXPECT_FALSE((arenisca::CrushCurve{0.0, 0.0, 0.0}).has_cap(0.0));
 }
 
+arenisca::YieldSurface surface_of(const arenisca::ShearLimit::Parameters& p) {
+  return arenisca::make_surface<arenisca::ShearLimit>(p, p.PEAKI1, 0.5);
+}
+
 TEST(AreniscaSurface, special_cases_have_their_vertex_and_slope) {
-  const auto nonlinear = arenisca::make_yield_surface(21e6, 0.435, 4e8, 0.02, 0.5);
+  const auto nonlinear = surface_of({21e6, 0.435, 4e8, 0.02});
   EXPECT_NEAR(nonlinear.limit(21e6), 0.0, 1.0);
   EXPECT_NEAR((nonlinear.limit(20.999e6) - nonlinear.limit(21e6)) / 1e3, 0.435, 1e-4);
   EXPECT_NEAR((nonlinear.limit(-2e10) - nonlinear.limit(-1e10)) / 1e10, 0.02, 1e-5);
-  const auto zero_vertex = arenisca::make_yield_surface(0.0, 0.5, 1e8, 0.0, 0.5);
+  const auto zero_vertex = surface_of({0.0, 0.5, 1e8, 0.0});
   EXPECT_NEAR(zero_vertex.limit(0.0), 0.0, 1e-6);
   EXPECT_NEAR(zero_vertex.limit(-1e10), 1e8, 1e-6);
-  EXPECT_TRUE(std::isinf(arenisca::make_yield_surface(0.0, 0.0, 1e8, 0.0, 0.5).vertex));
+  EXPECT_TRUE(std::isinf(surface_of({0.0, 0.0, 1e8, 0.0}).vertex));
 }
 
 /// Random states on, inside and at the special places of the surface, and increments of random

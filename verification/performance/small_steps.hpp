@@ -62,7 +62,7 @@ inline arenisca::PointState take_exact_steps(
   for (int i = 0; i < count; ++i) {
     double left = part;
     auto a = take_second_order_step(rock, state, left * volume, left * shape);
-    const double way = rock.elasticity.way_to_jump(state.evp, a.end.evp);
+    const double way = way_to_jump(rock.elasticity, state.evp, a.end.evp);
     if (way < 1.0) {
       a = take_second_order_step(rock, state, way * left * volume, way * left * shape);
       left *= 1.0 - way;

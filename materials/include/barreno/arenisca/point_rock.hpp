@@ -98,23 +98,6 @@ struct PointRock {
     if (!fluid.present()) return 0.0;
     return centre_path(fluid, rock.elasticity, at_centre(e), x, e).pressure;
   }
-
-  /// All that a host is told of a state.
-  struct Seen {
-    double zeta, porosity, pore_pressure;
-    Moduli moduli;
-  };
-  BARRENO_FUNCTION Seen seen(double x, double e) const {
-    if (rock.published.present() || !fluid.present()) {
-      return {zeta(e), porosity(e), pore_pressure(x, e), moduli(x, e)};
-    }
-    const FluidState at = at_centre(e);
-    return {
-        at.gap ? 0.0 : -3.0 * at.pressure,
-        at.porosity,
-        centre_path(fluid, rock.elasticity, at, x, e).pressure,
-        saturated_moduli(fluid, rock.elasticity, at, x, e)};
-  }
 };
 
 /// The published backstress: zeta follows the plastic strain, so that the surface moves under a

@@ -78,13 +78,6 @@ BARRENO_FUNCTION SurfaceOf<R, Limit> make_surface(const Parameters& p, const R& 
   s.CR = CR;
   return s;
 }
-/// The published one.
-template <class R>
-BARRENO_FUNCTION SurfaceOf<R> make_yield_surface(
-    const R& peak, double FSLOPE, double STREN, double YSLOPE, double CR
-) {
-  return make_surface<ShearLimit>(ShearLimit::Parameters{0.0, FSLOPE, STREN, YSLOPE}, peak, CR);
-}
 
 /// The same surface at every point.
 template <class R, class Limit>

@@ -16,19 +16,6 @@ namespace barreno {
 
 using Increment = IncrementOf<Sym3>;
 
-namespace arenisca {
-
-/// False for NaN, infinite or absurd input: a strain increment beyond exp(10) is meaningless.
-BARRENO_FUNCTION bool sound_increment(const Increment& i, const Sym3& stress) {
-  constexpr double largest_increment = 10.0;
-  const double strain_squared = contract(i.strain, i.strain);
-  return strain_squared <= largest_increment * largest_increment &&
-         std::isfinite(contract(stress, stress)) &&
-         std::isfinite(i.volume_ratio_begin + i.volume_ratio_end);
-}
-
-}  // namespace arenisca
-
 /// Arenisca, drained: nonlinear Drucker-Prager with a cap that follows the crush curve, nonlinear
 /// elasticity with elastic-plastic coupling, nonassociated flow, error-controlled substeps.
 ///

@@ -103,12 +103,6 @@ struct Elasticity {
     if (B1 == 0.0 && B3 == 0.0 && !variable_ratio()) return none_of<R>();
     return ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
   }
-  /// Part of the way from one evp to the other at which the jump lies; 1 if it does not lie
-  /// between.
-  BARRENO_FUNCTION double way_to_jump(double evp_begin, double evp_end) const {
-    return crosses_jump(evp_begin, evp_end) ? evp_begin / (evp_begin - evp_end) : 1.0;
-  }
-
   BARRENO_FUNCTION bool variable_ratio() const { return G1 != 0.0 && G2 != 0.0; }
 
   template <class R>
