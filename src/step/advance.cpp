@@ -55,9 +55,7 @@ void solve_momentum_balance(const Scene& scene, double& dt, State& state, StepTa
       state.clock.time + (state.subcycling.most + 1) * dt
   );  // which may keep their sums
   project_sets(state.grid, state.particles, state.nodes, state.effort);  // m, p, f  (2.1-2.3)
-  apply_loads(
-      {scene.loads, scene.body_force}, scene.materials, state
-  );                                             // pressures, body force    (2.4)
+  apply_loads(forces_of(scene), state);          // pressures, body force    (2.4)
   sum_halos(symmetry, state.grid, state.nodes);  // symmetry planes, other ranks
   detect_contact(symmetry, state);               // contact
   solve_motion(scene, dt, state, tally);         // v', conditions; v, dt L (2.5-2.6)

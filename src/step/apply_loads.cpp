@@ -11,13 +11,11 @@
 
 namespace barreno {
 
-void apply_loads(
-    const ExternalForces& forces, const std::vector<MaterialSpec>& materials, State& state
-) {
+void apply_loads(const ExternalForces& forces, State& state) {
   const auto& [grid, sets, nodes] = std::tie(state.grid, state.particles, state.nodes);
   set_load_pressures(forces.loads, state.cavities, state.clock.time, state.loads);
   state.ledger.unloaded += release_torn_faces(grid, nodes, sets, state.loads);  // debris has none
-  project_loads(tractions_of(state), materials);
+  project_loads(tractions_of(state), forces.materials);
   project_surface_pressures(tractions_of(state));
   project_body_force(forces.body_force, state.clock, grid, sets, nodes);
 }

@@ -33,7 +33,7 @@ Scene pressed_stone() {
 TEST(ApplyLoads, PressureAndBodyForceAddUpAtTheNodes) {
   const Scene scene = pressed_stone();
   State state = testing::in_tiles(scene, 1.0);
-  apply_loads({scene.loads, scene.body_force}, scene.materials, state);
+  apply_loads(forces_of(scene), state);
   for (const int x : {3, 4}) {
     const auto force = [&](int y) {
       return testing::sums_at(state, 0, 0, {x, y})[first_force(2) + 1];
@@ -49,7 +49,7 @@ TEST(ApplyLoads, ATornFaceIsCountedAndPressedNoMore) {
   const Scene scene = pressed_stone();
   State state = testing::in_tiles(scene, 1.0);
   state.particles[0].deformation_gradient(0, 0) = 2.5;
-  apply_loads({scene.loads, scene.body_force}, scene.materials, state);
+  apply_loads(forces_of(scene), state);
   EXPECT_EQ(state.ledger.unloaded.value(), 1.0);
   EXPECT_DOUBLE_EQ(testing::sums_at(state, 0, 0, {3, 4})[first_force(2) + 1], -weight / 4.0);
 }
@@ -58,7 +58,7 @@ TEST(ApplyLoads, ATornFaceIsCountedAndPressedNoMore) {
 TEST(TallyAppliedLoads, IsTheWorkOfAllOfThem) {
   const Scene scene = pressed_stone();
   State state = testing::in_tiles(scene, 0.125);
-  apply_loads({scene.loads, scene.body_force}, scene.materials, state);
+  apply_loads(forces_of(scene), state);
   testing::set_motion(state, {7.0, 5.0, 0.0}, {2.0, 4.0, 0.0});
   const double motion[] = {7.0, 5.0, 2.0, 4.0};
   for (int c = 0; c < 4; ++c) state.particles[0].grid_motion(0, c) = motion[c];
