@@ -86,7 +86,7 @@ private:
       h.overstress_xy = 1e7 * (unit() - 0.5);
       p.stress = p.stress + arenisca::overstress_of<double>(h);
     }
-    if constexpr (Law::wet) {
+    if constexpr (arenisca::has_poroplastic_fluid<Law>) {
       h.porosity = 0.01 + 0.3 * unit();
       h.pore_pressure = unit() < 0.7 ? 1e8 * unit() : 0.0;
       if (h.pore_pressure == 0.0) h.gas = h.porosity * unit();
