@@ -5,6 +5,7 @@
 #include "state/ledger.hpp"
 #include "state/particles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace barreno {
@@ -18,7 +19,7 @@ struct RemovalRule {
   ArrayView<Fault> fault;
 
   RemovalRule(const Grid& grid, const Particles& particles)
-      : dimensions(grid.patch.dimensions),
+      : dimensions(std::min(grid.patch.dimensions, 3)),  // the bound of lower and upper
         lower{grid.lower[0], grid.lower[1], grid.lower[2]},
         upper{grid.upper[0], grid.upper[1], grid.upper[2]},
         position(particles.position.values),
