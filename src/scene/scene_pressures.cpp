@@ -12,8 +12,8 @@ void refuse_foreign(const Deck& deck, const std::string& path, const std::string
   if (deck.has(path)) deck.refuse_value(path, "has no meaning for " + why + "; remove it");
 }
 
-void require(const Deck& deck, const std::string& path, const char* who) {
-  if (!deck.has(path)) deck.refuse(path, std::string("is missing (") + who + " needs it); add it");
+void require(const Deck& deck, const std::string& path, const std::string& who) {
+  if (!deck.has(path)) deck.refuse(path, "is missing (" + who + " needs it); add it");
 }
 
 /// Of every load on the surface so far; a second one would add to it unseen.
@@ -28,11 +28,8 @@ void read_faces(const Deck& deck, const Scene& scene, PressureLoadSpec& load) {
   const std::string entry = path_of(&PressureLoadSpec::faces, load.name);
   refuse_foreign(deck, path_of(&PressureLoadSpec::surfaces, load.name), "a box");
   require(deck, entry, "a load on a box");
-  if (!traits_of(load.kind).on_faces)
-    deck.refuse_value(
-        path_of(&PressureLoadSpec::body, load.name),
-        "names a box, which has no hollow for a pore fluid; choose a hollow ball"
-    );
+  if (const char* why = traits_of(load.kind).why_no_box)
+    deck.refuse_value(path_of(&PressureLoadSpec::body, load.name), why);
   for (const std::string& word : deck.words(entry)) {
     const Face face = face_at(deck, entry, word);
     const auto index = static_cast<std::size_t>(face);
@@ -45,12 +42,10 @@ void read_surfaces(const Deck& deck, const Scene& scene, const Ball& ball, Press
   const std::string body = path_of(&PressureLoadSpec::body, load.name);
   const std::string surfaces = path_of(&PressureLoadSpec::surfaces, load.name);
   refuse_foreign(deck, path_of(&PressureLoadSpec::faces, load.name), "a ball");
-  const bool fluid = traits_of(load.kind).fills_hollow;
-  if (!traits_of(load.kind).on_surfaces)
-    deck.refuse_value(
-        body, "names a ball, but only the faces of boxes can be non-reflecting; choose a box"
-    );
-  if (fluid) refuse_foreign(deck, surfaces, "a pore fluid, which fills the hollow");
+  const LoadTraits& traits = traits_of(load.kind);
+  const bool fluid = traits.fills_hollow;
+  if (traits.why_no_ball != nullptr) deck.refuse_value(body, traits.why_no_ball);
+  if (traits.no_surfaces != nullptr) refuse_foreign(deck, surfaces, traits.no_surfaces);
   if (!fluid) require(deck, surfaces, "a load on a ball");
   const std::string& entry = fluid ? body : surfaces;
   const auto words = fluid ? std::vector{word_of(BallSurface::inner)} : deck.words(entry);
@@ -67,21 +62,26 @@ void read_surfaces(const Deck& deck, const Scene& scene, const Ball& ball, Press
   }
 }
 
-/// The pressure of the kind: a pore fluid starts with one, a non-reflecting face may have none or
-/// that of the confinement.
+/// "a pore fluid": the kind that fills hollows.
+std::string filling_kind() {
+  for (const LoadTraits& traits : load_traits)
+    if (traits.fills_hollow) return std::string("a ") + traits.word;
+  return {};
+}
+
+/// The pressure of the kind: a fluid starts with one, a load that may be a preload needs none.
 void read_amount(const Deck& deck, const std::string& path, PressureLoadSpec& load) {
   const std::string modulus = path_of(&PressureLoadSpec::bulk_modulus, load.name);
-  if (!traits_of(load.kind).fills_hollow) {
-    refuse_foreign(deck, modulus, "this Kind (it is a pore fluid's)");
-    if (!traits_of(load.kind).preload || has_pressure(deck, path))
-      load.pressure = read_pressure(deck, path);
+  const LoadTraits& traits = traits_of(load.kind);
+  if (traits.no_times != nullptr)
+    for (const char* entry : {times_word, pressures_word})
+      refuse_foreign(deck, input::join(path, entry), traits.no_times);
+  if (!traits.fills_hollow) {
+    refuse_foreign(deck, modulus, "this Kind (it is " + filling_kind() + "'s)");
+    if (!traits.preload || has_pressure(deck, path)) load.pressure = read_pressure(deck, path);
     return;
   }
-  for (const char* entry : {times_word, pressures_word})
-    refuse_foreign(
-        deck, input::join(path, entry), "a pore fluid, whose pressure follows from its volume"
-    );
-  require(deck, modulus, "a pore fluid");
+  require(deck, modulus, filling_kind());
   const std::string pressure = path_of(&PressureLoadSpec::pressure, load.name);
   if (deck.has(pressure)) load.pressure = {{0.0}, {deck.number(pressure)}};
 }

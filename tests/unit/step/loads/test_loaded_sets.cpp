@@ -18,8 +18,9 @@ TEST(LoadTraits, EveryKindOfTheDeckHasItsRow) {
 
 TEST(LoadTraits, EveryKindActsSomewhere) {
   for (const LoadTraits& traits : load_traits) {
-    EXPECT_TRUE(traits.on_faces || traits.on_surfaces);
-    EXPECT_TRUE(traits.on_surfaces || !traits.fills_hollow);
+    EXPECT_TRUE(traits.why_no_box == nullptr || traits.why_no_ball == nullptr) << traits.word;
+    EXPECT_TRUE(traits.why_no_ball == nullptr || !traits.fills_hollow) << traits.word;
+    EXPECT_STRNE(traits.meaning, "") << traits.word;
   }
 }
 
