@@ -7,7 +7,8 @@ from barreno_report.channel import time_text
 from barreno_report.files import write_text
 from barreno_report.path_picture import axis_names, map_figure, paths_figure
 from barreno_report.section import Picture, Section
-from barreno_report.stress_paths import COARSE, elements_near, elements_of, numbers_of, path_of, share_of_strength, surface_of
+from barreno_report.strength import surface_of
+from barreno_report.stress_paths import COARSE, elements_near, elements_of, numbers_of, path_of, share_of_strength
 
 MILLI, MEGA = 1e-3, 1e6
 HEADS = ("particle", "material", "starts at [mm]", "at [mm]", "p [MPa]", "sqrt(J2) [MPa]", "Lode angle [degrees]", "plastic volume strain",
@@ -84,7 +85,7 @@ def path_section(run, frame, paths, box, folder):
     """@param box  of the map, (x, x, y, y) in mm; None: all"""
     known = {name: surface_of(run.deck, name) for name in dict.fromkeys(path.material for path in paths)}
     surfaces = {name: strength for name, (strength, _) in known.items()}
-    reasons = [f"{why}." for _, why in known.values() if why]
+    reasons = [f"{name}: {why}, so only the path is drawn." for name, (_, why) in known.items() if why]
     wet = "pore_pressure" in frame.names
     write_text(folder / "paths.csv", "\n".join([*path_lines(paths, axis_names(run.deck)), ""]))
     words = [*([SURFACES] if any(surfaces.values()) else []), *reasons, ANGLES, *coarse_words(paths)]

@@ -8,6 +8,7 @@ from barreno_runs.regular_file import read_text
 
 TABLES = json.loads(read_text(pathlib.Path(__file__).with_suffix(".json")))
 UNITS = TABLES["units"]  # SI, of the fields of particles.e
+PUBLISHED_SURFACE = frozenset(TABLES["published_surface"])  # entries that a rock may have whose surface is Arenisca's published one
 
 
 def energies(*parts):

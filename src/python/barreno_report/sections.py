@@ -14,7 +14,7 @@ from barreno_report.numbers import depth_interval, depth_text, numerical_shares,
 from barreno_report.path_section import path_section
 from barreno_report.penetration import STOPPED, depth_and_rate, jet_shares, launched_share
 from barreno_report.section import Picture, Section
-from barreno_report.strength_picture import NEAR, strength_figure
+from barreno_report.strength_picture import NEAR, rock_near, strength_figure, surface_words
 
 MILLI, MICRO = 1e-3, 1e-6
 BESIDE, BEHIND, AHEAD = 14.0, 20.0, 10.0  # cells around the tip
@@ -95,16 +95,18 @@ def depth_section(run, table):
 def strength_section(run, frame, table):
     """None where no rock with pores is near the tip."""
     tip = tip_of(run, table, frame)
-    figure = strength_figure(frame, run.deck, tip[:2], NEAR * tip[2])
-    if figure is None:
+    found = rock_near(frame, run.deck, tip[:2], NEAR * tip[2])
+    if not found:
         return None
     words = (
         "Every point is a particle. The surface is that of the run's card in triaxial compression: solid for virgin rock, dashed where "
-        "crushing has closed the pores. "
+        "crushing has closed the pores. A dotted line is virgin rock in triaxial extension, where its strength differs. "
         "In between, a particle's cap lies further out the more it is crushed; with rate dependence or scatter of the strength points may "
         "lie outside."
     )
-    return Section("Strength at the tip", words=[words], pictures=[Picture("strength", figure, "Pressure and shear of rock near the tip.")])
+    figure = strength_figure(run.deck, found, "pore_pressure" in frame.names, tip[:2], NEAR * tip[2])
+    return Section("Strength at the tip", words=[words, *surface_words(found, run.deck)],
+        pictures=[Picture("strength", figure, "Pressure and shear of rock near the tip.")])
 
 
 def ledger_words(summary, remainder):

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The limit surface of Arenisca from the parameters of a card (docs/materials/arenisca.md, Strength): sqrt(J2) against pressure."""
+"""The published limit surface of Arenisca from the parameters of a card (docs/materials/arenisca.md, Strength): sqrt(J2) against pressure.
+tests/decks/test_report_surface.py compares it with the material's own. Of rock that has another, a report says so and draws none."""
 
 import copy
 
 import numpy as np
+
+from barreno_report.run_tables import PUBLISHED_SURFACE
 
 
 def lode_shape(kind, psi):
@@ -43,6 +46,16 @@ class Strength:
         if not np.isfinite([self.peak, self.FSLOPE, self.STREN, self.YSLOPE]).all():
             raise ValueError("the card lacks a parameter of strength")
 
+    @property
+    def vertex(self):
+        """Largest I1; von Mises' surface has none."""
+        return np.inf if self.FSLOPE == 0.0 and self.STREN > 0.0 else self.peak
+
+    @property
+    def angled(self):
+        """Whether triaxial extension has a strength of its own."""
+        return abs(float(self.shape(60.0)) - 1.0) > 1e-9
+
     def limit(self, x):
         """Ff(I1) without the cap."""
         if self.STREN == 0.0:
@@ -72,7 +85,7 @@ class Strength:
         if np.isfinite(X):
             kappa = self.peak - self.CR * (self.peak - X)
             cap = np.where(x < kappa, 1.0 - ((kappa - x) / (kappa - X)) ** 2, 1.0)
-        return np.where(x <= self.peak, np.maximum(self.limit(x), 0.0) * np.sqrt(np.maximum(cap, 0.0)), 0.0)
+        return np.where(x <= self.vertex, np.maximum(self.limit(x), 0.0) * np.sqrt(np.maximum(cap, 0.0)), 0.0)
 
     def curve(self, e, most, points=400):
         """(p, q) of the surface at a volumetric plastic strain, up to a pressure."""
@@ -80,12 +93,39 @@ class Strength:
         return p, self.shear_at(p, e)
 
 
-def strength_of(deck, material):
-    """Of a material of the deck; None where it is no Arenisca, or its card lacks a parameter."""
-    if not deck.text(f"Materials/{material}/Model").startswith("Arenisca"):
-        return None
+def is_off(text):
+    """Whether a value of a card asks for nothing: a part beside the published ones is off at 0."""
+    try:
+        return float(text) == 0.0
+    except ValueError:
+        return text in ("", "none")
+
+
+def other_entries(deck, material):
+    """Entries of a material by which it may have another surface than the published one."""
+    return [name for name, value in deck.parameters("Materials", material).items() if name not in PUBLISHED_SURFACE and not is_off(value)]
+
+
+def surface_of(deck, material):
+    """(Strength or None, why there is none) of a material of the deck."""
+    model = deck.text(f"Materials/{material}/Model")
+    if not model.startswith("Arenisca"):
+        return None, f"a report knows no surface of its model ({model or 'unknown'})"
+    others = other_entries(deck, material)
+    if others:
+        return None, f"its card has {' and '.join(others)}, and a report knows the published shear limit and crush curve alone"
+    published = deck.text(f"Materials/{material}/Backstress strain", "poroplastic") != "poroplastic"
+    if published and deck.number(f"Materials/{material}/fluid_B0", 0.0) > 0.0:
+        return None, (
+            "its form of the pore fluid (Backstress strain) moves the surface by a part of the pore pressure that particles.e does not have"
+        )
     try:
         shape = lode_shape(deck.text(f"Materials/{material}/J3_type"), deck.number(f"Materials/{material}/J3_psi", 1.0))
-        return Strength(lambda name: deck.number(f"Materials/{material}/{name}"), shape)
+        return Strength(lambda name: deck.number(f"Materials/{material}/{name}"), shape), ""
     except ValueError:
-        return None
+        return None, "deck.xml lacks a parameter of its strength"
+
+
+def strength_of(deck, material):
+    """Of a material of the deck; None where a report draws no surface."""
+    return surface_of(deck, material)[0]

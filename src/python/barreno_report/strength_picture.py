@@ -5,7 +5,7 @@ import numpy as np
 
 from barreno_report.hole import jet_particles
 from barreno_report.particles import offsets
-from barreno_report.strength import strength_of
+from barreno_report.strength import strength_of, surface_of
 from barreno_runs.plots import plt
 
 MILLI, MEGA = 1e-3, 1e6
@@ -28,6 +28,8 @@ def rock_near(frame, deck, tip, distance):
 def draw_surface(axes, strength, most):
     p, q = strength.curve(0.0, most)
     axes.plot(p / MEGA, q / MEGA, "k-", lw=1.3, label="yield surface of virgin rock")
+    if strength.angled:
+        axes.plot(p / MEGA, strength.shape(60.0) * q / MEGA, "k:", lw=1.3, label="the same in triaxial extension")
     if np.isfinite(strength.hydrostatic_strength(0.0)):
         p, q = strength.curve(-np.inf, most)
         axes.plot(p / MEGA, q / MEGA, "k--", lw=1.0, label="pores closed: no cap")
@@ -39,7 +41,7 @@ def draw_points(axes, found, deck, most):
     for name, (p, q, _, e) in found.items():
         span = max(float(np.percentile(np.abs(e), 90.0)), 1e-6)
         points = axes.scatter(p / MEGA, q / MEGA, c=e, s=10, cmap="RdBu", vmin=-span, vmax=span, edgecolors="0.4", linewidths=0.3,
-            rasterized=True, label=f"{name} ({len(p)} particles)")
+            rasterized=True, label=f"{name} ({len(p)} particles{'' if strength_of(deck, name) else '; its surface is not drawn'})")
         lowest, highest = min(lowest, float(p.min())), max(highest, float(q[p <= most].max(initial=0.0)))
         strength = strength_of(deck, name)
         if strength:
@@ -56,15 +58,17 @@ def low_pressure(found, deck):
     return 2.0 * max((p for p in crush if np.isfinite(p)), default=0.0)
 
 
-def strength_figure(frame, deck, tip, distance):
-    """None where no rock with pores is near the tip."""
-    found = rock_near(frame, deck, tip, distance)
-    if not found:
-        return None
+def surface_words(found, deck):
+    """What the picture leaves out: a sentence for each rock without a surface."""
+    reasons = {name: surface_of(deck, name)[1] for name in found}
+    return [f"{name}: {why}, so its surface is not drawn." for name, why in reasons.items() if why]
+
+
+def strength_figure(deck, found, wet, tip, distance):
+    """@param found  of rock_near  @param wet  whether there are pore pressures"""
     most, low = max(float(p.max()) for p, *_ in found.values()), low_pressure(found, deck)
     parts = [low, most] if 0.0 < low < 0.7 * most else [max(most, low)]
     figure, panels = plt.subplots(1, len(parts), figsize=(1.5 + 5.0 * len(parts), 4.6), layout="constrained", squeeze=False)
-    wet = "pore_pressure" in frame.names
     for axes, part in zip(panels[0], parts):
         points = draw_points(axes, found, deck, max(part, MEGA))
         axes.set(xlabel="effective pressure p - pore pressure [MPa]" if wet else "pressure p [MPa]", ylabel="√J₂ [MPa]")

@@ -9,7 +9,6 @@ from barreno_report.hole import jet_particles
 from barreno_report.numbers import MICRO
 from barreno_report.particles import offsets
 from barreno_report.principal import along_path, lode_angle, pressure_and_shear, tensors
-from barreno_report.strength import strength_of
 from barreno_runs.faults import Fault
 
 NEAR_TIP = "near tip"
@@ -125,21 +124,6 @@ def path_of(file, element):
     strain = file.series("plastic_volume_strain", element)[alive]
     return StressPath(int(file.numbers[element]), file.block_names[file.block[element]], file.times[alive], file.track(element)[alive],
         stress[:, [1, 0, 2]], strain, coherence)
-
-
-def surface_of(deck, material):
-    """(Strength or None, why there is none) of a material of the deck."""
-    model, strength = deck.text(f"Materials/{material}/Model"), strength_of(deck, material)
-    if strength is None:
-        return None, f"{material}: a report knows no surface of its model ({model or 'unknown'}), so only the path is drawn"
-    published = deck.text(f"Materials/{material}/Backstress strain", "poroplastic") != "poroplastic"
-    if published and deck.number(f"Materials/{material}/fluid_B0", 0.0) > 0.0:
-        return (
-            None,
-            f"{material}: its form of the pore fluid (Backstress strain) moves the surface by a part of the pore pressure that particles.e "
-            "does not have, so only the path is drawn"
-        )
-    return strength, ""
 
 
 def surface_now(path, strength, at):
