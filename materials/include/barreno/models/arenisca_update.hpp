@@ -99,18 +99,18 @@ BARRENO_FUNCTION R press_pores(
   return real::select(moves, f.end.pressure - begin.pressure - rise, 0.0);
 }
 
-/// Stress at the end of a step, and its works per current volume.
+/// Stress and pores at the end of a step, and its works per current volume.
 template <class R>
 struct StepEnd {
   Sym3Of<R> stress;
+  PoresOf<R> pores;
   R elastic_work, plastic_work;
 };
 
 /// The overstress at the end of a step, and the works of the dynamic stress.
 /// @param missed  change of the effective stress had the step been elastic, less what it was
 /// @param begin   pores before the step
-/// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress
-/// @param[in,out] end    of the quasi-static stress; of the dynamic one
+/// @param[in,out] end  under the quasi-static stress; under the dynamic one
 template <class R, class Law, class Points>
 BARRENO_FUNCTION void add_overstress(
     const Law& rock,
@@ -118,7 +118,6 @@ BARRENO_FUNCTION void add_overstress(
     const Sym3Of<R>& missed,
     const ModuliOf<R>& moduli,
     const PoresOf<R>& begin,
-    PoresOf<R>& pores,
     Points& p,
     StepEnd<R>& end
 ) {
@@ -130,14 +129,14 @@ BARRENO_FUNCTION void add_overstress(
   if constexpr (has_poroplastic_fluid<Law>) {
     const MaskOf<R> moves = over_any & (p.increment.dt > 0.0);
     const R gained = trace(new_over - over);
-    end.stress =
-        end.stress - isotropic(press_pores(rock, moves, begin, trace(strain), gained, pores));
-    const R rise = pores.pressure - begin.pressure;
+    const R more = press_pores(rock, moves, begin, trace(strain), gained, end.pores);
+    end.stress = end.stress - isotropic(more);
+    const R rise = end.pores.pressure - begin.pressure;
     strain = strain + isotropic(R(rise * ((1.0 / 3.0) * rock.constituents.per_matrix)));
   }
   const Sym3Of<R> before = p.stress + isotropic(begin.pressure);
   end.stress = end.stress + new_over;
-  const Sym3Of<R> after = end.stress + isotropic(pores.pressure);
+  const Sym3Of<R> after = end.stress + isotropic(end.pores.pressure);
   const R work = 0.5 * contract(p.stress + end.stress, p.increment.strain);
   const R dissipated = dissipated_work(strain, before, after, moduli);
   end.plastic_work = real::select(over_any, dissipated, end.plastic_work);
@@ -166,22 +165,22 @@ BARRENO_ALIKE MaskOf<R> end_step(
   if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
   StepEnd<R> end{
       tensor_of<R, Law>(step.state.s, p) + isotropic(mean_stress),
+      {},
       step.elastic_work,
       step.plastic_work};
+  if constexpr (Law::wet) end.pores = step.pores;
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
-  PoresOf<R> pores{};
-  if constexpr (Law::wet) pores = step.pores;
   if constexpr (Law::rated) {
     const Sym3Of<R> missed =
         tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(rock, step), h);
-    add_overstress<R>(rock, good, missed, step.mean_moduli, begin, pores, p, end);
+    add_overstress<R>(rock, good, missed, step.mean_moduli, begin, p, end);
   }
   assign_where(good, end.stress, p.stress);
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
       real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
-  keep_pores<R>(rock_of_pores<R>(rock, step), good, step.state.x, pores, h);
+  keep_pores<R>(rock_of_pores<R>(rock, step), good, step.state.x, end.pores, h);
   PointsOutcome<R>& out = p.outcome;
   out.elastic_work = real::select(good, mean_ratio * end.elastic_work, out.elastic_work);
   out.plastic_work = real::select(good, mean_ratio * end.plastic_work, out.plastic_work);
@@ -236,17 +235,16 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   R mean_stress = whole.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - whole.pores.pressure;
   PointsOutcome<R>& out = p.outcome;
-  StepEnd<R> end{whole.s + isotropic(mean_stress), out.elastic_work, out.plastic_work};
-  PoresOf<R> pores{};
-  if constexpr (Law::wet) pores = whole.pores;
+  StepEnd<R> end{whole.s + isotropic(mean_stress), {}, out.elastic_work, out.plastic_work};
+  if constexpr (Law::wet) end.pores = whole.pores;
   if constexpr (Law::rated) {
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(law, p.history), p.history);
-    add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, begin, pores, p, end);
+    add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, begin, p, end);
     out.elastic_work = end.elastic_work;
     out.plastic_work = mean_ratio * end.plastic_work;
   }
   out.elastic_work = mean_ratio * out.elastic_work;
-  keep_pores<R>(rock, elastic, whole.x, pores, p.history);
+  keep_pores<R>(rock, elastic, whole.x, end.pores, p.history);
   assign_where(elastic, end.stress, p.stress);
   return sound & !elastic;
 }
