@@ -140,7 +140,7 @@ template <>
 struct Sample<JohnsonCook> : SampleOfMetal<JohnsonCookFlow, MieGruneisen, Fracture> {
   static std::vector<std::pair<JohnsonCook::Parameters, std::string>> contradictions() {
     std::vector<std::pair<JohnsonCook::Parameters, std::string>> list(
-        5, {parameters(), "Melt Temperature"}
+        6, {parameters(), "Melt Temperature"}
     );
     list[0].first.melt_temperature = list[0].first.room_temperature;
     list[1].first.shear_modulus = 300e9;
@@ -151,6 +151,8 @@ struct Sample<JohnsonCook> : SampleOfMetal<JohnsonCookFlow, MieGruneisen, Fractu
     list[3].second = "Spall Stress";
     list[4].first.d1 = -0.5;
     list[4].second = "D1 + D2";
+    list[5].first.thermal_spall = 1;
+    list[5].second = "Thermal Spall";
     return list;
   }
 };

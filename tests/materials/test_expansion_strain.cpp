@@ -158,6 +158,29 @@ TEST(ExpansionStrain, SpallOpensVoidsThatMustCloseAgain) {
   EXPECT_GT(point.history.expansion_strain, 0.0);
 }
 
+TEST(ExpansionStrain, BrokenMetalWithLargeVoidsHasNextToNoModulusAndTheSizeOfItsSolid) {
+  const Porous model(spalling_copper(), density);
+  Point<Porous> point(model);
+  while (point.history.damage < 1.0)
+    ASSERT_FALSE(point.apply(isotropic(0.001), step_time).failed());
+  const double temperature = point.history.temperature;
+  const auto modulus_of_mean = [&] { return point.last.longitudinal_modulus * point.volume_ratio; };
+  const double stiff = modulus_of_mean();
+  while (point.history.expansion_strain < 0.49)
+    ASSERT_FALSE(point.apply(isotropic(0.002), step_time).failed());
+  EXPECT_NEAR(modulus_of_mean() / stiff, 1.0, 0.02) << "it may close within a step";
+  while (point.history.expansion_strain < 3.0)
+    ASSERT_FALSE(point.apply(isotropic(0.002), step_time).failed());
+  EXPECT_NEAR(modulus_of_mean() / stiff, 0.01, 2e-4);
+  EXPECT_EQ(point.history.temperature, temperature) << "voids do not cool";
+  const double solid = Porous::expanded_ratio<double>(point.volume_ratio, point.history);
+  EXPECT_NEAR(solid, 1.0, 0.01);
+  // Voids that are not those of breaking, of a porous body: with them, and as stiff as the solid.
+  const auto porous = model.expanded_state(20.0);
+  EXPECT_EQ(Porous::expanded_ratio<double>(20.0, porous.history), 20.0);
+  EXPECT_NEAR(20.0 * model.longitudinal_modulus(Sym3{}, porous.history, 20.0) / stiff, 1.0, 0.02);
+}
+
 TEST(ExpansionStrain, WithoutVoidsTheUpdateIsTheMetals) {
   const Porous model(spalling_copper(), density);
   const JohnsonCook metal(spalling_copper(), density);

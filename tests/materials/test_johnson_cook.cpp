@@ -98,6 +98,80 @@ TEST(MieGruneisen, DerivativeAndIsentropeAgreeWithDifferences) {
   }
 }
 
+/// Tungsten whose atoms come apart at 4.6 MJ/kg.
+MieGruneisen tungsten_that_comes_apart() {
+  return MieGruneisen::make({134.0, 4030.0, 1.237, 1.67, 4.6e6}, 17600.0);
+}
+double volume_to_eta(double volume_ratio) {
+  return 1.0 - volume_ratio;
+}
+
+TEST(MieGruneisen, ColdTensionTakesTheCohesiveEnergyAndThenEnds) {
+  const MieGruneisen eos = tungsten_that_comes_apart();
+  // e on the cold curve follows its own pressure: de = -p dV / rho0 (Runge and Kutta).
+  double energy = 0.0, largest = 0.0, v = 1.0;
+  constexpr double d = 1e-3;
+  const auto rate = [&](double x, double e) { return -eos.pressure(1.0 - x, e) / eos.density; };
+  for (; v < 12.0; v += d) {
+    const double k1 = rate(v, energy), k2 = rate(v + 0.5 * d, energy + 0.5 * d * k1);
+    const double k3 = rate(v + 0.5 * d, energy + 0.5 * d * k2), k4 = rate(v + d, energy + d * k3);
+    energy += d / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    largest = std::max(largest, -eos.pressure(1.0 - (v + d), energy));
+  }
+  EXPECT_NEAR(energy / eos.cohesive_energy, 1.0, 1e-6);
+  EXPECT_NEAR(largest / (eos.bulk_modulus() / (std::exp(1.0) * eos.fading)), 1.0, 1e-6);
+  EXPECT_NEAR(eos.pressure(1.0 - v, energy) / eos.bulk_modulus(), 0.0, 1e-6);
+}
+
+TEST(MieGruneisen, ExpandedMetalThatIsHotIsAGasAndHasItsSoundSpeed) {
+  const MieGruneisen eos = tungsten_that_comes_apart();
+  // 0.19 of its density with 10 MJ/kg: tungsten as a gas of Gamma 0.5 has 17 GPa and 2.7 km/s.
+  const double eta = volume_to_eta(1.0 / 0.19), e = 10e6;
+  const double p = eos.pressure(eta, e);
+  EXPECT_GT(p, 10e9);
+  EXPECT_LT(p, 25e9);
+  const double modulus = eos.isentropic_modulus(eta, eos.reference(eta), p);
+  const double speed = std::sqrt(modulus / (0.19 * eos.density));
+  EXPECT_GT(speed, 2.2e3);
+  EXPECT_LT(speed, 3.4e3);
+  // Far out nothing is left but atoms: p = 2/3 rho (e - Ec).
+  const double thin = eos.pressure(volume_to_eta(1e4), e) / (1e-4 * eos.density * (e - 4.6e6));
+  EXPECT_NEAR(thin, 2.0 / 3.0, 2e-4);
+}
+
+TEST(MieGruneisen, ExpandedStatesAgreeWithDifferencesAndMeetTheCompressedOnes) {
+  const MieGruneisen eos = tungsten_that_comes_apart();
+  for (const double v : {1.01, 1.2, 1.5, 2.5, 6.0, 40.0}) {
+    const double h = 1e-6 * v, eta = 1.0 - v;
+    const auto at = eos.reference(eta);
+    const auto up = eos.reference(eta + h), down = eos.reference(eta - h);
+    EXPECT_NEAR((up.pressure - down.pressure) / (2 * h), at.derivative, 1e-8 * eos.bulk_modulus());
+    EXPECT_NEAR((up.per_energy - down.per_energy) / (2 * h) / at.per_energy_derivative, 1.0, 1e-6);
+    // On an isentrope dE/deta = P.
+    const double e = 8e6, p = eos.pressure(eta, e);
+    const double change = p * h / eos.density;
+    const double rise =
+        (eos.pressure(eta + h, e + change) - eos.pressure(eta - h, e - change)) / (2 * h);
+    EXPECT_NEAR((1.0 - eta) * rise / eos.isentropic_modulus(eta, at, p), 1.0, 1e-5) << v;
+  }
+  const double tiny = 1e-9, e = 2e6;
+  EXPECT_NEAR(eos.pressure(tiny, e) / eos.pressure(-tiny, e), 1.0, 1e-7);
+  EXPECT_NEAR(eos.reference(tiny).derivative / eos.reference(-tiny).derivative, 1.0, 1e-7);
+  const auto jump =
+      eos.reference(-tiny).per_energy_derivative - eos.reference(tiny).per_energy_derivative;
+  EXPECT_NEAR(jump, 2.0 * 1.67 - 2.0 / 3.0, 1e-7);
+}
+
+TEST(MieGruneisen, TheRelaxedVolumeOfMetalThatComesApartHasNoPressure) {
+  const MieGruneisen eos = tungsten_that_comes_apart();
+  for (const double e : {-1e3, 0.0, 1e4, 3e5, 1e6, 1.5e6}) {
+    const double eta = eos.relaxed_compression(e);
+    EXPECT_NEAR(eos.pressure(eta, e) / eos.bulk_modulus(), 0.0, 1e-9) << e;
+  }
+  // With so much energy it has pressure at any volume, and no volume is relaxed.
+  EXPECT_GE(eos.pressure(eos.relaxed_compression(5e6), 5e6), 0.0);
+}
+
 /// Compress along a steady shock: p + q on the Rayleigh line rho0 Us^2 eta, strain without shear.
 void compress_along_rayleigh_line(CopperPoint& point, double particle_speed, int steps) {
   const MieGruneisen& eos = point.model.equation_of_state();
@@ -343,6 +417,33 @@ TEST(JohnsonCook, SpallEndsTensionForGood) {
     EXPECT_LE(largest_tension(point.stress), 1e-12 * highest);
   }
   EXPECT_GT(highest, 1e8) << "the test must also have seen compression";
+}
+
+/// Pulls a point of copper at this temperature apart. @return the largest tension that it bore [Pa]
+double largest_tension_at(double temperature) {
+  auto parameters = Sample<JohnsonCook>::parameters();
+  parameters.spall_stress = 1.2e9;
+  parameters.thermal_spall = 1;
+  const JohnsonCook model(parameters, 8930.0);
+  CopperPoint point(model);
+  point.history.temperature = temperature;
+  double strongest = 0.0;
+  while (point.history.damage < 1.0 && point.volume_ratio < 1.1) {
+    strongest = std::max(strongest, -pressure(point.stress));
+    EXPECT_FALSE(point.apply(isotropic(1e-6), 1e-9).failed());
+  }
+  EXPECT_EQ(point.history.damage, 1.0);
+  EXPECT_EQ(norm(point.stress), 0.0);
+  return strongest;
+}
+
+TEST(JohnsonCook, SpallStressFallsToNothingAtMelting) {
+  const auto p = Sample<JohnsonCook>::parameters();
+  const double range = p.melt_temperature - p.room_temperature;
+  // One step of 1e-6 is 0.4 MPa of tension; cooling by expansion adds less than 1 %.
+  EXPECT_NEAR(largest_tension_at(p.room_temperature), 1.2e9, 1e6);
+  EXPECT_NEAR(largest_tension_at(p.room_temperature + 0.5 * range), 0.6e9, 1e7);
+  EXPECT_EQ(largest_tension_at(p.melt_temperature + 100.0), 0.0);
 }
 
 TEST(JohnsonCook, DamageBreaksAtTheFractureStrain) {

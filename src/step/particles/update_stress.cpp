@@ -136,7 +136,9 @@ struct UpdateStress {
     const PointsOutcome<R>& outcome = update.outcome;
     const Mask living = alive(group);
     const Mask here = living & (!dormant(group));
-    const Mask expanded = here & (increment.volume_ratio_end > largest_expansion);
+    R ratio = increment.volume_ratio_end;
+    if constexpr (holds_voids<Model>) ratio = Model::expanded_ratio(ratio, update.history);
+    const Mask expanded = here & (ratio > largest_expansion);
     // Not every model checks its input: motion that is not finite fails here.
     const Mask sound = outcome.sound & (increment.volume_ratio_end > 0.0);
     const Mask good = here & (!expanded) & sound;

@@ -15,7 +15,8 @@ namespace barreno {
 /// A point whose damage is 1 is broken. It carries no tension afterwards: its pressure is not
 /// negative, and its equivalent stress is at most 3p/2, so that no principal stress is tensile. The
 /// volume it gains in tension must close before it bears load again. It breaks when the tension -p
-/// reaches the Spall Stress (stress zero at once), or when the damage
+/// reaches the Spall Stress (stress zero at once; with Thermal Spall that stress times 1 - T*,
+/// none where molten), or when the damage
 ///   dD = dep / ef,
 ///   ef = (D1 + D2 exp(D3 sigma*)) (1 + D4 ln max(rate / rate0, 1)) (1 + D5 T*),
 /// sigma* = -p / Y (at most 1.5), has reached 1 (from the next step on).
@@ -26,6 +27,7 @@ struct Fracture {
   static constexpr const char* of_pressure = ", spall";
   struct Parameters {
     double spall_stress = 0.0;
+    int thermal_spall = 0;  ///< 1: Spall Stress falls with T*
     double d1 = 0.0, d2 = 0.0, d3 = 0.0, d4 = 0.0, d5 = 0.0;
   };
   static ParameterTable<Parameters> parameter_table() {
@@ -56,12 +58,21 @@ struct Fracture {
          ),
          optional(&P::d4, "D4", dim::none, any(), 0.0, "Johnson-Cook damage, rate"),
          optional(&P::d5, "D5", dim::none, any(), 0.0, "Johnson-Cook damage, temperature")},
-        {}};
+        {{&P::thermal_spall,
+          "Thermal Spall",
+          {"off", "on"},
+          0,
+          "on: Spall Stress falls with the temperature, by the factor 1 - T*, and molten metal "
+          "bears no tension"}}};
   }
   static std::vector<PlausibleRange> plausible_ranges() { return {{"Spall Stress", 1e4, 1e11}}; }
   static std::string check(const Parameters& p, const metal::BulkModulus& bulk) {
     std::ostringstream text;
-    if (p.spall_stress > bulk.value) {
+    if (p.thermal_spall != 0 && p.spall_stress == 0.0) {
+      text
+          << "Thermal Spall = on needs a Spall Stress above 0 (that at Room Temperature); give it, "
+             "or set Thermal Spall to off.";
+    } else if (p.spall_stress > bulk.value) {
       text << "Spall Stress = " << p.spall_stress << " exceeds " << bulk
            << " (no metal sustains that tension); check its units, or use 0 for no limit.";
     } else if (has_damage(p) && p.d1 + p.d2 <= 0.0) {
@@ -105,7 +116,10 @@ struct Fracture {
   ) const {
     if (damages) grow_damage(strength, flow, pressure, temperature, dt, was_broken, end);
     if (!(p.spall_stress > 0.0)) return R{} > 0.0;
-    const MaskOf<R> spalls = (!was_broken) & (pressure < -p.spall_stress);
+    R borne = R{} + p.spall_stress;
+    if (p.thermal_spall != 0)
+      borne = p.spall_stress * real::larger(R(1.0 - strength.homologous(temperature)), 0.0);
+    const MaskOf<R> spalls = (!was_broken) & (pressure < -borne);
     end.damage = real::select(spalls, 1.0, end.damage);
     return spalls;
   }

@@ -4,6 +4,7 @@
 #include "barreno/metal/part.hpp"
 #include "barreno/portability.hpp"
 #include "barreno/real.hpp"
+#include "barreno/select_members.hpp"
 
 #include <cmath>
 #include <string>
@@ -19,9 +20,22 @@ namespace barreno {
 ///
 /// The pressure and its first derivative are continuous at eta = 0. P_H is singular at eta = 1/s,
 /// the largest compression a single shock can reach; states at or beyond 0.99 of it are refused.
+///
+/// With a Cohesive Energy Ec the metal that is expanded, x = V / V_ref - 1 > 0, comes apart: its
+/// cold tension has a largest value, K / (e beta), and takes the energy Ec to the end; its hot gas
+/// is that of single atoms, Gamma = 2/3.
+///
+///   P(x, e) = p_c(x) + g(x) (rho0 e - E_c(x))
+///   p_c = -K x exp(-beta x),   E_c = rho0 Ec (1 - (1 + beta x) exp(-beta x)),   beta = c0 / Ec^1/2
+///   g = Gamma rho / rho0,   Gamma = 2/3 + (Gamma0 - 2/3) rho / rho0
+///
+/// P is continuous at x = 0, and so is its derivative in the volume without energy; with e > 0
+/// it jumps by (2 Gamma0 - 2/3) rho0 e. dE_c/dx = -p_c.
 /// @par Source  Marsh (ed.), LASL Shock Hugoniot Data, Univ. of California Press, 1980 (linear
 /// U_s-u_p);
-///              Wilkins, Computer Simulation of Dynamic Phenomena, Springer, 1999 (energy form).
+///              Wilkins, Computer Simulation of Dynamic Phenomena, Springer, 1999 (energy form);
+///              Rose, Smith, Guinea & Ferrante, Phys. Rev. B 29 (1984) 2963 (the shape of E_c; in
+///              the volume instead of the distance here).
 struct MieGruneisen {
   static constexpr const char* name = "Mie-Grueneisen";
   static constexpr const char* summary = "Mie-Grueneisen pressure";
@@ -29,6 +43,7 @@ struct MieGruneisen {
   struct Parameters {
     double specific_heat = 0.0;
     double sound_speed = 0.0, slope = 0.0, gamma = 0.0;
+    double cohesive_energy = 0.0;
   };
   static ParameterTable<Parameters> parameter_table() {
     using P = Parameters;
@@ -47,25 +62,47 @@ struct MieGruneisen {
          required(&P::slope, "Hugoniot Slope", dim::none, at_least(0.0), "s in U_s = c0 + s u_p"),
          required(
              &P::gamma, "Gruneisen", dim::none, at_least(0.0), "Gamma0; Gamma rho is constant"
+         ),
+         optional(
+             &P::cohesive_energy,
+             "Cohesive Energy",
+             dim::specific_energy,
+             at_least(0.0),
+             0.0,
+             "that takes the cold metal's atoms apart; 0: its tension grows without limit, and "
+             "Gamma rho is constant where it is expanded too"
          )},
         {}};
   }
   /// Elements and alloys: Marsh, as above.
   static std::vector<PlausibleRange> plausible_ranges() {
-    return {{"Specific Heat", 50.0, 2e4}, {"Sound Speed", 100.0, 2e4}};
+    return {
+        {"Specific Heat", 50.0, 2e4}, {"Sound Speed", 100.0, 2e4}, {"Cohesive Energy", 1e5, 1e8}};
   }
   static metal::BulkModulus bulk(const Parameters& p, double density) {
     return {density * p.sound_speed * p.sound_speed, "Density * Sound Speed^2", "the three"};
   }
   static std::string check(const Parameters& /*p*/) { return ""; }
   static MieGruneisen make(const Parameters& p, double density) {
-    return {density, p.sound_speed, p.slope, p.gamma};
+    const double ec = p.cohesive_energy;
+    return {
+        density,
+        p.sound_speed,
+        p.slope,
+        p.gamma,
+        ec,
+        ec > 0.0 ? p.sound_speed / std::sqrt(ec) : 0.0};
   }
 
-  double density;      ///< rho0 [mass/length^3]
-  double sound_speed;  ///< c0 [length/time]
-  double slope;        ///< s [-]
-  double gamma;        ///< Gamma0 [-]
+  double density;                ///< rho0 [mass/length^3]
+  double sound_speed;            ///< c0 [length/time]
+  double slope;                  ///< s [-]
+  double gamma;                  ///< Gamma0 [-]
+  double cohesive_energy = 0.0;  ///< Ec [energy/mass]; 0: none
+  double fading = 0.0;           ///< beta [-]
+
+  static constexpr double gas_gamma = 2.0 / 3.0;  ///< of single atoms
+  BARRENO_FUNCTION bool comes_apart() const { return cohesive_energy > 0.0; }
 
   /// rho0 c0^2, the bulk modulus of the unstrained material [stress].
   BARRENO_FUNCTION double bulk_modulus() const { return density * sound_speed * sound_speed; }
@@ -77,14 +114,17 @@ struct MieGruneisen {
   /// Whether the update can take a step that changes V / V_ref by `change` to this compression.
   template <class R>
   BARRENO_FUNCTION MaskOf<R> allows(const R& eta, const R& change) const {
-    return (eta < compression_limit()) & (1.0 + 0.5 * gamma * change > 0.0);
+    const double most = comes_apart() && gamma < gas_gamma ? gas_gamma : gamma;
+    return (eta < compression_limit()) & (1.0 + 0.5 * most * change > 0.0);
   }
 
-  /// a(eta) and its derivative.
+  /// a(eta), g(eta) and their derivatives.
   template <class R>
   struct ReferenceOf {
-    R pressure;    ///< a(eta), the pressure at zero internal energy [stress]
-    R derivative;  ///< d a / d eta [stress]
+    R pressure;                 ///< a(eta), the pressure at zero internal energy [stress]
+    R derivative;               ///< d a / d eta [stress]
+    R per_energy;               ///< g, what the pressure gains per energy per reference volume [-]
+    R per_energy_derivative{};  ///< d g / d eta [-]
   };
   template <class R>
   BARRENO_FUNCTION ReferenceOf<R> reference(const R& eta) const {
@@ -94,9 +134,27 @@ struct MieGruneisen {
     const R hugoniot = bulk * closure * closure;  // P_H / eta
     const R growth = (1.0 + slope * eta) * closure;
     const MaskOf<R> expanded = eta <= 0.0;
-    return {
+    ReferenceOf<R> at{
         real::select(expanded, bulk * eta, hugoniot * eta * factor),
-        real::select(expanded, R{} + bulk, hugoniot * (growth * factor - 0.5 * gamma * eta))};
+        real::select(expanded, R{} + bulk, hugoniot * (growth * factor - 0.5 * gamma * eta)),
+        R{} + gamma};
+    if (comes_apart() && real::any(expanded)) assign_where(expanded, expanded_reference(eta), at);
+    return at;
+  }
+  /// Of a metal that comes apart, where it is expanded.
+  template <class R>
+  BARRENO_FUNCTION ReferenceOf<R> expanded_reference(const R& eta) const {
+    const R x = real::larger(R(-eta), 0.0), share = 1.0 / (1.0 + x);  // rho / rho0
+    const R fade = real::exp(R(-fading * x));
+    const R tension = bulk_modulus() * x * fade;
+    const R energy = (density * cohesive_energy) * (1.0 - (1.0 + fading * x) * fade);
+    const R g = share * (gas_gamma + (gamma - gas_gamma) * share);
+    const R slope_g = share * share * (gas_gamma + 2.0 * (gamma - gas_gamma) * share);
+    return {
+        R{} - tension - g * energy,
+        bulk_modulus() * (1.0 - fading * x) * fade - slope_g * energy + g * tension,
+        g,
+        slope_g};
   }
 
   /// The part of the pressure that no energy gives, about a state with this energy per reference
@@ -106,19 +164,23 @@ struct MieGruneisen {
     return reference(eta);
   }
   template <class R>
-  BARRENO_FUNCTION double per_energy(const ReferenceOf<R>& /*at*/) const {
-    return gamma;
+  BARRENO_FUNCTION R per_energy(const ReferenceOf<R>& at) const {
+    return at.per_energy;
   }
 
   /// P(eta, e) [stress]; energy is the specific internal energy [energy/mass].
   BARRENO_FUNCTION double pressure(double eta, double energy) const {
-    return reference(eta).pressure + gamma * density * energy;
+    const auto at = reference(eta);
+    return at.pressure + at.per_energy * density * energy;
   }
 
   /// eta at which the pressure is 0 with this specific internal energy [-]: exact where the metal
   /// is expanded, a(eta) = K eta; by two steps of Newton's method where e < 0, which is small.
+  /// Of a metal that comes apart by Newton's method from eta = 0, which stays on the side of the
+  /// pressure and before the largest cold tension.
   template <class R>
   BARRENO_FUNCTION R relaxed_compression(const R& energy) const {
+    if (comes_apart()) return relaxed_apart(R(density * energy));
     const R thermal = gamma * density * energy;
     R eta = thermal * (-1.0 / bulk_modulus());
     for (int i = 0; i < 2; ++i) {
@@ -128,24 +190,41 @@ struct MieGruneisen {
     return eta;
   }
 
+  /// @param energy per reference volume [stress]
+  template <class R>
+  BARRENO_FUNCTION R relaxed_apart(const R& energy) const {
+    const double largest_tension = -1.0 / fading;
+    const double least_rise = 1e-3 * bulk_modulus();
+    R eta{};
+    for (int i = 0; i < 8; ++i) {
+      const auto at = reference(eta);
+      const R rise = at.derivative + at.per_energy_derivative * energy;
+      eta = eta - (at.pressure + at.per_energy * energy) / real::larger(rise, least_rise);
+      eta = real::larger(eta, largest_tension);
+    }
+    return eta;
+  }
+
   /// Isentropic bulk modulus -V (dP/dV)_s = rho c^2 with the current density rho [stress]. It
   /// follows from de = -P dV / m on an isentrope; it may become negative in strong tension.
   template <class R>
   BARRENO_FUNCTION R
   isentropic_modulus(const R& eta, const ReferenceOf<R>& at, const R& pressure_now) const {
-    return (1.0 - eta) * (at.derivative + gamma * pressure_now);
+    R rise = at.derivative;
+    if (comes_apart())
+      rise += at.per_energy_derivative * (pressure_now - at.pressure) / at.per_energy;
+    return (1.0 - eta) * (rise + at.per_energy * pressure_now);
   }
 
-  /// T / T_begin of an isentropic volume change [-]: dT / T = -Gamma dV / V = -Gamma0 d(V / V_ref).
+  /// T / T_begin of an isentropic volume change [-]: dT / T = -Gamma dV / V = -g d(V / V_ref).
   /// The trapezoidal rule, (1 - x/2) / (1 + x/2), avoids the exponential where its error x^3 / 12
   /// is far below a step's others.
   /// @param change   of V / V_ref
-  /// @param implicit 1 / (1 + Gamma0 change / 2), which a caller has at hand
+  /// @param implicit 1 / (1 + g change / 2), which a caller has at hand
   template <class R>
-  BARRENO_FUNCTION R isentropic_temperature_ratio(
-      const ReferenceOf<R>& /*at*/, const R& change, const R& implicit
-  ) const {
-    const R x = gamma * change;
+  BARRENO_FUNCTION R
+  isentropic_temperature_ratio(const ReferenceOf<R>& at, const R& change, const R& implicit) const {
+    const R x = at.per_energy * change;
     const R short_step = (1.0 - 0.5 * x) * implicit;
     const MaskOf<R> is_long = !(real::abs(x) < 0.02);
     if (!real::any(is_long)) return short_step;

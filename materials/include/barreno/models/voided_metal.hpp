@@ -25,7 +25,8 @@ namespace barreno {
 /// Without voids the update is the metal's.
 ///
 /// The longitudinal modulus is the metal's over alpha, so that with the mean density the sound
-/// speed is the metal's, never 0: voids may close within a step.
+/// speed is the metal's, never 0: voids may close within a step. Broken metal whose voids are too
+/// large for that, e_v > 0.5, bears nothing and has next to none, 1 % of it.
 ///
 /// @par Source  front, pressure and heat of a porous slug on a rigid wall, which follow from the
 ///              jump conditions with the heat U^2/2: Zel'dovich & Raizer, Physics of Shock Waves,
@@ -117,8 +118,7 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
                     real::is_finite(end.expansion_strain) & (increment.dt >= 0.0);
     outcome.elastic_work = real::select(share.closed, outcome.elastic_work, 0.0);
     outcome.plastic_work = real::select(share.closed, outcome.plastic_work, 0.0);
-    outcome.longitudinal_modulus =
-        outcome.longitudinal_modulus * real::exp(R(-end.expansion_strain));
+    outcome.longitudinal_modulus = outcome.longitudinal_modulus * stiff_share<R>(end);
     stress = select_points(outcome.sound, s, stress);
     for (int i = 0; i < history_count; ++i)
       reals_of<R>(history)[i] =
@@ -131,10 +131,35 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
       const Sym3& stress, const History& history, double volume_ratio
   ) const {
     const double metal_share = std::exp(-history.expansion_strain);
-    return metal_share * Solid::longitudinal_modulus(stress, history, volume_ratio * metal_share);
+    return stiff_share<double>(history) *
+           Solid::longitudinal_modulus(stress, history, volume_ratio * metal_share);
+  }
+
+  /// V / V_ref of what has expanded: of broken metal that of the solid, since its voids may have
+  /// any size; of any other with its voids.
+  template <class R>
+  BARRENO_FUNCTION static R expanded_ratio(const R& volume_ratio, const HistoryOf<R>& history) {
+    const MaskOf<R> apart = broken_apart<R>(history);
+    if (!real::any(apart)) return volume_ratio;
+    return real::select(
+        apart, volume_ratio * real::exp(R(-history.expansion_strain)), volume_ratio
+    );
   }
 
 private:
+  template <class R>
+  BARRENO_FUNCTION static MaskOf<R> broken_apart(const HistoryOf<R>& history) {
+    return Failure::template broken<R>(history) & (history.expansion_strain > 0.0);
+  }
+  /// Of the metal's modulus, that a point with these voids has.
+  template <class R>
+  BARRENO_FUNCTION static R stiff_share(const HistoryOf<R>& history) {
+    constexpr double closes_in_a_step = 0.5;  // Step/Largest Strain is less where metal breaks
+    constexpr double next_to_none = 0.01;
+    const R share = real::exp(R(-history.expansion_strain));
+    const MaskOf<R> soft = broken_apart<R>(history) & (history.expansion_strain > closes_in_a_step);
+    return real::select(soft, next_to_none * share, share);
+  }
   /// What a step leaves to the metal.
   template <class R>
   struct Share {
