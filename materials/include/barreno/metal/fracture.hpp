@@ -139,10 +139,12 @@ private:
     const MaskOf<R> grows = (!was_broken) & (flow.plastic_increment > 0.0) & (flow.stress > 0.0);
     if (!real::any(grows)) return;
     const R triaxiality = real::smaller(R(-pressure / real::select(grows, flow.stress, 1.0)), 1.5);
-    const R scale = metal::rate_scale(dt, strength.reference_rate);
-    const R fracture_strain = (p.d1 + p.d2 * real::exp(R(p.d3 * triaxiality))) *
-                              (1.0 + p.d4 * metal::log_rate(flow.plastic_increment, scale)) *
-                              (1.0 + p.d5 * strength.homologous(temperature));
+    R fracture_strain = p.d1 + p.d2 * real::exp(R(p.d3 * triaxiality));
+    if (p.d4 != 0.0) {
+      const R scale = metal::rate_scale(dt, strength.reference_rate);
+      fracture_strain *= 1.0 + p.d4 * metal::log_rate(flow.plastic_increment, scale);
+    }
+    fracture_strain *= 1.0 + p.d5 * strength.homologous(temperature);
     // Published sets with D1 < 0 give no fracture strain at high tension: the point breaks at once.
     const R grown = real::select(
         flow.plastic_increment >= (1.0 - end.damage) * fracture_strain,

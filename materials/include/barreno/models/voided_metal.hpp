@@ -101,6 +101,7 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
   BARRENO_FUNCTION PointsOutcome<R> update_points(
       const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
   ) const {
+    if (real::all(history.expansion_strain == 0.0)) return update_solid(increment, stress, history);
     const Share<R> share = share_of(increment, history.expansion_strain);
     const R whole = increment.volume_ratio_begin - increment.volume_ratio_end;
     const R of_metal = share.increment.volume_ratio_begin - share.increment.volume_ratio_end;
@@ -147,6 +148,17 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
   }
 
 private:
+  /// update_points() where no point has voids: the metal's, and what opens.
+  template <class R>
+  BARRENO_FUNCTION PointsOutcome<R> update_solid(
+      const IncrementOf<Sym3Of<R>>& increment, Sym3Of<R>& stress, HistoryOf<R>& history
+  ) const {
+    PointsOutcome<R> outcome = Solid::update_points(increment, stress, history);
+    const R opened = this->opening(increment.volume_ratio_end, stress, history);
+    history.expansion_strain = real::select(outcome.sound, opened, 0.0);
+    if (real::any(opened > 0.0)) outcome.longitudinal_modulus *= stiff_share<R>(history);
+    return outcome;
+  }
   template <class R>
   BARRENO_FUNCTION static MaskOf<R> broken_apart(const HistoryOf<R>& history) {
     return Failure::template broken<R>(history) & (history.expansion_strain > 0.0);
