@@ -3,6 +3,7 @@
 """Jet table of a self-similar stretching jet.
 
     python3 make_jet.py > tungsten_154.csv
+    python3 make_jet.py --tail > tungsten_320.csv    # with the slow tail of the same jet, down to 400 m/s
     python3 make_jet.py thinned          # the slugs that Jet/Kind = thinned makes of that table; or continuous
 
 At time 0 the jet has full density and lies on the axis behind the launch plane: material coordinate X from
@@ -14,32 +15,45 @@ Mass, momentum and kinetic energy of the slugs of every kind are compared with t
 a thousandth of difference is an error.
 """
 
+import argparse
+import collections
 import math
-import sys
 
-COUNT = 154
-TIP_VELOCITY, TAIL_VELOCITY = 7830.0, 1292.0  # m/s
-DURATION = 77.5e-6  # s, from the first launch to the last
+TIP_VELOCITY = 7830.0  # m/s
+TIP_RADIUS = 1.0e-3  # m
 TIP_LENGTH, TAIL_LENGTH = 1.0, 0.3  # relative, before scaling to fill the jet
-TIP_RADIUS, TAIL_RADIUS = 1.0e-3, 2.2e-3  # m
 DENSITY = 17600.0  # kg/m3
+# Number of slugs, velocity of the last one [m/s], time from the first launch to the last [s], radius of the last one [m].
+Jet = collections.namedtuple("Jet", "count tail_velocity duration tail_radius")
+SHORT = Jet(154, 1292.0, 77.5e-6, 2.2e-3)
 
 
-def slugs():
+def with_tail(jet, count, velocity):
+    """The same stretching jet with another end: its radius goes on growing linearly along it."""
+    share = (1.0 - velocity / TIP_VELOCITY) / (1.0 - jet.tail_velocity / TIP_VELOCITY)  # of its length
+    duration = jet.duration * share * jet.tail_velocity / velocity
+    return Jet(count, velocity, duration, TIP_RADIUS + (jet.tail_radius - TIP_RADIUS) * share)
+
+
+TAILED = with_tail(SHORT, 320, 400.0)
+
+
+def slugs(jet):
     """Rows (time, velocity, radius, length, density), and the initial jet length L0."""
-    origin = DURATION * TAIL_VELOCITY / (1.0 - TAIL_VELOCITY / TIP_VELOCITY)
-    share = [i / (COUNT - 1) for i in range(COUNT)]
+    slowing = 1.0 - jet.tail_velocity / TIP_VELOCITY
+    origin = jet.duration * jet.tail_velocity / slowing
+    share = [i / (jet.count - 1) for i in range(jet.count)]
     length = [TIP_LENGTH + s * (TAIL_LENGTH - TIP_LENGTH) for s in share]
     # Distance of each centre behind the first one, neighbours touching.
     behind = [0.0]
-    for i in range(1, COUNT):
+    for i in range(1, jet.count):
         behind.append(behind[-1] + 0.5 * (length[i - 1] + length[i]))
-    scale = origin * (1.0 - TAIL_VELOCITY / TIP_VELOCITY) / behind[-1]
+    scale = origin * slowing / behind[-1]
     rows = []
-    for i in range(COUNT):
+    for i in range(jet.count):
         x = origin - scale * behind[i]
         velocity = TIP_VELOCITY * x / origin
-        radius = TIP_RADIUS + (TAIL_RADIUS - TIP_RADIUS) * behind[i] / behind[-1]
+        radius = TIP_RADIUS + (jet.tail_radius - TIP_RADIUS) * behind[i] / behind[-1]
         rows.append(((origin - x) / velocity, velocity, radius, scale * length[i], DENSITY))
     return rows, origin
 
@@ -68,7 +82,7 @@ def totals(rows):
     return sum(mass), momentum, energy
 
 
-def integrals(rows, origin, points=20000):
+def integrals(jet, rows, origin, points=20000):
     """The same of the continuous jet, by the midpoint rule over X, from the tail's end to the tip's."""
     first, last = rows[0], rows[-1]
     x_tip, x_tail = origin, origin * last[1] / first[1]
@@ -76,7 +90,7 @@ def integrals(rows, origin, points=20000):
     mass = momentum = energy = 0.0
     for k in range(points):
         x = low + (k + 0.5) * (high - low) / points
-        radius = TIP_RADIUS + (TAIL_RADIUS - TIP_RADIUS) * (x_tip - x) / (x_tip - x_tail)
+        radius = TIP_RADIUS + (jet.tail_radius - TIP_RADIUS) * (x_tip - x) / (x_tip - x_tail)
         dm = DENSITY * math.pi * radius**2 * (high - low) / points
         velocity = TIP_VELOCITY * x / origin
         mass, momentum, energy = mass + dm, momentum + dm * velocity, energy + 0.5 * dm * velocity**2
@@ -84,12 +98,16 @@ def integrals(rows, origin, points=20000):
 
 
 def main():
-    kind = sys.argv[1] if len(sys.argv) > 1 else "discrete"
+    asked = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    asked.add_argument("kind", nargs="?", default="discrete", help="discrete, thinned or continuous")
+    asked.add_argument("--tail", action="store_true", help="with the slow tail, down to 400 m/s")
+    asked = asked.parse_args()
+    kind, jet = asked.kind, TAILED if asked.tail else SHORT
     if kind not in ("discrete", "thinned", "continuous"):
         raise SystemExit(f'make_jet.py: "{kind}" is no kind of a jet; write discrete, thinned or continuous.')
-    pieces, origin = slugs()
+    pieces, origin = slugs(jet)
     rows = slugs_of_kind(pieces, kind)
-    launched, exact = totals(rows), integrals(pieces, origin)
+    launched, exact = totals(rows), integrals(jet, pieces, origin)
     for name, a, b in zip(("mass", "momentum", "energy"), launched, exact):
         if abs(a / b - 1.0) > 1e-3:
             raise SystemExit(f"{name} of the slugs, {a}, is not that of the continuous jet, {b}")
@@ -100,7 +118,7 @@ def main():
         "continuous": "in touching cylinders of the mean density",
     }
     print(f"# Made by make_jet.py: self-similar stretching jet, v = v_tip X / L0, {form[kind]}.")
-    print(f"# v_tip = {TIP_VELOCITY} m/s, L0 = {origin:.6g} m, {COUNT} slugs over {DURATION} s")
+    print(f"# v_tip = {TIP_VELOCITY} m/s, L0 = {origin:.6g} m, {jet.count} slugs over {jet.duration:.6g} s")
     print(f"# launched mass {launched[0]:.9g} kg, momentum {launched[1]:.9g} kg m/s, kinetic energy {launched[2]:.9g} J")
     print(f"# continuous    mass {exact[0]:.9g} kg, momentum {exact[1]:.9g} kg m/s, kinetic energy {exact[2]:.9g} J")
     print("time,velocity,radius,length,density")

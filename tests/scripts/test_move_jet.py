@@ -156,6 +156,8 @@ class MoveJet(unittest.TestCase):
             done = subprocess.run([sys.executable, JETS / "make_jet.py", kind], capture_output=True, text=True, check=True)
             printed[kind] = done.stdout
         self.assertEqual(printed["discrete"], (JETS / "tungsten_154.csv").read_text(encoding="utf-8"))
+        tail = subprocess.run([sys.executable, JETS / "make_jet.py", "--tail"], capture_output=True, text=True, check=True)
+        self.assertEqual(tail.stdout, (JETS / "tungsten_320.csv").read_text(encoding="utf-8"))
         rows = {kind: move_jet.read_table(io.StringIO(text), kind) for kind, text in printed.items()}
         for kind in ("thinned", "continuous"):
             for found, expected in zip(move_jet.totals(rows[kind]), move_jet.totals(rows["discrete"])):

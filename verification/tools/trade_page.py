@@ -6,6 +6,7 @@ import statistics
 
 import depth_cost
 from depth_aims import section as aims_of_depth
+from rest_table import section as depth_at_rest
 from trade_checks import verdict_lines
 from trade_problems import PROBLEMS
 from uniform_cells import depth_table, doubt, steady_table
@@ -166,7 +167,7 @@ def check_lines(data):
 
 def page_of(data):
     text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
-    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), reading(data),
+    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), depth_at_rest(), reading(data),
         *(problem_section(problem, data) for problem in PROBLEMS), check_lines(data)]
     return "\n".join(parts)
 

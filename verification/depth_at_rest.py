@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Depth of a jet until its hole is at rest, against the size of the cells: with metals that fail, and with metals that bear any tension.
+
+    depth_at_rest.py BARRENO [METALS/CELLS ...]    all, or those named, as in failing/2.4: verification/results/depth_at_rest.json, and
+                                                   docs/trade.md
+
+The deck is perforation_at_rest.xml, with the cells of fidelity balanced but for their number in the radius of the jet's tip; metals
+"published" are the cards of perforation.xml. Minutes to an hour of one core each.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
+import foreign_python  # noqa: E402, F401
+from runs import run_deck  # noqa: E402
+from write_pages import write_pages  # noqa: E402
+
+STORED = HERE / "results" / "depth_at_rest.json"
+TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 320, 360)  # us
+CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
+METALS = {
+    "failing": {},
+    "published": {"Materials/Tungsten/Card": "tungsten.xml", "Materials/Steel/Card": "steel_4340.xml"},
+}
+ONE_PARTICLE = {"Bodies/Casing/Particles Per Cell": "1", "Bodies/Rock/Particles Per Cell": "1"}
+METHOD = ("stress_integration_share", "transfer_share")
+
+
+def measure(barreno, metals, cells):
+    import numpy as np
+
+    settings = {**METALS[metals], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Output/Field Interval": "0 us"}
+    finished = run_deck(barreno, "perforation_at_rest.xml", settings)
+    summary, table = finished.summary, finished.table("depth.csv")
+    energy = summary["balances"]["energy"]
+    return {
+        "depths": [float(depth) for depth in np.interp([1e-6 * time for time in TIMES], table["time"], table["depth"])],
+        "lost": -sum(energy[name] for name in METHOD), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
+        "removed": {cause: what["mass"] for cause, what in summary["removed_particles"].items() if what["count"]},
+    }  # fmt: skip
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("barreno", type=pathlib.Path)
+    parser.add_argument("what", nargs="*", metavar="METALS/CELLS")
+    options = parser.parse_args()
+    names = {f"{metals}/{cells:g}": (metals, cells) for metals in METALS for cells in CELLS}
+    unknown = [what for what in options.what if what not in names]
+    if unknown:
+        parser.error(f"there is no {unknown[0]}; there are {', '.join(names)}")
+    for what in options.what or names:
+        one = measure(options.barreno.resolve(), *names[what])
+        print(what, one, flush=True)
+        found = json.loads(STORED.read_text()) if STORED.exists() else {}
+        found[what] = one
+        STORED.write_text(json.dumps({name: found[name] for name in names if name in found}, indent=1) + "\n")
+    write_pages()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
