@@ -63,7 +63,7 @@ TEST(FindCard, NamesTheNearestCard) {
   EXPECT_NE(mine.find("beside the deck"), std::string::npos) << mine;
   EXPECT_NE(mine.find("did you mean 'my_marble'?"), std::string::npos) << mine;
   const std::string far = refusal("granite", beside.string());
-  EXPECT_NE(far.find("choose one of 'aluminium_6061_t6', "), std::string::npos) << far;
+  EXPECT_NE(far.find("choose one of 'aluminium_6061_fracture', "), std::string::npos) << far;
   EXPECT_EQ(far.find("my_marble"), std::string::npos) << "files of the user's may be no cards";
 }
 
