@@ -173,7 +173,7 @@ TEST(ExpansionStrain, BrokenMetalWithLargeVoidsHasNextToNoModulusAndTheSizeOfIts
     ASSERT_FALSE(point.apply(isotropic(0.002), step_time).failed());
   EXPECT_NEAR(modulus_of_mean() / stiff, 0.01, 2e-4);
   EXPECT_EQ(point.history.temperature, temperature) << "voids do not cool";
-  const double solid = Porous::expanded_ratio<double>(point.volume_ratio, point.history);
+  const auto solid = Porous::expanded_ratio<double>(point.volume_ratio, point.history);
   EXPECT_NEAR(solid, 1.0, 0.01);
   // Voids that are not those of breaking, of a porous body: with them, and as stiff as the solid.
   const auto porous = model.expanded_state(20.0);

@@ -83,7 +83,7 @@ def run(barreno, full):
     result.notes = (
         "Slugs of metal that bears any tension stick to the spent metal and the grains of rock that line their hole, and pull them along. "
         "Metal that fails tears there, and its open voids bear nothing. What is left of the dependence on the cells happens at the bottom, "
-        "where slugs of few cells strike what lies there: the velocity of those on their way is that at launch. A rod in pieces "
-        "digs deeper than one in a whole, since the hole goes on growing in the gaps."
+        "where slugs of few cells strike what lies there. A rod in pieces digs deeper than one in a whole, since the hole goes on growing "
+        "in the gaps."
     )
     return result
