@@ -20,6 +20,14 @@
 #define BARRENO_ALIKE inline
 #endif
 
+/// BARRENO_INLINED marks a short point function that must stand within its callers: tensors of
+/// lanes that go through a call leave their registers.
+#if defined(__CUDACC__) || defined(__HIP__) || !defined(__GNUC__)
+#define BARRENO_INLINED BARRENO_FUNCTION
+#else
+#define BARRENO_INLINED __attribute__((always_inline)) BARRENO_FUNCTION
+#endif
+
 /// BARRENO_FLAT marks a long point function whose parts must stand within it: points in lanes that
 /// go through a call leave all of their registers in memory.
 #if defined(__CUDACC__) || defined(__HIP__) || !defined(__GNUC__)

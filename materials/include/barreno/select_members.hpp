@@ -87,7 +87,7 @@ BARRENO_FUNCTION void assign_where(const Mask& choice, const T& other, T& to) {
 
 /// `yes` where `choice` holds, else `no`.
 template <class Mask, class T>
-BARRENO_FUNCTION T select_points(const Mask& choice, const T& yes, const T& no) {
+BARRENO_INLINED T select_points(const Mask& choice, const T& yes, const T& no) {
   T out = no;
   assign_where(choice, yes, out);
   return out;
