@@ -20,8 +20,9 @@ from runs import DECKS, mpi_environment  # noqa: E402
 
 QUICK = DECKS / "perforation_quick.xml"
 # Their jets still fly when they end.
-ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml",
-    "perforation_refined.xml"}
+ENDS_EARLY = {"perforation.xml", "perforation_3d.xml", "perforation_at_rest.xml", "perforation_plane_cpdi.xml",
+    "perforation_plane_gimp.xml", "perforation_quick.xml", "perforation_refined.xml"}
+OF_FIDELITY = ("Fidelity ", "The deck's own values take precedence over fidelity ")  # how its notes begin
 THIN_WALLS = {"driven_cone_3d.xml", "jet_formation_3d.xml"}
 THIN = " cells beside the explosive, fewer than 2"
 EARLY = "ends the run before the jet stops"
@@ -102,7 +103,9 @@ def check_shipped_decks(server):
         assert [DRY_WITH_WATER.get(deck.name, "") in note
             for note in dry] == [True] * (deck.name in DRY_WITH_WATER), f"{deck.name}: {notes}"
         assert len(strain) == (deck.name in LARGE_STRAIN), f"{deck.name}: {notes}"
-        notes = [note for note in notes if note not in dry + strain]
+        chosen = [note for note in notes if note.startswith(OF_FIDELITY)]
+        assert len(chosen) == 2 * ('"Fidelity"' in deck.read_text()), f"{deck.name}: {notes}"
+        notes = [note for note in notes if note not in dry + strain + chosen]
         early, thin, cells = ([note for note in notes if words in note] for words in (EARLY, THIN, "Grid/Cell Size = "))
         assert len(early) == (deck.name in ENDS_EARLY) and notes == cells + early + thin, f"{deck.name}: {notes}"
         assert len(thin) == (deck.name in THIN_WALLS), f"{deck.name}: {notes}"
