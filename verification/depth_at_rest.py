@@ -16,18 +16,18 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
 import foreign_python  # noqa: E402, F401
+from depth_at_rest_table import TIMES  # noqa: E402
+from penetration import between_particles_and_grid  # noqa: E402
 from runs import run_deck  # noqa: E402
 from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "depth_at_rest.json"
-TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 320, 360)  # us
 CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
 METALS = {
     "failing": {},
     "published": {"Materials/Tungsten/Card": "tungsten.xml", "Materials/Steel/Card": "steel_4340.xml"},
 }
 ONE_PARTICLE = {"Bodies/Casing/Particles Per Cell": "1", "Bodies/Rock/Particles Per Cell": "1"}
-METHOD = ("stress_integration_share", "transfer_share")
 
 
 def measure(barreno, metals, cells):
@@ -36,10 +36,9 @@ def measure(barreno, metals, cells):
     settings = {**METALS[metals], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Output/Field Interval": "0 us"}
     finished = run_deck(barreno, "perforation_at_rest.xml", settings)
     summary, table = finished.summary, finished.table("depth.csv")
-    energy = summary["balances"]["energy"]
     return {
         "depths": [float(depth) for depth in np.interp([1e-6 * time for time in TIMES], table["time"], table["depth"])],
-        "lost": -sum(energy[name] for name in METHOD), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
+        "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
         "removed": {cause: what["mass"] for cause, what in summary["removed_particles"].items() if what["count"]},
     }  # fmt: skip
 

@@ -162,6 +162,18 @@ TEST(MieGruneisen, ExpandedStatesAgreeWithDifferencesAndMeetTheCompressedOnes) {
   EXPECT_NEAR(jump, 2.0 * 1.67 - 2.0 / 3.0, 1e-7);
 }
 
+TEST(MieGruneisen, MetalWithoutGammaThatComesApartKeepsItsModulus) {
+  const MieGruneisen eos = MieGruneisen::make({134.0, 4030.0, 1.237, 0.0, 4.6e6}, 17600.0);
+  MieGruneisen whole = eos;
+  whole.cohesive_energy = 0.0;
+  for (const double eta : {0.0, 0.01, 0.2}) {
+    const double p = eos.pressure(eta, 2e6);
+    const double modulus = whole.isentropic_modulus(eta, whole.reference(eta), p);
+    EXPECT_EQ(eos.isentropic_modulus(eta, eos.reference(eta), p), modulus) << eta;
+  }
+  EXPECT_TRUE(std::isfinite(eos.isentropic_modulus(-0.3, eos.reference(-0.3), 1e9)));
+}
+
 TEST(MieGruneisen, TheRelaxedVolumeOfMetalThatComesApartHasNoPressure) {
   const MieGruneisen eos = tungsten_that_comes_apart();
   for (const double e : {-1e3, 0.0, 1e4, 3e5, 1e6, 1.5e6}) {

@@ -6,7 +6,7 @@ import statistics
 
 import depth_cost
 from depth_aims import section as aims_of_depth
-from rest_table import section as depth_at_rest
+from depth_at_rest_table import section as depth_at_rest
 from trade_checks import verdict_lines
 from trade_problems import PROBLEMS
 from uniform_cells import depth_table, doubt, steady_table

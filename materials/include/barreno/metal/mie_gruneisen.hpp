@@ -211,8 +211,11 @@ struct MieGruneisen {
   BARRENO_FUNCTION R
   isentropic_modulus(const R& eta, const ReferenceOf<R>& at, const R& pressure_now) const {
     R rise = at.derivative;
-    if (comes_apart())
-      rise += at.per_energy_derivative * (pressure_now - at.pressure) / at.per_energy;
+    if (comes_apart()) {
+      // The energy, from the pressure; without a Gamma0 compressed metal does not tell it.
+      const R per_energy = real::larger(at.per_energy, 1e-30);
+      rise += at.per_energy_derivative * (pressure_now - at.pressure) / per_energy;
+    }
     return (1.0 - eta) * (rise + at.per_energy * pressure_now);
   }
 
