@@ -10,8 +10,8 @@ HEAD = """## Depth at rest
 
 Depth of `input_xml/perforation_at_rest.xml` [mm], the jet of the main job with its slow tail, at times [us]; cells per radius of the jet's
 tip, one particle per cell in casing and rock. Single runs by `verification/depth_at_rest.py BARRENO`; the seconds are of a machine with
-other work. Runs that differ in the last digit or in the Courant Fraction part by several per cent at rest: a difference of that size between
-two rows proves nothing.
+other work. Runs that differ in the last digit or in the Courant Fraction part by several per cent at rest: a difference of that size
+between two rows proves nothing.
 """
 WHY = """What is lost, and to what. A late slug flies hundreds of millimetres through the hole that earlier slugs have made. Their spent
 metal and grains of rock line this hole, less than two cells beside the slug, and share nodes with it. Metal that bears any tension is
