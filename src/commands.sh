@@ -70,8 +70,7 @@ mpi_environment() {
   export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle-1}"
 }
 
-# For ranks that are all on this machine: looking for networks takes a quarter of a start. (Without the daemon that a single
-# rank starts, ess_singleton_isolated, it would be half; but two such runs at a time share a folder, and one may fail.)
+# For ranks that are all on this machine: looking for networks takes a quarter of a start. A single rank does so by itself.
 stay_on_this_machine() {
   export OMPI_MCA_pml="${OMPI_MCA_pml-ob1}" OMPI_MCA_btl="${OMPI_MCA_btl-self,vader}"
 }
@@ -187,7 +186,6 @@ compute() {  # run or resume, and its arguments
   available=$(cores)
   ranks=${ranks:-$available}
   if ((ranks == 1)); then
-    stay_on_this_machine
     exec "$binary" "$command" "${arguments[@]}"
   fi
   local oversubscribe=()
@@ -341,7 +339,6 @@ carry_out() {  # the words of the command line
       prepare OFF
       if [[ $1 == drive && " $* " =~ " --plot"[\ =] && $* != *" --help"* ]]; then need_packages "${plot_packages[@]}"; fi
       mpi_environment
-      stay_on_this_machine
       exec "$binary" "$@"
       ;;
     *)

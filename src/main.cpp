@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/process.hpp"
+#include "base/start_mpi.hpp"
 #include "check/plan.hpp"
 #include "check/predict_cost.hpp"
 #include "command_line.hpp"
@@ -203,8 +204,7 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
 /// A run needs MPI, whatever mpirun has started, and the plan of one: MueLu cannot set its grids up
 /// without. A point or a page of text comes ten times sooner.
 bool needs_mpi(int argc, char** argv) {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (std::getenv(name)) return true;
+  if (is_rank()) return true;
   const std::string word = argc > 1 ? argv[1] : "";
   return word == "run" || word == "resume" || word == "check";
 }
@@ -220,6 +220,7 @@ int main(int argc, char** argv) {
     const Kokkos::ScopeGuard kokkos(words, first_word);
     return barreno::report_errors(argc, argv, Teuchos::rcp(new Teuchos::SerialComm<int>));
   }
+  barreno::prepare_lone_mpi();
   const Tpetra::ScopeGuard mpi_and_kokkos(&words, &first_word);
   barreno::set_machines(barreno::count_machines());
   return barreno::report_errors(argc, argv, Tpetra::getDefaultComm());

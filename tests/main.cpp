@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/start_mpi.hpp"
+
 #include <Tpetra_Core.hpp>
 
 #include <gtest/gtest.h>
@@ -7,6 +9,7 @@
 /// Every test program runs under MPI and Kokkos; it fails if any rank fails.
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
+  barreno::prepare_lone_mpi();
   const Tpetra::ScopeGuard guard(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
