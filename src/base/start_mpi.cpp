@@ -2,6 +2,7 @@
 #include "base/start_mpi.hpp"
 
 #include <cstdlib>
+#include <initializer_list>
 
 namespace barreno {
 
