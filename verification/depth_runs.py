@@ -36,9 +36,7 @@ ROD = {
 
 def reference(barreno):
     summary = run_deck(barreno, "perforation.xml", {"Fidelity": "reference", "Output/Field Interval": "0 us"}, ranks=2).summary
-    error = summary["penetration"]["depth_error"]
-    return {"depth": summary["penetration"]["depth"], "low": error["low"], "high": error["high"], "wall_seconds": summary["wall_seconds"],
-            "cpu_seconds": summary["cpu_seconds"], "particle_steps": summary["particle_steps"]}  # fmt: skip
+    return {"depth": summary["penetration"]["depth"], **{name: summary[name] for name in ("wall_seconds", "cpu_seconds", "particle_steps")}}
 
 
 def ranks(barreno):

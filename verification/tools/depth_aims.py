@@ -87,7 +87,7 @@ def reference_row(data):
     minutes = data["wall_seconds"] / 60.0
     verdict = (
         f"{'holds' if minutes <= 10.0 and doubt() <= 0.02 else 'missed'}; the interval is the largest difference from cells of {finest:g} "
-        f"mm, run to {time:g} us"
+        f"mm, run to {time:g} us; at 120 us, where the run ends, the program says \"unknown\""
     )
     measured = f"+-{100 * doubt():.2g} %; {minutes:.1f} minutes"
     return row("interval of the depth; time", "*reference*, two ranks", "2 %, 10 minutes", measured, verdict, f"`{RUNS} reference`")
