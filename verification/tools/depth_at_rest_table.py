@@ -32,7 +32,7 @@ anything.
 
 
 def runs():
-    """{(metals, cells): what was measured}, and {(metals, cells): depths [mm] of runs that differ in the Courant Fraction}"""
+    """{(metals, cells): what was measured}, and {(metals, cells): depths [mm] of runs that differ in the Courant Fraction, where enough are}"""
     found, scatter = {}, {}
     for name, one in json.loads((RESULTS / "depth_at_rest.json").read_text()).items():
         metals, cells, *courant = name.split("/")
@@ -40,7 +40,7 @@ def runs():
         if not courant:
             found[of] = one
         scatter.setdefault(of, []).append([1e3 * depth for depth in one["depths"]])
-    return found, {of: depths for of, depths in scatter.items() if len(depths) > 1}
+    return found, {of: depths for of, depths in scatter.items() if len(depths) > 3}
 
 
 def table(found):
