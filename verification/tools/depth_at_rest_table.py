@@ -32,7 +32,7 @@ anything.
 
 
 def runs():
-    """{(metals, cells): what was measured}, and {(metals, cells): depths [mm] of runs that differ in the Courant Fraction, where enough are}"""
+    """{(metals, cells): what was measured}; and depths [mm] of runs that differ in the Courant Fraction, where at least four are"""
     found, scatter = {}, {}
     for name, one in json.loads((RESULTS / "depth_at_rest.json").read_text()).items():
         metals, cells, *courant = name.split("/")
