@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Depth of a jet until its hole is at rest, against the size of the cells: with metals that fail, and with metals that bear any tension.
+"""Depth of a jet until its hole is at rest, against the size of the cells, with several materials and confinements.
 
     depth_at_rest.py BARRENO [RUN ...]    all, or those named: verification/results/depth_at_rest.json, and docs/trade.md
 
-A run is METALS/CELLS, as failing/2.4, or, for the scatter between runs that should agree, METALS/CELLS/COURANT, as failing/1.8/0.75.
-The deck is perforation_at_rest.xml, with the cells of fidelity balanced but for their number in the radius of the jet's tip; metals
-"published" are the cards of perforation.xml. Minutes to an hour of one core each.
+A run is JOB/CELLS, as failing/2.4, or, for the scatter between runs that should agree, JOB/CELLS/COURANT, as failing/1.8/0.75. The deck
+is perforation_at_rest.xml, with the cells of fidelity balanced but for their number in the radius of the jet's tip. Jobs: "failing", the
+deck's metals that fail; "published", the metals of perforation.xml; "bounded", metals that fail and rock with bounded dilatancy;
+"unconfined" and "bounded_unconfined", without the pressure of 69 MPa. Minutes to an hour of one core each.
 """
 import argparse
 import json
@@ -23,19 +24,24 @@ from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "depth_at_rest.json"
 CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
-METALS = {
+BOUNDED = {"Materials/Sandstone/Card": "berea_sandstone_bounded.xml"}
+UNCONFINED = {"Confinement": ""}
+JOBS = {
     "failing": {},
     "published": {"Materials/Tungsten/Card": "tungsten.xml", "Materials/Steel/Card": "steel_4340.xml"},
+    "bounded": BOUNDED,
+    "unconfined": UNCONFINED,
+    "bounded_unconfined": {**BOUNDED, **UNCONFINED},
 }
 SCATTER = {"failing": (1.8, 2.4)}  # cells with which the Courant Fraction is changed a little
 COURANT = (0.79, 0.78, 0.77, 0.76, 0.75, 0.74, 0.73)
 ONE_PARTICLE = {"Bodies/Casing/Particles Per Cell": "1", "Bodies/Rock/Particles Per Cell": "1"}
 
 
-def measure(barreno, metals, cells, courant=None):
+def measure(barreno, job, cells, courant=None):
     import numpy as np
 
-    settings = {**METALS[metals], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Output/Field Interval": "0 us"}
+    settings = {**JOBS[job], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Output/Field Interval": "0 us"}
     if courant is not None:
         settings["Step/Courant Fraction"] = f"{courant:g}"
     finished = run_deck(barreno, "perforation_at_rest.xml", settings)
@@ -52,9 +58,9 @@ def main():
     parser.add_argument("barreno", type=pathlib.Path)
     parser.add_argument("what", nargs="*", metavar="RUN")
     options = parser.parse_args()
-    names = {f"{metals}/{cells:g}": (metals, cells) for metals in METALS for cells in CELLS}
-    names |= {f"{metals}/{cells:g}/{courant:g}": (metals, cells, courant)
-        for metals, sizes in SCATTER.items() for cells in sizes for courant in COURANT}  # fmt: skip
+    names = {f"{job}/{cells:g}": (job, cells) for job in JOBS for cells in CELLS}
+    names |= {f"{job}/{cells:g}/{courant:g}": (job, cells, courant)
+        for job, sizes in SCATTER.items() for cells in sizes for courant in COURANT}  # fmt: skip
     unknown = [what for what in options.what if what not in names]
     if unknown:
         parser.error(f"there is no {unknown[0]}; there are {', '.join(names)}")

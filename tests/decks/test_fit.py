@@ -24,6 +24,7 @@ from barreno_fit.answers import Laboratory  # noqa: E402
 from barreno_fit.data import Test, read_test  # noqa: E402
 from barreno_fit.faults import Fault  # noqa: E402
 from barreno_fit.kinds import DIMENSIONS  # noqa: E402
+from barreno_fit.parameters import PARAMETERS  # noqa: E402
 from barreno_fit.specimens import opened  # noqa: E402
 from barreno_material import load  # noqa: E402
 
@@ -121,6 +122,31 @@ def check_noise(folder, library, full):
     print("  with noise, outside of their range:", outside, "; high/low:", wide)
     assert len(found) == (9 if full else 5) and len(outside) <= (1 if full else 0), outside
     assert all(ratio < 1.5 for ratio in wide.values()), wide
+
+
+def check_dilatancy(folder, library):
+    """The bounds of the dilatancy from volume strains of triaxial tests, the rest of the card known."""
+    truth = {**cards.read("berea_sandstone_bounded"), "BETA_nonassociativity": 1.0}
+    strain = {"axial_strain": numpy.linspace(0, 0.05, 16), "volume_strain": numpy.zeros(16)}
+    tests = [test_of(f"volume_{side}", "triaxial", strain, "differential_stress", side) for side in (5, 40, 120)]
+    with opened(cards.in_a_test(truth, Tolerance=1e-5), library) as rock:
+        answers = Laboratory(tests).answers(rock)
+    files = []
+    for test, answer in zip(tests, answers):
+        lines = ["# kind: triaxial", "# compression: positive", "# strain: logarithmic", f"# confinement: {test.confinement / MEGA} MPa",
+            "axial_strain [-],volume_strain [-],differential_stress [Pa]"]  # fmt: skip
+        rows = zip(*(column.tolist() for column in (test.columns["axial_strain"], answer["volume_strain"], answer["differential_stress"])))
+        files.append(folder / f"{test.file}.csv")
+        files[-1].write_text("\n".join([*lines, *(f"{a!r},{v!r},{q!r}" for a, v, q in rows)]) + "\n")
+    bounds = ("Dilatancy limit", "Dilatancy pressure")
+    held = [word for name, value in truth.items() if name in PARAMETERS and name not in bounds for word in ("--fix", f"{name}={value!r}")]
+    start = folder / "start.xml"
+    start.write_text(cards.text_of({**truth, "Dilatancy limit": 0.02, "Dilatancy pressure": 150e6}))
+    code, _, err = run([*files, "--start", start, "--out", folder / "card.xml", *held])
+    assert code == 0, err
+    found = {entry["name"]: entry["value"] for entry in json.loads((folder / "card.json").read_text())["parameters"]}
+    print("  bounds of the dilatancy:", found)
+    assert set(found) == set(bounds) and all(abs(found[name] / truth[name] - 1) < 0.01 for name in bounds), found
 
 
 def check_left_open(folder, library):
@@ -362,6 +388,7 @@ def main():
     checks = {
         "reading": lambda f: check_reading(f), "bad inputs": lambda f: check_bad_inputs(f),
         "drive": lambda f: check_against_drive(f, library, barreno),
+        "dilatancy": lambda f: check_dilatancy(f, library),
         "left open": lambda f: check_left_open(f, library), "restart": lambda f: check_restart(f, library),
         "bound": lambda f: check_bound(f, library), "better minimum": lambda f: check_better_minimum(f, library),
         "columns": lambda f: check_columns(f, library), "many starts": lambda f: check_many_starts(f, library),

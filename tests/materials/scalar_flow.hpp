@@ -4,6 +4,7 @@
 #include "scalar_return.hpp"
 #include "scalar_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace barreno::arenisca {
@@ -146,6 +147,20 @@ BARRENO_FUNCTION void finish(
   a.moduli = rock.elasticity.moduli_at(r.x, Elasticity::seen_from(p.evp, r.evp));
 }
 
+/// Weight of (q_tr - q)^2 beside (x_tr - x)^2, from where a substep starts: 9 beta^2 K/G.
+/// beta^2 falls with dilation and pressure, and is whole again at the end of the cap.
+BARRENO_FUNCTION double metric_of(const Rock& rock, const Substep& step, const Moduli& moduli) {
+  const double whole = 9.0 * rock.flow.beta * rock.flow.beta * moduli.bulk / moduli.shear;
+  if (rock.flow.per_strain == 0.0 && rock.flow.per_pressure == 0.0) return whole;
+  const double pressure = std::max(-step.n.x / 3.0, 0.0);
+  const double room = 1.0 - rock.flow.per_strain * std::max(step.n.evp, 0.0);
+  const double share =
+      std::max(room, rock.flow.least) * std::exp(-pressure * rock.flow.per_pressure);
+  if (!step.cap.present || step.n.x >= step.cap.kappa) return share * whole;
+  const double c = (step.cap.kappa - step.n.x) / (step.cap.kappa - step.cap.X);
+  return (share + (1.0 - share) * std::min(c, 1.0)) * whole;
+}
+
 /// Second pass of a substep: mean moduli of both ends, and the trial point moved by half the turn
 /// of the flow direction, so that the closest-point return corrects along the mean direction.
 /// Second-order accurate, and still on the hardened surface: evp starts where the moved trial point
@@ -164,7 +179,7 @@ BARRENO_FUNCTION void refine(
   const Moduli mean = {
       0.5 * (first.start.bulk + a.moduli.bulk), 0.5 * (first.start.shear + a.moduli.shear)};
   const Prediction p = predict_with(n, first.start, mean, step.dv, step.de);
-  const double metric = 9.0 * rock.flow.beta * rock.flow.beta * mean.bulk / mean.shear;
+  const double metric = metric_of(rock, step, mean);
   Prediction moved = p;
   moved.x += 0.5 * c.distance * (c.normal_x - f.normal_x);
   const double half = 0.5 * c.distance / std::sqrt(metric);
@@ -213,7 +228,7 @@ BARRENO_FUNCTION ScalarAttempt
 flow_plastically(const Rock& rock, const Substep& step, const Prediction& p, Counter& count) {
   const PointState& n = step.n;
   const Cap& cap = step.cap;
-  const double metric = 9.0 * rock.flow.beta * rock.flow.beta * p.used.bulk / p.used.shear;
+  const double metric = metric_of(rock, step, p.used);
   const Trial trial{p.x, p.q(), metric, 3.0 * p.used.bulk, n.evp, cap};
   const Returned r = return_with(rock, trial, count);
   FlowStart f = find_flow_start(rock, cap, n, p, metric, count);

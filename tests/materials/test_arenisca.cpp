@@ -463,7 +463,7 @@ double excess(const arenisca::Rock& rock, const Sym3& stress, double evp) {
 }
 
 std::vector<Parameters> sets_of_all_kinds() {
-  std::vector<Parameters> sets(8, demonstration());
+  std::vector<Parameters> sets(9, demonstration());
   sets[1] = set_a();
   sets[2].PEAKI1 = sets[2].STREN = sets[2].YSLOPE = 0.0;   // no strength at zero pressure
   sets[3].PEAKI1 = sets[3].YSLOPE = 0.0;                   // zero vertex to von Mises
@@ -476,6 +476,8 @@ std::vector<Parameters> sets_of_all_kinds() {
   sets[7].G0 = arenisca::Elasticity::shear_from_ratio(sets[7].B0, 0.1);
   sets[7].B3 = 4e9;
   sets[7].B4 = 0.01;
+  sets[8].dilatancy_limit = 0.05;
+  sets[8].dilatancy_pressure = 60e6;
   return sets;
 }
 

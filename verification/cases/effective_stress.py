@@ -10,8 +10,9 @@ import numpy as np
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(REPOSITORY / "verification" / "oracles"), str(REPOSITORY / "materials" / "python")]
 from arenisca_laws import Laws  # noqa: E402
-from barreno_material import CONSISTENT, Material, load  # noqa: E402
+from barreno_material import Material, load  # noqa: E402
 from case import Result  # noqa: E402
+from plug import Plug  # noqa: E402
 
 BEREA = REPOSITORY / "materials" / "cards" / "berea_sandstone.xml"
 LAW = ("PEAKI1", "FSLOPE", "STREN", "YSLOPE", "CR", "B0", "B1", "B2", "G0", "G1", "G2", "p0_crush_curve", "p1_crush_curve",
@@ -26,7 +27,6 @@ DRAINED = ((100.0, 60.0), (100.0, 90.0), (50.0, 40.0), (90.0, 50.0))
 ALIKE = (((100.0, 0.0), (200.0, 100.0)), ((100.0, 90.0), (200.0, 190.0)))  # of equal effective pressure
 # Squeezed without drainage and then sheared at that pressure: bulk modulus of the fluid [Pa]; confinement [MPa]
 FLUIDS, SQUEEZE = (2.2e9, 20e9), 104.0
-HELD = 1e-9  # of the confinement: how well it is kept
 STEPS, SHORTENING = 60, 0.03
 SHEAR = 1e-4  # of an increment
 YIELDS = 1e-6  # smallest plastic strain of an increment that counts as flow
@@ -47,58 +47,6 @@ def write_card(folder, name, parameters):
 def berea_laws():
     values = {e.get("name"): e.get("value") for e in xml.parse(BEREA).getroot().iter("Parameter")}
     return Laws({name: float(values[name]) for name in LAW})
-
-
-class Plug:
-    """One point under axial strain and constant pressure at the side."""
-
-    def __init__(self, material, pore_pressure):
-        self.material = material
-        self.stress, self.state = material.virgin(1)
-        self.stress[:, :3] = -(pore_pressure or 0.0)
-
-    def get(self, name):
-        names = self.material.state_names
-        return float(self.state[0, names.index(name)]) if name in names else 0.0
-
-    def confine(self, pressure):
-        """All stresses to -pressure, in steps."""
-        start = -self.stress[0, 0]
-        for part in np.linspace(0.0, 1.0, 11)[1:]:
-            self._reach(np.zeros(3), [0, 1, 2], -(start + part * (pressure - start)))
-
-    def shorten(self, strain, pressure):
-        """Axial strain, constant stress at the side."""
-        self._reach(np.array([strain, 0.0, 0.0]), [1, 2], -pressure)
-
-    def shear(self, strain):
-        """Shear strain alone, which leaves the pressures of elastic rock as they are."""
-        increment = np.zeros((1, 6))
-        increment[0, 3] = strain
-        answer = self.material.update(increment, self.stress, self.state, want=CONSISTENT)
-        assert not answer.status.any(), "the point failed"
-        self.stress, self.state = answer.stress, answer.state
-
-    def pressure(self):
-        return -float(self.stress[0, :3].mean())
-
-    def root_j2(self):
-        deviator = self.stress[0].copy()
-        deviator[:3] += self.pressure()
-        return float(np.sqrt(0.5 * (deviator[:3] ** 2).sum() + (deviator[3:] ** 2).sum()))
-
-    def _reach(self, strain, free, target):
-        """Newton's method for the free strains."""
-        strain = np.concatenate([strain, np.zeros(3)])[None, :]
-        for _ in range(60):
-            answer = self.material.update(strain, self.stress, self.state, want=CONSISTENT)
-            assert not answer.status.any(), "the point failed"
-            miss = answer.stress[0, free] - target
-            if np.abs(miss).max() <= HELD * max(abs(target), 1e6):
-                self.stress, self.state = answer.stress, answer.state
-                return
-            strain[0, free] -= np.linalg.solve(answer.tangent[0][np.ix_(free, free)], miss)
-        raise AssertionError("the confinement was not reached")
 
 
 def envelope(laws, mean_stress, plastic_volume):

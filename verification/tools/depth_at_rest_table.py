@@ -6,7 +6,11 @@ import statistics
 from case_list import RESULTS
 
 TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 320, 360)  # us
-WORDS = {"failing": "that fail", "published": "that bear any tension"}
+WORDS = {
+    "failing": "metals that fail", "published": "metals that bear any tension", "bounded": "metals that fail, rock with bounded dilatancy",
+    "unconfined": "metals that fail, no confinement", "bounded_unconfined": "both, no confinement",
+}  # fmt: skip
+CONFINED = {"unconfined": "failing", "bounded_unconfined": "bounded"}
 HEAD = """## Depth at rest
 
 Depth of `input_xml/perforation_at_rest.xml` [mm], the jet of the main job with its slow tail, at times [us]; cells per radius of the jet's
@@ -32,11 +36,11 @@ anything.
 
 
 def runs():
-    """{(metals, cells): what was measured}; and depths [mm] of runs that differ in the Courant Fraction, where at least four are"""
+    """{(job, cells): what was measured}; and depths [mm] of runs that differ in the Courant Fraction, where at least four are"""
     found, scatter = {}, {}
     for name, one in json.loads((RESULTS / "depth_at_rest.json").read_text()).items():
-        metals, cells, *courant = name.split("/")
-        of = metals, float(cells)
+        job, cells, *courant = name.split("/")
+        of = job, float(cells)
         if not courant:
             found[of] = one
         scatter.setdefault(of, []).append([1e3 * depth for depth in one["depths"]])
@@ -44,40 +48,49 @@ def runs():
 
 
 def table(found):
-    head = ["metals", "cells per radius", *(f"{time} us" for time in TIMES), "lost by the method", "processor time [s]"]
+    head = ["job", "cells per radius", *(f"{time} us" for time in TIMES), "lost by the method", "processor time [s]"]
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    for (metals, cells), one in found.items():
+    for (job, cells), one in found.items():
         depths = [f"{1e3 * depth:.0f}" for depth in one["depths"]]
-        lines.append("| " + " | ".join([WORDS[metals], f"{cells:g}", *depths, f"{100 * one['lost']:.1f} %", f"{one['cpu_seconds']:.0f}"])
+        lines.append("| " + " | ".join([WORDS[job], f"{cells:g}", *depths, f"{100 * one['lost']:.1f} %", f"{one['cpu_seconds']:.0f}"])
             + " |")  # fmt: skip
     return lines
 
 
-def growth(found, metals, time):
+def growth(found, job, time):
     """By how much each size of cells changes the depth of the one before, in words."""
     at = TIMES.index(time)
-    cells = [one for of, one in found if of == metals]
-    depths = [found[metals, one]["depths"][at] for one in cells]
+    cells = [one for of, one in found if of == job]
+    depths = [found[job, one]["depths"][at] for one in cells]
     return " and ".join(f"{100 * (b / a - 1.0):+.1f} % from {low:g} to {high:g}"
         for low, high, a, b in zip(cells, cells[1:], depths, depths[1:]))  # fmt: skip
 
 
 def growths(found):
-    """For each kind of metal of which several sizes of cells were run."""
-    for metals, words in WORDS.items():
-        if sum(of == metals for of, _ in found) > 1:
-            yield (f"Metals {words}: by 120 us the depth changes by {growth(found, metals, 120)} cells per radius; by 320 us by "
-                f"{growth(found, metals, 320)}.")  # fmt: skip
+    """For each job of which several sizes of cells were run."""
+    for job, words in WORDS.items():
+        if sum(of == job for of, _ in found) > 1:
+            yield (f"{words[0].upper()}{words[1:]}: by 120 us the depth changes by {growth(found, job, 120)} cells per radius; by 320 us by "
+                f"{growth(found, job, 320)}.")  # fmt: skip
+
+
+def falls(found):
+    """What the confinement takes of the depth at rest, where both were run."""
+    for job, confined in CONFINED.items():
+        shares = [f"{100 * (1.0 - found[confined, cells]['depths'][-1] / one['depths'][-1]):.0f} % with {cells:g} cells per radius"
+            for (of, cells), one in found.items() if of == job and (confined, cells) in found]  # fmt: skip
+        if shares:
+            yield f"From 0 to 69 MPa the depth at rest falls by {' and '.join(shares)} ({WORDS[confined]})."
 
 
 def scatter_table(scatter):
-    lines = ["| metals | cells per radius | runs | " + " | ".join(f"{time} us" for time in TIMES) + " |", "|" + "---|" * (3 + len(TIMES))]
-    for (metals, cells), depths in scatter.items():
+    lines = ["| job | cells per radius | runs | " + " | ".join(f"{time} us" for time in TIMES) + " |", "|" + "---|" * (3 + len(TIMES))]
+    for (job, cells), depths in scatter.items():
         times = [f"{statistics.mean(at):.0f}, {100 * statistics.stdev(at) / statistics.mean(at):.1f} %" for at in zip(*depths)]
-        lines.append(f"| {WORDS[metals]} | {cells:g} | {len(depths)} | " + " | ".join(times) + " |")
+        lines.append(f"| {WORDS[job]} | {cells:g} | {len(depths)} | " + " | ".join(times) + " |")
     return lines
 
 
 def section():
     found, scatter = runs()
-    return "\n".join([HEAD, *table(found), "", *growths(found), "", SCATTER, *scatter_table(scatter), "", WHY])
+    return "\n".join([HEAD, *table(found), "", *growths(found), *falls(found), "", SCATTER, *scatter_table(scatter), "", WHY])

@@ -38,6 +38,13 @@ def checkpoint_times():
     return table(["particles in three dimensions", "GB", "minutes to write and verify"], rows)
 
 
+def laboratory_tests():
+    """Each test with its datum, and what the cards give."""
+    found = json.loads((RESULTS / "laboratory_tests.json").read_text())
+    rows = [[*row[:4], *(f"{value:.3g}" for value in row[4:])] for row in found["rows"]]
+    return table([*found["columns"][:4], *(f"`{card}`" for card in found["columns"][4:])], rows)
+
+
 PARTS = {
     "arenisca_forms": feature_cost.stored_part,
     "berea_fit": fit_berea.stored_part,
@@ -50,6 +57,7 @@ PARTS = {
     "depths": figures_page.depths,
     "fidelities": figures_page.fidelities,
     "figures": figures_page.figures,
+    "laboratory_tests": laboratory_tests,
     "many_ranks.py": many_ranks.stored_part,
     "off_costs.py": off_costs.stored_part,
     "pore_cost": pore_cost,

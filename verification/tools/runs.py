@@ -44,6 +44,13 @@ class Run:
         """How many times particles.e holds, the start included."""
         return len(self.times())
 
+    def count_of_block(self, block):
+        """How many particles the block of a material has, those included that are not there yet."""
+        from netCDF4 import Dataset
+
+        with Dataset(self.folder / "particles.e") as data:
+            return len(data.dimensions[f"num_el_in_blk{block}"])
+
     def particles(self, step=-1, only=None):
         """Element variables of all blocks at a time step, or only those of these names, and corners as (particle, corner, xy or xyz)."""
         from netCDF4 import Dataset, chartostring

@@ -29,6 +29,8 @@ PARAMETERS = {
     "STREN": Parameter("stress", 1e4, 1e12),
     "YSLOPE": Parameter("ratio", 0.0, 2.0, log=False, wide=0.15),
     "BETA_nonassociativity": Parameter("ratio", 0.02, 1.0, log=False, wide=0.45),
+    "Dilatancy limit": Parameter("ratio", 1e-3, 1.0),
+    "Dilatancy pressure": Parameter("stress", 1e5, 1e12),
     "CR": Parameter("ratio", 0.02, 0.98, log=False, wide=0.45),
     "B0": Parameter("stress", 1e6, 1e12),
     "B1": Parameter("stress", 1e5, 1e12),
@@ -74,7 +76,7 @@ def free_of(tests, card, fixed):
     """Names that these tests may determine. What the start switches off with 0 stays off."""
     names = {name for test in tests for name in KINDS[test.kind].fits}
     if any(set(test.channels) & {"volume_strain", "radial_strain"} and test.kind == "triaxial" for test in tests):
-        names.add("BETA_nonassociativity")
+        names |= {"BETA_nonassociativity", "Dilatancy limit", "Dilatancy pressure"}
     names -= set(fixed)
     names -= {name for name in names if name != "YSLOPE" and name != "BETA_nonassociativity" and card.get(name, 0.0) == 0.0}
     if card.get("STREN", 0.0) == 0.0:

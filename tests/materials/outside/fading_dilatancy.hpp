@@ -47,7 +47,8 @@ struct FadingDilatancy {
   double beta, per_scale;
 
   template <class R>
-  BARRENO_FUNCTION R metric(const ModuliOf<R>& m, const R& /*x*/, const R& evp) const {
+  BARRENO_FUNCTION R
+  metric(const ModuliOf<R>& m, const R& /*x*/, const R& evp, const CapOf<R>& /*cap*/) const {
     const R factor = beta * real::exp(R(per_scale * real::larger(evp, 0.0)));
     return 9.0 * factor * factor * m.bulk / m.shear;
   }

@@ -338,7 +338,7 @@ BARRENO_FUNCTION void refine_points(
   follow_pressure(rock, step, mean.bulk, a, p);
   predict_with(rock, step, mean, p);
   const R triple_bulk = stiffness_of_return(rock, p);
-  const R metric = metric_of(rock, n, p);
+  const R metric = metric_of(rock, step, p);
   const R moved_x = p.x + 0.5 * c.distance * (c.normal_x - f.normal_x);
   const R half = 0.5 * c.distance / real::sqrt(metric);
   const ShearIn<R, Law> moved = moved_shear<R, Law>(p, c, f, half);
@@ -391,7 +391,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
     const Choice& choose
 ) {
   const StateOf<R, Law>& n = step.n;
-  const R metric = metric_of(rock, n, p);
+  const R metric = metric_of(rock, step, p);
   const TrialOf<R> trial{p.x, p.q, metric, stiffness_of_return(rock, p), n.evp, step.cap};
   const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess<R, Law>());
   FlowStartOf<R, Law> f = flow_start_of(rock, flows, step, p, metric);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/counters.hpp"
+#include "barreno/arenisca/parts/cap_shape.hpp"
 #include "barreno/arenisca/parts/shear_limit.hpp"
 #include "barreno/arenisca/selection.hpp"
 #include "barreno/real.hpp"
@@ -12,16 +13,6 @@ namespace barreno::arenisca {
 
 // The meridian of the yield surface, of one point or several (real.hpp): values, derivatives, and
 // what lies inside. No other file knows its equation but that of the limit's part.
-
-/// Cap of the surface: hydrostatic strength X and branch point kappa [stress], and the slope of the
-/// crush curve there. X = -infinity is never stored: where not `present`, the others mean nothing.
-template <class R>
-struct CapOf {
-  MaskOf<R> present{};
-  R X{}, kappa{};
-  R slope{};  ///< dX/d(evp) [stress]
-};
-using Cap = CapOf<double>;
 
 /// The same cap at every point, or that of points that have their own already.
 template <class R, class C>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/parts/part.hpp"
+#include "barreno/real.hpp"
 
 namespace barreno::arenisca {
 
@@ -20,5 +21,15 @@ struct CapShape {
   }
   static std::string check(const Parameters& /*p*/) { return {}; }
 };
+
+/// Cap of the surface: hydrostatic strength X and branch point kappa [stress], and the slope of the
+/// crush curve there. X = -infinity is never stored: where not `present`, the others mean nothing.
+template <class R>
+struct CapOf {
+  MaskOf<R> present{};
+  R X{}, kappa{};
+  R slope{};  ///< dX/d(evp) [stress]
+};
+using Cap = CapOf<double>;
 
 }  // namespace barreno::arenisca

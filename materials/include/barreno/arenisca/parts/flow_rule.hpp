@@ -1,43 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/parts/cap_shape.hpp"
 #include "barreno/arenisca/parts/elasticity.hpp"
 #include "barreno/arenisca/parts/part.hpp"
 
 namespace barreno::arenisca {
 
 /// The published flow rule: the return is the closest point in z = I1/sqrt(3), r = beta sqrt(3K/G)
-/// sqrt(J2), see TrialOf; so beta acts squared on the dilatancy.
+/// sqrt(J2), see TrialOf; so beta acts squared on the dilatancy, which a limit or a pressure bound:
+///
+///   beta^2 = BETA^2 (s + (1 - s) c),   s = max(1 - max(evp, 0)/w, least) exp(-max(p, 0)/p_d)
+///
+/// Sheared rock stops to dilate near the volumetric plastic strain w, and dilates less under
+/// pressure, p = -I1/3. On the cap, from its branch point (c = 0) to its end (c = 1), the flow
+/// becomes that of BETA again: it compacts.
 struct FlowRule {
   struct Parameters {
-    double BETA_nonassociativity;
+    double BETA_nonassociativity, dilatancy_limit, dilatancy_pressure;
   };
   static ParameterTable<Parameters> parameter_table() {
     using P = Parameters;
     namespace d = dimension;
     return {
         {optional(
-            &P::BETA_nonassociativity,
-            "BETA_nonassociativity",
-            d::none,
-            Bounds{0.0, 1.0, true, false},
-            1.0,
-            "beta: dilatancy slope / friction slope = beta^2; above 1 plastic work could be "
-            "negative"
-        )},
+             &P::BETA_nonassociativity,
+             "BETA_nonassociativity",
+             d::none,
+             Bounds{0.0, 1.0, true, false},
+             1.0,
+             "beta: dilatancy slope / friction slope = beta^2; above 1 plastic work could be "
+             "negative"
+         ),
+         optional(
+             &P::dilatancy_limit,
+             "Dilatancy limit",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "w: volumetric plastic strain towards which sheared rock dilates; beta^2 falls with "
+             "1 - evp/w. 0: without limit, as published"
+         ),
+         optional(
+             &P::dilatancy_pressure,
+             "Dilatancy pressure",
+             d::stress,
+             at_least(0.0),
+             0.0,
+             "p_d: beta^2 falls with exp(-p/p_d), p the (effective) mean pressure. 0: the same at "
+             "any pressure, as published"
+         )},
         {}};
   }
   static std::string check(const Parameters& /*p*/) { return {}; }
-  static FlowRule make(const Parameters& p) { return {p.BETA_nonassociativity}; }
+  static FlowRule make(const Parameters& p) {
+    const auto inverse = [](double scale) { return scale > 0.0 ? 1.0 / scale : 0.0; };
+    return {p.BETA_nonassociativity, inverse(p.dilatancy_limit), inverse(p.dilatancy_pressure)};
+  }
 
-  double beta;
+  /// Of beta^2: the return needs a direction.
+  static constexpr double least = 1e-4;
+
+  double beta, per_strain, per_pressure;
+
+  /// What is left of BETA^2 at I1 = x and volumetric plastic strain evp.
+  template <class R>
+  BARRENO_FUNCTION R share(const R& x, const R& evp, const CapOf<R>& cap) const {
+    const R room = real::larger(R(1.0 - per_strain * real::larger(evp, 0.0)), least);
+    const R left = room * real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
+    const MaskOf<R> on_cap = cap.present & (x < cap.kappa);
+    const R span = real::select(on_cap, cap.kappa - cap.X, 1.0);
+    const R along = real::select(on_cap, real::smaller(R((cap.kappa - x) / span), 1.0), 0.0);
+    return left + (1.0 - left) * along;
+  }
 
   /// The weight of (q_tr - q)^2 beside (x_tr - x)^2: 9 beta^2 K/G.
-  /// @param x, evp  I1 and volumetric plastic strain at the start of the substep, which other rules
-  /// depend on
+  /// @param x, evp  I1 and volumetric plastic strain at the start of the substep, and the cap there
   template <class R>
-  BARRENO_FUNCTION R metric(const ModuliOf<R>& m, const R& /*x*/, const R& /*evp*/) const {
-    return (9.0 * beta * beta) * m.bulk / m.shear;
+  BARRENO_FUNCTION R
+  metric(const ModuliOf<R>& m, const R& x, const R& evp, const CapOf<R>& cap) const {
+    const R whole = (9.0 * beta * beta) * m.bulk / m.shear;
+    if (per_strain == 0.0 && per_pressure == 0.0) return whole;
+    return whole * share(x, evp, cap);
   }
 };
 

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A material point as a specimen of the laboratory."""
+import numpy as np
+from barreno_material import CONSISTENT
+
+HELD = 1e-9  # of the confinement: how well it is kept
+
+
+class Plug:
+    """One point under axial strain and constant pressure at the side."""
+
+    def __init__(self, material, pore_pressure, dt=1.0):
+        """@param dt  of an increment [s]"""
+        self.material, self.dt = material, dt
+        self.stress, self.state = material.virgin(1)
+        self.stress[:, :3] = -(pore_pressure or 0.0)
+
+    def get(self, name):
+        names = self.material.state_names
+        return float(self.state[0, names.index(name)]) if name in names else 0.0
+
+    def confine(self, pressure):
+        """All stresses to -pressure, in steps; the volume strain of that."""
+        start = -self.stress[0, 0]
+        parts = np.linspace(0.0, 1.0, 11)[1:]
+        return sum(self._reach(np.zeros(3), [0, 1, 2], -(start + part * (pressure - start))) for part in parts)
+
+    def shorten(self, strain, pressure):
+        """Axial strain, constant stress at the side; the volume strain of that."""
+        return self._reach(np.array([strain, 0.0, 0.0]), [1, 2], -pressure)
+
+    def shear(self, strain):
+        """Shear strain alone, which leaves the pressures of elastic rock as they are."""
+        self._strain(3, strain)
+
+    def strain_axially(self, strain):
+        """Axial strain alone."""
+        self._strain(0, strain)
+
+    def _strain(self, component, strain):
+        increment = np.zeros((1, 6))
+        increment[0, component] = strain
+        answer = self.material.update(increment, self.stress, self.state, self.dt, CONSISTENT)
+        assert not answer.status.any(), "the point failed"
+        self.stress, self.state = answer.stress, answer.state
+
+    def pressure(self):
+        return -float(self.stress[0, :3].mean())
+
+    def root_j2(self):
+        deviator = self.stress[0].copy()
+        deviator[:3] += self.pressure()
+        return float(np.sqrt(0.5 * (deviator[:3] ** 2).sum() + (deviator[3:] ** 2).sum()))
+
+    def _reach(self, strain, free, target):
+        """Newton's method for the free strains."""
+        strain = np.concatenate([strain, np.zeros(3)])[None, :]
+        for _ in range(60):
+            answer = self.material.update(strain, self.stress, self.state, self.dt, CONSISTENT)
+            assert not answer.status.any(), "the point failed"
+            miss = answer.stress[0, free] - target
+            if np.abs(miss).max() <= HELD * max(abs(target), 1e6):
+                self.stress, self.state = answer.stress, answer.state
+                return float(strain[0, :3].sum())
+            strain[0, free] -= np.linalg.solve(answer.tangent[0][np.ix_(free, free)], miss)
+        raise AssertionError("the confinement was not reached")
