@@ -4,7 +4,7 @@
 
     slug_ways.py BARRENO [CELLS ...]    all, or those: verification/results/slug_ways.json, a picture, and docs/trade.md
 
-The deck is perforation_at_rest.xml as depth_at_rest.py runs it ("failing"), to 205 us. Two to ten minutes of one core each.
+The deck is perforation_at_rest.xml with one particle per cell in casing and rock, to 205 us. Two to ten minutes of one core each.
 """
 import argparse
 import json

@@ -7,14 +7,14 @@ from case_list import RESULTS
 
 TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 320, 360)  # us
 WORDS = {
-    "failing": "metals that fail", "published": "metals that bear any tension", "bounded": "metals that fail, rock with bounded dilatancy",
-    "unconfined": "metals that fail, no confinement", "bounded_unconfined": "both, no confinement",
+    "bounded": "the deck", "failing": "sandstone with associated flow", "published": "the same, metals that bear any tension",
+    "bounded_unconfined": "no confinement", "unconfined": "sandstone with associated flow, no confinement", "continuous": "continuous jet",
 }  # fmt: skip
 CONFINED = {"unconfined": "failing", "bounded_unconfined": "bounded"}
 HEAD = """## Depth at rest
 
-Depth of `input_xml/perforation_at_rest.xml` [mm], the jet of the main job with its slow tail, at times [us]; cells per radius of the jet's
-tip, one particle per cell in casing and rock. Single runs by `verification/depth_at_rest.py BARRENO`; the seconds are of a machine with
+Depth of `input_xml/perforation_at_rest.xml` [mm], the jet of the main job with its slow tail, metals that fail and sandstone with bounded
+dilatancy, at times [us]; and of variants of it. Cells per radius of the jet's tip, one particle per cell in casing and rock. Runs by `verification/depth_at_rest.py BARRENO`; the seconds are of a machine with
 other work.
 """
 SCATTER = """Scatter. Runs that should agree part, because each slug meets what the one before has left. Mean depth [mm] and standard deviation
@@ -70,8 +70,8 @@ def growths(found):
     """For each job of which several sizes of cells were run."""
     for job, words in WORDS.items():
         if sum(of == job for of, _ in found) > 1:
-            yield (f"{words[0].upper()}{words[1:]}: by 120 us the depth changes by {growth(found, job, 120)} cells per radius; by 320 us by "
-                f"{growth(found, job, 320)}.")  # fmt: skip
+            early, late = (growth(found, job, time) for time in (120, 320))
+            yield f"{words[0].upper()}{words[1:]}: by 120 us the depth changes by {early} cells per radius; by 320 us by {late}."
 
 
 def falls(found):

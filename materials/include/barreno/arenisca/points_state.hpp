@@ -174,8 +174,9 @@ BARRENO_FUNCTION void follow_pressure(
 
 /// The flow rule's metric, K as the return sees it.
 template <class R, class Law>
-BARRENO_FUNCTION R
-metric_of(const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p) {
+BARRENO_FUNCTION R metric_of(
+    const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p
+) {
   const R metric = rock.flow.metric(p.used, step.n.x, step.n.evp, step.cap);
   if constexpr (has_poroplastic_fluid<Law>)
     return metric * (1.0 + p.fall * rock.constituents.per_matrix);
