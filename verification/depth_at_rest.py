@@ -7,12 +7,13 @@
 A run is JOB/CELLS, as failing/2.4, or, for the scatter between runs that should agree, JOB/CELLS/COURANT, as failing/1.8/0.75. The deck
 is perforation_at_rest.xml, with the cells of fidelity balanced but for their number in the radius of the jet's tip. Jobs: "bounded", the
 deck as it is; "failing", with the sandstone of perforation.xml, whose flow is associated; "published", with its metals too;
-"bounded_unconfined" and "unconfined", the first two without the pressure of 69 MPa; "continuous", the jet dispersed and without gaps.
-Minutes to an hour of one core each.
+"bounded_unconfined" and "unconfined", the first two without the pressure of 69 MPa; "continuous", the jet dispersed and without gaps;
+"long_slugs", the jet in a quarter of the slugs, four times as long. Minutes to an hour of one core each.
 """
 import argparse
 import json
 import pathlib
+import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -20,7 +21,7 @@ sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
 import foreign_python  # noqa: E402, F401
 from depth_at_rest_table import TIMES  # noqa: E402
 from penetration import between_particles_and_grid  # noqa: E402
-from runs import run_deck  # noqa: E402
+from runs import DECKS, run_deck, scratch_folder  # noqa: E402
 from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "depth_at_rest.json"
@@ -33,20 +34,35 @@ JOBS = {
     "published": {**ASSOCIATED, "Materials/Tungsten/Card": "tungsten.xml", "Materials/Steel/Card": "steel_4340.xml"},
     "bounded_unconfined": UNCONFINED,
     "unconfined": {**ASSOCIATED, **UNCONFINED},
-    "continuous": {"Jet/Kind": "continuous"},
+    "continuous": {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"},
+    "long_slugs": {},
 }
 SCATTER = {"failing": (1.8, 2.4), "bounded": (1.8,)}  # cells with which the Courant Fraction is changed a little
 COURANT = (0.79, 0.78, 0.77, 0.76, 0.75, 0.74, 0.73)
 ONE_PARTICLE = {"Bodies/Casing/Particles Per Cell": "1", "Bodies/Rock/Particles Per Cell": "1"}
 
 
-def measure(barreno, job, cells, courant=None):
-    import numpy as np
+def long_slugs():
+    """A jet table of 80 slugs instead of 320."""
+    table = pathlib.Path(scratch_folder()) / "tungsten_80.csv"
+    words = [sys.executable, str(DECKS / "jets" / "make_jet.py"), "--tail", "--slugs", "80"]
+    table.write_text(subprocess.run(words, check=True, capture_output=True, text=True).stdout)
+    return table
 
+
+def measure(barreno, job, cells, courant=None):
     settings = {**JOBS[job], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Output/Field Interval": "0 us"}
     if courant is not None:
         settings["Step/Courant Fraction"] = f"{courant:g}"
-    finished = run_deck(barreno, "perforation_at_rest.xml", settings)
+    if job == "long_slugs":
+        settings["Jet/Table"] = long_slugs()
+    return measured(run_deck(barreno, "perforation_at_rest.xml", settings))
+
+
+def measured(finished):
+    """What is stored of a run."""
+    import numpy as np
+
     summary, table = finished.summary, finished.table("depth.csv")
     return {
         "depths": [float(depth) for depth in np.interp([1e-6 * time for time in TIMES], table["time"], table["depth"])],

@@ -4,6 +4,7 @@
 
     python3 make_jet.py > tungsten_154.csv
     python3 make_jet.py --tail > tungsten_320.csv    # with the slow tail of the same jet, down to 400 m/s
+    python3 make_jet.py --tail --slugs 80            # the same in fewer, longer slugs
     python3 make_jet.py thinned          # the slugs that Jet/Kind = thinned makes of that table; or continuous
 
 At time 0 the jet has full density and lies on the axis behind the launch plane: material coordinate X from
@@ -101,8 +102,13 @@ def main():
     asked = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     asked.add_argument("kind", nargs="?", default="discrete", help="discrete, thinned or continuous")
     asked.add_argument("--tail", action="store_true", help="with the slow tail, down to 400 m/s")
+    asked.add_argument("--slugs", type=int, metavar="N", help="how many, at least 2: fewer are longer, and so are the gaps between them")
     asked = asked.parse_args()
     kind, jet = asked.kind, TAILED if asked.tail else SHORT
+    if asked.slugs is not None:
+        if asked.slugs < 2:
+            raise SystemExit(f"make_jet.py: --slugs {asked.slugs} is too few; write 2 or more.")
+        jet = jet._replace(count=asked.slugs)
     if kind not in ("discrete", "thinned", "continuous"):
         raise SystemExit(f'make_jet.py: "{kind}" is no kind of a jet; write discrete, thinned or continuous.')
     pieces, origin = slugs(jet)

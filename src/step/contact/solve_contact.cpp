@@ -14,6 +14,9 @@ namespace {
 constexpr int max_pairs = max_velocity_fields * (max_velocity_fields - 1) / 2;
 /// Turns of the pairs where three fields or more meet.
 constexpr int turns = 8;
+/// Fields that overlap by more along every direction have no surface between them: particles of one
+/// are embedded in the other, and the two move as one [cells].
+constexpr double most_overlap = 1.0;
 
 /// The fields at one node: what they have, and what contact does to them.
 template <unsigned D>
@@ -171,19 +174,21 @@ struct SolveContact {
     const FieldPair& pair = pairs[i];
     double n[D] = {};
     double gap_speed = 0.0;
-    if (pair.kind != ContactKind::bonded) {
+    ContactKind kind = pair.kind;
+    if (kind != ContactKind::bonded) {
       constexpr int normals = normal_components(dimensions);
       const double* const at =
           &normal[i](first_value(copies.patch, of.tile, normals)) + slot * normals;
       for (int d = 0; d < dimensions; ++d) n[d] = at[d];
       gap_speed = std::fmax(at[dimensions], 0.0) * of.cell_size / of.dt;
+      if (at[dimensions] < -most_overlap) kind = ContactKind::bonded;
     }
     const double inverse = node.inverse_mass[pair.a] + node.inverse_mass[pair.b];
     double w[D];
     for (int d = 0; d < dimensions; ++d)
       w[d] = node.start[pair.b][d] - node.start[pair.a][d] + of_pair.total[d] * inverse;
     const ContactImpulse<D> now =
-        contact_impulse<D>(pair.kind, pair.friction, 1.0 / inverse, w, n, gap_speed);
+        contact_impulse<D>(kind, pair.friction, 1.0 / inverse, w, n, gap_speed);
     for (int d = 0; d < dimensions; ++d) {
       const double total = now.total[d] - of_pair.total[d];
       const double tangential = now.tangential[d] - of_pair.tangential[d];

@@ -97,6 +97,18 @@ TEST(SolveContact, FrictionIsAtMostItsCoefficientTimesThePressure) {
   EXPECT_DOUBLE_EQ(sticks.impulse(0)[1], 3.0);
 }
 
+/// No plane separates them: they get their common velocity, along every direction.
+TEST(SolveContact, WhatIsEmbeddedInTheOtherMovesWithIt) {
+  Meeting m(ContactKind::frictionless, 0.0, 4.0, -1.01);
+  m.solve();
+  EXPECT_DOUBLE_EQ(4.0 + m.impulse(0)[0], -2.0);
+  EXPECT_DOUBLE_EQ(2.0 + m.impulse(0)[1], 5.0);
+  EXPECT_DOUBLE_EQ(6.0 + m.impulse(1)[1], 5.0);
+  Meeting overlaps(ContactKind::frictionless, 0.0, 4.0, -0.99);
+  overlaps.solve();
+  EXPECT_EQ(overlaps.impulse(0)[1], 0.0);
+}
+
 /// The first is pushed by the second until the third, bonded to that, has drawn it away: then no
 /// push may be left.
 TEST(SolveContact, APairTakesBackWhatAnotherPairMakesNeedless) {
