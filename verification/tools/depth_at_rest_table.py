@@ -35,9 +35,9 @@ a slug loses nothing ([slug_flight](verification/slug_flight.md)).
 Why the depth at rest still grows with smaller cells is not known. Each of these was tried with 1.8 cells per radius, and none brings
 the jet as deep as 2.4 cells do: longer slugs, and a continuous jet (above); a contact without friction between the jet and what it passes,
 with one step for all; slugs that fly without the grid until something slow lies in their way; spent metal that is taken away. With long
-slugs the depth grows with the cells as with short ones, and the cores of slugs lose as much with 2.4 cells as with 1.8. So neither the
+slugs the depth grows with the cells as with short ones, and the cores of slugs lose no less with 2.4 cells than with 1.8. So neither the
 flight nor the length of the slugs nor what lies at the bottom explains the growth. What is left is the rock at the bottom and along
-the wall. How much it dilates moves the depth at rest as much as the cells do.
+the wall. Without confinement, where it closes the hole less, the depth grows less with the cells.
 
 So the error at rest is "unknown" in check, screen and summary. The differences above are what is known of it: the depth has grown with
 every smaller size of cells so far. Two single runs must differ by three times the standard deviation of one before the difference means
