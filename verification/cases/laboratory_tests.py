@@ -153,9 +153,10 @@ def run(barreno, full):
         result.rows.append([name, measured, mark, source, *(found[card][name] for card in CARDS)])
     demand(result, found)
     result.notes = (
-        "`berea_sandstone` is the card of the shipped decks. Its flow is associated: sheared rock swells without limit, and rock that is "
-        "pulled apart ends under pressure. `berea_sandstone_bounded` differs in PEAKI1 and FSLOPE, which follow from the unconfined and "
-        "the tensile strength, and in the bounds of its dilatancy: `Dilatancy limit` 5 % (range 2 to 10 %, assumed) and "
+        "`berea_sandstone` is the card of all shipped decks but perforation_at_rest.xml. Its flow is associated: sheared rock swells "
+        "without limit, and rock that is pulled apart ends under pressure. `berea_sandstone_bounded` differs in PEAKI1 and FSLOPE, which "
+        "follow from the unconfined and the tensile strength, "
+        "and in the bounds of its dilatancy: `Dilatancy limit` 5 % (range 2 to 10 %, assumed) and "
         "`Dilatancy pressure` 60 MPa (range 40 to 100 MPa, chosen for the three signs).\n\n"
         "What does not hold: neither card depends on the rate (Arenisca's rate dependence is off in both, for want of a fit). Skempton's "
         "coefficient follows from Gassmann's relation with water of 2.25 GPa, 20 % of pores and the drained modulus: 0.59. The measured "

@@ -9,7 +9,8 @@ from case_list import RESULTS
 TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 320, 360)  # us
 WORDS = {
     "bounded": "the deck", "failing": "sandstone with associated flow", "published": "the same, metals that bear any tension",
-    "bounded_unconfined": "no confinement", "unconfined": "sandstone with associated flow, no confinement", "continuous": "continuous jet", "long_slugs": "a quarter of the slugs, four times as long",
+    "bounded_unconfined": "no confinement", "unconfined": "sandstone with associated flow, no confinement", "continuous": "continuous jet",
+    "long_slugs": "a quarter of the slugs, four times as long",
 }  # fmt: skip
 CONFINED = {"unconfined": "failing", "bounded_unconfined": "bounded"}
 HEAD = """## Depth at rest
@@ -103,4 +104,5 @@ def scatter_table(scatter):
 
 def section():
     found, scatter = runs()
-    return "\n".join([HEAD, *table(found), "", *growths(found), *falls(found), "", SCATTER, *scatter_table(scatter), "", WAY, *slug_ways_table.table(), "", WHY])
+    lines = [HEAD, *table(found), "", *growths(found), *falls(found), "", SCATTER, *scatter_table(scatter), ""]
+    return "\n".join([*lines, WAY, *slug_ways_table.table(), "", WHY])
