@@ -154,8 +154,10 @@ BARRENO_FUNCTION double metric_of(const Rock& rock, const Substep& step, const M
   if (rock.flow.per_strain == 0.0 && rock.flow.per_pressure == 0.0) return whole;
   const double pressure = std::max(-step.n.x / 3.0, 0.0);
   const double room = 1.0 - rock.flow.per_strain * std::max(step.n.evp, 0.0);
-  const double share =
-      std::max(room, rock.flow.least) * std::exp(-pressure * rock.flow.per_pressure);
+  const double share = std::max(
+      std::max(room, rock.flow.least) * std::exp(-pressure * rock.flow.per_pressure),
+      rock.flow.least_of_all
+  );
   if (!step.cap.present || step.n.x >= step.cap.kappa) return share * whole;
   const double c = (step.cap.kappa - step.n.x) / (step.cap.kappa - step.cap.X);
   return (share + (1.0 - share) * std::min(c, 1.0)) * whole;

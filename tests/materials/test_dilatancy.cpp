@@ -90,6 +90,16 @@ TEST(Dilatancy, FallsWithPressure) {
   EXPECT_GT(flowing, 200);
 }
 
+/// Where next to nothing is left of beta rock shears at constant plastic volume.
+TEST(Dilatancy, VanishesUnderPressureFarBeyondItsScale) {
+  Parameters p = straight_rock();
+  p.dilatancy_pressure = 1e5;
+  ShearedPoint point(p);
+  for (int i = 0; i < 400; ++i) EXPECT_NEAR(point.ratio_of_step(), 0.0, 1e-9);
+  EXPECT_GT(point.history.equivalent_plastic_strain, 0.01);
+  EXPECT_TRUE(std::isfinite(trace(point.stress)));
+}
+
 /// Bounds that are far away change nothing but round-off.
 TEST(Dilatancy, IsAsPublishedFarFromItsBounds) {
   Parameters p = Sample<Arenisca>::parameters();

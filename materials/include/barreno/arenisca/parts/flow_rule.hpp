@@ -58,8 +58,8 @@ struct FlowRule {
     return {p.BETA_nonassociativity, inverse(p.dilatancy_limit), inverse(p.dilatancy_pressure)};
   }
 
-  /// Of beta^2: the return needs a direction.
-  static constexpr double least = 1e-4;
+  /// Of beta^2, where rock is dilated and at any pressure: the return needs a direction.
+  static constexpr double least = 1e-4, least_of_all = 1e-100;
 
   double beta, per_strain, per_pressure;
 
@@ -67,7 +67,8 @@ struct FlowRule {
   template <class R>
   BARRENO_FUNCTION R share(const R& x, const R& evp, const CapOf<R>& cap) const {
     const R room = real::larger(R(1.0 - per_strain * real::larger(evp, 0.0)), least);
-    const R left = room * real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
+    const R pressed = real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
+    const R left = real::larger(R(room * pressed), least_of_all);
     const MaskOf<R> on_cap = cap.present & (x < cap.kappa);
     const R span = real::select(on_cap, cap.kappa - cap.X, 1.0);
     const R along = real::select(on_cap, real::smaller(R((cap.kappa - x) / span), 1.0), 0.0);
