@@ -12,7 +12,7 @@ sys.path[:0] = [str(REPOSITORY / "verification" / "oracles"), str(REPOSITORY / "
 from arenisca_laws import Laws  # noqa: E402
 from barreno_material import Material, load  # noqa: E402
 from case import Result  # noqa: E402
-from plug import Plug  # noqa: E402
+from plug import Plug, write_card  # noqa: E402
 
 BEREA = REPOSITORY / "materials" / "cards" / "berea_sandstone.xml"
 LAW = ("PEAKI1", "FSLOPE", "STREN", "YSLOPE", "CR", "B0", "B1", "B2", "G0", "G1", "G2", "p0_crush_curve", "p1_crush_curve",
@@ -31,17 +31,6 @@ STEPS, SHORTENING = 60, 0.03
 SHEAR = 1e-4  # of an increment
 YIELDS = 1e-6  # smallest plastic strain of an increment that counts as flow
 FINE = "1e-6"  # Tolerance
-
-
-def write_card(folder, name, parameters):
-    """Berea's card with more parameters."""
-    tree = xml.parse(BEREA)
-    for key, value in parameters.items():
-        kind = "string" if isinstance(value, str) and not value[0].isdigit() else "double"
-        tree.getroot().append(xml.Element("Parameter", name=key, type=kind, value=str(value)))
-    file = pathlib.Path(folder) / f"{name}.xml"
-    tree.write(file)
-    return file
 
 
 def berea_laws():
@@ -78,7 +67,7 @@ def measure(result, laws, library, settings, row):
     """A test with these parameters more: its row, and the peak of the stress difference [Pa]."""
     kind, form, confinement, pore = row
     with tempfile.TemporaryDirectory() as folder:
-        with Material(write_card(folder, "rock", settings), library) as material:
+        with Material(write_card(folder, BEREA, settings), library) as material:
             (peak, pressure, fluid), off, first = triaxial(material, laws, 1e6 * confinement, None if pore is None else 1e6 * pore)
     known = float("nan") if pore is None else pore
     result.rows.append([kind, form, confinement, known, first[0] / 1e6, first[1] / 1e6, peak / 1e6, pressure / 1e6, fluid / 1e6, off])
@@ -90,7 +79,7 @@ def squeezed(result, laws, library):
     for fluid in FLUIDS:
         for form in FORMS:
             settings = {"Tolerance": FINE, **WATER, "fluid_B0": fluid, "Backstress strain": form}
-            with tempfile.TemporaryDirectory() as folder, Material(write_card(folder, "rock", settings), library) as material:
+            with tempfile.TemporaryDirectory() as folder, Material(write_card(folder, BEREA, settings), library) as material:
                 plug = Plug(material, None)
                 plug.confine(1e6 * SQUEEZE)
                 before = plug.get("equivalent_plastic_strain")

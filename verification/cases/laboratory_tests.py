@@ -3,14 +3,14 @@
 import pathlib
 import sys
 import tempfile
-import xml.etree.ElementTree as xml
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(REPOSITORY / "materials" / "python")]
 from barreno_material import Material, load  # noqa: E402
 from case import Result  # noqa: E402
-from plug import Plug  # noqa: E402
+from plug import Plug, write_card  # noqa: E402
 
+CARDS_FOLDER = REPOSITORY / "materials" / "cards"
 CARDS = ("berea_sandstone", "berea_sandstone_bounded")
 KEPT = CARDS[1]  # whose answers must hold
 MEGA = 1e6
@@ -39,18 +39,8 @@ DATA = {
 }  # fmt: skip
 
 
-def card_file(folder, name, more):
-    tree = xml.parse(REPOSITORY / "materials" / "cards" / f"{name}.xml")
-    for key, value in more.items():
-        kind = "string" if isinstance(value, str) else "double"
-        tree.getroot().append(xml.Element("Parameter", name=key, type=kind, value=str(value)))
-    file = pathlib.Path(folder) / "card.xml"
-    tree.write(file)
-    return file
-
-
 def with_card(library, name, more, measure):
-    with tempfile.TemporaryDirectory() as folder, Material(card_file(folder, name, more), library) as material:
+    with tempfile.TemporaryDirectory() as folder, Material(write_card(folder, CARDS_FOLDER / f"{name}.xml", more), library) as material:
         return measure(material)
 
 

@@ -1,9 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A material point as a specimen of the laboratory."""
+"""A material point as a specimen of the laboratory, and its card."""
+import pathlib
+import xml.etree.ElementTree as xml
+
 import numpy as np
 from barreno_material import CONSISTENT
 
 HELD = 1e-9  # of the confinement: how well it is kept
+
+
+def write_card(folder, card, parameters):
+    """A card with more parameters, as a file in a folder."""
+    tree = xml.parse(card)
+    for key, value in parameters.items():
+        kind = "string" if isinstance(value, str) and not value[0].isdigit() else "double"
+        tree.getroot().append(xml.Element("Parameter", name=key, type=kind, value=str(value)))
+    file = pathlib.Path(folder) / "rock.xml"
+    tree.write(file)
+    return file
 
 
 class Plug:

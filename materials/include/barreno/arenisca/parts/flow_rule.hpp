@@ -12,7 +12,7 @@ namespace barreno::arenisca {
 ///
 ///   beta^2 = BETA^2 (s + (1 - s) c),   s = max(1 - max(evp, 0)/w, least) exp(-max(p, 0)/p_d)
 ///
-/// Sheared rock stops to dilate near the volumetric plastic strain w, and dilates less under
+/// Sheared rock stops dilating near the volumetric plastic strain w, and dilates less under
 /// pressure, p = -I1/3. On the cap, from its branch point (c = 0) to its end (c = 1), the flow
 /// becomes that of BETA again: it compacts.
 struct FlowRule {
