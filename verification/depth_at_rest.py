@@ -4,11 +4,12 @@
 
     depth_at_rest.py BARRENO [RUN ...]    all, or those named: verification/results/depth_at_rest.json, and docs/trade.md
 
-A run is JOB/CELLS, as failing/2.4, or, for the scatter between runs that should agree, JOB/CELLS/COURANT, as failing/1.8/0.75. The deck
-is perforation_at_rest.xml, with the cells of fidelity balanced but for their number in the radius of the jet's tip. Jobs: "bounded", the
-deck as it is; "failing", with the sandstone of perforation.xml, whose flow is associated; "published", with its metals too;
-"bounded_unconfined" and "unconfined", the first two without the pressure of 69 MPa; "continuous", the jet dispersed and without gaps;
-"long_slugs", the jet in a quarter of the slugs, four times as long. Minutes to an hour of one core each.
+A run is JOB/CELLS/PARTICLES, as failing/2.4/2: cells in the radius of the jet's tip, and particles of the jet in a cell, along each
+direction; or, for the scatter between runs that should agree, JOB/CELLS/PARTICLES/COURANT, as failing/1.8/2/0.75. The deck is
+perforation_at_rest.xml, with what fidelity balanced chooses but for these. Jobs: "bounded", the deck as it is; "failing", with the
+sandstone of perforation.xml, whose flow is associated; "published", with its metals too; "bounded_unconfined" and "unconfined", the first
+two without the pressure of 69 MPa; "continuous", the jet dispersed and without gaps; "long_slugs", the jet in a quarter of the slugs, four
+times as long. Minutes to an hour of one core each.
 """
 import argparse
 import json
@@ -26,6 +27,7 @@ from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "depth_at_rest.json"
 CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
+PARTICLES = (2, 4, 8, 12)  # of the jet, in a cell along each direction
 ASSOCIATED = {"Materials/Sandstone/Card": "berea_sandstone.xml"}
 UNCONFINED = {"Confinement": ""}
 JOBS = {
@@ -37,7 +39,10 @@ JOBS = {
     "continuous": {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"},
     "long_slugs": {},
 }
-SCATTER = {"failing": (1.8, 2.4), "bounded": (1.8,)}  # cells with which the Courant Fraction is changed a little
+SCATTER = {  # cells and particles with which the Courant Fraction is changed a little
+    "failing": ((1.8, 2), (2.4, 2)),
+    "bounded": ((1.8, 2),),
+}
 COURANT = (0.79, 0.78, 0.77, 0.76, 0.75, 0.74, 0.73)
 ONE_PARTICLE = {"Bodies/Casing/Particles Per Cell": "1", "Bodies/Rock/Particles Per Cell": "1"}
 
@@ -50,8 +55,11 @@ def long_slugs():
     return table
 
 
-def measure(barreno, job, cells, courant=None):
-    settings = {**JOBS[job], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Output/Field Interval": "0 us"}
+def measure(barreno, job, cells, particles, courant=None):
+    settings = {
+        **JOBS[job], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
+        "Output/Field Interval": "0 us",
+    }  # fmt: skip
     if courant is not None:
         settings["Step/Courant Fraction"] = f"{courant:g}"
     if job == "long_slugs":
@@ -64,8 +72,9 @@ def measured(finished):
     import numpy as np
 
     summary, table = finished.summary, finished.table("depth.csv")
+    times = [1e-6 * time for time in TIMES if 1e-6 * time < 1.001 * summary["time"]]
     return {
-        "depths": [float(depth) for depth in np.interp([1e-6 * time for time in TIMES], table["time"], table["depth"])],
+        "depths": [float(depth) for depth in np.interp(times, table["time"], table["depth"])],
         "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
         "removed": {cause: what["mass"] for cause, what in summary["removed_particles"].items() if what["count"]},
     }  # fmt: skip
@@ -76,9 +85,9 @@ def main():
     parser.add_argument("barreno", type=pathlib.Path)
     parser.add_argument("what", nargs="*", metavar="RUN")
     options = parser.parse_args()
-    names = {f"{job}/{cells:g}": (job, cells) for job in JOBS for cells in CELLS}
-    names |= {f"{job}/{cells:g}/{courant:g}": (job, cells, courant)
-        for job, sizes in SCATTER.items() for cells in sizes for courant in COURANT}  # fmt: skip
+    names = {f"{job}/{cells:g}/{particles}": (job, cells, particles) for job in JOBS for cells in CELLS for particles in PARTICLES}
+    names |= {f"{job}/{cells:g}/{particles}/{courant:g}": (job, cells, particles, courant)
+        for job, sizes in SCATTER.items() for cells, particles in sizes for courant in COURANT}  # fmt: skip
     unknown = [what for what in options.what if what not in names]
     if unknown:
         parser.error(f"there is no {unknown[0]}; there are {', '.join(names)}")

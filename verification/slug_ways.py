@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What late slugs lose on their way through the hole: velocity over launch velocity of their cores and rims, by place.
 
-    slug_ways.py BARRENO [CELLS ...]    all, or those: verification/results/slug_ways.json, a picture, and docs/trade.md
+    slug_ways.py BARRENO [RUN ...]    all, or those: verification/results/slug_ways.json, a picture, and docs/trade.md
 
-The deck is perforation_at_rest.xml with one particle per cell in casing and rock, to 205 us. Two to ten minutes of one core each.
+A run is CELLS/PARTICLES, as 1.8/2: cells in the radius of the jet's tip, and particles of the jet in a cell, along each direction. The deck
+is perforation_at_rest.xml with one particle per cell in casing and rock, to 205 us. Two to ten minutes of one core each.
 """
 import argparse
 import json
@@ -21,8 +22,8 @@ from slug_ways_table import BINS, PICTURE, TIMES  # noqa: E402
 from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "slug_ways.json"
-CELLS = (1.8, 2.4, 3.2)  # in the radius of the tip
-TIP, PER_CELL, LAUNCH = 1e-3, 2, -5e-3  # the tip's radius [m], particles per cell and direction, launch plane [m]
+RUNS = {f"{cells:g}/{particles}": (cells, particles) for cells, particles in ((1.8, 2), (2.4, 2), (1.8, 8))}
+TIP, LAUNCH = 1e-3, -5e-3  # the tip's radius, and the launch plane [m]
 
 
 def jet_table():
@@ -31,27 +32,27 @@ def jet_table():
     return [[float(word) for word in row] for row in rows]
 
 
-def parts(length, cell):
+def parts(length, cell, particles):
     """Into how many particles a length is cut, as src/state/bodies/box_divisions.cpp does."""
-    return max(1, math.ceil(length / cell - 1e-9), math.floor(length / (cell / PER_CELL) + 0.5))
+    return max(1, math.ceil(length / cell - 1e-9), math.floor(length / (cell / particles) + 0.5))
 
 
-def slugs_of_particles(table, cell):
+def slugs_of_particles(table, cell, particles):
     """For each particle of the jet, in the order of the ids: launch velocity, launch time, and its column over the number of columns."""
     import numpy as np
 
     rows = []
     for time, velocity, radius, length, _ in table:
-        columns = parts(radius, cell)
-        rows += [(velocity, time, (i % columns + 0.5) / columns) for i in range(columns * parts(length, cell))]
+        columns = parts(radius, cell, particles)
+        rows += [(velocity, time, (i % columns + 0.5) / columns) for i in range(columns * parts(length, cell, particles))]
     return np.array(rows).T
 
 
-def ways(finished, cells):
+def ways(finished, cells, particles):
     """{time [us]: rows of place [mm], core, rim, number of particles in the core}, medians."""
     import numpy as np
 
-    velocity, launched, across = slugs_of_particles(jet_table(), TIP / cells)
+    velocity, launched, across = slugs_of_particles(jet_table(), TIP / cells, particles)
     if finished.count_of_block(1) != len(velocity):
         raise RuntimeError(f"the jet has {finished.count_of_block(1)} particles, not {len(velocity)}: slugs are cut in another way")
     times, found = finished.times(), {}
@@ -69,9 +70,12 @@ def ways(finished, cells):
     return found
 
 
-def measure(barreno, cells):
-    settings = {**ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Output/Field Interval": "40 us", "Time/End Time": "205 us"}
-    return ways(run_deck(barreno, "perforation_at_rest.xml", settings), cells)
+def measure(barreno, cells, particles):
+    settings = {
+        **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
+        "Output/Field Interval": "40 us", "Time/End Time": "205 us",
+    }  # fmt: skip
+    return ways(run_deck(barreno, "perforation_at_rest.xml", settings), cells, particles)
 
 
 def draw(found):
@@ -81,11 +85,12 @@ def draw(found):
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(7.0, 3.6))
-    for k, (cells, times) in enumerate(found.items()):
+    for k, (name, times) in enumerate(found.items()):
+        cells, particles = RUNS[name]
         rows = times[str(TIMES[-1])]
         middle = [0.5 * (low + high) for low, high, *_ in rows]
-        axes.plot(middle, [row[2] for row in rows], f"C{k}o-", label=f"core, {float(cells):g} cells per radius")
-        axes.plot(middle, [row[3] for row in rows], f"C{k}s--", label=f"rim, {float(cells):g}")
+        axes.plot(middle, [row[2] for row in rows], f"C{k}o-", label=f"core, {cells:g} cells per radius, {particles} particles per cell")
+        axes.plot(middle, [row[3] for row in rows], f"C{k}s--", label=f"rim, {cells:g}, {particles}")
     axes.set(xlabel="place that free flight would have brought the slug to [mm]", ylabel="velocity over launch velocity", ylim=(0.0, 1.05))
     axes.legend(fontsize=7)
     axes.grid(alpha=0.3)
@@ -96,13 +101,16 @@ def draw(found):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
-    parser.add_argument("cells", nargs="*", type=float, choices=CELLS, default=CELLS)
+    parser.add_argument("what", nargs="*", metavar="RUN")
     options = parser.parse_args()
-    for cells in options.cells:
+    unknown = [what for what in options.what if what not in RUNS]
+    if unknown:
+        parser.error(f"there is no {unknown[0]}; there are {', '.join(RUNS)}")
+    for name in options.what or RUNS:
         found = json.loads(STORED.read_text()) if STORED.exists() else {}
-        found[f"{cells:g}"] = one = measure(options.barreno.resolve(), cells)
-        print(cells, one, flush=True)
-        STORED.write_text(json.dumps({f"{size:g}": found[f"{size:g}"] for size in CELLS if f"{size:g}" in found}, indent=1) + "\n")
+        found[name] = one = measure(options.barreno.resolve(), *RUNS[name])
+        print(name, one, flush=True)
+        STORED.write_text(json.dumps({of: found[of] for of in RUNS if of in found}, indent=1) + "\n")
     draw(json.loads(STORED.read_text()))
     write_pages()
     return 0

@@ -2,8 +2,11 @@
 #include "check/jet_note.hpp"
 
 #include "base/format.hpp"
+#include "deck/section_table.hpp"
 #include "jet/estimate.hpp"
+#include "jet/failure.hpp"
 #include "jet/path.hpp"
+#include "scene/jet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +30,21 @@ bool only_grazes(const Scene& scene) {
   double thinnest = std::numeric_limits<double>::infinity();
   for (const JetSlug& slug : scene.jet.slugs) thinnest = std::min(thinnest, slug.radius);
   return path_layers(scene, thinnest).empty();
+}
+
+/// Slugs that arrive when the hole is hardly wider than they are, and still dig [m/s].
+constexpr double slowest_that_digs = 1000.0, fastest_late = 2500.0;
+/// Of a disc, which it needs to flow aside: measured in docs/verification/late_train.md.
+constexpr double fewest_layers = 3.0;
+
+/// The shortest of the late slugs that are shorter than their radius; 0 if there is none.
+double thinnest_late_disc(const Scene& scene) {
+  double thinnest = 0.0;
+  for (const JetSlug& slug : scene.jet.slugs)
+    if (slug.velocity > slowest_that_digs && slug.velocity < fastest_late &&
+        slug.length < slug.radius && (thinnest == 0.0 || slug.length < thinnest))
+      thinnest = slug.length;
+  return thinnest;
 }
 
 }  // namespace
@@ -85,6 +103,29 @@ std::string early_end_note(const Scene& scene) {
              whole.time,
              whole.passed ? ", when the jet comes out of the back of the target" : ""
          );
+}
+
+std::string thin_slugs_note(const Scene& scene) {
+  if (!scene.jet.present || scene.jet.kind != JetKind::discrete) return {};
+  const double thinnest = thinnest_late_disc(scene);
+  const double cell = grid_of_jet(scene.grid, scene.jet).cell_size;
+  const double layers = std::max(1.0, std::round(thinnest / cell * scene.jet.particles_per_cell));
+  if (thinnest == 0.0 || layers >= fewest_layers ||
+      !breaks(scene.materials[static_cast<std::size_t>(scene.jet.material)]))
+    return {};
+  const double enough = std::ceil((fewest_layers - 0.5) * cell / thinnest);
+  return format(
+             "late slugs of the jet, %.3g m long, are %.0f of its particles thick: they pile up at "
+             "the bottom, and the depth at rest comes out too small (docs/trade.md, Depth at "
+             "rest); "
+             "for %.0f, choose ",
+             thinnest,
+             layers,
+             fewest_layers
+         ) +
+         (enough <= 16.0
+              ? format("%s = %.0f", path_of(&JetSpec::particles_per_cell).c_str(), enough)
+              : "smaller cells along the path of the jet");
 }
 
 }  // namespace barreno

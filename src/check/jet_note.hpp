@@ -19,4 +19,8 @@ std::string early_end_note(const Scene& scene);
 /// not.
 std::string through_note(const Scene& scene);
 
+/// A warning that late discs of a metal that breaks are cut into too few layers of particles to
+/// flow aside at the bottom of their hole (docs/trade.md, Depth at rest). Empty if they are not.
+std::string thin_slugs_note(const Scene& scene);
+
 }  // namespace barreno

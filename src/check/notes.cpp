@@ -27,6 +27,7 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
         jet_note(scene),
         through_note(scene),
         early_end_note(scene),
+        thin_slugs_note(scene),
         wall_note(scene)})
     if (!note.empty()) notes.push_back(std::move(note));
   for (const auto& find : {gap_notes, scale_notes})

@@ -12,9 +12,10 @@ PICTURE = DOCS / "pictures" / "slug_ways.png"
 def table():
     found = json.loads((RESULTS / "slug_ways.json").read_text())
     places = [f"{low} to {high} mm" for low, high in zip(BINS, BINS[1:])]
-    lines = ["| cells per radius | part of the slug | " + " | ".join(places) + " |", "|" + "---|" * (2 + len(places))]
-    for cells, times in found.items():
+    lines = ["| cells per radius | particles per cell | part of the slug | " + " | ".join(places) + " |", "|" + "---|" * (3 + len(places))]
+    for name, times in found.items():
+        cells, particles = name.split("/")
         rows = times[str(TIMES[-1])]
         for part, k in (("core, inner half", 2), ("rim, outer quarter", 3)):
-            lines.append(f"| {cells} | {part} | " + " | ".join(f"{row[k]:.2f}" for row in rows) + " |")
+            lines.append(f"| {cells} | {particles} | {part} | " + " | ".join(f"{row[k]:.2f}" for row in rows) + " |")
     return lines

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Late slugs of a jet dig into sandstone one after the other: the depth follows the number of particles in a slug."""
+from case import Result
+from penetration import between_particles_and_grid
+from runs import DECKS, run_deck
+
+DECK = "perforation_at_rest.xml"
+TABLE = DECKS / "jets" / "tungsten_320.csv"
+FASTEST, SLOWEST = 2200.0, 1500.0  # of the slugs [m/s]
+FAR = 0.5  # the bottom that they reach in the shot, from the virtual origin [m]
+THINNEST = 2.034e-3  # radius of the first of them [m]
+END = {False: 60.0, True: 160.0}  # us
+ROCK = {False: 90.0, True: 180.0}  # its rear [mm]
+KINDS = {"discrete": {"Jet/Kind": "discrete"}, "continuous": {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"}}
+CELLS = 3.6  # in the radius of a slug, as with 1.8 in the radius of the jet's tip
+RUNS = {
+    False: [("discrete", CELLS, 2), ("discrete", CELLS, 8), ("continuous", CELLS, 2), ("continuous", CELLS, 4)],
+    True: [*(("discrete", CELLS, particles) for particles in (2, 4, 8, 16)), ("discrete", 2.0 * CELLS, 2),
+        *(("continuous", CELLS, particles) for particles in (2, 4, 8))],
+}  # fmt: skip
+
+
+def late_slugs():
+    """Rows time, velocity, radius, length, density; the times are those of arrival at FAR after free flight."""
+    rows = [[float(word) for word in line.split(",")] for line in TABLE.read_text().splitlines() if line[:1].isdigit()]
+    late = [row for row in rows if SLOWEST <= row[1] <= FASTEST]
+    first = FAR / late[0][1]
+    return [[FAR / row[1] - first, *row[1:]] for row in late]
+
+
+def settings_of(kind, cells, particles, full):
+    slugs = late_slugs()
+    table = ",".join(f"{value:.9g}" for row in slugs for value in row)
+    return {
+        "Bodies/Casing": "", "Confinement/Bodies": "{Rock}", "Bodies/Rock/Particles Per Cell": "1",
+        "Bodies/Rock/Upper": f"{{35 mm, {ROCK[full]:g} mm}}", "Grid/Upper": f"{{40 mm, {ROCK[full] + 20.0:g} mm}}", "Jet/Table": "",
+        "Jet/Slugs": f"{len(slugs)}x5:{{{table}}}", "Jet/Launch Position": "-20 mm", "Jet/Cells Per Radius": f"{cells:g}",
+        "Jet/Particles Per Cell": str(particles), "Time/End Time": f"{END[full]:g} us", "Output/Field Interval": "0 us", **KINDS[kind],
+    }  # fmt: skip
+
+
+def run(barreno, full):
+    result = Result(
+        "Late slugs in their hole",
+        "Slugs that arrive late dig a hole hardly wider than themselves, one on top of what is left of the other. A slug that is cut into "
+        "enough particles flows aside; the depth then no longer depends on them.",
+        f"The finest particles. The slugs of perforation_at_rest.xml from {FASTEST:g} to {SLOWEST:g} m/s, 0.26 to 0.31 mm thick and 2.0 to "
+        f"2.2 mm in radius, reach fresh sandstone under 69 MPa as they reach the bottom at {1e3 * FAR:g} mm in the shot; {END[full]:g} us.",
+        ["kind", "cells per radius", "particles per cell", "their size [mm]", "depth [mm]", "energy lost by the method", "steps",
+         "processor time [s]"],
+        [],
+    )  # fmt: skip
+    depths, losses = {}, {}
+    for kind, cells, particles in RUNS[full]:
+        finished = run_deck(barreno, DECK, settings_of(kind, cells, particles, full))
+        summary, lost = finished.summary, between_particles_and_grid(finished)
+        losses[kind, particles] = lost if cells == CELLS else losses[kind, particles]
+        depth = depths[kind, cells, particles] = 1e3 * summary["penetration"]["depth"]
+        size = 1e3 * THINNEST / cells / particles
+        result.rows.append([kind, cells, particles, size, depth, lost, summary["steps"], summary["cpu_seconds"]])
+    change = lambda kind, few, many: abs(depths[kind, CELLS, many] / depths[kind, CELLS, few] - 1.0)  # noqa: E731
+    if full:
+        result.demand("discrete, from 8 to 16 particles per cell: change of the depth", change("discrete", 8, 16), 0.03)
+        result.demand("continuous, from 4 to 8 particles per cell: change of the depth", change("continuous", 4, 8), 0.03)
+        half = abs(depths["discrete", 2.0 * CELLS, 2] / depths["discrete", CELLS, 4] - 1.0)
+        result.demand("discrete, the same particles in cells of half the size: change of the depth", half, 0.05)
+    else:
+        result.demand("continuous, from 2 to 4 particles per cell: change of the depth", change("continuous", 2, 4), 0.03)
+    result.demand("discrete: energy lost with 8 particles per cell over that with 2", losses["discrete", 8] / losses["discrete", 2], 0.6)
+    result.notes = (
+        "A disc of one layer of particles folds into needles many cells long, which collide as lumps: the method loses energy and the pile at "
+        "the bottom stops what comes later. Four layers, and columns as fine, flow past each other. A continuous jet of the same mass needs "
+        "fewer particles."
+    )
+    return result
