@@ -68,8 +68,8 @@ def run(barreno, full):
         result.demand("continuous, from 2 to 4 particles per cell: change of the depth", change("continuous", 2, 4), 0.03)
     result.demand("discrete: energy lost with 8 particles per cell over that with 2", losses["discrete", 8] / losses["discrete", 2], 0.6)
     result.notes = (
-        "A disc of one layer of particles folds into needles many cells long, which collide as lumps: the method loses energy and the pile at "
-        "the bottom stops what comes later. Four layers, and columns as fine, flow past each other. A continuous jet of the same mass needs "
-        "fewer particles."
+        "A disc of one layer of particles folds into needles many cells long, which collide as lumps: the method loses energy and the pile "
+        "at the bottom stops what comes later. Four layers, and columns as fine, flow past each other. A continuous jet of the same mass "
+        "needs fewer particles."
     )
     return result
