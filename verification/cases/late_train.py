@@ -54,7 +54,8 @@ def run(barreno, full):
     for kind, cells, particles in RUNS[full]:
         finished = run_deck(barreno, DECK, settings_of(kind, cells, particles, full))
         summary, lost = finished.summary, between_particles_and_grid(finished)
-        losses[kind, particles] = lost if cells == CELLS else losses[kind, particles]
+        if cells == CELLS:
+            losses[kind, particles] = lost
         depth = depths[kind, cells, particles] = 1e3 * summary["penetration"]["depth"]
         size = 1e3 * THINNEST / cells / particles
         result.rows.append([kind, cells, particles, size, depth, lost, summary["steps"], summary["cpu_seconds"]])
