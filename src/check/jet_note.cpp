@@ -106,7 +106,8 @@ std::string early_end_note(const Scene& scene) {
 }
 
 std::string thin_slugs_note(const Scene& scene) {
-  if (!scene.jet.present || scene.jet.kind != JetKind::discrete) return {};
+  const bool round = scene.grid.mode != Mode::plane_strain;  // as it was measured
+  if (!scene.jet.present || scene.jet.kind != JetKind::discrete || !round) return {};
   const double thinnest = thinnest_late_disc(scene);
   const double cell = grid_of_jet(scene.grid, scene.jet).cell_size;
   const double layers = std::max(1.0, std::round(thinnest / cell * scene.jet.particles_per_cell));
