@@ -27,7 +27,7 @@ from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "depth_at_rest.json"
 CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
-PARTICLES = (2, 4, 8, 12)  # of the jet, in a cell along each direction
+PARTICLES = (2, 4, 8)  # of the jet, in a cell along each direction
 ASSOCIATED = {"Materials/Sandstone/Card": "berea_sandstone.xml"}
 UNCONFINED = {"Confinement": ""}
 JOBS = {
