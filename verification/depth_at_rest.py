@@ -44,7 +44,6 @@ SCATTER = {  # cells and particles with which the Courant Fraction is changed a 
     "bounded": ((1.8, 2),),
 }
 COURANT = (0.79, 0.78, 0.77, 0.76, 0.75, 0.74, 0.73)
-ONE_PARTICLE = {"Bodies/Casing/Particles Per Cell": "1", "Bodies/Rock/Particles Per Cell": "1"}
 
 
 def long_slugs():
@@ -57,7 +56,7 @@ def long_slugs():
 
 def measure(barreno, job, cells, particles, courant=None):
     settings = {
-        **JOBS[job], **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
+        **JOBS[job], "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
         "Output/Field Interval": "0 us",
     }  # fmt: skip
     if courant is not None:

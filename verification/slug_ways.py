@@ -5,7 +5,7 @@
     slug_ways.py BARRENO [RUN ...]    all, or those: verification/results/slug_ways.json, a picture, and docs/trade.md
 
 A run is CELLS/PARTICLES, as 1.8/2: cells in the radius of the jet's tip, and particles of the jet in a cell, along each direction. The deck
-is perforation_at_rest.xml with one particle per cell in casing and rock, to 205 us. Two to ten minutes of one core each.
+is perforation_at_rest.xml, to 205 us. Two to ten minutes of one core each.
 """
 import argparse
 import json
@@ -16,7 +16,6 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
 import foreign_python  # noqa: E402, F401
-from depth_at_rest import ONE_PARTICLE  # noqa: E402
 from runs import DECKS, run_deck  # noqa: E402
 from slug_ways_table import BINS, PICTURE, TIMES  # noqa: E402
 from write_pages import write_pages  # noqa: E402
@@ -72,7 +71,7 @@ def ways(finished, cells, particles):
 
 def measure(barreno, cells, particles):
     settings = {
-        **ONE_PARTICLE, "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
+        "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
         "Output/Field Interval": "40 us", "Time/End Time": "205 us",
     }  # fmt: skip
     return ways(run_deck(barreno, "perforation_at_rest.xml", settings), cells, particles)

@@ -7,6 +7,7 @@
 #include "jet/failure.hpp"
 #include "jet/path.hpp"
 #include "scene/jet.hpp"
+#include "state/bodies/box_divisions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,15 +36,18 @@ bool only_grazes(const Scene& scene) {
 /// Slugs that arrive when the hole is hardly wider than they are, and still dig [m/s].
 constexpr double slowest_that_digs = 1000.0, fastest_late = 2500.0;
 /// Of a disc, which it needs to flow aside: measured in docs/verification/late_train.md.
-constexpr double fewest_layers = 3.0;
+constexpr long long fewest_layers = 3;
 
-/// The shortest of the late slugs that are shorter than their radius; 0 if there is none.
-double thinnest_late_disc(const Scene& scene) {
+/// Length at the metal's own density of the shortest late slug that is shorter than its radius; 0
+/// if there is none.
+double thinnest_late_disc(const Scene& scene, const MaterialSpec& metal) {
   double thinnest = 0.0;
-  for (const JetSlug& slug : scene.jet.slugs)
-    if (slug.velocity > slowest_that_digs && slug.velocity < fastest_late &&
-        slug.length < slug.radius && (thinnest == 0.0 || slug.length < thinnest))
-      thinnest = slug.length;
+  for (const JetSlug& slug : scene.jet.slugs) {
+    const double length = slug.length * slug.density / metal.density();
+    if (slug.velocity > slowest_that_digs && slug.velocity < fastest_late && length < slug.radius &&
+        (thinnest == 0.0 || length < thinnest))
+      thinnest = length;
+  }
   return thinnest;
 }
 
@@ -106,20 +110,20 @@ std::string early_end_note(const Scene& scene) {
 }
 
 std::string thin_slugs_note(const Scene& scene) {
+  const JetSpec& jet = scene.jet;
   const bool round = scene.grid.mode != Mode::plane_strain;  // as it was measured
-  if (!scene.jet.present || scene.jet.kind != JetKind::discrete || !round) return {};
-  const double thinnest = thinnest_late_disc(scene);
-  const double cell = grid_of_jet(scene.grid, scene.jet).cell_size;
-  const double layers = std::max(1.0, std::round(thinnest / cell * scene.jet.particles_per_cell));
-  if (thinnest == 0.0 || layers >= fewest_layers ||
-      !breaks(scene.materials[static_cast<std::size_t>(scene.jet.material)]))
-    return {};
-  const double enough = std::ceil((fewest_layers - 0.5) * cell / thinnest);
+  if (!jet.present || jet.kind != JetKind::discrete || !round) return {};
+  const MaterialSpec& metal = scene.materials[static_cast<std::size_t>(jet.material)];
+  const double thinnest = thinnest_late_disc(scene, metal);
+  if (thinnest == 0.0 || !breaks(metal)) return {};
+  const double cell = grid_of_jet(scene.grid, jet).cell_size;
+  const long long layers = divide(0.0, thinnest, cell / jet.particles_per_cell, cell).count;
+  if (layers >= fewest_layers) return {};
+  const double enough = std::ceil((static_cast<double>(fewest_layers) - 0.5) * cell / thinnest);
   return format(
-             "late slugs of the jet, %.3g m long, are %.0f of its particles thick: they pile up at "
-             "the bottom, and the depth at rest comes out too small (docs/trade.md, Depth at "
-             "rest); "
-             "for %.0f, choose ",
+             "late slugs of the jet, %.3g m long, are too thin for their particles (layers: %lld): "
+             "they pile up at the bottom, and the depth at rest comes out too small "
+             "(docs/trade.md, Depth at rest); for %lld layers, choose ",
              thinnest,
              layers,
              fewest_layers

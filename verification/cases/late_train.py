@@ -8,7 +8,6 @@ DECK = "perforation_at_rest.xml"
 TABLE = DECKS / "jets" / "tungsten_320.csv"
 FASTEST, SLOWEST = 2200.0, 1500.0  # of the slugs [m/s]
 FAR = 0.5  # the bottom that they reach in the shot, from the virtual origin [m]
-THINNEST = 2.034e-3  # radius of the first of them [m]
 END = {False: 60.0, True: 160.0}  # us
 ROCK = {False: 90.0, True: 180.0}  # its rear [mm]
 KINDS = {"discrete": {"Jet/Kind": "discrete"}, "continuous": {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"}}
@@ -32,7 +31,7 @@ def settings_of(kind, cells, particles, full):
     slugs = late_slugs()
     table = ",".join(f"{value:.9g}" for row in slugs for value in row)
     return {
-        "Bodies/Casing": "", "Confinement/Bodies": "{Rock}", "Bodies/Rock/Particles Per Cell": "1",
+        "Bodies/Casing": "", "Confinement/Bodies": "{Rock}",
         "Bodies/Rock/Upper": f"{{35 mm, {ROCK[full]:g} mm}}", "Grid/Upper": f"{{40 mm, {ROCK[full] + 20.0:g} mm}}", "Jet/Table": "",
         "Jet/Slugs": f"{len(slugs)}x5:{{{table}}}", "Jet/Launch Position": "-20 mm", "Jet/Cells Per Radius": f"{cells:g}",
         "Jet/Particles Per Cell": str(particles), "Time/End Time": f"{END[full]:g} us", "Output/Field Interval": "0 us", **KINDS[kind],
@@ -57,7 +56,7 @@ def run(barreno, full):
         if cells == CELLS:
             losses[kind, particles] = lost
         depth = depths[kind, cells, particles] = 1e3 * summary["penetration"]["depth"]
-        size = 1e3 * THINNEST / cells / particles
+        size = 1e3 * late_slugs()[0][2] / cells / particles
         result.rows.append([kind, cells, particles, size, depth, lost, summary["steps"], summary["cpu_seconds"]])
     change = lambda kind, few, many: abs(depths[kind, CELLS, many] / depths[kind, CELLS, few] - 1.0)  # noqa: E731
     if full:

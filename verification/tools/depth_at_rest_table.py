@@ -31,18 +31,23 @@ earlier slugs have made. Velocity over launch velocity at 200 us, the median of 
 """
 WHY = """![velocity over launch velocity, by place](pictures/slug_ways.png)
 
+Single crumbs of casing, rock and spent metal float in the hole, less than two cells beside the slug, and share nodes with its rim. They
+tear the rim off, and its pieces fly on more slowly. Metal that bears any tension is glued to what it passes instead: it shears, heats, and
+hands its momentum to the wall. In free flight, and beside a wall that is two cells away, a slug loses nothing
+([slug_flight](verification/slug_flight.md)). But what is lost on the way is not what is missing at the bottom.
+
 **The depth at rest follows the size of the jet's particles.** Without change of the cells it grows with the particles per cell, and rows of
 particles of about one size agree although their cells differ by a factor of two. The mechanism, in an experiment of a minute
-([late_train](verification/late_train.md)): the slugs of this jet are discs, 0.2 to 0.5 mm thick and 1 to 2.4 mm in radius. After 120 us the
-hole is hardly wider than the slugs that dig it. A disc digs 3 mm, spreads and lies at the bottom, and the next one must throw it aside. It
+([late_train](verification/late_train.md)): the slugs of this jet are discs, 0.16 to 0.55 mm thick and 1 to 2.4 mm in radius. After 120 us the
+hole is hardly wider than the slugs that dig it. A disc digs, spreads and lies at the bottom, and the next one must throw it aside. It
 can do so if it is cut into layers and columns that flow past each other. A disc of one layer cannot: it folds into needles many cells long,
 whose particles lose touch with each other and share nodes with whatever comes next. These collide as lumps. They heat, the motion that the
 grid cannot represent is lost as energy of the method, and the pile stops what comes later. In the experiment a
 continuous jet ([jets](jets.md)) depends less on its particles, since its metal arrives all the time; in the whole shot it depends on them
 as much.
 
-So a jet whose hole must come to rest needs late slugs of three particles or more: `check` and runs say so where there are fewer. The deck has
-eight particles per cell, which makes slugs of 1.5 to 2.2 km/s four thick. That is not the end yet: a smaller size still makes the hole a
+So a jet whose hole must come to rest needs late slugs of three layers of particles or more: `check` and runs say so where there are fewer. The deck has
+eight particles per cell, which cuts slugs of 1.5 to 2.2 km/s into four layers. That is not the end yet: a smaller size still makes the hole a
 little deeper, here and in the experiment. What the depth at rest of such a jet is worth: to 120 us the rows agree, from particles of 0.14
 mm on; the last third of the hole depends on how spent metal flows out of the way, and is not known. Before 60 us nothing of
 this shows: the early hole is much wider than its slugs.
@@ -50,10 +55,9 @@ this shows: the early hole is much wider than its slugs.
 Tried before, with two particles per cell, and no cure: longer slugs, and a continuous jet (above); a contact without friction between the
 jet and what it passes, with one step for all; slugs that fly without the grid until something slow lies in their way; spent metal that is
 taken away. Nor, in the experiment, do the order of a step, its length, its Largest Strain or another shape function matter: with two
-particles per cell none comes near the depth that eight have. Cores of slugs lose no less with 2.4 cells than with 1.8: what is lost on the way
-is not what is missing at the bottom.
+particles per cell none comes near the depth that eight have.
 
-The error at rest is still "unknown" in check, screen and summary: it was measured for one jet. Two single runs must differ by three times
+The error at rest is still "unknown" in check, screen and summary, because the depth does not converge yet. Two single runs must differ by three times
 the standard deviation of one before the difference means anything.
 """
 
