@@ -25,7 +25,7 @@ with other work. Rows that end early had 750 mm of sandstone and an earlier end.
 SCATTER = """Scatter. Runs that should agree part, because each slug meets what the one before has left. Mean depth [mm] and standard deviation
 of a single run [%], over runs whose Courant Fraction differs by 0.01:
 """
-WAY = """What late slugs lose on their way, with two particles per cell. A late slug flies hundreds of millimetres through the hole that
+WAY = """What late slugs lose on their way. A late slug flies hundreds of millimetres through the hole that
 earlier slugs have made. Velocity over launch velocity at 200 us, the median of the slugs that free flight would have brought to a place
 (`verification/slug_ways.py BARRENO`):
 """
@@ -34,7 +34,8 @@ WHY = """![velocity over launch velocity, by place](pictures/slug_ways.png)
 Single crumbs of casing, rock and spent metal float in the hole, less than two cells beside the slug, and share nodes with its rim. They
 tear the rim off, and its pieces fly on more slowly. Metal that bears any tension is glued to what it passes instead: it shears, heats, and
 hands its momentum to the wall. In free flight, and beside a wall that is two cells away, a slug loses nothing
-([slug_flight](verification/slug_flight.md)). But what is lost on the way is not what is missing at the bottom.
+([slug_flight](verification/slug_flight.md)). With eight particles per cell crumbs and
+what they tear off are small, and nearly the whole slug arrives as it was launched.
 
 **The depth at rest follows the size of the jet's particles.** Without change of the cells it grows with the particles per cell, and rows of
 particles of about one size agree although their cells differ by a factor of two. The mechanism, in an experiment of a minute
