@@ -5,7 +5,8 @@
     depth_at_rest.py BARRENO [RUN ...]    all, or those named: verification/results/depth_at_rest.json, and docs/trade.md
 
 A run is JOB/CELLS/PARTICLES, as failing/2.4/2: cells in the radius of the jet's tip, and particles of the jet in a cell, along each
-direction; or, for the scatter between runs that should agree, JOB/CELLS/PARTICLES/COURANT, as failing/1.8/2/0.75. The deck is
+direction; with particles that are divided JOB/CELLS/PARTICLES+SPLITS, as bounded/2.4/2+4; or, for the scatter between runs that should
+agree, JOB/CELLS/PARTICLES/COURANT, as failing/1.8/2/0.75. The deck is
 perforation_at_rest.xml, with what fidelity balanced chooses but for these. Jobs: "bounded", the deck as it is; "failing", with the
 sandstone of perforation.xml, whose flow is associated; "published", with its metals too; "bounded_unconfined" and "unconfined", the first
 two without the pressure of 69 MPa; "continuous", the jet dispersed and without gaps; "long_slugs", the jet in a quarter of the slugs, four
@@ -27,7 +28,7 @@ from write_pages import write_pages  # noqa: E402
 
 STORED = HERE / "results" / "depth_at_rest.json"
 CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
-PARTICLES = (2, 4, 8)  # of the jet, in a cell along each direction
+PARTICLES = ("2", "4", "8", "2+4", "4+4")  # of the jet, in a cell along each direction + how often each may be divided
 ASSOCIATED = {"Materials/Sandstone/Card": "berea_sandstone.xml"}
 UNCONFINED = {"Confinement": ""}
 JOBS = {
@@ -40,8 +41,8 @@ JOBS = {
     "long_slugs": {},
 }
 SCATTER = {  # cells and particles with which the Courant Fraction is changed a little
-    "failing": ((1.8, 2), (2.4, 2)),
-    "bounded": ((1.8, 2),),
+    "failing": ((1.8, "2"), (2.4, "2")),
+    "bounded": ((1.8, "2"),),
 }
 COURANT = (0.79, 0.78, 0.77, 0.76, 0.75, 0.74, 0.73)
 
@@ -55,8 +56,9 @@ def long_slugs():
 
 
 def measure(barreno, job, cells, particles, courant=None):
+    per_cell, _, splits = particles.partition("+")
     settings = {
-        **JOBS[job], "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
+        **JOBS[job], "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": per_cell, "Jet/Splits": splits or "0",
         "Output/Field Interval": "0 us",
     }  # fmt: skip
     if courant is not None:

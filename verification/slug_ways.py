@@ -71,7 +71,7 @@ def ways(finished, cells, particles):
 
 def measure(barreno, cells, particles):
     settings = {
-        "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles),
+        "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles), "Jet/Splits": "0",
         "Output/Field Interval": "40 us", "Time/End Time": "205 us",
     }  # fmt: skip
     return ways(run_deck(barreno, "perforation_at_rest.xml", settings), cells, particles)

@@ -37,6 +37,8 @@ bool only_grazes(const Scene& scene) {
 constexpr double slowest_that_digs = 1000.0, fastest_late = 2500.0;
 /// Of a disc, which it needs to flow aside: measured in docs/verification/late_train.md.
 constexpr long long fewest_layers = 3;
+/// Which do as well, measured there.
+constexpr int enough_splits = 4;
 
 /// Length at the metal's own density of the shortest late slug that is shorter than its radius; 0
 /// if there is none.
@@ -112,25 +114,25 @@ std::string early_end_note(const Scene& scene) {
 std::string thin_slugs_note(const Scene& scene) {
   const JetSpec& jet = scene.jet;
   const bool round = scene.grid.mode != Mode::plane_strain;  // as it was measured
-  if (!jet.present || jet.kind != JetKind::discrete || !round) return {};
+  if (!jet.present || jet.kind != JetKind::discrete || !round || jet.splits >= enough_splits)
+    return {};
   const MaterialSpec& metal = scene.materials[static_cast<std::size_t>(jet.material)];
   const double thinnest = thinnest_late_disc(scene, metal);
   if (thinnest == 0.0 || !breaks(metal)) return {};
   const double cell = grid_of_jet(scene.grid, jet).cell_size;
   const long long layers = divide(0.0, thinnest, cell / jet.particles_per_cell, cell).count;
   if (layers >= fewest_layers) return {};
-  const double enough = std::ceil((static_cast<double>(fewest_layers) - 0.5) * cell / thinnest);
   return format(
-             "late slugs of the jet, %.3g m long, are too thin for their particles (layers: %lld): "
-             "they pile up at the bottom, and the depth at rest comes out too small "
-             "(docs/trade.md, Depth at rest); for %lld layers, choose ",
+             "late slugs of the jet, %.3g m long, are too thin for their particles (layers: %lld "
+             "of "
+             "at least %lld): they pile up at the bottom, and the depth at rest comes out too "
+             "small "
+             "(docs/trade.md, Depth at rest); ",
              thinnest,
              layers,
              fewest_layers
          ) +
-         (enough <= 16.0
-              ? format("%s = %.0f", path_of(&JetSpec::particles_per_cell).c_str(), enough)
-              : "smaller cells along the path of the jet");
+         format("choose %s = %d", path_of(&JetSpec::splits).c_str(), enough_splits);
 }
 
 }  // namespace barreno

@@ -76,6 +76,17 @@ void add_transfer_fields(const Scene& scene, Particles& p) {
 
 }  // namespace
 
+/// Gas is divided where it is wider than a cell. A jet, of which a cell holds several particles, is
+/// where it is wider than half of one. Weights that take the undeformed size keep it: a smaller one
+/// would shorten the step of all (CourantTable), and what is divided is long, not small.
+SplitRule split_rule(const Scene& scene, int material) {
+  const MaterialSpec& spec = scene.materials[static_cast<std::size_t>(material)];
+  if (spec.splits() > 0) return {spec.splits(), 1.0, spec.splits_column(), true, -1};
+  if (!scene.jet.present || scene.jet.material != material) return {};
+  const int jet = static_cast<int>(scene.bodies.size());
+  return {scene.jet.splits, 0.5, -1, follows_deformation(scene), jet};
+}
+
 Particles make_particles(const Scene& scene, int material) {
   namespace dim = dimension;
   const int d = dimensions(scene.grid.mode);
@@ -100,6 +111,8 @@ Particles make_particles(const Scene& scene, int material) {
       dim::length,
       is_manufactured(scene.body_force) ? dimensions(scene.grid.mode) : 0,
       {}};
+  p.split_rule = split_rule(scene, material);
+  p.splits = {"splits", dim::none, p.split_rule.most > 0 && p.split_rule.column < 0 ? d : 0, {}};
   p.clipped = {"clipped", dim::none, follows_deformation(scene) ? 1 : 0, {}};
   add_load_fields(scene, material, p);
   const bool drains =

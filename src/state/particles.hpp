@@ -50,6 +50,15 @@ struct BurnColumns {
   KOKKOS_INLINE_FUNCTION bool burns() const { return lighting >= 0; }
 };
 
+/// How particles of a set are divided (split_particles).
+struct SplitRule {
+  int most = 0;        ///< how often each may be; 0: never
+  double width = 1.0;  ///< from which on [cells]
+  int column = -1;     ///< of the count in an explosive's history; -1: Particles::splits has it
+  bool halves = true;  ///< half_size, else that stays what the weights see of the particle
+  int body = -1;       ///< whose particles are; -1: all of the set
+};
+
 /// All particles of one material: structure of arrays, `count` rows used of `capacity`.
 /// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
 /// particles has one order, whatever their history or rank count.
@@ -63,6 +72,7 @@ struct Particles {
   double isolated_courant = 1.0;  ///< of isolated_courant()
   TallyScales tally_scales;       ///< of tally_scales()
   BurnColumns burn_columns;
+  SplitRule split_rule;
   bool sorted = false;  ///< order and tile_begin belong to the present rows and tiles
 
   ArrayView<ParticleId> id;  ///< unique over the run; files sort by it
@@ -80,6 +90,8 @@ struct Particles {
   Field longitudinal_modulus;  ///< K + 4G/3 of the last update [stress]
   Field history;  ///< the model's internal variables, in the order of its history_table()
   Field reference_position;  ///< X_p, only where a manufactured body force asks for it [length]
+  /// How often the particle of a jet was divided along each axis of the undeformed one [-].
+  Field splits;
   Field clipped;  ///< 1 if the domain is cut at Largest Domain, of shapes that deform [-]
   Field
       loaded_faces;  ///< bits of own faces with loads (LoadTable); no components if there are none
@@ -150,6 +162,7 @@ private:
     f(particles.longitudinal_modulus);
     f(particles.history);
     f(particles.reference_position);
+    f(particles.splits);
     f(particles.clipped);
     f(particles.loaded_faces);
     f(particles.surface_share);

@@ -45,14 +45,6 @@ double end_of_step(const JetSpec& jet, const State& state, double stable, double
   return std::min(next_time, jet.slugs[slug].time * (1.0 + 1e-15));
 }
 
-/// Particles of materials that are to be divided.
-void split_sets(const std::vector<MaterialSpec>& materials, State& state) {
-  for (Particles& particles : state.particles) {
-    const MaterialSpec& material = materials[static_cast<std::size_t>(particles.material)];
-    split_particles(material.splits(), material.splits_column(), state.grid, particles);
-  }
-}
-
 /// How the step is divided, with all tiles active that particles may enter before it is over.
 void plan_parts(const StepSpec& step, double dt, double left, State& state) {
   const auto reaches_others = [&] {
@@ -73,11 +65,11 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   Grid& grid = state.grid;
   std::vector<Particles>& sets = state.particles;
   const Continuum continuum = continuum_of(state);
-  balance_load(clock, continuum, state.sharing);      // tiles to ranks by cost
-  launch_slugs(scene, state);                         // whose time has come
-  split_sets(scene.materials, state);                 // what is wider than a cell
-  if (state.subcycling.on()) forget_keys(sets);       // parts of the last step kept some
-  Placement placement = locate_particles(continuum);  // cells; lost are tallied
+  balance_load(clock, continuum, state.sharing);           // tiles to ranks by cost
+  launch_slugs(scene, state);                              // whose time has come
+  for (Particles& set : sets) split_particles(grid, set);  // where they are wide
+  if (state.subcycling.on()) forget_keys(sets);            // parts of the last step kept some
+  Placement placement = locate_particles(continuum);       // cells; lost are tallied
   const double stable = agree_on_stable_step(*grid.comm, state.stable_step, placement);
   const double with_fluids = stable_step_with_fluids(state.cavities, grid.smallest_cell(), stable);
   const double end = end_of_step(scene.jet, state, stable, next_time);

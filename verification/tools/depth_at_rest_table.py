@@ -18,8 +18,8 @@ CONFINED = {"unconfined": "failing", "bounded_unconfined": "bounded"}
 HEAD = """## Depth at rest
 
 Depth of `input_xml/perforation_at_rest.xml` [mm], the jet of the main job with its slow tail, metals that fail and sandstone with bounded
-dilatancy, at times [us]; and of variants of it. Cells per radius of the jet's tip; particles of the jet in a cell, along each direction, and
-their size at launch; one particle per cell in casing and rock. Runs by `verification/depth_at_rest.py BARRENO`; the seconds are of a machine
+dilatancy, at times [us]; and of variants of it. Cells per radius of the jet's tip; particles of the jet in a cell, along each direction, how
+often each may be divided in two (+4, `Jet/Splits`), and their size at launch; one particle per cell in casing and rock. Runs by `verification/depth_at_rest.py BARRENO`; the seconds are of a machine
 with other work. Rows that end early had 750 mm of sandstone and an earlier end.
 """
 SCATTER = """Scatter. Runs that should agree part, because each slug meets what the one before has left. Mean depth [mm] and standard deviation
@@ -64,22 +64,27 @@ the standard deviation of one before the difference means anything.
 
 
 def runs():
-    """{(job, cells, particles): what was measured}; and depths [mm] of runs that differ in the Courant Fraction, where at least four are"""
+    """{(job, cells, (particles, splits)): what was measured}; and depths [mm] of runs that differ in the Courant Fraction, where at least four are"""
     found, scatter = {}, {}
     for name, one in json.loads((RESULTS / "depth_at_rest.json").read_text()).items():
         job, cells, particles, *courant = name.split("/")
-        of = job, float(cells), int(particles)
+        per_cell, _, splits = particles.partition("+")
+        of = job, float(cells), (int(per_cell), int(splits or 0))
         if not courant:
             found[of] = one
         scatter.setdefault(of, []).append([1e3 * depth for depth in one["depths"]])
     return found, {of: depths for of, depths in scatter.items() if len(depths) > 3}
 
 
+def in_words(particles, splits):
+    return f"{particles} + {splits}" if splits else str(particles)
+
+
 def row(of, one):
-    job, cells, particles = of
+    job, cells, (particles, splits) = of
     depths = [f"{1e3 * depth:.0f}" for depth in one["depths"]]
     depths += [""] * (len(TIMES) - len(depths))
-    return [WORDS[job], f"{cells:g}", str(particles), f"{TIP / cells / particles:.3f}", *depths, f"{100 * one['lost']:.1f} %",
+    return [WORDS[job], f"{cells:g}", in_words(particles, splits), f"{TIP / cells / particles:.3f}", *depths, f"{100 * one['lost']:.1f} %",
         f"{one['cpu_seconds']:.0f}"]  # fmt: skip
 
 
@@ -87,7 +92,7 @@ def table(found):
     head = ["job", "cells per radius", "particles per cell", "their size [mm]", *(f"{time} us" for time in TIMES), "lost by the method",
         "processor time [s]"]  # fmt: skip
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    by_size = sorted(found, key=lambda of: (list(WORDS).index(of[0]), of[1] * of[2]))
+    by_size = sorted(found, key=lambda of: (list(WORDS).index(of[0]), of[2][1], of[1] * of[2][0]))
     return lines + ["| " + " | ".join(row(of, found[of])) + " |" for of in by_size]
 
 
@@ -95,20 +100,20 @@ def at(one, time):
     return one["depths"][TIMES.index(time)]
 
 
-def growth(found, job, time):
+def growth(found, job, splits, time):
     """By how much smaller particles of the jet change the depth, in words."""
-    sizes = sorted(((TIP / cells / particles, cells, particles) for of, cells, particles in found if of == job), reverse=True)
-    depths = [at(found[job, cells, particles], time) for _, cells, particles in sizes]
+    sizes = sorted(((TIP / cells / how[0], cells, how) for of, cells, how in found if of == job and how[1] == splits), reverse=True)
+    depths = [at(found[job, cells, how], time) for _, cells, how in sizes]
     return ", ".join(f"{100 * (b / a - 1.0):+.1f} % from {coarse[0]:.3f} to {fine[0]:.3f} mm"
         for coarse, fine, a, b in zip(sizes, sizes[1:], depths, depths[1:]))  # fmt: skip
 
 
 def growths(found):
     """For each job that was run with several sizes of the jet's particles."""
-    for job, words in WORDS.items():
-        if sum(of == job for of, *_ in found) > 1:
-            early, late = (growth(found, job, time) for time in (120, COMMON))
-            job_words = words[0].upper() + words[1:]
+    for job, splits in sorted({(job, how[1]) for job, _, how in found}, key=lambda of: (list(WORDS).index(of[0]), of[1])):
+        if sum(of == job and how[1] == splits for of, _, how in found) > 1:
+            early, late = (growth(found, job, splits, time) for time in (120, COMMON))
+            job_words = WORDS[job][0].upper() + WORDS[job][1:] + (f", divided up to {splits} times" if splits else "")
             yield f"{job_words}, with smaller particles: by 120 us the depth changes by {early}; by {COMMON} us by {late}."
 
 
@@ -116,7 +121,7 @@ def falls(found):
     """What the confinement takes of the depth, where both were run."""
     for job, confined in CONFINED.items():
         shares = [f"{100 * (1.0 - at(found[confined, *how], COMMON) / at(one, COMMON)):.0f} % with {how[0]:g} cells per radius and "
-            f"{how[1]} particles per cell" for (of, *how), one in found.items() if of == job and (confined, *how) in found]  # fmt: skip
+            f"{in_words(*how[1])} particles per cell" for (of, *how), one in found.items() if of == job and (confined, *how) in found]  # fmt: skip
         if shares:
             yield f"From 0 to 69 MPa the depth at {COMMON} us falls by {' and '.join(shares)} ({WORDS[confined]})."
 
@@ -127,7 +132,7 @@ def scatter_table(scatter):
     for (job, cells, particles), depths in scatter.items():
         times = [f"{statistics.mean(at):.0f}, {100 * statistics.stdev(at) / statistics.mean(at):.1f} %" for at in zip(*depths)]
         times += [""] * (len(TIMES) - len(times))
-        lines.append(f"| {WORDS[job]} | {cells:g} | {particles} | {len(depths)} | " + " | ".join(times) + " |")
+        lines.append(f"| {WORDS[job]} | {cells:g} | {in_words(*particles)} | {len(depths)} | " + " | ".join(times) + " |")
     return lines
 
 

@@ -51,6 +51,13 @@ SectionTable<JetSpec> jet_table() {
            &JetSpec::particles_per_cell, "Particles Per Cell", between(1, 16), "per direction"
        ),
        defaulted(
+           &JetSpec::splits,
+           "Splits",
+           between(0, 8),
+           "how often a particle that has become wider than half a cell is divided in two; files "
+           "keep a place for all of its 2^Splits parts (docs/trade.md)"
+       ),
+       defaulted(
            &JetSpec::cells_per_radius,
            "Cells Per Radius",
            dim::none,

@@ -27,6 +27,7 @@ struct JetSpec {
   double launch_position = 0.0;   ///< coordinate of the launch plane along y [length]
   double direction = 1.0;         ///< +1 or -1 along y
   int particles_per_cell = 4;     ///< per direction
+  int splits = 0;                 ///< how often a particle wider than half a cell is divided in two
   double cells_per_radius = 0.0;  ///< wanted of its thinnest slug along its path; 0: as the grid is
 };
 template <>

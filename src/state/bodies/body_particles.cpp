@@ -235,12 +235,17 @@ ParticleId ids_of_particle(const Scene& scene, const BodySpec& body) {
   return ParticleId{1} << scene.materials[static_cast<std::size_t>(body.material)].splits();
 }
 
+ParticleId ids_of_particle(const JetSpec& jet) {
+  return ParticleId{1} << jet.splits;
+}
+
 std::vector<ParticleId> first_ids(const Scene& scene, const std::vector<long long>& counts) {
   std::vector<ParticleId> first{1};
   for (std::size_t b = 0; b < counts.size(); ++b)
     first.push_back(
-        first.back() +
-        counts[b] * (b < scene.bodies.size() ? ids_of_particle(scene, scene.bodies[b]) : 1)
+        first.back() + counts[b] * (b < scene.bodies.size()
+                                        ? ids_of_particle(scene, scene.bodies[b])
+                                        : ids_of_particle(scene.jet))
     );
   return first;
 }

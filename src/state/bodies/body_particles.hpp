@@ -73,9 +73,10 @@ void for_each_slug_particle(
 );
 long long count_slug_particles(const Scene& scene, const JetSlug& slug);
 
-/// Ids that a body keeps for every particle that it starts with: one for each part that it may be
-/// divided into.
+/// Ids that a body, or the jet, keeps for every particle that it starts with: one for each part
+/// that it may be divided into.
 ParticleId ids_of_particle(const Scene& scene, const BodySpec& body);
+ParticleId ids_of_particle(const JetSpec& jet);
 
 /// Particles of every body, then of every slug of the jet; one process alone looks at all of them
 /// (state/bodies/body_census.hpp has the ranks share that).

@@ -34,6 +34,7 @@ std::vector<NewParticle> cut_slug(
   std::vector<NewParticle> made;
   for_each_slug_particle(box_of(grid), jet, density, slug, first_id, [&](NewParticle particle) {
     particle.x[1] += centre;
+    particle.id = first_id + (particle.id - first_id) * ids_of_particle(jet);
     particle.velocity = {0.0, velocity, 0.0};
     if (grid.holds(particle.x) && owner_of(grid, particle.x) == me) made.push_back(particle);
   });

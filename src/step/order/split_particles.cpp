@@ -20,26 +20,42 @@ struct FindWide {
   CellLattice lattice;
   double cell_size;
   double lower[3], upper[3];
-  int dimensions, splits, column;
-  FieldView position, deformation, half_size, history;
+  int dimensions;
+  SplitRule rule;
+  FieldView position, deformation, half_size, count;
   ArrayView<Fault> fault;
   ArrayView<int> body;
 
-  FindWide(int most, int count_column, const Grid& grid, const Particles& particles)
+  FindWide(const Grid& grid, const Particles& particles)
       : lattice(grid),
         cell_size(grid.cell_size),
         lower{grid.lower[0], grid.lower[1], grid.lower[2]},
         upper{grid.upper[0], grid.upper[1], grid.upper[2]},
         dimensions(grid.patch.dimensions),
-        splits(most),
-        column(count_column),
+        rule(particles.split_rule),
         position(particles.position.values),
         deformation(particles.deformation_gradient.values),
         half_size(particles.half_size.values),
-        history(particles.history.values),
+        count(rule.column < 0 ? particles.splits.values : particles.history.values),
         fault(particles.fault),
         body(particles.body) {}
 
+  /// How often a particle was divided.
+  KOKKOS_INLINE_FUNCTION int splits(int p) const {
+    if (rule.column >= 0) return static_cast<int>(count(p, rule.column));
+    double sum = 0.0;
+    for (int i = 0; i < dimensions; ++i) sum += count(p, i);
+    return static_cast<int>(sum);
+  }
+  KOKKOS_INLINE_FUNCTION void count_split(int p, int axis) const {
+    count(p, rule.column >= 0 ? rule.column : axis) += 1.0;
+    if (rule.halves) half_size(p, axis) *= 0.5;
+  }
+  /// Half the edge of what a particle is now of the undeformed one.
+  KOKKOS_INLINE_FUNCTION double half_edge(int p, int axis) const {
+    return rule.halves ? half_size(p, axis)
+                       : half_size(p, axis) / (1 << static_cast<int>(count(p, axis)));
+  }
   KOKKOS_INLINE_FUNCTION bool holds(const double (&x)[3]) const {
     bool inside = true;
     for (int d = 0; d < dimensions; ++d) inside = inside && x[d] >= lower[d] && x[d] < upper[d];
@@ -60,18 +76,19 @@ struct FindWide {
   }
   KOKKOS_INLINE_FUNCTION HalfEdge wide_edge(int p) const {
     HalfEdge longest;
-    if (history(p, column) >= splits || fault(p) != Fault::none || (body(p) & debris_bit) != 0)
-      return longest;
+    const bool divisible = rule.body < 0 ? (body(p) & debris_bit) == 0 : body(p) == rule.body;
+    if (!divisible || splits(p) >= rule.most || fault(p) != Fault::none) return longest;
     double x[3] = {};
     for (int d = 0; d < dimensions; ++d) x[d] = position(p, d);
     if (!holds(x)) return longest;
-    const double half_cell = 0.5 * cell_at(p);
-    double most = half_cell * half_cell * (1.0 + 1e-12);
+    const double bearable = 0.5 * rule.width * cell_at(p);
+    double most = bearable * bearable * (1.0 + 1e-12);
     for (int i = 0; i < dimensions; ++i) {
       HalfEdge edge{i, {}};
       double square = 0.0;
+      const double half = half_edge(p, i);
       for (int d = 0; d < dimensions; ++d) {
-        edge.along[d] = deformation(p, d * dimensions + i) * half_size(p, i);
+        edge.along[d] = deformation(p, d * dimensions + i) * half;
         square += edge.along[d] * edge.along[d];
       }
       if (!(square > most)) continue;
@@ -105,8 +122,8 @@ struct Divide {
     const HalfEdge edge = wide.wide_edge(p);
     const double part = share(p, edge);
     copy(p, child);
-    const int before = static_cast<int>(particles.history(p, wide.column));
-    particles.id(child) = particles.id(p) + (ParticleId{1} << (wide.splits - 1 - before));
+    const int before = wide.splits(p);
+    particles.id(child) = particles.id(p) + (ParticleId{1} << (wide.rule.most - 1 - before));
     for (const Field* field : {&particles.mass, &particles.volume}) {
       (*field)(child, 0) = part * (*field)(p, 0);
       (*field)(p, 0) -= (*field)(child, 0);
@@ -115,22 +132,19 @@ struct Divide {
       particles.position(child, d) += 0.5 * edge.along[d];
       particles.position(p, d) -= 0.5 * edge.along[d];
     }
-    for (const int row : {p, child}) {
-      particles.half_size(row, edge.axis) *= 0.5;
-      particles.history(row, wide.column) = before + 1;
-    }
+    for (const int row : {p, child}) wide.count_split(row, edge.axis);
   }
 };
 
 }  // namespace
 
-int split_particles(int splits, int column, const Grid& grid, Particles& particles) {
-  if (splits == 0 || particles.rigid || particles.count == 0) return 0;
+int split_particles(const Grid& grid, Particles& particles) {
+  if (particles.split_rule.most == 0 || particles.rigid || particles.count == 0) return 0;
   const Region region("split_particles");
   const int count = particles.count;
   int wide = 0;
   {
-    const FindWide find(splits, column, grid, particles);
+    const FindWide find(grid, particles);
     const ArrayView<int> marked = particles.spare;
     launch_reduction(
         "find_wide",
@@ -144,8 +158,7 @@ int split_particles(int splits, int column, const Grid& grid, Particles& particl
   }
   if (wide == 0) return 0;
   reserve(particles, count + wide);
-  const Divide divide{
-      FindWide(splits, column, grid, particles), grid.mode == Mode::axisymmetric, particles};
+  const Divide divide{FindWide(grid, particles), grid.mode == Mode::axisymmetric, particles};
   const ArrayView<int> marked = particles.spare;
   launch_scan(
       "divide_particles",

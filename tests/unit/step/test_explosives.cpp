@@ -148,7 +148,7 @@ void expect_division(Mode mode) {
   State state = testing::start_alone(scene);
   Particles& gas = state.particles[0];
   const int before = gas.count;
-  EXPECT_EQ(split_particles(3, JwlExplosive::splits_column, state.grid, gas), 0);
+  EXPECT_EQ(split_particles(state.grid, gas), 0);
   const int row = 1000, columns = gas.deformation_gradient.components;
   const double stretch = 3.0;  // of half a cell: wider than one
   gas.deformation_gradient(row, 0) = stretch;
@@ -159,7 +159,7 @@ void expect_division(Mode mode) {
   const ParticleId id = gas.id(row);
   EXPECT_EQ((id - 1) % 8, 0);
   const Sums old = sums_of(gas);
-  ASSERT_EQ(split_particles(3, JwlExplosive::splits_column, state.grid, gas), 1);
+  ASSERT_EQ(split_particles(state.grid, gas), 1);
   ASSERT_EQ(gas.count, before + 1);
   const Sums now = sums_of(gas);
   EXPECT_NEAR(now.mass / old.mass, 1.0, 1e-13);
@@ -192,7 +192,7 @@ void expect_division(Mode mode) {
   // Again, and no more often than three times.
   for (int n = 0; n < 5; ++n) {
     for (const int p : {row, child}) gas.deformation_gradient(p, 0) = 30.0;
-    split_particles(3, JwlExplosive::splits_column, state.grid, gas);
+    split_particles(state.grid, gas);
   }
   std::vector<ParticleId> ids;
   for (int p = 0; p < gas.count; ++p)
