@@ -3,8 +3,8 @@
 """What tries to break a run (docs/adversary.md): random valid option sets over the shipped decks, straight, killed and
 resumed, on one to three ranks, by two processes and under sanitizers; odd numbers in decks; forged checkpoints.
 
-    adversary.py BUILD [--sets N] [--odd-numbers N] [--forgeries N] [--perforations N] [--seed S] [--jobs J] [--out results.json]
-    adversary.py BUILD --only SEED:NUMBER
+    attack.py BUILD [--sets N] [--odd-numbers N] [--forgeries N] [--perforations N] [--seed S] [--jobs J] [--out results.json]
+    attack.py BUILD --only SEED:NUMBER
 
 BUILD is the build folder. With --out what is found is added to what is there already: a seed goes on behind its last
 set, so that several sittings make one count. --only runs one set again and keeps its folder.
@@ -22,18 +22,15 @@ import tempfile
 import time
 import traceback
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
-
-import numpy as np  # noqa: E402
-from described import described_options  # noqa: E402
-from forged import SCENES, forgeries_of, prepared, try_forgery  # noqa: E402
-from kill_moments import built_library  # noqa: E402
-from odd_numbers import all_odd_numbers, try_number  # noqa: E402
-from one_set import DECKS, Finding, OptionSet, Tally  # noqa: E402
-from perforations import try_perforations  # noqa: E402
-from run_server import RunServer  # noqa: E402
-from try_set import try_set  # noqa: E402
+import numpy as np
+from adversary.described import described_options
+from adversary.forged import SCENES, forgeries_of, prepared, try_forgery
+from adversary.kill_moments import built_library
+from adversary.odd_numbers import all_odd_numbers, try_number
+from adversary.one_set import DECKS, Finding, OptionSet, Tally
+from adversary.perforations import try_perforations
+from adversary.run_server import RunServer
+from adversary.try_set import try_set
 
 # Chances that a set is tried so; all are checked and run.
 SHARE = {"kills": 0.15, "ranks": 0.1, "two": 0.04, "group": 0.01, "sanitized": 0.3}

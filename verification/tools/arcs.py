@@ -17,7 +17,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
-from runs import ROOT, run_deck, scratch_folder
+from tools.runs import ROOT, run_deck, scratch_folder
 
 PAGE = ROOT / "docs" / "explosives.md"
 DECK = """<ParameterList name="Barreno">

@@ -6,15 +6,15 @@ import textwrap
 
 import numpy as np
 
-from barreno_report.channel import Half, draw_half, set_limits, set_up, size_of, time_text
-from barreno_report.deck import Deck, read_deck
-from barreno_report.fields import PLASTIC_STRAIN
-from barreno_report.files import reading
-from barreno_report.hole import jet_particles
-from barreno_report.particles import Frame, ParticleFile
-from barreno_runs.faults import BadRun, NothingToDraw
-from barreno_runs.pictures import save
-from barreno_runs.plots import plt
+from barreno.report.channel import Half, draw_half, set_limits, set_up, size_of, time_text
+from barreno.report.deck import Deck, read_deck
+from barreno.report.fields import PLASTIC_STRAIN
+from barreno.report.files import reading
+from barreno.report.hole import jet_particles
+from barreno.report.particles import Frame, ParticleFile
+from barreno.runs.faults import BadRun, NothingToDraw
+from barreno.runs.pictures import save
+from barreno.runs.plots import plt
 
 TALL, LEAST, MOST, WIDEST = 4.2, 1.5, 6.0, 14.0  # of a channel, and of the picture [in]
 MARGIN = 0.6  # in, beside a channel

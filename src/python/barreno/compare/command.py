@@ -6,12 +6,12 @@ import pathlib
 import re
 import sys
 
-from barreno_compare.differences import against, as_csv, deck_differences, decks_as_csv, quantities_of, shortened
-from barreno_runs.faults import FILE, Fault, exit_code, printable
-from barreno_runs.results import finished_row, write_results
-from barreno_runs.run_folder import deck_in
-from barreno_runs.tables import aligned, make_folder, number, place
-from barreno_runs.words import Words
+from barreno.compare.differences import against, as_csv, deck_differences, decks_as_csv, quantities_of, shortened
+from barreno.runs.faults import FILE, Fault, exit_code, printable
+from barreno.compare.results import finished_row, write_results
+from barreno.runs.run_folder import deck_in
+from barreno.runs.tables import aligned, make_folder, number, place
+from barreno.runs.words import Words
 
 EXAMPLE = "write for example barreno compare runs/perforation-1 runs/perforation-2"
 RECORD = "compare.json"

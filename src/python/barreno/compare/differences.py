@@ -4,8 +4,8 @@
 import csv
 import io
 
-from barreno_runs.effective_deck import all_values
-from barreno_runs.run_folder import deck_in
+from barreno.runs.effective_deck import all_values
+from barreno.runs.run_folder import deck_in
 
 LONGEST = 40  # letters of a value on the screen and in a table
 ABSENT = "(absent)"

@@ -6,9 +6,9 @@ import dataclasses
 import io
 import pathlib
 
-from barreno_runs.faults import Fault, NothingToDraw, on_one_line
-from barreno_runs.run_folder import read_summary, read_table, scalars_of
-from barreno_runs.tables import place
+from barreno.runs.faults import Fault, NothingToDraw, on_one_line
+from barreno.runs.run_folder import read_summary, read_table, scalars_of
+from barreno.runs.tables import place
 
 FINISHED = "finished"
 DEPTH = "penetration.depth"
@@ -88,7 +88,7 @@ def write_depths(out, rows, remarks):
         return []
 
     def draw(aside):
-        from barreno_runs.pictures import draw_depths  # slow to load
+        from barreno.runs.pictures import draw_depths  # slow to load
 
         draw_depths(aside, series)
 
@@ -103,7 +103,7 @@ def write_channels(out, rows, columns, remarks):
         remarks.append(f"channels.png has the first {MOST_CHANNELS} of {len(rows)} runs.")
 
     def draw(aside):
-        from barreno_runs.channels import draw_channels  # slow to load
+        from barreno.compare.channels import draw_channels  # slow to load
 
         try:
             remarks.extend(draw_channels(aside, rows[:MOST_CHANNELS], columns))

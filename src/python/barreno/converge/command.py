@@ -6,16 +6,16 @@ import pathlib
 import re
 import sys
 
-from barreno_converge import levels as level_runs
-from barreno_converge import order, report
-from barreno_converge.quantity import Quantity
-from barreno_runs.effective_deck import value_in
-from barreno_runs.faults import FILE, Fault, exit_code
-from barreno_runs.program import as_set, found_program
-from barreno_runs.ranks import check_ranks
-from barreno_runs.run_folder import read_summary
-from barreno_runs.tables import make_folder, place
-from barreno_runs.words import TIME_UNITS, Words, quantity_of
+from barreno.converge import levels as level_runs
+from barreno.converge import order, report
+from barreno.converge.quantity import Quantity
+from barreno.runs.effective_deck import value_in
+from barreno.runs.faults import FILE, Fault, exit_code
+from barreno.runs.program import as_set, found_program
+from barreno.runs.ranks import check_ranks
+from barreno.runs.run_folder import read_summary
+from barreno.runs.tables import make_folder, place
+from barreno.runs.words import TIME_UNITS, Words, quantity_of
 
 EXAMPLE = "write for example barreno converge input_xml/perforation_quick.xml --levels 3"
 
@@ -139,7 +139,7 @@ def write(options, levels, quantity, rows, out):
     series = [quantity.series(level.folder) for level in levels]
 
     def draw(aside):
-        from barreno_converge.picture import draw  # slow to load
+        from barreno.converge.picture import draw  # slow to load
 
         draw(aside, quantity.name, levels, series, rows)
 

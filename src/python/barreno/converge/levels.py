@@ -6,11 +6,11 @@ import fractions
 import math
 import re
 
-from barreno_runs.effective_deck import find_list, value_in
-from barreno_runs.faults import Fault
-from barreno_runs.make_runs import Making, Run, finished_in, take_finished
-from barreno_runs.program import as_set
-from barreno_runs.run_folder import read_summary
+from barreno.runs.effective_deck import find_list, value_in
+from barreno.runs.faults import Fault
+from barreno.runs.make_runs import Making, Run, finished_in, take_finished
+from barreno.runs.program import as_set
+from barreno.runs.run_folder import read_summary
 
 CELL_SIZE, UPPER, CELLS_PER_RADIUS = "Grid/Cell Size", "Grid/Upper", "Jet/Cells Per Radius"
 ROUND_OFF = 1e-9

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture: the quantity over time for every level, and over the cell size at the end."""
 
-from barreno_runs.plots import plt
+from barreno.runs.plots import plt
 
 LENGTHS = ("depth", "channel_depth", "channel_radius_mid", "inner_radius", "outer_radius")
 ENERGIES = ("kinetic", "elastic", "plastic", "viscous", "friction", "stress_integration", "transfer", "removed_kinetic", "launched_kinetic",

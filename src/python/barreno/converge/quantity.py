@@ -4,8 +4,8 @@
 import difflib
 import pathlib
 
-from barreno_runs.faults import Fault
-from barreno_runs.run_folder import numbers_of, read_summary, read_table
+from barreno.runs.faults import Fault
+from barreno.runs.run_folder import numbers_of, read_summary, read_table
 
 TABLES = ("depth.csv", "history.csv", "radii.csv", "cavities.csv")
 

@@ -7,9 +7,9 @@ import json
 import math
 import os
 
-from barreno_converge import order
-from barreno_runs.run_folder import read_summary
-from barreno_runs.tables import aligned, number, place
+from barreno.converge import order
+from barreno.runs.run_folder import read_summary
+from barreno.runs.tables import aligned, number, place
 
 METHOD = (
     "Grid Convergence Index of the three smallest cells, with the observed order and a safety factor of 1.25, or where the observed order "

@@ -2,10 +2,10 @@
 """What the rock of a card answers in the tests."""
 
 import numpy
-from barreno_material import ELASTIC
 
-from barreno_fit.kinds import KINDS
-from barreno_fit.specimens import Specimens, press
+from barreno.fit.kinds import KINDS
+from barreno.fit.specimens import Specimens, press
+from barreno.materials import ELASTIC
 
 LARGEST_STEP = 2e-3  # of strain
 PRESS_STEPS, CONFINE_STEPS = 16, 8

@@ -5,9 +5,9 @@ import pathlib
 import re
 import xml.etree.ElementTree as xml
 
-from barreno_fit import units
-from barreno_fit.faults import FILE, Fault
-from barreno_fit.parameters import DIMENSION_OF
+from barreno.fit import units
+from barreno.fit.parameters import DIMENSION_OF
+from barreno.runs.faults import FILE, Fault
 
 DEFAULTS = {"YSLOPE": 0.0, "STREN": 0.0, "BETA_nonassociativity": 1.0, "CR": 0.5}  # of parameters that a card may leave out
 HEAD = {"Schema Version": 1, "Units": "SI", "Model": "Arenisca"}

@@ -8,16 +8,16 @@ import os
 import pathlib
 import sys
 
-from barreno_material import load
-
-from barreno_fit import card, data, report, solve
-from barreno_fit.answers import Laboratory
-from barreno_fit.faults import FILE, INTERNAL, NUMERICAL, Fault, Rejected, internal
-from barreno_fit.kinds import DIMENSIONS, KINDS, STRENGTH
-from barreno_fit.laboratory import RAW, Said
-from barreno_fit.parameters import fixed_values, given_bounds
-from barreno_fit.specimens import opened
-from barreno_fit.table import name_of
+from barreno.fit import card, data, report, solve
+from barreno.fit.answers import Laboratory
+from barreno.fit.faults import Rejected
+from barreno.fit.kinds import DIMENSIONS, KINDS, STRENGTH
+from barreno.fit.laboratory import RAW, Said
+from barreno.fit.parameters import fixed_values, given_bounds
+from barreno.fit.specimens import opened
+from barreno.fit.table import name_of
+from barreno.materials import load
+from barreno.runs.faults import FILE, NUMERICAL, Fault, exit_code
 
 DEFAULT_START = "berea_sandstone"
 
@@ -179,13 +179,4 @@ def run(words):
 
 
 def main(words=None):
-    try:
-        return run(sys.argv[1:] if words is None else words)
-    except Fault as fault:
-        print(f"barreno: {fault}", file=sys.stderr)
-        return fault.code
-    except KeyboardInterrupt:
-        return 130
-    except Exception as error:  # noqa: BLE001
-        print(f"barreno: {internal(error)}", file=sys.stderr)
-        return INTERNAL
+    return exit_code(run, sys.argv[1:] if words is None else words)

@@ -9,14 +9,14 @@ from dataclasses import dataclass, field
 
 import numpy
 
-from barreno_fit import units
-from barreno_fit.faults import FILE, Fault
-from barreno_fit.kinds import DIMENSIONS, KINDS, columns_of
-from barreno_fit.laboratory import (
+from barreno.fit import units
+from barreno.fit.kinds import DIMENSIONS, KINDS, columns_of
+from barreno.fit.laboratory import (
     Said, check_elastic_signs, confinement_of_column, dimension_of, keys_of_titles, known_names, raw_columns, renamed, strains_from_lengths,
     stress_from_force, tell_rate, turn_signs,
 )  # fmt: skip
-from barreno_fit.table import decoded, is_number, split_table
+from barreno.fit.table import decoded, is_number, split_table
+from barreno.runs.faults import FILE, Fault
 
 LEAST_ROWS = 8  # of a curve
 MOST_ROWS = 150  # of a curve that are compared

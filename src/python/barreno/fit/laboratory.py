@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy
 
-from barreno_fit import units
-from barreno_fit.faults import Fault
-from barreno_fit.kinds import DIMENSIONS, KINDS, columns_of
+from barreno.fit import units
+from barreno.fit.kinds import DIMENSIONS, KINDS, columns_of
+from barreno.runs.faults import Fault
 
 # What a column may be beside the columns of a kind; stress and strain follow from it.
 RAW = {

@@ -4,9 +4,9 @@
 import math
 from typing import NamedTuple
 
-from barreno_fit import units
-from barreno_fit.faults import Fault
-from barreno_fit.kinds import KINDS
+from barreno.fit import units
+from barreno.fit.kinds import KINDS
+from barreno.runs.faults import Fault
 
 
 class Parameter(NamedTuple):

@@ -12,7 +12,7 @@ import matplotlib.pyplot as pyplot  # noqa: E402
 import numpy  # noqa: E402
 from matplotlib.ticker import FormatStrFormatter, NullFormatter  # noqa: E402
 
-from barreno_fit.kinds import DIMENSIONS, KINDS  # noqa: E402
+from barreno.fit.kinds import DIMENSIONS, KINDS  # noqa: E402
 
 MODEL, SECOND = "tab:red", "tab:blue"
 

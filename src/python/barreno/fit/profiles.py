@@ -3,7 +3,7 @@
 
 import numpy
 
-from barreno_fit.search import LEAST_SCALE, REJECTED
+from barreno.fit.search import LEAST_SCALE, REJECTED
 
 STEPS, RENEWALS = 5, 2  # of a refit: steps with the same derivatives, and how often these are made anew
 FAR = 2.0  # widths of an open range: steps of parameters that the data leave open are kept below that

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy
 from scipy import stats
 
-from barreno_fit.kinds import KINDS
-from barreno_fit.parameters import PARAMETERS, unseen
-from barreno_fit.profiles import Better, grown
-from barreno_fit.search import LEAST_SCALE, residuals_of
+from barreno.fit.kinds import KINDS
+from barreno.fit.parameters import PARAMETERS, unseen
+from barreno.fit.profiles import Better, grown
+from barreno.fit.search import LEAST_SCALE, residuals_of
 
 LARGEST_RHO = 0.98
 TRIALS = 6  # of an end

@@ -6,11 +6,11 @@ import pathlib
 
 import numpy
 
-from barreno_fit import card as cards
-from barreno_fit.kinds import DIMENSIONS, KINDS
-from barreno_fit.parameters import PARAMETERS, shown
-from barreno_fit.picture import draw
-from barreno_fit.search import residuals_of
+from barreno.fit import card as cards
+from barreno.fit.kinds import DIMENSIONS, KINDS
+from barreno.fit.parameters import PARAMETERS, shown
+from barreno.fit.picture import draw
+from barreno.fit.search import residuals_of
 
 DIGITS = 6
 

@@ -6,12 +6,13 @@ from dataclasses import dataclass, field
 import numpy
 from scipy import optimize
 
-from barreno_fit.answers import Laboratory
-from barreno_fit.card import TOLERANCE, in_a_test
-from barreno_fit.faults import NUMERICAL, Fault, Rejected
-from barreno_fit.kinds import KINDS
-from barreno_fit.parameters import PARAMETERS, bounds_of, seen, tie, unseen
-from barreno_fit.specimens import opened
+from barreno.fit.answers import Laboratory
+from barreno.fit.card import TOLERANCE, in_a_test
+from barreno.fit.faults import Rejected
+from barreno.fit.kinds import KINDS
+from barreno.fit.parameters import PARAMETERS, bounds_of, seen, tie, unseen
+from barreno.fit.specimens import opened
+from barreno.runs.faults import NUMERICAL, Fault
 
 BEST_STARTS = 3
 STEP = 4e-3  # of a difference, in what the optimiser sees

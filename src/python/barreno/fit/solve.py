@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy
 
-from barreno_fit import guess
-from barreno_fit.faults import Fault
-from barreno_fit.kinds import KINDS
-from barreno_fit.parameters import PARAMETERS, free_of, seen, shown
-from barreno_fit.profiles import Better
-from barreno_fit.ranges import at_bound, range_of, shown_range, spread_of
-from barreno_fit.search import EXACT, FEW, LEAST_SCALE, MANY, REJECTED, ROUGH, Problem, Search, size_of
-from barreno_fit.weights import weigh
+from barreno.fit import guess
+from barreno.fit.kinds import KINDS
+from barreno.fit.parameters import PARAMETERS, free_of, seen, shown
+from barreno.fit.profiles import Better
+from barreno.fit.ranges import at_bound, range_of, shown_range, spread_of
+from barreno.fit.search import EXACT, FEW, LEAST_SCALE, MANY, REJECTED, ROUGH, Problem, Search, size_of
+from barreno.fit.weights import weigh
+from barreno.runs.faults import Fault
 
 HYDROSTATIC = ("hydrostatic", "bulk modulus", "crush pressure", "open pores")
 SETTLED = 1.02  # of the sum of squares of the best fit: all parameters that go back to their start may not cost more

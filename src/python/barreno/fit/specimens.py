@@ -6,10 +6,10 @@ import os
 import tempfile
 
 import numpy
-from barreno_material import STRESS, Material
 
-from barreno_fit.card import text_of
-from barreno_fit.faults import Rejected
+from barreno.fit.card import text_of
+from barreno.fit.faults import Rejected
+from barreno.materials import STRESS, Material
 
 MEMORY = "/dev/shm"  # a file of its own for each of thousands of cards
 

@@ -5,9 +5,8 @@ tables of decks and of `drive`: tests/decks/test_table_variants.py gives both th
 import csv
 import re
 from dataclasses import dataclass, field
-
-from barreno_fit.faults import Fault
-from barreno_fit.units import is_unit
+from barreno.fit.units import is_unit
+from barreno.runs.faults import Fault
 
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 DIGITS = re.compile(r"[-+]?([\d.,]*\d[\d.,]*)")  # that a cell begins with

@@ -4,8 +4,7 @@
 import difflib
 import math
 import re
-
-from barreno_fit.faults import Fault
+from barreno.runs.faults import Fault
 
 PSI = 6894.757293168361  # pound-force per square inch, exact by definition
 UNITS = {

@@ -4,8 +4,8 @@
 import numpy
 from scipy import stats
 
-from barreno_fit.kinds import KINDS
-from barreno_fit.search import EXACT, LEAST_SCALE, MANY
+from barreno.fit.kinds import KINDS
+from barreno.fit.search import EXACT, LEAST_SCALE, MANY
 
 SURE = 0.01  # chance of a difference between channels that scatter alike, below which they are weighed apart
 COMMON = 2.0  # degrees of freedom that the scatter of all channels adds to that of each, in logarithms: few rows say little

@@ -3,11 +3,11 @@
 
 import dataclasses
 
-from barreno_import.bounds import used_shapes
-from barreno_import.deck import name_of
-from barreno_import.materials import NEVER_MELTS, ROOM, Unknown, check_cards, read_material
-from barreno_import.motion import rigid_materials
-from barreno_import.shapes import PIECES, Left, Shapes
+from barreno.imports.bounds import used_shapes
+from barreno.imports.deck import name_of
+from barreno.imports.materials import NEVER_MELTS, ROOM, Unknown, check_cards, read_material
+from barreno.imports.motion import rigid_materials
+from barreno.imports.shapes import PIECES, Left, Shapes
 
 
 @dataclasses.dataclass

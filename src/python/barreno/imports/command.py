@@ -5,23 +5,23 @@ import pathlib
 import subprocess
 import sys
 
-from barreno_import.bodies import read_contents
-from barreno_import.conditions import read_conditions
-from barreno_import.deck import deck_text, table
-from barreno_import.files import read_ups
-from barreno_import.flags import gravity_of, output_of, step_of, time_of
-from barreno_import.heat import read_heat
-from barreno_import.interactions import read_contact
-from barreno_import.jet import read_jet
-from barreno_import.loads import read_loads
-from barreno_import.motion import read_motions
-from barreno_import.notes import Notes
-from barreno_import.space import grid_of, read_space
-from barreno_import.unread import note_unread
-from barreno_runs.faults import FILE, USAGE, Fault, exit_code
-from barreno_runs.program import default_binary
-from barreno_runs.tables import place
-from barreno_runs.words import Words
+from barreno import places
+from barreno.imports.bodies import read_contents
+from barreno.imports.conditions import read_conditions
+from barreno.imports.deck import deck_text, table
+from barreno.imports.files import read_ups
+from barreno.imports.flags import gravity_of, output_of, step_of, time_of
+from barreno.imports.heat import read_heat
+from barreno.imports.interactions import read_contact
+from barreno.imports.jet import read_jet
+from barreno.imports.loads import read_loads
+from barreno.imports.motion import read_motions
+from barreno.imports.notes import Notes
+from barreno.imports.space import grid_of, read_space
+from barreno.imports.unread import note_unread
+from barreno.runs.faults import FILE, USAGE, Fault, exit_code
+from barreno.runs.tables import place
+from barreno.runs.words import Words
 
 EXAMPLE = "write for example barreno import-ups penetration.ups --out penetration.xml"
 SCHEMA = 1  # of decks
@@ -123,7 +123,7 @@ def listed(names):
 
 def check(deck):
     """The deck is sound, or `barreno check` has a sentence; its plan, which takes longer, is left out."""
-    binary = default_binary()
+    binary = places.program()
     if not binary:
         raise Fault(f"{deck} is written but not checked (the program barreno is not found); name it in BARRENO_PROGRAM.", FILE)
     try:

@@ -4,8 +4,8 @@
 import pathlib
 import xml.etree.ElementTree as ElementTree
 
-from barreno_import.ups import Ups
-from barreno_runs.faults import FILE, Fault
+from barreno.imports.ups import Ups
+from barreno.runs.faults import FILE, Fault
 
 MOST_INCLUDES = 100  # a file that includes itself
 DEEPEST = 100  # elements in each other; inputs of Uintah have about twelve

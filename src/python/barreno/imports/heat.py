@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Heat: Uintah conducts it unless the file says no; nothing flows where all temperatures are the same."""
 
-from barreno_import.ups import ALL, TEXT
+from barreno.imports.ups import ALL, TEXT
 
 SWITCHES = ("DoExplicitHeatConduction", "DoImplicitHeatConduction")
 

@@ -4,7 +4,7 @@
 import itertools
 import re
 
-from barreno_import.motion import TOLD, told_material
+from barreno.imports.motion import TOLD, told_material
 
 FRICTION = ("friction", "friction_bard", "friction_LR", "friction_LRVar", "penalty")
 STUCK = ("single_velocity", "singleVelocity")

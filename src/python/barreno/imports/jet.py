@@ -5,8 +5,8 @@ velocity (InsertParticlesFile: time, colour, translation, velocity; pieces are n
 import math
 import pathlib
 
-from barreno_import.files import found_beside
-from barreno_runs.faults import FILE, Fault
+from barreno.imports.files import found_beside
+from barreno.runs.faults import FILE, Fault
 
 ACROSS = 1e-3  # of the speed, from which a velocity is not along y
 

@@ -3,7 +3,7 @@
 
 import math
 
-from barreno_runs.faults import Fault
+from barreno.runs.faults import Fault
 
 # Defaults of Uintah, which its files may leave out.
 ROOM, MELT = 298.0, 1793.0  # K, of the Johnson-Cook flow rule

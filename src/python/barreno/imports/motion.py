@@ -4,8 +4,8 @@
 import math
 import pathlib
 
-from barreno_import.files import found_beside
-from barreno_runs.faults import FILE, Fault
+from barreno.imports.files import found_beside
+from barreno.runs.faults import FILE, Fault
 
 TOLD = ("rigid", "specified", "specified_velocity", "specified_body", "specified_friction")
 SHARP = 1e-6  # of a time, in which a velocity jumps

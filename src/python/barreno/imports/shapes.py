@@ -3,9 +3,9 @@
 
 import math
 
-from barreno_import.bounds import COMBINED, bounds_of, is_cut_there, ring_of
-from barreno_import.deck import name_of, table
-from barreno_runs.faults import Fault
+from barreno.imports.bounds import COMBINED, bounds_of, is_cut_there, ring_of
+from barreno.imports.deck import name_of, table
+from barreno.runs.faults import Fault
 
 # Pieces of Uintah, with and without a counterpart.
 PIECES = (*COMBINED, "box", "sphere", "cylinder", "cone", "parallelepiped", "ellipsoid", "torus", "tri", "file", "smoothcyl",

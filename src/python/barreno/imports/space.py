@@ -4,7 +4,7 @@
 import dataclasses
 import math
 
-from barreno_runs.faults import Fault
+from barreno.runs.faults import Fault
 
 MOST_CELLS = 1e9  # along an axis
 NEAR = 1e-9  # of a length, relative

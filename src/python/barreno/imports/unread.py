@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What of the file no converter has read: elements, attributes and texts become remarks here, all of them."""
 
-from barreno_import.ups import ALL, TEXT
+from barreno.imports.ups import ALL, TEXT
 
 # Sections that only choose what is written, how work is shared, and what is measured.
 NEUTRAL_SECTIONS = {"Meta", "DataArchiver", "DataAnalysis", "LoadBalancer", "Scheduler", "ProfileDriver", "Debug", "ParallelComponent",

@@ -6,7 +6,7 @@ import math
 import re
 import xml.etree.ElementTree as ElementTree
 
-from barreno_runs.faults import Fault
+from barreno.runs.faults import Fault
 
 MOST = 2e9  # of what is counted
 LARGEST = 1e100  # of a property of a material

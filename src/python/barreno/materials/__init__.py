@@ -2,7 +2,7 @@
 """Barreno's materials in Python: barreno_material.h by ctypes, with NumPy arrays.
 
     import numpy
-    from barreno_material import Material
+    from barreno.materials import Material
 
     rock = Material("berea_sandstone")
     stress, state = rock.virgin(1)
@@ -15,10 +15,10 @@ Components are 11 22 33 12 13 23, strains those of the tensor, units SI, tension
 
 import collections
 import ctypes
-import os
-import pathlib
 
 import numpy
+
+from barreno import places
 
 ABI_VERSION = 1
 STRESS, ELASTIC, CONSISTENT = 0, 1, 2  # what an update is asked for: stress alone, or with one of two tangents
@@ -76,16 +76,13 @@ _SIGNATURES = {
 
 
 def find_library():
-    """libBARRENO.so of the environment variable BARRENO_LIBRARY, or of the installation that this file belongs to."""
-    named = os.environ.get("BARRENO_LIBRARY")
-    if named:
-        return pathlib.Path(named)
-    for folder in pathlib.Path(__file__).resolve().parents:
-        for found in sorted(folder.glob("lib*/libBARRENO.so")) + sorted(folder.glob("lib*/*/libBARRENO.so")):
-            return found
-    raise FileNotFoundError(
-        "libBARRENO.so was not found above this file; set BARRENO_LIBRARY to its path, or pass the library to Material()."
-    )
+    """libBARRENO.so of the environment variable BARRENO_LIBRARY, or of the installation or tree that the package belongs to."""
+    found = places.library()
+    if found is None:
+        raise FileNotFoundError(
+            "libBARRENO.so was not found above this file; set BARRENO_LIBRARY to its path, or pass the library to Material()."
+        )
+    return found
 
 
 def load(path=None):

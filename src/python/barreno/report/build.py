@@ -3,16 +3,16 @@
 
 import dataclasses
 
-from barreno_report.fields import PLASTIC_STRAIN, check_field, known_fields
-from barreno_report.files import make_folder, reading, written, write_text
-from barreno_report.pages import as_html, as_markdown, write_pdf
-from barreno_report.paraview import view_script
-from barreno_report.path_section import chosen_paths
-from barreno_report.run import opened
-from barreno_report.sections import all_sections, tip_of
-from barreno_report.strength_picture import NEAR
-from barreno_runs.faults import on_one_line
-from barreno_runs.plots import plt
+from barreno.report.fields import PLASTIC_STRAIN, check_field, known_fields
+from barreno.report.files import make_folder, reading, written, write_text
+from barreno.report.pages import as_html, as_markdown, write_pdf
+from barreno.report.paraview import view_script
+from barreno.report.path_section import chosen_paths
+from barreno.report.run import opened
+from barreno.report.sections import all_sections, tip_of
+from barreno.report.strength_picture import NEAR
+from barreno.runs.faults import on_one_line
+from barreno.runs.plots import plt
 
 
 @dataclasses.dataclass

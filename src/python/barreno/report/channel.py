@@ -8,10 +8,10 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm
 from matplotlib.lines import Line2D
 
-from barreno_report.fields import look_of, range_of, values_of
-from barreno_report.outline import draw_outline
-from barreno_report.particles import areas_of
-from barreno_runs.plots import plain_log, plt
+from barreno.report.fields import look_of, range_of, values_of
+from barreno.report.outline import draw_outline
+from barreno.report.particles import areas_of
+from barreno.runs.plots import plain_log, plt
 
 MILLI, MICRO = 1e-3, 1e-6
 WITHOUT = "0.75"  # colour of a material that does not carry the field

@@ -5,14 +5,14 @@ import pathlib
 import sys
 import warnings
 
-from barreno_report.build import Wishes, make_report
-from barreno_report.fields import check_field, known_fields
-from barreno_report.files import make_folder
-from barreno_report.film import check_out, write_film
-from barreno_report.progress import Progress
-from barreno_report.run import opened
-from barreno_report.words import check_folder, depths_of, film_parser, report_parser, time_of
-from barreno_runs.faults import FILE, BadRun, Fault, exit_code, on_one_line
+from barreno.report.build import Wishes, make_report
+from barreno.report.fields import check_field, known_fields
+from barreno.report.files import make_folder
+from barreno.report.film import check_out, write_film
+from barreno.report.progress import Progress
+from barreno.report.run import opened
+from barreno.report.words import check_folder, depths_of, film_parser, report_parser, time_of
+from barreno.runs.faults import FILE, BadRun, Fault, exit_code, on_one_line
 
 
 def report(words):
@@ -56,7 +56,7 @@ def run_of(words):
 
 def run(words):
     if not words or words[0] not in COMMANDS:
-        raise Fault("the first word is report or film; write for example python3 -m barreno_report report runs/perforation-1.")
+        raise Fault("the first word is report or film; write for example python3 -m barreno.report report runs/perforation-1.")
     try:
         COMMANDS[words[0]](words[1:])
     except BadRun as bad:

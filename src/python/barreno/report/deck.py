@@ -6,8 +6,8 @@ import xml.etree.ElementTree as xml
 
 import numpy as np
 
-from barreno_report.files import reading
-from barreno_runs.regular_file import read_text
+from barreno.report.files import reading
+from barreno.runs.regular_file import read_text
 
 
 class Deck:

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from barreno_runs.plots import plt
+from barreno.runs.plots import plt
 
 MILLI, MICRO, KILO = 1e-3, 1e-6, 1e3
 

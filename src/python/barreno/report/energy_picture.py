@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from barreno_report.run_tables import energies
-from barreno_runs.plots import plt
+from barreno.report.run_tables import energies
+from barreno.runs.plots import plt
 
 MICRO = 1e-6
 ALWAYS = ("kinetic", "elastic", "plastic")

@@ -6,9 +6,9 @@ import difflib
 
 import numpy as np
 
-from barreno_report.porosity import permanent_porosity
-from barreno_report.run_tables import UNITS
-from barreno_runs.faults import Fault
+from barreno.report.porosity import permanent_porosity
+from barreno.report.run_tables import UNITS
+from barreno.runs.faults import Fault
 
 # The same quantity under the names of two models.
 PLASTIC_STRAIN = ("equivalent_plastic_strain", "plastic_strain")

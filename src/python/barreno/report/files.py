@@ -9,8 +9,8 @@ import xml.etree.ElementTree
 
 import numpy as np
 
-from barreno_runs.faults import BadRun, on_one_line
-from barreno_runs.regular_file import read_bytes, read_text
+from barreno.runs.faults import BadRun, on_one_line
+from barreno.runs.regular_file import read_bytes, read_text
 
 
 @contextlib.contextmanager

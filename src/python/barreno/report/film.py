@@ -7,12 +7,12 @@ import numpy as np
 from matplotlib.animation import FFMpegWriter
 from PIL import Image
 
-from barreno_report.channel import draw_channel
-from barreno_report.fields import look_of, range_of, values_of
-from barreno_report.files import written
-from barreno_report.particles import areas_of
-from barreno_runs.faults import FILE, Fault
-from barreno_runs.plots import plt
+from barreno.report.channel import draw_channel
+from barreno.report.fields import look_of, range_of, values_of
+from barreno.report.files import written
+from barreno.report.particles import areas_of
+from barreno.runs.faults import FILE, Fault
+from barreno.runs.plots import plt
 
 DPI = 80
 

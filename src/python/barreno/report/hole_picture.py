@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib.colors import TwoSlopeNorm
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
 
-from barreno_runs.plots import plt
+from barreno.runs.plots import plt
 
 MILLI = 1e-3
 SPREAD = 0.5  # of the virgin porosity, at the ends of the colours

@@ -3,14 +3,14 @@
 
 import numpy as np
 
-from barreno_report.channel import time_text
-from barreno_report.files import write_text
-from barreno_report.hole import face_of, measure_hole
-from barreno_report.hole_picture import hole_figure
-from barreno_report.porosity import LEAST_PERMEABILITY
-from barreno_report.section import Picture, Section
-from barreno_report.zones import CHANGED, Rock, chosen_depths, rings_at, zones_of
-from barreno_runs.faults import Fault
+from barreno.report.channel import time_text
+from barreno.report.files import write_text
+from barreno.report.hole import face_of, measure_hole
+from barreno.report.hole_picture import hole_figure
+from barreno.report.porosity import LEAST_PERMEABILITY
+from barreno.report.section import Picture, Section
+from barreno.report.zones import CHANGED, Rock, chosen_depths, rings_at, zones_of
+from barreno.runs.faults import Fault
 
 MILLI = 1e-3
 COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall"

@@ -4,7 +4,7 @@
 import numpy as np
 from matplotlib.colors import ListedColormap
 
-from barreno_runs.plots import plain_log
+from barreno.runs.plots import plain_log
 
 PRESSURES, SHEARS = (30.0, 3000.0), (10.0, 600.0)  # MPa: from white to full ink, logarithmic
 

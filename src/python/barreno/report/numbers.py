@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Numbers of a run as rows of a table: (name, value)."""
 
-from barreno_converge.report import error_text, unknown_text
+from barreno.converge.report import error_text, unknown_text
 
 MILLI, MICRO = 1e-3, 1e-6
 

@@ -4,7 +4,7 @@
 import numpy as np
 from matplotlib.collections import PolyCollection
 
-from barreno_runs.plots import plt
+from barreno.runs.plots import plt
 
 MOST_PIXELS = 1500  # along an edge of the picture
 

@@ -7,9 +7,9 @@ import textwrap
 
 from matplotlib.backends.backend_pdf import PdfPages
 
-from barreno_runs.faults import on_one_line
-from barreno_runs.plots import plt
-from barreno_runs.regular_file import read_bytes
+from barreno.runs.faults import on_one_line
+from barreno.runs.plots import plt
+from barreno.runs.regular_file import read_bytes
 
 STYLE = """body { font: 15px/1.45 sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc; }

@@ -5,10 +5,10 @@ import os
 
 import numpy as np
 
-from barreno_report.exodus_sets import files_of
-from barreno_report.fields import look_of, range_of, values_of
-from barreno_report.particles import areas_of
-from barreno_report.view_template import TEMPLATE
+from barreno.runs.exodus_sets import files_of
+from barreno.report.fields import look_of, range_of, values_of
+from barreno.report.particles import areas_of
+from barreno.report.view_template import TEMPLATE
 
 # The reader joins velocity_x and velocity_y into the vector "velocity_".
 VECTORS = ("velocity_", "darcy_velocity_")

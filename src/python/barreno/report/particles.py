@@ -6,7 +6,7 @@ import functools
 import numpy as np
 from netCDF4 import chartostring
 
-from barreno_report.exodus_sets import open_whole
+from barreno.runs.exodus_sets import open_whole
 
 # Corners of a particle of size 2 x 2 whose file gives no shape.
 SQUARE = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])

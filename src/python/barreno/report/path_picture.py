@@ -6,11 +6,11 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.ticker import MaxNLocator
 
-from barreno_report.channel import VOID, draw_outlines, set_limits, set_up, time_text
-from barreno_report.inks import draw_inks, colour_of
-from barreno_report.principal import ACROSS, AXIS, UP, lode_of_turn, revolved
-from barreno_report.stress_paths import surface_now
-from barreno_runs.plots import plt
+from barreno.report.channel import VOID, draw_outlines, set_limits, set_up, time_text
+from barreno.report.inks import draw_inks, colour_of
+from barreno.report.principal import ACROSS, AXIS, UP, lode_of_turn, revolved
+from barreno.report.stress_paths import surface_now
+from barreno.runs.plots import plt
 
 MILLI, MEGA = 1e-3, 1e6
 COLOURS = ("#d62728", "#ff9f1c", "#2a9d8f", "#1f77b4", "#9467bd", "#8c564b", "#e377c2", "#17becf")

@@ -3,12 +3,12 @@
 
 import numpy as np
 
-from barreno_report.channel import time_text
-from barreno_report.files import write_text
-from barreno_report.path_picture import axis_names, map_figure, paths_figure
-from barreno_report.section import Picture, Section
-from barreno_report.strength import surface_of
-from barreno_report.stress_paths import COARSE, elements_near, elements_of, numbers_of, path_of, share_of_strength
+from barreno.report.channel import time_text
+from barreno.report.files import write_text
+from barreno.report.path_picture import axis_names, map_figure, paths_figure
+from barreno.report.section import Picture, Section
+from barreno.report.strength import surface_of
+from barreno.report.stress_paths import COARSE, elements_near, elements_of, numbers_of, path_of, share_of_strength
 
 MILLI, MEGA = 1e-3, 1e6
 HEADS = ("particle", "material", "starts at [mm]", "at [mm]", "p [MPa]", "sqrt(J2) [MPa]", "Lode angle [degrees]", "plastic volume strain",

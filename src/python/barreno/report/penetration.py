@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from barreno_report.hole import jet_particles
-from barreno_report.particles import areas_of
+from barreno.report.hole import jet_particles
+from barreno.report.particles import areas_of
 
 MILLI, MICRO = 1e-3, 1e-6
 WINDOW = 0.05  # of the run: over which the rate is a mean

@@ -6,11 +6,11 @@ import pathlib
 
 import numpy as np
 
-from barreno_report.deck import read_deck
-from barreno_report.exodus_sets import files_of
-from barreno_report.files import read_csv, read_summary, reading
-from barreno_report.particles import ParticleFile
-from barreno_runs.faults import BadRun, Fault, on_one_line
+from barreno.report.deck import read_deck
+from barreno.runs.exodus_sets import files_of
+from barreno.report.files import read_csv, read_summary, reading
+from barreno.report.particles import ParticleFile
+from barreno.runs.faults import BadRun, Fault, on_one_line
 
 MICRO = 1e-6
 

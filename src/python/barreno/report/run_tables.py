@@ -4,7 +4,7 @@
 import json
 import pathlib
 
-from barreno_runs.regular_file import read_text
+from barreno.runs.regular_file import read_text
 
 TABLES = json.loads(read_text(pathlib.Path(__file__).with_suffix(".json")))
 UNITS = TABLES["units"]  # SI, of the fields of particles.e

@@ -3,18 +3,18 @@
 
 import numpy as np
 
-from barreno_report.channel import draw_channel
-from barreno_report.depth_picture import depth_figure
-from barreno_report.energy_picture import energy_figure, energy_terms
-from barreno_report.fields import known_fields, look_of
-from barreno_report.files import reading
-from barreno_report.hole import cell_along_path, face_of
-from barreno_report.hole_section import hole_section
-from barreno_report.numbers import depth_interval, depth_text, numerical_shares, resolution_rows, run_rows
-from barreno_report.path_section import path_section
-from barreno_report.penetration import STOPPED, depth_and_rate, jet_shares, launched_share
-from barreno_report.section import Picture, Section
-from barreno_report.strength_picture import NEAR, rock_near, strength_figure, surface_words
+from barreno.report.channel import draw_channel
+from barreno.report.depth_picture import depth_figure
+from barreno.report.energy_picture import energy_figure, energy_terms
+from barreno.report.fields import known_fields, look_of
+from barreno.report.files import reading
+from barreno.report.hole import cell_along_path, face_of
+from barreno.report.hole_section import hole_section
+from barreno.report.numbers import depth_interval, depth_text, numerical_shares, resolution_rows, run_rows
+from barreno.report.path_section import path_section
+from barreno.report.penetration import STOPPED, depth_and_rate, jet_shares, launched_share
+from barreno.report.section import Picture, Section
+from barreno.report.strength_picture import NEAR, rock_near, strength_figure, surface_words
 
 MILLI, MICRO = 1e-3, 1e-6
 BESIDE, BEHIND, AHEAD = 14.0, 20.0, 10.0  # cells around the tip

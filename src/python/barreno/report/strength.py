@@ -6,7 +6,7 @@ import copy
 
 import numpy as np
 
-from barreno_report.run_tables import PUBLISHED_SURFACE
+from barreno.report.run_tables import PUBLISHED_SURFACE
 
 
 def lode_shape(kind, psi):

@@ -3,10 +3,10 @@
 
 import numpy as np
 
-from barreno_report.hole import jet_particles
-from barreno_report.particles import offsets
-from barreno_report.strength import strength_of, surface_of
-from barreno_runs.plots import plt
+from barreno.report.hole import jet_particles
+from barreno.report.particles import offsets
+from barreno.report.strength import strength_of, surface_of
+from barreno.runs.plots import plt
 
 MILLI, MEGA = 1e-3, 1e6
 NEAR = 8.0  # cells: distance from the tip within which rock is shown

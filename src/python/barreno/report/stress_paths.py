@@ -5,11 +5,11 @@ import dataclasses
 
 import numpy as np
 
-from barreno_report.hole import jet_particles
-from barreno_report.numbers import MICRO
-from barreno_report.particles import offsets
-from barreno_report.principal import along_path, lode_angle, pressure_and_shear, tensors
-from barreno_runs.faults import Fault
+from barreno.report.hole import jet_particles
+from barreno.report.numbers import MICRO
+from barreno.report.particles import offsets
+from barreno.report.principal import along_path, lode_angle, pressure_and_shear, tensors
+from barreno.runs.faults import Fault
 
 NEAR_TIP = "near tip"
 MOST = 8  # particles whose colours can be told apart

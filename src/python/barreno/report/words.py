@@ -3,8 +3,8 @@
 
 import pathlib
 
-from barreno_runs.faults import FILE, Fault
-from barreno_runs.words import LENGTH_UNITS, TIME_UNITS, Words, quantity_of
+from barreno.runs.faults import FILE, Fault
+from barreno.runs.words import LENGTH_UNITS, TIME_UNITS, Words, quantity_of
 
 EXAMPLES = {
     "report": 'write for example barreno report runs/perforation-1 --left pressure --right plastic_volume_strain --time "30 us"',

@@ -5,9 +5,9 @@ import dataclasses
 
 import numpy as np
 
-from barreno_report.hole import jet_particles
-from barreno_report.particles import areas_of
-from barreno_report.porosity import permanent_porosity, relative_permeability, skin, virgin_porosity
+from barreno.report.hole import jet_particles
+from barreno.report.particles import areas_of
+from barreno.report.porosity import permanent_porosity, relative_permeability, skin, virgin_porosity
 
 HIGH = 2.0  # cells: distance of the rows of rings, and half the height over which one is averaged
 CHANGED = 0.05  # of the virgin porosity: less change is no zone

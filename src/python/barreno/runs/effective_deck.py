@@ -3,7 +3,7 @@
 
 import xml.etree.ElementTree as xml
 
-from barreno_runs.faults import FILE, Fault
+from barreno.runs.faults import FILE, Fault
 
 DEEPEST = 40  # lists in lists; a deck has five
 

@@ -10,7 +10,7 @@ import tempfile
 import numpy as np
 from netCDF4 import Dataset
 
-from barreno_runs.regular_file import checked
+from barreno.runs.regular_file import checked
 
 # What only a file of a set has: its place in the set, and its own numbers of the nodes and elements inside it.
 NEMESIS = re.compile(

@@ -8,6 +8,7 @@ import sys
 import traceback
 
 USAGE, FILE, NUMERICAL, INTERNAL = 1, 2, 3, 4
+PACKAGE = str(pathlib.Path(__file__).parents[1])
 INTERRUPTED, UNREAD = 130, 141  # as a shell says of SIGINT and SIGPIPE
 PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "netCDF4": "python3-netcdf4", "scipy": "python3-scipy",
     "PIL": "python3-pil"}
@@ -42,17 +43,26 @@ def printable(text):
 def missing_package(error):
     """A sentence on a module that Python lacks; None for one of the command's own."""
     name = (error.name or "").split(".")[0]
-    if not name or name.startswith("barreno"):
+    if not name or name == "barreno":
         return None
     package = f" (Debian: apt-get install {PACKAGES[name]})" if name in PACKAGES else ""
     return f"Python lacks {name} ('{sys.executable}' runs this command); install it{package}, or use another Python, as /usr/bin/python3."
 
 
 def place_of(error):
-    """The innermost line of the command's own code."""
+    """The innermost line of the package's own code."""
     lines = traceback.extract_tb(error.__traceback__)
-    own = [line for line in lines if "barreno_" in line.filename and line.filename != __file__] or lines
+    own = [line for line in lines if line.filename.startswith(PACKAGE) and line.filename != __file__] or lines
     return f"{'/'.join(pathlib.Path(own[-1].filename).parts[-2:])}, line {own[-1].lineno}" if own else "an unknown place"
+
+
+def internal(error):
+    """A sentence on what nobody foresaw."""
+    what = on_one_line(f"{type(error).__name__}: {error}")[:300]
+    return (
+        f"internal error at {place_of(error)} ({what}); please report it with the command and the files that it reads (BARRENO_TRACEBACK=1 "
+        "prints all of it)."
+    )
 
 
 def sentence_of(error):
@@ -64,11 +74,7 @@ def sentence_of(error):
     if isinstance(error, OSError) and error.strerror:
         name = f"'{error.filename}'" if error.filename is not None else "what is printed"
         return f"{name} cannot be read or written ({error.strerror}); make room or check the permissions, and try again.", FILE
-    what = on_one_line(f"{type(error).__name__}: {error}")[:300]
-    return (
-        f"internal error at {place_of(error)} ({what}); please report it with the command and the files that it reads (BARRENO_TRACEBACK=1 "
-        "prints all of it).", INTERNAL
-    )
+    return internal(error), INTERNAL
 
 
 def say(sentence):

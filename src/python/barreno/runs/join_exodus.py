@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A set of files (Particle Files = "one per rank") as one.
 
@@ -10,11 +9,10 @@ import os
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from barreno_runs.faults import FILE, Fault, exit_code, missing_package, on_one_line, say  # noqa: E402
+from barreno.runs.faults import FILE, Fault, exit_code, missing_package, on_one_line, say
 
 try:
-    from barreno_report.exodus_sets import as_one_file, files_of, join  # noqa: E402, F401
+    from barreno.runs.exodus_sets import as_one_file, files_of, join  # noqa: F401
 except ModuleNotFoundError as error:
     say(missing_package(error) or on_one_line(error))
     sys.exit(FILE)

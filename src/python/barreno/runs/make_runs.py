@@ -4,8 +4,8 @@
 import dataclasses
 import pathlib
 
-from barreno_runs.faults import NUMERICAL
-from barreno_runs.run_folder import deck_in, state_of
+from barreno.runs.faults import NUMERICAL
+from barreno.runs.run_folder import deck_in, state_of
 
 
 @dataclasses.dataclass(eq=False)

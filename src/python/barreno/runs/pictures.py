@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Curves of several runs."""
 
-from barreno_runs.plots import plt
+from barreno.runs.plots import plt
 
 TOLD_APART = 10  # colours that the eye tells apart
 MOST_LABELS = 24

@@ -2,14 +2,14 @@
 """The program barreno, as a command starts it."""
 
 import os
-import pathlib
 import re
 import shutil
 import signal
 import subprocess
 import tempfile
 
-from barreno_runs.faults import FILE, Fault
+from barreno import places
+from barreno.runs.faults import FILE, Fault
 
 
 class Child:
@@ -92,15 +92,9 @@ def as_set(settings):
     return [word for setting in settings for word in ("--set", setting)]
 
 
-def default_binary():
-    """The one that is named, that of the installation that this file is part of, or the first on the path."""
-    installed = pathlib.Path(__file__).resolve().parents[4] / "libexec" / "barreno" / "barreno"
-    return os.environ.get("BARRENO_PROGRAM") or (str(installed) if installed.is_file() else shutil.which("barreno"))
-
-
 def found_program(command, ranks):
     """@param command  whose name the sentence gives"""
-    binary = default_binary()
+    binary = places.program()
     if not binary:
         raise Fault(f"the program barreno is not found; name it in BARRENO_PROGRAM, or use ./barreno {command} of the source tree.", FILE)
     return Program(binary, ranks)

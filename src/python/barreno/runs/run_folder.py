@@ -6,9 +6,9 @@ import json
 import pathlib
 import re
 
-from barreno_runs.faults import FILE, Fault
-from barreno_runs.program import body_of
-from barreno_runs.regular_file import open_regular, read_text
+from barreno.runs.faults import FILE, Fault
+from barreno.runs.program import body_of
+from barreno.runs.regular_file import open_regular, read_text
 
 
 DEEPEST = 40  # objects in objects; a summary has four

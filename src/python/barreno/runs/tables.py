@@ -4,7 +4,7 @@
 import contextlib
 import os
 
-from barreno_runs.faults import FILE, Fault
+from barreno.runs.faults import FILE, Fault
 
 
 def make_folder(folder):

@@ -4,7 +4,7 @@
 import argparse
 import re
 
-from barreno_runs.faults import Fault
+from barreno.runs.faults import Fault
 
 LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "in": 0.0254}
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9, "": 1.0}

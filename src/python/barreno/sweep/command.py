@@ -3,16 +3,16 @@
 
 import sys
 
-from barreno_runs.faults import FILE, Fault, exit_code
-from barreno_runs.program import as_set, found_program
-from barreno_runs.results import list_of
-from barreno_runs.run_folder import deck_in, read_summary
-from barreno_sweep import plan, slurm
-from barreno_sweep.compute import compute_all, take_all
-from barreno_sweep.sample import points_of
-from barreno_sweep.variation import read_variations
-from barreno_sweep.words import check_words, jobs_of, out_folder, parse
-from barreno_sweep.write import write_sweep
+from barreno.runs.faults import FILE, Fault, exit_code
+from barreno.runs.program import as_set, found_program
+from barreno.compare.results import list_of
+from barreno.runs.run_folder import deck_in, read_summary
+from barreno.sweep import plan, slurm
+from barreno.sweep.compute import compute_all, take_all
+from barreno.sweep.sample import points_of
+from barreno.sweep.variation import read_variations
+from barreno.sweep.words import check_words, jobs_of, out_folder, parse
+from barreno.sweep.write import write_sweep
 
 FAULTS = (1, 2, 3, 4)  # exit codes of a run that would fail again
 MOST_NAMES = 5  # of runs in a sentence

@@ -5,9 +5,9 @@ import shutil
 import sys
 import time
 
-from barreno_runs.make_runs import Making, finished_in, take_finished
-from barreno_runs.results import DEPTH
-from barreno_runs.run_folder import progress_of, read_summary, scalars_of
+from barreno.runs.make_runs import Making, finished_in, take_finished
+from barreno.compare.results import DEPTH
+from barreno.runs.run_folder import progress_of, read_summary, scalars_of
 
 PAUSE = 0.1  # [s] between two looks at the runs
 SILENCE = 60.0  # [s] after which progress is said where no terminal shows it

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Depth against one or two parameters."""
 
-from barreno_runs.pictures import colours_of, plt, save
+from barreno.runs.pictures import colours_of, plt, save
 
 MOST_CURVES = 8
 

@@ -8,12 +8,12 @@ import hashlib
 import json
 import re
 
-from barreno_runs.effective_deck import lists_in, value_in
-from barreno_runs.faults import FILE, Fault
-from barreno_runs.make_runs import Run
-from barreno_runs.program import as_set
-from barreno_runs.regular_file import read_text
-from barreno_runs.tables import make_folder, place
+from barreno.runs.effective_deck import lists_in, value_in
+from barreno.runs.faults import FILE, Fault
+from barreno.runs.make_runs import Run
+from barreno.runs.program import as_set
+from barreno.runs.regular_file import read_text
+from barreno.runs.tables import make_folder, place
 
 # Lists whose entries have names of the user's own: --set would make a new one of a name that is misspelled.
 NAMED_LISTS = ("Materials", "Shapes", "Bodies", "Conditions", "Loads", "Refinement", "Contact", "Pore Flow/Rocks", "Pore Flow/Conditions")

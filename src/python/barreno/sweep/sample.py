@@ -4,8 +4,8 @@
 import itertools
 import random
 
-from barreno_runs.faults import Fault
-from barreno_sweep.variation import Value
+from barreno.runs.faults import Fault
+from barreno.sweep.variation import Value
 
 MOST_RUNS = 10000  # of an array job, too
 

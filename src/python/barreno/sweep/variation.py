@@ -4,7 +4,7 @@
 import dataclasses
 import re
 
-from barreno_runs.faults import Fault
+from barreno.runs.faults import Fault
 
 EXAMPLE = 'write for example --vary "Confinement/Pressure=0,34,69 MPa"'
 RANGE_EXAMPLE = 'write for example --vary "Confinement/Pressure=0..69 MPa"'

@@ -4,9 +4,9 @@
 import os
 import pathlib
 
-from barreno_runs.faults import FILE, Fault
-from barreno_runs.ranks import check_ranks
-from barreno_runs.words import Words
+from barreno.runs.faults import FILE, Fault
+from barreno.runs.ranks import check_ranks
+from barreno.runs.words import Words
 
 EXAMPLE = 'write for example barreno sweep input_xml/perforation_quick.xml --vary "Confinement/Pressure=0,34,69 MPa"'
 SAMPLES = ("grid", "list", "latin")
