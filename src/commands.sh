@@ -205,12 +205,13 @@ start_python() {  # package, and its words
 
 # Of a command that is a Python package its own page, where it can be shown; else the list of all.
 help_of() {  # command
-  local package=barreno_$1 words=(--help) page
+  local package=barreno.$1 words=(--help) page
   case $1 in
     report | film) package=barreno.report words=("$1" --help) ;;
     import-ups) package=barreno.imports ;;
+    sweep) package=barreno.sweeps ;;
     join) package=barreno.runs.join_exodus ;;
-    converge | sweep | compare | fit) ;;
+    converge | compare | fit) ;;
     *) package="" ;;
   esac
   if [[ -n $package ]] && page=$(start_python "$package" "${words[@]}" 2>/dev/null); then
@@ -293,7 +294,7 @@ carry_out() {  # the words of the command line
       BARRENO_COMMAND="$(printf '%q' "$0") sweep"
       BARRENO_CORES=$(cores)
       export BARRENO_PROGRAM=$binary BARRENO_COMMAND BARRENO_CORES
-      start_python barreno.sweep "$@"
+      start_python barreno.sweeps "$@"
       ;;
     compare)
       shift

@@ -99,7 +99,7 @@ def write_pages():
         file.parent.mkdir(exist_ok=True)
         file.write_text(text)
     if case_pictures.outdated():
-        subprocess.run([sys.executable, str(HERE / "tools" / "case_pictures.py")], check=True)
+        subprocess.run([sys.executable, "-m", "tools.case_pictures"], cwd=HERE, check=True)
 
 
 def main():

@@ -24,7 +24,7 @@ from tools import foreign_python  # noqa: F401
 import matplotlib
 
 matplotlib.use("Agg")
-from barreno.sweep.compute import duration
+from barreno.sweeps.compute import duration
 from paper_figures import FIGURES, figure
 from paper_figures.lab import PICTURES, RESULTS, ROOT, Lab, cost_of, read_table, write_cost, write_table
 from tools.write_pages import write_pages

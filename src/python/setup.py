@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What pyproject.toml cannot say: the package notes where pip found it, so that it finds program, library and launcher there, and nothing is
-written into the folder itself, which may belong to somebody else."""
+"""What pyproject.toml cannot say: the package notes where pip found it, so that it finds program, library and launcher there, and nothing
+is written into the folder itself, which may belong to somebody else."""
 
 import atexit
 import pathlib

@@ -46,7 +46,7 @@ def check_sweep(folder):
     """The deck's name and the varied names have dollar signs too."""
     deck = folder / f"{NAME}.xml".replace("\\", "")
     deck.write_text(DECK.read_text(encoding="utf-8").replace("../../input_xml", str(ROOT / "input_xml")), encoding="utf-8")
-    said = said_by("barreno.sweep", deck, "--set", "Time/End Time=6 us", "--vary", f"Bodies/{EVIL}/Particles Per Cell=1,2", "--out",
+    said = said_by("barreno.sweeps", deck, "--set", "Time/End Time=6 us", "--vary", f"Bodies/{EVIL}/Particles Per Cell=1,2", "--out",
         folder / f"swept {NAME}")
     assert "not drawn" not in said and "depth_against.png" in said, said
 

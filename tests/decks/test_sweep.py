@@ -27,7 +27,7 @@ TWO = ("--vary", "Confinement/Pressure=0,69 MPa")
 
 
 def sweep(*words, **more):
-    return said_by("barreno.sweep", *words, **more)
+    return said_by("barreno.sweeps", *words, **more)
 
 
 def table_of(out, name="table.csv"):
@@ -84,7 +84,7 @@ def check_interruption(folder):
     other = folder / "cut"
     words = (QUICK, *TARGET, "--set", "Time/End Time=8 us", *PRESSURES, "--jobs", "1", "--out", other)
     log = other / "Pressure-34MPa" / "run.log"
-    with subprocess.Popen(**process_of("barreno.sweep", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+    with subprocess.Popen(**process_of("barreno.sweeps", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         wait_for(lambda: log.exists() and " % " in log.read_text(), "progress of the second run")
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)
@@ -136,8 +136,8 @@ def check_array_job(out, folder):
     """The script's tasks, run here one after the other, and what is collected in between."""
     job = folder / "job"
     words = (QUICK, *SHORT, *PRESSURES, "--out", job)
-    script = sweep(*words, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno.sweep")
-    assert "#SBATCH --array=1-3\n" in script and f"exec {sys.executable} -m barreno.sweep {QUICK}" in script and [file.name
+    script = sweep(*words, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno.sweeps")
+    assert "#SBATCH --array=1-3\n" in script and f"exec {sys.executable} -m barreno.sweeps {QUICK}" in script and [file.name
         for file in job.iterdir()] == ["sweep.json"], script
     found = sweep(*words, "--collect", code=2)
     assert found == "barreno: none of the runs has finished; the command without --collect computes them.\n", found

@@ -156,7 +156,7 @@ def check_sweep(machine, folder):
     """As converge, with one rank per run unless told otherwise, the cores, and how it was called."""
     refused(*machine.run("sweep"), 1, "sweep takes a deck")
     refused(*machine.run("sweep", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
-    machine.file("src/python/barreno/sweep/__main__.py",
+    machine.file("src/python/barreno/sweeps/__main__.py",
         "import os, sys; print('swept', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'], "
         "os.environ['BARRENO_COMMAND'])")
     (folder / "a deck.xml").write_text("")

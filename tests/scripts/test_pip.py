@@ -16,7 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77  # what ctest counts as skipped
 NEEDED = {"pip": "python3-pip", "setuptools": "python3-setuptools", "wheel": "python3-wheel"}
-FROM = "from barreno import places; from barreno.materials import Material; print(places.launcher()); print(Material('copper').file)"
+FROM = "import barreno; from barreno import places; print(places.launcher()); print(barreno.Material('copper').file)"
 
 
 def call(*words, code=0, environment=None):
@@ -33,8 +33,8 @@ def listing(folder):
 def pip_install(source, target):
     """@return environment in which the installed package is used, and nothing of the caller's leads to the tree"""
     before = listing(source)
-    call(sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--no-index", "--disable-pip-version-check", "--quiet",
-        "--target", target, source)
+    call(sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--no-index", "--disable-pip-version-check",
+        "--quiet", "--target", target, source)
     assert listing(source) == before, f"pip has written into {source}: {set(listing(source)) ^ set(before)}"
     inherited = {name: value for name, value in os.environ.items() if not name.startswith(("BARRENO", "PYTHON"))}
     return {**inherited, "PYTHONPATH": str(target)}
@@ -59,6 +59,8 @@ def check_installation(cmake, build, folder):
         assert said and said == call(prefix / "bin" / "barreno", *words), words
     launcher, card = call(sys.executable, "-c", FROM, environment=environment).splitlines()
     assert launcher == str(prefix / "bin" / "barreno") and card == str(prefix / "share" / "barreno" / "cards" / "copper.xml"), card
+    program = f"import barreno; print(barreno.check({str(deck)!r}, {{'Time/End Time': '5 us'}})['Time/End Time'])"
+    assert call(sys.executable, "-c", program, environment=environment) == "5e-06\n"
     said = call(sys.executable, "-m", "barreno.report", "report", folder / "nowhere", code=2, environment=environment)
     assert "is not a folder" in said and said.count("\n") == 1, said
     shutil.rmtree(prefix)

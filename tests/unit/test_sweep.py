@@ -20,7 +20,7 @@ from barreno.compare import differences, results
 from barreno.converge import command as converge
 from barreno.runs import effective_deck, make_runs, run_folder
 from barreno.runs.faults import Fault
-from barreno.sweep import compute, plan, sample, slurm, variation, words, write
+from barreno.sweeps import compute, plan, sample, slurm, variation, words, write
 
 
 def refused(does, *said):
@@ -293,7 +293,7 @@ def check_columns(folder):
 def check_pictures(folder):
     """One parameter, two with few and with many values, words."""
     from barreno.runs.pictures import draw_depths
-    from barreno.sweep.picture import Axis, draw_against
+    from barreno.sweeps.picture import Axis, draw_against
 
     few, many = ["1", "2"] * 6, [str(i) for i in range(12)]
     number, word = Axis("a", list(range(12)), many), Axis("b", None, few)

@@ -52,8 +52,8 @@ These are findings:
 
 About an hour on two cores tries 3,000 sets and kills 1,500 perforations:
 
-    verification/adversary/attack.py BUILD --seed N --sets 3000 --perforations 300 --out verification/results/adversary.json
-    verification/adversary/page.py
+    ./barreno python verification/adversary/attack.py BUILD --seed N --sets 3000 --perforations 300 --out verification/results/adversary.json
+    ./barreno python verification/adversary/page.py
 
 """
 

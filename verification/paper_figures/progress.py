@@ -3,7 +3,7 @@
 import threading
 import time
 
-from barreno.sweep.compute import duration
+from barreno.sweeps.compute import duration
 
 
 class Progress:

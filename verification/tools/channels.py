@@ -7,7 +7,7 @@ docs/pictures/plane_channels.png:
 
     ./barreno run input_xml/perforation_plane_gimp.xml --out runs/plane_gimp
     ./barreno run input_xml/perforation_plane_cpdi.xml --out runs/plane_cpdi
-    verification/tools/channels.py runs/plane_gimp runs/plane_cpdi docs/pictures/plane_channels.png
+    ./barreno python verification/tools/channels.py runs/plane_gimp runs/plane_cpdi docs/pictures/plane_channels.png
 """
 import json
 import pathlib

@@ -5,7 +5,7 @@
 For docs/pictures/perforation_drainage.png:
 
     ./barreno run input_xml/perforation_drainage.xml --out runs/drainage
-    verification/tools/drainage.py runs/drainage docs/pictures/perforation_drainage.png
+    ./barreno python verification/tools/drainage.py runs/drainage docs/pictures/perforation_drainage.png
 """
 import sys
 

@@ -120,7 +120,7 @@ def check_swept_dollars(folder):
     from barreno.converge import order
     from barreno.converge.levels import Level
     from barreno.converge.picture import draw
-    from barreno.sweep.picture import Axis, draw_against
+    from barreno.sweeps.picture import Axis, draw_against
 
     for i, name in enumerate(NAMES):
         draw_against(folder / f"{i}.png", [Axis(name, None, [name, "b"])], [name, "b"], [0.01, 0.02])

@@ -143,6 +143,34 @@ class Material:
         """The library's sentence on the first point that failed in the last update of this thread; "" if none did in any."""
         return self.library.barreno_last_error().decode()
 
+    def drive(self, path, steps_per_row=1, every_step=False, set=None):
+        """Stress and state of one point along a path of deformation, strain or stress, as `barreno drive` computes them (docs/drive.md).
+
+        Parameters
+        ----------
+        path : path, dict or pandas.DataFrame
+            A CSV file, or its columns by their names: time and F11 to F33, or strain_xx, stress_xx and so on; a nan leaves a cell empty.
+        steps_per_row : int
+            Equal steps between two rows of the path.
+        every_step : bool
+            Whether there is a row for every step.
+        set : dict, optional
+            {parameter: value}, in place of values of the card.
+
+        Returns
+        -------
+        pandas.DataFrame
+            In SI, tension positive.
+
+        Raises
+        ------
+        barreno.Fault
+            With the sentence of `barreno drive`.
+        """
+        from barreno.materials.drive import drive  # slow to load
+
+        return drive(self.file, path, steps_per_row, every_step, set)
+
     def update(self, strain, stress, state, dt=1.0, want=CONSISTENT):
         """One increment of each point: new stress, new state, tangent (zeros if it is not wanted) and status.
 

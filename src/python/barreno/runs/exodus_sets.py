@@ -10,6 +10,7 @@ import tempfile
 import numpy as np
 from netCDF4 import Dataset
 
+from barreno.runs.classic_netcdf import refuse_cut
 from barreno.runs.regular_file import checked
 
 # What only a file of a set has: its place in the set, and its own numbers of the nodes and elements inside it.
@@ -50,6 +51,8 @@ class Set:
     """The open files, and how many elements of each block they have."""
 
     def __init__(self, files):
+        for file in files:
+            refuse_cut(file)
         self.parts = [Dataset(checked(file)) for file in files]
         for part in self.parts:
             part.set_auto_mask(False)
@@ -156,6 +159,7 @@ def open_whole(path):
     files = files_of(path)
     if len(files) > 1:
         return WholeData(files)
+    refuse_cut(files[0])
     data = Dataset(checked(files[0]))
     data.set_auto_mask(False)
     return data

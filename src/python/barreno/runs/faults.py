@@ -11,7 +11,7 @@ USAGE, FILE, NUMERICAL, INTERNAL = 1, 2, 3, 4
 PACKAGE = str(pathlib.Path(__file__).parents[1])
 INTERRUPTED, UNREAD = 130, 141  # as a shell says of SIGINT and SIGPIPE
 PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "netCDF4": "python3-netcdf4", "scipy": "python3-scipy",
-    "PIL": "python3-pil"}
+    "PIL": "python3-pil", "pandas": "python3-pandas", "xarray": "python3-xarray"}
 
 
 class Fault(Exception):
@@ -46,7 +46,15 @@ def missing_package(error):
     if not name or name == "barreno":
         return None
     package = f" (Debian: apt-get install {PACKAGES[name]})" if name in PACKAGES else ""
-    return f"Python lacks {name} ('{sys.executable}' runs this command); install it{package}, or use another Python, as /usr/bin/python3."
+    return f"Python lacks {name} ('{sys.executable}' runs this); install it{package}, or use another Python, as /usr/bin/python3."
+
+
+def needed(name):
+    """A module that a call cannot do without.  @raises Fault  that names its package"""
+    try:
+        return importlib.import_module(name)
+    except ModuleNotFoundError as error:
+        raise Fault(missing_package(error) or error, FILE) from None
 
 
 def place_of(error):

@@ -10,15 +10,16 @@ import tempfile
 
 from barreno import places
 from barreno.runs.faults import FILE, Fault
+from barreno.runs.ranks import with_mpi_environment
 
 
 class Child:
     """A started program. What it says of an error goes to a file, where it cannot fill a pipe that nobody reads."""
 
-    def __init__(self, command):
+    def __init__(self, command, output=subprocess.DEVNULL):
         self.errors = tempfile.TemporaryFile()
         # Apart from the terminal: a key there reaches the command alone, which passes it on once.
-        self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=self.errors, start_new_session=True)
+        self.process = subprocess.Popen(command, stdout=output, stderr=self.errors, start_new_session=True)
 
     def code(self):
         """Its exit code, None while it runs."""
@@ -40,15 +41,19 @@ class Program:
         self.asked = None  # the signal that asked for the end
         self.children = []
 
-    def effective_deck(self, words):
-        """What a run of these words would write as deck.xml, without its comment. A bad deck is refused as by `barreno check`."""
+    def call(self, words):
+        """What the program prints.  @raises Fault  with its sentence"""
         try:
-            result = subprocess.run([self.binary, "check", *words, "--print-deck"], capture_output=True, text=True, check=False)
+            result = subprocess.run([self.binary, *words], capture_output=True, text=True, check=False)
         except OSError as error:
             raise Fault(f"the program {self.binary} cannot be started ({error.strerror}); name it in BARRENO_PROGRAM.", FILE) from None
         if result.returncode:
-            raise Fault(result.stderr.strip().removeprefix("barreno: ") or "the deck cannot be checked.", result.returncode)
-        return body_of(result.stdout)
+            raise Fault(result.stderr.strip().removeprefix("barreno: ") or f"{words[0]} ended without a word.", result.returncode)
+        return result.stdout
+
+    def effective_deck(self, words):
+        """What a run of these words would write as deck.xml, without its comment. A bad deck is refused as by `barreno check`."""
+        return body_of(self.call(["check", *words, "--print-deck"]))
 
     def is_newer_than(self, file):
         return os.path.getmtime(self.binary) > os.path.getmtime(file)
@@ -59,14 +64,14 @@ class Program:
         found = re.search(r"\d+\.\d+\.\d+", said)
         return found.group(0) if found else ""
 
-    def start(self, words):
+    def start(self, words, output=subprocess.DEVNULL):
         """@return the Child, which pass_on reaches from now on"""
         command = [self.binary, *words]
         if self.ranks > 1:
-            command = ["mpirun", "--quiet", "--oversubscribe", "-n", str(self.ranks), *command]
+            command = with_mpi_environment(["mpirun", "--quiet", "--oversubscribe", "-n", str(self.ranks), *command])
         if shutil.which("setpriv"):  # a run does not outlive the command
             command = ["setpriv", "--pdeathsig", "USR1", *command]
-        child = Child(command)
+        child = Child(command, output)
         self.children = [one for one in self.children if one.code() is None] + [child]
         if self.asked:  # before there was a run to pass it on to
             child.process.send_signal(signal.SIGUSR1)
@@ -96,5 +101,6 @@ def found_program(command, ranks):
     """@param command  whose name the sentence gives"""
     binary = places.program()
     if not binary:
-        raise Fault(f"the program barreno is not found; name it in BARRENO_PROGRAM, or use ./barreno {command} of the source tree.", FILE)
+        raise Fault(f"the program barreno is not found; name it in BARRENO_PROGRAM, or use ./barreno {command} of the source tree, which "
+            "builds it.", FILE)
     return Program(binary, ranks)

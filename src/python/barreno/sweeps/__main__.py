@@ -3,4 +3,4 @@ import sys
 
 from barreno.runs.faults import start
 
-sys.exit(start("barreno.sweep.command"))
+sys.exit(start("barreno.sweeps.command"))

@@ -3,7 +3,7 @@
 
 from barreno.compare.results import FINISHED, Row, draw_into, finished_row, write_results
 from barreno.runs.tables import aligned, number
-from barreno.sweep.plan import short_names, si_values
+from barreno.sweeps.plan import short_names, si_values
 
 COLUMNS = {  # number of summary.json: head and factor on the screen
     "penetration.depth": ("depth [mm]", 1e3),
@@ -69,7 +69,7 @@ def write_against(out, variations, columns, rows, remarks):
         return []
 
     def draw(aside):
-        from barreno.sweep.picture import Axis, draw_against  # slow to load
+        from barreno.sweeps.picture import Axis, draw_against  # slow to load
 
         axes = [Axis(column.head, column.numbers and [column.numbers[i] for i in found], [column.texts[i] for i in found])
             for column in columns]

@@ -7,12 +7,12 @@ from barreno.runs.faults import FILE, Fault, exit_code
 from barreno.runs.program import as_set, found_program
 from barreno.compare.results import list_of
 from barreno.runs.run_folder import deck_in, read_summary
-from barreno.sweep import plan, slurm
-from barreno.sweep.compute import compute_all, take_all
-from barreno.sweep.sample import points_of
-from barreno.sweep.variation import read_variations
-from barreno.sweep.words import check_words, jobs_of, out_folder, parse
-from barreno.sweep.write import write_sweep
+from barreno.sweeps import plan, slurm
+from barreno.sweeps.compute import compute_all, take_all
+from barreno.sweeps.sample import points_of
+from barreno.sweeps.variation import read_variations
+from barreno.sweeps.words import check_words, jobs_of, out_folder, parse
+from barreno.sweeps.write import write_sweep
 
 FAULTS = (1, 2, 3, 4)  # exit codes of a run that would fail again
 MOST_NAMES = 5  # of runs in a sentence

@@ -5,7 +5,7 @@ import itertools
 import random
 
 from barreno.runs.faults import Fault
-from barreno.sweep.variation import Value
+from barreno.sweeps.variation import Value
 
 MOST_RUNS = 10000  # of an array job, too
 

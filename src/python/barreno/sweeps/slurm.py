@@ -21,7 +21,7 @@ SCRIPT = """\
 #   {collect}
 exec {command} --only "$SLURM_ARRAY_TASK_ID"
 """
-OWN_START = "/usr/bin/python3 -m barreno.sweep"  # without the launcher; it needs PYTHONPATH and BARRENO_PROGRAM where sbatch is called
+OWN_START = "/usr/bin/python3 -m barreno.sweeps"  # without the launcher; it needs PYTHONPATH and BARRENO_PROGRAM where sbatch is called
 CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
 
 
