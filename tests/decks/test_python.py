@@ -12,6 +12,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -224,6 +225,23 @@ def check_running(binary, folder):
     refused(lambda: run.summary, "was stopped before its end")
 
 
+def check_interrupt(folder):
+    """Ctrl-C ends a run behind a checkpoint, and the script with it."""
+    out = folder / "interrupted"
+    program = f"import barreno; barreno.run({str(QUICK)!r}, {{'Time/End Time': '400 us'}}, ranks=2, out={str(out)!r})"
+    child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    seen = []
+    for line in child.stdout:
+        seen.append(line)
+        if " %  t " in line and "step 0 " not in line:
+            break
+    child.send_signal(signal.SIGINT)
+    _, errors = child.communicate(timeout=200)
+    assert child.returncode != 0 and "KeyboardInterrupt" in errors and "Barreno 0" in seen[0], f"{seen[:1]} {errors}"
+    run = barreno.open(out)
+    assert (out / "checkpoint.h5").exists() and not run.running and not run.finished, sorted(file.name for file in out.iterdir())
+
+
 def check_runs(folder):
     """The program's sentences and exit codes; a run that is there is not overwritten unless that is said."""
     refused(lambda: barreno.run(folder / "nowhere.xml"), "does not exist (needed as the deck)")
@@ -297,7 +315,7 @@ def main():
         run = barreno.run(QUICK, SHORT, ranks=1, out=folder / "run", progress=False)
         for check in (check_import, lambda: check_bare_python(run), lambda: check_frames(run), check_units, lambda: check_particles(run),
                 lambda: check_grid(run), lambda: check_bad_folders(run, folder), lambda: check_running(binary, folder),
-                lambda: check_runs(folder), lambda: check_decks(folder), lambda: check_sweep(folder),
+                lambda: check_interrupt(folder), lambda: check_runs(folder), lambda: check_decks(folder), lambda: check_sweep(folder),
                 lambda: check_material(binary, folder), lambda: check_examples(folder)):
             check()
     print("the package does as docs/python.md says")
