@@ -45,7 +45,7 @@ VERSIONED = {  # file -> how it says the version
     "materials/CMakeLists.txt": r"project\(barreno_materials VERSION (\S+)",
     "CITATION.cff": r"(?m)^version: (\S+)",
     "CHANGELOG.md": r"(?m)^## (\S+)",
-    "src/python/pyproject.toml": r"(?m)^version = \"(\S+)\"",
+    "src/python/barreno/__init__.py": r"(?m)^__version__ = \"(\S+)\"",
     "packaging/spack/package.py": r"sanity_version = \"(\S+)\"",
 }
 # Of src/python/barreno, each imports those to its left.
