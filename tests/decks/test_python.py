@@ -5,6 +5,7 @@ against the program, and what is said of folders that are cut, of another versio
 
     test_python.py BARRENO
 """
+import concurrent.futures
 import contextlib
 import doctest
 import json
@@ -285,6 +286,9 @@ def check_sweep(folder):
     table = barreno.sweep(deck, {"Confinement/Pressure": ["0 MPa", "34 MPa"]}, out=out, jobs=2, progress=False)
     depths = [json.loads((pathlib.Path(run) / "summary.json").read_text())["penetration"]["depth"] for run in table["run"]]
     assert table["penetration.depth"].tolist() == depths and table["Confinement/Pressure [MPa]"].tolist() == [0, 34], table.columns
+    with concurrent.futures.ThreadPoolExecutor(1) as other:  # as a window's worker; finished runs are taken
+        again = other.submit(barreno.sweep, deck, {"Confinement/Pressure": "0,34 MPa"}, out=out, progress=False).result()
+    assert again["penetration.depth"].tolist() == depths
     refused(lambda: barreno.sweep(deck, {"Confinement/Pressur": "0,34 MPa"}, out=out, progress=False), "Pressur")
     refused(lambda: barreno.sweep(deck, {}, out=out), "sweep needs what to vary")
     refused(lambda: barreno.sweep(deck, "Confinement/Pressure=1"), "vary is not a dictionary")

@@ -5,6 +5,7 @@ import contextlib
 import io
 import pathlib
 import signal
+import threading
 
 from barreno.interface.deck import file_of
 from barreno.interface.frames import read_frame
@@ -30,8 +31,9 @@ def words_of(file, vary, settings, options):
 
 @contextlib.contextmanager
 def signals_kept():
-    """A sweep takes the signals that end it; behind it they belong to the caller again. Only the first thread may do so."""
-    numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+    """A sweep takes the signals that end it, if it may (Program.watch_signals); behind it they belong to the caller again."""
+    first = threading.current_thread() is threading.main_thread()
+    numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if first else ()
     kept = {number: signal.getsignal(number) for number in numbers}
     try:
         yield

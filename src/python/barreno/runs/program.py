@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import threading
 
 from barreno import places
 from barreno.runs.faults import FILE, Fault
@@ -84,6 +85,8 @@ class Program:
             child.process.send_signal(signal.SIGUSR1 if first else signal.SIGTERM)
 
     def watch_signals(self):
+        if threading.current_thread() is not threading.main_thread():  # Python lets no other take them
+            return
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, self.pass_on)
 
