@@ -9,7 +9,6 @@ configure_file(${PROJECT_SOURCE_DIR}/src/installed.sh.in ${CMAKE_CURRENT_BINARY_
 install(PROGRAMS ${CMAKE_CURRENT_BINARY_DIR}/installed.sh DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME barreno)
 install(FILES ${PROJECT_SOURCE_DIR}/src/commands.sh DESTINATION ${data}/barreno)
 install(TARGETS barreno barreno_multigrid RUNTIME DESTINATION ${libexec}/barreno LIBRARY DESTINATION ${libexec}/barreno)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/ DESTINATION ${data}/barreno/python FILES_MATCHING PATTERN "*.py" PATTERN "*.json")
 # What was measured of costs and depths (src/files/measured_table.hpp).
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/measured/ DESTINATION ${data}/barreno/measured FILES_MATCHING PATTERN "*.csv")
 # What draws the pictures of `barreno drive --plot`.

@@ -4,7 +4,8 @@
 #   name                the command as a user writes it: ./barreno or barreno
 #   binary, library     the program and libBARRENO.so
 #   python              the interpreter
-#   python_path         folders of the Python packages
+#   python_path         folder of the Python package barreno
+#   script_path         folders that a script of `python` imports from
 #   more_commands       names of commands of its own
 # and defines
 #   prepare OFF         makes program and library, where they can be made
@@ -13,7 +14,7 @@
 plot_packages=(python3 python3-numpy python3-matplotlib)
 report_packages=("${plot_packages[@]}" python3-netcdf4)
 fit_packages=("${plot_packages[@]}" python3-scipy)
-commands=(run resume check report film join converge sweep compare drive fit import-ups describe)
+commands=(run resume check report film join converge sweep compare drive fit import-ups describe python)
 
 usage() {
   sed "s|^barreno |$name |" <<'TEXT'
@@ -39,6 +40,7 @@ barreno fit DATA... --out CARD [--start CARD] [--fix NAME=value]... [--bounds NA
                                   a card of Arenisca from laboratory tests, with ranges and a picture
 barreno import-ups FILE [--out DECK] [--units NAME] [--card "MATERIAL=CARD"]   an input of Uintah as a deck (docs/import.md)
 barreno describe [NAME]           the deck reference: a section, a model or a parameter
+barreno python [SCRIPT] [words]   Python that finds the package barreno: import barreno (docs/python.md)
 barreno --version                 of the code, its compiler and its libraries
 TEXT
 }
@@ -76,7 +78,7 @@ stay_on_this_machine() {
 }
 
 # mpirun, told to be quiet, would end without a word where ranks find no memory or no open files. The sentence on too many of
-# them, and nothing where they can be started; barreno_runs/ranks.py asks this function too.
+# them, and nothing where they can be started; barreno/runs/ranks.py asks this function too.
 too_many() {  # option, its number of ranks
   local files memory most
   [[ -z ${SLURM_JOB_ID-}${PBS_NODEFILE-} || ${#2} -gt 9 ]] || return 0  # they may go to other machines
@@ -203,12 +205,13 @@ start_python() {  # package, and its words
 
 # Of a command that is a Python package its own page, where it can be shown; else the list of all.
 help_of() {  # command
-  local package=barreno_$1 words=(--help) page
+  local package=barreno.$1 words=(--help) page
   case $1 in
-    report | film) package=barreno_report words=("$1" --help) ;;
-    import-ups) package=barreno_import ;;
-    join) package=barreno_runs.join_exodus ;;
-    converge | sweep | compare | fit) ;;
+    report | film) package=barreno.report words=("$1" --help) ;;
+    import-ups) package=barreno.imports ;;
+    sweep) package=barreno.sweeps ;;
+    join) package=barreno.runs.join_exodus ;;
+    converge | compare | fit) ;;
     *) package="" ;;
   esac
   if [[ -n $package ]] && page=$(start_python "$package" "${words[@]}" 2>/dev/null); then
@@ -237,7 +240,7 @@ is_python_command() { [[ ${1-} =~ ^(report|film|join|converge|sweep|compare|fit|
 carry_out() {  # the words of the command line
   local word example
   # Help needs neither packages nor a build.
-  if [[ ! -x $binary ]] || is_python_command "${1-}"; then
+  if [[ ${1-} != python ]] && { [[ ! -x $binary ]] || is_python_command "${1-}"; }; then
     for word in "${@:2}"; do
       if [[ $word == -h || $word == --help ]]; then
         help_of "$1"
@@ -259,7 +262,7 @@ carry_out() {  # the words of the command line
         exit 2
       fi
       need_packages "${report_packages[@]}"
-      start_python barreno_report "$@"
+      start_python barreno.report "$@"
       ;;
     join)
       shift
@@ -268,7 +271,7 @@ carry_out() {  # the words of the command line
         exit 1
       fi
       need_packages python3 python3-numpy python3-netcdf4
-      start_python barreno_runs.join_exodus "$@"
+      start_python barreno.runs.join_exodus "$@"
       ;;
     converge)
       shift
@@ -279,7 +282,7 @@ carry_out() {  # the words of the command line
       mpi_environment
       export BARRENO_PROGRAM=$binary
       [[ " $* " =~ " --ranks"[\ =] ]] || set -- "$@" --ranks "$(cores)"
-      start_python barreno_converge "$@"
+      start_python barreno.converge "$@"
       ;;
     sweep)
       shift
@@ -291,7 +294,7 @@ carry_out() {  # the words of the command line
       BARRENO_COMMAND="$(printf '%q' "$0") sweep"
       BARRENO_CORES=$(cores)
       export BARRENO_PROGRAM=$binary BARRENO_COMMAND BARRENO_CORES
-      start_python barreno_sweep "$@"
+      start_python barreno.sweeps "$@"
       ;;
     compare)
       shift
@@ -300,7 +303,7 @@ carry_out() {  # the words of the command line
         exit 1
       fi
       need_packages "${report_packages[@]}"
-      start_python barreno_compare "$@"
+      start_python barreno.compare "$@"
       ;;
     fit)
       shift
@@ -318,7 +321,7 @@ carry_out() {  # the words of the command line
       need_packages "${fit_packages[@]}"
       prepare OFF
       export BARRENO_LIBRARY=$library
-      start_python barreno_fit "$@"
+      start_python barreno.fit "$@"
       ;;
     import-ups)
       shift
@@ -333,7 +336,16 @@ carry_out() {  # the words of the command line
       need_packages python3
       prepare OFF
       export BARRENO_PROGRAM=$binary
-      start_python barreno_import "$@"
+      start_python barreno.imports "$@"
+      ;;
+    python)
+      if [[ $# == 2 && $2 =~ ^(-h|--help)$ ]]; then
+        usage
+        exit 0
+      fi
+      need_packages python3
+      export PYTHONPATH=$script_path${PYTHONPATH:+:$PYTHONPATH}
+      exec "$python" "${@:2}"
       ;;
     check | drive | describe | --version)
       prepare OFF

@@ -13,12 +13,11 @@ import subprocess
 import sys
 import tempfile
 
+from tools import foreign_python  # noqa: F401
+from tools.runs import mpi_environment
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE)]
-import foreign_python  # noqa: E402, F401
-from runs import mpi_environment  # noqa: E402
-
 STORED = HERE / "results" / "converge.json"
 PICTURE = ROOT / "docs" / "pictures" / "converge.png"
 
@@ -40,8 +39,8 @@ DRAWN = "fine jet"
 
 def run_example(barreno, words, folder):
     """What converge.json says, without the folders of this machine."""
-    command = [sys.executable, "-m", "barreno_converge", *shlex.split(words), "--out", str(folder)]
-    environment = {**mpi_environment(), "BARRENO_PROGRAM": str(barreno), "PYTHONPATH": str(ROOT / "src" / "python")}
+    command = [sys.executable, "-m", "barreno.converge", *shlex.split(words), "--out", str(folder)]
+    environment = {**mpi_environment(), "BARRENO_PROGRAM": str(barreno)}
     subprocess.run(command, env=environment, cwd=ROOT, check=True)
     (file,) = folder.glob("converge*.json")
     found = json.loads(file.read_text())

@@ -11,12 +11,10 @@ import json
 import pathlib
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE)]
-import foreign_python  # noqa: E402, F401
-from deck_table import STORED, decks  # noqa: E402
-from runs import run_deck  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools import foreign_python  # noqa: F401
+from tools.deck_table import STORED, decks
+from tools.runs import run_deck
+from tools.write_pages import write_pages
 
 KEPT = {"cpu_seconds": "seconds", "steps": "steps", "particles": "particles", "particle_steps": "particle_steps",
         "skipped_particle_steps": "skipped_particle_steps", "peak_resident_bytes": "bytes"}  # fmt: skip

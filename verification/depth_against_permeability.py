@@ -15,4 +15,4 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     command = [sys.executable, str(HERE / "verify.py"), sys.argv[1], "--full", "--document", "pore_sweep"]
     held = subprocess.run(command).returncode
-    sys.exit(subprocess.run([sys.executable, str(HERE / "cases" / "pore_sweep.py")]).returncode or held)
+    sys.exit(subprocess.run([sys.executable, "-m", "cases.pore_sweep"], cwd=HERE).returncode or held)

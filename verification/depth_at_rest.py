@@ -18,14 +18,13 @@ import pathlib
 import subprocess
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
-import foreign_python  # noqa: E402, F401
-from depth_at_rest_table import TIMES  # noqa: E402
-from penetration import between_particles_and_grid  # noqa: E402
-from runs import DECKS, run_deck, scratch_folder  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools import foreign_python  # noqa: F401
+from tools.depth_at_rest_table import TIMES
+from tools.penetration import between_particles_and_grid
+from tools.runs import DECKS, run_deck, scratch_folder
+from tools.write_pages import write_pages
 
+HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE / "results" / "depth_at_rest.json"
 CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
 PARTICLES = ("2", "4", "8", "2+4", "4+4")  # of the jet, in a cell along each direction + how often each may be divided

@@ -15,13 +15,12 @@ import pathlib
 import statistics
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
-import foreign_python  # noqa: E402, F401
-from runs import DECKS, run_deck  # noqa: E402
-from scaling import Problem, run_once, step_seconds  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools import foreign_python  # noqa: F401
+from tools.runs import DECKS, run_deck
+from performance.scaling import Problem, run_once, step_seconds
+from tools.write_pages import write_pages
 
+HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE / "results" / "depth_runs.json"
 DIAMETER = 4e-3  # of the rod [m]
 FIRST, LAST = 10, 100  # of the depths between which its rate is taken, in diameters

@@ -17,15 +17,12 @@ import pathlib
 import sys
 import time
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "tools"))
-sys.path.insert(0, str(HERE))
-import foreign_python  # noqa: E402, F401
+from tools import foreign_python  # noqa: F401
 
-from demands import open_demands  # noqa: E402
-from extreme import Table  # noqa: E402
-from extremes_page import HEAD, STORED, one_line, page_of  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools.demands import open_demands
+from tools.extreme import Table
+from tools.extremes_page import HEAD, STORED, one_line, page_of
+from tools.write_pages import write_pages
 
 FILES = ["point", "porous_point", "stable_step", "flight", "impact", "stretch", "grid_edge", "units", "rock", "pore_flow", "time"]
 

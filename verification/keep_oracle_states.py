@@ -7,15 +7,10 @@
 Needed after a change of the oracle or of the cheap form's rows: without it the test computes them, which takes minutes.
 """
 import json
-import pathlib
-import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "tools"))
-sys.path.insert(0, str(HERE))
-import foreign_python  # noqa: E402, F401
+from tools import foreign_python  # noqa: F401
 
-from cases.arenisca_against_oracle import KEPT, cheap_rows, digest_of, kept_answer  # noqa: E402
+from cases.arenisca_against_oracle import KEPT, cheap_rows, digest_of, kept_answer
 
 
 def main():

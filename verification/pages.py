@@ -16,19 +16,18 @@ import re
 import subprocess
 import sys
 
+from tools import foreign_python  # noqa: F401
+
+from tools import case_pictures
+from tools import extremes_page
+from tools import page_parts
+from tools import verification_pages
+from tools.demands import FAILS, judge_all, open_demands, read_open
+from tools.extreme import RED
+from tools.wrap_text import wrapped
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE), str(HERE / "performance"), str(HERE / "fits")]
-import foreign_python  # noqa: E402, F401
-
-import case_pictures  # noqa: E402
-import extremes_page  # noqa: E402
-import page_parts  # noqa: E402
-import verification_pages  # noqa: E402
-from demands import FAILS, judge_all, open_demands, read_open  # noqa: E402
-from extreme import RED  # noqa: E402
-from wrap_text import wrapped  # noqa: E402
-
 MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.DOTALL)
 FIGURE = re.compile(r"\d[\d.,e+-]*(?: (?:to|and|or) \d[\d.,e+-]*)* ?(?:%|(?:[nmu]?s|min|minutes?|seconds?|hours?|[KMG]B|[KMG]B/s|times)\b)")
 CODE = re.compile(r"`[^`\n]*`|\]\([^)\n]*\)|^ {4}.*$", re.MULTILINE)  # and targets of links
@@ -100,7 +99,7 @@ def write_pages():
         file.parent.mkdir(exist_ok=True)
         file.write_text(text)
     if case_pictures.outdated():
-        subprocess.run([sys.executable, str(HERE / "tools" / "case_pictures.py")], check=True)
+        subprocess.run([sys.executable, "-m", "tools.case_pictures"], cwd=HERE, check=True)
 
 
 def main():

@@ -19,17 +19,15 @@ import pathlib
 import sys
 import time
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE / "oracles"), str(HERE / "cases"), str(HERE), str(HERE.parent / "src" / "python")]
-import foreign_python  # noqa: E402, F401
+from tools import foreign_python  # noqa: F401
 
-import matplotlib  # noqa: E402
+import matplotlib
 
 matplotlib.use("Agg")
-from barreno_sweep.compute import duration  # noqa: E402
-from paper_figures import FIGURES, figure  # noqa: E402
-from paper_figures.lab import PICTURES, RESULTS, ROOT, Lab, cost_of, read_table, write_cost, write_table  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from barreno.sweeps.compute import duration
+from paper_figures import FIGURES, figure
+from paper_figures.lab import PICTURES, RESULTS, ROOT, Lab, cost_of, read_table, write_cost, write_table
+from tools.write_pages import write_pages
 
 
 def stored(number):

@@ -16,13 +16,12 @@ import pathlib
 import re
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE)]
-import foreign_python  # noqa: E402, F401
-from runs import DECKS, run_deck  # noqa: E402
-from measured_tables import table  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools import foreign_python  # noqa: F401
+from tools.runs import DECKS, run_deck
+from tools.measured_tables import table
+from tools.write_pages import write_pages
 
+HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE / "results" / "predictions.json"
 TABLE = ("perforation_quick", "perforation_plane_gimp", "perforation_plane_cpdi", "shell_coasting", "shell_squeezed", "taylor_bar",
          "taylor_bar_3d", "cone_impact", "manufactured_vortex", "colliding_disks", "spherical_wave", "jet_formation")  # fmt: skip

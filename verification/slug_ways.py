@@ -13,13 +13,12 @@ import math
 import pathlib
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / folder) for folder in ("tools", "performance", "")]
-import foreign_python  # noqa: E402, F401
-from runs import DECKS, run_deck  # noqa: E402
-from slug_ways_table import BINS, PICTURE, TIMES  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools import foreign_python  # noqa: F401
+from tools.runs import DECKS, run_deck
+from tools.slug_ways_table import BINS, PICTURE, TIMES
+from tools.write_pages import write_pages
 
+HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE / "results" / "slug_ways.json"
 RUNS = {f"{cells:g}/{particles}": (cells, particles) for cells, particles in ((1.8, 2), (2.4, 2), (1.8, 8))}
 TIP, LAUNCH = 1e-3, -5e-3  # the tip's radius, and the launch plane [m]

@@ -21,17 +21,16 @@ import resource
 import subprocess
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "tools"), str(HERE)]
-import foreign_python  # noqa: E402, F401
-from choices import shape_functions, words  # noqa: E402
-from runs import DECKS, mpi_environment, run_deck  # noqa: E402
-from trade_checks import demands, verdict_lines  # noqa: E402
-from trade_problems import PROBLEMS, Lost, has  # noqa: E402
-from uniform_cells import REFERENCE, depth_of  # noqa: E402
-from verify import failures  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools import foreign_python  # noqa: F401
+from tools.choices import shape_functions, words
+from tools.runs import DECKS, mpi_environment, run_deck
+from tools.trade_checks import demands, verdict_lines
+from tools.trade_problems import PROBLEMS, Lost, has
+from tools.uniform_cells import REFERENCE, depth_of
+from verify import failures
+from tools.write_pages import write_pages
 
+HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE / "results" / "trade.json"
 SHORT = 1.5  # s of the processor: below it, three runs
 FIDELITIES = ("fast", "balanced", "reference")
@@ -210,7 +209,7 @@ def judged(points, tiny, barreno):
 
 
 def draw_pages(data):
-    from trade_page import draw  # not for a measurement alone: it takes a second
+    from tools.trade_page import draw  # not for a measurement alone: it takes a second
 
     draw(data)
     write_pages()

@@ -15,14 +15,11 @@ import json
 import pathlib
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "tools"))
-sys.path.insert(0, str(HERE))
-import foreign_python  # noqa: E402, F401
+from tools import foreign_python  # noqa: F401
 
-from case_list import RESULTS, cases  # noqa: E402
-from demands import FAILS, judge_all, open_demands  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools.case_list import RESULTS, cases
+from tools.demands import FAILS, judge_all, open_demands
+from tools.write_pages import write_pages
 
 CASES = list(cases())
 

@@ -33,7 +33,7 @@ def numbers(line):
 
 PYTHON_PROGRAM = """
 import numpy
-from barreno_material import Material
+from barreno.materials import Material
 with Material("berea_sandstone") as rock:
     stress, state = rock.virgin(2)
     answer = rock.update(numpy.array([[-1e-2, 2e-3, 2e-3, 0, 0, 0], [2e-3, 2e-3, -1e-2, 0, 0, 0]]), stress, state)
@@ -107,7 +107,7 @@ def main():
         found = run(sys.executable, "-c", PYTHON_PROGRAM, env=python).strip()
         assert pathlib.Path(found).resolve() == card.resolve(), found
         # The fit comes with the module, and finds library and cards of the installation.
-        command = [sys.executable, "-m", "barreno_fit", scratch / "nowhere.csv", "--out", scratch / "card.xml"]
+        command = [sys.executable, "-m", "barreno.fit", scratch / "nowhere.csv", "--out", scratch / "card.xml"]
         refused = subprocess.run(command, capture_output=True, text=True, timeout=60, env=python)
         assert refused.returncode == 2 and "nowhere.csv does not exist" in refused.stderr, refused.stderr
 

@@ -19,10 +19,8 @@ import subprocess
 import sys
 import tempfile
 
-VERIFICATION = pathlib.Path(__file__).resolve().parents[2] / "verification"
-sys.path[:0] = [str(VERIFICATION / "tools"), str(VERIFICATION / "adversary")]
-from run_server import RunServer  # noqa: E402
-from runs import mpi_environment  # noqa: E402
+from adversary.run_server import RunServer
+from tools.runs import mpi_environment
 
 EVERY = 8
 NO_CARDS = {"BARRENO_MATERIALS": ""}

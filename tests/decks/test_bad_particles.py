@@ -10,8 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from runs import DECKS, Run, mpi_environment  # noqa: E402
+from tools.runs import DECKS, Run, mpi_environment
 
 
 def run(policy, folder):

@@ -13,10 +13,8 @@ import subprocess
 import sys
 import tempfile
 
-VERIFICATION = pathlib.Path(__file__).resolve().parents[2] / "verification"
-sys.path[:0] = [str(VERIFICATION / folder) for folder in ("tools", "adversary")]
-from run_server import RunServer  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
+from adversary.run_server import RunServer
+from tools.runs import DECKS, mpi_environment
 
 QUICK = DECKS / "perforation_quick.xml"
 # Their jets still fly when they end.

@@ -10,8 +10,7 @@ import tempfile
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from runs import run_deck  # noqa: E402
+from tools.runs import run_deck
 
 LARGEST = 0.4  # corners of the undeformed particles are 0.354 cells from their centre
 HALF = 0.25  # [cells]

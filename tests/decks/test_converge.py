@@ -12,17 +12,14 @@ import os
 import pathlib
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification"), str(ROOT / "tests" / "scripts")]
-from cases import shell_coasting  # noqa: E402
-from python_commands import process_of, said_by  # noqa: E402
-from runs import DECKS  # noqa: E402
+from cases import shell_coasting
+from python_commands import process_of, said_by
+from tools.runs import DECKS
 
 QUICK = DECKS / "perforation_quick.xml"
 TARGET = ("--set", "Bodies/Rock/Upper={50.8 mm, 112.7 mm}")
@@ -30,7 +27,7 @@ SHORT = (*TARGET, "--set", "Time/End Time=2 us")
 
 
 def converge(*words, code=0):
-    return said_by("barreno_converge", *words, code=code)
+    return said_by("barreno.converge", *words, code=code)
 
 
 def results_of(folder, stem="converge"):
@@ -95,7 +92,7 @@ def check_interruption(out, folder):
     other = folder / "cut"
     words = (QUICK, *SHORT, "--out", other)
     log = other / "cells-1mm" / "run.log"
-    with subprocess.Popen(**process_of("barreno_converge", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+    with subprocess.Popen(**process_of("barreno.converge", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         wait_for(lambda: log.exists() and " % " in log.read_text(), "progress of the third run")
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)

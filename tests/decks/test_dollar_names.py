@@ -11,11 +11,10 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "tests" / "scripts")]
-from python_commands import said_by  # noqa: E402
-from runs import mpi_environment  # noqa: E402
+from python_commands import said_by
+from tools.runs import mpi_environment
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECK = ROOT / "tests" / "decks" / "dollar_names.xml"
 NAME = r"$x$ \foo{$"
 EVIL = r"R $\foo{$ \ ^_# %d %s {0} $a_{$"
@@ -34,11 +33,11 @@ def check_runs(folder):
     runs[0].parent.mkdir()
     for run, end in zip(runs, ("10 us", "8 us")):
         program("run", DECK, "--set", f"Time/End Time={end}", "--out", run)
-    said_by("barreno_report", "report", runs[0], "--particles", "near tip")
+    said_by("barreno.report", "report", runs[0], "--particles", "near tip")
     assert EVIL[1:] in (runs[0] / "report" / "index.html").read_text(encoding="utf-8")
-    said_by("barreno_report", "film", runs[0], "--field", "speed")
+    said_by("barreno.report", "film", runs[0], "--field", "speed")
     out = folder / f"compared {NAME}"
-    said = said_by("barreno_compare", *runs, "--out", out)
+    said = said_by("barreno.compare", *runs, "--out", out)
     assert f"{NAME} 1" in said and "lacks" not in said and "not drawn" not in said, said
     assert all((out / name).read_bytes()[:4] == b"\x89PNG" for name in ("depth.png", "channels.png"))
 
@@ -47,7 +46,7 @@ def check_sweep(folder):
     """The deck's name and the varied names have dollar signs too."""
     deck = folder / f"{NAME}.xml".replace("\\", "")
     deck.write_text(DECK.read_text(encoding="utf-8").replace("../../input_xml", str(ROOT / "input_xml")), encoding="utf-8")
-    said = said_by("barreno_sweep", deck, "--set", "Time/End Time=6 us", "--vary", f"Bodies/{EVIL}/Particles Per Cell=1,2", "--out",
+    said = said_by("barreno.sweeps", deck, "--set", "Time/End Time=6 us", "--vary", f"Bodies/{EVIL}/Particles Per Cell=1,2", "--out",
         folder / f"swept {NAME}")
     assert "not drawn" not in said and "depth_against.png" in said, said
 

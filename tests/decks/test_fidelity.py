@@ -12,11 +12,10 @@ import subprocess
 import sys
 import tempfile
 
-TESTS = pathlib.Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TESTS.parent / "verification" / folder) for folder in ("tools", "adversary")]
-from run_server import RunServer  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
+from adversary.run_server import RunServer
+from tools.runs import DECKS, mpi_environment
 
+TESTS = pathlib.Path(__file__).resolve().parents[1]
 NAMES = ("fast", "balanced", "reference")
 
 

@@ -13,17 +13,15 @@ import tempfile
 
 import numpy as np
 
+from barreno.report.particles import ParticleFile
+from barreno.runs.join_exodus import files_of, join_set
+from netCDF4 import Dataset
+from tools.resumed import at_previous, different_fields, lines_of, must_work, program, stopped_run
+from tools.runs import DECKS, mpi_environment
+from tools.small_decks import elastic, write_deck
+
 TESTS = pathlib.Path(__file__).resolve().parents[1]
 TOOLS = TESTS.parent / "verification" / "tools"
-sys.path[:0] = [str(TOOLS), str(TESTS.parent / "src" / "python")]
-
-from barreno_report.particles import ParticleFile  # noqa: E402
-from barreno_runs.join_exodus import files_of, join_set  # noqa: E402
-from netCDF4 import Dataset  # noqa: E402
-from resumed import at_previous, different_fields, lines_of, must_work, program, stopped_run  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
-from small_decks import elastic, write_deck  # noqa: E402
-
 DECK = str(DECKS / "perforation_quick.xml")
 SHORT = ("--set", "Time/End Time=15 us", "--set", "Output/Field Interval=5 us", "--set", "Output/Checkpoint Steps=150")
 PER_RANK = ("--set", "Output/Particle Files=one per rank")
@@ -287,7 +285,6 @@ def check_full_disk(barreno, folder, one):
 
 
 def main():
-    sys.path.insert(0, str(TESTS / "scripts"))
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -16,18 +16,17 @@ import tempfile
 
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "materials" / "python"))
-from barreno_fit import card as cards  # noqa: E402
-from barreno_fit import command, profiles, ranges, solve, units, weights  # noqa: E402
-from barreno_fit.answers import Laboratory  # noqa: E402
-from barreno_fit.data import Test, read_test  # noqa: E402
-from barreno_fit.faults import Fault  # noqa: E402
-from barreno_fit.kinds import DIMENSIONS  # noqa: E402
-from barreno_fit.parameters import PARAMETERS  # noqa: E402
-from barreno_fit.specimens import opened  # noqa: E402
-from barreno_material import load  # noqa: E402
+from barreno.fit import card as cards
+from barreno.fit import command, profiles, ranges, solve, units, weights
+from barreno.fit.answers import Laboratory
+from barreno.fit.data import Test, read_test
+from barreno.fit.kinds import DIMENSIONS
+from barreno.fit.parameters import PARAMETERS
+from barreno.fit.specimens import opened
+from barreno.materials import load
+from barreno.runs.faults import Fault
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 MEGA = 1e6
 NOISE = 0.01
 FITTED = {"PEAKI1", "FSLOPE", "STREN", "CR", "B0", "B1", "B2", "G1", "p0_crush_curve", "p1_crush_curve"}

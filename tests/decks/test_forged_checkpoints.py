@@ -11,10 +11,8 @@ import zlib
 import h5py
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-
-from resumed import at_previous, different_fields, different_files, must_work, program  # noqa: E402
-from runs import DECKS  # noqa: E402
+from tools.resumed import at_previous, different_fields, different_files, must_work, program
+from tools.runs import DECKS
 
 WORDS = ("--set", "Time/End Time=4 us", "--set", "Grid/Cell Size=5 mm", "--set", "Output/Field Interval=2 us", "--set",
     "Output/Checkpoint Steps=7")

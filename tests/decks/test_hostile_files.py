@@ -13,8 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from runs import mpi_environment  # noqa: E402
+from tools.runs import mpi_environment
 
 BAD = pathlib.Path(__file__).resolve().parent / "bad"
 CARD = BAD.parents[2] / "materials" / "cards" / "copper.xml"

@@ -15,10 +15,10 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
+from barreno.imports.command import main as import_ups
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 UPS = ROOT / "tests" / "decks" / "ups"
-sys.path.insert(0, str(ROOT / "src" / "python"))
-from barreno_import.command import main as import_ups  # noqa: E402
 
 
 def imported(*words, code=0):

@@ -298,9 +298,8 @@ def check_letters(folder):
     """Names with letters that the terminal lacks."""
     (folder.path / "case.ups").write_text(ups(flags="<größe>3</größe>"), encoding="utf-8")
     environment = {**os.environ, "PYTHONIOENCODING": "ascii", "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()),
-        "PYTHONPATH": str(ROOT / "src" / "python"),
                    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}  # fmt: skip
-    words = [sys.executable, "-m", "barreno_import", folder.path / "case.ups", "--out", folder.out, "--overwrite"]
+    words = [sys.executable, "-m", "barreno.imports", folder.path / "case.ups", "--out", folder.out, "--overwrite"]
     result = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
     assert result.returncode == 0 and "incomplete: 1 thing" in result.stdout and not result.stderr, result.stderr
 

@@ -6,17 +6,16 @@ has, at each of those places end in a deck or in one sentence, never in a traceb
 import contextlib
 import copy
 import pathlib
-import sys
 import xml.etree.ElementTree as ElementTree
+
+from barreno.imports import files
+from barreno.imports.command import convert
+from barreno.imports.notes import Notes
+from barreno.imports.ups import Ups
+from barreno.runs.faults import Fault
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 UPS = ROOT / "tests" / "decks" / "ups"
-sys.path.insert(0, str(ROOT / "src" / "python"))
-from barreno_import import files  # noqa: E402
-from barreno_import.command import convert  # noqa: E402
-from barreno_import.notes import Notes  # noqa: E402
-from barreno_import.ups import Ups  # noqa: E402
-from barreno_runs.faults import Fault  # noqa: E402
 
 
 def remarks_of(root, folder):

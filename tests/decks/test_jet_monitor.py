@@ -9,13 +9,11 @@ import tempfile
 
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_report.deck import read_deck  # noqa: E402
-from barreno_report.hole import jet_particles  # noqa: E402
-from barreno_report.particles import ParticleFile  # noqa: E402
-from resumed import at_previous, must_work, program  # noqa: E402
-from runs import Run  # noqa: E402
+from barreno.report.deck import read_deck
+from barreno.report.hole import jet_particles
+from barreno.report.particles import ParticleFile
+from tools.resumed import at_previous, must_work, program
+from tools.runs import Run
 
 HEAD = """<ParameterList name="Barreno">
   <Parameter name="Schema Version" type="int" value="1"/>

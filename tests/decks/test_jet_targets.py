@@ -11,13 +11,11 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_report import hole as holes  # noqa: E402
-from barreno_report.deck import read_deck  # noqa: E402
-from barreno_report.files import read_csv  # noqa: E402
-from barreno_report.particles import ParticleFile  # noqa: E402
-from runs import DECKS, Run, mpi_environment  # noqa: E402
+from barreno.report import hole as holes
+from barreno.report.deck import read_deck
+from barreno.report.files import read_csv
+from barreno.report.particles import ParticleFile
+from tools.runs import DECKS, Run, mpi_environment
 
 COARSE = ("Grid/Cell Size=5 mm", "Time/End Time=3 us")
 

@@ -4,15 +4,12 @@
 guess is told, what stays open is asked for with the option that says it, and signs that no rock has are refused."""
 
 import pathlib
-import sys
 import tempfile
 
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "materials" / "python"))
-from barreno_fit import command  # noqa: E402
-from barreno_fit.faults import Fault  # noqa: E402
+from barreno.fit import command
+from barreno.runs.faults import Fault
 
 DIAMETER, LENGTH, POISSON, YOUNG, SIDE = 50.0, 100.0, 0.2, 20e3, 40.0  # mm, mm, -, MPa, MPa
 AXIAL = 0.001 * numpy.arange(10)  # engineering, compression positive

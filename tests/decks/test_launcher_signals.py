@@ -9,12 +9,10 @@ import sys
 import tempfile
 import time
 
+from tools.resumed import different_fields, different_files, lines_of
+from tools.runs import DECKS
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools")]
-
-from resumed import different_fields, different_files, lines_of  # noqa: E402
-from runs import DECKS  # noqa: E402
-
 LAUNCHER = [str(ROOT / "barreno"), "--no-install"]
 SHORT = ("--set", "Time/End Time=15 us", "--set", "Output/Field Interval=5 us", "--ranks", "2")
 

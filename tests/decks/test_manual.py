@@ -14,7 +14,7 @@ DECKS = pathlib.Path(__file__).resolve().parents[2] / "input_xml"
 # What these hold is in the words of another library.
 ELSEWHERE = {"Belos", "Ifpack2", "MueLu"}
 OUTPUT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "output.md"
-TABLES = pathlib.Path(__file__).resolve().parents[2] / "src" / "python" / "barreno_report" / "run_tables.json"
+TABLES = pathlib.Path(__file__).resolve().parents[2] / "src" / "python" / "barreno" / "report" / "run_tables.json"
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "deck.md"
 
 

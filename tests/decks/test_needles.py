@@ -9,8 +9,7 @@ import pathlib
 import sys
 import tempfile
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-from runs import run_deck  # noqa: E402
+from tools.runs import run_deck
 
 DECK = pathlib.Path(__file__).resolve().parent / "energy" / "needles.xml"
 LARGEST_SHARE = 0.05  # of the energy put in; runs without needles lose 2 to 4 % to the transfer

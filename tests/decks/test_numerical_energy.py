@@ -10,10 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python")]
-from barreno_report.numbers import energy_rows  # noqa: E402
-from runs import Run, mpi_environment, run_deck  # noqa: E402
+from barreno.report.numbers import energy_rows
+from tools.runs import Run, mpi_environment, run_deck
 
 DECK = pathlib.Path(__file__).resolve().parent / "energy" / "thin_jet.xml"
 KIND = "numerical errors above 10 % of the energy"

@@ -13,10 +13,9 @@ import tempfile
 
 from netCDF4 import Dataset, chartostring
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools")]
-from runs import run_deck  # noqa: E402
+from tools.runs import run_deck
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "output.md"
 FILES = ("depth.csv", "history.csv", "radii.csv", "cavities.csv", "particles.e", "summary.json")
 ROCK = "Materials/Sandstone"
@@ -38,7 +37,7 @@ RUNS = [
 ]  # fmt: skip
 # Written after runs, by another program: its source has the names.
 CONVERGENCE = "penetration.convergence."
-CONVERGE = ROOT / "src" / "python" / "barreno_converge" / "report.py"
+CONVERGE = ROOT / "src" / "python" / "barreno" / "converge" / "report.py"
 # Names that are a run's own; those of materials and bodies may have spaces.
 FREE = {"NAME": r"\w[\w ]*", "VERB": "[^.]+", "CAUSE": "[a-z_]+", "KIND": ".+"}
 

@@ -15,9 +15,7 @@ import tempfile
 import numpy as np
 from PIL import Image
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python")]
-from runs import run_deck  # noqa: E402
+from tools.runs import run_deck
 
 SKIPPED = 77  # what ctest counts as skipped
 SHORT = {"Time/End Time": "8 us", "Output/Field Interval": "4 us", "Output/Checkpoint Wall Interval": "0 s"}
@@ -106,8 +104,8 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         run = run_deck(str(pathlib.Path(sys.argv[1]).resolve()), "perforation_quick.xml", SHORT, folder=folder / "run")
-        words = [sys.executable, "-m", "barreno_report", "report", str(run.folder), "--right", "plastic_volume_strain"]
-        subprocess.run(words, env={**os.environ, "PYTHONPATH": str(ROOT / "src" / "python")}, check=True, capture_output=True)
+        words = [sys.executable, "-m", "barreno.report", "report", str(run.folder), "--right", "plastic_volume_strain"]
+        subprocess.run(words, check=True, capture_output=True)
         script = run.folder / "report" / "paraview" / "view.py"
         covered = check_fields(folder, script)
         check_map(folder, script)

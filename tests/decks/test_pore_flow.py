@@ -12,9 +12,7 @@ import tempfile
 
 import numpy as np
 
-TESTS = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
-from runs import DECKS, Run, run_deck  # noqa: E402
+from tools.runs import DECKS, Run, run_deck
 
 SLOW = 1e6  # times the fluid's viscosity and all times of the deck
 LOAD_PRESSURE = 0.3508e6  # that the load of terzaghi.xml leaves in the pores

@@ -12,9 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-TESTS = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(TESTS.parent / "verification" / "tools"))
-from runs import DECKS, mpi_environment  # noqa: E402
+from tools.runs import DECKS, mpi_environment
 
 CLOSE = 0.3
 FORMATION = ("--set", "Grid/Cell Size=1 mm")  # coarse, so that it takes seconds

@@ -12,12 +12,11 @@ import tempfile
 
 import numpy as np
 
+from tools.penetration import pinned
+from tools.runs import run_deck
+
 TESTS = pathlib.Path(__file__).resolve().parents[1]
 TOOLS = TESTS.parent / "verification" / "tools"
-sys.path.insert(0, str(TOOLS))
-from penetration import pinned  # noqa: E402
-from runs import run_deck  # noqa: E402
-
 DECK = "perforation_quick.xml"
 
 

@@ -14,14 +14,13 @@ import subprocess
 import sys
 import tempfile
 
+from barreno.report.build import make_report
+from barreno.report.numbers import depth_text
+from barreno.runs.faults import BadRun
+from tools.runs import run_deck
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "verification" / "tools"
-sys.path[:0] = [str(TOOLS), str(ROOT / "src" / "python")]
-from barreno_report.build import make_report  # noqa: E402
-from barreno_report.numbers import depth_text  # noqa: E402
-from barreno_runs.faults import BadRun  # noqa: E402
-from runs import run_deck  # noqa: E402
-
 FILES = ("history.csv", "depth.csv", "summary.json", "particles.e", "deck.xml")
 
 

@@ -16,15 +16,13 @@ import unittest.mock
 
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python"), str(ROOT / "tests" / "scripts")]
-from barreno_report import hole as holes  # noqa: E402
-from barreno_report.deck import read_deck  # noqa: E402
-from barreno_report.files import read_csv  # noqa: E402
-from barreno_report.particles import ParticleFile  # noqa: E402
-from barreno_report.penetration import volumes_of  # noqa: E402
-from python_commands import process_of, said_by  # noqa: E402
-from runs import run_deck  # noqa: E402
+from barreno.report import hole as holes
+from barreno.report.deck import read_deck
+from barreno.report.files import read_csv
+from barreno.report.particles import ParticleFile
+from barreno.report.penetration import volumes_of
+from python_commands import process_of, said_by
+from tools.runs import run_deck
 
 TARGET = {"Grid/Upper": "{80 mm, 130 mm}", "Bodies/Rock/Upper": "{50.8 mm, 112.7 mm}"}
 SHORT = {**TARGET, "Time/End Time": "8 us", "Output/Field Interval": "4 us", "Output/Checkpoint Wall Interval": "0 s"}
@@ -32,13 +30,13 @@ SHORT = {**TARGET, "Time/End Time": "8 us", "Output/Field Interval": "4 us", "Ou
 
 def started(*words):
     """A command in a process of its own."""
-    result = subprocess.run(**process_of("barreno_report", *words), capture_output=True, timeout=300, check=False)
+    result = subprocess.run(**process_of("barreno.report", *words), capture_output=True, timeout=300, check=False)
     assert result.returncode == 0, f"{words}: exit {result.returncode}\n{result.stdout}{result.stderr}"
 
 
 def command(*words, code=0, path=None):
     more = {"PATH": f"{path}:{os.environ['PATH']}"} if path else {}
-    return said_by("barreno_report", *words, code=code, **more)
+    return said_by("barreno.report", *words, code=code, **more)
 
 
 def check_page(run):

@@ -13,9 +13,7 @@ import tempfile
 
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "src" / "python"))
-from barreno_report.strength import Strength, lode_shape  # noqa: E402
+from barreno.report.strength import Strength, lode_shape
 
 ROCK = {  # SI
     "PEAKI1": 9.36e6, "FSLOPE": 0.549, "STREN": 128.5e6, "YSLOPE": 0.0724, "CR": 0.593, "B0": 6.74e9, "B1": 2.86e10, "B2": 2.64e8,

@@ -15,13 +15,11 @@ import time
 
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-
-from netCDF4 import Dataset  # noqa: E402
-from resumed import (
+from netCDF4 import Dataset
+from tools.resumed import (
     at_previous, command, different_fields, different_files, different_sums, lines_of, must_work, program, stopped_run
-)  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
+)
+from tools.runs import DECKS, mpi_environment
 
 DECK = str(DECKS / "perforation_quick.xml")
 SHORT = tuple(

@@ -11,8 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from runs import Run, call  # noqa: E402
+from tools.runs import Run, call
 
 MODES = {"axisymmetric": 2, "plane strain": 2, "3D": 3}
 ACROSS = {"axisymmetric": "", "plane strain": "x", "3D": "xz"}  # where a reaction has components beside y

@@ -10,16 +10,15 @@ With --ranks on these alone and without the comparison; with --coarse the decks 
 import argparse
 import pathlib
 import re
-import sys
 import tempfile
 
 import numpy as np
 
+import check_exodus
+import exodiff_lite
+from tools.runs import DECKS, run_deck
+
 TESTS = pathlib.Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TESTS.parent / "verification" / "tools"), str(TESTS / "scripts")]
-import check_exodus  # noqa: E402
-import exodiff_lite  # noqa: E402
-from runs import DECKS, run_deck  # noqa: E402
 
 # Where the solver's round-off, 1e-12, decides whether yielding rock takes a substep more, the stress moves by a share of the card's
 # Tolerance: 4e-5 of the largest stress with the default of 0.01, seen on one machine of two.

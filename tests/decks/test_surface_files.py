@@ -9,8 +9,7 @@ import tempfile
 
 from test_rigid_shapes import deck, samples, write_pyramid
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from resumed import at_previous, different_fields, must_work, program  # noqa: E402
+from tools.resumed import at_previous, different_fields, must_work, program
 
 
 def main():

@@ -16,10 +16,8 @@ import sys
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "tests" / "scripts")]
-from python_commands import environment_of_runs, process_of, said_by  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
+from python_commands import environment_of_runs, process_of, said_by
+from tools.runs import DECKS, mpi_environment
 
 QUICK = DECKS / "perforation_quick.xml"
 TARGET = ("--set", "Grid/Upper={80 mm, 90 mm}", "--set", "Bodies/Rock/Upper={50.8 mm, 72.7 mm}")
@@ -29,7 +27,7 @@ TWO = ("--vary", "Confinement/Pressure=0,69 MPa")
 
 
 def sweep(*words, **more):
-    return said_by("barreno_sweep", *words, **more)
+    return said_by("barreno.sweeps", *words, **more)
 
 
 def table_of(out, name="table.csv"):
@@ -86,7 +84,7 @@ def check_interruption(folder):
     other = folder / "cut"
     words = (QUICK, *TARGET, "--set", "Time/End Time=8 us", *PRESSURES, "--jobs", "1", "--out", other)
     log = other / "Pressure-34MPa" / "run.log"
-    with subprocess.Popen(**process_of("barreno_sweep", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+    with subprocess.Popen(**process_of("barreno.sweeps", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         wait_for(lambda: log.exists() and " % " in log.read_text(), "progress of the second run")
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)
@@ -138,8 +136,8 @@ def check_array_job(out, folder):
     """The script's tasks, run here one after the other, and what is collected in between."""
     job = folder / "job"
     words = (QUICK, *SHORT, *PRESSURES, "--out", job)
-    script = sweep(*words, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno_sweep")
-    assert "#SBATCH --array=1-3\n" in script and f"exec {sys.executable} -m barreno_sweep {QUICK}" in script and [file.name
+    script = sweep(*words, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno.sweeps")
+    assert "#SBATCH --array=1-3\n" in script and f"exec {sys.executable} -m barreno.sweeps {QUICK}" in script and [file.name
         for file in job.iterdir()] == ["sweep.json"], script
     found = sweep(*words, "--collect", code=2)
     assert found == "barreno: none of the runs has finished; the command without --collect computes them.\n", found
@@ -203,7 +201,7 @@ def check_bad_words(folder):
 def check_compare(out, folder):
     """Two runs of the sweep: their pressures, and differences of their results."""
     first, second = (out / f"Pressure-{value}MPa" for value in (0, 69))
-    said = said_by("barreno_compare", first, second, "--out", folder / "compared")
+    said = said_by("barreno.compare", first, second, "--out", folder / "compared")
     assert "Confinement/Pressure" in said and "penetration.depth" in said and "difference" in said, said
     (row,) = [row for row in table_of(folder / "compared", "differences.csv") if row["quantity"] == "penetration.depth"]
     depths = [json.loads((run / "summary.json").read_text())["penetration"]["depth"] for run in (first, second)]
@@ -213,7 +211,7 @@ def check_compare(out, folder):
     copy = folder / "elsewhere" / "copy"  # a finished run beside a sweep would be taken
     shutil.copytree(first, copy)
     (copy / "particles.e").write_bytes((copy / "particles.e").read_bytes()[:5000])
-    said = said_by("barreno_compare", first, copy, "--out", folder / "compared")
+    said = said_by("barreno.compare", first, copy, "--out", folder / "compared")
     assert "The decks are the same." in said and "channels.png lacks copy, because" in said, said
 
 

@@ -11,13 +11,12 @@ import tempfile
 import numpy
 from table_variants import form_of, forms, forms_in_thousands
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "materials" / "python"))
-from barreno_fit.data import numbers_of, read_test  # noqa: E402
-from barreno_fit.faults import Fault  # noqa: E402
-from barreno_fit.laboratory import Said, known_names  # noqa: E402
-from barreno_fit.table import decoded, split_table  # noqa: E402
+from barreno.fit.data import numbers_of, read_test
+from barreno.fit.laboratory import Said, known_names
+from barreno.fit.table import decoded, split_table
+from barreno.runs.faults import Fault
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROWS = [(i, 0.05 * i, 1.25 * i) for i in range(9)]  # s, %, MPa
 PATH = (("compression: positive",), ("time", "axial_strain", "confinement"), ("s", "%", "MPa"),
     [(f"{t}", f"{e:.2f}", f"{p:.2f}") for t, e, p in ROWS])

@@ -15,9 +15,8 @@ import tempfile
 import time
 import xml.dom.minidom
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools"))
-from resumed import lines_of  # noqa: E402
-from runs import DECKS, mpi_environment  # noqa: E402
+from tools.resumed import lines_of
+from tools.runs import DECKS, mpi_environment
 
 QUICK = DECKS / "perforation_quick.xml"
 SHORT = ("--set", "Time/End Time=0.4 us")

@@ -2,10 +2,8 @@
 """The Python module of this source tree, for the tests of hosts."""
 
 import pathlib
-import sys
+
+from barreno.materials import CONSISTENT, ELASTIC, STRESS, Material, load  # noqa: F401
 
 MATERIALS = pathlib.Path(__file__).resolve().parents[2] / "materials"
 CARDS = MATERIALS / "cards"
-sys.path.insert(0, str(MATERIALS / "python"))
-
-from barreno_material import CONSISTENT, ELASTIC, STRESS, Material, load  # noqa: E402, F401

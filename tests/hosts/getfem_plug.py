@@ -3,7 +3,7 @@
 
     getfem_plug.py [CARD [INCREMENTS]]     platen force after each increment
 
-Needs getfem_box.py beside it, and barreno_material.py in PYTHONPATH.
+Needs getfem_box.py beside it, and the Python package barreno.
 """
 
 import itertools
@@ -70,7 +70,7 @@ def solve(material, getfem, count=None):
 
 def main():
     import getfem
-    from barreno_material import Material
+    from barreno.materials import Material
 
     getfem.util("trace level", 0)
     getfem.util("warning level", 0)

@@ -57,7 +57,7 @@ def check_copied_files(library):
     with tempfile.TemporaryDirectory() as folder:
         for name in ("getfem_box.py", "getfem_plug.py"):
             shutil.copy(here / name, folder)
-        environment = {**os.environ, "PYTHONPATH": str(barreno_library.MATERIALS / "python"), "BARRENO_LIBRARY": library}
+        environment = {**os.environ, "BARRENO_LIBRARY": library}
         command = [sys.executable, pathlib.Path(folder) / "getfem_plug.py", "berea_sandstone", "2"]
         result = subprocess.run(command, env=environment, cwd=folder, capture_output=True, text=True)
         assert result.returncode == 0, result.stderr

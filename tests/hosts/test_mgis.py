@@ -15,7 +15,7 @@ import sys
 import numpy
 
 import barreno_library
-import barreno_material
+from barreno import materials
 
 REAL = ctypes.POINTER(ctypes.c_double)
 KELVIN = numpy.array([1, 1, 1, math.sqrt(2), math.sqrt(2), math.sqrt(2)])
@@ -103,7 +103,7 @@ def work_of(material, strain, stress, state, dt):
     work, new_stress, new_state = numpy.zeros(2), numpy.zeros(6), numpy.zeros(material.state_count)
     address = [array.ctypes.data for array in (strain, stress[0], new_stress, state[0], new_state, work)]
     fields = ("strain_increment", "stress_old", "stress_new", "state_old", "state_new", "work")
-    batch = barreno_material._Batch(count=1, want=barreno_library.STRESS, time_increment=dt, **dict(zip(fields, address)))
+    batch = materials._Batch(count=1, want=barreno_library.STRESS, time_increment=dt, **dict(zip(fields, address)))
     assert material.library.barreno_material_update(material.handle, ctypes.byref(batch)) == 0
     return work
 
@@ -162,11 +162,12 @@ def check_failure(library):
 
 def check_cards(path):
     """Without a card, or with one that is none, every call says so."""
-    program = (f"import sys; sys.path.insert(0, {str(os.path.dirname(os.path.abspath(__file__)))!r}); import ctypes, test_mgis\n"
+    program = (f"import ctypes, test_mgis\n"
                f"b = test_mgis.Behaviour(ctypes.CDLL({path!r}), 'PlaneStrain'); print(b.integrate(b.point(), b.point()['forces'], 0.0, "
                "0.0)[:2])")  # fmt: skip
     for card, sentence in ((None, "no card is chosen"), ("berea_sandston", "names no card")):
-        environment = {**{name: value for name, value in os.environ.items() if name != "BARRENO_CARD"},
+        folders = f"{os.path.dirname(os.path.abspath(__file__))}:{os.environ['PYTHONPATH']}"
+        environment = {**{name: value for name, value in os.environ.items() if name != "BARRENO_CARD"}, "PYTHONPATH": folders,
             **({"BARRENO_CARD": card} if card else {})}
         said = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=False)
         assert said.returncode == 0 and said.stdout.startswith("(-1, ") and sentence in said.stdout, said.stdout + said.stderr

@@ -13,10 +13,9 @@ import subprocess
 import sys
 import tokenize
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "verification" / "tools"))
-from wrap_text import KEPT, WIDTH, WORD, code_lines  # noqa: E402
+from tools.wrap_text import KEPT, WIDTH, WORD, code_lines
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXCEPTED = {"CHANGELOG.md", "docs/deck.md"}
 RESULTS = "verification/results/"
 

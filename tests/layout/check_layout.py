@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The rules of docs/architecture.md that a script can hold: includes point left, also between the rooms of the step, files
 and rooms stay small, third-party headers stay in their folders, what is built is listed, every header of the step stands
-in a test,
-scripts do not import each other in a circle. What the linker ties together: check_link_arrows.py."""
+in a test, scripts do not import each other in a circle, the parts of the Python package import to the left, no script changes the path of
+Python. What the linker ties together: check_link_arrows.py."""
+import ast
 import pathlib
 import re
 import subprocess
@@ -44,8 +45,12 @@ VERSIONED = {  # file -> how it says the version
     "materials/CMakeLists.txt": r"project\(barreno_materials VERSION (\S+)",
     "CITATION.cff": r"(?m)^version: (\S+)",
     "CHANGELOG.md": r"(?m)^## (\S+)",
+    "src/python/barreno/__init__.py": r"(?m)^__version__ = \"(\S+)\"",
     "packaging/spack/package.py": r"sanity_version = \"(\S+)\"",
 }
+# Of src/python/barreno, each imports those to its left.
+PARTS = ["runs", "materials", "fit", "imports", "converge", "report", "compare", "sweeps", "interface"]
+PATH_OF_PYTHON = "sys" + ".path"
 problems = []
 
 
@@ -132,9 +137,47 @@ def check_versions():
         problems.append("versions differ: " + ", ".join(f"{name} says {version}" for name, version in said.items()))
 
 
+def parts_of_package(file):
+    """(line, part) of what a file of the Python package imports from the other parts."""
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            names = [f"{node.module}.{alias.name}" for alias in node.names]
+        else:
+            continue
+        for name in names:
+            if name.startswith("barreno."):
+                yield node.lineno, name.split(".")[1]
+
+
+def check_package():
+    """The parts of the Python package import only themselves and those to their left."""
+    package = ROOT / "src" / "python" / "barreno"
+    found = {path.name for path in package.iterdir() if path.is_dir() and any(path.glob("*.py"))}
+    problems.extend(f"src/python/barreno/{name} is no part of this script's list" for name in sorted(found - set(PARTS)))
+    for name in PARTS:
+        for file in sorted((package / name).rglob("*.py")):
+            for line, part in parts_of_package(file):
+                if part != "places" and part not in PARTS[: PARTS.index(name) + 1]:
+                    problems.append(f"{file.relative_to(ROOT)}:{line}: {name} must not import {part}")
+
+
+def check_paths():
+    """Where Python finds the package and the scripts is said once, by the launcher and by cmake/python_path.cmake."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=False).stdout.splitlines()
+    for name in listed:
+        path = ROOT / name
+        if path.suffix not in (".py", ".sh", ".md", ".in", "") or not path.is_file() or path.is_symlink():
+            continue
+        for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+            if PATH_OF_PYTHON in line:
+                problems.append(f"{name}:{number}: {PATH_OF_PYTHON} is changed or read; set PYTHONPATH where the script is started")
+
+
 def check_imports():
-    """Scripts of verification do not import each other in a circle."""
-    for circle in import_cycles.circles(ROOT / "verification"):
+    """Scripts of verification, and files of the package, do not import each other in a circle."""
+    for circle in import_cycles.circles(ROOT / "verification") + import_cycles.circles(ROOT / "src" / "python"):
         names = ", ".join(str(path.relative_to(ROOT)) for path in circle)
         problems.append(f"{names} import each other in a circle: move what they share to a file of its own")
 
@@ -156,6 +199,8 @@ def main():
     check_folders()
     check_tests()
     check_imports()
+    check_package()
+    check_paths()
     check_top_level()
     check_versions()
     print("\n".join(problems) or "layout is as docs/architecture.md says")

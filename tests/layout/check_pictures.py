@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rules of the Python commands that a script can hold: all pictures draw their texts through barreno_runs/plots.py, which reads no formulas
-in them, and all files of a run folder are opened through barreno_runs/regular_file.py, which waits for no named pipe."""
+"""Rules of the Python commands that a script can hold: all pictures draw their texts through runs/plots.py, which reads no formulas
+in them, and all files of a run folder are opened through runs/regular_file.py, which waits for no named pipe."""
 import ast
 import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PACKAGES = [ROOT / "src" / "python" / f"barreno_{name}" for name in ("runs", "report", "compare", "converge", "sweep")]
+PACKAGES = [ROOT / "src" / "python" / "barreno" / name for name in ("runs", "report", "compare", "converge", "sweeps", "interface")]
 PLOTS, FILES = "plots.py", "regular_file.py"
 PLOTTING = ("matplotlib.pyplot", "matplotlib.figure", "pylab")
 SETTINGS = {"use", "rc", "rc_context", "rcParams"}
@@ -28,14 +28,14 @@ def imported(node):
 
 def picture_faults(tree):
     """Ways around plots.py: (line, what)."""
-    draws = any("barreno_runs.plots" in name or name.startswith("matplotlib") for node in ast.walk(tree) for name in imported(node))
+    draws = any("barreno.runs.plots" in name or name.startswith("matplotlib") for node in ast.walk(tree) for name in imported(node))
     for node in ast.walk(tree):
         if any(name.startswith(PLOTTING) or name == "matplotlib" for name in imported(node)):
-            yield node.lineno, "imports Matplotlib itself; take plt from barreno_runs.plots"
+            yield node.lineno, "imports Matplotlib itself; take plt from barreno.runs.plots"
         if isinstance(node, ast.Attribute) and node.attr in SETTINGS and name_of(node.value) in ("plt", "matplotlib"):
-            yield node.lineno, f"sets how texts are read ({node.attr}), which barreno_runs.plots does"
+            yield node.lineno, f"sets how texts are read ({node.attr}), which barreno.runs.plots does"
         if isinstance(node, ast.keyword) and node.arg in ("parse_math", "usetex", "useMathText"):
-            yield node.value.lineno, f"sets {node.arg}, which barreno_runs.plots does"
+            yield node.value.lineno, f"sets {node.arg}, which barreno.runs.plots does"
         if draws and isinstance(node, ast.Constant) and isinstance(node.value, str) and "$" in node.value:
             yield node.lineno, "has a dollar sign in a text, which would be drawn as it is; write √J₂ and the like"
 
@@ -48,9 +48,9 @@ def reading_faults(tree):
         called = name_of(node.func)
         writes = any(isinstance(one, ast.Constant) and one.value == "w" for one in node.args[1:2])
         if isinstance(node.func, ast.Name) and called == "open" or isinstance(node.func, ast.Attribute) and called in READERS:
-            yield node.lineno, f"calls {called}; take read_text, read_bytes or open_regular of barreno_runs.regular_file"
+            yield node.lineno, f"calls {called}; take read_text, read_bytes or open_regular of barreno.runs.regular_file"
         if called == "Dataset" and not writes and not (isinstance(node.args[0], ast.Call) and name_of(node.args[0].func) == "checked"):
-            yield node.lineno, "opens a Dataset whose path barreno_runs.regular_file has not checked"
+            yield node.lineno, "opens a Dataset whose path barreno.runs.regular_file has not checked"
 
 
 def faults_of(source, name):
@@ -60,10 +60,10 @@ def faults_of(source, name):
 
 BAD = ("import matplotlib.pyplot as plt", "from matplotlib import pyplot", "from matplotlib.figure import Figure", "import matplotlib",
     "plt.rcParams['a'] = 1",
-       "axes.set_title(name, parse_math=True)", "from barreno_runs.plots import plt\nplt.title('$x$')", "open('a')", "file.read_text()",
+       "axes.set_title(name, parse_math=True)", "from barreno.runs.plots import plt\nplt.title('$x$')", "open('a')", "file.read_text()",
        "file.read_bytes()", "Dataset(file)",
        "with Dataset(file, 'r') as data: pass")  # fmt: skip
-GOOD = ("from barreno_runs.plots import plt", "from matplotlib.lines import Line2D", "read_text(file)", "Dataset(checked(file))",
+GOOD = ("from barreno.runs.plots import plt", "from matplotlib.lines import Line2D", "read_text(file)", "Dataset(checked(file))",
     "Dataset(file, 'w')", "SCRIPT = '$SLURM'")
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Circles of imports among the Python scripts of a folder, imports inside functions included.
+"""Circles of imports among the Python files of a folder, imports inside functions included.
 
-Scripts import each other by bare names, from whichever folder stands on their path. So a name is taken for every file of that name but the
-one that imports it. A module of Python itself is no script, unless the import names a folder too ('extreme_rows.time').
+Scripts of one folder import each other by bare names. So a bare name is taken for every file of that name but the one that imports it. A
+module of Python itself is no script, unless the import names a folder too ('extreme_rows.time').
 """
 import ast
 import sys
@@ -34,6 +34,8 @@ def imports_between(folder):
         for where, name in names_imported(ast.parse(file.read_text())):
             if where:
                 found[file].update(other for other in named.get(name, []) if other.parent.name == where)
+                packages = (other for other in named.get("__init__", []) if other.parent.parts[-2:] == (where, name))
+                found[file].update(other for other in packages if other != file)
             elif name not in sys.stdlib_module_names:
                 found[file].update(other for other in named.get(name, []) if other != file)
     return found

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""materials/python/barreno_material.py: every status of the C interface has its name, its words and its row in docs/finite_elements.md, and
+"""src/python/barreno/materials: every status of the C interface has its name, its words and its row in docs/finite_elements.md, and
 a point that fails says which. Paths of laboratory tests meet the stresses that are held.
 
     test_python_face.py LIBRARY
@@ -11,10 +11,9 @@ import sys
 
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "materials" / "python"))
-import barreno_material  # noqa: E402
+from barreno import materials
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 CARD = ROOT / "materials" / "cards" / "berea_sandstone.xml"
 
 
@@ -27,20 +26,20 @@ def statuses():
 
 def check_names():
     found, page = statuses(), (ROOT / "docs" / "finite_elements.md").read_text()
-    assert len(found) >= 4 and sorted(found.values()) == sorted(barreno_material.STATUS), found
+    assert len(found) >= 4 and sorted(found.values()) == sorted(materials.STATUS), found
     for name, number in found.items():
-        assert getattr(barreno_material, name) == number, name
+        assert getattr(materials, name) == number, name
         assert re.search(rf"(?m)^\| {number} \| `BARRENO_{name}` \| \w", page), f"docs/finite_elements.md has no row of BARRENO_{name}"
-        assert number == 0 or str(number) in barreno_material.Material.update.__doc__, name
+        assert number == 0 or str(number) in materials.Material.update.__doc__, name
 
 
 def check_bad_input(library):
     """One sound point beside one whose strain is no number: 0 and 3, the old values, and a sentence."""
-    with barreno_material.Material(str(CARD), library) as rock:
+    with materials.Material(str(CARD), library) as rock:
         stress, state = rock.virgin(2)
         strain = numpy.array([[-1e-4, 0, 0, 0, 0, 0], [numpy.nan, 0, 0, 0, 0, 0]])
         answer = rock.update(strain, stress, state)
-        assert list(answer.status) == [barreno_material.OK, barreno_material.BAD_INPUT], answer.status
+        assert list(answer.status) == [materials.OK, materials.BAD_INPUT], answer.status
         assert answer.stress[0, 0] < 0.0 and not answer.stress[1].any(), answer.stress
         assert "point 1 of the batch has an impossible step or state" in rock.why(), rock.why()
 
@@ -50,7 +49,7 @@ def check_elastic_path(rock):
     stress, state = rock.virgin(1)
     strain, wanted = numpy.zeros((1, 1, 6)), numpy.full((1, 1, 6), numpy.nan)
     strain[0, 0, 0], wanted[0, 0, 1:3] = -1e-9, 0.0
-    C = rock.update(numpy.zeros((1, 6)), stress, state, want=barreno_material.ELASTIC).tangent[0]
+    C = rock.update(numpy.zeros((1, 6)), stress, state, want=materials.ELASTIC).tangent[0]
     bulk, shear = C[:3, :3].sum() / 9.0, C[3, 3]
     E, nu = 9.0 * bulk * shear / (3.0 * bulk + shear), (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear))
     found = rock.follow(strain, wanted, stress, state)
@@ -73,7 +72,7 @@ def check_triaxial_path(rock):
     assert (abs(found.stress - wanted)[held] <= 1e-7 * abs(found.stress).max()).all()
     assert (found.strain[~held] == strain[~held]).all()
     for increment, there in zip(found.strain, found.stress):
-        answer = rock.update(increment, stress, state, want=barreno_material.STRESS)
+        answer = rock.update(increment, stress, state, want=materials.STRESS)
         stress, state = answer.stress, answer.state
         assert (stress == there).all()
     assert (state == found.state).all() and (state[:, rock.state_index("equivalent_plastic_strain")] > 0.01).all()
@@ -86,7 +85,7 @@ def check_impossible_path(rock, library):
     wanted[1, 1, 1:3] = 1e9
     stress, state = rock.virgin(2)
     found = rock.follow(strain, wanted, stress, state)
-    assert list(found.status) == [barreno_material.OK, barreno_material.NOT_CONVERGED], found.status
+    assert list(found.status) == [materials.OK, materials.NOT_CONVERGED], found.status
     assert (found.stress[0, 1] == found.stress[1, 1]).all() and not found.strain[1, 1].any(), "a specimen that fails stays where it was"
     try:
         rock.follow(strain, wanted[:1], stress, state)
@@ -94,12 +93,12 @@ def check_impossible_path(rock, library):
         assert "wanted has the shape (1, 2, 6); (2, 2, 6) is needed" in str(error), error
     else:
         raise AssertionError("arrays of unlike shapes are taken")
-    path = barreno_material._Path(1, 1, 1.0)
+    path = materials._Path(1, 1, 1.0)
     assert rock.library.barreno_material_follow(rock.handle, path) == -1 and "an array of the path is NULL" in rock.why(), rock.why()
 
 
 def check_paths(library):
-    with barreno_material.Material(str(CARD), library) as rock:
+    with materials.Material(str(CARD), library) as rock:
         check_elastic_path(rock)
         check_triaxial_path(rock)
         check_impossible_path(rock, library)

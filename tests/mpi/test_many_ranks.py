@@ -9,8 +9,7 @@ The scene and the counts are those of verification/performance/many_ranks.py, sm
 import pathlib
 import sys
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "performance")]
-from many_ranks import measure, page  # noqa: E402
+from performance.many_ranks import measure, page
 
 CELLS, RESUMED = 24, 8
 # Over an equal share: at the borders of a rank's share of a lattice cells are asked for by two ranks, and tiles stay whole.

@@ -10,8 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-from runs import DECKS, mpi_environment  # noqa: E402
+from tools.runs import DECKS, mpi_environment
 
 SHORT = ("--set", "Time/End Time=30 us", "--set", "Output/Checkpoint Steps=20", "--set", "Output/Field Interval=10 us")
 

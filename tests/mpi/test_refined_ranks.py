@@ -6,13 +6,11 @@
 
 input_xml/perforation.xml under its confinement, whose round-off moves nodes by about as much as dormant tiles may move.
 """
-import pathlib
 import sys
 
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-from runs import run_deck  # noqa: E402
+from tools.runs import run_deck
 
 SETTINGS = {
     "Grid/Cell Size": "1 mm", "Jet/Cells Per Radius": 4, "Step/Subcycles": 4, "Time/End Time": "1.5 us",

@@ -15,14 +15,12 @@ import pathlib
 import sys
 import tempfile
 
-ADVERSARY = pathlib.Path(__file__).resolve().parents[2] / "verification" / "adversary"
-sys.path[:0] = [str(ADVERSARY)]
-import numpy as np  # noqa: E402
-from deck_tree import Deck  # noqa: E402
-from described import described_options  # noqa: E402
-from one_set import DECKS, FINISHED, NUMERICAL, REFUSED, Finding, must_end, shortened  # noqa: E402
-from run_server import RunServer  # noqa: E402
-from small_scene import shrink  # noqa: E402
+import numpy as np
+from adversary.deck_tree import Deck
+from adversary.described import described_options
+from adversary.one_set import DECKS, FINISHED, NUMERICAL, REFUSED, Finding, must_end, shortened
+from adversary.run_server import RunServer
+from adversary.small_scene import shrink
 
 STEPS = 40
 # Particle-steps under the sanitizers: a few tenths of a second.

@@ -11,8 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-from runs import DECKS, mpi_environment  # noqa: E402
+from tools.runs import DECKS, mpi_environment
 
 # Deck, time of the run, time to which it is resumed, checkpoints every so many steps, ranks of the run, other settings.
 RUNS = (

@@ -17,15 +17,13 @@ relative: |a-b| / max(|a|, |b|); absolute: |a-b|; combined: |a-b| / max(1, |a|, 
 Pairs that both lie within the floor are equal. Not a number equals nothing, not even itself.
 """
 import argparse
-import pathlib
 import re
 import sys
 
 import numpy as np
 from netCDF4 import Dataset, chartostring
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_runs.join_exodus import as_one_file  # noqa: E402
+from barreno.runs.join_exodus import as_one_file
 
 KINDS = ("relative", "absolute", "combined", "ignore")
 

@@ -9,14 +9,12 @@ import signal
 import sys
 import unittest.mock
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "src" / "python")]
-from runs import mpi_environment  # noqa: E402
+from tools.runs import mpi_environment
 
 
 def environment_of_runs():
     """Of the program that the test was given."""
-    return {**mpi_environment(), "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve()), "PYTHONPATH": str(ROOT / "src" / "python")}
+    return {**mpi_environment(), "BARRENO_PROGRAM": str(pathlib.Path(sys.argv[1]).resolve())}
 
 
 def process_of(package, *words):

@@ -20,8 +20,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
 COMMANDS = ("run", "resume", "check", "report", "film", "join", "converge", "sweep", "compare", "drive", "fit", "import-ups", "describe")
 FILES = ("libexec/barreno/barreno", "include/barreno_material.h", "share/barreno/commands.sh", "share/barreno/cards/berea_sandstone.xml",
-         "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno_report/__main__.py",
-         "share/barreno/python/barreno_fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/barreno/measured/update_costs.csv",
+         "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno/report/__main__.py",
+         "share/barreno/python/barreno/fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/barreno/measured/update_costs.csv",
          "share/barreno/measured/depths_of_cells.csv", "share/doc/barreno/LICENSE",
          "share/doc/barreno/docs/deck.md", "share/man/man1/barreno.1", "share/bash-completion/completions/barreno")  # fmt: skip
 
@@ -188,6 +188,15 @@ def check_python(here):
     assert said.startswith("barreno: Python does not start (") and len(said.splitlines()) == 1, said
 
 
+def check_package(here):
+    """The package by the command python, with the program, library and launcher of the prefix."""
+    show = "from barreno import places; print(places.program(), places.library(), places.launcher(), sep='\\n')"
+    said = here.barreno("python", "-c", show)
+    program, library, launcher = map(pathlib.Path, said.splitlines())
+    assert program == here.prefix / "libexec/barreno/barreno" and launcher == here.prefix / "bin/barreno", said
+    assert library.name == "libBARRENO.so" and here.prefix in library.parents, said
+
+
 def check_manual(here):
     """A page for every command, with the options that its help shows; completion offers them."""
     completion = here.prefix / "share/bash-completion/completions/barreno"
@@ -208,7 +217,7 @@ def main():
     cmake, build = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     with tempfile.TemporaryDirectory() as name:
         here = install(cmake, build, pathlib.Path(name).resolve())
-        for check in (check_words, check_runs, check_measured, check_slurm, check_pbs, check_python, check_manual):
+        for check in (check_words, check_runs, check_measured, check_slurm, check_pbs, check_python, check_package, check_manual):
             check(here)
     print("the installation does what the source tree does")
 

@@ -114,7 +114,7 @@ def check_report(machine, folder):
     refused(*machine.run("report", folder / "nowhere"), 2, "is not a folder")
     refused(*machine.run("film"), 1, "film takes the folder of one run", "--field pressure")
     refused(*machine.run("film", folder / "nowhere", "--field", "pressure"), 2, "is not a folder")
-    machine.file("src/python/barreno_report/__main__.py", "import sys; print('made', sys.argv[1:])")
+    machine.file("src/python/barreno/report/__main__.py", "import sys; print('made', sys.argv[1:])")
     (folder / "a run").mkdir()
     for words in (("report", folder / "a run", "--time", "30 us"), ("film", folder / "a run", "--field", "pressure")):
         result, calls = machine.run(*words)
@@ -140,7 +140,7 @@ def check_converge(machine, folder):
     refused(*machine.run("converge"), 1, "converge takes a deck")
     refused(*machine.run("converge", "--levels", "3"), 1, "converge takes a deck")
     refused(*machine.run("converge", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
-    machine.file("src/python/barreno_converge/__main__.py",
+    machine.file("src/python/barreno/converge/__main__.py",
         "import os, sys; print('converged', sys.argv[1:], os.environ['BARRENO_PROGRAM'])")
     (folder / "a deck.xml").write_text("")
     result, calls = machine.run("converge", folder / "a deck.xml", "--ranks", "3")
@@ -156,7 +156,7 @@ def check_sweep(machine, folder):
     """As converge, with one rank per run unless told otherwise, the cores, and how it was called."""
     refused(*machine.run("sweep"), 1, "sweep takes a deck")
     refused(*machine.run("sweep", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
-    machine.file("src/python/barreno_sweep/__main__.py",
+    machine.file("src/python/barreno/sweeps/__main__.py",
         "import os, sys; print('swept', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'], "
         "os.environ['BARRENO_COMMAND'])")
     (folder / "a deck.xml").write_text("")
@@ -171,7 +171,7 @@ def check_compare(machine, folder):
     """Nothing is built to look at runs; its own help needs no packages either."""
     refused(*machine.run("compare"), 1, "compare takes the folders of two runs or more")
     refused(*machine.run("compare", folder / "a run"), 1, "compare takes the folders of two runs or more")
-    machine.file("src/python/barreno_compare/__main__.py", "import sys; print('compared', sys.argv[1:])")
+    machine.file("src/python/barreno/compare/__main__.py", "import sys; print('compared', sys.argv[1:])")
     result, calls = machine.run("compare", folder / "a run", folder / "b")
     assert result.returncode == 0 and f"compared ['{folder / 'a run'}', '{folder / 'b'}']" in result.stdout, result.stderr
     assert not any(call.startswith(("cmake", "ninja")) for call in calls), calls
@@ -183,7 +183,7 @@ def check_fit(machine, folder):
     """Files that are missing are said before anything is installed; then the packages of a fit, the build, the program."""
     refused(*machine.run("fit"), 1, "fit takes the files of tests")
     refused(*machine.run("fit", folder / "nowhere.csv", "--out", "card.xml"), 2, "nowhere.csv does not exist")
-    machine.file("materials/python/barreno_fit/__main__.py", "import os, sys; print('fitted', sys.argv[1:], os.environ['BARRENO_LIBRARY'])")
+    machine.file("src/python/barreno/fit/__main__.py", "import os, sys; print('fitted', sys.argv[1:], os.environ['BARRENO_LIBRARY'])")
     (folder / "a test.csv").write_text("")
     result, calls = machine.run("fit", folder / "a test.csv", "--out", "card.xml")
     assert result.returncode == 0 and f"fitted ['{folder / 'a test.csv'}', '--out', 'card.xml']" in result.stdout, result.stderr
@@ -197,7 +197,7 @@ def check_import(machine, folder):
     """Python alone, and the program that checks the deck."""
     refused(*machine.run("import-ups"), 1, "import-ups takes an input file of Uintah")
     refused(*machine.run("import-ups", folder / "nowhere.ups"), 2, "nowhere.ups does not exist")
-    machine.file("src/python/barreno_import/__main__.py", "import os, sys; print('imported', sys.argv[1:], os.environ['BARRENO_PROGRAM'])")
+    machine.file("src/python/barreno/imports/__main__.py", "import os, sys; print('imported', sys.argv[1:], os.environ['BARRENO_PROGRAM'])")
     (folder / "an input.ups").write_text("")
     result, calls = machine.run("import-ups", folder / "an input.ups", "--out", "deck.xml")
     assert result.returncode == 0 and f"imported ['{folder / 'an input.ups'}', '--out', 'deck.xml']" in result.stdout, result.stderr
@@ -207,11 +207,23 @@ def check_import(machine, folder):
 def check_join(machine, folder):
     """Of a folder without a set one sentence; of its words the same."""
     refused(*machine.run("join"), 1, "join takes the folder of one run, before its options")
-    machine.file("src/python/barreno_runs/join_exodus.py", "import sys; print('joined', sys.argv[1:])")
+    machine.file("src/python/barreno/runs/join_exodus.py", "import sys; print('joined', sys.argv[1:])")
     result, calls = machine.run("join", folder / "a run", "--out", "one.e")
     assert result.returncode == 0 and f"joined ['{folder / 'a run'}', '--out', 'one.e']" in result.stdout, result.stderr
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
     assert sorted(packages) == ["python3", "python3-netcdf4", "python3-numpy"], packages
+
+
+def check_python(machine, folder):
+    """Scripts find the package and the folders of verification; their own --help is theirs."""
+    machine.file("src/python/barreno/__init__.py", "")
+    machine.file("verification/tools/runs.py", "")
+    (folder / "a script.py").write_text("import barreno, sys, tools.runs\nprint('scripted', sys.argv[1:])\n")
+    result, calls = machine.run("python", folder / "a script.py", "--help", "x")
+    assert result.returncode == 0 and result.stdout.endswith("scripted ['--help', 'x']\n"), result.stdout + result.stderr
+    assert not any(call.startswith(("cmake", "ninja")) for call in calls), calls
+    result, _ = machine.run("python", "--help")
+    assert result.returncode == 0 and "./barreno python [SCRIPT]" in result.stdout, result.stdout
 
 
 def check_words(machine):
@@ -294,8 +306,8 @@ def check_install(machine, build):
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep,
-        check_compare, check_fit, check_import, check_join, lambda m, f: check_words(m), lambda m, f: check_tests(m), lambda m,
-        f: check_ci(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
+        check_compare, check_fit, check_import, check_join, check_python, lambda m, f: check_words(m), lambda m, f: check_tests(m),
+        lambda m, f: check_ci(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)

@@ -10,12 +10,12 @@ import sys
 import tempfile
 import unittest
 
+import move_jet
+import quantity
+from barreno.fit import units
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JETS = ROOT / "input_xml" / "jets"
-sys.path[:0] = [str(JETS), str(ROOT / "materials" / "python")]
-import move_jet  # noqa: E402
-import quantity  # noqa: E402
-from barreno_fit import units  # noqa: E402
 
 DENSITY, TIP, ORIGIN = 8930.0, 7000.0, 0.05
 RADIUS = 1.5e-3

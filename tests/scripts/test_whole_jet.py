@@ -3,15 +3,11 @@
 """input_xml/jets/whole_jet.py: what flies ahead of a jet is left out, with its mass written down."""
 import contextlib
 import io
-import pathlib
-import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "input_xml" / "jets"))
-import move_jet  # noqa: E402
-import whole_jet  # noqa: E402
+import move_jet
+import whole_jet
 
 DENSITY = 8930.0
 

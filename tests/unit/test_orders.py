@@ -4,11 +4,9 @@
 import json
 import math
 import pathlib
-import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_converge import levels, order, report  # noqa: E402
+from barreno.converge import levels, order, report
 
 LIMIT, SLOPE = 93.5, -7.0
 

@@ -13,15 +13,14 @@ import sys
 import tempfile
 import unittest.mock
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-import synthetic_runs  # noqa: E402
+import synthetic_runs
 
-from barreno_compare import command as compare  # noqa: E402
-from barreno_compare import differences  # noqa: E402
-from barreno_converge import command as converge  # noqa: E402
-from barreno_runs import effective_deck, make_runs, results, run_folder  # noqa: E402
-from barreno_runs.faults import Fault  # noqa: E402
-from barreno_sweep import compute, plan, sample, slurm, variation, words, write  # noqa: E402
+from barreno.compare import command as compare
+from barreno.compare import differences, results
+from barreno.converge import command as converge
+from barreno.runs import effective_deck, make_runs, run_folder
+from barreno.runs.faults import Fault
+from barreno.sweeps import compute, plan, sample, slurm, variation, words, write
 
 
 def refused(does, *said):
@@ -293,8 +292,8 @@ def check_columns(folder):
 
 def check_pictures(folder):
     """One parameter, two with few and with many values, words."""
-    from barreno_runs.pictures import draw_depths
-    from barreno_sweep.picture import Axis, draw_against
+    from barreno.runs.pictures import draw_depths
+    from barreno.sweeps.picture import Axis, draw_against
 
     few, many = ["1", "2"] * 6, [str(i) for i in range(12)]
     number, word = Axis("a", list(range(12)), many), Axis("b", None, few)

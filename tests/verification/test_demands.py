@@ -4,19 +4,16 @@
 requirement, and an open requirement that holds."""
 import math
 import pathlib
-import sys
 import tempfile
 import unittest
 import unittest.mock
 
+from tools.case import Result
+from tools.demands import FAILS, HOLDS, OPEN, Open, judge, judge_all, open_demands, read_open
+from tools.extreme import RED, Table
+import verify
+
 VERIFICATION = pathlib.Path(__file__).resolve().parents[2] / "verification"
-sys.path[:0] = [str(VERIFICATION / "tools"), str(VERIFICATION)]
-
-from case import Result  # noqa: E402
-from demands import FAILS, HOLDS, OPEN, Open, judge, judge_all, open_demands, read_open  # noqa: E402
-from extreme import RED, Table  # noqa: E402
-import verify  # noqa: E402
-
 KNOWN = Open("a reason", 0.05)
 LEAST = Open("a reason", 1.2)
 NO_NUMBERS = (math.nan, math.inf, -math.inf)

@@ -1,16 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The measured numbers of the program are written with the digits of their results, and a measurement changes its own rows alone."""
-import pathlib
-import sys
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification")]
-
-import measured_tables  # noqa: E402
-import predictions  # noqa: E402
-from uniform_cells import read  # noqa: E402
+from tools import measured_tables
+import predictions
+from tools.uniform_cells import read
 
 
 def rows_of(text):

@@ -3,20 +3,18 @@
 """The checks of pages find what they are for: a figure that was changed by hand, a mark that nobody writes, a picture of other figures,
 a link that leads nowhere, a figure that no results file gives."""
 import pathlib
-import sys
 import unittest
 import unittest.mock
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification"), str(ROOT / "tests" / "layout")]
+import check_columns
+import check_links
+import pages
+from tools import depth_aims
+from tools import uniform_cells
+from tools.wrap_text import wrapped
+from tools.case_pictures import curves_of, digest, stored_digest
 
-import check_columns  # noqa: E402
-import check_links  # noqa: E402
-import pages  # noqa: E402
-import depth_aims  # noqa: E402
-import uniform_cells  # noqa: E402
-from wrap_text import wrapped  # noqa: E402
-from case_pictures import curves_of, digest, stored_digest  # noqa: E402
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Pages(unittest.TestCase):

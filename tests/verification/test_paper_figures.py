@@ -5,24 +5,22 @@ and the Lode angle are what they are called."""
 import math
 import os
 import pathlib
-import sys
 import tempfile
 import time
 import unittest
 
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / name) for name in ("", "tools", "oracles", "cases")] + [str(ROOT / "src" / "python")]
+from barreno.report.inks import colour_of
+from barreno.report.principal import lode_angle, pressure_and_shear, principal, revolved
+from paper_figures import FIGURES, figure
+from paper_figures.figure_5 import axial_radial_hoop
+from paper_figures.figure_6 import limit_of
+from paper_figures.lab import Lab, Table, least, most, read_table, write_table
+from paper_figures.progress import Progress
+from tools.paper_parts import unmeasured, unmeasured_words
 
-from barreno_report.inks import colour_of  # noqa: E402
-from barreno_report.principal import lode_angle, pressure_and_shear, principal, revolved  # noqa: E402
-from paper_figures import FIGURES, figure  # noqa: E402
-from paper_figures.figure_5 import axial_radial_hoop  # noqa: E402
-from paper_figures.figure_6 import limit_of  # noqa: E402
-from paper_figures.lab import Lab, Table, least, most, read_table, write_table  # noqa: E402
-from paper_figures.progress import Progress  # noqa: E402
-from paper_parts import unmeasured, unmeasured_words  # noqa: E402
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Trends(unittest.TestCase):

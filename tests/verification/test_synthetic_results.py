@@ -2,11 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The study of synthetic fits fails where its results miss what is asked: misfit, time, coverage, words; and passes where they do not."""
 import copy
-import pathlib
-import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "fits"))
-from synthetic_results import SETS, faults_of  # noqa: E402
+from fits.synthetic_results import SETS, faults_of
 
 NAMES = [f"P{k}" for k in range(10)]
 

@@ -2,9 +2,9 @@
 """Runs whose disk fails at the n-th call, once or from then on (tools/full_disk.c), and their resumes on a sound disk."""
 import errno
 
-from one_set import FILE, FINISHED, Finding
-from resumed import program
-from same_runs import different
+from adversary.one_set import FILE, FINISHED, Finding
+from tools.resumed import program
+from adversary.same_runs import different
 
 ERRORS = {"ENOSPC": errno.ENOSPC, "EIO": errno.EIO, "EDQUOT": errno.EDQUOT, "short": 0}
 # Kinds of calls: the last call that may fail, and the share of the trials.

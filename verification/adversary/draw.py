@@ -3,7 +3,7 @@
 import math
 import re
 
-from deck_tree import NUMBER, metres, numbers_in
+from adversary.deck_tree import NUMBER, metres, numbers_in
 
 # How likely an option of a section is to be drawn.
 CHANCE = {"Step": 0.15, "Output": 0.2, "Quasi-Static": 0.3, "Jet": 0.15, "Pore Flow": 0.2, "Confinement": 0.2, "Body Force": 0.2}

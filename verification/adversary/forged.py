@@ -7,9 +7,9 @@ import shutil
 
 import h5py
 import numpy as np
-from one_set import FILE, FINISHED, NUMERICAL, REFUSED, Finding, must_end, sentence_of
-from same_runs import different, unsound
-from sealed import reseal
+from adversary.one_set import FILE, FINISHED, NUMERICAL, REFUSED, Finding, must_end, sentence_of
+from adversary.same_runs import different, unsound
+from adversary.sealed import reseal
 
 # Jet, confinement and torn faces; pore flow; a rigid body; a cavity.
 SCENES = (

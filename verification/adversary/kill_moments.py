@@ -9,7 +9,7 @@ import signal
 import subprocess
 
 import h5py
-from deck_tree import Deck
+from adversary.deck_tree import Deck
 
 TOOLS = pathlib.Path(__file__).resolve().parents[1] / "tools"
 KINDS = [9, 9, 9, 9, int(signal.SIGTERM), int(signal.SIGINT), int(signal.SIGHUP), int(signal.SIGUSR1)]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs that are killed at their checkpoints and resumed, on the same and on another number of ranks."""
-from kill_moments import checkpoints_left, drawn_moment, run_to, whole_run
-from one_set import FILE, FINISHED, REFUSED, Finding, must_end, tolerance_of
-from same_runs import different
+from adversary.kill_moments import checkpoints_left, drawn_moment, run_to, whole_run
+from adversary.one_set import FILE, FINISHED, REFUSED, Finding, must_end, tolerance_of
+from adversary.same_runs import different
 
 TURNS = 5  # of a run and its resumes; after the last the run is left alone
 AGAIN = 0.8  # chance that the resumes are killed too

@@ -2,9 +2,9 @@
 """Every number of every shipped deck, one at a time, as large, small or odd as a number can be: a sentence, or a run."""
 import re
 
-from deck_tree import NUMBER, Deck
-from one_set import DECKS, FILE, FINISHED, NUMERICAL, REFUSED, Finding, must_end
-from same_runs import unsound
+from adversary.deck_tree import NUMBER, Deck
+from adversary.one_set import DECKS, FILE, FINISHED, NUMERICAL, REFUSED, Finding, must_end
+from adversary.same_runs import unsound
 
 ODD = ["1e300", "-1e300", "1e-300", "-0", "5e-324", "2147483648", "9223372036854775808", "-1", "0", "nan", "inf", "-inf"]
 STEPS = 20

@@ -6,9 +6,9 @@ import re
 import shutil
 
 import numpy as np
-from deck_tree import Deck
-from draw import draw_set
-from small_scene import shrink
+from adversary.deck_tree import Deck
+from adversary.draw import draw_set
+from adversary.small_scene import shrink
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECKS = ROOT / "input_xml"

@@ -9,10 +9,9 @@ import json
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "verification" / "tools"))
-from wrap_text import wrapped  # noqa: E402
+from tools.wrap_text import wrapped
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "verification" / "results" / "adversary.json"
 PAGE = ROOT / "docs" / "adversary.md"
 
@@ -20,7 +19,7 @@ HEAD = """# The adversary
 
 Written by `verification/adversary/page.py` from `verification/results/adversary.json`; do not edit.
 
-`verification/adversary/adversary.py BUILD` tries to break runs. Every test run includes its short form (`ctest -R verification.adversary`).
+`verification/adversary/attack.py BUILD` tries to break runs. Every test run includes its short form (`ctest -R verification.adversary`).
 `ctest -R slow.adversary` is the long form; `--out FILE` adds to the counts of earlier invocations.
 
 - **Option sets.** A set is a shipped deck, at a size that runs in a twentieth of a second, with options drawn at random. The draw follows the kind, unit
@@ -38,7 +37,7 @@ Written by `verification/adversary/page.py` from `verification/results/adversary
 
 Most kills are placed at a checkpoint (`verification/tools/kill_at.c`, preloaded); a few come at a random time. The checkpoint is drawn at random. The
 signal comes while the next checkpoint is written, before a random call (open, write, fsync, rename), or once the checkpoint has its name, at once or
-a short time later. If too many of the placed kills miss a running program that has a checkpoint, `adversary.py` says so and ends with exit code 1.
+a short time later. If too many of the placed kills miss a running program that has a checkpoint, `attack.py` says so and ends with exit code 1.
 
 These are findings:
 
@@ -53,8 +52,8 @@ These are findings:
 
 About an hour on two cores tries 3,000 sets and kills 1,500 perforations:
 
-    verification/adversary/adversary.py BUILD --seed N --sets 3000 --perforations 300 --out verification/results/adversary.json
-    verification/adversary/page.py
+    ./barreno python verification/adversary/attack.py BUILD --seed N --sets 3000 --perforations 300 --out verification/results/adversary.json
+    ./barreno python verification/adversary/page.py
 
 """
 
@@ -108,7 +107,7 @@ def text(results):
     seeds = ", ".join(f"{seed} ({sets} sets)" for seed, sets in sorted(results["sets"].items(), key=lambda item: int(item[0])))
     shots = ", ".join(f"{seed} ({number})"
         for seed, number in sorted(results.get("perforations", {}).items(), key=lambda item: int(item[0])))
-    page += f"\nSeeds: {seeds}{'; perforations: ' + shots if shots else ''}. `adversary.py BUILD --only SEED:NUMBER` repeats one set.\n"
+    page += f"\nSeeds: {seeds}{'; perforations: ' + shots if shots else ''}. `attack.py BUILD --only SEED:NUMBER` repeats one set.\n"
     for finding in results["findings"]:
         page += f"\n- {finding['kind']} {finding['number']}: {finding['said'].splitlines()[0][:300]}"
     return page + ("\n" if results["findings"] else "")

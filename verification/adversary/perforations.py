@@ -3,11 +3,11 @@
 import shutil
 
 import numpy as np
-from disk_faults import try_fault
-from kill_moments import built_library, drawn_moment, run_to, whole_run
-from kills import killed
-from one_set import DECKS, FINISHED, Finding, must_end
-from same_runs import different, unsound
+from adversary.disk_faults import try_fault
+from adversary.kill_moments import built_library, drawn_moment, run_to, whole_run
+from adversary.kills import killed
+from adversary.one_set import DECKS, FINISHED, Finding, must_end
+from adversary.same_runs import different, unsound
 
 DECK = DECKS / "perforation_quick.xml"
 # Chances that a perforation is tried so; all are run and killed.

@@ -3,10 +3,8 @@
 import dataclasses
 import pathlib
 import subprocess
-import sys
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "tools")]
-from mpi_environment import mpi_environment  # noqa: E402
+from tools.mpi_environment import mpi_environment
 
 LIMIT = 120  # [s] that a tiny run may take, on a machine that does other work too
 

@@ -2,13 +2,11 @@
 """Whether two run folders hold the same result: every file, to the bit or to a tolerance."""
 import json
 import pathlib
-import sys
 
 import h5py
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "tools")]
-from resumed import different_fields, different_sums  # noqa: E402
+from tools.resumed import different_fields, different_sums
 
 NUMERICAL_ERRORS = "numerical errors above 10 % of the energy"
 TABLES = ("history.csv", "depth.csv", "radii.csv", "cavities.csv")

@@ -3,7 +3,7 @@
 import functools
 import math
 
-from deck_tree import metres
+from adversary.deck_tree import metres
 
 # Cells of the box, by its dimensions.
 MOST = {2: 2500, 3: 1000}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is tried with one random option set: it is checked, run, run under sanitizers, killed and resumed, run on more ranks."""
-from kills import try_kills, try_ranks
-from one_set import FINISHED, MOST_REFUSALS, NUMERICAL, REFUSED, Finding, must_end, sentence_of
-from same_runs import unsound
-from two_processes import try_group, try_two
+from adversary.kills import try_kills, try_ranks
+from adversary.one_set import FINISHED, MOST_REFUSALS, NUMERICAL, REFUSED, Finding, must_end, sentence_of
+from adversary.same_runs import unsound
+from adversary.two_processes import try_group, try_two
 
 
 def try_set(one, servers, share, tally):

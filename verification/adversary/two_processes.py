@@ -6,9 +6,9 @@ import subprocess
 import threading
 import time
 
-from one_set import FILE, FINISHED, REFUSED, Finding, must_end, tolerance_of
-from run_server import mpi_environment
-from same_runs import different
+from adversary.one_set import FILE, FINISHED, REFUSED, Finding, must_end, tolerance_of
+from adversary.run_server import mpi_environment
+from adversary.same_runs import different
 
 LAUNCH = 30.0  # [s] that mpirun may take to bring a run to its first checkpoint
 

@@ -9,13 +9,13 @@ import json
 import math
 
 import numpy as np
-from case import Result
-from case_list import VERIFICATION
+from tools.case import Result
+from tools.case_list import VERIFICATION
 from cases import arenisca_answers  # noqa: F401  (puts the oracles on the path)
-from arenisca_paths import strain_path
-from arenisca_pores import model as oracle_model
-from drive import drive
-from runs import order
+from oracles.arenisca_paths import strain_path
+from oracles.arenisca_pores import model as oracle_model
+from tools.drive import drive
+from tools.runs import order
 
 ORACLES = VERIFICATION / "oracles"
 ROCK = {"PEAKI1": 21e6, "FSLOPE": 0.435, "STREN": 4e8, "YSLOPE": 0.02, "B0": 8e9, "B1": 28e9, "B2": 4e8, "G0": 8e9,

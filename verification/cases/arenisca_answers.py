@@ -7,15 +7,13 @@ quantity). Tables that are no closed form are arenisca_published.json's, event-d
 import json
 import math
 import pathlib
-import sys
 
 import numpy as np
 from scipy.special import lambertw
 
-ORACLES = pathlib.Path(__file__).resolve().parents[1] / "oracles"
-sys.path.insert(0, str(ORACLES))
-from arenisca_paths import BENCHMARKS, benchmark, hydrostatic as oracle_hydrostatic  # noqa: E402
+from oracles.arenisca_paths import BENCHMARKS, benchmark, hydrostatic as oracle_hydrostatic
 
+ORACLES = pathlib.Path(__file__).resolve().parents[1] / "oracles"
 PUBLISHED = json.loads((ORACLES / "arenisca_published.json").read_text())
 BENCH, HYDRO = PUBLISHED["bench"], PUBLISHED["hydro"]
 

@@ -9,10 +9,10 @@ import dataclasses
 import typing
 
 import numpy as np
-from case import Result
+from tools.case import Result
 from cases import arenisca_answers as answers
-from drive import drive, knows
-from runs import order
+from tools.drive import drive, knows
+from tools.runs import order
 
 
 @dataclasses.dataclass

@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from case import Result
-from runs import order, run_deck
+from tools.case import Result
+from tools.runs import order, run_deck
 from scipy.optimize import curve_fit
 
 SPEED, LENGTH = 1000.0, 1.0

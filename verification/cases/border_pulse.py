@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a pulse that runs into smaller cells leaves behind, against the wake that a uniform grid leaves by itself."""
 import numpy as np
-from case import Result
-from manufactured_runs import centres
-from runs import run_deck
+from tools.case import Result
+from tools.manufactured_runs import centres
+from tools.runs import run_deck
 
 DECK = "border_pulse.xml"
 PEAK = 0.05  # of the pulse that runs upwards [m/s]

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pressure of a casing that has been shot through, with and without Volume Relaxation."""
-import pathlib
-import sys
 
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 from scipy.spatial import cKDTree
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_report.particles import ParticleFile  # noqa: E402
+from barreno.report.particles import ParticleFile
 
 DECK = "perforation.xml"
 CELL, THICKNESS = 1e-3, 12.7e-3  # m

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two elastic disks that meet with contact and part: when, with which momentum and how much of their speed."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 SPEED, GAP = 10.0, 0.04
 

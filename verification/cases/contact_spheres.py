@@ -3,9 +3,9 @@
 import math
 
 import numpy as np
-from case import Result
-from manufactured_runs import centres
-from runs import run_deck
+from tools.case import Result
+from tools.manufactured_runs import centres
+from tools.runs import run_deck
 
 RADIUS, SPEED, BULK, SHEAR, DENSITY = 0.05, 10.0, 0.6e9, 0.3e9, 1000.0
 GAP = 0.01  # between the spheres at the start [m]

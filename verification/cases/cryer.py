@@ -3,10 +3,10 @@
 import functools
 
 import numpy as np
-from case import Result
-from columns import DIFFUSIVITY, ROCK, exact, permeability
-from manufactured_runs import centres
-from runs import missing_fluid, order, run_deck
+from tools.case import Result
+from tools.columns import DIFFUSIVITY, ROCK, exact, permeability
+from tools.manufactured_runs import centres
+from tools.runs import missing_fluid, order, run_deck
 
 LOAD, RAMP = 1e6, 0.5e-3  # Pa, s: of the deck; its ball has a radius of 1 m
 SLOWER = 4.0  # than the deck, for waves to matter less

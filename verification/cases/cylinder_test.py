@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cylinder test in one dimension: velocity of the copper wall where it has moved 6, 12.5 and 19 mm, for four explosives."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 MOVED = (6.0, 12.5, 19.0)  # of the outer surface [mm]
 BORE, OUTER, COPPER = 12.7e-3, 15.306e-3, 8930.0

@@ -5,9 +5,9 @@ import pathlib
 import xml.etree.ElementTree as xml
 
 import numpy as np
-from case import Result
+from tools.case import Result
 from cases.cylinder_test import BORE, EXACT, MOVED, OUTER
-from runs import DECKS, run_deck, scratch_folder
+from tools.runs import DECKS, run_deck, scratch_folder
 
 DECK = "cylinder_test_2d.xml"
 SPEED = 7980.0  # of the front [m/s]

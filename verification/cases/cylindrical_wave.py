@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Wave from a cylindrical cavity whose wall takes a pressure: geometric spreading, a jump, and what it leaves behind."""
-import pathlib
-import sys
 
 import numpy as np
-from case import Result
-from choices import shape_functions
-from manufactured_runs import centres
-from runs import order, run_deck
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.manufactured_runs import centres
+from tools.runs import order, run_deck
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-from cavity_waves import cylindrical  # noqa: E402
+from oracles.cavity_waves import cylindrical
 
 SPEED, MODULUS, PRESSURE = 1000.0, 1e9, 1e3  # of the deck; radius 1 m, density 1000 kg/m3
 MILLI = 1e-3

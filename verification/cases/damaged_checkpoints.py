@@ -4,9 +4,9 @@ import pathlib
 import shutil
 
 import numpy as np
-from case import Result
-from resumed import different_fields, different_files, must_work, program
-from runs import DECKS, scratch_folder
+from tools.case import Result
+from tools.resumed import different_fields, different_files, must_work, program
+from tools.runs import DECKS, scratch_folder
 
 SHORT = ("--set", "Time/End Time=6 us", "--set", "Output/Field Interval=3 us", "--set", "Output/Checkpoint Steps=60")
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Detonation of a gas of gamma = 3 from a rigid wall: speed of the front, the wave behind it and the plateau at the wall."""
 import numpy as np
-from case import Result
-from runs import order, run_deck
+from tools.case import Result
+from tools.runs import order, run_deck
 
 SPEED, DENSITY = 8000.0, 1875.0  # of the deck: D [m/s], reference density [kg/m3]
 PRESSURE = DENSITY * SPEED**2 / 4.0  # Chapman-Jouguet [Pa]

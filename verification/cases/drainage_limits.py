@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A perforation into saturated sandstone at both ends of permeability: none is the undrained rock, very much the drained one."""
 import numpy as np
-from case import Result
-from runs import missing_fluid
-from wet_perforation import dry, undrained, with_flow
+from tools.case import Result
+from tools.runs import missing_fluid
+from tools.wet_perforation import dry, undrained, with_flow
 
 STRESSES = ("stress_xx", "stress_yy", "stress_zz", "stress_xy")
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A cone that an explosive drives onto its axis: velocity of the jet and share of the mass in it, part by part, from the velocity with
 which the parts fly."""
-import collapse
+from tools import collapse
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 ANGLE, WALL, SPEED, FIRST = (
     np.radians(21.0), 2e-3, 7980.0, -47.43728e-3

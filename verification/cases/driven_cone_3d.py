@@ -2,9 +2,9 @@
 """The cone of driven_cone in three dimensions: its axis between the planes of the grid against axisymmetry with the same cells, and a
 quarter against axisymmetry with cells half as large."""
 import numpy as np
-from case import Result
+from tools.case import Result
 from cases import driven_cone
-from runs import run_deck
+from tools.runs import run_deck
 
 JET = 3000.0  # of the liner, what is faster along the axis [m/s]
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plates that an explosive drives against each other: velocity of the jet and share of the mass in it, from the velocity with which they
 arrive."""
-import collapse
+from tools import collapse
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 ANGLE, SPEED, FIRST = np.radians(30.0), 7980.0, -34e-3  # of driven_wedge.xml: half angle, front [m/s], where it starts [m]
 EDGES = np.arange(15e-3, 40e-3, 3e-3)  # of the slices, along the plate from where it begins [m]

@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Triaxial tests of Berea sandstone, dry and saturated: strength follows the pressure less the pore pressure (Terzaghi)."""
 import pathlib
-import sys
 import tempfile
 import xml.etree.ElementTree as xml
 
 import numpy as np
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(REPOSITORY / "verification" / "oracles"), str(REPOSITORY / "materials" / "python")]
-from arenisca_laws import Laws  # noqa: E402
-from barreno_material import Material, load  # noqa: E402
-from case import Result  # noqa: E402
-from plug import Plug, write_card  # noqa: E402
+from oracles.arenisca_laws import Laws
+from barreno.materials import Material, load
+from tools.case import Result
+from tools.plug import Plug, write_card
 
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 BEREA = REPOSITORY / "materials" / "cards" / "berea_sandstone.xml"
 LAW = ("PEAKI1", "FSLOPE", "STREN", "YSLOPE", "CR", "B0", "B1", "B2", "G0", "G1", "G2", "p0_crush_curve", "p1_crush_curve",
        "p3_crush_curve")  # fmt: skip

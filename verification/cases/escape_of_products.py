@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Products of gamma = 3 that a piston follows and that escape into the void: velocity, sound speed and pressure at given points."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 SPEED, DENSITY = 8500.0, 1600.0  # of the deck [m/s, kg/m3]
 PISTON, LENGTH = 500.0, 0.01

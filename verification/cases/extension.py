@@ -10,10 +10,10 @@ difference, so that a gap between b and a' grows with v(a') - v(b) and stays not
 with another mean of the grid's velocity than the one that stretches them.
 """
 import numpy as np
-from case import Result
-from choices import shape_functions
-from manufactured_runs import centres
-from runs import run_deck
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.manufactured_runs import centres
+from tools.runs import run_deck
 
 CELL, LENGTH, RATE = 0.025, 0.1, 10.0  # of the deck: stretch = 1 + RATE t
 BULK, SHEAR = 1e7 / 3 / (1 - 0.6), 1e7 / 2 / 1.3

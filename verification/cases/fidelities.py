@@ -3,9 +3,9 @@
 import re
 
 import numpy as np
-from case import Result
-from runs import run_deck
-from uniform_cells import REFERENCE, depth_of
+from tools.case import Result
+from tools.runs import run_deck
+from tools.uniform_cells import REFERENCE, depth_of
 
 DECK = "perforation.xml"
 TIMES = (10, 20, 30, 50, 70, 90)  # us

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A plate thrown by a detonation that runs towards it, with the other face of the charge free: its velocity."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 SPEED, DENSITY, COPPER = 8000.0, 1600.0, 8930.0  # of the deck [m/s, kg/m3, kg/m3]
 LENGTH = 0.02  # of the charge [m]

@@ -6,9 +6,9 @@ import sys
 import xml.etree.ElementTree as xml
 
 import numpy as np
-from case import Result
-from penetration import depth_at
-from runs import DECKS, run_deck, scratch_folder
+from tools.case import Result
+from tools.penetration import depth_at
+from tools.runs import DECKS, run_deck, scratch_folder
 
 DECK = "jet_formation_penetration.xml"
 PLANE, SECOND = 110e-3, 120e-3  # of the monitor in the deck; a second one [m]

@@ -4,9 +4,9 @@ import pathlib
 import shutil
 import subprocess
 
-from case import Result
-from resumed import at_previous, different_fields, different_files, must_work, program
-from runs import DECKS, scratch_folder
+from tools.case import Result
+from tools.resumed import at_previous, different_fields, different_files, must_work, program
+from tools.runs import DECKS, scratch_folder
 
 SHORT = ("--set", "Time/End Time=6 us", "--set", "Output/Field Interval=3 us", "--set", "Output/Checkpoint Steps=60")
 SOURCE = pathlib.Path(__file__).resolve().parents[1] / "tools" / "full_disk.c"

@@ -5,8 +5,8 @@ import pathlib
 import re
 import subprocess
 
-from case import Result
-from runs import scratch_folder
+from tools.case import Result
+from tools.runs import scratch_folder
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("input_xml", "input_xml/jets", "input_xml/paths", "materials/cards", "tests/decks/bad", "tests/fuzz/corpus")

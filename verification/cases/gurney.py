@@ -4,8 +4,8 @@ formulas."""
 import dataclasses
 
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 GURNEY = 2710.0  # sqrt(2 E) of Composition B [m/s]
 CHARGE, COPPER, SPEED = 1717.0, 8930.0, 7980.0  # of the cards [kg/m3, kg/m3, m/s]

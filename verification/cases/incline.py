@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 FRICTION, GRAVITY = 0.3, 9.81
 

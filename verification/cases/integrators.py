@@ -13,12 +13,11 @@ import sys
 
 import numpy as np
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "tools")]
-from case import Result  # noqa: E402
-from choices import shape_functions, words  # noqa: E402
-from manufactured_runs import Failed, box_run, displacement_error, vortex_run  # noqa: E402
+from tools.case import Result
+from tools.choices import shape_functions, words
+from tools.manufactured_runs import Failed, box_run, displacement_error, vortex_run
 
+HERE = pathlib.Path(__file__).resolve().parent
 PICTURE = HERE.parents[1] / "docs" / "pictures" / "integrators.png"
 STORED = HERE.parent / "results" / "integrators.json"
 DEAR = 2.5  # CPDI may cost so many times GIMP

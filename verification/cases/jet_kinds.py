@@ -2,9 +2,9 @@
 """One jet as discrete, thinned and continuous: depths in a target without strength against the hydrodynamic rule, and the main job."""
 import math
 
-from case import Result
-from penetration import depth_at
-from runs import run_deck
+from tools.case import Result
+from tools.penetration import depth_at
+from tools.runs import run_deck
 
 KINDS = ("discrete", "continuous", "thinned")
 ALPHA = 1.5  # of copper_two_thirds.csv: full over mean density

@@ -6,9 +6,9 @@ import shutil
 import time
 
 import numpy as np
-from case import Result
-from resumed import different_fields, must_work, program, stopped_run
-from runs import DECKS, scratch_folder
+from tools.case import Result
+from tools.resumed import different_fields, must_work, program, stopped_run
+from tools.runs import DECKS, scratch_folder
 
 DECK = DECKS / "perforation_quick.xml"
 SHORT = ("--set", "Time/End Time=6 us", "--set", "Output/Field Interval=3 us", "--set", "Output/Checkpoint Steps=10")

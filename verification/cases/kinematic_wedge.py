@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plates that meet at an angle, moved by their own inertia: velocity of jet and slug, and share of the mass in the jet."""
-import collapse
+from tools import collapse
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 SPEED, THICKNESS, HALF_ANGLE = 1000.0, 4e-3, np.radians(45.0)  # of kinematic_wedge.xml
 # Birkhoff, MacDougall, Pugh and Taylor, J. Appl. Phys. 19 (1948) 563: steady, incompressible, without strength. Where the plates meet moves

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Laboratory tests of sandstone with one material point: what the cards give, against what was measured."""
 import pathlib
-import sys
 import tempfile
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(REPOSITORY / "materials" / "python")]
-from barreno_material import Material, load  # noqa: E402
-from case import Result  # noqa: E402
-from plug import Plug, write_card  # noqa: E402
+from barreno.materials import Material, load
+from tools.case import Result
+from tools.plug import Plug, write_card
 
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 CARDS_FOLDER = REPOSITORY / "materials" / "cards"
 CARDS = ("berea_sandstone", "berea_sandstone_bounded")
 KEPT = CARDS[1]  # whose answers must hold

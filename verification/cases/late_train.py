@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Late slugs of a jet dig into sandstone one after the other: the depth follows the number of particles in a slug."""
-from case import Result
-from penetration import between_particles_and_grid
-from runs import DECKS, run_deck
+from tools.case import Result
+from tools.penetration import between_particles_and_grid
+from tools.runs import DECKS, run_deck
 
 DECK = "perforation_at_rest.xml"
 TABLE = DECKS / "jets" / "tungsten_320.csv"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A perforation with small cells where the jet passes, against the same small cells everywhere."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 DECK = "perforation.xml"
 COMMON = {"Time/End Time": "10 us", "Output/Field Interval": "0 us", "Output/History Interval": "0.25 us"}

@@ -5,10 +5,9 @@ import subprocess
 import time
 
 import numpy as np
-from case import Result
-from resumed import command
-from runs import DECKS, Run, mpi_environment, scratch_folder
-
+from tools.case import Result
+from tools.resumed import command
+from tools.runs import DECKS, Run, mpi_environment, scratch_folder
 
 PERIOD, ROWS = 4e-3, 20  # s; rows of the history in a period
 

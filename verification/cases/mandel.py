@@ -3,10 +3,10 @@
 import functools
 
 import numpy as np
-from case import Result
-from columns import DIFFUSIVITY, ROCK, exact
-from manufactured_runs import centres
-from runs import missing_fluid, order, run_deck
+from tools.case import Result
+from tools.columns import DIFFUSIVITY, ROCK, exact
+from tools.manufactured_runs import centres
+from tools.runs import missing_fluid, order, run_deck
 
 LOAD, RAMP = 1e6, 4e-3  # Pa, s; the slab is 1 m wide to its open side
 RATE = DIFFUSIVITY / 4.0  # m2/s: of the deck, T = RATE t

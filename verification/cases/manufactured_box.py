@@ -5,10 +5,10 @@ Demanded orders are those of prototypes of the methods in one dimension: where d
 more at both amplitudes, at A = 0.01 from 64 cells on and 1.8 before; where the support has one size it is 1.8 or more at
 A = 0.01, and at A = 0.1 there is a floor, from which the error grows with the number of cells.
 """
-from case import Result
-from choices import modes, shape_functions
-from manufactured_runs import Failed, box_run, displacement_error
-from runs import order
+from tools.case import Result
+from tools.choices import modes, shape_functions
+from tools.manufactured_runs import Failed, box_run, displacement_error
+from tools.runs import order
 
 FOLLOWS_ITS_PARTICLES = ("CPDI", "contiguous GIMP")
 CONTROL = "linear"  # must not converge

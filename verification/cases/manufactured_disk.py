@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Generalized vortex and expanding ring: large shear with rotation and curved free surfaces, in plane strain."""
-from case import Result
-from choices import shape_functions
-from manufactured_runs import Failed, displacement_error, ring_run, vortex_run
-from runs import order
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.manufactured_runs import Failed, displacement_error, ring_run, vortex_run
+from tools.runs import order
 
 MUST_HOLD = "CPDI"  # the demanded figures of the full vortex
 UNLIMITED = "0"  # Largest Domain: at a shear of 6 a domain of two particles per cell reaches 1.6 cells from its centre

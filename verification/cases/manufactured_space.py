@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Axis-aligned displacement of the unit box in three dimensions: order of accuracy of uniform GIMP and CPDI."""
-from case import Result
+from tools.case import Result
 from cases.manufactured_box import FOLLOWS_ITS_PARTICLES, SMALL, refine
-from runs import order
+from tools.runs import order
 
 MODE = "3D"
 

@@ -2,8 +2,8 @@
 """Pore pressures that alternate from one row of particles to the next in a wave through saturated rock: what they are, and which shape
 function has none."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 DECK = "perforation_drainage.xml"
 CELL, FACE = 3e-3, 9e-3  # m: of the deck's grid, and y of its rock

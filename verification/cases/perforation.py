@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The main job: balances, jet audit, rank counts, depth under refinement."""
 import numpy as np
-from case import Result
-from penetration import between_particles_and_grid, depth_at, hole_radius, pinned
-from runs import run_deck
-from uniform_cells import REFERENCE, depth_of
+from tools.case import Result
+from tools.penetration import between_particles_and_grid, depth_at, hole_radius, pinned
+from tools.runs import run_deck
+from tools.uniform_cells import REFERENCE, depth_of
 
 CELLS = (2.0, 1.0, 0.5)  # mm
 BACK = 312.7  # mm, of the rock in the deck

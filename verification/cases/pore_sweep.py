@@ -7,14 +7,12 @@ import json
 import pathlib
 import sys
 
+import numpy as np
+from tools.case import Result
+from tools.runs import missing_fluid
+from tools.wet_perforation import dry, undrained, with_flow
+
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "tools")]
-
-import numpy as np  # noqa: E402
-from case import Result  # noqa: E402
-from runs import missing_fluid  # noqa: E402
-from wet_perforation import dry, undrained, with_flow  # noqa: E402
-
 STORED = HERE.parent / "results" / "pore_sweep.json"
 PICTURE = HERE.parents[1] / "docs" / "pictures" / "depth_against_permeability.png"
 PERMEABILITIES = (0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9)  # m2

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Porous copper on a rigid wall: pressure, front speed and heat behind the shock that closes its voids."""
 import numpy as np
-from case import Result
-from penetration import between_particles_and_grid
-from runs import run_deck
+from tools.case import Result
+from tools.penetration import between_particles_and_grid
+from tools.runs import run_deck
 
 C0, SLOPE, DENSITY, GRUNEISEN = 3940.0, 1.489, 8930.0, 2.02  # of copper.xml
 

@@ -3,10 +3,10 @@
 import math
 
 import numpy as np
-from case import Result
-from choices import shape_functions
-from manufactured_runs import centres
-from runs import order, run_deck
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.manufactured_runs import centres
+from tools.runs import order, run_deck
 
 MODULUS, BULK, DENSITY, PRELOAD = 1e9, 0.6e9, 1000.0, 1e6
 SPEED0, LENGTH, DURATION = 0.1, 1.0, 4e-4

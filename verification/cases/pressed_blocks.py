@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two blocks of different materials with smooth surfaces, slowly pressed together: uniform uniaxial stress."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 PRESSURE = 1e6
 

@@ -3,9 +3,9 @@
 import pathlib
 import shutil
 
-from case import Result
-from resumed import at_previous, different_fields, different_files, different_sums, must_work, program
-from runs import DECKS, scratch_folder
+from tools.case import Result
+from tools.resumed import at_previous, different_fields, different_files, different_sums, must_work, program
+from tools.runs import DECKS, scratch_folder
 
 
 def run(barreno, full):

@@ -2,9 +2,9 @@
 """Energy that a perforation loses between particles and grid: what the order of a step and its length change, and what Return Losses
 leaves."""
 import numpy as np
-from case import Result
-from penetration import between_particles_and_grid, depth_at
-from runs import run_deck
+from tools.case import Result
+from tools.penetration import between_particles_and_grid, depth_at
+from tools.runs import run_deck
 
 DECK = "perforation.xml"
 CASING = 4  # us: until then the tip of the jet is in the casing

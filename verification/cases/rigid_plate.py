@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A rigid plate on a bar without Poisson's effect: driven at constant speed, and pressed slowly. The force on the plate."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 YOUNG, DENSITY, LENGTH, RADIUS = 20e9, 2300.0, 0.048, 0.003
 SPEED, TRAVEL = 0.1, 0.25e-3

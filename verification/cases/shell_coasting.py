@@ -7,17 +7,14 @@ the name: what is left there is the error of the particles and the grid.
 """
 import functools
 import math
-import pathlib
-import sys
 
 import numpy as np
-from case import Result
-from octant import radii as radii_of
-from runs import order, run_deck
+from tools.case import Result
+from tools.octant import radii as radii_of
+from tools.runs import order, run_deck
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-from shell_motion import Coasting, CompressibleShell  # noqa: E402
-from shell_statics import Shell  # noqa: E402
+from oracles.shell_motion import Coasting, CompressibleShell
+from oracles.shell_statics import Shell
 
 RATIOS = (10.0, 20.0, 40.0)
 MATRIX = Shell(porosity=0.2, shear_modulus=15e9, strength=300e6)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Coasting implosion of the thick shell in three dimensions: the octant between three symmetry planes."""
-from case import Result
+from tools.case import Result
 from cases.shell_coasting import measure
 from cases.shell_coasting import settings as flat_settings
-from octant import octant
-from runs import order
+from tools.octant import octant
+from tools.runs import order
 
 RATIO, STOP = 10.0, -0.08
 

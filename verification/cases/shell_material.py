@@ -16,17 +16,16 @@ import sys
 
 import numpy as np
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "tools"), str(HERE.parent / "oracles")]
-import shell_statics as statics  # noqa: E402
-from arenisca_paths import hydrostatic  # noqa: E402
-from arenisca_pores import model as oracle_model  # noqa: E402
-from case import Result  # noqa: E402
-from compressible_shell import CompressibleShell  # noqa: E402
-from drive import drive, knows  # noqa: E402
-from scipy.optimize import brentq, minimize  # noqa: E402
-from scipy.special import lambertw  # noqa: E402
+from oracles import shell_statics as statics
+from oracles.arenisca_paths import hydrostatic
+from oracles.arenisca_pores import model as oracle_model
+from tools.case import Result
+from oracles.compressible_shell import CompressibleShell
+from tools.drive import drive, knows
+from scipy.optimize import brentq, minimize
+from scipy.special import lambertw
 
+HERE = pathlib.Path(__file__).resolve().parent
 PICTURE = HERE.parents[1] / "docs" / "pictures" / "shell_and_arenisca.png"
 STRENGTH, SHEAR, FLUID, DEEPEST = 300e6, 15e9, 2.2e9, -0.12
 HUGE = 1e30

@@ -6,18 +6,15 @@ nor snaps through; what is compared is the pressure at the strain that the run h
 """
 import functools
 import math
-import pathlib
-import sys
 
 import numpy as np
-from case import Result
-from manufactured_runs import centres
-from runs import run_deck
+from tools.case import Result
+from tools.manufactured_runs import centres
+from tools.runs import run_deck
 from scipy.optimize import brentq
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-from compressible_shell import CompressibleShell  # noqa: E402
-from shell_statics import Shell  # noqa: E402
+from oracles.compressible_shell import CompressibleShell
+from oracles.shell_statics import Shell
 
 A0, B0, STRENGTH, SHEAR, PEAK = 0.02, 0.03419951893353395, 300e6, 15e9, -0.06
 MICRO = 1e-6

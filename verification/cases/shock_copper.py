@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Symmetric impact of copper plates without strength: the plateau against the Mie-Grueneisen jump."""
 import numpy as np
-from case import Result
-from penetration import between_particles_and_grid
-from runs import run_deck
+from tools.case import Result
+from tools.penetration import between_particles_and_grid
+from tools.runs import run_deck
 
 C0, SLOPE, DENSITY, SPEED = 3940.0, 1.489, 8930.0, 1000.0
 SHOCK_SPEED = C0 + SLOPE * SPEED

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Motions whose answer needs no theory: rotation, impact of equal bodies."""
 import numpy as np
-from case import Result
-from choices import shape_functions
-from drive import drive
-from manufactured_runs import Failed, attempt, centres
-from runs import order, run_deck
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.drive import drive
+from tools.manufactured_runs import Failed, attempt, centres
+from tools.runs import order, run_deck
 
 RADIANS = 1e4
 CONTROL = "linear"  # gains energy at edges (src/shape/splines.hpp): its spinning bar may break

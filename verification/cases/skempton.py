@@ -3,10 +3,10 @@
 import dataclasses
 
 import numpy as np
-from case import Result
-from choices import modes
-from columns import ROCK
-from runs import missing_fluid, run_deck
+from tools.case import Result
+from tools.choices import modes
+from tools.columns import ROCK
+from tools.runs import missing_fluid, run_deck
 
 LOAD = 1e6
 FLUIDS = (1e7, 1e9, 2.25e9, 36e9, 1e12)  # Pa; 36e9: as stiff as the grains, B = 1

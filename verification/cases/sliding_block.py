@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A block pressed on a rigid floor that is accelerated along its surface: friction, sticking and frictionless sliding."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 FRICTION, PRESSURE, DENSITY, THICKNESS, LENGTH = 0.3, 100e3, 1000.0, 0.1, 0.2
 START, END, MASS = 2e-3, 20e-3, 1000.0 * 0.1 * 0.2

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A slug of a jet that flies through a channel and touches nothing keeps its velocity."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 DECK = "steady_penetration.xml"
 RADIUS, CELLS = 1.0, 2.4  # of the slug [mm], and cells in it

@@ -4,8 +4,8 @@ import csv
 import os
 
 import numpy as np
-from case import Result
-from runs import DECKS, run_deck, scratch_folder
+from tools.case import Result
+from tools.runs import DECKS, run_deck, scratch_folder
 
 DECK, TABLE = "perforation.xml", "jets/tungsten_154.csv"
 COLUMNS = ("time", "velocity", "radius", "length", "density")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A train of slugs digs into sandstone: with metal that fails, what flies keeps its velocity, and the depth depends less on the cells."""
 import numpy as np
-from case import Result
-from penetration import between_particles_and_grid
-from runs import run_deck
+from tools.case import Result
+from tools.penetration import between_particles_and_grid
+from tools.runs import run_deck
 
 DECK = "steady_penetration.xml"
 COUNT, RADIUS, LENGTH, GAP, VELOCITY = 24, 1.0, 1.0, 3.0, 2000.0  # slugs [mm, m/s]

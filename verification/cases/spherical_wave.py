@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Wave from a spherical cavity whose wall takes a pressure (Blake), on a surface that cuts the cells."""
-import pathlib
-import sys
 
 import numpy as np
-from case import Result
-from choices import shape_functions
-from manufactured_runs import centres
-from octant import along, radial_stress, radii
-from runs import order, run_deck
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.manufactured_runs import centres
+from tools.octant import along, radial_stress, radii
+from tools.runs import order, run_deck
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-from cavity_waves import blake  # noqa: E402
+from oracles.cavity_waves import blake
 
 SPEED, MODULUS, PRESSURE = 1000.0, 1e9, 1e3  # of the deck; radius 1 m, density 1000 kg/m3
 MILLI = 1e-3

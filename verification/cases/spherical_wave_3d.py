@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Blake's wave in three dimensions: the octant between three symmetry planes, beside the axisymmetric quarter."""
-from case import Result
+from tools.case import Result
 from cases.spherical_wave import FRONT, measure
-from octant import octant
-from runs import order
+from tools.octant import octant
+from tools.runs import order
 
 OUTER, END = 3.25, 2e-3  # radius of the solid [m], which no wave has left by then; time [s]
 SHAPES = ("GIMP", "CPDI")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The rate at which a long rod without strength penetrates a target without strength, against compressible Bernoulli."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 

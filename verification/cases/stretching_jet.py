@@ -3,9 +3,9 @@
 import pathlib
 
 import numpy as np
-from case import Result
-from penetration import depth_at
-from runs import run_deck, scratch_folder
+from tools.case import Result
+from tools.penetration import depth_at
+from tools.runs import run_deck, scratch_folder
 
 TIP, DENSITY = 6000.0, 8930.0  # of the jet; jet and target are of the same copper [m/s, kg/m3]
 RADIUS, PLANE = 3e-3, 1e-3  # of the jet at the launch plane, and how far that is before the target [m]

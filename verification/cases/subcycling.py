@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A perforation in which slow tiles take longer steps, against one step for all."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 DECK = "perforation.xml"
 MOST = 4  # parts of a step

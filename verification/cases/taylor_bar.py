@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Taylor bar of copper: final length and foot radius against the values on which published codes agree."""
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 LENGTHS, RADII = (21.2, 21.5), (7.0, 7.3)  # of published codes [mm]
 

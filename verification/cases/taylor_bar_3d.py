@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Taylor bar of copper in three dimensions, a quarter between two symmetry planes, against the axisymmetric one."""
 import numpy as np
-from case import Result
-from manufactured_runs import centres
-from runs import run_deck
+from tools.case import Result
+from tools.manufactured_runs import centres
+from tools.runs import run_deck
 
 ROD = 3.2e-3
 

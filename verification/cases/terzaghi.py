@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Terzaghi's column: pressure in all heights and settlement against the series, in mesh and in time between solves."""
 import numpy as np
-from case import Result
-from choices import modes, shape_functions
-from columns import DIFFUSIVITY, HEIGHT, LOAD, RAMP, ROCK, SLOWER, column_run, diffusion_number, exact, state_of
-from runs import missing_fluid, order
+from tools.case import Result
+from tools.choices import modes, shape_functions
+from tools.columns import DIFFUSIVITY, HEIGHT, LOAD, RAMP, ROCK, SLOWER, column_run, diffusion_number, exact, state_of
+from tools.runs import missing_fluid, order
 
 TIMES = [0.05 * k for k in range(1, 11)]  # c t / height^2
 RAMP_T = RAMP * DIFFUSIVITY / SLOWER / HEIGHT**2

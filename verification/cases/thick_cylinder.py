@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Thick cylinder under internal pressure at rest: Lame's elastic state and the elastic-plastic one."""
-import pathlib
-import sys
 
 import numpy as np
-from case import Result
-from choices import shape_functions
-from manufactured_runs import centres
-from runs import order, run_deck
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.manufactured_runs import centres
+from tools.runs import order, run_deck
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-from thick_cylinder import Cylinder, MisesCylinder  # noqa: E402
+from oracles.thick_cylinder import Cylinder, MisesCylinder
 
 STEEL = Cylinder(1.0, 2.0, 200e9, 0.3, 0.4e6)
 ELASTIC, PLASTIC = 0.1e6, 0.2e6  # pressures; the wall yields from 0.17 MPa on and collapses at 0.32 MPa

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Thick sphere under a pressure in its hollow, at rest: Lame's state, on a surface that cuts the cells."""
 import numpy as np
-from case import Result
-from choices import shape_functions
-from manufactured_runs import centres
-from runs import order, run_deck
+from tools.case import Result
+from tools.choices import shape_functions
+from tools.manufactured_runs import centres
+from tools.runs import order, run_deck
 
 A, B, PRESSURE = 1.0, 2.0, 1e5
 BULK, SHEAR = 200e9 / 3 / (1 - 0.6), 200e9 / 2 / 1.3

@@ -3,10 +3,10 @@
 import math
 
 import numpy as np
-from case import Result
-from choices import words
-from manufactured_runs import Failed, box_run, displacement_error
-from runs import order, run_deck
+from tools.case import Result
+from tools.choices import words
+from tools.manufactured_runs import Failed, box_run, displacement_error
+from tools.runs import order, run_deck
 
 PERIOD = 4e-3  # of the bar's first mode, s
 CELLS = 20  # in the bar: a quarter of the wave

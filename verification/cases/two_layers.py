@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Terzaghi's column of two layers whose permeabilities differ ten times; the jump in a face of the grid, and inside a cell."""
 import numpy as np
-from case import Result
-from columns import HEIGHT, LOAD, RAMP, ROCK, VISCOSITY, column_settings, exact, permeability, state_of
-from runs import order, run_deck
+from tools.case import Result
+from tools.columns import HEIGHT, LOAD, RAMP, ROCK, VISCOSITY, column_settings, exact, permeability, state_of
+from tools.runs import order, run_deck
 
 FAST, SLOW = 10.0, 1.0  # diffusivities, m2/s
 LAYERS = {"tight above": (SLOW, FAST), "tight below": (FAST, SLOW)}

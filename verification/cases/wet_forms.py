@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One perforation with the two laws that wet rock has had by default: the poroplastic form and the elastic centre before it."""
 import numpy as np
-from case import Result
-from runs import run_deck
-from wet_perforation import WET, short_target
+from tools.case import Result
+from tools.runs import run_deck
+from tools.wet_perforation import WET, short_target
 
 DECK = "perforation_quick.xml"
 OLD = {**WET, "Materials/Sandstone/Backstress strain": "elastic centre"}

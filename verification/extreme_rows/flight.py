@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bodies of a particle or two in free flight: nothing happens to them."""
 import numpy as np
-from choices import shape_functions
+from tools.choices import shape_functions
 from extreme_rows.stable_step import CONTROL
-from small_decks import BARE, attempt, elastic
+from tools.small_decks import BARE, attempt, elastic
 
 STRAY = "stray energy over kinetic"
 MODES = {"plane strain": 2, "axisymmetric": 2, "3D": 3}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Particles that leave the grid, that are alone in it, that fill it; bodies of nothing."""
 import numpy as np
-from small_decks import BARE, attempt, elastic
+from tools.small_decks import BARE, attempt, elastic
 
 MODES = {"plane strain": 2, "axisymmetric": 2, "3D": 3}
 

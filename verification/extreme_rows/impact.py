@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Impact at 10 km/s: copper on copper, tungsten on something twenty times lighter."""
 import numpy as np
-from runs import run_deck
-from small_decks import BARE, DECKS, attempt, attempt_file, elastic, symmetry
+from tools.runs import run_deck
+from tools.small_decks import BARE, DECKS, attempt, attempt_file, elastic, symmetry
 
 SPEED = 5000.0  # of each plate
 C0, SLOPE, DENSITY = 3940.0, 1.489, 8930.0

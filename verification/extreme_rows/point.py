@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One material point: no strength, no shear stiffness, whole strains in a step, vertex and cap, stretch and rotation without end."""
 import numpy as np
-from drive import drive
-from extreme import STOPS
+from tools.drive import drive
+from tools.extreme import STOPS
 
 # Dry rock of simple numbers: I1 at the vertex 1 MPa, cone to it, cap from p0 on.
 ROCK = {

@@ -2,7 +2,7 @@
 """Pore flow between none and all: permeability, length of a solve, fluid. A solve knows k dt alone: permeabilities of 1e-42 to 1e30 m2
 are steps of 1e-12 to 1e12 s many times over."""
 import numpy as np
-from small_decks import DECKS, attempt_file
+from tools.small_decks import DECKS, attempt_file
 
 PORES = (0.3, 0.9)  # part of the column's height that is looked at, away from its drained top
 

@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from small_decks import attempt
+from tools.small_decks import attempt
 
 SIZE, CELL = 0.04, 0.0025
 

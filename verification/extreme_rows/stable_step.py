@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The stable step: 0.99 of the shape function's, 0.99 and 1.2 of one bar's own, and damping beyond it."""
 import numpy as np
-from amplification import critical, growth, places
-from choices import shape_functions
+from tools.amplification import critical, growth, places
+from tools.choices import shape_functions
 from extreme_rows.time import free_block
-from small_decks import BARE, attempt, elastic, symmetry
+from tools.small_decks import BARE, attempt, elastic, symmetry
 
 CONTROL = "linear"
 CELLS, SPEED = 10, 100.0  # of the bar; its wave speed

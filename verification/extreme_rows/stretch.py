@@ -4,8 +4,8 @@ import re
 
 import numpy as np
 from cases.simple_motions import BLOCK, RADIANS, angular_momentum, energy_gained, spin
-from manufactured_runs import Failed
-from small_decks import BARE, DECKS, attempt, attempt_file, check_notes, elastic, symmetry
+from tools.manufactured_runs import Failed
+from tools.small_decks import BARE, DECKS, attempt, attempt_file, check_notes, elastic, symmetry
 
 
 def pulled(shape, longest, domain="1"):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time: no end, next to no step, an end that output does not meet, a clock that cannot move."""
-from small_decks import BARE, attempt, elastic
+from tools.small_decks import BARE, attempt, elastic
 
 CELL = 1.0
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The same problem in other units and on other scales: every figure without a dimension is the same."""
 import numpy as np
-from small_decks import attempt, symmetry
+from tools.small_decks import attempt, symmetry
 
 
 def pressed(units="SI", length=1.0, time=1.0, mass=1.0, gravity=False, poisson_flow=False):

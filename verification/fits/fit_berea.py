@@ -46,9 +46,9 @@ def fit(card):
     """Runs the fit; its numbers."""
     files = sorted(map(str, DATA.glob("*.csv")))
     held = [word for text in HELD for word in ("--fix", text)]
-    words = [sys.executable, "-m", "barreno_fit", *files, "--start", str(DATA / "start.xml"), *held, "--out", str(card), "--name",
+    words = [sys.executable, "-m", "barreno.fit", *files, "--start", str(DATA / "start.xml"), *held, "--out", str(card), "--name",
         "Berea Sandstone"]
-    environment = {"BARRENO_LIBRARY": str(LIBRARY), **os.environ, "PYTHONPATH": str(ROOT / "materials" / "python")}
+    environment = {"BARRENO_LIBRARY": str(LIBRARY), **os.environ}
     subprocess.run(words, env=environment, check=True)
     return json.loads(card.with_suffix(".json").read_text())
 
@@ -59,12 +59,11 @@ def shipped_values():
 
 def shipped_answers(files):
     """{(file, row of the file): answer} of the shipped card in the same tests."""
-    sys.path.insert(0, str(ROOT / "materials" / "python"))
     os.environ.setdefault("BARRENO_LIBRARY", str(LIBRARY))
-    from barreno_fit import card, data
-    from barreno_fit.answers import Laboratory
-    from barreno_fit.specimens import opened
-    from barreno_material import load
+    from barreno.fit import card, data
+    from barreno.fit.answers import Laboratory
+    from barreno.fit.specimens import opened
+    from barreno.materials import load
 
     tests = [data.read_test(file) for file in files]
     with opened(card.in_a_test(card.read(str(SHIPPED)), Tolerance=card.TOLERANCE), load()) as rock:
@@ -120,8 +119,7 @@ def main():
         card = options.out or pathlib.Path(scratch) / "berea.xml"
         numbers = fit(card)
         if options.document:
-            sys.path[:0] = [str(VERIFICATION / "tools")]
-            from write_pages import write_pages
+            from tools.write_pages import write_pages
 
             STORED.write_text(json.dumps(to_store(numbers), indent=1) + "\n")
             shutil.copy(card.with_suffix(".png"), PICTURE)

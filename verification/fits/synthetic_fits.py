@@ -23,19 +23,18 @@ import time
 
 import numpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from synthetic_results import SETS, STORED, faults_of, held, is_open  # noqa: E402
-from synthetic_rocks import CARDS, FORMATS, SHORT_CARD, START, cards, laboratory_of, noises_of, truth_of, write_test  # noqa: E402
+from fits.synthetic_results import SETS, STORED, faults_of, held, is_open
+from fits.synthetic_rocks import CARDS, FORMATS, SHORT_CARD, START, cards, laboratory_of, noises_of, truth_of, write_test
 
-from barreno_fit import command  # noqa: E402
-from barreno_fit.answers import Laboratory  # noqa: E402
-from barreno_fit.data import read_test  # noqa: E402
-from barreno_fit.faults import Rejected  # noqa: E402
-from barreno_fit.parameters import PARAMETERS  # noqa: E402
-from barreno_fit.ranges import Spread, end_of  # noqa: E402
-from barreno_fit.search import Problem, Search, residuals_of  # noqa: E402
-from barreno_fit.specimens import opened  # noqa: E402
-from barreno_material import load  # noqa: E402
+from barreno.fit import command
+from barreno.fit.answers import Laboratory
+from barreno.fit.data import read_test
+from barreno.fit.faults import Rejected
+from barreno.fit.parameters import PARAMETERS
+from barreno.fit.ranges import Spread, end_of
+from barreno.fit.search import Problem, Search, residuals_of
+from barreno.fit.specimens import opened
+from barreno.materials import load
 
 NORMAL = 1.96  # half width of 95 % over the standard deviation
 

@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rocks near the start of a fit, their tests in a laboratory, and the files with noise that the fit reads."""
 
-import pathlib
-import sys
-
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "materials" / "python"))
-from barreno_fit import card as cards  # noqa: E402
-from barreno_fit.data import Test  # noqa: E402
+from barreno.fit import card as cards
+from barreno.fit.data import Test
 
 START = "berea_sandstone"
 MEGA = 1e6

@@ -6,10 +6,10 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize
 
-from arenisca_laws import lode_function
-from arenisca_model import Arenisca, UNIT, as_matrix, as_six, deviator, dot, invariants, lode_angle
-from arenisca_paths import hydrostatic, mixed_path, strain_path, triaxial_compression
-from arenisca_return import closest
+from oracles.arenisca_laws import lode_function
+from oracles.arenisca_model import Arenisca, UNIT, as_matrix, as_six, deviator, dot, invariants, lode_angle
+from oracles.arenisca_paths import hydrostatic, mixed_path, strain_path, triaxial_compression
+from oracles.arenisca_return import closest
 
 ROCK = dict(PEAKI1=21e6, FSLOPE=0.435, STREN=4e8, YSLOPE=0.02, B0=8e9, B1=28e9, B2=4e8, G0=8e9,
             p0_crush_curve=-6e8, p1_crush_curve=1.5e-9, p3_crush_curve=0.22, CR=0.5)  # fmt: skip

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from arenisca_model import UNIT
-from arenisca_paths import strain_path
-from arenisca_pores import WetArenisca, gassmann, model, skempton
+from oracles.arenisca_model import UNIT
+from oracles.arenisca_paths import strain_path
+from oracles.arenisca_pores import WetArenisca, gassmann, model, skempton
 
 ROCK = {"PEAKI1": 21e6, "FSLOPE": 0.435, "STREN": 4e8, "YSLOPE": 0.02, "B0": 8e9, "B1": 28e9, "B2": 4e8, "G0": 8e9,
         "p0_crush_curve": -6e8, "p1_crush_curve": 1.5e-9, "p3_crush_curve": 0.22, "CR": 0.5}  # fmt: skip

@@ -15,8 +15,8 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from arenisca_laws import Laws
-from arenisca_return import closest
+from oracles.arenisca_laws import Laws
+from oracles.arenisca_return import closest
 
 UNIT = np.array([1.0, 1.0, 1.0, 0.0, 0.0, 0.0])
 TWICE = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])

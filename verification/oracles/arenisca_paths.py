@@ -13,7 +13,7 @@ import sys
 
 import numpy as np
 
-from arenisca_model import Arenisca, as_six, invariants, lode_angle, UNIT
+from oracles.arenisca_model import Arenisca, as_six, invariants, lode_angle, UNIT
 
 NAMES = ("xx", "yy", "zz", "xy", "yz", "zx")
 

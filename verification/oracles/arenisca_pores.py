@@ -19,8 +19,8 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from arenisca_laws import complete
-from arenisca_model import UNIT, Arenisca, State, as_six
+from oracles.arenisca_laws import complete
+from oracles.arenisca_model import UNIT, Arenisca, State, as_six
 
 
 def gassmann(drained, grains, fluid, porosity):

@@ -11,10 +11,10 @@ import argparse
 import sys
 import xml.etree.ElementTree as ElementTree
 
-import arenisca_selfcheck
-from arenisca_laws import DEFAULTS, BadParameter
-from arenisca_paths import drive_file
-from arenisca_pores import model
+from oracles import arenisca_selfcheck
+from oracles.arenisca_laws import DEFAULTS, BadParameter
+from oracles.arenisca_paths import drive_file
+from oracles.arenisca_pores import model
 
 
 def read_card(path):

@@ -13,10 +13,10 @@ import time
 import numpy as np
 from scipy.integrate import quad, solve_ivp
 
-from arenisca_checks_mechanics import mechanics
-from arenisca_checks_pores import pores
-from arenisca_model import Arenisca, UNIT, invariants, weibull_coherence
-from arenisca_paths import BENCHMARKS, SET_08, benchmark, hydrostatic, strain_path, stretch_path, uniaxial
+from oracles.arenisca_checks_mechanics import mechanics
+from oracles.arenisca_checks_pores import pores
+from oracles.arenisca_model import Arenisca, UNIT, invariants, weibull_coherence
+from oracles.arenisca_paths import BENCHMARKS, SET_08, benchmark, hydrostatic, strain_path, stretch_path, uniaxial
 
 PUBLISHED = json.loads((pathlib.Path(__file__).parent / "arenisca_published.json").read_text())
 BENCH, HYDRO = PUBLISHED["bench"], PUBLISHED["hydro"]

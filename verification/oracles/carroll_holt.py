@@ -10,8 +10,8 @@ The closed form is shell_statics.py.
 import argparse
 import sys
 
-import carroll_holt_selfcheck
-from shell_statics import Shell, curve
+from oracles import carroll_holt_selfcheck
+from oracles.shell_statics import Shell, curve
 
 
 def print_table():

@@ -8,8 +8,8 @@ import pathlib
 import numpy as np
 from scipy.optimize import brentq
 
-import shell_statics as statics
-from shell_motion import Coasting, CompressibleShell
+from oracles import shell_statics as statics
+from oracles.shell_motion import Coasting, CompressibleShell
 
 NUMBERS = json.loads((pathlib.Path(__file__).parent / "carroll_holt_numbers.json").read_text())
 failed = []

@@ -16,7 +16,7 @@ import sys
 import numpy as np
 from scipy.optimize import brentq
 
-from shell_statics import Shell, distension, loading
+from oracles.shell_statics import Shell, distension, loading
 
 
 class CompressibleShell:

@@ -12,7 +12,7 @@ import math
 import numpy as np
 from scipy.integrate import quad, solve_ivp
 
-from shell_statics import distension, first_yield, fluid_pressure, full_yield, loading, strain_of
+from oracles.shell_statics import distension, first_yield, fluid_pressure, full_yield, loading, strain_of
 
 
 class Coasting:

@@ -5,7 +5,7 @@ import contextlib
 
 import matplotlib.pyplot as plt
 import numpy as np
-from barreno_report.run import Run
+from barreno.report.run import Run
 from matplotlib.collections import PolyCollection
 from paper_figures.lab import MICRO, MILLI, Table, least
 from scipy.spatial import cKDTree

@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Circle
 from paper_figures.lab import Table, least, most
-from runs import mpi_environment
+from tools.runs import mpi_environment
 
 TABLES = ("paper_1",)
 L_CRIT = 1.0  # cells, the default of Largest Domain

@@ -4,8 +4,8 @@ import contextlib
 
 import matplotlib.pyplot as plt
 import numpy as np
-from barreno_report.energy_picture import put_in
-from barreno_report.run import Run
+from barreno.report.energy_picture import put_in
+from barreno.report.run import Run
 from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch

@@ -4,7 +4,7 @@ import csv
 
 import matplotlib.pyplot as plt
 import numpy as np
-from barreno_report.strength import Strength
+from barreno.report.strength import Strength
 from paper_figures.lab import GIGA, MEGA, PAPER, ROOT, Table, least, most
 from paper_figures.surface import card_numbers, draw_surface
 

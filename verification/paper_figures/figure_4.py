@@ -4,11 +4,11 @@ import math
 
 import matplotlib.pyplot as plt
 import numpy as np
-import shell_statics as statics
-from barreno_report.strength import Strength
-from drive import drive
+from oracles import shell_statics as statics
+from barreno.report.strength import Strength
+from tools.drive import drive
 from paper_figures.lab import MEGA, Table, least, most
-from shell_material import DEEPEST, FLUID, VARIANTS, parameters
+from cases.shell_material import DEEPEST, FLUID, VARIANTS, parameters
 
 TABLES = ("paper_4",)
 CURVE = "2Y ln phi0"  # crush curve from the shell's porosity, nothing fitted (verification/cases/shell_material.py)

@@ -5,10 +5,10 @@ import contextlib
 
 import matplotlib.pyplot as plt
 import numpy as np
-from barreno_report.inks import PRESSURES, colour_of, draw_inks
-from barreno_report.principal import ACROSS, AXIS, UP, along_path, lode_angle, pressure_and_shear, principal, revolved, tensors
-from barreno_report.run import Run
-from barreno_report.strength import Strength
+from barreno.report.inks import PRESSURES, colour_of, draw_inks
+from barreno.report.principal import ACROSS, AXIS, UP, along_path, lode_angle, pressure_and_shear, principal, revolved, tensors
+from barreno.report.run import Run
+from barreno.report.strength import Strength
 from matplotlib.collections import PolyCollection
 from paper_figures.figure_3 import CARD
 from paper_figures.lab import MEGA, MICRO, MILLI, Table, least

@@ -3,7 +3,7 @@
 import contextlib
 
 import numpy as np
-from barreno_report.run import Run
+from barreno.report.run import Run
 from paper_figures.lab import MICRO, MILLI, Table, least, most
 from paper_figures.shots import draw_channels
 

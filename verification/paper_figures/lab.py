@@ -13,9 +13,9 @@ import time
 
 import matplotlib
 import numpy as np
-from demands import met
+from tools.demands import met
 from paper_figures.progress import Progress
-from runs import DECKS, ROOT, mpi_environment
+from tools.runs import DECKS, ROOT, mpi_environment
 
 PAPER = DECKS / "paper"
 RESULTS = ROOT / "verification" / "results"

@@ -3,7 +3,7 @@
 import threading
 import time
 
-from barreno_sweep.compute import duration
+from barreno.sweeps.compute import duration
 
 
 class Progress:

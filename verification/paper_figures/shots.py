@@ -7,9 +7,9 @@ import textwrap
 
 import matplotlib.pyplot as plt
 import numpy as np
-from barreno_report.channel import Half, draw_half, draw_outlines, set_up
-from barreno_report.hole import face_of, measure_hole
-from barreno_report.run import Run
+from barreno.report.channel import Half, draw_half, draw_outlines, set_up
+from barreno.report.hole import face_of, measure_hole
+from barreno.report.run import Run
 from paper_figures.lab import MICRO, MILLI, most, summary_of
 
 DECK = "penetration.xml"

@@ -4,7 +4,7 @@ import xml.etree.ElementTree as xml
 
 import matplotlib.pyplot as plt
 import numpy as np
-from barreno_report.principal import revolved
+from barreno.report.principal import revolved
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator

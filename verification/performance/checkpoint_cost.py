@@ -15,11 +15,11 @@ import pathlib
 import sys
 import time
 
-import scaling_decks
+from performance import scaling_decks
 
-from resumed import must_work, program  # noqa: I001
-from runs import ROOT, Run, scratch_folder
-from write_pages import write_pages
+from tools.resumed import must_work, program  # noqa: I001
+from tools.runs import ROOT, Run, scratch_folder
+from tools.write_pages import write_pages
 
 STORED = ROOT / "verification" / "results" / "checkpoint_cost.json"
 

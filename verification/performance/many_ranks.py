@@ -16,12 +16,10 @@ import shutil
 import subprocess
 import sys
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("tools", "adversary", "performance", "")]
-
-from resumed import at_previous, must_work, program  # noqa: E402
-from runs import ROOT, Run, scratch_folder  # noqa: E402
-from small_decks import write_deck  # noqa: E402
-from write_pages import write_pages  # noqa: E402
+from tools.resumed import at_previous, must_work, program
+from tools.runs import ROOT, Run, scratch_folder
+from tools.small_decks import write_deck
+from tools.write_pages import write_pages
 
 STORED = ROOT / "verification" / "results" / "many_ranks.json"
 LIBRARY_SOURCE = ROOT / "verification" / "tools" / "message_costs.c"
@@ -108,7 +106,7 @@ def measure(barreno, cells, all_ranks, resumed_on=None):
 
     @param resumed_on  some of the ranks; None: all
     """
-    from same_runs import different  # needs h5py, which pages do not
+    from adversary.same_runs import different  # needs h5py, which pages do not
 
     scratch = pathlib.Path(scratch_folder())
     library, deck = build_library(scratch), write_scene(scratch / "scene.xml", cells)

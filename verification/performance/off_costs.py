@@ -16,15 +16,13 @@ import re
 import subprocess
 import sys
 
+from tools.runs import mpi_environment, scratch_folder
+from tools.small_decks import symmetry, write_deck
+from tools.write_pages import write_pages
+
 STORED = pathlib.Path(__file__).resolve().parents[1] / "results" / "off_costs.json"
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification")]
-
-from runs import mpi_environment, scratch_folder  # noqa: E402
-from small_decks import symmetry, write_deck  # noqa: E402
-from write_pages import write_pages  # noqa: E402
-
 BAR = 0.01  # of the step
 
 # Feature: its own files, and what lines of other files of the step say where they ask for it.

@@ -19,12 +19,12 @@ import statistics
 import subprocess
 import sys
 
-import scaling_decks
-from scaling_decks import Problem
+from performance import scaling_decks
+from performance.scaling_decks import Problem
 
-from resumed import must_work, program  # noqa: I001
-from runs import ROOT, Run, scratch_folder
-from write_pages import write_pages
+from tools.resumed import must_work, program  # noqa: I001
+from tools.runs import ROOT, Run, scratch_folder
+from tools.write_pages import write_pages
 
 TOOLS = ROOT / "verification" / "tools"
 RESULT = ROOT / "verification" / "results" / "scaling.json"

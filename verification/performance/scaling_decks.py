@@ -2,12 +2,9 @@
 """The runs by which ranks are compared: a block in three dimensions, and the perforation."""
 import dataclasses
 import pathlib
-import sys
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("tools", "")]
-
-from runs import DECKS  # noqa: E402
-from small_decks import write_deck  # noqa: E402
+from tools.runs import DECKS
+from tools.small_decks import write_deck
 
 SPEED = 100.0  # of waves in the block [m/s]
 CELL = 1e-3

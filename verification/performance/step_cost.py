@@ -15,10 +15,9 @@ import re
 import subprocess
 import sys
 
+from tools.write_pages import write_pages
+
 STORED = pathlib.Path(__file__).resolve().parents[1] / "results" / "step_cost.json"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "verification" / "tools"), str(ROOT / "verification")]
-from write_pages import write_pages  # noqa: E402
 
 LEAST_PHASE = 1.0  # ns; phases below are left out of the table
 SCENE = re.compile(r"(.*): (\d+) ns per particle-step.*, (\d+) bytes per particle")

@@ -12,10 +12,9 @@ import json
 import pathlib
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "tools"), str(HERE.parent)]
-from write_pages import write_pages  # noqa: E402
+from tools.write_pages import write_pages
 
+HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE.parent / "results" / "wet_time.json"
 DECK = "perforation.xml"
 WATER = {"Materials/Sandstone/fluid_B0": "2.2 GPa"}
@@ -23,7 +22,7 @@ MOST = 1.5  # times the dry run's time
 
 
 def measured(barreno, settings):
-    from runs import run_deck
+    from tools.runs import run_deck
 
     summary = run_deck(barreno, DECK, settings).summary
     rock = sum(phase["ns_per_particle_step"] for name, phase in summary["phases"].items() if name.startswith("update_stress Arenisca"))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Polygons with arcs, as their particles fill them: the charge and the liner that docs/explosives.md shows (Liners and cases).
 
-    verification/tools/arcs.py build/release/src/barreno docs/pictures/polygon_arcs.png
+    ./barreno python verification/tools/arcs.py build/release/src/barreno docs/pictures/polygon_arcs.png
 
 The bodies are read from the page itself, so that what it shows is what a deck may hold. Corners have their numbers, which `Arcs` counts by;
 crosses are the points of the arcs. The rear of the charge is not drawn."""
@@ -17,7 +17,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
-from runs import ROOT, run_deck, scratch_folder
+from tools.runs import ROOT, run_deck, scratch_folder
 
 PAGE = ROOT / "docs" / "explosives.md"
 DECK = """<ParameterList name="Barreno">

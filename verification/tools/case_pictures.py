@@ -8,13 +8,10 @@ Each holds a digest of what it shows, so that pages can be checked without drawi
 import hashlib
 import json
 import math
-import pathlib
 import struct
-import sys
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent)]
-import depth_cost  # noqa: E402
-from case_list import DOCS, cases, stored  # noqa: E402
+from tools import depth_cost
+from tools.case_list import DOCS, cases, stored
 
 KEY = "Figures"  # of the digest in the PNG file
 DRAWING = 2  # raised when draw() changes what a picture looks like, so that all are drawn anew

@@ -7,7 +7,7 @@ docs/pictures/plane_channels.png:
 
     ./barreno run input_xml/perforation_plane_gimp.xml --out runs/plane_gimp
     ./barreno run input_xml/perforation_plane_cpdi.xml --out runs/plane_cpdi
-    verification/tools/channels.py runs/plane_gimp runs/plane_cpdi docs/pictures/plane_channels.png
+    ./barreno python verification/tools/channels.py runs/plane_gimp runs/plane_cpdi docs/pictures/plane_channels.png
 """
 import json
 import pathlib
@@ -20,11 +20,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "python"))
-from barreno_report.channel import MICRO, MILLI, draw_quads  # noqa: E402
-from barreno_report.fields import PLASTIC_STRAIN  # noqa: E402
-from barreno_report.files import read_csv  # noqa: E402
-from barreno_report.particles import ParticleFile  # noqa: E402
+from barreno.report.channel import MICRO, MILLI, draw_quads
+from barreno.report.fields import PLASTIC_STRAIN
+from barreno.report.files import read_csv
+from barreno.report.particles import ParticleFile
 
 MOST = 1.0  # plastic strain at the end of the colours
 

@@ -2,7 +2,7 @@
 """Words that a deck may say, as this build tells them: cases run over those that exist."""
 import functools
 
-from runs import call
+from tools.runs import call
 
 
 @functools.lru_cache(None)

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Columns of saturated rock that drain at their top: settings of input_xml/terzaghi.xml and what its runs left."""
-import pathlib
-import sys
 
 import numpy as np
-from manufactured_runs import centres
-from runs import run_deck
+from tools.manufactured_runs import centres
+from tools.runs import run_deck
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-import consolidation as exact  # noqa: E402
+from oracles import consolidation as exact
 
 ROCK = exact.BEREA
 HEIGHT, LOAD, RAMP = 1.0, 1e6, 1e-3  # m, Pa, s: of the deck

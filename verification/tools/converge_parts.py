@@ -2,8 +2,8 @@
 """Parts of docs/converge.md, from results/converge.json (converge_examples.py)."""
 import json
 
-from case_list import RESULTS
-from uniform_cells import depths, error_text
+from tools.case_list import RESULTS
+from tools.uniform_cells import depths, error_text
 
 MILLI, MICRO = 1e-3, 1e-6
 

@@ -3,7 +3,7 @@
 import json
 import tomllib
 
-from case_list import RESULTS, VERIFICATION
+from tools.case_list import RESULTS, VERIFICATION
 
 STORED = RESULTS / "decks.json"
 FOLDER = VERIFICATION.parent / "input_xml"

@@ -2,9 +2,9 @@
 """What was aimed at for the depth of a jet, and how much of it is reached: a table of docs/trade.md, from results files."""
 import json
 
-from case_list import RESULTS, stored
-from demands import judge_all, open_demands
-from uniform_cells import depths, doubt
+from tools.case_list import RESULTS, stored
+from tools.demands import judge_all, open_demands
+from tools.uniform_cells import depths, doubt
 
 VERIFY = "verification/verify.py BARRENO --full"
 RUNS = "verification/depth_runs.py BARRENO"

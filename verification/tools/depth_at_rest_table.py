@@ -3,8 +3,8 @@
 import json
 import statistics
 
-import slug_ways_table
-from case_list import RESULTS
+from tools import slug_ways_table
+from tools.case_list import RESULTS
 
 TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 320, 360, 420, 480, 560)  # us
 COMMON = 360  # us: the end of the shortest runs

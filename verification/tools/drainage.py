@@ -5,7 +5,7 @@
 For docs/pictures/perforation_drainage.png:
 
     ./barreno run input_xml/perforation_drainage.xml --out runs/drainage
-    verification/tools/drainage.py runs/drainage docs/pictures/perforation_drainage.png
+    ./barreno python verification/tools/drainage.py runs/drainage docs/pictures/perforation_drainage.png
 """
 import sys
 
@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
-from runs import Run
+from tools.runs import Run
 
 EARLY = 0.1e-3  # s, when the jet has stopped
 MILLI, MEGA = 1e-3, 1e6

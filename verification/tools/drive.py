@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 
 import numpy as np
-from runs import call
+from tools.runs import call
 
 HEADER = "time,F11,F12,F13,F21,F22,F23,F31,F32,F33"
 

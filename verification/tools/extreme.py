@@ -2,7 +2,7 @@
 """One row for each extreme: what was set up, the figure and its criterion, and whether it holds, stops with its sentence or neither."""
 import dataclasses
 
-from demands import FAILS, HOLDS, judge
+from tools.demands import FAILS, HOLDS, judge
 
 STOPS, RED = "stops", "RED"
 

@@ -2,8 +2,8 @@
 """The page of the extremes, from their results file."""
 import json
 
-from case_list import RESULTS
-from extreme import HOLDS, RED, STOPS, Row
+from tools.case_list import RESULTS
+from tools.extreme import HOLDS, RED, STOPS, Row
 
 STORED = RESULTS / "extremes.json"
 HEAD = """# Extremes

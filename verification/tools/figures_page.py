@@ -2,10 +2,10 @@
 """The tables of docs/figures.md: accuracy and cost."""
 import json
 
-from case_list import RESULTS, stored
-from solver_cost import FAST, read_table
-from trade_page import FIDELITIES
-from uniform_cells import REFERENCE, TIP, depths as all_depths, interval
+from tools.case_list import RESULTS, stored
+from performance.solver_cost import FAST, read_table
+from tools.trade_page import FIDELITIES
+from tools.uniform_cells import REFERENCE, TIP, depths as all_depths, interval
 
 
 def results(name):

@@ -10,6 +10,11 @@ usual = sys.excepthook
 
 def sentence(error):
     name = (error.name or "").split(".")[0]
+    if name == "barreno":
+        return (
+            f"{sys.argv[0]}: Python lacks barreno, the package of src/python; start the script with ./barreno python {sys.argv[0]}, or set "
+            "PYTHONPATH=src/python for another Python, as /usr/bin/python3."
+        )
     package = f" (Debian: apt-get install {PACKAGES[name]})" if name in PACKAGES else ""
     return (
         f"{sys.argv[0]}: Python lacks {name} ('{sys.executable}' runs this script); install it{package}, or call the script with another "

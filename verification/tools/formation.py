@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
-from runs import Run
+from tools.runs import Run
 
 MILLI, MICRO, KILO = 1e-3, 1e-6, 1e3
 FASTEST = 8.0  # km/s at the end of the colours

@@ -9,12 +9,11 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "src" / "python"))
-from barreno_report.channel import draw_channel  # noqa: E402
-from barreno_report.run import opened  # noqa: E402
-from runs import run_deck  # noqa: E402
+from barreno.report.channel import draw_channel
+from barreno.report.run import opened
+from tools.runs import run_deck
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 SETTINGS = {"Fidelity": "balanced", "Time/End Time": "8 us", "Output/Field Interval": "0.5 us", "Output/Checkpoint Wall Interval": "0 s"}
 BOX = (-70.0, 70.0, -12.0, 110.0)  # mm
 

@@ -3,13 +3,11 @@
 import json
 import pathlib
 import re
-import sys
 
 import numpy as np
-from runs import run_deck, scratch_folder
+from tools.runs import run_deck, scratch_folder
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "oracles"))
-import manufactured as exact  # noqa: E402
+from oracles import manufactured as exact
 
 BOX = exact.Solid(1e7, 0.3, 1000.0)
 VORTEX = exact.Solid(1e3, 0.3, 1000.0)

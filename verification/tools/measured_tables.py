@@ -6,8 +6,8 @@ Digits are those of the results files: a power of ten moves the point, nothing i
 import json
 from decimal import Decimal
 
-from case_list import RESULTS
-from uniform_cells import read
+from tools.case_list import RESULTS
+from tools.uniform_cells import read
 
 FINEST = "0.125"  # mm: so small for parts of the path alone, what the comparison is worth
 TARGET = "Berea sandstone"

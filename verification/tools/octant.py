@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Axisymmetric decks of a ball about the origin, turned into its Cartesian octant."""
 import numpy as np
-from manufactured_runs import centres
+from tools.manufactured_runs import centres
 
 
 def octant(body, side, cell):

@@ -2,27 +2,27 @@
 """Who writes which marked part of a page, and which page as a whole: always from files in verification/results (pages.py)."""
 import json
 
-import checkpoint_cost
-import converge_parts
-import deck_table
-import extremes_page
-import feature_cost
-import figures_page
-import fit_berea
-import many_ranks
-import measured_tables
-import off_costs
-import paper_parts
+from performance import checkpoint_cost
+from tools import converge_parts
+from tools import deck_table
+from tools import extremes_page
+from performance import feature_cost
+from tools import figures_page
+from fits import fit_berea
+from performance import many_ranks
+from tools import measured_tables
+from performance import off_costs
+from tools import paper_parts
 import predictions
-import scaling
-import scaling_model
-import solver_cost
-import step_cost
-import synthetic_results
-import trade_page
-import wet_time
-from case_list import RESULTS
-from verification_pages import table
+from performance import scaling
+from performance import scaling_model
+from performance import solver_cost
+from performance import step_cost
+from fits import synthetic_results
+from tools import trade_page
+from performance import wet_time
+from tools.case_list import RESULTS
+from tools.verification_pages import table
 
 
 def pore_cost():

@@ -2,7 +2,7 @@
 """The rows of docs/verification.md for the measurements that have pages of their own."""
 import json
 
-from demands import met
+from tools.demands import met
 
 
 def trade_row(data):

@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Marked parts of docs/paper.md: tables and trends of the figures, from verification/results/paper_*.csv."""
 import math
-import pathlib
-import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / name) for name in ("", "oracles", "cases")] + [str(HERE.parents[1] / "src" / "python")]
-from paper_figures import FIGURES, figure, spall  # noqa: E402
-from paper_figures.lab import RESULTS, read_table  # noqa: E402
-from verification_pages import name_and_condition, table  # noqa: E402
+from paper_figures import FIGURES, figure, spall
+from paper_figures.lab import RESULTS, read_table
+from tools.verification_pages import name_and_condition, table
 
 LONG = {"paper_3_curve", "paper_4", "paper_5", "paper_5_paths"}  # drawn, not tabulated
 

@@ -4,7 +4,7 @@ import pathlib
 import xml.etree.ElementTree as xml
 
 import numpy as np
-from barreno_material import CONSISTENT
+from barreno.materials import CONSISTENT
 
 HELD = 1e-9  # of the confinement: how well it is kept
 

@@ -7,7 +7,7 @@ import subprocess
 import time
 
 import numpy as np
-from runs import mpi_environment
+from tools.runs import mpi_environment
 
 
 def command(barreno, ranks, *words):

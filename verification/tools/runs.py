@@ -12,7 +12,7 @@ import tempfile
 
 import numpy as np
 
-from mpi_environment import mpi_environment
+from tools.mpi_environment import mpi_environment
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DECKS = ROOT / "input_xml"
@@ -95,8 +95,7 @@ def server(ranks):
     program = os.environ.get("BARRENO_SERVER")
     if not program:
         return None
-    sys.path.append(str(ROOT / "verification" / "adversary"))
-    from run_server import RunServer
+    from adversary.run_server import RunServer
 
     one = RunServer(program, scratch_folder(), ranks)
     atexit.register(one.end)

@@ -2,7 +2,7 @@
 """What late slugs lose on their way: a part of docs/trade.md, from verification/results/slug_ways.json."""
 import json
 
-from case_list import DOCS, RESULTS
+from tools.case_list import DOCS, RESULTS
 
 TIMES = (120, 160, 200)  # us
 BINS = (0, 50, 100, 150, 200, 250, 300)  # mm

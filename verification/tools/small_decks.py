@@ -8,7 +8,7 @@ import subprocess
 import time
 from xml.sax.saxutils import quoteattr
 
-from runs import DECKS, Run, call, scratch_folder  # noqa: F401
+from tools.runs import DECKS, Run, call, scratch_folder  # noqa: F401
 
 HANGS = "does not end"
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What must hold in the trade between error and cost."""
 import numpy as np
-from demands import judge_all, open_demands
+from tools.demands import judge_all, open_demands
 
 FIDELITIES = ("fast", "balanced", "reference")
 NEAR = 2.5  # errors of a fidelity over the least that any choice has at its cost

@@ -4,12 +4,12 @@ import json
 import pathlib
 import statistics
 
-import depth_cost
-from depth_aims import section as aims_of_depth
-from depth_at_rest_table import section as depth_at_rest
-from trade_checks import verdict_lines
-from trade_problems import PROBLEMS
-from uniform_cells import depth_table, doubt, steady_table
+from tools import depth_cost
+from tools.depth_aims import section as aims_of_depth
+from tools.depth_at_rest_table import section as depth_at_rest
+from tools.trade_checks import verdict_lines
+from tools.trade_problems import PROBLEMS
+from tools.uniform_cells import depth_table, doubt, steady_table
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 KNOBS = ("shape function", "fidelity", "particles per cell", "Courant Fraction", "transfer", "order of the step",
@@ -199,7 +199,7 @@ def draw(data):
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    from case_pictures import number_errors
+    from tools.case_pictures import number_errors
 
     for problem in PROBLEMS:
         mine = [p for p in data["points"] if p["problem"] == problem.name]

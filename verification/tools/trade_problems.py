@@ -9,9 +9,9 @@ import functools
 
 import numpy as np
 from cases import shell_coasting, shock_copper
-from manufactured_runs import Failed, box_run, displacement_error
-from octant import radii as radii_of
-from runs import run_deck
+from tools.manufactured_runs import Failed, box_run, displacement_error
+from tools.octant import radii as radii_of
+from tools.runs import run_deck
 
 AMPLITUDE = 0.1
 STRAIN, RATIO = -0.08, 10.0  # of the shell: until where, and K/G

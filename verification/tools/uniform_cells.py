@@ -4,7 +4,7 @@
 import csv
 import math
 
-from case_list import RESULTS
+from tools.case_list import RESULTS
 
 REFERENCE = 0.25  # mm, cells of the runs that the others are compared with
 TIP = 1.0  # mm, radius of the jet's tip

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """docs/verification.md, which is one table, and a page for every case, from the stored results."""
-from case_list import RESULTS, cases, stored
-from case_pictures import file_of
-from demands import FAILS, HOLDS, OPEN, judge_all, open_demands
-from pages_elsewhere import rows_elsewhere
+from tools.case_list import RESULTS, cases, stored
+from tools.case_pictures import file_of
+from tools.demands import FAILS, HOLDS, OPEN, judge_all, open_demands
+from tools.pages_elsewhere import rows_elsewhere
 
 COLUMNS = ("claim", "exact answer", "requirement", "condition", "measured", "limit", "verdict", "picture")
 LONGEST = 24  # demands that a page lists; of more the open ones and those nearest to their limits

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A short coarse perforation into saturated sandstone, from undrained to drained: settings of input_xml/perforation_quick.xml."""
-from runs import run_deck
+from tools.runs import run_deck
 
 CELL = 4.0  # mm
 WET = {"Materials/Sandstone/fluid_B0": "2.25 GPa", "Bodies/Rock/Pore Pressure": "0 Pa"}

@@ -20,7 +20,7 @@ struct TableComment {
 };
 
 /// A table as text: what spreadsheets and laboratories vary is settled here, and numbers have a
-/// decimal point. materials/python/barreno_fit/table.py follows the same rules for the files of
+/// decimal point. src/python/barreno/fit/table.py follows the same rules for the files of
 /// `fit`; tests/decks/test_table_variants.py gives both the same files.
 struct TableText {
   int header_line = 0;                    ///< 0: the text has no header

@@ -3,17 +3,15 @@
 """The hole profile of a report against holes whose radius is known: to less than a tenth of a cell wherever the wall lies in its cell, with
 deformed particles, debris and a jet inside; zones around it against porosities that were laid there."""
 import pathlib
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
-from barreno_report import hole as holes  # noqa: E402
-from barreno_report import hole_section, porosity, zones  # noqa: E402
-from barreno_report.deck import read_deck  # noqa: E402
-from barreno_report.particles import ParticleFile  # noqa: E402
-from synthetic_run import CELL, jet, lattice, moved, rock, squares, write_run  # noqa: E402
+from barreno.report import hole as holes
+from barreno.report import hole_section, porosity, zones
+from barreno.report.deck import read_deck
+from barreno.report.particles import ParticleFile
+from synthetic_run import CELL, jet, lattice, moved, rock, squares, write_run
 
 LENGTH, WIDTH, END = 20 * CELL, 20 * CELL, 30 * CELL
 TENTH = 0.1 * CELL

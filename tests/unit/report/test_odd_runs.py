@@ -23,16 +23,15 @@ import sys
 import tempfile
 import unittest.mock
 
+import numpy as np
+import synthetic_run
+import synthetic_runs
+
+from barreno.compare.command import main as compare
+from barreno.report.command import main as report
+from barreno.runs import faults, join_exodus, plots
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "src" / "python"), str(pathlib.Path(__file__).resolve().parents[1])]
-import numpy as np  # noqa: E402
-import synthetic_run  # noqa: E402
-import synthetic_runs  # noqa: E402
-
-from barreno_compare.command import main as compare  # noqa: E402
-from barreno_report.command import main as report  # noqa: E402
-from barreno_runs import faults, join_exodus, plots  # noqa: E402
-
 NAMES = (r"$\foo{$", "steel $5 to $9", r"T $\foo{$ \ ^_# %d %s {0} $a_{$")
 PATIENCE = 500  # s, after which a command counts as waiting
 EVERY = int(sys.argv[2]) if sys.argv[1:2] == ["--every"] else 1
@@ -118,10 +117,10 @@ def check_dollars(folder):
 
 
 def check_swept_dollars(folder):
-    from barreno_converge import order
-    from barreno_converge.levels import Level
-    from barreno_converge.picture import draw
-    from barreno_sweep.picture import Axis, draw_against
+    from barreno.converge import order
+    from barreno.converge.levels import Level
+    from barreno.converge.picture import draw
+    from barreno.sweeps.picture import Axis, draw_against
 
     for i, name in enumerate(NAMES):
         draw_against(folder / f"{i}.png", [Axis(name, None, [name, "b"])], [name, "b"], [0.01, 0.02])
@@ -280,14 +279,14 @@ def check_last_resort():
 def check_bare_python(folder):
     """A Python without packages, from every package that is started; a terminal without the letters of a name; a full disk behind the
     output."""
-    environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'src' / 'python'}:{ROOT / 'materials' / 'python'}"}
-    for package, words in {"barreno_report": ("report", "x"), "barreno_compare": ("x", "y"),
-            "barreno_runs.join_exodus": ("x", "--out", "y"), "barreno_fit": ("x", "--out", "y.xml")}.items():
+    environment = dict(os.environ)
+    for package, words in {"barreno.report": ("report", "x"), "barreno.compare": ("x", "y"),
+            "barreno.runs.join_exodus": ("x", "--out", "y"), "barreno.fit": ("x", "--out", "y.xml")}.items():
         result = subprocess.run([sys.executable, "-S", "-m", package, *words], env=environment, cwd=folder, capture_output=True, text=True,
             timeout=60, check=False)
         assert result.returncode == 2 and result.stderr.count("\n") == 1 and "Traceback" not in result.stderr, f"{package}: {result.stderr}"
     runs = [whole_run(folder / name) for name in ("µ", "b")]
-    words = [sys.executable, "-m", "barreno_compare", *map(str, runs), "--out", str(folder / "out")]
+    words = [sys.executable, "-m", "barreno.compare", *map(str, runs), "--out", str(folder / "out")]
     result = subprocess.run(words, env={**environment, "PYTHONIOENCODING": "ascii"}, capture_output=True, text=True, timeout=60,
         check=False)
     assert result.returncode == 0 and r"\xb5" in result.stdout, result.stderr

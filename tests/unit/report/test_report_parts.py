@@ -6,7 +6,6 @@ import contextlib
 import io
 import pathlib
 import re
-import sys
 import tempfile
 import zlib
 
@@ -14,12 +13,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
-from barreno_report import channel, command, energy_picture, fields, numbers, pages, penetration, section  # noqa: E402
-from barreno_report.deck import read_deck  # noqa: E402
-from barreno_report.outline import without_gaps  # noqa: E402
-from barreno_report.particles import ParticleFile, areas_of  # noqa: E402
-from synthetic_run import CELL, jet, lattice, rock, write_run  # noqa: E402
+from barreno.report import channel, command, energy_picture, fields, numbers, pages, penetration, section
+from barreno.report.deck import read_deck
+from barreno.report.outline import without_gaps
+from barreno.report.particles import ParticleFile, areas_of
+from synthetic_run import CELL, jet, lattice, rock, write_run
 
 RADIUS = 3.37 * CELL
 

@@ -4,18 +4,16 @@
 whose surface a report does not know."""
 import pathlib
 import re
-import sys
 import tempfile
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[3] / "src" / "python"), str(pathlib.Path(__file__).resolve().parent)]
-from barreno_report.deck import read_deck  # noqa: E402
-from barreno_report.run import opened  # noqa: E402
-from barreno_report.sections import strength_section  # noqa: E402
-from barreno_report.strength import strength_of, surface_of  # noqa: E402
-from synthetic_run import CELL, jet, lattice, rock, write_run  # noqa: E402
+from barreno.report.deck import read_deck
+from barreno.report.run import opened
+from barreno.report.sections import strength_section
+from barreno.report.strength import strength_of, surface_of
+from synthetic_run import CELL, jet, lattice, rock, write_run
 
 
 def shared(folder):

@@ -6,22 +6,19 @@ import contextlib
 import io
 import math
 import pathlib
-import sys
 import tempfile
 
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "src" / "python"), str(ROOT / "verification" / "oracles"), str(pathlib.Path(__file__).resolve().parent)]
-from arenisca_laws import lode_function  # noqa: E402
-from barreno_report import command, principal, stress_paths  # noqa: E402
-from barreno_report.build import Wishes, paths_wished  # noqa: E402
-from barreno_report.deck import read_deck  # noqa: E402
-from barreno_report.path_section import coarse_words, path_section  # noqa: E402
-from barreno_report.run import opened  # noqa: E402
-from barreno_report.strength import lode_shape, strength_of  # noqa: E402
-from barreno_report.stress_paths import StressPath  # noqa: E402
-from synthetic_run import CELL, jet, lattice, rock, stresses, write_run  # noqa: E402
+from oracles.arenisca_laws import lode_function
+from barreno.report import command, principal, stress_paths
+from barreno.report.build import Wishes, paths_wished
+from barreno.report.deck import read_deck
+from barreno.report.path_section import coarse_words, path_section
+from barreno.report.run import opened
+from barreno.report.strength import lode_shape, strength_of
+from barreno.report.stress_paths import StressPath
+from synthetic_run import CELL, jet, lattice, rock, stresses, write_run
 
 DEPTH = 20 * CELL
 

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of a run and of its report: tables and the summary, read with a word for whatever is wrong with them; pages, written whole."""
+
+import contextlib
+import json
+import os
+import pathlib
+import xml.etree.ElementTree
+
+import numpy as np
+
+from barreno.runs.faults import BadRun, on_one_line
+from barreno.runs.regular_file import read_bytes, read_text
+
+
+@contextlib.contextmanager
+def reading(file):
+    """Whatever goes wrong with what a file holds is said of the file: a run that was killed, or a copy that was cut off,
+    leaves anything."""
+    try:
+        yield
+    except OSError as error:
+        raise BadRun(f"{file.name} cannot be read: {on_one_line(error.strerror or error)}") from error
+    except (ArithmeticError, AttributeError, LookupError, MemoryError, RuntimeError, TypeError, ValueError,
+            xml.etree.ElementTree.ParseError) as error:
+        raise BadRun(f"{file.name} is truncated or was changed: {on_one_line(error)[:200]}") from error
+
+
+@contextlib.contextmanager
+def written(file):
+    """A name to write under, which becomes the file when all is there; a link that somebody laid there is not followed."""
+    aside = file.with_name(f".{file.name}.tmp{file.suffix}")
+    try:
+        aside.unlink(missing_ok=True)
+        os.close(os.open(aside, os.O_CREAT | os.O_EXCL | os.O_WRONLY | os.O_NOFOLLOW, 0o666))
+        yield aside
+        aside.replace(file)
+    except OSError as error:
+        raise BadRun(f"{file.name} cannot be written: {on_one_line(error.strerror or error)}") from error
+    finally:
+        with contextlib.suppress(OSError):
+            aside.unlink()
+
+
+def write_text(file, text):
+    with written(file) as aside:
+        aside.write_text(text, encoding="utf-8", errors="backslashreplace")
+
+
+def make_folder(folder):
+    try:
+        folder.mkdir(exist_ok=True, parents=True)
+    except OSError as error:
+        raise BadRun(f"{folder.name} cannot be made there: {error.strerror}") from error
+
+
+class Table(dict):
+    """Columns by their names, and the lines of comment above them; a column that a file lacks is said of the file."""
+
+    def __init__(self, file, columns, comments=()):
+        super().__init__(columns)
+        self.file, self.comments = file, comments
+
+    def __missing__(self, name):
+        raise BadRun(f"{self.file.name} lacks the column '{name}'")
+
+    def last_row(self):
+        return Table(self.file, {name: values[-1] for name, values in self.items()})
+
+
+def read_csv(file):
+    """A table of numbers under a header, comments left out. A run that was killed may have left half a line at the end, which
+    is left out too; line ends of other systems are line ends."""
+    file = pathlib.Path(file)
+    with reading(file):
+        lines = read_bytes(file).decode("utf-8").replace("\r\n", "\n").split("\n")
+    rows = [(number, line.strip().split(",")) for number, line in enumerate(lines[:-1], 1) if line.strip() and not line.startswith("#")]
+    if len(rows) < 2:
+        raise BadRun(f"{file.name} contains no row of numbers")
+    header = rows[0][1]
+    values = []
+    for number, cells in rows[1:]:
+        if len(cells) != len(header):
+            raise BadRun(f"line {number} of {file.name} has {len(cells)} columns instead of {len(header)}")
+        try:
+            values.append([float(cell) for cell in cells])
+        except ValueError as error:
+            raise BadRun(f"line {number} of {file.name} contains something that is not a number: {on_one_line(error)[:100]}") from error
+    table = np.array(values, float)
+    return Table(file, {name: table[:, i] for i, name in enumerate(header)}, [line for line in lines if line.startswith("#")])
+
+
+def read_summary(file):
+    """What a run said of itself; nothing while it runs, or if it was killed."""
+    if not file.exists():
+        return {}
+    with reading(file):
+        summary = json.loads(read_text(file))
+        if not isinstance(summary, dict):
+            raise ValueError("it is not a JSON object")
+        return summary

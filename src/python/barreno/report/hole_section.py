@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The section on the hole: its measures, the rock around it, profile.csv."""
+
+import numpy as np
+
+from barreno.report.channel import time_text
+from barreno.report.files import write_text
+from barreno.report.hole import face_of, measure_hole
+from barreno.report.hole_picture import hole_figure
+from barreno.report.porosity import LEAST_PERMEABILITY
+from barreno.report.section import Picture, Section
+from barreno.report.zones import CHANGED, Rock, chosen_depths, rings_at, zones_of
+from barreno.runs.faults import Fault
+
+MILLI = 1e-3
+COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall"
+
+
+def rows_in_rock(hole, top, across):
+    """Length and entrance in the rock, which begins at a depth; none without rock or above it."""
+    if top is None or hole.length <= top:
+        return []
+    return [
+        ("length in rock", f"{(hole.length - top) / MILLI:.1f} mm below the face of the rock, which was {top / MILLI:.1f} mm below the "
+            "outer face"),
+        (f"entrance {across} in rock", f"{hole.diameter_below(top) / MILLI:.2f} mm"),
+    ]
+
+
+def face_of_rock(frame, deck, face):
+    """Depth of the rock's face at the start; None without rock."""
+    rock = Rock(frame.file.frame(0), deck, face)
+    return max(0.0, float((rock.depth - rock.half_height).min())) if len(rock) else None
+
+
+def hole_rows(hole, mark, time, top):
+    per = "mm2 per thickness" if hole.plane else "cm3"
+    scale = MILLI**2 if hole.plane else 1e-6
+    across = "width" if hole.plane else "diameter"
+    rows = [
+        ("time", time_text(time)),
+        *rows_in_rock(hole, top, across),
+        ("length of the hole", f"{hole.length / MILLI:.1f} mm below the outer face, to where it is closed or leaves the target"),
+        (f"entrance {across}", f"{hole.entrance_diameter / MILLI:.2f} mm, in the first row with a wall, "
+            f"{hole.depth[hole.first_row] / MILLI:.2g} mm below the outer face"),
+        ("volume", f"{hole.volume / scale:.3g} {per}"),
+    ]
+    if mark:
+        rows.append(("radius at half the depth of the channel",
+            f"{hole.radius_at(mark[0]) / MILLI:.2f} mm; depth.csv, without the shear of particles, has {mark[1] / MILLI:.2f} mm"))
+    return rows
+
+
+def rock_rows(rock):
+    return [("virgin porosity", f"{100.0 * rock.virgin:.1f} %")]
+
+
+def ring_table(rings):
+    """Heads and rows: the zones at chosen depths."""
+    heads = ("depth [mm]", "wall [mm]", "crushed from [mm]", "to [mm]", "dilated to [mm]", "least porosity [%]",
+        "least permeability / virgin", "skin")
+    rows = []
+    for ring in rings:
+        (crushed_from, crushed_to), dilated = ring.crushed, ring.dilated[1]
+        none = crushed_from == crushed_to
+        rows.append((
+            f"{ring.depth / MILLI:.1f}", f"{ring.edges[0] / MILLI:.2f}", "none" if none else f"{crushed_from / MILLI:.1f}",
+            "" if none else f"{crushed_to / MILLI:.1f}",
+            "none" if dilated == ring.edges[0] else f"{dilated / MILLI:.1f}", f"{100.0 * np.nanmin(ring.porosity):.1f}",
+            f"{np.nanmin(ring.permeability):.2f}", f"{ring.skin:+.2f}",
+        ))  # fmt: skip
+    return heads, rows
+
+
+WALL = (
+    "The wall is where the target's particles, with their deformed shapes, cover half of a window one cell wide and high. A sharp wall is "
+    "found to less than a tenth of a cell; debris that is half a cell away from it makes no difference. profile.csv has the radius in rows "
+    "of half a cell."
+)
+ROCK = (
+    "Porosity is what crushing and dilation have left, phi = 1 - (1 - phi_0) exp(-e) with the plastic volume strain e, averaged over rings "
+    "one cell wide and four "
+    f"cells high; a zone is crushed or dilated where it differs from the virgin porosity by more than {100.0 * CHANGED:.0f} % of that. "
+    "Permeability follows Kozeny and Carman, "
+    "k ~ phi^3/(1 - phi)^2, for grains that stay whole: broken grains of a crushed zone let less through. The skin is Hawkins' sum of "
+    "(k_0/k - 1) ln(r_outer/r_inner) over the "
+    f"rings, for flow towards the hole at that depth; closed pores count as {LEAST_PERMEABILITY:g} of the virgin permeability. Expanded "
+    "debris at the wall counts as rock."
+)
+
+
+def profile_text(hole, rock, top):
+    lines = [
+        "# SI units: depth below the outer face, radius of the wall, inner and outer radius of the crushed zone, outer radius of the "
+        "dilated zone m;"
+        " nan where there is no rock with pores",
+        COLUMNS,
+    ]
+    for depth, radius in zip(hole.depth[: hole.open_rows], hole.radius[: hole.open_rows]):
+        values = [np.nan] * 4
+        if top is not None and depth >= top and np.isfinite(radius):
+            ring = rings_at(rock, hole, depth)
+            values = [*ring.crushed, ring.dilated[1], float(ring.porosity[0])]
+        lines.append(",".join(f"{value:.9g}" for value in (depth, radius, *values)))
+    return "\n".join(lines) + "\n"
+
+
+def mark_at(table, time):
+    """(depth, radius) of the middle of the channel in depth.csv at a time."""
+    at = lambda name: float(np.interp(time, table["time"], table[name]))  # noqa: E731
+    return (0.5 * at("channel_depth"), at("channel_radius_mid")) if at("channel_depth") > 0.0 else None
+
+
+def depths_in_rock(hole, top, wanted):
+    """The wanted depths, or three where none is wanted; none without rock. @raises Fault  for one that is beside the hole in rock"""
+    if top is None:
+        return []
+    for depth in wanted:
+        if not top <= depth <= hole.length:
+            raise Fault(f"--depths has {depth / MILLI:g} mm, where there is no hole in rock ({top / MILLI:.1f} to "
+                f"{hole.length / MILLI:.1f} mm); choose depths in between.")
+    return wanted or chosen_depths(hole, top)
+
+
+def hole_section(frame, deck, table, wanted, folder):
+    """@param table  depth.csv; @param wanted  depths of rings, none: three; @param folder  where profile.csv is written"""
+    hole = measure_hole(frame, deck, face_of(table, frame.file, deck))
+    if hole.open_rows == 0:
+        return Section("Hole", words=["There is no hole in the target yet."])
+    mark, rock = mark_at(table, frame.time), Rock(frame, deck, hole.face)
+    top = face_of_rock(frame, deck, hole.face) if len(rock) else None
+    rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(hole, top, wanted)]
+    zones = zones_of(rock, hole, top) if top is not None else []
+    write_text(folder / "profile.csv", profile_text(hole, rock, top))
+    section = Section("Hole", hole_rows(hole, mark, frame.time, top) + (rock_rows(rock) if len(rock) else []), [WALL])
+    if rings:
+        section.heads, section.table = ring_table(rings)
+        section.words.append(ROCK)
+    if deck.mode == "3D":
+        section.words.append("In three dimensions the hole is measured in the plane of the picture.")
+    section.pictures.append(Picture("hole", hole_figure(hole, zones, rings, mark),
+        "Wall of the hole against depth and porosity around it; porosity and permeability against radius."))
+    return section

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The words of a command: what is wrong with them is one sentence, and how quantities are written in them."""
+
+import argparse
+import re
+
+from barreno.runs.faults import Fault
+
+LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "in": 0.0254}
+TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9, "": 1.0}
+
+
+class Words(argparse.ArgumentParser):
+    """@param example  behind "write for example" in a sentence  @param page  of docs"""
+
+    def __init__(self, command, example, page, **more):
+        self.example, self.page = example, page
+        super().__init__(prog=f"barreno {command}", allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter, **more)
+
+    def error(self, message):
+        raise Fault(f"{message}; {self.example} (docs/{self.page}).")
+
+
+def quantity_of(text, units):
+    """A number with a unit in SI. @raises ValueError"""
+    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*([a-zµ]*)\s*", text)
+    if not found or found.group(2) not in units:
+        raise ValueError(text)
+    return float(found.group(1)) * units[found.group(2)]
