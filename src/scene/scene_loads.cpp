@@ -193,7 +193,7 @@ void check_same_pressure(
   if (own == 0.0 || own == pressure) return;
   deck.refuse_value(
       path_of(&ConfinementSection::pressure),
-      "is not the Initial Pressure " + input::exact_text(own) + " of '" + material.name() +
+      "is not the Initial Pressure " + input::exact_text(own) + " Pa of '" + material.name() +
           "' in " + list_of<BodySpec>(body.name) +
           " (the liquid would not start in equilibrium); remove Initial Pressure, or the body from "
           "Confinement/Bodies"

@@ -120,6 +120,7 @@ def main():
         check_case(folder / "up", "hits no body (none lies in its path along -y", False, "Jet/Direction=-y")
         check_case(folder / "late", "not before Time/End Time", False, "Jet/Launch Position=-35 mm")
         check_through(folder / "through")
+        check_liquid(folder / "liquid")
         check_refined_hole(folder)
 
 

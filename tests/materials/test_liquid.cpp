@@ -244,7 +244,7 @@ TEST(Liquid, LanesAreThePointsAlone) {
 #endif
 
 TEST(Liquid, CardsStartAtRest) {
-  for (const std::string& name : {"water", "brine", "oil"}) {
+  for (const char* const name : {"water", "brine", "oil"}) {
     const Material card = material_open(name);
     const auto& model = std::get<Liquid>(card.model);
     const auto start = model.initial_state(0.0);

@@ -30,24 +30,29 @@ def settings(h, speed):
     }
 
 
-def front(particles, side, pressure):
-    """Where the pressure is half of the plateau's, from the mean over the particles of one column."""
+def front(particles, side, pressure, h):
+    """Where the pressure is half of the plateau's, from the mean over the particles of each cell."""
     x = side * particles["x"]
-    columns = np.unique(np.round(x[x > 1e-3], 7))
-    means = np.array([particles["pressure"][np.abs(x - column) < 1e-7].mean() for column in columns])
+    cell = np.floor(x[x > 0.0] / h).astype(int)
+    count = np.maximum(np.bincount(cell), 1)
+    means = np.bincount(cell, particles["pressure"][x > 0.0]) / count
+    places = np.bincount(cell, x[x > 0.0]) / count
     last = int(np.nonzero(means > 0.5 * pressure)[0].max())
     a, b = means[last], means[last + 1]
-    return columns[last] + (columns[last + 1] - columns[last]) * (a - 0.5 * pressure) / (a - b)
+    return places[last] + (places[last + 1] - places[last]) * (a - 0.5 * pressure) / (a - b)
 
 
-def plateau(run, speed):
-    """Means behind the front at the end, and the shock's speed between the last two outputs."""
+def plateau(run, speed, h):
+    """Errors of the means behind the front at the end, of pressure and density over the volume, of energy over the mass, and of the
+    shock's speed between the last two outputs. Particles have equal masses."""
     exact = jump(speed)
     early, late = run.particles(-2), run.particles(-1)
     reach = (exact["shock speed"] - speed) * late["time"]
     behind = (np.abs(late["x"]) > 0.3 * reach) & (np.abs(late["x"]) < 0.7 * reach)
-    mean = {name.replace("_", " "): float(late[name][behind].mean()) for name in ("pressure", "density", "internal_energy")}
-    travelled = [front(late, side, exact["pressure"]) - front(early, side, exact["pressure"]) for side in (-1.0, 1.0)]
+    volume = 1.0 / late["density"][behind]
+    mean = {"pressure": float((late["pressure"][behind] * volume).sum() / volume.sum()), "density": float(1.0 / volume.mean()),
+            "internal energy": float(late["internal_energy"][behind].mean())}  # fmt: skip
+    travelled = [front(late, side, exact["pressure"], h) - front(early, side, exact["pressure"], h) for side in (-1.0, 1.0)]
     mean["shock speed"] = float(np.mean(travelled)) / (late["time"] - early["time"]) + speed
     return {name: mean[name] / exact[name] - 1.0 for name in exact}
 
@@ -57,14 +62,21 @@ def run(barreno, full):
         "Shock in water",
         "Pressure, density and heat behind a shock in a liquid, and its speed.",
         "Rankine-Hugoniot with U_s = c0 + s u_p: P = rho0 U_s u_p, rho = rho0 U_s / (U_s - u_p), e = u_p^2 / 2.",
-        ["u_p [m/s]", "cell [mm]", "shock speed error", "pressure error", "density error", "energy error"],
+        ["shape function", "u_p [m/s]", "cell [mm]", "shock speed error", "pressure error", "density error", "energy error"],
         [],
     )
-    for speed in (250.0, 1000.0, 3000.0) if full else (1000.0,):
+    spline = "quadratic B-spline"
+    for shape, speed in (("GIMP", 250.0), ("GIMP", 1000.0), ("GIMP", 3000.0), (spline, 3000.0)) if full else (("GIMP", 1000.0),):
         for h in (1.0, 0.5, 0.25) if full else (1.0, 0.5):
-            errors = plateau(run_deck(barreno, "shock_water.xml", settings(h, speed)), speed)
-            result.rows.append([speed, h, *errors.values()])
+            finished = run_deck(barreno, "shock_water.xml", {**settings(h, speed), "Step/Shape Function": shape})
+            errors = plateau(finished, speed, 1e-3 * h)
+            result.rows.append([shape, speed, h, *errors.values()])
             for what, error in errors.items():
                 if h < 1.0:
-                    result.demand(f"{what}, {speed:g} m/s, {h} mm", abs(error), 0.01)
+                    result.demand(f"{what}, {shape}, {speed:g} m/s, {h} mm", abs(error), 0.01)
+    result.notes = (
+        "Without shear strength nothing keeps the particles of one cell at one density: with GIMP their densities scatter by 7 % behind the "
+        "shock of 3 km/s. The pressure rises faster than in proportion, so that its mean is that of a larger density. With the quadratic "
+        "B-spline, or with one particle per cell, the scatter is 1 %."
+    )
     return result
