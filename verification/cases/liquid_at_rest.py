@@ -8,7 +8,8 @@ DENSITY, C0 = 998.2, 1483.0  # of water.xml: Density, Sound Speed
 LENGTH, RESERVOIR = 0.1, 0.5e6  # of water_hammer.xml [m, Pa]
 GRAVITY = 1e4  # [m/s2]: the weight of the column is 1 MPa
 
-STILL = {"Bodies/Column/Velocity": "{0 m/s, 0 m/s}"}
+AWAKE = {"Step/Skip Dormant Tiles": "false", "Step/Rest Motion": "0"}  # every node moves, every particle is updated
+STILL = {**AWAKE, "Bodies/Column/Velocity": "{0 m/s, 0 m/s}"}
 
 
 def fastest(run):
@@ -42,7 +43,7 @@ def run(barreno, full):
         [],
     )
     for shape in ("GIMP", "CPDI") if full else ("GIMP",):
-        gap = run_deck(barreno, "liquid_gap.xml", {"Step/Shape Function": shape})
+        gap = run_deck(barreno, "liquid_gap.xml", {**AWAKE, "Step/Shape Function": shape})
         column = run_deck(barreno, "water_hammer.xml", {**STILL, "Step/Shape Function": shape})
         for name, finished, pressure in (("gap", gap, 10e6), ("column", column, RESERVOIR)):
             result.rows.append([name, shape, fastest(finished), spread(finished, pressure)])
@@ -64,4 +65,8 @@ def run(barreno, full):
         heavy = run_deck(barreno, "water_hammer.xml", settings)
         result.rows.append([f"weight, {cells} cells", "as in the deck", fastest(heavy), weight_error(heavy, h)])
         result.demand(f"pressure under its weight, {cells} cells", weight_error(heavy, h), 1e-3)
+    result.notes = (
+        "Under gravity the largest error is that of the two cells at the ends of the column, whose nodes carry half a cell; between them it "
+        "is below 1e-5. The particles of a cell have one strain, so that single pressures are those of a cell's middle."
+    )
     return result
