@@ -3,7 +3,7 @@
 
 #include "base/gather.hpp"
 #include "base/numbers.hpp"
-#include "scene/liquids.hpp"
+#include "scene/materials/liquids.hpp"
 
 #include <algorithm>
 #include <array>

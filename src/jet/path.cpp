@@ -3,7 +3,7 @@
 
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
-#include "scene/liquids.hpp"
+#include "scene/materials/liquids.hpp"
 #include "state/balance.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "deck/section_table.hpp"
 #include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
-#include "scene/liquids.hpp"
+#include "scene/materials/liquids.hpp"
 #include "scene/porous.hpp"
 #include "scene/scene_parts.hpp"
 

@@ -2,8 +2,8 @@
 #include "deck/section_table.hpp"
 #include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
-#include "scene/liquids.hpp"
 #include "scene/load_tables.hpp"
+#include "scene/materials/liquids.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>

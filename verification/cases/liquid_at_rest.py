@@ -66,7 +66,7 @@ def run(barreno, full):
         result.rows.append([f"weight, {cells} cells", "as in the deck", fastest(heavy), weight_error(heavy, h)])
         result.demand(f"pressure under its weight, {cells} cells", weight_error(heavy, h), 1e-3)
     result.notes = (
-        "Under gravity the largest error is that of the two cells at the ends of the column, whose nodes carry half a cell; between them it "
-        "is below 1e-5. The particles of a cell have one strain, so that single pressures are those of a cell's middle."
+        "Under gravity the largest error is that of the two cells at the ends of the column, whose nodes carry half a cell; between "
+        "them it is below 1e-5. The particles of a cell have one strain, so that single pressures are those of a cell's middle."
     )
     return result

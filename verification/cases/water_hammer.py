@@ -89,7 +89,7 @@ def run(barreno, full):
         result.demand(f"time at which the void closes, {cells} cells", abs(errors[3]), 0.02)
         result.demand(f"second rise, {cells} cells", abs(errors[4]), 0.05)
     result.notes = (
-        "The front is some cells wide, so that the void opens and closes a little late and early. Three trips widen the front of the second "
-        "blow further. Behind the first reflection the whole column is at the vapour pressure: small voids open and close in it too."
+        "The front is some cells wide, so that the void opens and closes a little late and early. Three trips widen the front of the "
+        "second blow further. Behind the first reflection the whole column is at the vapour pressure: small voids open and close in it too."
     )
     return result

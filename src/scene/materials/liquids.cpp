@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/liquids.hpp"
+#include "scene/materials/liquids.hpp"
 
 #include <barreno/models.hpp>
 #include <variant>
