@@ -74,6 +74,14 @@ std::string kind_line(const Scene& scene) {
   return line + "\n";
 }
 
+/// What of the path no depth counts.
+std::string liquid_line(const JetPath& path) {
+  if (!path.has_target || !(path.liquid > 0.0)) return {};
+  return format(
+      "Liquid    %.4g mm of the jet's path; depth and hole are those in solids\n", 1e3 * path.liquid
+  );
+}
+
 std::string error_line(const DepthDoubt& doubt) {
   return "Depth     expected error at the end from the size of the cells: " +
          depth_doubt_text(doubt) + "\n";
@@ -87,9 +95,11 @@ std::string depth_line(const Scene& scene) {
 }  // namespace
 
 std::string jet_lines(const Scene& scene, const JetMonitorSpec& monitor) {
-  if (scene.jet.present) return slug_line(scene) + kind_line(scene) + depth_line(scene);
-  if (!recorded_path(scene, monitor)) return {};
-  return error_line(depth_doubt(scene, scene.end_time, Penetration{}));
+  if (scene.jet.present)
+    return slug_line(scene) + kind_line(scene) + liquid_line(jet_path(scene)) + depth_line(scene);
+  const auto path = recorded_path(scene, monitor);
+  if (!path) return {};
+  return liquid_line(*path) + error_line(depth_doubt(scene, scene.end_time, Penetration{}));
 }
 
 }  // namespace barreno

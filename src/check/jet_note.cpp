@@ -59,6 +59,9 @@ std::string jet_note(const Scene& scene) {
   if (!scene.jet.present) return {};
   const JetPath path = jet_path(scene);
   const char* const along = path.direction > 0.0 ? "+y" : "-y";
+  if (!path.has_target && !path_layers(scene, widest_radius(scene)).empty())
+    return "the jet meets liquids alone, so no depth will be computed (a depth is one in solids); "
+           "if it should, place a solid body behind them";
   if (!path.has_target)
     return format(
                "the jet hits no body (none lies in its path along %s from y = %g m), so no depth "

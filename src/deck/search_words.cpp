@@ -35,8 +35,9 @@ const std::vector<SearchWord>& search_words() {
        {"Bodies/*/Material", "Materials/*/Card"}},
       {{"water", "oil", "gas", "fluid", "brine", "saturation", "pore fluid", "wet"},
        "Arenisca rock holds fluid with fluid_B0 (water: 2.2 GPa) and Fluid Density (water: 1000 "
-       "kg/m3); it drains with Pore Flow (docs/method.md).",
-       {"fluid_B0", "Fluid Density", "Pore Flow", "Bodies/*/Pore Pressure"}},
+       "kg/m3); it drains with Pore Flow (docs/method.md). A body of liquid takes the card water, "
+       "brine or oil (docs/materials/liquids.md).",
+       {"fluid_B0", "Fluid Density", "Pore Flow", "Bodies/*/Pore Pressure", "Liquid"}},
       {{"pore pressure", "overburden", "stress", "in-situ stress", "effective stress"},
        "Confinement is the total pressure at the start, Pore Pressure that of the fluid in the "
        "rock "

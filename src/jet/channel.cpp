@@ -3,6 +3,7 @@
 
 #include "base/gather.hpp"
 #include "base/numbers.hpp"
+#include "scene/materials/liquids.hpp"
 
 #include <algorithm>
 #include <array>
@@ -143,6 +144,8 @@ std::vector<long long> fill_bins(
   for (std::size_t set = 0; set < sets.size() && bins.rows > 0; ++set) {
     const HostParticles& particles = sets[set];
     const double density = scene.materials[set].density();
+    // A liquid that flows into the hole does not fill it.
+    if (is_liquid(scene.materials[set])) continue;
     // Gas that has formed the jet follows it into the channel, and does not fill it.
     if (path.origin.formed && scene.materials[set].detonation_speed()) continue;
     for (int p = 0; p < particles.count; ++p) {

@@ -124,6 +124,10 @@ DepthWriter::DepthWriter(
                                " along the jet's direction, 0 until the jet has met the target"
                          : std::string("# no depth: the jet meets no target")
     );
+    if (path_.has_target && path_.liquid > 0.0)
+      file_->append(
+          "# liquids do not count: the face is that of a solid, and a hole full of liquid is open"
+      );
     file_->append("time,depth,channel_depth,channel_radius_mid,jet_mass_inside,tip_velocity,through"
     );
   });

@@ -229,9 +229,11 @@ std::string why_depth_error_unknown(
   std::string why = why_method_unknown(scene);
   if (!why.empty()) return why;
   const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));
-  if (layers.empty()) return "the jet meets no target";
+  const std::vector<PathLayer> solids = solid_layers(layers);
+  if (solids.empty()) return "the jet meets no target";
+  if (solids.size() < layers.size()) return "it was measured without liquids in the jet's path";
   const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
-  const BodySpec& body = main_body(scene, layers);
+  const BodySpec& body = main_body(scene, solids);
   const MaterialSpec& target = scene.materials[static_cast<std::size_t>(body.material)];
   if (target.is_porous()) return "it was measured in dry rock only";
   if (!is_measured_pair(jet, target))

@@ -21,10 +21,15 @@ struct Bottom {
 class Target {
 public:
   explicit Target(const Scene& scene)
-      : scene_(scene), layers_(path_layers(scene, widest_radius(scene))) {}
+      : scene_(scene),
+        layers_(path_layers(scene, widest_radius(scene))),
+        solids_(solid_layers(layers_)) {}
 
-  bool empty() const { return layers_.empty(); }
-  double face() const { return layers_.front().near; }
+  bool empty() const { return solids_.empty(); }
+  /// Where the jet begins to dig, in a liquid too.
+  double start() const { return layers_.front().near; }
+  /// Length dug in solids and what is between them [length].
+  double depth(double place) const { return std::max(0.0, place - solids_.front().near); }
 
   /// Lets a slug dig until it is consumed, has come through the target, or the time is over.
   /// @return the length of it that is left [length]
@@ -65,7 +70,7 @@ private:
   }
 
   const Scene& scene_;
-  std::vector<PathLayer> layers_;
+  std::vector<PathLayer> layers_, solids_;
 };
 
 /// Mass over density, pi and the thickness of a plane.
@@ -104,7 +109,7 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
   const Target target(scene);
   if (target.empty()) return result;
   const double launch = scene.jet.direction * scene.jet.launch_position;
-  Bottom bottom{target.face(), 0.0, false};
+  Bottom bottom{target.start(), 0.0, false};
   double mass = 0.0, energy = 0.0, mass_left = 0.0, energy_left = 0.0;
   const std::vector<JetSlug>& slugs = scene.jet.slugs;
   for (std::size_t i = 0; i < slugs.size(); ++i) {
@@ -124,7 +129,7 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
     mass_left += volume_of(scene, slug, left);
     energy_left += volume_of(scene, slug, left) * square;
   }
-  result.depth = bottom.place - target.face();
+  result.depth = target.depth(bottom.place);
   result.passed = bottom.passed;
   result.mass_left = mass_left / mass;
   result.energy_left = energy_left / energy;

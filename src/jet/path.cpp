@@ -3,6 +3,7 @@
 
 #include "base/numbers.hpp"
 #include "scene/geometry.hpp"
+#include "scene/materials/liquids.hpp"
 #include "state/balance.hpp"
 
 #include <algorithm>
@@ -77,7 +78,8 @@ std::vector<PathLayer> layers_ahead(const Scene& scene, const JetOrigin& origin)
     const double near = forward ? extent.lower : -extent.upper;
     const double far = forward ? extent.upper : -extent.lower;
     if (!(far > near) || far <= start) continue;  // off the axis or behind the jet
-    layers.push_back({b, near, far});
+    const auto material = static_cast<std::size_t>(scene.bodies[b].material);
+    layers.push_back({b, near, far, is_liquid(scene.materials[material])});
   }
   std::stable_sort(layers.begin(), layers.end(), [](const PathLayer& a, const PathLayer& b) {
     return a.near < b.near;
@@ -105,6 +107,16 @@ std::vector<PathLayer> path_layers(const Scene& scene, double radius) {
   JetOrigin origin = launched_jet(scene);
   origin.radius = radius;
   return layers_ahead(scene, origin);
+}
+
+std::vector<PathLayer> solid_layers(std::vector<PathLayer> layers) {
+  layers.erase(
+      std::remove_if(
+          layers.begin(), layers.end(), [](const PathLayer& layer) { return layer.liquid; }
+      ),
+      layers.end()
+  );
+  return layers;
 }
 
 JetOrigin launched_jet(const Scene& scene) {
@@ -152,6 +164,10 @@ JetPath jet_path(const Scene& scene, const JetOrigin& origin) {
   const double launch = path.direction * origin.plane;
   double face = infinity, end = -infinity;
   for (const PathLayer& layer : layers_ahead(scene, origin)) {
+    if (layer.liquid) {
+      path.liquid += layer.far - layer.near;
+      continue;
+    }
     face = std::min(face, layer.near);
     end = std::max(end, layer.far);
   }

@@ -27,9 +27,10 @@ JetOrigin formed_jet(const Scene& scene, const JetMonitorSpec& monitor);
 
 /// The path of the jet into the target: depths are measured from `face` along `direction` of y.
 ///
-/// The face is the outer face, as the deck places it, of the first body that the jet meets on the
-/// axis (the casing if there is one); `end` is the far face of the last such body. Without a body
-/// on the axis there is no target: the path has no length, and there are no depths.
+/// The face is the outer face, as the deck places it, of the first solid body that the jet meets on
+/// the axis (the casing if there is one); `end` is the far face of the last such body. Liquids are
+/// no target: the jet crosses them as it crosses a gap. Without a solid body on the axis there is
+/// no target: the path has no length, and there are no depths.
 struct JetPath {
   bool has_target = false;
   double face = 0.0, end = 0.0;  ///< coordinates along y [length]
@@ -37,6 +38,7 @@ struct JetPath {
   double bin = 0.0;  ///< one cell [length]
   int bins = 0;      ///< from the face to the end
   JetOrigin origin{};
+  double liquid = 0.0;  ///< length of the path that is in liquids [length]
   double depth(double y) const { return direction * (y - face); }
 };
 JetPath jet_path(const Scene& scene, const JetOrigin& origin);
@@ -51,9 +53,12 @@ std::optional<JetPath> recorded_path(const Scene& scene, const JetMonitorSpec& m
 struct PathLayer {
   std::size_t body = 0;          ///< index into Scene::bodies
   double near = 0.0, far = 0.0;  ///< [length]
+  bool liquid = false;
 };
 /// Bodies that a jet of this radius around the axis meets, the nearest first.
 std::vector<PathLayer> path_layers(const Scene& scene, double radius);
+/// Those of them that are solid: where depths are measured.
+std::vector<PathLayer> solid_layers(std::vector<PathLayer> layers);
 
 /// How much of a body's layer lies above a depth [length].
 double depth_in(const PathLayer& layer, const JetPath& path, double depth);

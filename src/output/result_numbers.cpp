@@ -35,7 +35,7 @@ std::string depth_words(const Scene& scene, const Penetration& p) {
                          : number_line("depth %.2f mm", 1e3 * p.depth);
   if (scene.jet.present && !p.through) {
     const JetPath path = jet_path(scene);
-    const std::vector<PathLayer> layers = path_layers(scene, widest_radius(scene));
+    const std::vector<PathLayer> layers = solid_layers(path_layers(scene, widest_radius(scene)));
     for (auto layer = layers.rbegin(); layer != layers.rend() && layers.size() > 1; ++layer) {
       const double depth = depth_in(*layer, path, p.depth);
       if (depth == 0.0) continue;

@@ -131,7 +131,7 @@ void put_resolution(Json& json, const Scene& scene, const Penetration& p) {
   put_cells(json, "cells_per_length", slug_cells(scene, &JetSlug::length));
   if (!p.met) return;
   const JetPath path = jet_path(scene);
-  for (const PathLayer& layer : path_layers(scene, widest_radius(scene))) {
+  for (const PathLayer& layer : solid_layers(path_layers(scene, widest_radius(scene)))) {
     const std::string name = as_utf8(scene.bodies[layer.body].name);
     json["depth_in_body"][name] = number(depth_in(layer, path, p.depth));
     json["entrance_diameter_in_body"][name] = number(entrance_diameter(layer, path, p));

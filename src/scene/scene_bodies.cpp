@@ -2,6 +2,7 @@
 #include "deck/section_table.hpp"
 #include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
+#include "scene/materials/liquids.hpp"
 #include "scene/porous.hpp"
 #include "scene/scene_parts.hpp"
 
@@ -184,8 +185,10 @@ void check_expansions(const Deck& deck, const Scene& scene) {
 
 void add_bodies(const Deck& deck, Scene& scene) {
   check_shapes(deck, scene.grid.mode);
-  for (const std::string& name : deck.lists(table_of<BodySpec>().path))
-    scene.bodies.push_back(read_body(deck, name, scene.grid));
+  for (const std::string& name : deck.lists(table_of<BodySpec>().path)) {
+    BodySpec& body = scene.bodies.emplace_back(read_body(deck, name, scene.grid));
+    body.initial_pressure = own_pressure(scene.materials[static_cast<std::size_t>(body.material)]);
+  }
 }
 
 void check_bodies(const Deck& deck, const Scene& scene) {

@@ -3,6 +3,7 @@
 #include "deck/sections/shape_section.hpp"
 #include "scene/geometry.hpp"
 #include "scene/load_tables.hpp"
+#include "scene/materials/liquids.hpp"
 #include "scene/scene_parts.hpp"
 
 #include <algorithm>
@@ -183,6 +184,22 @@ void check_holds(
   );
 }
 
+/// A liquid starts under the confining pressure, if its own says nothing else.
+void check_same_pressure(
+    const Deck& deck, const Scene& scene, const BodySpec& body, double pressure
+) {
+  const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
+  const double own = own_pressure(material);
+  if (own == 0.0 || own == pressure) return;
+  deck.refuse_value(
+      path_of(&ConfinementSection::pressure),
+      "is not the Initial Pressure " + input::exact_text(own) + " Pa of '" + material.name() +
+          "' in " + list_of<BodySpec>(body.name) +
+          " (the liquid would not start in equilibrium); remove Initial Pressure, or the body from "
+          "Confinement/Bodies"
+  );
+}
+
 }  // namespace
 
 namespace {
@@ -233,6 +250,7 @@ void add_confinement(const Deck& deck, Scene& scene) {
   }
   for (const int body : confined) {
     BodySpec& spec = scene.bodies[static_cast<std::size_t>(body)];
+    check_same_pressure(deck, scene, spec, pressure);
     check_holds(
         deck,
         scene.materials[static_cast<std::size_t>(spec.material)].material(),

@@ -15,4 +15,14 @@ inline constexpr bool
     holds_voids<Model, std::void_t<decltype(std::declval<const Model&>().expanded_state(1.0))>> =
         true;
 
+/// Models whose volume holds voids at times, of whatever size: expanded_ratio(volume ratio,
+/// history) is that of what is between them.
+template <class Model, class = void>
+inline constexpr bool opens_voids = false;
+template <class Model>
+inline constexpr bool opens_voids<
+    Model,
+    std::void_t<decltype(Model::expanded_ratio(0.0, std::declval<const typename Model::History&>())
+    )>> = true;
+
 }  // namespace barreno

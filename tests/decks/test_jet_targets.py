@@ -68,6 +68,22 @@ def check_through(folder):
     assert first > 0 and (table["through"][first:] == 1).all() and (abs(table["depth"][first:] - 0.0147) < 1e-12).all(), table["depth"]
 
 
+def check_liquid(folder):
+    """A casing of water: depth and hole begin at the rock behind it, `check` says so, and water alone is no target."""
+    liquid = "Materials/Steel/Card=water"
+    said = barreno(["check", DECKS / "perforation_quick.xml"], liquid)
+    assert "Liquid    12.7 mm of the jet's path; depth and hole are those in solids" in said, said
+    assert "it was measured without liquids in the jet's path" in said, said
+    assert "Liquid " not in barreno(["check", DECKS / "perforation_quick.xml"])
+    _, reached = run_quick(folder, liquid, "Time/End Time=6 us")
+    text = (folder / "depth.csv").read_text()
+    assert "outer face at y = 0.0127" in text and "liquids do not count" in text, text
+    assert reached["met_target"] and 0.0 < reached["depth"] < 0.04 and list(reached["depth_in_body"]) == ["Rock"], reached
+    hole, _ = hole_in_report(folder)
+    assert abs(hole.face - 0.0127) < 1e-12 and hole.length < 0.04, (hole.face, hole.length)
+    check_case(folder / "alone", "the jet meets liquids alone", False, liquid, "Materials/Sandstone/Card=water")
+
+
 def hole_in_report(folder):
     """(hole as the report measures it, its radius half way down the channel)."""
     table, file = read_csv(folder / "depth.csv"), ParticleFile(folder / "particles.e")
@@ -102,6 +118,7 @@ def main():
         check_case(folder / "up", "hits no body (none lies in its path along -y", False, "Jet/Direction=-y")
         check_case(folder / "late", "not before Time/End Time", False, "Jet/Launch Position=-35 mm")
         check_through(folder / "through")
+        check_liquid(folder / "liquid")
         check_refined_hole(folder)
 
 

@@ -89,6 +89,28 @@ struct Sample<NeoHookean> {
   }
 };
 
+/// Water whose pressures count from the state without stress, which every point starts from.
+template <>
+struct Sample<Liquid> {
+  static constexpr double density = 998.2, elastic = 1e-3, plastic = 2e-2, pressure = 68.95e6;
+  static Liquid::Parameters parameters() {
+    return {4157.0, 1483.0, 1.921, 0.28, -98986.0, 0.0, 293.0};
+  }
+  static std::vector<std::pair<Liquid::Parameters, std::string>> contradictions() {
+    std::vector<std::pair<Liquid::Parameters, std::string>> list(
+        5, {parameters(), "Vapour Pressure"}
+    );
+    list[0].first.vapour_pressure = 2339.0;
+    list[1].first.vapour_pressure = -50e6;
+    list[2].first.vapour_pressure = 50e6;
+    list[3].first.gamma = 6.0;
+    list[3].second = "Gruneisen";
+    list[4].first.initial_pressure = 1e20;
+    list[4].second = "Initial Pressure";
+    return list;
+  }
+};
+
 /// Copper, as in materials/cards/copper.xml. A part from outside of the library brings its own.
 template <class Part>
 void set_copper(typename Part::Parameters& p) {

@@ -7,6 +7,7 @@
 #include "barreno/models/general_arenisca.hpp"
 #include "barreno/models/jwl_explosive.hpp"
 #include "barreno/models/linear_elastic.hpp"
+#include "barreno/models/liquid.hpp"
 #include "barreno/models/metals.hpp"
 #include "barreno/models/neo_hookean.hpp"
 #include "barreno/models/poroelastic.hpp"
@@ -25,7 +26,7 @@ namespace barreno {
 /// other model for which its needed() says so. Metals, and rocks with other parts than the
 /// published ones, follow from the lists of their parts (metal/list.hpp, arenisca/parts/list.hpp).
 using AnyModel = arenisca::WithOtherParts<JoinedVariants<
-    std::variant<LinearElastic, Poroelastic, JwlExplosive, NeoHookean>,
+    std::variant<LinearElastic, Poroelastic, JwlExplosive, NeoHookean, Liquid>,
     Metals,
     std::variant<
         Arenisca,

@@ -55,7 +55,7 @@ SectionTable<JetSpec> jet_table() {
            "Splits",
            between(0, 8),
            "how often a particle that has become wider than half a cell is divided in two; files "
-           "keep a place for all of its 2^Splits parts (docs/method.md 14)"
+           "keep a place for all of its 2^Splits parts (docs/method.md 15)"
        ),
        defaulted(
            &JetSpec::cells_per_radius,

@@ -137,7 +137,7 @@ struct UpdateStress {
     const Mask living = alive(group);
     const Mask here = living & (!dormant(group));
     R ratio = increment.volume_ratio_end;
-    if constexpr (holds_voids<Model>) ratio = Model::expanded_ratio(ratio, update.history);
+    if constexpr (opens_voids<Model>) ratio = Model::expanded_ratio(ratio, update.history);
     const Mask expanded = here & (ratio > largest_expansion);
     // Not every model checks its input: motion that is not finite fails here.
     const Mask sound = outcome.sound & (increment.volume_ratio_end > 0.0);
@@ -160,7 +160,7 @@ struct UpdateStress {
                        increment.viscous_pressure * trace(increment.strain));
     R elastic_work = reference_volume * outcome.elastic_work;
     // Voids close and open without work, in a part of the step that the model alone knows.
-    if constexpr (holds_voids<Model>)
+    if constexpr (opens_voids<Model>)
       stress_work = elastic_work + reference_volume * outcome.plastic_work + viscous;
     auto history = update.history;
     if constexpr (keeps_heat<Model>) {

@@ -136,10 +136,17 @@ def jet_particles(frame, deck):
     return of_jet
 
 
+def target_particles(frame, deck):
+    """Whether a particle belongs to the target: to a solid that is not the jet."""
+    names = frame.file.block_names
+    liquids = [index for index, name in enumerate(names) if deck.text(f"Materials/{name}/Model") == "Liquid"]
+    return ~jet_particles(frame, deck) & ~np.isin(frame.block, liquids)
+
+
 def target_shapes(frame, deck):
     """Quadrangles of the target's particles; expanded ones shrunk to the area that they had as sound rock."""
     shapes, of = frame.shapes
-    keep = ~jet_particles(frame, deck)[of]
+    keep = target_particles(frame, deck)[of]
     ratio = np.maximum(np.nan_to_num(frame.of_alive(["volume_ratio"])[of][keep], nan=1.0), 1.0)
     shapes = shapes[keep]
     centre = shapes.mean(axis=1, keepdims=True)
@@ -150,7 +157,7 @@ def cell_along_path(file, deck):
     """Size of the cells next to the axis, from the target's particles there at the start."""
     frame = file.frame(0)
     shapes, of = frame.shapes
-    keep = ~jet_particles(frame, deck)[of] if len(of) else np.zeros(0, bool)
+    keep = target_particles(frame, deck)[of] if len(of) else np.zeros(0, bool)
     near = np.abs(shapes[keep][:, :, 0]).min(axis=1)
     width = np.ptp(shapes[keep][:, :, 0], axis=1)
     first = width[near <= near.min(initial=np.inf) + 1e-9]
@@ -169,7 +176,7 @@ def face_of(table, file, deck):
         if "outer face at y = " in line:
             return float(line.split("outer face at y = ")[1].split()[0])
     shapes, of = file.frame(0).shapes
-    y = shapes[~jet_particles(file.frame(0), deck)[of]][:, :, 1]
+    y = shapes[target_particles(file.frame(0), deck)[of]][:, :, 1]
     return float(y.min() if deck.direction > 0.0 else y.max())
 
 
@@ -177,7 +184,7 @@ def rear_of(file, deck, face):
     """Depth of the target's rear at the start: debris that flies behind it has no hole."""
     frame = file.frame(0)
     shapes, of = frame.shapes
-    return float((deck.direction * (shapes[~jet_particles(frame, deck)[of]][:, :, 1] - face)).max(initial=0.0))
+    return float((deck.direction * (shapes[target_particles(frame, deck)[of]][:, :, 1] - face)).max(initial=0.0))
 
 
 def rows_of(side, lines, bins, width, cell):

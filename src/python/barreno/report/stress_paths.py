@@ -5,7 +5,7 @@ import dataclasses
 
 import numpy as np
 
-from barreno.report.hole import jet_particles
+from barreno.report.hole import target_particles
 from barreno.report.numbers import MICRO
 from barreno.report.particles import offsets
 from barreno.report.principal import along_path, lode_angle, pressure_and_shear, tensors
@@ -98,7 +98,7 @@ def elements_near(frame, deck, tip, distance):
         why = f"the jet has not hit the target at {frame.time / MICRO:.4g} us" if deck.has_jet else "this run has no jet"
         raise Fault(f'--particles "{NEAR_TIP}" finds no tip ({why}); name particles by their numbers, for example --particles 120,340.')
     away = np.hypot(*offsets(frame.centres, tip))
-    near = (away <= distance) & ~jet_particles(frame, deck)
+    near = (away <= distance) & target_particles(frame, deck)
     porous = near & np.isfinite(frame.of_alive(["plastic_volume_strain"]))
     rows = np.flatnonzero(porous if porous.any() else near)
     if not len(rows):
