@@ -106,9 +106,16 @@ CommandPage resume_page() {
       {{"--until",
         "TIME",
         "\"200 us\"",
-        "a new End Time",
+        "a new End Time, or \"at rest\"",
         [](Options& options, const std::string& value) {
           options.overrides.push_back(path_of(&TimeSpec::end_time) + "=" + value);
+        }},
+       {"--longest",
+        "TIME",
+        "\"800 us\"",
+        "a new Longest Time of a run that ends at rest",
+        [](Options& options, const std::string& value) {
+          options.overrides.push_back(path_of(&TimeSpec::longest_time) + "=" + value);
         }},
        {"--ranks", "N", "2", "processes, as for run; any number works", take_ranks}},
       "barreno resume runs/perforation-1 --until \"200 us\""};

@@ -59,6 +59,7 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   refuse_unreachable_end(deck, scene);
+  refuse_rest_without_target(deck, scene);
   check_solver_lists(deck, scene, *comm);
   const std::optional<Probe> probe = probe_run(scene, *comm);
   const BodyCensus census = take_census(scene, comm);
@@ -99,6 +100,7 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const Scene scene = build_scene(deck);
   refuse_short_domains(deck, scene);
   refuse_unreachable_end(deck, scene);
+  refuse_rest_without_target(deck, scene);
   check_solver_lists(deck, scene, *comm);
   if (options.print_deck) {
     if (is_root(*comm)) std::cout << effective_deck_xml(deck);

@@ -8,7 +8,10 @@
 #include "checkpoint/read_checkpoint.hpp"
 #include "deck/echo_deck.hpp"
 #include "deck/files/read_deck.hpp"
+#include "deck/section_table.hpp"
+#include "deck/sections/time_section.hpp"
 #include "files/text_file.hpp"
+#include "jet/rest.hpp"
 #include "output/folder_lock.hpp"
 #include "output/output.hpp"
 #include "output/radii.hpp"
@@ -24,13 +27,35 @@
 namespace barreno {
 namespace {
 
+constexpr const char* ended_at_rest = "\"ended_at\": \"rest\"";
+
+bool says(const std::filesystem::path& summary, const std::string& words) {
+  std::ifstream stream(summary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return text.find(words) != std::string::npos;
+}
+
 /// Whether a run's last words are that it has come to this end. One that was killed between its
 /// last checkpoint and those words has them still to say.
 bool says_finished(const std::filesystem::path& summary, double end_time) {
-  std::ifstream stream(summary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return text.find("\"finished\": true") != std::string::npos &&
-         text.find("\"end_time\": " + to_text(end_time) + ",") != std::string::npos;
+  return says(summary, "\"finished\": true") &&
+         says(summary, "\"end_time\": " + to_text(end_time) + ",");
+}
+
+/// What a new fixed end leaves without meaning is taken out of the deck.
+std::vector<std::string> with_end(
+    std::vector<std::string> overrides, const std::string& deck_text
+) {
+  const std::string end = path_of(&TimeSpec::end_time) + "=";
+  const std::string longest = path_of(&TimeSpec::longest_time) + "=";
+  bool fixed = false, bounded = false;
+  for (const std::string& one : overrides) {
+    if (one.rfind(end, 0) == 0) fixed = one != end + at_rest_word;
+    if (one.rfind(longest, 0) == 0) bounded = true;
+  }
+  const std::string entry = "name=\"" + name_of(&TimeSpec::longest_time) + "\"";
+  if (fixed && !bounded && deck_text.find(entry) != std::string::npos) overrides.push_back(longest);
+  return overrides;
 }
 
 /// What keeps a run from being resumed.
@@ -48,13 +73,27 @@ void refuse_resume(
         "); put the deck back, or start a new run with barreno run."
     );
   const double time = number_of(checkpoint.numbers, "time");
-  const bool over = time > scene.end_time ||
-                    (time == scene.end_time && says_finished(folder / "summary.json", time));
-  if (over)
+  const std::filesystem::path summary = folder / "summary.json";
+  const std::string example = "for example --until \"" + to_text(2.0 * time) + " s\".";
+  if (scene.at_rest && is_at_rest(checkpoint.output) && says(summary, ended_at_rest))
     throw DeckError(
-        "'" + folder.string() + "' has reached its end time (" + to_text(time) +
-        " s); give a later one with --until, for example --until \"" + to_text(2.0 * time) + " s\"."
+        "'" + folder.string() + "' has ended at " + to_text(time) +
+        " s, because the hole of its jet is at rest; to go on all the same, give a time with "
+        "--until, " +
+        example
     );
+  const bool over =
+      time > scene.end_time || (time == scene.end_time && says_finished(summary, time));
+  if (!over) return;
+  if (scene.at_rest)
+    throw DeckError(
+        "'" + folder.string() + "' has reached its longest time (" + to_text(time) +
+        " s); give a later one with --longest, or a fixed end with --until, " + example
+    );
+  throw DeckError(
+      "'" + folder.string() + "' has reached its end time (" + to_text(time) +
+      " s); give a later one with --until, " + example
+  );
 }
 
 /// A path that is not a folder is reported as one without a checkpoint.
@@ -84,15 +123,17 @@ RunNumbers position_in(
 
 int resume(
     const std::filesystem::path& folder,
-    const std::vector<std::string>& overrides,
+    const std::vector<std::string>& new_end,
     const BuildFacts& build,
     const Teuchos::RCP<const Comm>& comm
 ) {
   const std::unique_ptr<FolderLock> lock = lock_if_there(*comm, folder);
   const Checkpoint checkpoint = find_checkpoint(*comm, folder);
   const std::string file = (folder / "deck.xml").string();
+  const std::vector<std::string> overrides = with_end(new_end, checkpoint.deck_text);
   const Deck deck = read_deck(file, overrides, *comm);
   const Scene scene = build_scene(deck);
+  refuse_rest_without_target(deck, scene);
   refuse_resume(folder, deck, scene, checkpoint);
   const BodyCensus census = take_census(scene, comm);
   const std::vector<IdRange> ids = particle_id_ranges(scene, census.first);

@@ -66,12 +66,14 @@ RunVerdict cut_off(
 /// finished: nobody could prolong it, and its folder belongs to an older step.
 RunVerdict end_run(State& state, Output& output, Checkpoints& checkpoints) {
   const std::string lost = checkpoints.write_last(output, state);
-  if (lost.empty()) return {true, "", static_cast<int>(ExitCode::finished)};
   RunVerdict verdict;
+  verdict.at_rest = output.at_rest();
+  verdict.finished = lost.empty();
+  if (verdict.finished) return verdict;
   verdict.exit_code = static_cast<int>(ExitCode::file);
   verdict.files_failed = true;
   verdict.may_be_resumed = true;
-  verdict.reason = "The run reached its end time, but its last checkpoint is lost: " + lost;
+  verdict.reason = "The run reached its end, but its last checkpoint is lost: " + lost;
   return verdict;
 }
 
@@ -142,7 +144,9 @@ RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& ch
           std::min(state.stable_step, stable_step_of_rows(scene.step, state.grid, particles, 0));
   int interrupt = 0;
   RunWatch watch;
-  while (state.clock.time < scene.end_time) {
+  // A step whose rows a checkpoint would not keep is no end.
+  while (state.clock.time < scene.end_time && !(output.at_rest() && Checkpoints::may_write(state))
+  ) {
     const double last_dt = state.clock.dt;
     const StepResult result = advance(scene, output.next_time(state.clock.time), state);
     if (result.stopped)

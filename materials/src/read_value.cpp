@@ -43,6 +43,26 @@ double number_of(
   return value;
 }
 
+/// A number, or one of the words that may stand in its place.
+void put_number(
+    Teuchos::ParameterList& list,
+    const Entry& entry,
+    const std::string& text,
+    const UnitSystem& units
+) {
+  const std::string word(trim(text));
+  if (std::find(entry.words.begin(), entry.words.end(), word) != entry.words.end()) {
+    list.set(entry.name, word, entry.meaning);
+    return;
+  }
+  try {
+    list.set(entry.name, number_of(text, entry, entry.dimension, units), entry.meaning);
+  } catch (const InputError& error) {
+    if (entry.words.empty() || word.find_first_of("0123456789") != std::string::npos) throw;
+    throw InputError(error.what() + (", or \"" + entry.words.front() + "\""));
+  }
+}
+
 int integer_of(const std::string& text, const Entry& entry) {
   const double value = number_of(text, entry, dimension::none, {});
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
@@ -164,7 +184,7 @@ void put_value(
   const std::string& name = entry.name;
   switch (entry.kind) {
     case Kind::number:
-      list.set(name, number_of(text, entry, entry.dimension, units), entry.meaning);
+      put_number(list, entry, text, units);
       return;
     case Kind::integer:
       list.set(name, integer_of(text, entry), entry.meaning);

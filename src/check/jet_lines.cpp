@@ -5,6 +5,7 @@
 #include "jet/estimate.hpp"
 #include "jet/kinds.hpp"
 #include "jet/path.hpp"
+#include "scene/jet.hpp"
 
 #include <algorithm>
 
@@ -88,15 +89,35 @@ std::string error_line(const DepthDoubt& doubt) {
 }
 
 std::string depth_line(const Scene& scene) {
-  if (estimate_jet(scene, scene.end_time).thinnest == 0.0) return {};
-  return error_line(depth_doubt(scene, scene.end_time));
+  const double end = expected_end(scene);
+  if (estimate_jet(scene, end).thinnest == 0.0) return {};
+  return error_line(depth_doubt(scene, end));
+}
+
+/// When the hole of a run to rest is expected to be at rest.
+std::string rest_line(const Scene& scene) {
+  if (!scene.at_rest) return {};
+  const double cut_off = cut_off_velocity(scene);
+  const auto& slugs = scene.jet.slugs;
+  const auto digs = std::count_if(slugs.begin(), slugs.end(), [&](const JetSlug& slug) {
+    return slug.velocity >= cut_off;
+  });
+  return format(
+      "Rest      predicted at %.3g s: when the last of %td slugs of at least %.4g m/s (Cut-off "
+      "Velocity) has dug, by hydrodynamic theory, and a fifth of the time since the first contact "
+      "has passed without growth; a real hole is deeper, and at rest later\n",
+      predicted_rest(scene),
+      digs,
+      cut_off
+  );
 }
 
 }  // namespace
 
 std::string jet_lines(const Scene& scene, const JetMonitorSpec& monitor) {
   if (scene.jet.present)
-    return slug_line(scene) + kind_line(scene) + liquid_line(jet_path(scene)) + depth_line(scene);
+    return slug_line(scene) + kind_line(scene) + rest_line(scene) +
+           liquid_line(jet_path(scene)) + depth_line(scene);
   const auto path = recorded_path(scene, monitor);
   if (!path) return {};
   return liquid_line(*path) + error_line(depth_doubt(scene, scene.end_time, Penetration{}));

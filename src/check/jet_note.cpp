@@ -3,6 +3,7 @@
 
 #include "base/format.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/time_section.hpp"
 #include "jet/estimate.hpp"
 #include "jet/failure.hpp"
 #include "jet/path.hpp"
@@ -16,14 +17,12 @@
 namespace barreno {
 namespace {
 
-/// When the first slug's leading face comes to the target in free flight [time].
-double first_arrival(const Scene& scene, const JetPath& path) {
-  double first = std::numeric_limits<double>::infinity();
-  for (const JetSlug& slug : scene.jet.slugs) {
-    const double way = std::abs(path.face - scene.jet.launch_position) - 0.5 * slug.length;
-    first = std::min(first, slug.time + std::max(0.0, way) / slug.velocity);
-  }
-  return first;
+/// The entry of the deck that ends a run in any case.
+std::string end_path(const Scene& scene) {
+  return scene.at_rest ? path_of(&TimeSpec::longest_time) : path_of(&TimeSpec::end_time);
+}
+std::string end_words(const Scene& scene) {
+  return end_path(scene) + format(" = %g s", scene.end_time);
 }
 
 /// Nothing but the rim of the widest slugs meets a body.
@@ -72,12 +71,9 @@ std::string jet_note(const Scene& scene) {
            "if it should, reverse Jet/Direction, or move Jet/Launch Position or a body";
   const double arrival = first_arrival(scene, path);
   if (arrival >= scene.end_time)
-    return format(
-        "the jet reaches the target at %g s, not before Time/End Time = %g s, so no depth will be "
-        "computed; choose a later End Time if it should",
-        arrival,
-        scene.end_time
-    );
+    return format("the jet reaches the target at %g s, not before ", arrival) + end_words(scene) +
+           ", so no depth will be computed; choose a later " +
+           (scene.at_rest ? "one" : "End Time") + " if it should";
   if (!only_grazes(scene)) return {};
   return format(
       "the thinnest slugs of the jet hit no body along %s from y = %g m (only wider ones meet one, "
@@ -89,12 +85,27 @@ std::string jet_note(const Scene& scene) {
 
 std::string through_note(const Scene& scene) {
   if (!scene.jet.present || !estimate_jet(scene, scene.end_time).passed) return {};
-  return "the jet comes out of the rear of the target before Time/End Time, according to a "
-         "hydrodynamic estimate, so there will be no depth; for one, make the last body longer";
+  return "the jet comes out of the rear of the target before " + end_path(scene) +
+         ", according to a hydrodynamic estimate, so there will be no depth; for one, make the "
+         "last body longer";
 }
+
+namespace {
+
+/// A run to rest that its longest time cuts off.
+std::string early_cut_note(const Scene& scene) {
+  const double rest = predicted_rest(scene);
+  if (rest <= scene.end_time) return {};
+  return end_words(scene) +
+         format(" ends the run before its hole is at rest, which is predicted at %.2g s; ", rest) +
+         "choose a later one, or leave it out";
+}
+
+}  // namespace
 
 std::string early_end_note(const Scene& scene) {
   if (!scene.jet.present) return {};
+  if (scene.at_rest) return early_cut_note(scene);
   constexpr double small_share = 0.05;
   const JetEstimate estimate = estimate_jet(scene, scene.end_time);
   if (estimate.thinnest == 0.0 || estimate.passed || estimate.mass_left < small_share) return {};

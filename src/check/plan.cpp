@@ -200,8 +200,9 @@ void refuse_unreachable_end(const Deck& deck, const Scene& scene) {
   const double steps = scene.end_time / step;
   constexpr double most = 0x1p53;  // from here on a step no longer changes the time
   if (steps < most) return;
+  const bool longest = deck.has(path_of(&TimeSpec::longest_time));
   deck.refuse_value(
-      path_of(&TimeSpec::end_time),
+      longest ? path_of(&TimeSpec::longest_time) : path_of(&TimeSpec::end_time),
       format(
           "cannot be reached with steps of %g s (the stable step at the speeds and wave speeds of "
           "this scene); look for a wrong unit of a time, velocity, stiffness or density",
@@ -210,10 +211,19 @@ void refuse_unreachable_end(const Deck& deck, const Scene& scene) {
   );
 }
 
+void refuse_rest_without_target(const Deck& deck, const Scene& scene) {
+  if (!scene.at_rest || jet_path(scene).has_target) return;
+  deck.refuse_value(
+      path_of(&TimeSpec::end_time),
+      "needs a hole that the jet digs, and the jet meets no body on its way; give a time, or turn "
+      "the jet to its target"
+  );
+}
+
 /// The error of the depth that the cells of a scene let expect; empty without a jet.
 std::string depth_error(const Scene& scene) {
   if (!scene.jet.present) return {};
-  const DepthDoubt doubt = depth_doubt(scene, scene.end_time);
+  const DepthDoubt doubt = depth_doubt(scene, expected_end(scene));
   if (!doubt.unknown.empty()) return ", depth unknown (" + doubt.unknown + ")";
   return ", depth " + depth_error_text(doubt.error);
 }
@@ -227,8 +237,14 @@ std::string cost_of_choice(const Prediction& cost) {
 
 /// Time, and how many steps it takes if that is known.
 std::string time_line(const Scene& scene, const Prediction& cost) {
+  const std::string end = scene.at_rest ? format(
+                                              "to rest, predicted at %.3g s, and to %.3g s at most",
+                                              expected_end(scene),
+                                              scene.end_time
+                                          )
+                                        : format("to %g s", scene.end_time);
   const std::string begin =
-      format("Time      to %g s, first steps of %.3g s: ", scene.end_time, cost.first_step);
+      "Time      " + end + format(", first steps of %.3g s: ", cost.first_step);
   if (!(cost.steps > 0.0)) return begin + "number of steps unknown\n";
   const int most = scene.step.subcycles;
   return begin + format(

@@ -19,6 +19,9 @@ void refuse_short_domains(const Deck& deck, const Scene& scene);
 /// Refuses an end that no number of steps reaches. @throws DeckError
 void refuse_unreachable_end(const Deck& deck, const Scene& scene);
 
+/// Refuses a run to rest whose jet meets nothing. @throws DeckError
+void refuse_rest_without_target(const Deck& deck, const Scene& scene);
+
 /// What the run would cost with each fidelity, a line each.
 /// @param scene_with  the scene of the same deck with that fidelity
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks);

@@ -4,6 +4,7 @@
 #include "base/process.hpp"
 #include "check/body_steps.hpp"
 #include "check/update_row.hpp"
+#include "jet/estimate.hpp"
 #include "scene/build_scene.hpp"
 #include "scene/geometry.hpp"
 #include "scene/lighting.hpp"
@@ -256,6 +257,12 @@ Prediction predict_cost(
     int ranks,
     const CostTables& tables
 ) {
+  if (scene.at_rest) {
+    Scene expected = scene;
+    expected.at_rest = false;
+    expected.end_time = expected_end(scene);
+    return predict_cost(expected, probe, counts, ranks, tables);
+  }
   Prediction prediction;
   prediction.first_step = stable_step_of_scene(scene, false);
   // Every rank holds the program and its libraries; the probe was on this one alone.

@@ -117,7 +117,7 @@ void add_end_note(const Scene& scene, Notes& notes) {
   const double steps = scene.end_time / step;
   if (!(steps > most_steps)) return;
   notes.push_back(
-      path_of(&TimeSpec::end_time) +
+      (scene.at_rest ? path_of(&TimeSpec::longest_time) : path_of(&TimeSpec::end_time)) +
       format(
           " = %g s takes %.2g steps of %.2g s; look for a wrong unit of that time, or of a length, "
           "velocity, stiffness or density",

@@ -3,6 +3,7 @@
 #include "checkpoint/check_values.hpp"
 #include "checkpoint/checkpoint_contents.hpp"
 #include "files/text_file.hpp"
+#include "jet/rest.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -122,6 +123,10 @@ std::string fault_of_output(const Scene& scene, const State& state, const Checkp
   const auto look = [&](const char* number, const char* file, bool wanted) {
     if (fault.empty()) fault = fault_of_length(checkpoint, number, file, wanted);
   };
+  if (fault.empty()) {
+    fault = fault_of_rest(numbers, time);
+    if (!fault.empty()) fault = "output/" + fault;
+  }
   look("history_bytes", "history.csv", true);
   look("depth_bytes", "depth.csv", scene.jet.present || number_of(numbers, "depth_bytes") > 0.0);
   return fault;

@@ -67,6 +67,10 @@ bool Deck::flag(const std::string& path) const {
 std::string Deck::word(const std::string& path) const {
   return get<std::string>(path);
 }
+bool Deck::holds_word(const std::string& path) const {
+  const auto [list, name] = locate(values_, path);
+  return list != nullptr && list->isType<std::string>(name);
+}
 std::vector<std::string> Deck::words(const std::string& path) const {
   return get<Teuchos::Array<std::string>>(path).toVector();
 }

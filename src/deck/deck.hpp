@@ -50,6 +50,8 @@ public:
   int integer(const std::string& path) const;
   bool flag(const std::string& path) const;
   std::string word(const std::string& path) const;
+  /// Whether a word stands where a number could.
+  bool holds_word(const std::string& path) const;
   std::vector<std::string> words(const std::string& path) const;
   std::vector<double> vector(const std::string& path) const;
   std::vector<std::vector<double>> rows(const std::string& path) const;

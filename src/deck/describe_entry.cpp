@@ -55,7 +55,7 @@ std::string type_text(const Entry& entry) {
   const std::string suffix = unit.empty() ? "" : " [" + unit + "]";
   switch (entry.kind) {
     case Kind::number:
-      return "number" + suffix;
+      return "number" + suffix + (entry.words.empty() ? "" : " or: " + with_commas(entry.words));
     case Kind::integer:
       return "integer";
     case Kind::text:

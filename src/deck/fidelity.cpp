@@ -104,14 +104,19 @@ Teuchos::ParameterList value_of(
   return list;
 }
 
-/// The deck's End Time; nothing where it is missing or no time, which is refused elsewhere.
+/// The deck's End Time, or of a run to rest its Longest Time; nothing where they are missing or no
+/// times, which is refused elsewhere.
 std::optional<double> end_time(const XMLObject& root, const input::UnitSystem& units) {
-  const input::Entry& entry = row_of<TimeSpec>(&TimeSpec::end_time).entry;
   const auto time = input::find_list(root, table_of<TimeSpec>().path);
-  const auto text = time ? input::find_text(*time, entry.name) : std::nullopt;
-  if (!text) return {};
-  const Teuchos::ParameterList list = value_of(entry, *text, units);
-  return list.isParameter(entry.name) ? std::optional(list.get<double>(entry.name)) : std::nullopt;
+  if (!time) return {};
+  for (const input::Entry& entry :
+       {row_of<TimeSpec>(&TimeSpec::end_time).entry,
+        row_of<TimeSpec>(&TimeSpec::longest_time).entry}) {
+    const auto text = input::find_text(*time, entry.name);
+    const auto list = text ? value_of(entry, *text, units) : Teuchos::ParameterList();
+    if (list.isType<double>(entry.name)) return list.get<double>(entry.name);
+  }
+  return {};
 }
 
 bool gives_cell_size(const XMLObject& root) {

@@ -25,4 +25,8 @@ void measure_channel(const std::vector<double>& radii, const JetPath& path, Pene
 /// layer; 0 where it is closed there [length].
 double entrance_diameter(const PathLayer& layer, const JetPath& path, const Penetration& found);
 
+/// Volume of the open channel from the walls of its rows; a row without a wall, in a gap between
+/// bodies, has none. The whole circle, in plane strain per thickness [length^3].
+double channel_volume(const GridSpec& grid, const JetPath& path, const Penetration& found);
+
 }  // namespace barreno

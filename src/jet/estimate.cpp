@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jet/estimate.hpp"
 
+#include "base/numbers.hpp"
 #include "jet/kinds.hpp"
 #include "jet/path.hpp"
+#include "jet/rest.hpp"
 #include "scene/jet.hpp"
 
 #include <algorithm>
@@ -104,7 +106,7 @@ void note_slug(const std::vector<JetSlug>& slugs, std::size_t i, JetEstimate& re
 
 }  // namespace
 
-JetEstimate estimate_jet(const Scene& scene, double until) {
+JetEstimate estimate_jet(const Scene& scene, double until, double slowest) {
   JetEstimate result;
   const Target target(scene);
   if (target.empty()) return result;
@@ -117,7 +119,7 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
     const double way = std::max(0.0, bottom.place - launch - 0.5 * slug.length);
     const double start = std::max(bottom.time, slug.time + way / slug.velocity);
     double left = slug.length;
-    if (start < until && !bottom.passed) {
+    if (start < until && !bottom.passed && slug.velocity >= slowest) {
       bottom.time = start;
       left = target.dig(slug, until, bottom);
       result.time = bottom.time;
@@ -134,6 +136,32 @@ JetEstimate estimate_jet(const Scene& scene, double until) {
   result.mass_left = mass_left / mass;
   result.energy_left = energy_left / energy;
   return result;
+}
+
+double first_arrival(const Scene& scene, const JetPath& path) {
+  double first = infinity;
+  for (const JetSlug& slug : scene.jet.slugs) {
+    const double way = std::abs(path.face - scene.jet.launch_position) - 0.5 * slug.length;
+    first = std::min(first, slug.time + std::max(0.0, way) / slug.velocity);
+  }
+  return first;
+}
+
+double predicted_rest(const Scene& scene) {
+  const JetPath path = jet_path(scene);
+  if (!path.has_target) return 0.0;
+  const JetEstimate estimate = estimate_jet(scene, infinity, cut_off_velocity(scene));
+  const RestRule rule = rest_rule(scene);
+  const double first = first_arrival(scene, path);
+  const double unchanged = (estimate.time - rest_window * first) / (1.0 - rest_window);
+  double rest = std::max(estimate.time + rule.least_window, unchanged);
+  for (const ComingSlug& slug : rule.slugs)
+    rest = std::max(rest, slug.time + (rule.stand_off + estimate.depth) / (slowed * slug.velocity));
+  return rest;
+}
+
+double expected_end(const Scene& scene) {
+  return scene.at_rest ? std::min(scene.end_time, predicted_rest(scene)) : scene.end_time;
 }
 
 SlugCells slug_cells(const Scene& scene, double JetSlug::*length) {

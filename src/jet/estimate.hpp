@@ -3,6 +3,7 @@
 
 #include "jet/depth.hpp"
 #include "jet/depth_error.hpp"
+#include "jet/path.hpp"
 #include "scene/scene.hpp"
 
 #include <string>
@@ -27,7 +28,20 @@ struct JetEstimate {
   /// flies until the next one is launched.
   double least_filled = 1.0;
 };
-JetEstimate estimate_jet(const Scene& scene, double until);
+/// @param slowest  slugs below this velocity do not dig
+JetEstimate estimate_jet(const Scene& scene, double until, double slowest = 0.0);
+
+/// When the leading face of a jet comes to its target in free flight [time].
+double first_arrival(const Scene& scene, const JetPath& path);
+
+/// When a launched jet's hole will be found at rest (jet/rest.hpp): after the last slug that is not
+/// slower than cut_off_velocity() has dug, by the theory above; 0 without a target [time]. The hole
+/// of a run is deeper, so that slugs arrive later.
+double predicted_rest(const Scene& scene);
+
+/// The end of a run as far as it is known before: of a run to rest the predicted one, or its
+/// longest time if that comes before [time].
+double expected_end(const Scene& scene);
 
 /// A length of the slugs in cells: slugs fly as they are launched, so this is at impact too.
 struct SlugCells {

@@ -5,7 +5,9 @@
 #include "base/gather.hpp"
 #include "base/process.hpp"
 #include "jet/depth.hpp"
+#include "jet/estimate.hpp"
 #include "jet/monitor.hpp"
+#include "jet/rest.hpp"
 #include "output/cavities.hpp"
 #include "output/copy_surfaces.hpp"
 #include "output/exodus_writer.hpp"
@@ -19,6 +21,7 @@
 #include "state/balance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -45,18 +48,22 @@ struct Output::Parts {
   void open_files(const Scene& scene, const State& state, const RunNumbers& position);
   void write_fields(const Scene& scene, const State& state);
   void write_rows(const Scene& scene, const State& state);
+  void write_depth(const Scene& scene, const State& state);
   bool rows_due(const Clock& clock) const;
   RunNumbers position() const;
-  void show_progress(const State& state);
+  void show_progress(const State& state, bool finished = false);
   JetAudit write_jet_table(double mass_beyond) const;
 
   RunDescription run;
   Teuchos::RCP<const Comm> comm;
   double end_time;
+  bool to_rest;
   std::unique_ptr<Progress> progress;  ///< root only
   std::unique_ptr<ExodusWriter> fields;
   std::unique_ptr<HistoryWriter> history;
   std::unique_ptr<DepthWriter> depth;        ///< scenes with a recorded_path() only
+  std::optional<RestWatch> rest;             ///< launched jets with a target; its looks: root only
+  bool at_rest = false;                      ///< on every rank
   std::unique_ptr<RadiiWriter> radii;        ///< scenes with hollow balls only
   std::unique_ptr<CavitiesWriter> cavities;  ///< scenes with a pore fluid only
   JetMonitor monitor;                        ///< decks with a Jet Monitor only
@@ -95,6 +102,7 @@ Output::Parts::Parts(
     : run(description),
       comm(state.grid.comm),
       end_time(scene.end_time),
+      to_rest(scene.at_rest),
       monitor(run.monitor, position),
       field_schedule(scene.output.field_interval),
       history_schedule(scene.output.history_interval),
@@ -102,8 +110,12 @@ Output::Parts::Parts(
   totals = sum_totals(state);
   RootWork work(*comm);
   work.run([&] {
-    progress =
-        std::make_unique<Progress>(run.folder / "run.log", scene.end_time, has_reader(), position);
+    progress = std::make_unique<Progress>(
+        run.folder / "run.log",
+        RunEnds{scene.end_time, expected_end(scene), scene.at_rest},
+        has_reader(),
+        position
+    );
     for (const std::string& line : scene_lines(scene, run, comm->getSize(), totals.particles))
       progress->say(line);
     copy_surfaces(run.surfaces, run.folder);
@@ -139,7 +151,7 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
   history = std::make_unique<HistoryWriter>(
       scene, *comm, run.folder / "history.csv", kept("history_bytes"), before
   );
-  if (const std::optional<JetPath> path = recorded_path(scene, run.monitor))
+  if (const std::optional<JetPath> path = recorded_path(scene, run.monitor)) {
     depth = std::make_unique<DepthWriter>(
         *path,
         *comm,
@@ -147,6 +159,9 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
         kept("depth_bytes"),
         position.empty() ? 0.0 : number_of(position, "through_since")
     );
+    if (scene.jet.present && path->has_target) rest.emplace(rest_rule(scene), position);
+    at_rest = rest && rest->last().at_rest;
+  }
   if (!hollow_balls(scene).empty())
     radii = std::make_unique<RadiiWriter>(
         scene,
@@ -174,17 +189,31 @@ bool Output::Parts::rows_due(const Clock& clock) const {
   return history_schedule.on() ? history_schedule.due(clock.time) : rows_step != clock.step;
 }
 
+/// A row of depth.csv, and a look at the hole, of which the root tells all ranks.
+void Output::Parts::write_depth(const Scene& scene, const State& state) {
+  if (!depth) return;
+  depth->write(scene, state);
+  if (!rest) return;
+  std::array<double, 1> found{0.0};
+  if (is_root(*comm)) {
+    rest->look(state.clock.time, depth->last());
+    found[0] = rest->last().at_rest ? 1.0 : 0.0;
+  }
+  max_over_ranks(*comm, found);
+  at_rest = found[0] == 1.0;
+}
+
 void Output::Parts::write_rows(const Scene& scene, const State& state) {
   totals = sum_totals(state);
   history->write(*comm, state.clock, totals);
-  if (depth) depth->write(scene, state);
+  write_depth(scene, state);
   if (radii) radii->write(scene, state);
   if (cavities) cavities->write(scene, state);
   rows_step = state.clock.step;
   if (history_schedule.on()) history_schedule.done(state.clock.time);
 }
 
-void Output::Parts::show_progress(const State& state) {
+void Output::Parts::show_progress(const State& state, bool finished) {
   const Clock& clock = state.clock;
   progress->show(
       {clock.time,
@@ -193,7 +222,8 @@ void Output::Parts::show_progress(const State& state) {
        totals.particles,
        totals.particle_steps,
        energy_balance(totals.ledger).error(),
-       numerical_energy(totals.ledger).sum()}
+       numerical_energy(totals.ledger).sum(),
+       finished}
   );
 }
 
@@ -240,6 +270,10 @@ double Output::next_time(double now) const {
   return parts_->field_schedule.next_until(now, parts_->end_time);
 }
 
+bool Output::at_rest() const {
+  return parts_->to_rest && parts_->at_rest;
+}
+
 void Output::warn(const std::string& kind, const std::string& sentence) {
   RootWork work(*parts_->comm);
   work.run([&] { parts_->progress->warn(kind, sentence); });
@@ -250,7 +284,7 @@ RunNumbers Output::Parts::position() const {
   const auto bytes = [](const auto& writer) {
     return writer ? static_cast<double>(writer->bytes()) : 0.0;
   };
-  return {
+  RunNumbers numbers{
       {"fields_step", {static_cast<double>(fields_step)}},
       {"fields_time", {fields_time}},
       {"rows_step", {static_cast<double>(rows_step)}},
@@ -263,6 +297,8 @@ RunNumbers Output::Parts::position() const {
       {"through_since", {depth ? depth->through_since() : 0.0}},
       {"radii_bytes", {bytes(radii)}},
       {"cavities_bytes", {bytes(cavities)}}};
+  if (rest) numbers.merge(rest->numbers());
+  return numbers;
 }
 
 RunNumbers Output::position() const {
@@ -324,12 +360,13 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   if (!o.gave_up) o.fields->close(*o.comm);
   const double mass_beyond = o.monitor.on() ? o.monitor.mass_beyond(state) : 0.0;
   RunSummary summary = summarise(scene, state, seconds(), cpu_seconds() - o.cpu_start);
+  if (o.rest) summary.rest = o.rest->last();
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
   const Extremes extremes = find_extremes(scene, state);
   RootWork work(*o.comm);
   work.run([&] {
     watch_ledger(o.totals.ledger, state.clock.time, o.watched, *o.progress);
-    o.show_progress(state);
+    o.show_progress(state, verdict.finished);
     o.progress->list_warnings();
     summary.warnings = o.progress->warnings();
     judge_energy(scene, o.run.folder / "history.csv", o.totals, extremes, summary);

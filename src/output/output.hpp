@@ -38,6 +38,7 @@ struct RunVerdict {
   int exit_code = 0;
   bool may_be_resumed = false;  ///< not finished, and nothing is wrong with the computation
   bool files_failed = false;    ///< the disk took no more
+  bool at_rest = false;         ///< finished before the end time, with the hole of the jet at rest
 };
 
 /// All files of a run and the screen. The files' contents do not depend on the rank count.
@@ -65,6 +66,9 @@ public:
   /// The next instant after `now` that a step must end on: a field output or the end of the run
   /// [time].
   double next_time(double now) const;
+
+  /// Whether a run to rest has come to its end: the hole was at rest at the last row of depth.csv.
+  bool at_rest() const;
 
   /// A warning that every rank gives alike: printed once for each `kind`, later ones are counted.
   void warn(const std::string& kind, const std::string& sentence);

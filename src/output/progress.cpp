@@ -2,6 +2,7 @@
 #include "output/progress.hpp"
 
 #include "jet/depth.hpp"
+#include "jet/estimate.hpp"
 #include "output/radii.hpp"
 #include "scene/tile_levels.hpp"
 
@@ -65,10 +66,10 @@ std::string cost_text(double seconds) {
 }
 
 Progress::Progress(
-    const std::filesystem::path& log, double end_time, bool terminal, const RunNumbers& position
+    const std::filesystem::path& log, const RunEnds& ends, bool terminal, const RunNumbers& position
 )
     : log_(std::in_place, log, position.empty() ? 0 : size_of_file(log), false),
-      end_time_(end_time),
+      ends_(ends),
       first_time_(number_of(position, "time")),
       first_seconds_(number_of(position, "seconds")),
       terminal_(terminal),
@@ -100,11 +101,32 @@ void Progress::say_result(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::cout << line << std::endl;
 }
 
-std::string Progress::line(const ProgressNow& now) const {
-  const double done = end_time_ > 0.0 ? std::min(1.0, now.time / end_time_) : 1.0;
-  const double begun = end_time_ > 0.0 ? std::min(1.0, first_time_ / end_time_) : 0.0;
+/// Of the run; of one to rest, of the time until its predicted end, and less than all of it until
+/// it is known to be over.
+double Progress::share_done(const ProgressNow& now) const {
+  if (!(ends_.expected > 0.0) || (ends_.at_rest && now.finished)) return 1.0;
+  const double done = now.time / ends_.expected;
+  return ends_.at_rest ? std::min(done, 0.99) : done;
+}
+
+std::string Progress::left_text(const ProgressNow& now) const {
+  if (now.step == 0) return "?";
   const double elapsed = seconds() - first_seconds_;
-  const double left = done > begun ? elapsed * (1.0 - done) / (done - begun) : -1.0;
+  const auto until = [&](double end) {
+    const double done = end > 0.0 ? std::min(1.0, now.time / end) : 1.0;
+    const double begun = end > 0.0 ? std::min(1.0, first_time_ / end) : 0.0;
+    return duration_text(done > begun ? elapsed * (1.0 - done) / (done - begun) : -1.0);
+  };
+  if (!ends_.at_rest) return until(ends_.latest);
+  if (now.finished) return duration_text(0.0);
+  const std::string most = "at most " + until(ends_.latest);
+  if (now.time >= ends_.expected) return most;
+  return until(ends_.expected) + format(" if at rest at %.3g s, ", ends_.expected) + most;
+}
+
+std::string Progress::line(const ProgressNow& now) const {
+  const double done = std::min(1.0, share_done(now));
+  const double elapsed = seconds() - first_seconds_;
   const double rate = elapsed > 0.0 ? (now.particle_steps - first_steps_) / elapsed : 0.0;
   return format(
       "%3d %%  t %.4g s  step %ld  dt %.3g s  %s  %.3g particle-steps/s  left %s  numerical energy "
@@ -115,15 +137,14 @@ std::string Progress::line(const ProgressNow& now) const {
       now.dt,
       counted(now.particles, "particles").c_str(),
       rate,
-      now.step > 0 ? duration_text(left).c_str() : "?",
+      left_text(now).c_str(),
       100.0 * now.numerical_energy,
       now.energy_error
   );
 }
 
 void Progress::show(const ProgressNow& now) {
-  const double done = end_time_ > 0.0 ? now.time / end_time_ : 1.0;
-  const int tenth = whole_parts(done, 10);
+  const int tenth = whole_parts(share_done(now), 10);
   const bool passed = tenth > tenths_;
   tenths_ = std::max(tenths_, tenth);
   const std::string text = line(now);
@@ -219,6 +240,16 @@ std::string slow_text(const Scene& scene) {
   );
 }
 
+std::string at_most_text(const Scene& scene) {
+  return scene.at_rest ? format(", at most t = %.4g s", scene.end_time) : std::string();
+}
+
+/// How a run to rest has ended.
+std::string end_text(const Scene& scene, const RunVerdict& verdict) {
+  if (!scene.at_rest) return "";
+  return verdict.at_rest ? ", at rest" : ", at its Longest Time";
+}
+
 }  // namespace
 
 std::vector<std::string> scene_lines(
@@ -240,9 +271,11 @@ std::vector<std::string> scene_lines(
   const char* const plural = ranks == 1 ? "" : "s";
   lines.push_back(
       "  run        " + format(
-                            "%s now, to t = %.4g s, %d rank%s",
+                            "%s now, to %st = %.4g s%s, %d rank%s",
                             counted(particles, "particles").c_str(),
-                            scene.end_time,
+                            scene.at_rest ? "rest, predicted at " : "",
+                            expected_end(scene),
+                            at_most_text(scene).c_str(),
                             ranks,
                             plural
                         )
@@ -282,7 +315,8 @@ std::vector<std::string> result_lines(
   std::vector<std::string> lines;
   lines.push_back(
       verdict.finished
-          ? format("Finished: t = %.4g s after %ld steps.", state.clock.time, state.clock.step)
+          ? format("Finished: t = %.4g s after %ld steps", state.clock.time, state.clock.step) +
+                end_text(scene, verdict) + "."
           : format(
                 "Stopped at t = %.4g s of %.4g s, step %ld: ",
                 state.clock.time,

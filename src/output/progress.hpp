@@ -17,6 +17,14 @@ struct ProgressNow {
   double particles = 0.0, particle_steps = 0.0;
   double energy_error = 0.0;
   double numerical_energy = 0.0;  ///< that the method itself added, relative to what was put in
+  bool finished = false;
+};
+
+/// When a run will end.
+struct RunEnds {
+  double latest = 0.0;    ///< in any case [time]
+  double expected = 0.0;  ///< of a run to rest the predicted one; else the same [time]
+  bool at_rest = false;   ///< a run to rest
 };
 
 /// The screen and the same text in run.log. Root only.
@@ -29,7 +37,7 @@ public:
   /// @param position  of a run that is resumed: the log is continued, and the clock goes on
   Progress(
       const std::filesystem::path& log,
-      double end_time,
+      const RunEnds& ends,
       bool terminal,
       const RunNumbers& position = {}
   );
@@ -52,12 +60,14 @@ public:
 
 private:
   std::string line(const ProgressNow& now) const;
+  double share_done(const ProgressNow& now) const;
+  std::string left_text(const ProgressNow& now) const;
   void append(const std::string& line);
   void say_on(std::ostream& screen, const std::string& line);
 
   using Time = std::chrono::steady_clock::time_point;
   std::optional<LineFile> log_;
-  double end_time_;
+  RunEnds ends_;
   double first_time_ = 0.0, first_steps_ = 0.0, first_seconds_ = 0.0;  ///< of a resume
   bool terminal_;
   Time start_, drawn_{};

@@ -60,6 +60,7 @@ std::vector<std::string> result_numbers(
     lines.push_back(
         penetration.met ? depth_words(scene, penetration) : "no depth: the jet has hit no target"
     );
+  if (summary.rest && summary.rest->met) lines.push_back(rest_sentence(*summary.rest));
   if (penetration.met)
     lines.push_back(
         "error of the depth from the size of the cells: " +

@@ -134,6 +134,7 @@ void put_resolution(Json& json, const Scene& scene, const Penetration& p) {
   for (const PathLayer& layer : solid_layers(path_layers(scene, widest_radius(scene)))) {
     const std::string name = as_utf8(scene.bodies[layer.body].name);
     json["depth_in_body"][name] = number(depth_in(layer, path, p.depth));
+    json["channel_depth_in_body"][name] = number(depth_in(layer, path, p.channel_depth));
     json["entrance_diameter_in_body"][name] = number(entrance_diameter(layer, path, p));
   }
 }
@@ -154,7 +155,9 @@ void put_depth_error(Json& json, const Scene& scene, double time, const Penetrat
   error["source"] = depth_error_source;
 }
 
-void put_penetration(Json& json, const Scene& scene, double time, const Penetration& p) {
+void put_penetration(
+    Json& json, const Scene& scene, const JetPath& path, double time, const Penetration& p
+) {
   Json& reached = json["penetration"];
   reached["met_target"] = p.met;
   reached["depth"] = number(p.met ? p.depth : std::numeric_limits<double>::quiet_NaN());  // null
@@ -164,10 +167,22 @@ void put_penetration(Json& json, const Scene& scene, double time, const Penetrat
       number(p.through ? p.through_since : std::numeric_limits<double>::quiet_NaN());
   reached["channel_depth"] = number(p.channel_depth);
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
+  reached["channel_volume"] = number(channel_volume(scene.grid, path, p));
   reached["jet_mass_inside"] = number(p.jet_mass_inside);
   reached["tip_velocity"] = number(p.tip_velocity);
   if (scene.jet.present) put_resolution(reached, scene, p);
   if (p.met) put_depth_error(reached, scene, time, p);
+}
+
+/// Whether the hole is at rest, and why not.
+void put_rest(Json& json, const Rest& rest) {
+  Json& one = json["penetration"]["rest"];
+  one["at_rest"] = rest.at_rest;
+  one["sentence"] = rest_sentence(rest);
+  one["window"] = number(rest.window);
+  one["growth"] = number(rest.growth);
+  one["rate"] = number(rest.rate());
+  one["share_on_its_way"] = number(rest.share_on_its_way);
 }
 
 /// The rows of the ledger whose paths begin with `group`, or stand alone if that is empty.
@@ -266,6 +281,13 @@ void put_anomalies(Json& json, const Scene& scene, const std::vector<Anomalies>&
   }
 }
 
+/// What ended a run that has finished; null of others.
+Json end_word(const Scene& scene, const RunVerdict& verdict) {
+  if (!verdict.finished) return nullptr;
+  if (!scene.at_rest) return "end time";
+  return verdict.at_rest ? "rest" : "longest time";
+}
+
 }  // namespace
 
 RunSummary summarise(
@@ -317,13 +339,15 @@ std::string summary_text(
   if (scene.quasi_static.on()) json["inertia_factor"] = number(scene.quasi_static.inertia_factor);
   json["time"] = number(state.clock.time);
   json["end_time"] = number(scene.end_time);
+  json["ended_at"] = end_word(scene, verdict);
   json["particles"] = number(totals.particles);
   json["steps"] = state.clock.step;
   put_cost(json, summary, totals);
   put_step_shares(json, scene.grid.cell_size, totals.step_shares);
   put_prediction(json, run, summary);
-  if (recorded_path(scene, run.monitor))
-    put_penetration(json, scene, state.clock.time, penetration);
+  if (const auto path = recorded_path(scene, run.monitor))
+    put_penetration(json, scene, *path, state.clock.time, penetration);
+  if (summary.rest) put_rest(json, *summary.rest);
   put_ledger(json, totals.ledger, "balances.");
   put_numerical_energy(json, summary);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);

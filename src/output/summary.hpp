@@ -2,6 +2,7 @@
 #pragma once
 
 #include "jet/depth.hpp"
+#include "jet/rest.hpp"
 #include "jet/table.hpp"
 #include "output/anomalies.hpp"
 #include "output/history_writer.hpp"
@@ -41,6 +42,7 @@ struct RunSummary {
   std::string numerical_warning;     ///< of them; empty: they are small
   std::map<std::string, long> warnings;
   std::optional<JetAudit> formed_jet;  ///< of a Jet Monitor
+  std::optional<Rest> rest;            ///< of a launched jet's hole; valid on the root
 };
 
 /// Collects memory, phases and kinematic anomalies over the ranks. Collective.

@@ -3,7 +3,6 @@
 
 #include "deck/section_table.hpp"
 #include "deck/sections/head_section.hpp"
-#include "deck/sections/time_section.hpp"
 #include "scene/jet/jet_monitor.hpp"
 #include "scene/scene_parts.hpp"
 
@@ -129,7 +128,6 @@ Scene build_scene(const Deck& deck) {
   Scene scene;
   // One line, as screens, run.log and files have it: a line end in it would begin a line of theirs.
   scene.title = input::on_one_line(read_section<HeadSection>(deck).title);
-  scene.end_time = read_section<TimeSpec>(deck).end_time;
   scene.grid = read_grid(deck);
   add_materials(deck, scene);
   add_bodies(deck, scene);
@@ -140,6 +138,7 @@ Scene build_scene(const Deck& deck) {
   add_confinement(deck, scene);
   check_pore_pressures(deck, scene);
   add_jet(deck, scene);
+  add_end(deck, scene);
   add_detonation(deck, scene);
   jet_monitor_of(deck, scene);  // refuses; whoever monitors asks again
   add_body_force(deck, scene);

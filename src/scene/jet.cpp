@@ -49,6 +49,17 @@ std::string problem_of(const JetSlug& slug, double material_density) {
 
 }  // namespace
 
+double fastest_velocity(const JetSpec& jet) {
+  double fastest = 0.0;
+  for (const JetSlug& slug : jet.slugs) fastest = std::max(fastest, slug.velocity);
+  return fastest;
+}
+
+double cut_off_velocity(const Scene& scene) {
+  constexpr double share = 0.1;
+  return scene.cut_off_velocity.value_or(share * fastest_velocity(scene.jet));
+}
+
 RefinedRegion path_of_jet(const GridSpec& grid, const JetSpec& jet) {
   constexpr double path_radius = 2.5;
   double thinnest = std::numeric_limits<double>::infinity(), widest = 0.0;

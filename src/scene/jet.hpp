@@ -17,6 +17,13 @@ GridSpec grid_of_jet(const GridSpec& grid, const JetSpec& jet);
 /// do. There are the jet, what is left of it and the wall of its channel.
 RefinedRegion path_of_jet(const GridSpec& grid, const JetSpec& jet);
 
+/// Of all slugs [length/time].
+double fastest_velocity(const JetSpec& jet);
+
+/// Velocity below which the metal of a jet no longer digs: that of the deck, or a tenth of its
+/// fastest slug's, whose stagnation pressure is a hundredth of the fastest one's [length/time].
+double cut_off_velocity(const Scene& scene);
+
 /// Largest cells on the axis between the launch plane and the back of the last body: they decide
 /// how well the jet is resolved [length].
 double cell_size_of_path(const Scene& scene);

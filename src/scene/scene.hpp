@@ -86,8 +86,10 @@ struct Scene {
   std::vector<std::string> left_out;
   QuasiStaticSpec quasi_static;
   StepSpec step;
-  double end_time = 0.0;  ///< [time]
+  double end_time = 0.0;  ///< of the run; of one to rest the longest time [time]
   OutputSpec output;
+  bool at_rest = false;  ///< the run ends before end_time if the hole of its jet is at rest
+  std::optional<double> cut_off_velocity;  ///< as the deck gives it [length/time]
 };
 
 }  // namespace barreno

@@ -26,6 +26,8 @@ void add_confinement(const Deck& deck, Scene& scene);
 /// After the confinement: refuses fluid under a pressure that its rock cannot start with.
 void check_pore_pressures(const Deck& deck, const Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
+/// When the run ends; after the jet.
+void add_end(const Deck& deck, Scene& scene);
 /// After the step: refuses voids that its Largest Expansion or their material cannot have.
 void check_expansions(const Deck& deck, const Scene& scene);
 void check_jet_expansion(const Deck& deck, const Scene& scene);

@@ -138,15 +138,28 @@ double section_inside(const JetSlug& slug, const GridSpec& grid) {
   return std::min(slug.radius, grid.upper[0]) - std::max(-slug.radius, grid.lower[0]);
 }
 
+const std::vector<JetSlug>& rows_of(const JetSpec& jet) {
+  return jet.table.empty() ? jet.slugs : jet.table;
+}
+
+double mass_inside(const JetSlug& slug, const GridSpec& grid) {
+  return slug.density * section_inside(slug, grid) * slug.length;
+}
+
 }  // namespace
+
+std::vector<double> jet_table_masses(const Scene& scene) {
+  std::vector<double> masses;
+  for (const JetSlug& slug : rows_of(scene.jet)) masses.push_back(mass_inside(slug, scene.grid));
+  return masses;
+}
 
 JetTotals jet_table_totals(const Scene& scene, std::size_t slugs) {
   JetTotals totals;
-  const std::vector<JetSlug>& rows = scene.jet.table.empty() ? scene.jet.slugs : scene.jet.table;
+  const std::vector<JetSlug>& rows = rows_of(scene.jet);
   for (std::size_t s = 0; s < std::min(slugs, rows.size()); ++s) {
     const JetSlug& slug = rows[s];
-    const double section = section_inside(slug, scene.grid);
-    const double mass = slug.density * section * slug.length;
+    const double mass = mass_inside(slug, scene.grid);
     totals.mass += mass;
     totals.momentum += mass * slug.velocity * scene.jet.direction;
     totals.kinetic += 0.5 * mass * slug.velocity * slug.velocity;

@@ -60,4 +60,7 @@ struct JetTotals {
 };
 JetTotals jet_table_totals(const Scene& scene, std::size_t slugs);
 
+/// Mass of every slug of the table, likewise.
+std::vector<double> jet_table_masses(const Scene& scene);
+
 }  // namespace barreno

@@ -10,12 +10,48 @@ namespace {
 using namespace input;
 namespace dim = dimension;
 
+BoundEntry<TimeSpec> end_entry() {
+  BoundEntry<TimeSpec> bound;
+  bound.entry =
+      number(
+          "End Time",
+          dim::time,
+          above(0.0),
+          "end of the run; at rest: when the hole of the jet has stopped growing and nothing of "
+          "the jet that can still reach its bottom is on its way (docs/jets.md)"
+      )
+          .or_word(at_rest_word);
+  bound.member = &TimeSpec::end_time;
+  bound.read = [](const Deck& deck, const std::string& path, TimeSpec& spec) {
+    spec.at_rest = deck.holds_word(path);
+    if (!spec.at_rest) spec.end_time = deck.number(path);
+  };
+  return bound;
+}
+
 SectionTable<TimeSpec> time_table() {
   return {
       "Time",
       "duration of the run",
       Presence::required,
-      {needed(&TimeSpec::end_time, "End Time", dim::time, above(0.0), "end of the run")}};
+      {end_entry(),
+       if_given(
+           &TimeSpec::longest_time,
+           "Longest Time",
+           dim::time,
+           above(0.0),
+           "with End Time = at rest: end of the run in any case; left out: 1.5 times the time at "
+           "which the last slug of the jet that still digs would reach the end of the grid in "
+           "free flight"
+       ),
+       if_given(
+           &TimeSpec::cut_off_velocity,
+           "Cut-off Velocity",
+           dim::velocity,
+           above(0.0),
+           "slower parts of the jet no longer dig: a hole can be at rest while they are on their "
+           "way; left out: a tenth of the velocity of the fastest slug"
+       )}};
 }
 
 Entries<OutputSpec> interval_entries() {

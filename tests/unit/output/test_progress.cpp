@@ -27,7 +27,7 @@ TEST(Progress, LogsALineEveryTenthAndEachWarningOnce) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   {
-    Progress progress(folder.path() / "run.log", 1.0, false);
+    Progress progress(folder.path() / "run.log", {1.0, 1.0}, false);
     for (int i = 0; i <= 100; ++i) progress.show({0.01 * i, 0.01, i, 10.0, 10.0 * i, 0.0});
     progress.warn("odd things", "3 odd things by t = 1 s.", 3);
     progress.warn("odd things", "4 odd things by t = 2 s.");
@@ -51,7 +51,7 @@ TEST(Progress, TheLastLineSaysTheEnd) {
   if (comm->getRank() != 0) return;
   testing::internal::CaptureStdout();
   {
-    Progress progress(folder.path() / "run.log", 1.0, false);
+    Progress progress(folder.path() / "run.log", {1.0, 1.0}, false);
     for (const double time : {0.0, 0.5, 1.0 - 1e-12, 1.0}) progress.show({time, 0.5, 1, 1.0});
   }
   testing::internal::GetCapturedStdout();
@@ -60,6 +60,36 @@ TEST(Progress, TheLastLineSaysTheEnd) {
   EXPECT_EQ(last.substr(0, 7), "100 %  ") << log;
   EXPECT_EQ(log.find("100 %"), log.rfind("100 %")) << log;
   EXPECT_NE(last.find(" 1 particle "), std::string::npos) << last;
+}
+
+/// The lines of run.log of a run to rest, predicted at 1 s and over at 3 s at the latest.
+std::string log_of_run_to_rest(const std::filesystem::path& file) {
+  testing::internal::CaptureStdout();
+  {
+    Progress progress(file, {3.0, 1.0, true}, false);
+    ProgressNow now;
+    now.step = 1;
+    for (const double time : {0.0, 0.5, 0.95, 1.0, 1.5}) {
+      now.time = time;
+      progress.show(now);
+    }
+    now.finished = true;
+    progress.show(now);
+  }
+  testing::internal::GetCapturedStdout();
+  return synthetic::read_text(file);
+}
+
+TEST(Progress, OfARunToRestDoesNotSayTheEndBeforeItIsKnown) {
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const synthetic::TemporaryFolder folder(*comm);
+  if (comm->getRank() != 0) return;
+  const std::string log = log_of_run_to_rest(folder.path() / "run.log");
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 4) << log;  // 0, 50, 95 and 100 %
+  EXPECT_NE(log.find(" 50 %  t 0.5 s"), std::string::npos) << log;
+  EXPECT_NE(log.find("left 0 s if at rest at 1 s, at most 0 s"), std::string::npos) << log;
+  EXPECT_NE(log.find("100 %  t 1.5 s"), std::string::npos) << log;
+  EXPECT_EQ(log.find("100 %"), log.rfind("100 %")) << log;
 }
 
 TEST(Text, CountsHaveTheirNumber) {

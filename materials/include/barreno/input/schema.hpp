@@ -32,8 +32,9 @@ struct Entry {
   Dimension dimension{};
   Bounds bounds = any();
   Presence presence = Presence::required;
-  std::string default_text{};        ///< in SI, as a deck would say it
-  std::vector<std::string> words{};  ///< Kind::word and Kind::words
+  std::string default_text{};  ///< in SI, as a deck would say it
+  /// Kind::word and Kind::words; of Kind::number: words that may stand in its place
+  std::vector<std::string> words{};
   std::vector<Dimension> columns{};  ///< Kind::table
   std::string example{};             ///< for sentences; empty: one that suits kind and bounds
 
@@ -48,6 +49,12 @@ struct Entry {
   Entry such_as(std::string text) const {
     Entry entry = *this;
     entry.example = std::move(text);
+    return entry;
+  }
+  /// The same number, or this word in its place.
+  Entry or_word(std::string text) const {
+    Entry entry = *this;
+    entry.words.push_back(std::move(text));
     return entry;
   }
   /// The same entry, allowed to be absent; a rule across entries then decides.

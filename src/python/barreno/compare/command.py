@@ -17,7 +17,7 @@ EXAMPLE = "write for example barreno compare runs/perforation-1 runs/perforation
 RECORD = "compare.json"
 SHOWN = (
     re.compile(
-        r"penetration\.(depth|through_since|channel_depth|channel_radius_mid|jet_mass_inside|tip_velocity)|"
+        r"penetration\.(depth|through_since|channel_depth|channel_radius_mid|channel_volume|jet_mass_inside|tip_velocity)|"
         r"balances\.energy\.(kinetic|elastic|plastic|viscous|error)|"
         r"time|steps|particle_steps|wall_seconds|peak_resident_bytes")
 )  # fmt: skip

@@ -17,6 +17,7 @@ from barreno.runs.run_folder import read_summary
 from barreno.runs.tables import make_folder, place
 from barreno.runs.words import TIME_UNITS, Words, quantity_of
 
+AT_REST = "at rest"
 EXAMPLE = "write for example barreno converge input_xml/perforation_quick.xml --levels 3"
 
 
@@ -59,6 +60,17 @@ def time_of(text):
         return quantity_of(text, TIME_UNITS)
     except ValueError:
         raise Fault(f'--times has "{text.strip()}", which is not a time; write for example --times "10 us, 20 us".') from None
+
+
+def end_of(deck):
+    """End of the runs of a deck [s]; infinite of one to rest: its runs say it."""
+    text = value_in(deck, "Time/End Time")
+    return math.inf if text == AT_REST else float(text)
+
+
+def last_end(levels):
+    """The latest of the ends of runs to rest [s]."""
+    return max(read_summary(level.folder)["time"] for level in levels)
 
 
 def times_of(text, end):
@@ -155,10 +167,8 @@ def run(words):
     settings = [*options.settings, *([f"Fidelity={options.fidelity}"] if options.fidelity else [])]
     base = program.effective_deck([options.deck, *as_set(settings)])
     check_quantity(options.quantity, base)
-    size, end = (float(value_in(base, path)) for path in ("Grid/Cell Size", "Time/End Time"))
+    size, end = float(value_in(base, "Grid/Cell Size")), end_of(base)
     times = times_of(options.times, end)
-    if times[-1] < end:
-        times.append(end)
     out, sizes = out_folder(options), level_runs.cells_of(size, options.levels, options.refine)
     settings += level_runs.box_setting(base, level_runs.common_length(sizes[0], options.levels, options.refine), print)
     levels = level_runs.make_levels(program, options.deck, settings, base, sizes, out)
@@ -169,6 +179,12 @@ def run(words):
         level_runs.run_level(program, level, places, print)
         if level is levels[-1]:
             quantity = Quantity(options.quantity, level.folder)
+    if math.isinf(end):
+        # Beyond its end a hole at rest stays as it is.
+        end = last_end(levels)
+        times = times_of(options.times, end)
+    if times[-1] < end:
+        times.append(end)
     rows = compare(levels, quantity, times, options.formal_order)
     write(options, levels, quantity, rows, out)
     print(report.table(quantity.name, levels, rows))

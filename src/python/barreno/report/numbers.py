@@ -62,11 +62,18 @@ def entrance_rows(penetration):
         ", ".join(f"{value / MILLI:.2f} mm in {name}" for name, value in reversed(found)))] if found else []
 
 
+def rest_rows(penetration):
+    """Whether the hole was at rest at the end, and why or why not; of launched jets."""
+    sentence = penetration.get("rest", {}).get("sentence")
+    return [("at the end", sentence)] if sentence else []
+
+
 def depth_rows(summary, depth):
     if not depth:
         return []
     return [
         ("depth", depth_text(depth, summary.get("penetration", {}))),
+        *rest_rows(summary.get("penetration", {})),
         *resolution_rows(summary.get("penetration", {})),
         ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm (in whole cells of the finest size)"),
         ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),

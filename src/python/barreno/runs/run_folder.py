@@ -18,7 +18,7 @@ KINDS = {  # what commands reckon with, where a summary has it: a number, an obj
     "time": NUMBER, "wall_seconds": NUMBER, "steps": NUMBER, "exit_code": NUMBER, "reason": str, "version": str, "penetration": LIST,
     "penetration.depth": NUMBER,
     "penetration.channel_depth": NUMBER, "penetration.cells_per_radius": LIST, "penetration.cells_per_radius.tip": NUMBER,
-    "penetration.depth_error": LIST,
+    "penetration.rest": LIST, "penetration.rest.sentence": str, "penetration.depth_error": LIST,
     "penetration.depth_error.value": NUMBER, "penetration.depth_error.low": NUMBER, "penetration.depth_error.high": NUMBER,
     "penetration.depth_error.cells_per_radius": NUMBER,
     "penetration.depth_error.source": str, "penetration.depth_error.unknown": str, "penetration.depth_error.advice": str,
