@@ -33,6 +33,7 @@ RUNS = [
     ("manufactured_box.xml", {"Time/End Time": "1e-4 s", "Step/Shape Function": "CPDI"}),
     ("taylor_bar_3d.xml", {"Time/End Time": "0.05 us", **MONITOR}),
     ("porous_slug.xml", {"Time/End Time": "0.1 us"}),  # metal with voids
+    ("water_hammer.xml", {"Time/End Time": "1 us"}),  # a liquid
     ("jet_formation.xml", {"Time/End Time": "0.2 us"}),  # an explosive, and a material's name with a space in it
 ]  # fmt: skip
 # Written after runs, by another program: its source has the names.

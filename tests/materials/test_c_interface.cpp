@@ -29,7 +29,8 @@ const std::vector<std::string> card_names = {
     "berea_sandstone",
     "copper",
     "steel_4340",
-    "tungsten"};
+    "tungsten",
+    "water"};
 /// Their form has one state variable more, the strain of the voids.
 const std::vector<std::string> voided_card_names = {
     "aluminium_6061_fracture", "copper_ofhc", "steel_4340_fracture", "tungsten_alloy"};

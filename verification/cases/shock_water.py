@@ -76,7 +76,7 @@ def run(barreno, full):
                     result.demand(f"{what}, {shape}, {speed:g} m/s, {h} mm", abs(error), 0.01)
     result.notes = (
         "Without shear strength nothing keeps the particles of one cell at one density: with GIMP their densities scatter by 7 % behind "
-        "the shock of 3 km/s. The pressure rises faster than in proportion, so that its mean is that of a larger density. With the quadratic "
-        "B-spline, or with one particle per cell, the scatter is 1 %."
+        "the shock of 3 km/s. The pressure rises faster than in proportion, so that its mean is that of a larger density. With the "
+        "quadratic B-spline, or with one particle per cell, the scatter is 1 %."
     )
     return result
