@@ -26,6 +26,9 @@ BoundEntry<TimeSpec> end_entry() {
     spec.at_rest = deck.holds_word(path);
     if (!spec.at_rest) spec.end_time = deck.number(path);
   };
+  bound.text = [](const TimeSpec& spec) {
+    return spec.at_rest ? std::string(at_rest_word) : exact_text(spec.end_time);
+  };
   return bound;
 }
 

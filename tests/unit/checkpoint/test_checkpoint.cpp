@@ -215,6 +215,10 @@ TEST_F(CheckpointTest, FollowsNoLinkOfTheNameItIsWrittenUnder) {
 TEST(DeckDifference, NamesTheFirstLineButNotTheEndTime) {
   const std::string deck = "a\n  name=\"End Time\" value=\"1\"\n  b\n";
   EXPECT_EQ(deck_difference(deck, deck), "");
+  const std::string longest = "a\n  name=\"End Time\" value=\"at rest\"\n  name=\"Longest Time\"\n";
+  EXPECT_EQ(deck_difference(deck, longest + "  b\n"), "");
+  EXPECT_EQ(deck_difference(longest + "  b\n", deck), "");
+  EXPECT_NE(deck_difference(deck, longest + "  c\n"), "");
   EXPECT_EQ(deck_difference(deck, "a\n  name=\"End Time\" value=\"2\"\n  b\n"), "");
   EXPECT_EQ(
       deck_difference(deck, "a\n  name=\"End Time\" value=\"1\"\n  c\n"), "line 3: b against c"

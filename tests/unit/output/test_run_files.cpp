@@ -62,7 +62,7 @@ TEST(Schedule, ARoundingBeforeTheEndIsTheEnd) {
 
 TEST_F(RunFiles, WatchLedgerWarnsOnceForEachCauseAndCounts) {
   if (!root) return;
-  Progress progress(folder.path() / "run.log", 1.0, false);
+  Progress progress(folder.path() / "run.log", {1.0, 1.0}, false);
   Ledger watched, ledger;
   watch_ledger(ledger, 0.1, watched, progress);
   EXPECT_TRUE(progress.warnings().empty());
