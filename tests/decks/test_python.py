@@ -154,8 +154,9 @@ def check_grid(run):
     with unittest.mock.patch.dict(sys.modules, {"xarray": None}):
         plain = run.grid("pressure", "6 us", spacing=4e-3)
     assert np.array_equal(plain["values"], grid.to_numpy(), equal_nan=True) and np.array_equal(plain["x"], grid.x)
-    for spacing in (0.0, -1.0, "1 mm"):
+    for spacing in (0.0, -1.0, "1 mm", float("nan")):
         refused(lambda: run.grid("pressure", spacing=spacing), "is not a length above 0")  # noqa: B023
+    refused(lambda: run.grid("pressure", spacing=1e-9), "more than 2e+07 squares", "choose a larger one")
     assert abs(run.hole.length - run.depth["channel_depth"].iloc[-1]) < 4e-3, run.hole.length
 
 

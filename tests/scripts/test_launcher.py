@@ -46,7 +46,7 @@ class Machine:
             file = bin_folder / name
             file.write_text(f'#!/usr/bin/env bash\nnotes="{self.notes}"\necho "{name} $*" >>"$notes/calls"\n{does}\n')
             file.chmod(0o755)
-        inherited = {name: value for name, value in os.environ.items() if not name.startswith("BARRENO_")}
+        inherited = {name: value for name, value in os.environ.items() if not name.startswith(("BARRENO_", "PYTHON"))}
         self.environment = {**inherited, "PATH": f"{bin_folder}:{os.environ['PATH']}", "BARRENO_LOCK_PAUSE": "0"}
 
     def note(self, name, text=""):

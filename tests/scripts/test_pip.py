@@ -54,7 +54,7 @@ def check_installation(cmake, build, folder):
     environment = pip_install(prefix / "share" / "barreno" / "python", folder / "of prefix")
     script = folder / "of prefix" / "bin" / "barreno"
     deck = prefix / "share" / "barreno" / "input_xml" / "perforation_quick.xml"
-    for words in (("check", deck), ("describe", "Time"), ("--version",)):
+    for words in (("check", deck, "--print-deck"), ("describe", "Time"), ("--version",)):
         said = call(script, *words, environment=environment)
         assert said and said == call(prefix / "bin" / "barreno", *words), words
     launcher, card = call(sys.executable, "-c", FROM, environment=environment).splitlines()

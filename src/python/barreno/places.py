@@ -54,6 +54,13 @@ def program():
     return None if on_path is None or is_console_script(on_path) else on_path
 
 
+def cards():
+    """The folder of the cards that Barreno comes with; None where there is none."""
+    tree, _ = root()
+    folder = tree / "materials" / "cards" if tree else home().parent / "cards"
+    return folder if folder.is_dir() else None
+
+
 def library():
     """libBARRENO.so that BARRENO_LIBRARY names, or that of the installation or of the tree; None if there is none."""
     named = os.environ.get("BARRENO_LIBRARY")

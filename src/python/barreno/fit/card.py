@@ -5,6 +5,7 @@ import pathlib
 import re
 import xml.etree.ElementTree as xml
 
+from barreno import places
 from barreno.fit import units
 from barreno.fit.parameters import DIMENSION_OF
 from barreno.runs.faults import FILE, Fault
@@ -17,17 +18,10 @@ NOT_IN_TESTS = ("fluid_B0", "fluid_pressure_initial", "Matrix bulk modulus", "T1
 TOLERANCE = 1e-5  # of the stress update while a fit differentiates its answers
 
 
-def cards_above():
-    """The cards of this source tree, or of the installation that this file belongs to."""
-    for folder in pathlib.Path(__file__).resolve().parents:
-        if (folder / "cards" / "berea_sandstone.xml").exists():
-            return folder / "cards"
-    return None
-
-
 def find(name):
     """A card by path, or by name among those that Barreno comes with."""
-    for file in [pathlib.Path(name), *([cards_above() / f"{name.lower().removesuffix('.xml')}.xml"] if cards_above() else [])]:
+    cards = places.cards()
+    for file in [pathlib.Path(name), *([cards / f"{name.lower().removesuffix('.xml')}.xml"] if cards else [])]:
         if file.is_file():
             return file
     raise Fault(f"{name} is neither a file nor the name of a card; check the path of --start.", FILE)

@@ -3,6 +3,7 @@
 
 import contextlib
 import difflib
+import numbers
 import pathlib
 import warnings
 
@@ -15,6 +16,7 @@ from barreno.runs.run_folder import progress_of, read_summary
 from barreno.runs.words import TIME_UNITS, quantity_of
 
 MICRO = 1e-6
+MOST_SQUARES = 2e7  # of a grid, half a gigabyte
 CLOSE = 1e-3  # of the interval of outputs: how far a time may be from an output that is meant
 
 
@@ -50,6 +52,18 @@ def check_name(name, known, folder):
     near = difflib.get_close_matches(str(name).lower().replace(" ", "_"), known, 3, 0.5)
     hint = f"the nearest are {', '.join(near)}; " if near else ""
     raise Fault(f'"{name}" is not a field of {folder}; {hint}it has {", ".join(sorted(known))}.')
+
+
+def need_fields():
+    """What reads particles."""
+    needed("numpy")
+    needed("netCDF4")
+
+
+def unit_of_field(name):
+    from barreno.report.run_tables import UNITS
+
+    return UNITS.get("velocity_x" if name == "speed" else name, "-")
 
 
 class Run:
@@ -140,8 +154,7 @@ class Run:
 
     @contextlib.contextmanager
     def _particle_file(self):
-        needed("numpy")
-        needed("netCDF4")
+        need_fields()
         from barreno.report.deck import read_deck
         from barreno.report.files import reading
         from barreno.report.particles import ParticleFile
@@ -167,6 +180,7 @@ class Run:
     @property
     def fields(self):
         """Names of the fields that `particles` and `grid` can give."""
+        need_fields()
         from barreno.report.fields import known_fields
 
         with self._particle_file() as (file, deck):
@@ -194,9 +208,8 @@ class Run:
             If there is no such output or field: the sentence names the nearest.
         """
         pandas = needed("pandas")
-        needed("netCDF4")
+        need_fields()
         from barreno.report.fields import known_fields, values_of
-        from barreno.report.run_tables import UNITS
 
         fields = [fields] if isinstance(fields, str) else fields
         with self._particle_file() as (file, deck):
@@ -210,8 +223,8 @@ class Run:
             columns |= {name: values_of(frame, deck, name) for name in (sorted(known) if fields is None else fields)}
             found = pandas.DataFrame(columns, index=pandas.Index(file.numbers[frame.alive], name="particle"))
             found.attrs["time"] = frame.time
-        units = {**dict.fromkeys(axes, "m"), "speed": "m/s", "porosity": "-"}
-        found.attrs["units"] = {name: units.get(name) or UNITS.get(name, "-") for name in found.columns if name != "material"}
+        units = dict.fromkeys(axes, "m")
+        found.attrs["units"] = {name: units.get(name) or unit_of_field(name) for name in found.columns if name != "material"}
         return found
 
     def grid(self, field, time=None, spacing=None):
@@ -231,31 +244,27 @@ class Run:
             Dimensions y and x [m], the centres of the squares; nan where no material is. Without xarray a dict of `x`, `y` and `values`.
             In three dimensions the particles that the plane of the report cuts, just inside the least z.
         """
-        needed("numpy")
-        from barreno.interface.squares import mean_on_squares
-        from barreno.report.fields import known_fields, unit_of, values_of
+        need_fields()
+        from barreno.interface.squares import count_squares, mean_on_squares
+        from barreno.report.fields import known_fields, values_of
 
         with self._particle_file() as (file, deck):
             check_name(field, known_fields(file, deck), self.folder)
             frame = file.frame(step_of(list(file.times), time, self.folder))
             spacing = deck.number("Grid/Cell Size") if spacing is None else spacing
-            if not (isinstance(spacing, (int, float)) and spacing > 0.0):
+            if not (isinstance(spacing, numbers.Real) and 0.0 < spacing < float("inf")):
                 raise Fault(f"spacing={spacing!r} is not a length above 0 in m; write for example spacing=1e-3.")
             shapes, of = frame.shapes
+            if count_squares(shapes, float(spacing)) > MOST_SQUARES:
+                raise Fault(f"spacing={spacing:g} m divides the particles into more than {MOST_SQUARES:.0e} squares; choose a larger one.")
             x, y, values = mean_on_squares(shapes, values_of(frame, deck, field)[of], float(spacing))
-            attributes = {"time": frame.time, "units": self._unit(field, unit_of)}
+            attributes = {"time": frame.time, "units": unit_of_field(field)}
         try:
             import xarray
         except ModuleNotFoundError:
             return {"x": x, "y": y, "values": values, **attributes}
         metre = {"units": "m"}
         return xarray.DataArray(values, {"y": ("y", y, metre), "x": ("x", x, metre)}, ("y", "x"), field, attributes)
-
-    @staticmethod
-    def _unit(field, unit_of):
-        from barreno.report.run_tables import UNITS
-
-        return UNITS.get("velocity_x" if field == "speed" else field, "-")
 
     @property
     def hole(self):
@@ -280,7 +289,7 @@ class Run:
         Fault
             If the deck has no jet.
         """
-        needed("numpy")
+        need_fields()
         from barreno.report.files import read_csv
         from barreno.report.hole import face_of, measure_hole
 

@@ -6,6 +6,11 @@ import numpy as np
 LEAST, MOST = 4, 32  # parts of a particle's edge
 
 
+def count_squares(shapes, spacing):
+    """Of the box that holds all shapes, as a float."""
+    return float(np.prod(np.ptp(shapes, axis=(0, 1)) / spacing + 1.0)) if len(shapes) else 0.0
+
+
 def mean_on_squares(shapes, values, spacing):
     """Mean of a field over the material in each square.
 
