@@ -116,8 +116,8 @@ std::string rest_line(const Scene& scene) {
 
 std::string jet_lines(const Scene& scene, const JetMonitorSpec& monitor) {
   if (scene.jet.present)
-    return slug_line(scene) + kind_line(scene) + rest_line(scene) +
-           liquid_line(jet_path(scene)) + depth_line(scene);
+    return slug_line(scene) + kind_line(scene) + rest_line(scene) + liquid_line(jet_path(scene)) +
+           depth_line(scene);
   const auto path = recorded_path(scene, monitor);
   if (!path) return {};
   return liquid_line(*path) + error_line(depth_doubt(scene, scene.end_time, Penetration{}));
