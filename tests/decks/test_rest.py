@@ -10,10 +10,8 @@ import pathlib
 import sys
 import tempfile
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "verification" / "tools")]
-
-from resumed import at_previous, different_fields, different_files, different_sums, must_work, program  # noqa: E402
-from runs import DECKS, Run  # noqa: E402
+from tools.resumed import at_previous, different_fields, different_files, different_sums, must_work, program
+from tools.runs import DECKS, Run
 
 DECK = str(DECKS / "perforation_quick.xml")
 # Three slugs that dig, one of which comes late, and one below the cut-off velocity that would come later.

@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 SPEED, LENGTH, LAYER = 6000.0, 60e-3, 12e-3  # of jet_through_water.xml
 ROD, WATER = 17600.0, 998.2  # Density of tungsten.xml and of water.xml

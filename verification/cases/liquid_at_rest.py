@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Liquids at rest: between two blocks under pressure, in a column under its own pressure, and in a column under gravity."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 DENSITY, C0 = 998.2, 1483.0  # of water.xml: Density, Sound Speed
 LENGTH, RESERVOIR = 0.1, 0.5e6  # of water_hammer.xml [m, Pa]

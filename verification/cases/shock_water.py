@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Symmetric impact of layers of water: the plateau against the jump conditions of its Hugoniot."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 C0, SLOPE, DENSITY = 1483.0, 1.921, 998.2  # of water.xml: Sound Speed, Hugoniot Slope, Density
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A column of water hits a wall, parts from it behind a void, and hits it again: pressures and times of characteristics."""
 import numpy as np
-from case import Result
-from runs import run_deck
+from tools.case import Result
+from tools.runs import run_deck
 
 DENSITY, C0, SLOPE, VAPOUR = 998.2, 1483.0, 1.921, -98986.0  # of water.xml
 LENGTH, RESERVOIR, SPEED = 0.1, 0.5e6, 1.0  # of water_hammer.xml [m, Pa, m/s]
