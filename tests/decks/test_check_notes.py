@@ -66,8 +66,8 @@ MISTAKES = {  # what: (settings, words)
         "will ring under its confinement with Shape Function cubic B-spline, because its faces bear a pressure"),
     "linear functions": (["Step/Shape Function=linear"], "will ring under its confinement with Shape Function linear"),
     "thin slugs": (["Materials/Tungsten/Card=tungsten_alloy.xml", "Jet/Table=", "Jet/Slugs=1x5:{0, 2000, 0.002, 0.0005, 17600}"],
-        'late slugs of the jet, 0.0005 m long, are too thin for their particles (layers: 1 of at least 3): they pile up at the bottom, and the '
-        'depth at rest comes out too small (docs/trade.md, Depth at rest); choose Jet/Splits = 4'),
+        'late slugs of the jet, 0.0005 m long, are too thin for their particles (layers: 1 of at least 3): they pile up at the bottom, and '
+        'the depth at rest comes out too small (docs/trade.md, Depth at rest); choose Jet/Splits = 4'),
     "early end": ([], f"Time/End Time = 4e-05 s {EARLY} (69 % of its mass and 34 % of its energy"),
 }  # fmt: skip
 

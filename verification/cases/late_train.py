@@ -36,7 +36,8 @@ def settings_of(kind, cells, particles, splits, full):
         "Bodies/Casing": "", "Confinement/Bodies": "{Rock}",
         "Bodies/Rock/Upper": f"{{35 mm, {ROCK[full]:g} mm}}", "Grid/Upper": f"{{40 mm, {ROCK[full] + 20.0:g} mm}}", "Jet/Table": "",
         "Jet/Slugs": f"{len(slugs)}x5:{{{table}}}", "Jet/Launch Position": "-20 mm", "Jet/Cells Per Radius": f"{cells:g}",
-        "Jet/Particles Per Cell": str(particles), "Jet/Splits": str(splits), "Time/End Time": f"{END[full]:g} us", "Output/Field Interval": "0 us", **KINDS[kind],
+        "Jet/Particles Per Cell": str(particles), "Jet/Splits": str(splits), "Time/End Time": f"{END[full]:g} us",
+        "Output/Field Interval": "0 us", **KINDS[kind],
     }  # fmt: skip
 
 
@@ -69,15 +70,17 @@ def run(barreno, full):
         half = divided(2.0 * CELLS, 2, 0, (CELLS, 4, 0))
         result.demand("discrete, the same particles in cells of half the size: change of the depth", half, 0.05)
         finest = CELLS, 16, 0
-        result.demand("discrete, divided up to 4 times, 2 particles per cell against 16 whole ones: depth", divided(CELLS, 2, 4, finest), 0.1)
-        result.demand("discrete, divided up to 4 times, 4 particles per cell against 16 whole ones: depth", divided(CELLS, 4, 4, finest), 0.05)
+        for particles, limit in ((2, 0.1), (4, 0.05)):
+            result.demand(f"discrete, divided up to 4 times, {particles} particles per cell against 16 whole ones: depth",
+                divided(CELLS, particles, 4, finest), limit)
         result.demand("discrete, divided up to 4 times, cells of half the size: change of the depth",
             divided(2.0 * CELLS, 2, 4, (CELLS, 4, 4)), 0.03)
     else:
         result.demand("continuous, from 2 to 4 particles per cell: change of the depth", change("continuous", 2, 4), 0.03)
     whole = losses["discrete", 2, 0]
     result.demand("discrete: energy lost with 8 particles per cell over that with 2", losses["discrete", 8, 0] / whole, 0.6)
-    result.demand("discrete: energy lost with 2 particles per cell that are divided over that with 2", losses["discrete", 2, 4] / whole, 0.75)
+    result.demand("discrete: energy lost with 2 particles per cell that are divided over that with 2",
+        losses["discrete", 2, 4] / whole, 0.75)  # fmt: skip
     result.notes = (
         "A disc of one layer of particles folds into needles many cells long, which collide as lumps: the method loses energy and the pile "
         "at the bottom stops what comes later. Four layers, and columns as fine, flow past each other. So do particles that are "
