@@ -76,7 +76,7 @@ std::string fault_of_launches(const Scene& scene, const RunNumbers& numbers) {
   const bool early = next > 0 && slugs[next - 1].time > begin + round_off;
   const bool late = next < slugs.size() && slugs[next].time < begin - round_off;
   if (number_of(numbers, "step") == 0.0 || (!early && !late)) return {};
-  return "run/next_slug is " + std::to_string(next) + ", which does not belong to its time";
+  return "run/next_slug is " + std::to_string(next) + ", which does not belong to run/begin";
 }
 
 /// A table of text goes on behind a whole line.

@@ -119,7 +119,7 @@ std::string Progress::left_text(const ProgressNow& now) const {
   };
   if (!ends_.at_rest) return until(ends_.latest);
   if (now.finished) return duration_text(0.0);
-  const std::string most = "at most " + until(ends_.latest);
+  std::string most = "at most " + until(ends_.latest);
   if (now.time >= ends_.expected) return most;
   return until(ends_.expected) + format(" if at rest at %.3g s, ", ends_.expected) + most;
 }

@@ -119,14 +119,14 @@ Entries<StepSpec> remaining_entries() {
           &StepSpec::linear_viscosity,
           "Linear Viscosity",
           dim::none,
-          at_least(0.0),
+          between(0.0, 100.0),
           "A1 in q = rho (A1 c h |tr D| + A2 h^2 (tr D)^2)"
       ),
       defaulted(
           &StepSpec::quadratic_viscosity,
           "Quadratic Viscosity",
           dim::none,
-          at_least(0.0),
+          between(0.0, 100.0),
           "A2 in the same"
       ),
       defaulted(
