@@ -221,13 +221,27 @@ def check_start(barreno, folder, plain):
         assert not different_files(whole, run, ("history.csv", "radii.csv", "cavities.csv")), ranks
 
 
+def check_divided(barreno, folder, _plain):
+    """Particles of the jet that are divided, before the checkpoint and after it, are those of the straight run; on other ranks too."""
+    divided = ("--set", "Jet/Splits=3", "--set", "Jet/Particles Per Cell=2")
+    whole, undivided = folder / "divided", folder / "undivided"
+    must_work(program(barreno, 1, "run", DECK, "--out", whole, *SHORT, *divided))
+    must_work(program(barreno, 1, "run", DECK, "--out", undivided, *SHORT, *divided, "--set", "Jet/Splits=0"))
+    count, before = (json.loads((run / "summary.json").read_text())["particles"] for run in (whole, undivided))
+    assert count > before + 100, (count, before)
+    for ranks in (1, 2):
+        run = resumed(barreno, ranks, at_previous(pathlib.Path(shutil.copytree(whole, folder / f"divided_on_{ranks}"))))
+        wrong = different_fields(whole, run) + different_files(whole, run)
+        assert not wrong, f"{ranks}: {wrong}"
+
+
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         plain = straight(barreno, folder / "plain")
         for check in (check_signals, check_warnings, check_full_disk, check_two_processes, check_killed_group, check_damage, check_refusals,
-                check_longer, check_ranks, check_start):
+                check_longer, check_ranks, check_start, check_divided):
             check(barreno, folder, plain)
             print(check.__name__, "holds")
 
