@@ -28,6 +28,18 @@ struct PointsOutcome {
   R elastic_work, plastic_work, longitudinal_modulus;
 };
 
+/// update() of a model that refuses nothing but its input, from that of points.
+BARRENO_FUNCTION Outcome outcome_of(const PointsOutcome<double>& point) {
+  Outcome outcome;
+  if (!point.sound) {
+    outcome.status = Status::bad_input;
+    return outcome;
+  }
+  outcome.elastic_work = point.elastic_work;
+  outcome.longitudinal_modulus = point.longitudinal_modulus;
+  return outcome;
+}
+
 /// What the host knows about a step at one point.
 ///
 /// The strain increment is unrotated (corotational), logarithmic and finite; volume ratios are V /

@@ -11,6 +11,30 @@
 
 namespace barreno {
 
+/// What a solid and a liquid give of their Hugoniot and of their heat.
+struct HugoniotParameters {
+  double specific_heat = 0.0;
+  double sound_speed = 0.0, slope = 0.0, gamma = 0.0;
+};
+inline ParameterTable<HugoniotParameters> hugoniot_table() {
+  using P = HugoniotParameters;
+  namespace dim = dimension;
+  return {
+      {required(
+           &P::specific_heat, "Specific Heat", dim::heat_capacity, above(0.0), "heat capacity"
+       ),
+       required(
+           &P::sound_speed,
+           "Sound Speed",
+           dim::velocity,
+           above(0.0),
+           "c0 in U_s = c0 + s u_p; K = rho0 c0^2"
+       ),
+       required(&P::slope, "Hugoniot Slope", dim::none, at_least(0.0), "s in U_s = c0 + s u_p"),
+       required(&P::gamma, "Gruneisen", dim::none, at_least(0.0), "Gamma0; Gamma rho is constant")},
+      {}};
+}
+
 /// Mie-Grueneisen equation of state (list.hpp) about a linear shock Hugoniot U_s = c0 + s u_p, with
 /// Gamma rho constant, in energy form. Pressure is positive in compression, eta = 1 - V / V_ref.
 ///
@@ -40,39 +64,22 @@ struct MieGruneisen {
   static constexpr const char* name = "Mie-Grueneisen";
   static constexpr const char* summary = "Mie-Grueneisen pressure";
   static constexpr int passes = 1;  ///< the pressure is linear in the energy
-  struct Parameters {
-    double specific_heat = 0.0;
-    double sound_speed = 0.0, slope = 0.0, gamma = 0.0;
+  struct Parameters : HugoniotParameters {
     double cohesive_energy = 0.0;
   };
   static ParameterTable<Parameters> parameter_table() {
-    using P = Parameters;
-    namespace dim = dimension;
-    return {
-        {required(
-             &P::specific_heat, "Specific Heat", dim::heat_capacity, above(0.0), "heat capacity"
-         ),
-         required(
-             &P::sound_speed,
-             "Sound Speed",
-             dim::velocity,
-             above(0.0),
-             "c0 in U_s = c0 + s u_p; K = rho0 c0^2"
-         ),
-         required(&P::slope, "Hugoniot Slope", dim::none, at_least(0.0), "s in U_s = c0 + s u_p"),
-         required(
-             &P::gamma, "Gruneisen", dim::none, at_least(0.0), "Gamma0; Gamma rho is constant"
-         ),
-         optional(
-             &P::cohesive_energy,
-             "Cohesive Energy",
-             dim::specific_energy,
-             at_least(0.0),
-             0.0,
-             "that takes the cold metal's atoms apart; 0: its tension grows without limit, and "
-             "Gamma rho is constant where it is expanded too"
-         )},
-        {}};
+    ParameterTable<Parameters> table;
+    add_table(hugoniot_table(), table);
+    table.numbers.push_back(optional(
+        &Parameters::cohesive_energy,
+        "Cohesive Energy",
+        dimension::specific_energy,
+        at_least(0.0),
+        0.0,
+        "that takes the cold metal's atoms apart; 0: its tension grows without limit, and "
+        "Gamma rho is constant where it is expanded too"
+    ));
+    return table;
   }
   /// Elements and alloys: Marsh, as above.
   static std::vector<PlausibleRange> plausible_ranges() {

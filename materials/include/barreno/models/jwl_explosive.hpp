@@ -246,15 +246,7 @@ struct JwlExplosive {
   /// positive
   BARRENO_FUNCTION Outcome
   update(const Increment& increment, Sym3& stress, History& history) const {
-    const PointsOutcome<double> points = update_points(increment, stress, history);
-    Outcome outcome;
-    if (!points.sound) {
-      outcome.status = Status::bad_input;
-      return outcome;
-    }
-    outcome.elastic_work = points.elastic_work;
-    outcome.longitudinal_modulus = points.longitudinal_modulus;
-    return outcome;
+    return outcome_of(update_points(increment, stress, history));
   }
 
   /// update() of one point or of several at once (real.hpp).

@@ -64,15 +64,7 @@ struct LinearElastic {
   /// @return bad_input where strain, stress or volume ratios are not finite; nothing changes then
   BARRENO_FUNCTION Outcome
   update(const Increment& increment, Sym3& stress, History& history) const {
-    const PointsOutcome<double> points = update_points(increment, stress, history);
-    Outcome outcome;
-    if (!points.sound) {
-      outcome.status = Status::bad_input;
-      return outcome;
-    }
-    outcome.elastic_work = points.elastic_work;
-    outcome.longitudinal_modulus = points.longitudinal_modulus;
-    return outcome;
+    return outcome_of(update_points(increment, stress, history));
   }
 
   /// update() of one point or of several at once (real.hpp).

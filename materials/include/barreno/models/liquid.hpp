@@ -45,9 +45,7 @@ struct Liquid {
   static constexpr const char* name = "Liquid";
   static constexpr const char* summary =
       "Liquid: Mie-Grueneisen pressure, no shear stress, cavitation at the vapour pressure.";
-  struct Parameters {
-    double specific_heat = 0.0;
-    double sound_speed = 0.0, slope = 0.0, gamma = 0.0;
+  struct Parameters : HugoniotParameters {
     double vapour_pressure = 0.0, initial_pressure = 0.0;
     double temperature = 293.0;
   };
@@ -63,22 +61,10 @@ struct Liquid {
   static ParameterTable<Parameters> parameter_table() {
     using P = Parameters;
     namespace dim = dimension;
-    return {
-        {required(
-             &P::specific_heat, "Specific Heat", dim::heat_capacity, above(0.0), "heat capacity"
-         ),
-         required(
-             &P::sound_speed,
-             "Sound Speed",
-             dim::velocity,
-             above(0.0),
-             "c0 in U_s = c0 + s u_p; K = rho0 c0^2"
-         ),
-         required(&P::slope, "Hugoniot Slope", dim::none, at_least(0.0), "s in U_s = c0 + s u_p"),
-         required(
-             &P::gamma, "Gruneisen", dim::none, at_least(0.0), "Gamma0; Gamma rho is constant"
-         ),
-         optional(
+    ParameterTable<P> table;
+    add_table(hugoniot_table(), table);
+    const ParameterTable<P> own{
+        {optional(
              &P::vapour_pressure,
              "Vapour Pressure",
              dim::stress,
@@ -105,6 +91,8 @@ struct Liquid {
              "temperature at no pressure, before the start"
          )},
         {}};
+    add_table(own, table);
+    return table;
   }
   static std::vector<HistoryField> history_table() {
     return {
@@ -178,15 +166,7 @@ struct Liquid {
   ///         or beyond the compression limit of the equation of state; nothing changes then
   BARRENO_FUNCTION Outcome
   update(const Increment& increment, Sym3& stress, History& history) const {
-    const PointsOutcome<double> points = update_points(increment, stress, history);
-    Outcome outcome;
-    if (!points.sound) {
-      outcome.status = Status::bad_input;
-      return outcome;
-    }
-    outcome.elastic_work = points.elastic_work;
-    outcome.longitudinal_modulus = points.longitudinal_modulus;
-    return outcome;
+    return outcome_of(update_points(increment, stress, history));
   }
 
   /// update() of one point or of several at once (real.hpp).
