@@ -39,7 +39,7 @@ input::Section build_schema() {
       section_of<ConditionSpec>(),
       section_of<PressureLoadSpec>(),
       section_of<ConfinementSection>(),
-      section_of<JetSpec>(),
+      jet_section(),
       section_of<JetMonitorSpec>(),
       detonation_section(),
       section_of<BodyForceSpec>(),

@@ -39,10 +39,13 @@ std::vector<JetSlug> touching_slugs(const std::vector<JetSlug>& table) {
   std::vector<JetSlug> slugs = table;
   const std::size_t count = table.size();
   if (count < 2) return slugs;
+  const auto is_whole = [&](std::size_t i) { return i < count && !table[i].piece; };
   for (std::size_t i = 0; i < count; ++i) {
+    const bool ahead = i > 0 && is_whole(i - 1), behind = is_whole(i + 1);
+    if (table[i].piece || !(ahead || behind)) continue;
     const double before =
-        i == 0 ? table[1].time - table[0].time : table[i].time - table[i - 1].time;
-    const double after = i + 1 == count ? before : table[i + 1].time - table[i].time;
+        ahead ? table[i].time - table[i - 1].time : table[i + 1].time - table[i].time;
+    const double after = behind ? table[i + 1].time - table[i].time : before;
     slugs[i].length = 0.5 * (before + after) * table[i].velocity;
     slugs[i].density = table[i].density * table[i].length / slugs[i].length;
   }
@@ -60,7 +63,7 @@ std::vector<JetSlug> slugs_of_kind(
   }
   std::vector<JetSlug> slugs = touching_slugs(table);
   for (JetSlug& slug : slugs) {
-    if (kind == JetKind::thinned) slug = thinned(slug, mode, material_density);
+    if (kind == JetKind::thinned && !slug.piece) slug = thinned(slug, mode, material_density);
     // Denser by the digits of the table only: its mass is kept by its length.
     if (slug.density > material_density) slug = with_gap(slug, material_density);
   }

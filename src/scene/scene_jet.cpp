@@ -86,6 +86,8 @@ void add_jet(const Deck& deck, Scene& scene) {
   std::string problem;
   const double density = material_of_jet(scene).density();
   jet.table = table_slugs(deck.rows(slugs), density, problem);
+  for (JetSlug& slug : jet.table)
+    slug.piece = traits_of(jet.kind).touching && slug.velocity < jet.pieces_below;
   if (problem.empty()) problem = problem_of_kind(jet.table, jet.kind, density);
   if (!problem.empty()) deck.refuse_value(rows_path, problem);
   check_kind(deck, scene);

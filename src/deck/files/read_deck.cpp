@@ -15,12 +15,15 @@
 #include "deck/sections/body_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
+#include "deck/sections/jet_profile_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/material_section.hpp"
 #include "deck/sections/refinement_section.hpp"
 #include "deck/sections/shape_section.hpp"
+#include "deck/slugs_of_profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <barreno/find_card.hpp>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
@@ -169,20 +172,55 @@ std::string load_beside(
   return read_on_root(read, reading.comm);
 }
 
+/// A profile becomes the slugs that it stands for.
+void include_jet_profile(
+    const Reading& reading, const XMLObject& root, ParameterList& values, ParameterList& jet
+) {
+  const std::string& path = table_of<JetProfileSpec>().path;
+  const std::string& source = reading.source.name;
+  const Deck deck(source, values, root);
+  if (mode_of(deck) == Mode::plane_strain)
+    input::refuse(
+        source, path, "has no meaning in plane strain (such a jet is round); give Table or Slugs"
+    );
+  const auto profile = read_section<JetProfileSpec>(deck);
+  const ParameterList& materials = values.sublist(table_of<MaterialSection>().path);
+  const auto material = jet.get<std::string>(name_of(&JetSpec::material));
+  if (!materials.isSublist(material)) return;  // which the scene refuses
+  const auto density = materials.sublist(material).get<double>("Density");
+  const ProfileProblem problem = problem_of_profile(profile, density);
+  if (!problem.sentence.empty() && problem.entry.empty())
+    input::refuse(source, path, problem.sentence);
+  if (!problem.sentence.empty()) deck.refuse_value(join(path, problem.entry), problem.sentence);
+  const std::vector<JetSlug> slugs = slugs_of_profile(profile, density);
+  Teuchos::TwoDArray<double> table(static_cast<int>(slugs.size()), 5);
+  for (int i = 0; i < table.getNumRows(); ++i) {
+    const JetSlug& slug = slugs[static_cast<std::size_t>(i)];
+    const std::array row{slug.time, slug.velocity, slug.radius, slug.length, slug.density};
+    std::copy(row.begin(), row.end(), table[i].begin());
+  }
+  jet.set(name_of(&JetSpec::slugs), table);
+  jet.set(name_of(&JetSpec::pieces_below), pieces_below(profile));
+  jet.remove("Profile");
+}
+
 /// The table's rows become part of the deck, so that the effective deck needs no other file.
-std::string include_jet_table(Reading& reading, ParameterList& values) {
+std::string include_jet_table(Reading& reading, const XMLObject& root, ParameterList& values) {
   const std::string &path = table_of<JetSpec>().path, &file = name_of(&JetSpec::table_file);
   const std::string& slugs = name_of(&JetSpec::slugs);
   if (!values.isSublist(path)) return {};
   ParameterList& jet = values.sublist(path);
-  if (jet.isParameter(file) == jet.isParameter(slugs)) {
+  const bool has_profile = jet.isSublist("Profile");
+  if (int(jet.isParameter(file)) + int(jet.isParameter(slugs)) + int(has_profile) != 1) {
     input::refuse(
         reading.source.name,
         path,
-        "needs either Table or Slugs (one of them must list what is launched); give exactly one of "
-        "the two"
+        "needs Table, Slugs or Profile (one of them must say what is launched); give exactly one "
+        "of "
+        "the three"
     );
   }
+  if (has_profile) include_jet_profile(reading, root, values, jet);
   if (!jet.isParameter(file)) return {};
   auto table = jet.get<std::string>(file);
   const std::string source = included(reading, join(path, file), table);
@@ -406,7 +444,7 @@ Deck read_deck(
 
   ParameterList values = read_values(root, reading, made);
   read_solver_lists(root, name, values);
-  const std::string jet_table = include_jet_table(reading, values);
+  const std::string jet_table = include_jet_table(reading, root, values);
   std::vector<SurfaceFile> surface_files;
   const auto surfaces = read_surfaces(reading, values, surface_files);
   std::vector<std::string> notes = reading.fidelity.notes();

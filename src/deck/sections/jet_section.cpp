@@ -3,6 +3,7 @@
 
 #include "deck/material_named.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/jet_profile_section.hpp"
 
 namespace barreno {
 namespace {
@@ -37,6 +38,14 @@ SectionTable<JetSpec> jet_table() {
            "what becomes of the voids of the table, which are densities below the material's and "
            "room between slugs: " +
                meanings_of(jet_traits) + " (docs/jets.md)"
+       ),
+       defaulted(
+           &JetSpec::pieces_below,
+           "Pieces Below",
+           dim::velocity,
+           at_least(0.0),
+           "velocity below which the jet has broken up: slower slugs are launched as they stand in "
+           "the table, with gaps, also of a thinned or continuous jet; a Profile sets it"
        ),
        needed(
            &JetSpec::launch_position, "Launch Position", dim::length, any(), "y of the launch plane"
@@ -75,6 +84,12 @@ template <>
 const SectionTable<JetSpec>& table_of<JetSpec>() {
   static const SectionTable<JetSpec> table = jet_table();
   return table;
+}
+
+input::Section jet_section() {
+  Section jet = section_of<JetSpec>();
+  jet.sections = {section_of<JetProfileSpec>()};
+  return jet;
 }
 
 }  // namespace barreno

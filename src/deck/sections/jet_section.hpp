@@ -4,6 +4,7 @@
 #include "deck/section_of.hpp"
 #include "deck/sections/jet_kinds.hpp"
 
+#include <barreno/input/schema.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct JetSlug {
   double velocity = 0.0;              ///< [length/time]
   double radius = 0.0, length = 0.0;  ///< half-width instead of radius in plane strain [length]
   double density = 0.0;               ///< [mass/length^3]
+  bool piece = false;  ///< it has broken off: it touches no other slug, whatever the jet's kind
 };
 
 struct JetSpec {
@@ -21,6 +23,7 @@ struct JetSpec {
   int material = 0;  ///< index into Scene::materials
   std::string table_file;
   JetKind kind = JetKind::discrete;
+  double pieces_below = 0.0;  ///< velocity below which slugs are pieces [length/time]
   /// The rows as the deck gives them, which the launched slugs are compared with; empty: `slugs`.
   std::vector<JetSlug> table;
   std::vector<JetSlug> slugs;     ///< as they are launched; launch times do not decrease
@@ -32,5 +35,8 @@ struct JetSpec {
 };
 template <>
 const SectionTable<JetSpec>& table_of<JetSpec>();
+
+/// Jet with its Profile.
+input::Section jet_section();
 
 }  // namespace barreno

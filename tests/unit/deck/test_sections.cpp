@@ -9,6 +9,7 @@
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
 #include "deck/sections/jet_monitor_section.hpp"
+#include "deck/sections/jet_profile_section.hpp"
 #include "deck/sections/jet_section.hpp"
 #include "deck/sections/load_sections.hpp"
 #include "deck/sections/material_section.hpp"
@@ -100,6 +101,7 @@ using All = ::testing::Types<
     PressureLoadSpec,
     ConfinementSection,
     JetSpec,
+    JetProfileSpec,
     JetMonitorSpec,
     DetonationSpec,
     DetonatorSpec,
