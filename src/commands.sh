@@ -14,7 +14,7 @@
 plot_packages=(python3 python3-numpy python3-matplotlib)
 report_packages=("${plot_packages[@]}" python3-netcdf4)
 fit_packages=("${plot_packages[@]}" python3-scipy)
-commands=(run resume check report film join converge sweep compare drive fit import-ups describe python)
+commands=(run resume check jet report film join converge sweep compare drive fit import-ups describe python)
 
 usage() {
   sed "s|^barreno |$name |" <<'TEXT'
@@ -23,6 +23,8 @@ barreno run DECK [options]        compute (one rank per core)
     --set "List/Parameter=value"    (as often as needed; "List/Parameter=" removes a value or a list)
 barreno resume FOLDER [--until TIME] [--ranks N]   continue from a run's last checkpoint
 barreno check DECK [--set ...] [--fidelity ...] [--ranks N]   validate a deck, print its plan and cost
+barreno jet DECK [--cut-off VELOCITY] [--resistance STRESS] [--strength STRESS] [--out FOLDER] [--set ...] [--fidelity ...]
+                                  the jet of a deck: table, audit, picture, depths by theory (docs/jets.md)
 barreno report FOLDER [--left FIELD] [--right FIELD] [--time "30 us"] [--depths "30 mm, 60 mm"]
                 [--particles "near tip"|ID,...] [--pdf]
                                   pictures and numbers of a run, one page: FOLDER/report/index.html (docs/report.md)
@@ -211,7 +213,7 @@ help_of() {  # command
     import-ups) package=barreno.imports ;;
     sweep) package=barreno.sweeps ;;
     join) package=barreno.runs.join_exodus ;;
-    converge | compare | fit) ;;
+    jet | converge | compare | fit) ;;
     *) package="" ;;
   esac
   if [[ -n $package ]] && page=$(start_python "$package" "${words[@]}" 2>/dev/null); then
@@ -235,7 +237,7 @@ demand_deck() {  # command, example, and the words behind the command
   fi
 }
 
-is_python_command() { [[ ${1-} =~ ^(report|film|join|converge|sweep|compare|fit|import-ups)$ ]]; }
+is_python_command() { [[ ${1-} =~ ^(jet|report|film|join|converge|sweep|compare|fit|import-ups)$ ]]; }
 
 carry_out() {  # the words of the command line
   local word example
@@ -272,6 +274,14 @@ carry_out() {  # the words of the command line
       fi
       need_packages python3 python3-numpy python3-netcdf4
       start_python barreno.runs.join_exodus "$@"
+      ;;
+    jet)
+      shift
+      demand_deck jet '--cut-off "2 km/s"' "$@"
+      need_packages "${plot_packages[@]}"
+      prepare OFF
+      export BARRENO_PROGRAM=$binary
+      start_python barreno.jet "$@"
       ;;
     converge)
       shift

@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PACKAGES = [ROOT / "src" / "python" / "barreno" / name for name in ("runs", "report", "compare", "converge", "sweeps", "interface")]
+PACKAGES = [ROOT / "src" / "python" / "barreno" / name for name in ("runs", "report", "compare", "jet", "converge", "sweeps", "interface")]
 PLOTS, FILES = "plots.py", "regular_file.py"
 PLOTTING = ("matplotlib.pyplot", "matplotlib.figure", "pylab")
 SETTINGS = {"use", "rc", "rc_context", "rcParams"}

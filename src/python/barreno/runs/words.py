@@ -23,7 +23,7 @@ class Words(argparse.ArgumentParser):
 
 def quantity_of(text, units):
     """A number with a unit in SI. @raises ValueError"""
-    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*([a-zµ]*)\s*", text)
+    found = re.fullmatch(r"\s*([0-9.eE+-]+)\s*(\S*)\s*", text)
     if not found or found.group(2) not in units:
         raise ValueError(text)
     return float(found.group(1)) * units[found.group(2)]
