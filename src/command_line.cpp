@@ -204,6 +204,11 @@ void check_operand(const std::string& operand, Command command) {
         "runs/perforation-1."
     );
   }
+  if (command == Command::solve_flow)
+    throw DeckError(
+        "the file with cells and pressures is missing; write for example barreno solve-flow "
+        "problem.json --out answer.json."
+    );
   if (command == Command::run || command == Command::check) {
     throw DeckError(
         "the deck file is missing; write for example barreno run "

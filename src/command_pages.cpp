@@ -203,6 +203,24 @@ CommandPage drive_page() {
       "--out answer.csv --steps-per-row 40 --every-step --plot answer.png"};
 }
 
+CommandPage solve_flow_page() {
+  return {
+      Command::solve_flow,
+      "solve-flow",
+      "Steady flow through rings of rock around a hole, which barreno flow makes of a run\n"
+      "(docs/flow.md).",
+      "PROBLEM",
+      "JSON file with cells and pressures",
+      true,
+      {{"--out",
+        "FILE",
+        "answer.json",
+        "pressures and flows, JSON",
+        [](Options& options, const std::string& value) { options.out = value; },
+        true}},
+      "barreno solve-flow problem.json --out answer.json"};
+}
+
 CommandPage describe_page() {
   return {
       Command::describe,
@@ -248,7 +266,7 @@ CommandPage describe_page() {
 
 const std::vector<CommandPage>& command_pages() {
   static const std::vector<CommandPage> pages = {
-      run_page(), resume_page(), check_page(), drive_page(), describe_page()};
+      run_page(), resume_page(), check_page(), drive_page(), solve_flow_page(), describe_page()};
   return pages;
 }
 

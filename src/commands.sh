@@ -14,7 +14,7 @@
 plot_packages=(python3 python3-numpy python3-matplotlib)
 report_packages=("${plot_packages[@]}" python3-netcdf4)
 fit_packages=("${plot_packages[@]}" python3-scipy)
-commands=(run resume check jet report film join converge sweep compare drive fit import-ups describe python)
+commands=(run resume check jet report flow film join converge sweep compare drive fit import-ups describe python)
 
 usage() {
   sed "s|^barreno |$name |" <<'TEXT'
@@ -28,6 +28,8 @@ barreno jet DECK [--cut-off VELOCITY] [--resistance STRESS] [--strength STRESS] 
 barreno report FOLDER [--left FIELD] [--right FIELD] [--time "30 us"] [--depths "30 mm, 60 mm"]
                 [--particles "near tip"|ID,...] [--pdf]
                                   pictures and numbers of a run, one page: FOLDER/report/index.html (docs/report.md)
+barreno flow FOLDER [--boundary radial|axial|both] [--time "200 us"] [--cell "1 mm"] [--ranks N] [--out FOLDER]
+                                  how much flows through the shot rock into the hole, and its skin (docs/flow.md)
 barreno film FOLDER --field FIELD [--right FIELD] [--out FILE.gif|.png|.mp4]   particles from the start to the end
 barreno join FOLDER --out FILE    particles that every rank wrote into its own file (particles.e.N.0 ...) as one file
 barreno converge DECK [--quantity NAME] [--times "10 us, 20 us"] [--levels 3] [--refine 2] [--out FOLDER]
@@ -213,7 +215,7 @@ help_of() {  # command
     import-ups) package=barreno.imports ;;
     sweep) package=barreno.sweeps ;;
     join) package=barreno.runs.join_exodus ;;
-    jet | converge | compare | fit) ;;
+    jet | flow | converge | compare | fit) ;;
     *) package="" ;;
   esac
   if [[ -n $package ]] && page=$(start_python "$package" "${words[@]}" 2>/dev/null); then
@@ -237,7 +239,7 @@ demand_deck() {  # command, example, and the words behind the command
   fi
 }
 
-is_python_command() { [[ ${1-} =~ ^(jet|report|film|join|converge|sweep|compare|fit|import-ups)$ ]]; }
+is_python_command() { [[ ${1-} =~ ^(jet|report|flow|film|join|converge|sweep|compare|fit|import-ups)$ ]]; }
 
 carry_out() {  # the words of the command line
   local word example
@@ -265,6 +267,19 @@ carry_out() {  # the words of the command line
       fi
       need_packages "${report_packages[@]}"
       start_python barreno.report "$@"
+      ;;
+    flow)
+      shift
+      if (($# == 0)) || [[ $1 == -* ]]; then
+        say "flow takes the folder of one run, before its options; write for example $name flow runs/perforation-1 --boundary radial."
+        exit 1
+      fi
+      check_ranks_in "$@"
+      need_packages "${report_packages[@]}"
+      prepare OFF
+      mpi_environment
+      export BARRENO_PROGRAM=$binary
+      start_python barreno.flow "$@"
       ;;
     join)
       shift

@@ -18,6 +18,7 @@
 #include "output/report_tables.hpp"
 #include "output/run_folder.hpp"
 #include "pore_flow/check_solver_lists.hpp"
+#include "pore_flow/steady_flow.hpp"
 #include "resume.hpp"
 #include "run.hpp"
 #include "scene/build_scene.hpp"
@@ -151,6 +152,9 @@ int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       if (root) (goes_to_stream(options.drive) ? std::cerr : std::cout) << screen;
       break;
     }
+    case Command::solve_flow:
+      solve_flow_file(options.deck_file, options.out, comm);
+      break;
     case Command::describe:
       if (root) std::cout << description(options);
       break;
@@ -202,12 +206,12 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
   }
 }
 
-/// A run needs MPI, whatever mpirun has started, and the plan of one: MueLu cannot set its grids up
-/// without. A point or a page of text comes ten times sooner.
+/// A run needs MPI, whatever mpirun has started, and the plan of one, and flow: MueLu cannot set up
+/// its grids without. A point or a page of text comes ten times sooner.
 bool needs_mpi(int argc, char** argv) {
   if (is_rank()) return true;
   const std::string word = argc > 1 ? argv[1] : "";
-  return word == "run" || word == "resume" || word == "check";
+  return word == "run" || word == "resume" || word == "check" || word == "solve-flow";
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PACKAGES = [ROOT / "src" / "python" / "barreno" / name for name in ("runs", "report", "compare", "jet", "converge", "sweeps", "interface")]
+NAMES = ("runs", "report", "compare", "jet", "flow", "converge", "sweeps", "interface")
+PACKAGES = [ROOT / "src" / "python" / "barreno" / name for name in NAMES]
 PLOTS, FILES = "plots.py", "regular_file.py"
 PLOTTING = ("matplotlib.pyplot", "matplotlib.figure", "pylab")
 SETTINGS = {"use", "rc", "rc_context", "rcParams"}

@@ -59,7 +59,7 @@ double worst(const Comm& comm, const Strip& strip, const std::vector<double>& fo
 /// packaged direct solvers are not.
 TEST(LinearSolver, FindsTheSolution) {
   const auto comm = Tpetra::getDefaultComm();
-  for (const long long n : {20, 60}) {
+  for (const long long n : {20, 60, 100}) {
     const Strip strip = make_strip(*comm, n, 1e-3);
     const auto solver = make_linear_solver(comm, {});
     std::vector<double> found;
@@ -73,7 +73,7 @@ TEST(LinearSolver, FindsTheSolution) {
 
 TEST(LinearSolver, KeepsTheGraphWithNewValues) {
   const auto comm = Tpetra::getDefaultComm();
-  for (const long long n : {20, 60}) {
+  for (const long long n : {20, 60, 100}) {
     const auto solver = make_linear_solver(comm, {});
     std::vector<double> found;
     for (const double storage : {1e-3, 0.5, 20.0}) {

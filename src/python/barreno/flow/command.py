@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command: how much flows through the shot rock into the hole of a run, against the same hole in virgin rock."""
+
+import json
+import math
+import pathlib
+
+import numpy as np
+
+from barreno.flow.rings import rings_of
+from barreno.flow.solve import BOUNDARIES, solve
+from barreno.report.run import opened
+from barreno.runs.faults import FILE, Fault, exit_code
+from barreno.runs.ranks import check_ranks
+from barreno.runs.tables import aligned, make_folder, place
+from barreno.runs.words import LENGTH_UNITS, TIME_UNITS, Words, quantity_of
+
+EXAMPLE = "write for example barreno flow runs/perforation-1 --boundary radial"
+PARTS = 10  # of the hole's length, whose shares are printed
+
+
+def parse(words):
+    parser = Words("flow", EXAMPLE, "flow.md",
+        description="Steady flow through the rock around the hole of a run: core flow efficiency, skin, shares of depths (docs/flow.md).")
+    parser.add_argument("run", metavar="RUN", help="folder of an axisymmetric run with a jet")
+    parser.add_argument("--boundary", default="radial", choices=BOUNDARIES,
+        help="where the fluid comes from: the rock's side (radial, default), its rear (axial) or both")
+    parser.add_argument("--time", metavar="TIME", help='the output nearest to it, "200 us" (default: the last)')
+    parser.add_argument("--cell", metavar="LENGTH", help='of the rings, "1 mm" (default: half a cell along the path of the jet)')
+    parser.add_argument("--ranks", type=int, default=1, metavar="N", help="processes of the solver")
+    parser.add_argument("--out", metavar="FOLDER", help="folder of flow.json and flow.png (default RUN/flow)")
+    return parser.parse_args(words)
+
+
+def quantity_in(option, text, units, example):
+    try:
+        value = quantity_of(text, units)
+    except ValueError:
+        value = 0.0
+    if not (math.isfinite(value) and value > 0.0):
+        raise Fault(f'{option} "{text}" is not a quantity above 0 with its unit; write for example {option} "{example}".')
+    return value
+
+
+def skin_of(efficiency, rings):
+    """s of CFE = ln(R/r) / (ln(R/r) + s), r the radius of the round hole of the same length and volume."""
+    return (1.0 / efficiency - 1.0) * math.log(rings.radii[-1] / rings.hole_radius) if efficiency > 0.0 else math.inf
+
+
+def shares_of(rings, flow):
+    """[(from, to, share of the flow)] of equal parts of the hole's length in rock."""
+    rows = np.flatnonzero(rings.hole.any(axis=1))
+    edges = np.linspace(rows[0], rows[-1] + 1, min(PARTS, len(rows)) + 1)
+    total = np.concatenate([[0.0], np.cumsum(flow.into_hole)])
+    at = np.interp(edges, np.arange(len(total)), total) / flow.rate
+    depth = np.interp(edges, np.arange(len(rings.depths)), rings.depths)
+    below = [(depth[-1], rings.depths[-1], 1.0 - at[-1])] if 1.0 - at[-1] > 1e-9 else []
+    above = [(rings.depths[0], depth[0], at[0])] if at[0] > 1e-9 else []
+    return [*above, *zip(depth[:-1], depth[1:], np.diff(at)), *below]
+
+
+def as_json(options, rings, shot, virgin, shares):
+    efficiency = shot.rate / virgin.rate
+    return json.dumps({"run": str(options.run), "boundary": options.boundary, "core_flow_efficiency": efficiency,
+        "skin": skin_of(efficiency, rings), "shape_factor": shot.rate, "shape_factor_virgin": virgin.rate,
+        "hole_radius": rings.hole_radius, "cell": float(rings.radii[1] - rings.radii[0]), "mass_error": max(shot.leak, virgin.leak),
+        "method": shot.method, "iterations": shot.iterations,
+        "shares": [{"from": float(low), "to": float(high), "share": float(share)} for low, high, share in shares]}, indent=2) + "\n"
+
+
+def lines_of(options, rings, shot, virgin, shares):
+    efficiency = shot.rate / virgin.rate
+    yield (f"core flow efficiency {efficiency:.3f} ({options.boundary} flow: {efficiency:.0%} of what the same hole in virgin rock "
+        "would let in)")
+    yield f"skin {skin_of(efficiency, rings):+.2f} (outer radius {1e3 * rings.radii[-1]:.4g} mm, hole {1e3 * rings.hole_radius:.3g} mm)"
+    yield (f"flow rate / (permeability x pressure drop / viscosity) = {shot.rate:.4g} m, virgin {virgin.rate:.4g} m; in and out agree to "
+        f"{max(shot.leak, virgin.leak):.1e}")
+    yield ""
+    yield "share of the flow by depth:"
+    rows = [("from [mm]", "to [mm]", "share [%]")]
+    rows += [(f"{1e3 * low:.1f}", f"{1e3 * high:.1f}", f"{100.0 * share:.1f}") for low, high, share in shares]
+    yield from aligned(rows)
+    yield ""
+    yield ("Permeability follows Kozeny and Carman from the porosity that plastic flow has left, for grains that stay whole: broken grains "
+        "of the crushed zone let less through, so the real efficiency is lower.")
+
+
+def run(words):
+    options = parse(words)
+    check_ranks(options.ranks)
+    if not pathlib.Path(options.run).is_dir():
+        raise Fault(f"'{options.run}' is not a folder (flow reads what a run wrote into it); check the path.", FILE)
+    time = quantity_in("--time", options.time, TIME_UNITS, "200 us") if options.time else None
+    cell = quantity_in("--cell", options.cell, LENGTH_UNITS, "1 mm") if options.cell else None
+    with opened(options.run) as folder:
+        rings = rings_of(folder, time, cell)
+    shot = solve(rings, rings.permeability, options.boundary, options.ranks)
+    virgin = solve(rings, rings.virgin_mobility, options.boundary, options.ranks)
+    shares = shares_of(rings, shot)
+    print("\n".join(lines_of(options, rings, shot, virgin, shares)))
+    out = pathlib.Path(options.out) if options.out else pathlib.Path(options.run) / "flow"
+    make_folder(out)
+    place(out / "flow.json", as_json(options, rings, shot, virgin, shares))
+
+    def picture(aside):
+        from barreno.flow.picture import draw  # slow to load
+
+        draw(aside, rings, shot, options.boundary)
+
+    place(out / "flow.png", picture)
+    print(f"\nWritten: {out}/flow.json and flow.png")
+    return 0
+
+
+def main(words):
+    return exit_code(run, words)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rock around a hole on rings of equal cells, from the particles of a run: porosity, permeability, and which cells the hole has taken."""
+
+import dataclasses
+
+import numpy as np
+
+from barreno.report.hole import face_of, measure_hole, rear_of
+from barreno.report.hole_section import face_of_rock
+from barreno.report.porosity import LEAST_PERMEABILITY, relative_permeability
+from barreno.report.zones import Rock, shares
+from barreno.runs.faults import Fault
+
+CHUNK = 256  # particles at once
+ROCK = 0.5  # of a cell's volume, from which on it is rock
+
+
+@dataclasses.dataclass
+class Rings:
+    radii: np.ndarray  # edges [m]
+    depths: np.ndarray  # edges, below the outer face [m]
+    porosity: np.ndarray  # (rows, columns); nan: no rock
+    permeability: np.ndarray  # over that of virgin rock; 0: no rock
+    hole: np.ndarray  # whether a cell belongs to the hole
+    virgin: float  # porosity
+    hole_radius: float  # of the round hole of its length that has its volume [m]
+
+    @property
+    def virgin_mobility(self):
+        """The same hole in rock as it was."""
+        return np.where(self.permeability > 0.0, 1.0, 0.0)
+
+
+def porosity_of(rock, radii, depths):
+    """(mean porosity, part of the volume that is rock) of cells, from the parts of particles that lie in them."""
+    bulk, pores = (np.zeros((len(depths) - 1, len(radii) - 1)) for _ in range(2))
+    for first in range(0, len(rock), CHUNK):
+        some = slice(first, first + CHUNK)
+        high = shares(rock.depth[some], rock.half_height[some], depths)
+        wide = shares(rock.r[some], rock.half_width[some], radii)
+        bulk += (high * rock.bulk[some, None]).T @ wide
+        pores += (high * (rock.bulk * rock.porosity)[some, None]).T @ wide
+    volume = np.diff(depths)[:, None] * 0.5 * (radii[1:] ** 2 - radii[:-1] ** 2)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return pores / bulk, bulk / volume
+
+
+def with_voids(hole, empty):
+    """The hole with all cells without rock that it leads to."""
+    while True:
+        wider = hole.copy()
+        wider[1:] |= hole[:-1]
+        wider[:-1] |= hole[1:]
+        wider[:, 1:] |= hole[:, :-1]
+        wider[:, :-1] |= hole[:, 1:]
+        wider &= hole | empty
+        if (wider == hole).all():
+            return hole
+        hole = wider
+
+
+def rings_of(run, time, cell=None):
+    """@param cell  size of the rings' cells; half that of the run along the jet's path if it is not given [m]
+    @raises Fault  where there is no hole to flow into, or no rock with pores"""
+    deck = run.deck
+    if deck.mode != "axisymmetric":
+        raise Fault(f"{run.folder} is {deck.mode}; flow is computed through rings of axisymmetric runs alone.")
+    if not (deck.has_jet or deck.forms_jet):
+        raise Fault(f"{run.folder} has no jet, and so no hole to flow into; its deck has neither Jet nor Jet Monitor.")
+    frame, table = run.frame(time), run.depth_table()
+    hole = measure_hole(frame, deck, face_of(table, frame.file, deck))
+    rock = Rock(frame, deck, hole.face)
+    if not len(rock):
+        raise Fault(f"{run.folder} has no rock with pores, so nothing flows; give a run with a target of Arenisca.")
+    top, rear = face_of_rock(frame, deck, hole.face), rear_of(frame.file, deck, hole.face)
+    if hole.length <= top:
+        raise Fault(f"{run.folder} has no hole in its rock at {1e6 * frame.time:.4g} us (it is closed, or ends above the rock), so nothing "
+            "flows into it; take a later --time, or another run.")
+    size = cell or 0.5 * hole.cell
+    whole = Rock(run.file.frame(0), deck, hole.face)
+    width = float((whole.r + whole.half_width).max())
+    radii = np.linspace(0.0, width, max(2, round(width / size)) + 1)
+    depths = np.linspace(top, rear, max(2, round((rear - top) / size)) + 1)
+    porosity, part = porosity_of(rock, radii, depths)
+    middle = 0.5 * (depths[1:] + depths[:-1])
+    wall = np.array([hole.radius_at(depth) if depth < hole.length else 0.0 for depth in middle])
+    in_hole = (0.5 * (radii[1:] + radii[:-1])[None, :] < wall[:, None])
+    there = ~in_hole & (part > ROCK) & np.isfinite(porosity)
+    in_hole = with_voids(in_hole, ~there)
+    permeability = np.where(there, np.maximum(relative_permeability(np.where(there, porosity, rock.virgin), rock.virgin),
+        LEAST_PERMEABILITY), 0.0)  # fmt: skip
+    length = min(hole.length, rear) - top
+    area = float(np.sum(np.pi * wall**2) * (depths[1] - depths[0]))
+    if not in_hole.any():
+        raise Fault(f"the hole of {run.folder} is thinner than the cells of {1e3 * size:.3g} mm, so nothing flows into it; give a smaller "
+            "--cell.")
+    porosity = np.where(there, porosity, np.nan)
+    return Rings(radii, depths, porosity, permeability, in_hole, rock.virgin, float(np.sqrt(area / np.pi / length)))

@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""`barreno flow` on runs whose rock was laid by hand: efficiency, skin and shares of a hole with a crushed ring, in closed form.
+
+    test_flow.py BARRENO
+"""
+import json
+import math
+import os
+import pathlib
+import sys
+import tempfile
+
+import numpy as np
+import synthetic_run
+from python_commands import said_by
+
+INNER, CRUSHED, OUTER, LENGTH, VIRGIN = 0.004, 0.008, 0.020, 0.030, 1.0 - math.exp(-0.2231)
+
+
+def strain_of(permeability):
+    """Plastic volume strain that leaves k/k0 after Kozeny and Carman, by bisection."""
+    low, high = -0.2, 0.0
+    for _ in range(100):
+        e = 0.5 * (low + high)
+        porosity = 1.0 - (1.0 - VIRGIN) * math.exp(-e)
+        k = (porosity / VIRGIN) ** 3 * ((1.0 - VIRGIN) / (1.0 - porosity)) ** 2
+        low, high = (e, high) if k < permeability else (low, e)
+    return e
+
+
+def hole_run(folder, permeability, length=LENGTH):
+    """A hole of the given length in rock of 30 mm, with a ring of crushed rock along all of it."""
+    centres = synthetic_run.lattice(0.0, OUTER, 0.0, LENGTH)
+    end = synthetic_run.squares(centres, 0.25 * synthetic_run.CELL)
+    r, y = centres[:, 0], centres[:, 1]
+    gone = (r < INNER) & (y < length)
+    end[gone] += np.array([0.0, -0.5])  # thrown out
+    strain = np.where(r < CRUSHED, strain_of(permeability), 0.0)
+    block = synthetic_run.rock(centres, end, strain)
+    jet = synthetic_run.jet(synthetic_run.lattice(0.0, 0.001, -0.005, -0.003), 3000.0)
+    return synthetic_run.write_run(folder, [block, jet], depth=length)
+
+
+def flow(run, *words, code=0):
+    said = said_by("barreno.flow", run, *words, code=code)
+    return said, (json.loads((pathlib.Path(run) / "flow" / "flow.json").read_text()) if code == 0 else None)
+
+
+def check_ring(folder):
+    """Through all of the rock: radial flow, the same at every depth."""
+    run = hole_run(folder / "through", 0.3)
+    for ranks in (1, 2):
+        said, found = flow(run, "--ranks", ranks)
+        far, near = math.log(OUTER / CRUSHED), math.log(CRUSHED / INNER)
+        exact = (far + near) / (far + near / 0.3)
+        assert abs(found["core_flow_efficiency"] / exact - 1.0) < 0.01, (found, exact)
+        assert abs(found["shape_factor_virgin"] / (2.0 * math.pi * LENGTH / (far + near)) - 1.0) < 0.01, found
+        skin = near * (1.0 / 0.3 - 1.0)
+        assert abs(found["skin"] / skin - 1.0) < 0.03 and abs(found["hole_radius"] / INNER - 1.0) < 0.02, (found, skin)
+        shares = [one["share"] for one in found["shares"]]
+        assert abs(sum(shares) - 1.0) < 1e-9 and found["mass_error"] < 1e-10, found
+        assert max(shares[1:-1]) / min(shares[1:-1]) < 1.1, shares
+        assert "core flow efficiency" in said and "share of the flow by depth" in said, said
+    assert (run / "flow" / "flow.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def check_blind_hole(folder):
+    """Half-way through: flow from the rear comes in at the tip most of all; virgin rock has no skin."""
+    run = hole_run(folder / "blind", 1.0, 0.015)
+    parts = {}
+    for boundary in ("radial", "axial", "both"):
+        _, found = flow(run, "--boundary", boundary)
+        assert abs(found["core_flow_efficiency"] - 1.0) < 1e-9 and abs(found["skin"]) < 1e-8, found
+        parts[boundary] = found
+    assert parts["both"]["shape_factor"] > parts["radial"]["shape_factor"] > parts["axial"]["shape_factor"], parts
+    # From the rear the tip is reached first; nothing comes in below the hole but through its bottom.
+    shares = [one["share"] for one in parts["axial"]["shares"][:-1]]
+    assert all(above < below for above, below in zip(shares, shares[1:])), shares
+
+
+def check_cells(folder):
+    """Smaller rings change little."""
+    run = hole_run(folder / "cells", 0.3, 0.02)
+    found = [flow(run, "--cell", f"{size} mm")[1]["core_flow_efficiency"] for size in (1.0, 0.5, 0.25)]
+    assert abs(found[1] / found[2] - 1.0) < 0.02, found
+
+
+def check_faults(folder):
+    run = hole_run(folder / "faults", 0.3)
+    for words, sentence in (
+        (("--time", "soon"), '--time "soon" is not a quantity above 0 with its unit; write for example --time "200 us".'),
+        (("--cell", "-1 mm"), "is not a quantity above 0 with its unit"),
+        (("--boundary", "up"), "invalid choice: 'up'"),
+        (("--time", "5 ms"), "is not in the run's particles.e"),
+        (("--cell", "15 mm"), "is thinner than the cells of"),
+    ):
+        said, _ = flow(run, *words, code=1)
+        assert sentence in said, said
+    said = said_by("barreno.flow", folder / "absent", code=2)
+    assert "is not a folder" in said, said
+    closed = synthetic_run.write_run(folder / "closed", [synthetic_run.rock(synthetic_run.lattice(0.0, OUTER, 0.0, LENGTH)),
+        synthetic_run.jet(synthetic_run.lattice(0.0, 0.001, -0.005, -0.003), 3000.0)])
+    said, _ = flow(closed, code=1)
+    assert "has no hole in its rock" in said, said
+    plane = synthetic_run.write_run(folder / "plane", [synthetic_run.rock(synthetic_run.lattice(0.004, OUTER, 0.0, LENGTH))],
+        mode="plane strain")
+    said, _ = flow(plane, code=1)
+    assert "flow is computed through rings of axisymmetric runs alone" in said, said
+
+
+def main():
+    os.environ["BARRENO_PROGRAM"] = sys.argv[1]
+    with tempfile.TemporaryDirectory() as folder:
+        for check in (check_ring, check_blind_hole, check_cells, check_faults):
+            check(pathlib.Path(folder))
+
+
+if __name__ == "__main__":
+    main()
