@@ -6,12 +6,14 @@ import textwrap
 
 import numpy as np
 
-from barreno.report.channel import Half, draw_half, set_limits, set_up, size_of, time_text
+from barreno.report.channel import Half, draw_half, set_limits, set_up, time_text
 from barreno.report.deck import Deck, read_deck
 from barreno.report.fields import PLASTIC_STRAIN
 from barreno.report.files import reading
 from barreno.report.hole import jet_particles
 from barreno.report.particles import Frame, ParticleFile
+from barreno.report.pieces import pieces_of
+from barreno.report.view import size_of
 from barreno.runs.faults import BadRun, NothingToDraw
 from barreno.runs.pictures import save
 from barreno.runs.plots import plt
@@ -99,7 +101,7 @@ def shape_of(channels, mirrored, box, columns):
 def title_of(row, frame):
     depth = row.depth()
     words = f"{1e3 * depth:.1f} mm at {time_text(frame.time)}" if depth else time_text(frame.time)
-    return "\n".join([*(line for part in row.label.split(", ") for line in textwrap.wrap(part, LONGEST_LINE)), words])
+    return "\n".join([*(line for part in row.label.split(", ") for line in textwrap.wrap(part, LONGEST_LINE, break_long_words=False, break_on_hyphens=False)), words])
 
 
 def draw_one(axes, row, channel, mirrored, box):
@@ -107,7 +109,11 @@ def draw_one(axes, row, channel, mirrored, box):
     left, right = axes[0], axes[-1]
     frame, deck = channel.frame, channel.deck
     plastic = next((name for name in PLASTIC_STRAIN if name in frame.names), PLASTIC_STRAIN[0])
-    shapes = [draw_half(left, frame, deck, Half("pressure", -1.0 if mirrored else 1.0)), draw_half(right, frame, deck, Half(plastic, 1.0))]
+    pieces = pieces_of(frame, deck)  # the jet is red, as in a report
+    shapes = [
+        draw_half(left, frame, deck, Half("pressure", -1.0 if mirrored else 1.0, pieces=pieces)),
+        draw_half(right, frame, deck, Half(plastic, 1.0, pieces=pieces)),
+    ]
     for one in {left, right}:
         set_up(one, deck)
         set_limits(one, frame, deck, box)

@@ -8,9 +8,10 @@ from matplotlib.animation import FFMpegWriter
 from PIL import Image
 
 from barreno.report.channel import draw_channel
-from barreno.report.fields import look_of, range_of, values_of
+from barreno.report.fields import look_in, range_of, values_of
 from barreno.report.files import written
 from barreno.report.particles import areas_of
+from barreno.report.view import View
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.plots import plt
 
@@ -44,7 +45,7 @@ def box_of(run):
 
 def limits_over_time(run, field):
     """Colours that suit most pictures: the median over time of each one's range, widened to the last."""
-    look, ranges = look_of(field), []
+    look, ranges = look_in(run.file, run.deck, field), []
     for step in range(len(run.file.times)):
         frame = run.file.frame(step)
         shapes, of = frame.shapes
@@ -61,7 +62,7 @@ def pictures(run, left, right):
     for step in range(len(run.file.times)):
         frame = run.file.frame(step)
         if frame.alive.any():
-            yield draw_channel(frame, run.deck, left, right, box=box, limits=limits)
+            yield draw_channel(frame, run.deck, left, right, View(box=box, limits=limits))
 
 
 def grab(figure):

@@ -5,7 +5,6 @@ import numpy as np
 
 from barreno.report.channel import time_text
 from barreno.report.files import write_text
-from barreno.report.hole import face_of, measure_hole
 from barreno.report.hole_picture import hole_figure
 from barreno.report.porosity import LEAST_PERMEABILITY
 from barreno.report.section import Picture, Section
@@ -122,9 +121,8 @@ def depths_in_rock(hole, top, wanted):
     return wanted or chosen_depths(hole, top)
 
 
-def hole_section(frame, deck, table, wanted, folder):
+def hole_section(frame, deck, table, hole, wanted, folder):
     """@param table  depth.csv; @param wanted  depths of rings, none: three; @param folder  where profile.csv is written"""
-    hole = measure_hole(frame, deck, face_of(table, frame.file, deck))
     if hole.open_rows == 0:
         return Section("Hole", words=["There is no hole in the target yet."])
     mark, rock = mark_at(table, frame.time), Rock(frame, deck, hole.face)
