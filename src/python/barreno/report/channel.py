@@ -19,7 +19,7 @@ from barreno.report.pieces import Pieces, carried, pieces_of
 from barreno.report.scales import bar_beside, mark_of
 from barreno.report.tones import JET, RUBBLE, VOID, WITHOUT, tones_of
 from barreno.report.view import View, is_long, placed, size_of
-from barreno.report.wall import at_wall, draw_wall
+from barreno.report.wall import MEASURED, at_wall, draw_measured, draw_wall
 from barreno.runs.plots import plt
 
 MILLI, MICRO = 1e-3, 1e-6
@@ -107,6 +107,10 @@ def draw_outlines(axes, frame, deck, mirrors, width=0.8, seen=None):
     return legend
 
 
+def measured_line(view):
+    return [Line2D([], [], color=MEASURED, lw=1.4, ls=(0, (4, 2)), label=f"measured ({view.measured.name})")] if view.measured else []
+
+
 def handles_of(lines, pieces, deck, fields):
     """Lines of the bodies, patches of the pieces; a jet that has the colours of a field is a line."""
     if all(carried(field) for field in fields):
@@ -167,6 +171,8 @@ def draw_panel(axes, frame, deck, halves, seen):
     lines = draw_outlines(axes, frame, deck, mirrors, 0.8 if view.edges else 0.6, told)
     if view.hole is not None:
         draw_wall(axes, view.hole, deck, mirrors, seen.lying)
+    if view.measured is not None:
+        draw_measured(axes, view, deck, seen.lying)
     if deck.mirrored():
         (axes.axhline if seen.lying else axes.axvline)(0.0, color="k", lw=0.5, ls=(0, (8, 4)))
     set_limits(axes, frame, deck, view.box, seen.lying)
@@ -204,7 +210,7 @@ def draw_channel(frame, deck, left, right, view=None):
     for number, (side, (quads, label, mark)) in enumerate(zip(("left", "right"), drawn)):
         if side == "right" or not mirrored or left != right:  # one bar serves two equal halves
             bar(0 if mirrored else number, side, quads, label, mark)
-    handles = handles_of(lines, seen.pieces, deck, (left, right))
+    handles = [*handles_of(lines, seen.pieces, deck, (left, right)), *measured_line(view)]
     if handles:
         legend(handles)
     panels[0].set_title(f"{view.title}t = {time_text(frame.time)}", loc="left" if lying else "center")

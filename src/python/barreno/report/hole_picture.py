@@ -6,7 +6,7 @@ from matplotlib.colors import TwoSlopeNorm
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
 
 from barreno.report.legends import BELOW, place_legends
-from barreno.report.wall import smooth_wall
+from barreno.report.wall import MEASURED, smooth_wall
 from barreno.runs.plots import plt
 
 MILLI = 1e-3
@@ -64,12 +64,16 @@ def draw_rings(porosity, permeability, rings):
         axes.set_xlim(left=0.0)
 
 
-def hole_figure(hole, zones, rings, mark):
-    """@param zones  rings of all rows; @param rings  those of chosen depths; @param mark  (depth, radius) of depth.csv, or None"""
+def hole_figure(hole, zones, rings, mark, measured=None):
+    """@param zones  rings of all rows; @param rings  those of chosen depths; @param mark  (depth, radius) of depth.csv, or None;
+    @param measured  report.measured.Measured"""
     figure = plt.figure(figsize=(11.0 if rings else 5.5, 6.5), layout="constrained")
     grid = figure.add_gridspec(2, 2 if rings else 1)
     wall = figure.add_subplot(grid[:, 0])
     drawn = draw_wall(wall, hole, zones, mark)
+    if measured is not None:
+        wall.plot(measured.radius / MILLI, measured.depth / MILLI, color=MEASURED, lw=1.4, ls=(0, (4, 2)), label=f"measured ({measured.name})")
+        wall.set_ylim(bottom=max(wall.get_ylim()[0], 1.03 * measured.end / MILLI))
     if drawn is not None:
         figure.colorbar(drawn, ax=wall, label="porosity / virgin value: crushed < 1 < dilated", extend="both", aspect=35)
     for ring in rings:

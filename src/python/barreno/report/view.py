@@ -20,6 +20,7 @@ class View:
     edges: bool = False  # borders of particles
     title: str = ""
     hole: object = None  # report.hole.Hole: its wall is drawn, and loose pieces in it are told from rock
+    measured: object = None  # report.measured.Measured: a hole that was measured, drawn too
     stretch: float = 1.0  # how many times larger than along y lengths across it are
 
 

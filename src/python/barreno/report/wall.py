@@ -6,6 +6,7 @@ import numpy as np
 from barreno.report.view import placed
 
 MILLI = 1e-3
+MEASURED = "#ff00aa"  # unlike all colours of fields and materials
 BESIDE = 1.5  # cells around the wall
 WINDOW, SHARE = 5, 0.02  # rows, or a share of them where that is more: the line is their median, so that torn pieces make no spikes
 
@@ -41,3 +42,11 @@ def draw_wall(axes, hole, deck, mirrors, lying):
         line = placed(np.stack([radius, y], axis=1) / MILLI, mirror, lying).T
         axes.plot(*line, color="w", lw=1.6, solid_joinstyle="round")
         axes.plot(*line, color="k", lw=0.6, solid_joinstyle="round")
+
+
+def draw_measured(axes, view, deck, lying):
+    """A measured hole as dashes on both sides of the axis."""
+    y = view.hole.face + deck.direction * view.measured.depth
+    for mirror in (1.0, -1.0):
+        line = placed(np.stack([view.measured.radius, y], axis=1) / MILLI, mirror, lying).T
+        axes.plot(*line, color=MEASURED, lw=1.4, ls=(0, (4, 2)))
