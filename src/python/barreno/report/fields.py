@@ -139,5 +139,5 @@ def range_of(values, areas, look, percent=98.5):
     if look.signed:
         most, least = max(-lower, upper), min(-lower, upper)
         most = min(most, 3.0 * least) if look.both and least > 0.01 * most else most
-        lower, upper = -most, most
+        lower, upper = (-most, most) if most > 0.0 else (-1.0, 1.0)
     return lower, upper if upper > lower else lower + 1.0

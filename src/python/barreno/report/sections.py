@@ -189,7 +189,8 @@ def particle_sections(run, fields, wishes, paths, table, folder):
         frame = run.frame(wishes.time)
         tip = tip_of(run, table, frame)
         hole = measure_hole(frame, run.deck, face_of(table, run.file, run.deck)) if tip else None
-        sections = [channel_section(run, frame, fields, table, View(hole=hole, measured=wishes.measured if hole else None))]
+        whole = View(hole=hole, measured=wishes.measured) if hole is not None and hole.open_rows else View()
+        sections = [channel_section(run, frame, fields, table, whole)]
         if tip:
             sections += [hole_section(frame, run.deck, table, hole, wishes, folder), strength_section(run, frame, table)]
         if wishes.measured is not None:
