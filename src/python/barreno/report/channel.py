@@ -112,12 +112,13 @@ def measured_line(view):
 
 
 def handles_of(lines, pieces, deck, fields):
-    """Lines of the bodies, patches of the pieces; a jet that has the colours of a field is a line."""
+    """Patches of the pieces, lines of the bodies; a jet that has the colours of both fields is a line."""
     if all(carried(field) for field in fields):
         return lines
-    jet = [Patch(color=JET, label=f"jet ({deck.text('Jet/Material')})")] if pieces.jet.any() else []
+    jet_name = f"jet ({deck.text('Jet/Material')})"
+    jet = [Patch(color=JET, label=jet_name)] if pieces.jet.any() else []
     rubble = [Patch(color=RUBBLE, label="loose pieces in the hole")] if pieces.rubble.any() else []
-    return [*jet, *rubble, *lines]
+    return [*jet, *rubble, *(line for line in lines if not jet or line.get_label() != jet_name)]
 
 
 def set_up(axes, deck, lying=False, stretch=1.0):
