@@ -122,7 +122,8 @@ def check_slices(folder):
 
 
 def bored_rock(radius, length):
-    return rock(np.concatenate([lattice(radius, radius + 12 * CELL, 0.0, length), lattice(0.0, radius + 12 * CELL, length, length + 8 * CELL)]))
+    wide = radius + 12 * CELL
+    return rock(np.concatenate([lattice(radius, wide, 0.0, length), lattice(0.0, wide, length, length + 8 * CELL)]))
 
 
 def said(*words):
@@ -141,7 +142,8 @@ def check_page(folder):
     assert abs(found["radius_mean_difference"] + 0.5 * MM) < 0.1 * CELL and abs(found["depth_difference"] + MM) < 0.5 * CELL, found
     page = (run / "report" / "index.html").read_text()
     assert "Measured hole" in page and "hole.csv" in page and (run / "report" / "measured.png").exists()
-    early = write_run(folder / "early", [jet(np.array([[0.25 * CELL, -3 * CELL]]), np.array([7000.0])), rock(lattice(0.0, 9 * CELL, 0.0, 9 * CELL))])
+    coming, whole = jet(np.array([[0.25 * CELL, -3 * CELL]]), np.array([7000.0])), rock(lattice(0.0, 9 * CELL, 0.0, 9 * CELL))
+    early = write_run(folder / "early", [coming, whole])
     code, words = said(early, "--measured", folder / "hole.csv")
     assert (code == 1 and "has no hole in its target" in words) and words.count("\n") == 1, (code, words)
     return run
@@ -150,18 +152,24 @@ def check_page(folder):
 PROFILES = [
     (b"", "is empty"), (b"\n\n", "is empty"), (b"1,2\n3,4\n", "has no header, but begins with numbers"),
     ("deep [mm],radius [mm]\n1,2\n2,2\n", "has no column depth"), ("depth [mm],width [mm]\n1,2\n2,2\n", "has no column radius or diameter"),
-    ("depth,radius [mm]\n1,2\n2,2\n", "gives its column depth no unit"), ("depth [mm],radius [ft]\n1,2\n2,2\n", "the unit 'ft', which is no length"),
-    ("depth [mm],radius [mm]\n1,2\n", "a profile needs at least two"), ("depth [mm],radius [mm]\n1,2\n0.5,2\n", "in line 3 that is not larger"),
-    ("depth [mm],radius [mm]\n1,2\n1,2\n", "in line 3 that is not larger"), ("depth [mm],radius [mm]\n1,2\n2,-2\n", "has a negative radius in line 3"),
+    ("depth,radius [mm]\n1,2\n2,2\n", "gives its column depth no unit"),
+    ("depth [mm],radius [ft]\n1,2\n2,2\n", "the unit 'ft', which is no length"),
+    ("depth [mm],radius [mm]\n1,2\n", "a profile needs at least two"),
+    ("depth [mm],radius [mm]\n1,2\n0.5,2\n", "in line 3 that is not larger"),
+    ("depth [mm],radius [mm]\n1,2\n1,2\n", "in line 3 that is not larger"),
+    ("depth [mm],radius [mm]\n1,2\n2,-2\n", "has a negative radius in line 3"),
     ("depth [mm],radius [mm]\n-1,2\n2,2\n", "has a negative depth in line 2"), ("depth [mm],radius [mm]\n1,0\n2,0\n", "contains no hole"),
-    ("depth [mm],radius [mm]\n1,two\n2,2\n", "has 'two' for a number in line 2"), ("depth [mm],radius [mm]\n1\n2,2\n", "has '' for a number in line 2"),
+    ("depth [mm],radius [mm]\n1,two\n2,2\n", "has 'two' for a number in line 2"),
+    ("depth [mm],radius [mm]\n1\n2,2\n", "has '' for a number in line 2"),
     ("depth [m],radius [m]\n1,2\n200,2\n", "above 100 m in line 3"), (b"\x89\x00\x01\x00", "is no text"),
 ]  # fmt: skip
 NOTES = [
     (None, "is missing: slices have no lengths"), (b"{", "is no JSON"), (b"[1]", "has a list or a number"), (b"\xff\xfe", "is no JSON"),
-    (json.dumps({**NOTE, "depth": 3}), "has depth, which is none of pixel"), (json.dumps({**NOTE, "pixel": "0 mm"}), "has the pixel '0 mm'"),
+    (json.dumps({**NOTE, "depth": 3}), "has depth, which is none of pixel"),
+    (json.dumps({**NOTE, "pixel": "0 mm"}), "has the pixel '0 mm'"),
     (json.dumps({"threshold": 100}), "has no pixel"), (json.dumps({**NOTE, "spacing": 0.5}), "has the spacing '0.5'"),
-    (json.dumps({**NOTE, "first": "-1 mm"}), "has the first '-1 mm'"), (json.dumps({**NOTE, "threshold": "100"}), "has no number as threshold"),
+    (json.dumps({**NOTE, "first": "-1 mm"}), "has the first '-1 mm'"),
+    (json.dumps({**NOTE, "threshold": "100"}), "has no number as threshold"),
     (json.dumps({**NOTE, "hole": "black"}), 'has the hole "black"'), (json.dumps({**NOTE, "threshold": 0}), "contains no hole: no slice"),
 ]  # fmt: skip
 

@@ -196,7 +196,9 @@ def check_titles():
 
 def check_paraview(run):
     """Between its points ParaView has the colours of the report, at values in SI."""
-    for name, limits in (("pressure", (0.0, 400.0)), ("porosity", (0.0, 0.5)), ("cell_size", (0.25, 4.0)), ("plastic_volume_strain", (-0.2, 0.2))):
+    for name, limits in (
+        ("pressure", (0.0, 400.0)), ("porosity", (0.0, 0.5)), ("cell_size", (0.25, 4.0)), ("plastic_volume_strain", (-0.2, 0.2)),
+    ):  # fmt: skip
         look = fields.look_in(run.file, run.deck, name)
         points = np.array(paraview.colour_points(look, limits)).reshape(-1, 4)
         assert (np.diff(points[:, 0]) > 0.0).all() and np.allclose(points[[0, -1], 0], np.array(limits) * look.scale), points[:, 0]

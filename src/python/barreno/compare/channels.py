@@ -5,6 +5,7 @@ import dataclasses
 import textwrap
 
 import numpy as np
+from matplotlib.patches import Patch
 
 from barreno.report.channel import Half, draw_half, set_limits, set_up, time_text
 from barreno.report.deck import Deck, read_deck
@@ -13,6 +14,7 @@ from barreno.report.files import reading
 from barreno.report.hole import jet_particles
 from barreno.report.particles import Frame, ParticleFile
 from barreno.report.pieces import pieces_of
+from barreno.report.tones import JET
 from barreno.report.view import size_of
 from barreno.runs.faults import BadRun, NothingToDraw
 from barreno.runs.pictures import save
@@ -101,7 +103,8 @@ def shape_of(channels, mirrored, box, columns):
 def title_of(row, frame):
     depth = row.depth()
     words = f"{1e3 * depth:.1f} mm at {time_text(frame.time)}" if depth else time_text(frame.time)
-    return "\n".join([*(line for part in row.label.split(", ") for line in textwrap.wrap(part, LONGEST_LINE, break_long_words=False, break_on_hyphens=False)), words])
+    wrap = textwrap.TextWrapper(LONGEST_LINE, break_long_words=False, break_on_hyphens=False).wrap
+    return "\n".join([*(line for part in row.label.split(", ") for line in wrap(part)), words])
 
 
 def draw_one(axes, row, channel, mirrored, box):
@@ -156,6 +159,8 @@ def draw_channels(file, rows, columns):
             continue
         for one in place:
             one.set_axis_off()
+    if any(channel and channel.deck.has_jet for channel in channels):
+        figure.legend(handles=[Patch(color=JET, label="jet")], loc="upper center", bbox_to_anchor=(0.5, 0.0), fontsize=9, frameon=False)
     for side, of_side in zip(("left", "right"), zip(*halves)):
         share_colours(figure, axes, of_side, side)
     save(figure, file, bbox_inches="tight")  # labels of the scales reach beyond the axes

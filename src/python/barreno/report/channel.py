@@ -201,7 +201,8 @@ def draw_channel(frame, deck, left, right, view=None):
     view, mirrored = view or View(), deck.mirrored()
     lying = is_long(frame, mirrored, view.box)
     seen = Seen(view, pieces_of(frame, deck, view.hole), lying)
-    halves = [Half(left, -1.0 if mirrored else 1.0, view.limits[0], seen.pieces, lying), Half(right, 1.0, view.limits[1], seen.pieces, lying)]
+    halves = [Half(field, mirror, limits, seen.pieces, lying)
+        for field, mirror, limits in zip((left, right), (-1.0 if mirrored else 1.0, 1.0), view.limits)]
     figure, panels, bar, legend = (lying_panels if lying else upright_panels)(frame, mirrored, view, 1 if mirrored else 2)
     of_panels = [halves] if mirrored else [[half] for half in halves]
     drawn, lines = [], []

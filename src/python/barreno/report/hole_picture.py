@@ -72,7 +72,8 @@ def hole_figure(hole, zones, rings, mark, measured=None):
     wall = figure.add_subplot(grid[:, 0])
     drawn = draw_wall(wall, hole, zones, mark)
     if measured is not None:
-        wall.plot(measured.radius / MILLI, measured.depth / MILLI, color=MEASURED, lw=1.4, ls=(0, (4, 2)), label=f"measured ({measured.name})")
+        wall.plot(measured.radius / MILLI, measured.depth / MILLI, color=MEASURED, lw=1.4, ls=(0, (4, 2)),
+            label=f"measured ({measured.name})")
         wall.set_ylim(bottom=max(wall.get_ylim()[0], 1.03 * measured.end / MILLI))
     if drawn is not None:
         figure.colorbar(drawn, ax=wall, label="porosity / virgin value: crushed < 1 < dilated", extend="both", aspect=35)

@@ -122,7 +122,8 @@ def depths_in_rock(hole, top, wanted):
 
 
 def hole_section(frame, deck, table, hole, wishes, folder):
-    """@param table  depth.csv; @param wishes  depths of rings, none: three, and a measured hole; @param folder  where profile.csv is written"""
+    """@param table  depth.csv; @param wishes  depths of rings, none: three, and a measured hole; @param folder  where profile.csv is
+    written"""
     if hole.open_rows == 0:
         return Section("Hole", words=["There is no hole in the target yet."])
     mark, rock = mark_at(table, frame.time), Rock(frame, deck, hole.face)

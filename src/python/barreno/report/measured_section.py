@@ -89,8 +89,8 @@ def measured_figure(hole, measured):
     rows = hole.open_rows
     radius = np.where(np.isfinite(hole.radius[:rows]), hole.radius[:rows], np.nan)
     wall.plot(np.append(hole.depth[:rows], hole.length) / MILLI, np.append(radius, 0.0) / MILLI, "k-", lw=1.0, label="run")
-    wall.plot(np.append(measured.depth, measured.end) / MILLI, np.append(measured.radius, measured.radius[-1]) / MILLI, "--", color=MEASURED,
-        lw=1.6, label=f"measured ({measured.name})")
+    depth, radius = np.append(measured.depth, measured.end), np.append(measured.radius, measured.radius[-1])
+    wall.plot(depth / MILLI, radius / MILLI, "--", color=MEASURED, lw=1.6, label=f"measured ({measured.name})")
     wall.set(ylabel="half width [mm]" if hole.plane else "radius [mm]", ylim=(0.0, None), xlim=(0.0, None))
     depth, radius = common_rows(hole, measured)
     apart.axhline(0.0, color="k", lw=0.8)
@@ -108,5 +108,5 @@ def measured_section(hole, measured, folder):
         raise Fault("--measured: the run has no hole in its target at that time; choose a later --time, or leave --measured out.")
     found = differences(hole, measured)
     write_text(folder / "measured.json", json.dumps(found, indent=1) + "\n")
-    return Section("Measured hole", rows_of(found, hole.plane), [WORDS],
-        [Picture("measured", measured_figure(hole, measured), "Wall of the run's hole and the measured one, and their difference.")])
+    picture = Picture("measured", measured_figure(hole, measured), "The run's hole and the measured one, and their difference.")
+    return Section("Measured hole", rows_of(found, hole.plane), [WORDS], [picture])

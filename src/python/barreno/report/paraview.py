@@ -68,4 +68,5 @@ def view_script(run, fields, time):
     }  # fmt: skip
     constants = "\n".join(f"{name} = {value!r}" for name, value in values.items())
     return TEMPLATE.replace("# CONSTANTS\n",
-        f"# LEFT and RIGHT: array, component, and the report's colours as value in SI, red, green, blue; WITHOUT: of no value\n{constants}\n")
+        "# LEFT and RIGHT: array, component, and the report's colours as value in SI, red, green, blue; WITHOUT: of no value\n"
+        f"{constants}\n")

@@ -50,10 +50,12 @@ def hole_view(whole, deck):
     if not len(walled):
         return None
     across = max(WIDE * float(np.median(walled)), LEAST_WIDE * hole.cell)
-    ends = [hole.face + deck.direction * depth for depth in (-0.06 * hole.length - 4.0 * hole.cell, 1.1 * hole.length + 4.0 * hole.cell)]
+    depths = -0.06 * hole.length - 4.0 * hole.cell, 1.1 * hole.length + 4.0 * hole.cell
+    ends = [hole.face + deck.direction * depth for depth in depths]
     box = tuple(value / MILLI for value in (-across, across, min(ends), max(ends)))
     stretch = STRETCH if box[3] - box[2] > NARROW * (box[1] - box[0]) else 1.0
-    return dataclasses.replace(whole, box=box, stretch=stretch, title=f"radii {STRETCH:g} times larger than depths, " if stretch > 1.0 else "")
+    title = f"radii {STRETCH:g} times larger than depths, " if stretch > 1.0 else ""
+    return dataclasses.replace(whole, box=box, stretch=stretch, title=title)
 
 
 def hole_pictures(frame, deck, fields, whole):

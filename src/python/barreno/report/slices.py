@@ -114,8 +114,8 @@ def radii_of(path, files, scale):
     for file in files:
         for picture in pictures_in(file):
             if picture.ndim != 2 or shape not in (None, picture.shape):
-                raise fault(file, f"has a slice of {' x '.join(map(str, picture.shape))} pixels, unlike the first of the stack; give slices of "
-                    "one size.")
+                size = " x ".join(map(str, picture.shape))
+                raise fault(file, f"has a slice of {size} pixels, unlike the first of the stack; give slices of one size.")
             shape = picture.shape
             hole = hole_in(picture < scale.threshold if scale.dark else picture > scale.threshold, above)
             if above is not None and not hole.any():
@@ -123,8 +123,9 @@ def radii_of(path, files, scale):
             above = hole if hole.any() else None
             radii.append(float(np.sqrt(hole.sum() / np.pi)) * scale.pixel)
     if above is None:
-        raise fault(path, f"contains no hole: no slice has a region {'below' if scale.dark else 'above'} the grey value {scale.threshold:g} that "
-            "is apart from its border; check the threshold, and whether the hole is dark or light.")
+        side = "below" if scale.dark else "above"
+        raise fault(path, f"contains no hole: no slice has a region {side} the grey value {scale.threshold:g} that is apart from its "
+            "border; check the threshold, and whether the hole is dark or light.")
     return radii
 
 
