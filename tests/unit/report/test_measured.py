@@ -13,7 +13,7 @@ from PIL import Image
 
 from barreno.report import command
 from barreno.report.hole import Hole
-from barreno.report.measured import read_measured
+from barreno.report.measured_file import read_measured
 from barreno.report.measured_section import differences, volume_below
 from synthetic_run import CELL, jet, lattice, rock, write_run
 

@@ -9,7 +9,7 @@ from barreno.report.build import Wishes, make_report
 from barreno.report.fields import check_field, known_fields
 from barreno.report.files import make_folder
 from barreno.report.film import check_out, write_film
-from barreno.report.measured import read_measured
+from barreno.report.measured_file import read_measured
 from barreno.report.progress import Progress
 from barreno.report.run import opened
 from barreno.report.words import check_folder, depths_of, film_parser, report_parser, time_of

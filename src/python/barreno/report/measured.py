@@ -1,19 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A measured hole: radius against depth of a CSV file, or of slices of a CT scan."""
+"""A measured hole: radius against depth."""
 
 import dataclasses
-import pathlib
 
 import numpy as np
 
-from barreno.fit.table import decoded, is_number, split_table
-from barreno.runs.faults import FILE, Fault, on_one_line
-from barreno.runs.regular_file import read_bytes
-from barreno.runs.words import LENGTH_UNITS
-
-HEADER = 'begin the file with for example "depth [mm], radius [mm]"'
-PICTURES = (".tif", ".tiff", ".png")
-LARGEST = 100.0  # m; a larger number has another unit
+from barreno.runs.faults import FILE, Fault
 
 
 @dataclasses.dataclass
@@ -32,93 +24,24 @@ class Measured:
     def radius_at(self, depth):
         return np.interp(depth, self.depth, self.radius)
 
+    def cones_below(self, start):
+        """Height and the two radii of every cone below a depth; behind the last row there is a cylinder to the end."""
+        keep, first = self.depth > start, max(start, self.start)
+        depth = np.concatenate([[first], self.depth[keep], [self.end]])
+        radius = np.concatenate([[self.radius_at(first)], self.radius[keep], self.radius[-1:]])
+        return np.diff(depth), radius[:-1], radius[1:]
+
     def volume_below(self, start):
-        """Of the cones from a depth on, pi h/3 (r1^2 + r1 r2 + r2^2) of each; behind the last row a cylinder to the end [m3]."""
-        keep = self.depth > start
-        depth = np.concatenate([[max(start, self.start)], self.depth[keep], [self.end]])
-        radius = np.concatenate([[self.radius_at(depth[0])], self.radius[keep], self.radius[-1:]])
-        high, one, other = np.diff(depth), radius[:-1], radius[1:]
+        """Sum of pi h/3 (r1^2 + r1 r2 + r2^2) [m3]."""
+        high, one, other = self.cones_below(start)
         return float(np.sum(np.pi * high / 3.0 * (one**2 + one * other + other**2)))
 
     def area_below(self, start):
-        """Of a slot, per thickness [m2]."""
-        keep = self.depth > start
-        depth = np.concatenate([[max(start, self.start)], self.depth[keep], [self.end]])
-        radius = np.concatenate([[self.radius_at(depth[0])], self.radius[keep], self.radius[-1:]])
-        return float(np.sum(np.diff(depth) * (radius[1:] + radius[:-1])))
+        """Of a slot whose half width the radius is, per thickness [m2]."""
+        high, one, other = self.cones_below(start)
+        return float(np.sum(high * (one + other)))
 
 
 def fault(file, what):
+    """@param file  path of a measurement"""
     return Fault(f"--measured {file.name} {what}", FILE)
-
-
-def column_of(file, table, names):
-    """(index, factor to SI) of the first column with one of the names."""
-    at = next((i for i, name in enumerate(table.names) if name in names), None)
-    if at is None:
-        heads = ", ".join(table.heads[:6]) or "nothing"
-        if table.heads and all(is_number(head) for head in table.heads):
-            raise fault(file, f"has no header, but begins with numbers; {HEADER}.")
-        raise fault(file, f"has no column {' or '.join(names)} (its header has {heads}); {HEADER}.")
-    unit = table.units[at]
-    if unit not in LENGTH_UNITS:
-        said = f"the unit '{unit}', which is no length" if unit else "no unit"
-        raise fault(file, f"gives its column {table.heads[at]} {said}; use one of {', '.join(LENGTH_UNITS)}, as in \"{names[0]} [mm]\".")
-    return at, LENGTH_UNITS[unit]
-
-
-def number_in(file, line, cells, column):
-    cell = cells[column] if column < len(cells) else ""
-    if not is_number(cell) or not np.isfinite(float(cell)):
-        raise fault(file, f"has '{on_one_line(cell)[:40]}' for a number in line {line}; correct or remove that line.")
-    return float(cell)
-
-
-def check_rows(file, lines, depth, radius):
-    """@raises Fault  where depth does not grow or a radius is negative"""
-    for line, before, here, r in zip(lines, [-np.inf, *depth], depth, radius):
-        if r < 0.0:
-            raise fault(file, f"has a negative radius in line {line}; a radius counts from the axis of the hole outwards.")
-        if here <= before:
-            raise fault(file, f"has a depth in line {line} that is not larger than the one before; sort the rows by growing depth.")
-        if here < 0.0:
-            raise fault(file, f"has a negative depth in line {line}; depth counts from the outer face of the target along the shot.")
-        if max(here, r) > LARGEST:
-            raise fault(file, f"has a length above {LARGEST:g} m in line {line}; check the units of its header.")
-
-
-def read_profile(file):
-    """A CSV file with the columns depth and radius, or diameter, each with its unit in the header."""
-    text = decoded(read_bytes(file))
-    if text is None:
-        raise fault(file, "is no text; give a CSV file, a TIFF file of slices, or a folder of PNG slices.")
-    table = split_table(file.name, text, {"depth", "radius", "diameter"})
-    if not table.names:
-        raise fault(file, f"is empty; {HEADER}.")
-    depth_at, depth_factor = column_of(file, table, ("depth",))
-    radius_at, radius_factor = column_of(file, table, ("radius", "diameter"))
-    if table.names[radius_at] == "diameter":
-        radius_factor *= 0.5
-    if len(table.rows) < 2:
-        raise fault(file, f"has {len(table.rows)} rows of numbers; a profile needs at least two.")
-    depth, radius = (np.array([factor * number_in(file, line, cells, at) for line, cells in table.rows])
-        for at, factor in ((depth_at, depth_factor), (radius_at, radius_factor)))
-    check_rows(file, [line for line, _ in table.rows], depth, radius)
-    if not radius.any():
-        raise fault(file, "contains no hole: all its radii are zero.")
-    return Measured(file.name, depth, radius, float(depth[-1]))
-
-
-def read_measured(text):
-    """@raises Fault"""
-    file = pathlib.Path(text)
-    if not file.exists():
-        raise Fault(f"--measured {text} does not exist; check the path.", FILE)
-    try:
-        if file.is_dir() or file.suffix.lower() in PICTURES:
-            from barreno.report.slices import read_slices
-
-            return read_slices(file)
-        return read_profile(file)
-    except OSError as error:
-        raise fault(file, f"cannot be read ({on_one_line(error.strerror or error)}).") from None
