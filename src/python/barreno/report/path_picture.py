@@ -14,7 +14,7 @@ from barreno.report.stress_paths import surface_now
 from barreno.runs.plots import plt
 
 MILLI, MEGA = 1e-3, 1e6
-COLOURS = ("#d62728", "#ff9f1c", "#2a9d8f", "#1f77b4", "#9467bd", "#8c564b", "#e377c2", "#17becf")
+COLOURS = ("#7cb518", "#ff9f1c", "#2a9d8f", "#1f77b4", "#9467bd", "#8c564b", "#e377c2", "#17becf")  # without the red of the jet
 CLOSE = 0.3  # of the largest pressure: where virgin rock is crushed below that, a second panel shows the paths up to there
 VIEWS = ("meridional plane", "octahedral view, down the hydrostat", "space of principal stresses")
 LINES = ("-", (0, (1, 1)), "-.")  # of the first surfaces of materials
