@@ -24,7 +24,7 @@ barreno run DECK [options]        compute (one rank per core)
 barreno resume FOLDER [--until TIME] [--ranks N]   continue from a run's last checkpoint
 barreno check DECK [--set ...] [--fidelity ...] [--ranks N]   validate a deck, print its plan and cost
 barreno report FOLDER [--left FIELD] [--right FIELD] [--time "30 us"] [--depths "30 mm, 60 mm"]
-                [--particles "near tip"|ID,...] [--pdf]
+                [--particles "near tip"|ID,...] [--measured FILE] [--pdf]
                                   pictures and numbers of a run, one page: FOLDER/report/index.html (docs/report.md)
 barreno film FOLDER --field FIELD [--right FIELD] [--out FILE.gif|.png|.mp4]   particles from the start to the end
 barreno join FOLDER --out FILE    particles that every rank wrote into its own file (particles.e.N.0 ...) as one file

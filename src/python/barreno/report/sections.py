@@ -10,7 +10,7 @@ from barreno.report.depth_picture import depth_figure
 from barreno.report.energy_picture import energy_figure, energy_terms
 from barreno.report.fields import known_fields, look_of
 from barreno.report.files import reading
-from barreno.report.hole import cell_along_path, face_of, measure_hole
+from barreno.report.hole import cell_along_path, face_of, hole_at
 from barreno.report.hole_section import hole_section
 from barreno.report.measured_section import measured_section
 from barreno.report.numbers import depth_interval, depth_text, numerical_shares, resolution_rows, run_rows
@@ -190,7 +190,7 @@ def particle_sections(run, fields, wishes, paths, table, folder):
     with run.particles_read():
         frame = run.frame(wishes.time)
         tip = tip_of(run, table, frame)
-        hole = measure_hole(frame, run.deck, face_of(table, run.file, run.deck)) if tip else None
+        hole = hole_at(run, table, frame)
         whole = View(hole=hole, measured=wishes.measured) if hole is not None and hole.open_rows else View()
         sections = [channel_section(run, frame, fields, table, whole)]
         if tip:
