@@ -11,10 +11,10 @@ from barreno.report.channel import Half, draw_half, set_limits, set_up, time_tex
 from barreno.report.deck import Deck, read_deck
 from barreno.report.fields import PLASTIC_STRAIN
 from barreno.report.files import reading
-from barreno.report.hole import jet_particles
+from barreno.report.hole import face_of, jet_particles, measure_hole
 from barreno.report.particles import Frame, ParticleFile
-from barreno.report.pieces import pieces_of
-from barreno.report.tones import JET
+from barreno.report.pieces import Pieces, pieces_of
+from barreno.report.tones import JET, RUBBLE
 from barreno.report.view import size_of
 from barreno.runs.faults import BadRun, NothingToDraw
 from barreno.runs.pictures import save
@@ -35,13 +35,16 @@ class Channel:
 
     frame: Frame
     deck: Deck
+    pieces: Pieces  # jet and rubble, in their own colours as in a report
 
 
 def read_channel(folder):
     frame = ParticleFile(folder / "particles.e").frame()
     if len(frame.corners) == 0:
         raise ValueError("its last step has no particle")
-    return Channel(frame, checked_deck(folder / "deck.xml"))
+    deck = checked_deck(folder / "deck.xml")
+    hole = measure_hole(frame, deck, face_of(None, frame.file, deck)) if deck.has_jet else None
+    return Channel(frame, deck, pieces_of(frame, deck, hole))
 
 
 def checked_deck(file):
@@ -112,10 +115,9 @@ def draw_one(axes, row, channel, mirrored, box):
     left, right = axes[0], axes[-1]
     frame, deck = channel.frame, channel.deck
     plastic = next((name for name in PLASTIC_STRAIN if name in frame.names), PLASTIC_STRAIN[0])
-    pieces = pieces_of(frame, deck)  # the jet is red, as in a report
     shapes = [
-        draw_half(left, frame, deck, Half("pressure", -1.0 if mirrored else 1.0, pieces=pieces)),
-        draw_half(right, frame, deck, Half(plastic, 1.0, pieces=pieces)),
+        draw_half(left, frame, deck, Half("pressure", -1.0 if mirrored else 1.0, pieces=channel.pieces)),
+        draw_half(right, frame, deck, Half(plastic, 1.0, pieces=channel.pieces)),
     ]
     for one in {left, right}:
         set_up(one, deck)
@@ -160,7 +162,8 @@ def draw_channels(file, rows, columns):
         for one in place:
             one.set_axis_off()
     if any(channel and channel.deck.has_jet for channel in channels):
-        figure.legend(handles=[Patch(color=JET, label="jet")], loc="upper center", bbox_to_anchor=(0.5, 0.0), fontsize=9, frameon=False)
+        handles = [Patch(color=JET, label="jet"), Patch(color=RUBBLE, label="loose pieces in the hole")]
+        figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, fontsize=9, frameon=False)
     for side, of_side in zip(("left", "right"), zip(*halves)):
         share_colours(figure, axes, of_side, side)
     save(figure, file, bbox_inches="tight")  # labels of the scales reach beyond the axes
