@@ -26,7 +26,7 @@ barreno check DECK [--set ...] [--fidelity ...] [--ranks N]   validate a deck, p
 barreno jet DECK [--cut-off VELOCITY] [--resistance STRESS] [--strength STRESS] [--out FOLDER] [--set ...] [--fidelity ...]
                                   the jet of a deck: table, audit, picture, depths by theory (docs/jets.md)
 barreno report FOLDER [--left FIELD] [--right FIELD] [--time "30 us"] [--depths "30 mm, 60 mm"]
-                [--particles "near tip"|ID,...] [--pdf]
+                [--particles "near tip"|ID,...] [--measured FILE] [--pdf]
                                   pictures and numbers of a run, one page: FOLDER/report/index.html (docs/report.md)
 barreno flow FOLDER [--boundary radial|axial|both] [--time "200 us"] [--cell "1 mm"] [--ranks N] [--out FOLDER]
                                   how much flows through the shot rock into the hole, and its skin (docs/flow.md)

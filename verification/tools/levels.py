@@ -11,6 +11,7 @@ matplotlib.use("Agg")
 
 from barreno.report.channel import draw_channel
 from barreno.report.run import opened
+from barreno.report.view import View
 from tools.runs import run_deck
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -26,8 +27,8 @@ def last_of_parts(run):
 
 def draw(folder, png):
     with opened(folder) as run:
-        figure = draw_channel(last_of_parts(run), run.deck, "cell_size", "step_length", box=BOX, edges=False,
-            title="perforation.xml, balanced, ")
+        figure = draw_channel(last_of_parts(run), run.deck, "cell_size", "step_length",
+            View(box=BOX, title="perforation.xml, balanced, "))
         figure.savefig(png, dpi=110, bbox_inches="tight")
 
 

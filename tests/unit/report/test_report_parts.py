@@ -11,9 +11,10 @@ import zlib
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import Normalize
 from PIL import Image
 
-from barreno.report import channel, command, energy_picture, fields, numbers, pages, penetration, section
+from barreno.report import channel, command, energy_picture, fields, numbers, pages, penetration, scales, section
 from barreno.report.deck import read_deck
 from barreno.report.outline import without_gaps
 from barreno.report.particles import ParticleFile, areas_of
@@ -80,13 +81,13 @@ def check_doubling():
     shapes = np.stack([square + np.array([4.0 * i, 0.0])
         for i, square in enumerate([np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])] * 5)])
     figure, axes = plt.subplots()
-    quads = channel.draw_quads(axes, shapes, np.array([4.0, 2.0, 0.0, 0.5, np.nan]), look.colours, (0.5, 4.0), doubling=True)
-    assert channel.doubling_values(quads) == [0.5, 2.0, 4.0] and len(axes.collections[0].get_paths()) == 2, axes.collections
+    quads = channel.draw_quads(axes, shapes, np.array([4.0, 2.0, 0.0, 0.5, np.nan]), look.colours, fields.norm_of(look, (0.5, 4.0)))
+    assert scales.doubling_values(quads) == [0.5, 2.0, 4.0] and len(axes.collections[0].get_paths()) == 2, axes.collections
     shades = quads.to_rgba(np.array([0.5, 1.0, 2.0, 4.0]))
     assert np.allclose(shades, plt.get_cmap(look.colours)(np.array([0.0, 1.0, 2.0, 3.0]) / 3.0), atol=0.01), shades
-    channel.draw_bar(figure, axes, quads, look.label, "right", 4.0)
+    scales.bar_beside(figure, axes, quads, look.label, "right", 4.0)
     assert [text.get_text() for text in axes.child_axes[-1].get_yticklabels()] == ["0.5", "2", "4"]
-    assert channel.doubling_values(channel.draw_quads(axes, shapes, np.ones(5), "viridis", (0.0, 2.0))) == []
+    assert scales.doubling_values(channel.draw_quads(axes, shapes, np.ones(5), "viridis", Normalize(0.0, 2.0))) == []
     plt.close(figure)
 
 

@@ -5,13 +5,17 @@ import dataclasses
 import textwrap
 
 import numpy as np
+from matplotlib.patches import Patch
 
-from barreno.report.channel import Half, draw_half, set_limits, set_up, size_of, time_text
+from barreno.report.channel import Half, draw_half, set_limits, set_up, time_text
 from barreno.report.deck import Deck, read_deck
 from barreno.report.fields import PLASTIC_STRAIN
 from barreno.report.files import reading
-from barreno.report.hole import jet_particles
+from barreno.report.hole import face_of, jet_particles, measure_hole
 from barreno.report.particles import Frame, ParticleFile
+from barreno.report.pieces import Pieces, pieces_of
+from barreno.report.tones import JET, RUBBLE
+from barreno.report.view import size_of
 from barreno.runs.faults import BadRun, NothingToDraw
 from barreno.runs.pictures import save
 from barreno.runs.plots import plt
@@ -31,13 +35,16 @@ class Channel:
 
     frame: Frame
     deck: Deck
+    pieces: Pieces  # jet and rubble, in their own colours as in a report
 
 
 def read_channel(folder):
     frame = ParticleFile(folder / "particles.e").frame()
     if len(frame.corners) == 0:
         raise ValueError("its last step has no particle")
-    return Channel(frame, checked_deck(folder / "deck.xml"))
+    deck = checked_deck(folder / "deck.xml")
+    hole = measure_hole(frame, deck, face_of(None, frame.file, deck)) if deck.has_jet else None
+    return Channel(frame, deck, pieces_of(frame, deck, hole))
 
 
 def checked_deck(file):
@@ -99,7 +106,8 @@ def shape_of(channels, mirrored, box, columns):
 def title_of(row, frame):
     depth = row.depth()
     words = f"{1e3 * depth:.1f} mm at {time_text(frame.time)}" if depth else time_text(frame.time)
-    return "\n".join([*(line for part in row.label.split(", ") for line in textwrap.wrap(part, LONGEST_LINE)), words])
+    wrap = textwrap.TextWrapper(LONGEST_LINE, break_long_words=False, break_on_hyphens=False).wrap
+    return "\n".join([*(line for part in row.label.split(", ") for line in wrap(part)), words])
 
 
 def draw_one(axes, row, channel, mirrored, box):
@@ -107,7 +115,10 @@ def draw_one(axes, row, channel, mirrored, box):
     left, right = axes[0], axes[-1]
     frame, deck = channel.frame, channel.deck
     plastic = next((name for name in PLASTIC_STRAIN if name in frame.names), PLASTIC_STRAIN[0])
-    shapes = [draw_half(left, frame, deck, Half("pressure", -1.0 if mirrored else 1.0)), draw_half(right, frame, deck, Half(plastic, 1.0))]
+    shapes = [
+        draw_half(left, frame, deck, Half("pressure", -1.0 if mirrored else 1.0, pieces=channel.pieces)),
+        draw_half(right, frame, deck, Half(plastic, 1.0, pieces=channel.pieces)),
+    ]
     for one in {left, right}:
         set_up(one, deck)
         set_limits(one, frame, deck, box)
@@ -150,6 +161,9 @@ def draw_channels(file, rows, columns):
             continue
         for one in place:
             one.set_axis_off()
+    if any(channel and channel.deck.has_jet for channel in channels):
+        handles = [Patch(color=JET, label="jet"), Patch(color=RUBBLE, label="loose pieces in the hole")]
+        figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, fontsize=9, frameon=False)
     for side, of_side in zip(("left", "right"), zip(*halves)):
         share_colours(figure, axes, of_side, side)
     save(figure, file, bbox_inches="tight")  # labels of the scales reach beyond the axes

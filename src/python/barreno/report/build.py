@@ -25,6 +25,7 @@ class Wishes:
     depths: list = dataclasses.field(default_factory=list)  # of rings around the hole [m]; three in rock
     particles: str = None  # whose stress paths are shown, as --particles says it
     pdf: bool = False
+    measured: object = None  # report.measured.Measured
 
 
 def fields_of(run, wishes):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Picture of the channel: particles in their deformed shapes, a field at the left and another at the right of the axis."""
+"""Picture of the channel: particles in their deformed shapes, a field on one side of the axis and another on the other. A long picture
+lies: depth runs along the paper, and the field of the left is above the axis."""
 
 import dataclasses
 
@@ -7,20 +8,22 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter
 
-from barreno.report.fields import look_of, range_of, values_of
+from barreno.report.fields import look_in, norm_of, range_of, values_of
+from barreno.report.lying_page import lying_panels
 from barreno.report.outline import draw_outline
 from barreno.report.particles import areas_of
-from barreno.runs.plots import plain_log, plt
+from barreno.report.pieces import Pieces, carried, pieces_of
+from barreno.report.scales import bar_beside, mark_of
+from barreno.report.tones import JET, RUBBLE, VOID, WITHOUT, tones_of
+from barreno.report.view import View, is_long, placed, size_of
+from barreno.report.wall import MEASURED, at_wall, draw_measured, draw_wall
+from barreno.runs.plots import plt
 
 MILLI, MICRO = 1e-3, 1e-6
-WITHOUT = "0.75"  # colour of a material that does not carry the field
-VOID = "#e3ebf1"  # unlike the ends and the middles of the colours
 WHOLE, CLOSE = 98.5, 96.0  # percent of the area that the colours tell apart, of all and of a part
-MOST_TICKS = 8
-JET = "#d62728"
-BAR, BAR_GAP = 0.22, 0.95  # inches: a bar of colours, and room for the numbers and the name of an axis beside it
-BODY_LINES = ("black", "#7a3b00", "#005f73", "#5a189a", "#386641")
 
 
 @dataclasses.dataclass
@@ -30,6 +33,8 @@ class Half:
     field: str
     mirror: float  # -1: drawn as the mirror image
     limits: tuple = None  # of the colours, in the picture's unit; as the particles have it unless given
+    pieces: Pieces = None  # drawn in their own colours, where the field is none that is looked at in the jet
+    lying: bool = False
 
 
 def draw_edges(axes, shapes):
@@ -39,16 +44,21 @@ def draw_edges(axes, shapes):
     axes.add_collection(PolyCollection(compact, facecolors="none", edgecolors="0.35", linewidths=0.2, rasterized=True))
 
 
-def draw_quads(axes, shapes, values, colours, limits, edges=False, doubling=False):
-    """Quadrangles in the colours of their values, or of their logarithms (Look.doubling); grey where there is none."""
-    known = np.isfinite(values) & (values > 0.0) if doubling else np.isfinite(values)
+def draw_plain(axes, shapes, colour):
+    """Quadrangles in one colour."""
     # Lines between neighbours would show through the gaps of antialiasing.
-    plain = {"edgecolors": "none", "linewidths": 0, "antialiased": False, "rasterized": True}
-    axes.add_collection(PolyCollection(shapes[~known], facecolors=WITHOUT, **plain))
-    quads = PolyCollection(shapes[known], array=values[known], cmap=colours, **plain)
-    if doubling:
-        quads.set_norm(LogNorm(*limits))
-    quads.set_clim(*limits)
+    axes.add_collection(PolyCollection(shapes, facecolors=colour, edgecolors="none", linewidths=0, antialiased=False, rasterized=True))
+
+
+def draw_quads(axes, shapes, values, colours, norm, edges=False):
+    """Quadrangles in the colours of their values; grey where there is none.
+
+    @param norm  of Matplotlib, from values to colours; one of logarithms leaves out what is not positive
+    """
+    known = np.isfinite(values) & (values > 0.0) if isinstance(norm, LogNorm) else np.isfinite(values)
+    draw_plain(axes, shapes[~known], WITHOUT)
+    quads = PolyCollection(shapes[known], array=values[known], cmap=colours, norm=norm, edgecolors="none", linewidths=0, antialiased=False,
+        rasterized=True)
     axes.add_collection(quads)
     if edges:
         draw_edges(axes, shapes)
@@ -65,87 +75,75 @@ def inside(shapes, box):
 
 def draw_half(axes, frame, deck, half, box=None, edges=False):
     """The particles of a frame in the colours of a field; coordinates in mm. @return what a colour bar needs, and its label"""
-    look = look_of(half.field)
+    look = look_in(frame.file, deck, half.field)
     shapes, of = frame.shapes
     values = values_of(frame, deck, half.field)[of] / look.scale
-    seen = inside(shapes, box)
+    plain = np.zeros(len(of), bool) if half.pieces is None or carried(half.field) else half.pieces.apart
+    seen = inside(shapes, box) & ~plain
     limits = half.limits or range_of(values[seen], areas_of(shapes[seen]), look, WHOLE if box is None else CLOSE)
-    return draw_quads(axes, shapes / MILLI * np.array([half.mirror, 1.0]), values, look.colours, limits, edges, look.doubling), look.label
+    on_paper = placed(shapes / MILLI, half.mirror, half.lying)
+    quads = draw_quads(axes, on_paper[~plain], values[~plain], look.colours, norm_of(look, limits), edges)
+    if plain.any():
+        draw_plain(axes, on_paper[half.pieces.rubble & plain], RUBBLE)
+        draw_plain(axes, on_paper[half.pieces.jet & plain], JET)
+    return quads, look.label
 
 
-def line_of(frame, deck, block):
-    """(colour, label) of a block's outline; the jet is red."""
-    name = frame.file.block_names[block]
-    if name == deck.text("Jet/Material"):
-        return JET, f"jet ({name})"
-    bodies = [b for b, other in enumerate(frame.file.block_names) if other != deck.text("Jet/Material")]
-    return BODY_LINES[bodies.index(block) % len(BODY_LINES)], name
-
-
-def draw_outlines(axes, frame, deck, mirrors, width=0.8):
-    """Border of every material. @return the lines of a legend"""
+def draw_outlines(axes, frame, deck, mirrors, width=0.8, seen=None):
+    """Border of every material; where pieces are told apart, neither the jet nor rubble has one. @return the lines of a legend"""
     shapes, of = frame.shapes
-    legend = []
-    for block in np.unique(frame.block[of]):
-        colour, label = line_of(frame, deck, int(block))
+    blocks, tones, legend = frame.block[of], tones_of(deck, frame.file.block_names), []
+    pieces, hole = seen and seen.pieces, seen and seen.view.hole
+    for block in np.unique(blocks):
+        name = frame.file.block_names[block]
+        own = (blocks == block) & ~(pieces.apart if pieces else np.zeros(len(of), bool))
+        if not own.any():
+            continue
+        is_jet = name == deck.text("Jet/Material")
         for mirror in mirrors:
-            draw_outline(axes, shapes[frame.block[of] == block] / MILLI, mirror, deck.mirrored(), crumbs=colour == JET, colors=colour,
-                linewidths=width)
-        legend.append(Line2D([], [], color=colour, lw=1.5, label=label))
+            draw_outline(axes, shapes[own] / MILLI, mirror, deck.mirrored(), crumbs=is_jet, lying=bool(seen and seen.lying),
+                hidden=at_wall(hole, deck) if hole is not None and not is_jet else None, colors=tones[name], linewidths=width)
+        legend.append(Line2D([], [], color=tones[name], lw=1.8, label=f"jet ({name})" if is_jet else name))
     return legend
 
 
-def set_up(axes, deck):
-    axes.set_aspect("equal")
+def measured_line(view):
+    return [Line2D([], [], color=MEASURED, lw=1.4, ls=(0, (4, 2)), label=f"measured ({view.measured.name})")] if view.measured else []
+
+
+def handles_of(lines, pieces, deck, fields):
+    """Patches of the pieces, lines of the bodies; a jet that has the colours of both fields is a line."""
+    if all(carried(field) for field in fields):
+        return lines
+    jet_name = f"jet ({deck.text('Jet/Material')})"
+    jet = [Patch(color=JET, label=jet_name)] if pieces.jet.any() else []
+    rubble = [Patch(color=RUBBLE, label="loose pieces in the hole")] if pieces.rubble.any() else []
+    return [*jet, *rubble, *(line for line in lines if not jet or line.get_label() != jet_name)]
+
+
+def set_up(axes, deck, lying=False, stretch=1.0):
+    axes.set_aspect(stretch if lying else 1.0 / stretch)
     axes.set_facecolor(VOID)
-    axes.set_xlabel("r [mm]" if deck.mode == "axisymmetric" else "x [mm]")
-    axes.set_ylabel("y [mm]")
+    across, along = (axes.yaxis, axes.xaxis) if lying else (axes.xaxis, axes.yaxis)
+    across.set_label_text("r [mm]" if deck.mode == "axisymmetric" else "x [mm]")
+    along.set_label_text("y [mm]")
+    if deck.mode == "axisymmetric":
+        across.set_major_formatter(FuncFormatter(lambda value, _: f"{abs(value):g}"))
 
 
-def set_limits(axes, frame, deck, box=None):
-    """All that there is, or a box (x, x, y, y) in mm; a jet is drawn going down."""
+def set_limits(axes, frame, deck, box=None, lying=False):
+    """All that there is, or a box (x, x, y, y) in mm; a jet is drawn going down, or to the right where the picture lies."""
     if box is None:
         axes.autoscale_view()
+    elif lying:
+        axes.set(xlim=box[2:], ylim=box[:2])
     else:
         axes.set(xlim=box[:2], ylim=box[2:])
-    if deck.has_jet and deck.direction > 0.0 and not axes.yaxis_inverted():
+    if lying:
+        axes.yaxis.set_inverted(True)
+        axes.xaxis.set_inverted(deck.has_jet and deck.direction < 0.0)
+    elif deck.has_jet and deck.direction > 0.0 and not axes.yaxis_inverted():
         axes.invert_yaxis()
-
-
-def doubling_values(quads):
-    """The values of a field that is coloured by logarithms, for its bar; none of other fields, and of too many."""
-    if not isinstance(quads.norm, LogNorm):
-        return []
-    # Of steps, ends of a run's intervals leave values that differ in their last digits.
-    values = sorted({float(f"{value:.3g}") for value in np.unique(quads.get_array())})
-    return values if len(values) <= MOST_TICKS else []
-
-
-def draw_bar(figure, axes, quads, label, side, wide):
-    """A bar of colours at a side of axes that are so many inches wide."""
-    at = -(BAR_GAP + BAR) / wide if side == "left" else 1.0 + 0.5 * BAR / wide
-    place = axes.inset_axes([at, 0.2, BAR / wide, 0.6])
-    values = doubling_values(quads)
-    bar = figure.colorbar(quads, cax=place, label=label, extend="neither" if len(values) else "both")
-    if len(values):
-        bar.set_ticks(values, labels=[f"{value:.3g}" for value in values])
-        bar.minorticks_off()
-    elif isinstance(quads.norm, LogNorm):
-        plain_log(place.yaxis)
-    place.yaxis.set_ticks_position(side)
-    place.yaxis.set_label_position(side)
-    bar.solids.set_edgecolor("face")
-
-
-def size_of(frame, mirrored, box=None, tall=9.0):
-    """Inches of what is drawn: width of a panel, height."""
-    shapes, _ = frame.shapes
-    span = np.ptp(shapes.reshape(-1, 2), axis=0) if box is None else np.abs([box[1] - box[0], box[3] - box[2]])
-    width, height = span[0] * (2.0 if mirrored and box is None else 1.0), max(span[1], 1e-12)
-    wide = tall * width / height
-    if wide > 13.0:
-        wide, tall = 13.0, max(13.0 * height / width, 2.0)
-    return max(wide, 2.5), tall
 
 
 def time_text(time):
@@ -153,32 +151,69 @@ def time_text(time):
     return f"{time / scale:.4g} {unit}"
 
 
-def draw_channel(frame, deck, left, right, box=None, limits=(None, None), edges=False, title=""):
-    """The figure: mirrored halves where there is an axis, else the two fields side by side.
+@dataclasses.dataclass
+class Seen:
+    """A view of one frame, with what is found of it once for both halves."""
 
-    @param box     part of the plane in mm, (x, x, y, y), over both halves
-    @param limits  of the colours at the left and at the right, in the picture's units
-    """
-    mirrored = deck.mirrored()
-    wide, tall = size_of(frame, mirrored, box)
-    count = 1 if mirrored else 2
+    view: View
+    pieces: Pieces
+    lying: bool
+
+
+def draw_panel(axes, frame, deck, halves, seen):
+    """@return [(what a colour bar needs, label, mark)] of the halves, and the lines of a legend"""
+    view, drawn = seen.view, []
+    for half in halves:
+        quads, label = draw_half(axes, frame, deck, half, view.box, view.edges)
+        drawn.append((quads, label, mark_of(frame.file, deck, half.field, quads, look_in(frame.file, deck, half.field))))
+    set_up(axes, deck, seen.lying, view.stretch)
+    mirrors = (-1.0, 1.0) if deck.mirrored() else (1.0,)
+    told = Seen(view, None if any(carried(half.field) for half in halves) else seen.pieces, seen.lying)
+    lines = draw_outlines(axes, frame, deck, mirrors, 0.8 if view.edges else 0.6, told)
+    if view.hole is not None:
+        draw_wall(axes, view.hole, deck, mirrors, seen.lying)
+    if view.measured is not None:
+        draw_measured(axes, view, deck, seen.lying)
+    if deck.mirrored():
+        (axes.axhline if seen.lying else axes.axvline)(0.0, color="k", lw=0.5, ls=(0, (8, 4)))
+    set_limits(axes, frame, deck, view.box, seen.lying)
+    return drawn, lines
+
+
+def upright_panels(frame, mirrored, view, count):
+    """A figure with panels side by side, and the width and height of one in inches."""
+    wide, tall = size_of(frame, mirrored, view.box)
     figure, grid = plt.subplots(1, count, figsize=(count * wide + 2.7, tall + 0.6), squeeze=False, layout="constrained")
-    panels = [grid[0, 0], grid[0, -1]]
-    halves = (Half(left, -1.0 if mirrored else 1.0, limits[0]), Half(right, 1.0, limits[1]))
-    for axes, half, side in zip(panels, halves, ("left", "right")):
-        quads, label = draw_half(axes, frame, deck, half, box, edges)
-        if side == "right" or not mirrored or left != right:  # one bar serves two equal halves
-            draw_bar(figure, axes, quads, label, side, wide)
-    legend = []
-    for axes in {id(one): one for one in panels}.values():
-        set_up(axes, deck)
-        legend = draw_outlines(axes, frame, deck, (-1.0, 1.0) if mirrored else (1.0,), 0.9 if edges else 0.6)
-        set_limits(axes, frame, deck, box)
-    if mirrored:
-        panels[0].axvline(0.0, color="k", lw=0.5, ls=(0, (8, 4)))
-    if legend:
+
+    def bar(number, side, quads, label, mark):
+        bar_beside(figure, grid[0, number], quads, label, side, wide, mark)
+
+    def legend(handles):
         drop = 0.55 / tall  # half an inch below the axes, whatever their height
-        panels[0].legend(handles=legend, loc="upper center", bbox_to_anchor=(0.5, -drop), ncols=min(len(legend), 3), fontsize=9,
+        grid[0, 0].legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -drop), ncols=min(len(handles), 3), fontsize=9,
             frameon=False)
-    panels[0].set_title(f"{title}t = {time_text(frame.time)}")
+
+    return figure, list(grid[0]), bar, legend
+
+
+def draw_channel(frame, deck, left, right, view=None):
+    """The figure: mirrored halves where there is an axis, else the two fields beside each other."""
+    view, mirrored = view or View(), deck.mirrored()
+    lying = is_long(frame, mirrored, view.box)
+    seen = Seen(view, pieces_of(frame, deck, view.hole), lying)
+    halves = [Half(field, mirror, limits, seen.pieces, lying)
+        for field, mirror, limits in zip((left, right), (-1.0 if mirrored else 1.0, 1.0), view.limits)]
+    figure, panels, bar, legend = (lying_panels if lying else upright_panels)(frame, mirrored, view, 1 if mirrored else 2)
+    of_panels = [halves] if mirrored else [[half] for half in halves]
+    drawn, lines = [], []
+    for axes, own in zip(panels, of_panels):
+        found, lines = draw_panel(axes, frame, deck, own, seen)
+        drawn += found
+    for number, (side, (quads, label, mark)) in enumerate(zip(("left", "right"), drawn)):
+        if side == "right" or not mirrored or left != right:  # one bar serves two equal halves
+            bar(0 if mirrored else number, side, quads, label, mark)
+    handles = [*handles_of(lines, seen.pieces, deck, (left, right)), *measured_line(view)]
+    if handles:
+        legend(handles)
+    panels[0].set_title(f"{view.title}t = {time_text(frame.time)}", loc="left" if lying else "center")
     return figure

@@ -9,6 +9,7 @@ from barreno.report.build import Wishes, make_report
 from barreno.report.fields import check_field, known_fields
 from barreno.report.files import make_folder
 from barreno.report.film import check_out, write_film
+from barreno.report.measured_file import read_measured
 from barreno.report.progress import Progress
 from barreno.report.run import opened
 from barreno.report.words import check_folder, depths_of, film_parser, report_parser, time_of
@@ -19,11 +20,11 @@ def report(words):
     options = report_parser().parse_args(words)
     folder = check_folder(options.run)
     wishes = Wishes(options.left, options.right, time_of("--time", options.time), depths_of("--depths", options.depths), options.particles,
-        options.pdf)
+        options.pdf, read_measured(options.measured) if options.measured else None)
     page = make_report(folder, wishes)
     beside = (
         ["report.pdf"] * options.pdf + ["profile.csv"] * (page.parent / "profile.csv").exists()
-        + ["paths.csv"] * (options.particles is not None)
+        + ["measured.json"] * bool(options.measured) + ["paths.csv"] * (options.particles is not None)
     )
     print(f"{page} (one file with its pictures); beside it index.md, the pictures, {', '.join([*beside, 'paraview/view.py'])}")
 

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from barreno.report.legends import place_legends
 from barreno.runs.plots import plt
 
 MILLI, MICRO, KILO = 1e-3, 1e-6, 1e3
@@ -17,7 +18,6 @@ def draw_depth(axes, table, interval):
         axes.errorbar([time[-1]], [0.5 * (low + high) / MILLI], [[0.5 * (high - low) / MILLI]], fmt="none", ecolor="k", capsize=5,
             label=words, clip_on=False)
     axes.set_ylabel("depth [mm]")
-    axes.legend(fontsize=8, loc="upper left")
 
 
 def draw_rate(axes, time, rate, window):
@@ -33,7 +33,6 @@ def draw_shares(axes, shares):
     axes.plot(time / MICRO, 100.0 * stopped, "s--", ms=3, color="0.3", label="stopped")
     axes.set_ylabel("share of the launched jet's mass [%]")
     axes.set_ylim(bottom=0.0)
-    axes.legend(fontsize=8)
 
 
 def depth_figure(table, interval, time, rate, window, shares):
@@ -50,4 +49,5 @@ def depth_figure(table, interval, time, rate, window, shares):
         one.set_xlabel("time [µs]")
         one.set_xlim(left=0.0)
         one.grid(alpha=0.3)
+    place_legends(*axes, fontsize=8)
     return figure

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from barreno.report.legends import place_legends
 from barreno.report.run_tables import energies
 from barreno.runs.plots import plt
 
@@ -37,11 +38,11 @@ def energy_figure(table, summary):
     axes[0].stackplot(time, np.clip([values for _, values in parts], 0.0, None), labels=[name for name, _ in parts], alpha=0.85)
     axes[0].plot(time, put_in(table, summary), "k--", label="put in")
     axes[0].set_ylabel("energy [J]")
-    axes[0].legend(loc="upper left", fontsize=8)
     axes[1].plot(time, 100.0 * table["energy_error"], "k")
     axes[1].set_ylabel("remainder of\nthe ledger [%]")
     axes[1].set_xlabel("time [µs]")
     for one in axes:
         one.grid(alpha=0.3)
         one.set_xlim(time[0], time[-1] if time[-1] > time[0] else time[0] + 1.0)
+    place_legends(axes[0], fontsize=8)
     return figure

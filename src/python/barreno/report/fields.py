@@ -6,7 +6,9 @@ import difflib
 
 import numpy as np
 
-from barreno.report.porosity import permanent_porosity
+from matplotlib.colors import LogNorm, Normalize, TwoSlopeNorm
+
+from barreno.report.porosity import permanent_porosity, virgin_porosity
 from barreno.report.run_tables import UNITS
 from barreno.runs.faults import Fault
 
@@ -18,7 +20,8 @@ SIGNED = ("velocity_", "darcy_velocity_", "plastic_volume_strain", "stress_")
 PICTURE_UNITS = {"Pa": ("MPa", 1e6), "kg/m3": ("kg/m³", 1.0), "J/kg": ("kJ/kg", 1e3), "m": ("mm", 1e-3), "s": ("ns", 1e-9)}
 DOUBLING = ("cell_size", "step_length")
 COLOURS = {"cell_size": "YlGnBu_r", "step_length": "YlOrRd_r", "pressure": "viridis", "pore_pressure": "viridis", "porosity": "cividis",
-    "speed": "plasma", "temperature": "magma"}
+    "speed": "plasma", "temperature": "magma",
+    "plastic_strain": "YlGnBu", "equivalent_plastic_strain": "YlGnBu"}  # of sound rock: light, unlike the red of a jet
 
 
 @dataclasses.dataclass
@@ -31,6 +34,7 @@ class Look:
     signed: bool  # zero is the middle of the colours
     both: bool  # neither sign may drown the other
     doubling: bool = False  # a few positive values, each twice another: colours follow their logarithm
+    centre: float = None  # value with the neutral colour, in the picture's unit, where that is not zero
 
 
 def unit_of(name):
@@ -47,6 +51,30 @@ def look_of(name):
     if name == "plastic_volume_strain":
         colours, words = "RdBu", "plastic volume strain: crushed < 0 < dilated"
     return Look(f"{words} [{unit}]" if unit else words, scale, colours, signed, name == "plastic_volume_strain", name in DOUBLING)
+
+
+def virgin_of(file, deck):
+    """Virgin porosity of the rock with the most particles; nan without such rock."""
+    found = [(size, virgin_porosity(deck, name)) for name, size in zip(file.block_names, file.sizes)]
+    return max(((size, virgin) for size, virgin in found if np.isfinite(virgin)), default=(0, float("nan")))[1]
+
+
+def look_in(file, deck, name):
+    """The look of a field in a run: porosity has a neutral colour at the virgin value, less is crushed and more is dilated, as in the
+    plastic volume strain."""
+    look, virgin = look_of(name), virgin_of(file, deck) if name == "porosity" else float("nan")
+    if not np.isfinite(virgin):
+        return look
+    return dataclasses.replace(look, label=f"porosity: crushed < {virgin:.3g} < dilated", colours="RdBu", centre=virgin)
+
+
+def norm_of(look, limits):
+    """Of Matplotlib: from values in the picture's unit to colours."""
+    if look.doubling:
+        return LogNorm(*limits)
+    if look.centre is not None:
+        return TwoSlopeNorm(look.centre, *limits)
+    return Normalize(*limits)
 
 
 def known_fields(file, deck):
@@ -87,6 +115,13 @@ def range_of_doubling(values):
     return (low, high) if high > 1.01 * low else (low / 2.0, high * 2.0)
 
 
+def range_around(centre, lower, upper):
+    """A range of positive values on both sides of a centre; neither side is wider than three times the other but for zero."""
+    below, above = max(centre - lower, 0.0), max(upper - centre, 0.0)
+    least = max(below, above, 0.05 * centre) / 3.0
+    return centre - min(max(below, least), centre), centre + max(above, least)
+
+
 def range_of(values, areas, look, percent=98.5):
     """Colour range that leaves out 100 - percent of the picture at each end: a jet in pieces has single particles
     under thousands of times the pressure of the rock."""
@@ -98,9 +133,11 @@ def range_of(values, areas, look, percent=98.5):
     order = np.argsort(values[finite])
     share = np.cumsum(areas[finite][order]) / max(areas[finite].sum(), 1e-300)
     at = lambda part: float(values[finite][order][min(np.searchsorted(share, part), len(order) - 1)])  # noqa: E731
+    if look.centre is not None:
+        return range_around(look.centre, at(1.0 - 0.01 * percent), at(0.01 * percent))
     lower, upper = min(0.0, at(1.0 - 0.01 * percent)), at(0.01 * percent)
     if look.signed:
         most, least = max(-lower, upper), min(-lower, upper)
         most = min(most, 3.0 * least) if look.both and least > 0.01 * most else most
-        lower, upper = -most, most
+        lower, upper = (-most, most) if most > 0.0 else (-1.0, 1.0)
     return lower, upper if upper > lower else lower + 1.0

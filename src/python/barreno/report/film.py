@@ -8,9 +8,11 @@ from matplotlib.animation import FFMpegWriter
 from PIL import Image
 
 from barreno.report.channel import draw_channel
-from barreno.report.fields import look_of, range_of, values_of
+from barreno.report.fields import look_in, range_of, values_of
 from barreno.report.files import written
+from barreno.report.hole import hole_at
 from barreno.report.particles import areas_of
+from barreno.report.view import View
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.plots import plt
 
@@ -44,7 +46,7 @@ def box_of(run):
 
 def limits_over_time(run, field):
     """Colours that suit most pictures: the median over time of each one's range, widened to the last."""
-    look, ranges = look_of(field), []
+    look, ranges = look_in(run.file, run.deck, field), []
     for step in range(len(run.file.times)):
         frame = run.file.frame(step)
         shapes, of = frame.shapes
@@ -57,11 +59,12 @@ def limits_over_time(run, field):
 def pictures(run, left, right):
     """Figures, one after the other, all of one size."""
     box = box_of(run)
-    limits = [limits_over_time(run, field) for field in (left, right)]
+    limits, table = [limits_over_time(run, field) for field in (left, right)], run.depth_table()
     for step in range(len(run.file.times)):
         frame = run.file.frame(step)
         if frame.alive.any():
-            yield draw_channel(frame, run.deck, left, right, box=box, limits=limits)
+            hole = hole_at(run, table, frame)
+            yield draw_channel(frame, run.deck, left, right, View(box=box, limits=limits, hole=hole if hole and hole.open_rows else None))
 
 
 def grab(figure):

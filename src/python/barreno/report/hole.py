@@ -217,3 +217,10 @@ def measure_hole(frame, deck, face):
     radius = np.mean(radii, axis=0)
     depth = cell / ROWS * (1.0 + np.arange(len(radius)))
     return Hole(cell, face, depth, radius, deck.mode == "plane strain")
+
+
+def hole_at(run, table, frame):
+    """The hole at the time of a frame; None without depth.csv, and before the jet has hit."""
+    if table is None or float(np.interp(frame.time, table["time"], table["depth"])) <= 0.0:
+        return None
+    return measure_hole(frame, run.deck, face_of(table, run.file, run.deck))

@@ -5,6 +5,8 @@ import numpy as np
 from matplotlib.colors import TwoSlopeNorm
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
 
+from barreno.report.legends import BELOW, place_legends
+from barreno.report.wall import MEASURED, smooth_wall
 from barreno.runs.plots import plt
 
 MILLI = 1e-3
@@ -12,11 +14,24 @@ SPREAD = 0.5  # of the virgin porosity, at the ends of the colours
 
 
 def draw_wall(axes, hole, zones, mark):
-    """Wall as a line; around it the porosity of rings, where the rock has one."""
+    """Wall as measured, and smooth; around it the porosity of rings, where the rock has one."""
+    drawn = draw_porosity(axes, hole, zones)
     rows = hole.open_rows
     depth = np.concatenate([[0.0], hole.depth[:rows]]) / MILLI
     radius = np.concatenate([hole.radius[:1], hole.radius[:rows]])
     radius = np.where(np.isfinite(radius), radius, np.nan) / MILLI
+    axes.plot(radius, depth, "-", color="0.45", lw=0.6, label="wall of the hole in rows of half a cell")
+    axes.plot(*(np.array(smooth_wall(hole))[::-1] / MILLI), "k-", lw=1.4, label="its running median")
+    if mark:
+        axes.plot([mark[1] / MILLI], [mark[0] / MILLI], "C1D", ms=6, label="half depth, in whole cells (depth.csv)")
+    axes.set(xlabel="radius [mm]" if not hole.plane else "half width [mm]", ylabel="depth [mm]", xlim=(0.0, None),
+        ylim=(depth[-1] + 6.0 * hole.cell / MILLI, 0.0))
+    axes.set_title("hole, and porosity around it" if drawn is not None else "hole", fontsize=10)
+    return drawn
+
+
+def draw_porosity(axes, hole, zones):
+    """@return what a colour bar needs; None without rock that has pores"""
     drawn = None
     for ring, below in zip(zones, [*zones[1:], None]):
         step = (below.depth - ring.depth) if below else 2.0 * hole.cell
@@ -24,14 +39,6 @@ def draw_wall(axes, hole, zones, mark):
         values = (ring.porosity / ring.virgin)[None, :]
         drawn = axes.pcolormesh(ring.edges / MILLI, y, values, cmap="RdBu", norm=TwoSlopeNorm(1.0, 1.0 - SPREAD, 1.0 + SPREAD),
             rasterized=True)
-    axes.plot(radius, depth, "k-", lw=1.6, label="wall of the hole")
-    axes.plot([0.0, radius[-1] if len(radius) else 0.0], [depth[-1]] * 2, "k-", lw=1.6)
-    if mark:
-        axes.plot([mark[1] / MILLI], [mark[0] / MILLI], "C1D", ms=6, label="half depth, in whole cells (depth.csv)")
-    axes.set(xlabel="radius [mm]" if not hole.plane else "half width [mm]", ylabel="depth [mm]", xlim=(0.0, None),
-        ylim=(depth[-1] + 6.0 * hole.cell / MILLI, 0.0))
-    axes.legend(fontsize=8, loc="lower right")
-    axes.set_title("hole, and porosity around it", fontsize=10)
     return drawn
 
 
@@ -51,24 +58,30 @@ def draw_rings(porosity, permeability, rings):
     porosity.set_ylabel("porosity [%]")
     porosity.set_title("rings around the hole (dotted: its wall)", fontsize=10)
     permeability.set(xlabel="radius [mm]", ylabel="permeability / virgin\n(Kozeny-Carman)")
-    porosity.legend(fontsize=8)
     porosity.set_ylim(bottom=0.0)
     for axes in (porosity, permeability):
         axes.grid(alpha=0.3)
         axes.set_xlim(left=0.0)
 
 
-def hole_figure(hole, zones, rings, mark):
-    """@param zones  rings of all rows; @param rings  those of chosen depths; @param mark  (depth, radius) of depth.csv, or None"""
+def hole_figure(hole, zones, rings, mark, measured=None):
+    """@param zones  rings of all rows; @param rings  those of chosen depths; @param mark  (depth, radius) of depth.csv, or None;
+    @param measured  report.measured.Measured"""
     figure = plt.figure(figsize=(11.0 if rings else 5.5, 6.5), layout="constrained")
     grid = figure.add_gridspec(2, 2 if rings else 1)
     wall = figure.add_subplot(grid[:, 0])
     drawn = draw_wall(wall, hole, zones, mark)
+    if measured is not None:
+        wall.plot(measured.radius / MILLI, measured.depth / MILLI, color=MEASURED, lw=1.4, ls=(0, (4, 2)),
+            label=f"measured ({measured.name})")
+        wall.set_ylim(bottom=max(wall.get_ylim()[0], 1.03 * measured.end / MILLI))
     if drawn is not None:
-        figure.colorbar(drawn, ax=wall, label="porosity / virgin: crushed < 1 < dilated", extend="both", aspect=35)
+        figure.colorbar(drawn, ax=wall, label="porosity / virgin value: crushed < 1 < dilated", extend="both", aspect=35)
     for ring in rings:
         wall.axhline(ring.depth / MILLI, color="0.4", lw=0.6, ls=":")
+    wall.legend(**{**BELOW, "bbox_to_anchor": (0.5, -0.09)}, fontsize=8, frameon=False)  # rings fill the axes
     if rings:
         upper = figure.add_subplot(grid[0, 1])
         draw_rings(upper, figure.add_subplot(grid[1, 1], sharex=upper), rings)
+        place_legends(upper, fontsize=8)
     return figure

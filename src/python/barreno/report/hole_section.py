@@ -5,7 +5,6 @@ import numpy as np
 
 from barreno.report.channel import time_text
 from barreno.report.files import write_text
-from barreno.report.hole import face_of, measure_hole
 from barreno.report.hole_picture import hole_figure
 from barreno.report.porosity import LEAST_PERMEABILITY
 from barreno.report.section import Picture, Section
@@ -122,14 +121,14 @@ def depths_in_rock(hole, top, wanted):
     return wanted or chosen_depths(hole, top)
 
 
-def hole_section(frame, deck, table, wanted, folder):
-    """@param table  depth.csv; @param wanted  depths of rings, none: three; @param folder  where profile.csv is written"""
-    hole = measure_hole(frame, deck, face_of(table, frame.file, deck))
+def hole_section(frame, deck, table, hole, wishes, folder):
+    """@param table  depth.csv; @param wishes  depths of rings, none: three, and a measured hole; @param folder  where profile.csv is
+    written"""
     if hole.open_rows == 0:
         return Section("Hole", words=["There is no hole in the target yet."])
     mark, rock = mark_at(table, frame.time), Rock(frame, deck, hole.face)
     top = face_of_rock(frame, deck, hole.face) if len(rock) else None
-    rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(hole, top, wanted)]
+    rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(hole, top, wishes.depths)]
     zones = zones_of(rock, hole, top) if top is not None else []
     write_text(folder / "profile.csv", profile_text(hole, rock, top))
     section = Section("Hole", hole_rows(hole, mark, frame.time, top) + (rock_rows(rock) if len(rock) else []), [WALL])
@@ -138,6 +137,6 @@ def hole_section(frame, deck, table, wanted, folder):
         section.words.append(ROCK)
     if deck.mode == "3D":
         section.words.append("In three dimensions the hole is measured in the plane of the picture.")
-    section.pictures.append(Picture("hole", hole_figure(hole, zones, rings, mark),
+    section.pictures.append(Picture("hole", hole_figure(hole, zones, rings, mark, wishes.measured),
         "Wall of the hole against depth and porosity around it; porosity and permeability against radius."))
     return section

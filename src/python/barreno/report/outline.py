@@ -7,6 +7,7 @@ from matplotlib.collections import PolyCollection
 from barreno.runs.plots import plt
 
 MOST_PIXELS = 1500  # along an edge of the picture
+SMOOTH = 2  # pixels, a third of a particle, on both sides: window of the border
 
 
 def covered(shapes, box, pixels):
@@ -39,11 +40,18 @@ def without_gaps(mask, times):
     return wide[times + 1 : -times - 1, times + 1 : -times - 1]
 
 
-def draw_outline(axes, shapes, mirror, axis, crumbs=True, **line):
-    """The border of quadrangles, mirror = -1 of their mirror image, +1 of themselves. With an axis at x = 0 the body goes on beyond it and
-    has no border there; without crumbs, what is one particle wide has none."""
-    if len(shapes) == 0:
-        return
+def smoothed(mask, times):
+    """Share of a mask in a window of 2*times + 1 pixels, along rows and then along columns: its contour at a half has no steps."""
+    for axis in (0, 1):
+        wide = np.pad(mask.astype(float), [(times + 1, times) if one == axis else (0, 0) for one in (0, 1)], mode="edge")
+        sums = np.cumsum(wide, axis=axis)
+        after, before = (np.take(sums, np.arange(mask.shape[axis]) + shift, axis=axis) for shift in (2 * times + 1, 0))
+        mask = (after - before) / (2 * times + 1)
+    return mask
+
+
+def border_of(shapes, axis, crumbs):
+    """(x, y, share): what the border is a contour of; None where nothing is covered."""
     size = float(np.median(np.ptp(shapes[:, :, 0], axis=1)))
     lower, upper = shapes.min(axis=(0, 1)), shapes.max(axis=(0, 1))
     pixel = max(size / 6.0, float((upper - lower).max()) / MOST_PIXELS, 1e-12)
@@ -54,8 +62,24 @@ def draw_outline(axes, shapes, mirror, axis, crumbs=True, **line):
     if not crumbs:
         mask = ~without_gaps(~mask, 3)
     if not mask.any():
-        return
+        return None
     rows, columns = mask.shape
     x = box[0] + (np.arange(columns) + 0.5) * (box[1] - box[0]) / columns
     y = box[2] + (np.arange(rows) + 0.5) * (box[3] - box[2]) / rows
-    axes.contour(mirror * x, y, mask.astype(float), levels=[0.5], **line)
+    return x, y, smoothed(mask, SMOOTH)
+
+
+def draw_outline(axes, shapes, mirror, axis, crumbs=True, lying=False, hidden=None, **line):
+    """The border of quadrangles, mirror = -1 of their mirror image, +1 of themselves; with y along the paper where they lie. With an axis
+    at x = 0 the body goes on beyond it and has no border there; without crumbs, what is one particle wide has none.
+
+    @param hidden  (x, y): where no border is drawn; everywhere it is, unless given
+    """
+    found = border_of(shapes, axis, crumbs) if len(shapes) else None
+    if found is None:
+        return
+    x, y, share = found
+    if hidden is not None:
+        share = np.where(hidden(*np.meshgrid(x, y)), np.nan, share)
+    across = (y, mirror * x, share.T) if lying else (mirror * x, y, share)
+    axes.contour(*across, levels=[0.5], **line)

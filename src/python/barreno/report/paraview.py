@@ -6,12 +6,16 @@ import os
 import numpy as np
 
 from barreno.runs.exodus_sets import files_of
-from barreno.report.fields import look_of, range_of, values_of
+from barreno.report.fields import look_in, norm_of, range_of, values_of
 from barreno.report.particles import areas_of
+from barreno.report.pieces import carried, pieces_of
+from barreno.report.tones import WITHOUT
 from barreno.report.view_template import TEMPLATE
+from barreno.runs.plots import plt
 
 # The reader joins velocity_x and velocity_y into the vector "velocity_".
 VECTORS = ("velocity_", "darcy_velocity_")
+COLOURS = 33  # of a scale of colours
 
 
 def array_of(name):
@@ -22,15 +26,25 @@ def array_of(name):
     return (start, name[-1].upper()) if start else (name, None)
 
 
+def colour_points(look, limits):
+    """[value in SI, red, green, blue, ...] of the report's colours, as ParaView's RGBPoints have them: between two of them ParaView goes
+    straight from one colour to the other. Values follow the norm of the look, so that a centre and logarithms are kept."""
+    norm, shares = norm_of(look, limits), np.linspace(0.0, 1.0, COLOURS)
+    values = np.ma.getdata(norm.inverse(shares)) * look.scale
+    colours = plt.get_cmap(look.colours)(shares)[:, :3]
+    return [float(f"{part:.6g}") for value, colour in zip(values, colours) for part in (value, *colour)]
+
+
 def shown_field(frame, deck, name):
-    """(array, component, colours, (least, largest), whether the colours are turned over) in SI. What the report computes from fields of the
-    file is shown as the field that it comes from."""
+    """(array, component, points of the colours) in SI. What the report computes from fields of the file is shown as the field that it comes
+    from."""
     if name == "porosity" and name not in frame.names:
         name = "plastic_volume_strain"
     shapes, of = frame.shapes
-    look = look_of(name)
-    limits = range_of(values_of(frame, deck, name)[of], areas_of(shapes), look)
-    return *array_of(name), "Cool to Warm" if look.signed else "Viridis (matplotlib)", tuple(map(float, limits)), look.colours == "RdBu"
+    look = look_in(frame.file, deck, name)
+    values = values_of(frame, deck, name)[of] / look.scale
+    seen = ~pieces_of(frame, deck).apart | carried(name)  # as in the picture of the report
+    return *array_of(name), colour_points(look, range_of(values[seen], areas_of(shapes)[seen], look))
 
 
 def size_of_points(file):
@@ -48,10 +62,11 @@ def view_script(run, fields, time):
     values = {
         "FOLDER": str(here.resolve()),
         "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "BLOCKS": run.file.block_names, "LEFT": left,
-        "RIGHT": right,
+        "RIGHT": right, "WITHOUT": [float(WITHOUT)] * 3,
         "TIME": frame.time, "MIRRORED": run.deck.mirrored(), "DOWN": bool(run.deck.has_jet and run.deck.direction > 0.0),
         "POINTS": frame.corners.shape[1] == 1, "SIZE": size_of_points(run.file), "DIMENSIONS": run.file.dimensions,
     }  # fmt: skip
     constants = "\n".join(f"{name} = {value!r}" for name, value in values.items())
     return TEMPLATE.replace("# CONSTANTS\n",
-        f"# LEFT and RIGHT: array, component, colours, their range in SI, and whether they are turned over\n{constants}\n")
+        "# LEFT and RIGHT: array, component, and the report's colours as value in SI, red, green, blue; WITHOUT: of no value\n"
+        f"{constants}\n")

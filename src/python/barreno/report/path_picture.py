@@ -6,14 +6,15 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.ticker import MaxNLocator
 
-from barreno.report.channel import VOID, draw_outlines, set_limits, set_up, time_text
+from barreno.report.channel import draw_outlines, set_limits, set_up, time_text
 from barreno.report.inks import draw_inks, colour_of
+from barreno.report.legends import BELOW
 from barreno.report.principal import ACROSS, AXIS, UP, lode_of_turn, revolved
 from barreno.report.stress_paths import surface_now
 from barreno.runs.plots import plt
 
 MILLI, MEGA = 1e-3, 1e6
-COLOURS = ("#d62728", "#ff9f1c", "#2a9d8f", "#1f77b4", "#9467bd", "#8c564b", "#e377c2", "#17becf")
+COLOURS = ("#7cb518", "#ff9f1c", "#2a9d8f", "#1f77b4", "#9467bd", "#8c564b", "#e377c2", "#17becf")  # without the red of the jet
 CLOSE = 0.3  # of the largest pressure: where virgin rock is crushed below that, a second panel shows the paths up to there
 VIEWS = ("meridional plane", "octahedral view, down the hydrostat", "space of principal stresses")
 LINES = ("-", (0, (1, 1)), "-.")  # of the first surfaces of materials
@@ -33,7 +34,6 @@ def draw_map(axes, frame, deck, paths, box):
         axes.add_collection(PolyCollection(shapes / MILLI * np.array([mirror, 1.0]), facecolors=colour_of(p, q), edgecolors="none",
             linewidths=0, antialiased=False, rasterized=True))
     set_up(axes, deck)
-    axes.set_facecolor(VOID)
     handles = draw_outlines(axes, frame, deck, mirrors, 0.7)
     for path, colour in zip(paths, COLOURS):
         if path.times[0] <= frame.time <= path.times[-1]:
@@ -57,7 +57,7 @@ def map_figure(frame, deck, paths, surfaces, box):
         right.plot(p / MEGA, q / MEGA, color="k", ls=line, lw=1.4, label=f"surface of virgin {name}")
     for path, colour in zip(paths, COLOURS):
         right.plot(path.pressure / MEGA, path.shear / MEGA, "-", color=colour, lw=1.2, marker=".", ms=4, label=f"particle {path.number}")
-    right.legend(fontsize=8, loc="upper left")
+    right.legend(**BELOW, fontsize=8, ncols=2, frameon=False)  # the colours fill the axes
     return figure
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sections of a report, each from the files that it needs."""
 
+import dataclasses
+
 import numpy as np
 
 from barreno.report.channel import draw_channel
@@ -8,16 +10,20 @@ from barreno.report.depth_picture import depth_figure
 from barreno.report.energy_picture import energy_figure, energy_terms
 from barreno.report.fields import known_fields, look_of
 from barreno.report.files import reading
-from barreno.report.hole import cell_along_path, face_of
+from barreno.report.hole import cell_along_path, face_of, hole_at
 from barreno.report.hole_section import hole_section
+from barreno.report.measured_section import measured_section
 from barreno.report.numbers import depth_interval, depth_text, numerical_shares, resolution_rows, run_rows
 from barreno.report.path_section import path_section
 from barreno.report.penetration import STOPPED, depth_and_rate, jet_shares, launched_share
 from barreno.report.section import Picture, Section
 from barreno.report.strength_picture import NEAR, rock_near, strength_figure, surface_words
+from barreno.report.view import View, is_long
 
 MILLI, MICRO = 1e-3, 1e-6
 BESIDE, BEHIND, AHEAD = 14.0, 20.0, 10.0  # cells around the tip
+WIDE, LEAST_WIDE = 3.5, 8.0  # median radii of the hole, and cells, that its own picture shows on each side of the axis
+NARROW, STRETCH = 6.0, 3.0  # where the picture of the hole is so many times longer than wide, radii are drawn so many times larger
 
 
 def tip_of(run, table, frame):
@@ -37,21 +43,53 @@ def tip_box(tip, deck):
     return tuple(value / MILLI for value in (-BESIDE * cell, BESIDE * cell, min(near, far), max(near, far)))
 
 
-def channel_section(run, frame, fields, table):
-    """Fields on both sides of the axis, whole and near the tip; the pore fluid where there is one."""
+def hole_view(whole, deck):
+    """The hole alone, and where it is long and narrow with its radii stretched; None where nothing is open."""
+    hole = whole.hole
+    walled = hole.radius[: hole.open_rows][np.isfinite(hole.radius[: hole.open_rows])]
+    if not len(walled):
+        return None
+    across = max(WIDE * float(np.median(walled)), LEAST_WIDE * hole.cell)
+    depths = -0.06 * hole.length - 4.0 * hole.cell, 1.1 * hole.length + 4.0 * hole.cell
+    ends = [hole.face + deck.direction * depth for depth in depths]
+    box = tuple(value / MILLI for value in (-across, across, min(ends), max(ends)))
+    stretch = STRETCH if box[3] - box[2] > NARROW * (box[1] - box[0]) else 1.0
+    title = f"radii {STRETCH:g} times larger than depths, " if stretch > 1.0 else ""
+    return dataclasses.replace(whole, box=box, stretch=stretch, title=title)
+
+
+def hole_pictures(frame, deck, fields, whole):
+    """The hole alone, where the whole picture shows it small."""
+    view = hole_view(whole, deck) if whole.hole is not None else None
+    if view is None or not is_long(frame, deck.mirrored(), view.box):
+        return []
+    caption = "The hole alone: the thin line is its wall, a running median of the measured radius."
+    if view.stretch > 1.0:
+        caption += f" Radii are drawn {STRETCH:g} times larger than depths."
+    return [Picture("channel", draw_channel(frame, deck, *fields, view), caption)]
+
+
+def channel_section(run, frame, fields, table, whole):
+    """Fields on both sides of the axis, whole, in the hole and near the tip; the pore fluid where there is one.
+
+    @param whole  the view of all that there is
+    """
     deck = run.deck
     caption = "Particles in their deformed shapes. A material without the field is grey. " + (
         "Cells and steps have a colour for each of their sizes." if any(look_of(name).doubling for name in fields)
         else "The colour scale leaves out the extreme 1.5 % of the area at each end."
     )
-    section = Section("Channel", pictures=[Picture("fields", draw_channel(frame, deck, *fields), caption)])
+    if is_long(frame, deck.mirrored()):
+        caption += " Depth runs along the paper; the field of the left is above."
+    section = Section("Channel", pictures=[Picture("fields", draw_channel(frame, deck, *fields, whole), caption)])
+    section.pictures += hole_pictures(frame, deck, fields, whole)
     tip = tip_of(run, table, frame)
     if tip and deck.mirrored():
-        figure = draw_channel(frame, deck, *fields, box=tip_box(tip, deck), edges=True)
+        figure = draw_channel(frame, deck, *fields, dataclasses.replace(whole, box=tip_box(tip, deck), edges=True))
         section.pictures.append(Picture("tip", figure, "The same near the tip, where the size of particles shows the size of cells."))
     if "pore_pressure" in frame.names:
         beside = "porosity" if "porosity" in known_fields(run.file, deck) else "pressure"
-        figure = draw_channel(frame, deck, "pore_pressure", beside)
+        figure = draw_channel(frame, deck, "pore_pressure", beside, whole)
         section.pictures.append(Picture("pore_fluid", figure,
             f"Pressure of the pore fluid, and {'pore volume over volume' if beside == 'porosity' else 'mean stress of rock and fluid'}."))
     return section
@@ -152,9 +190,13 @@ def particle_sections(run, fields, wishes, paths, table, folder):
     with run.particles_read():
         frame = run.frame(wishes.time)
         tip = tip_of(run, table, frame)
-        sections = [channel_section(run, frame, fields, table)]
+        hole = hole_at(run, table, frame)
+        whole = View(hole=hole, measured=wishes.measured) if hole is not None and hole.open_rows else View()
+        sections = [channel_section(run, frame, fields, table, whole)]
         if tip:
-            sections += [hole_section(frame, run.deck, table, wishes.depths, folder), strength_section(run, frame, table)]
+            sections += [hole_section(frame, run.deck, table, hole, wishes, folder), strength_section(run, frame, table)]
+        if wishes.measured is not None:
+            sections.insert(1, measured_section(hole, wishes.measured, folder))
         if paths:
             sections.append(path_section(run, frame, paths, tip_box(tip, run.deck) if tip and run.deck.mirrored() else None, folder))
     return [section for section in sections if section]

@@ -4,6 +4,7 @@
 import numpy as np
 
 from barreno.report.hole import jet_particles
+from barreno.report.legends import place_legends
 from barreno.report.particles import offsets
 from barreno.report.strength import strength_of, surface_of
 from barreno.runs.plots import plt
@@ -72,10 +73,10 @@ def strength_figure(deck, found, wet, tip, distance):
     for axes, part in zip(panels[0], parts):
         points = draw_points(axes, found, deck, max(part, MEGA))
         axes.set(xlabel="effective pressure p - pore pressure [MPa]" if wet else "pressure p [MPa]", ylabel="√J₂ [MPa]")
-    panels[0, -1].legend(fontsize=8, loc="upper left")
     if len(parts) > 1:
         panels[0, 0].set_title("up to twice the crushing pressure of virgin rock", fontsize=10)
         panels[0, 1].set_title("all", fontsize=10)
     figure.colorbar(points, ax=panels[0, -1], label="plastic volume strain: crushed < 0 < dilated", extend="both")
     figure.suptitle(f"rock within {distance / MILLI:.3g} mm of the tip at y = {tip[1] / MILLI:.4g} mm", fontsize=11)
+    place_legends(panels[0, -1], fontsize=8)
     return figure

@@ -85,15 +85,14 @@ def mirrored(source):
 
 
 def show(source, view, field, on):
-    array, component, colours, limits, turned = field
+    array, component, points = field
     shown = Show(source, view)
     ColorBy(shown, (on, array, component) if component else (on, array))
     scale = GetColorTransferFunction(array)
     scale.AutomaticRescaleRangeMode = "Never"
-    scale.ApplyPreset(colours, True)
-    if turned:
-        scale.InvertTransferFunction()
-    scale.RescaleTransferFunction(*limits)
+    scale.ColorSpace = "RGB"
+    scale.RGBPoints = points
+    scale.NanColor = WITHOUT
     shown.SetScalarBarVisibility(view, True)
     GetScalarBar(scale, view).Title = f"{array.rstrip('_')} [SI]"
 

@@ -24,6 +24,8 @@ def report_parser():
         help='below the outer face, of porosity against radius: "30 mm, 60 mm" (default: three in rock)')
     parser.add_argument("--particles", metavar="near tip|ID,...",
         help='stress paths of particles at the tip of the hole, "near tip", or by their numbers (as ParaView shows them): "120,340"')
+    parser.add_argument("--measured", default="", metavar="FILE",
+        help="a measured hole to compare with: CSV of radius against depth, TIFF of CT slices, or a folder of PNG slices")
     parser.add_argument("--pdf", action="store_true", help="report.pdf too")
     return parser
 
