@@ -242,7 +242,7 @@ def words():
     parser.add_argument("--write", action="store_true", help="the same, and write what they print into the pages")
     parser.add_argument("--ccx", type=pathlib.Path, help="CalculiX, as tests/hosts/build_ccx.sh builds it")
     parser.add_argument("--from", type=int, default=1, dest="first", metavar="N",
-        help="begin with lesson N: 1 or 4, which use no files of earlier ones")
+        help="begin with lesson N: 1, 4 or a later one than 5, which use no files of earlier ones")
     parser.add_argument("--to", type=int, dest="last", metavar="N", help="end with lesson N")
     options = parser.parse_args()
     if options.ccx is None or not options.ccx.is_file():
@@ -252,7 +252,8 @@ def words():
 
 def main():
     options = words()
-    pages = sorted(GUIDE.glob("[1-9]_*.md"))[options.first - 1 : options.last]
+    numbered = {int(page.name.partition("_")[0]): page for page in sorted(GUIDE.glob("[1-9]_*.md"))}
+    pages = [page for number, page in numbered.items() if options.first <= number <= (options.last or number)]
     problems, skipped, count = [], [], 0
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch).resolve()
