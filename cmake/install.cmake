@@ -11,8 +11,6 @@ install(FILES ${PROJECT_SOURCE_DIR}/src/commands.sh DESTINATION ${data}/barreno)
 install(TARGETS barreno barreno_multigrid RUNTIME DESTINATION ${libexec}/barreno LIBRARY DESTINATION ${libexec}/barreno)
 # What was measured of costs and depths (src/files/measured_table.hpp).
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/measured/ DESTINATION ${data}/barreno/measured FILES_MATCHING PATTERN "*.csv")
-# What draws the pictures of `barreno drive --plot`.
-install(FILES ${PROJECT_SOURCE_DIR}/verification/tools/plot_drive.py DESTINATION ${data}/barreno/tools)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/input_xml DESTINATION ${data}/barreno)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -35,6 +35,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -71,9 +72,11 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
   const FolderLock lock(*comm, folder);
   clear_run_folder(*comm, folder, options.overwrite);
+  // A deck that Python holds as dictionaries comes from a temporary file, whose path says nothing.
+  const char* const shown = std::getenv("BARRENO_DECK_NAME");
   const RunDescription description{
       folder,
-      options.deck_file,
+      shown && *shown ? std::string(shown) : options.deck_file,
       effective_deck_xml(deck),
       BARRENO_VERSION,
       notes_of(deck, scene),

@@ -14,6 +14,7 @@ script:
     ```text ... ```               behind commands: what they print
     <!-- exit: 1 -->              before commands: the code that they end with
     <!-- needs: ccx -->           before commands: only where there is CalculiX (--ccx)
+    <!-- short: 20 us -->         before commands: end of their runs in the reduced form, where a microsecond says nothing yet
     <!-- lines: Depth|Cost -->    before what they print: only lines in which this regular expression is found
     <!-- picture: FILE -->        before a picture: the file that commands made and that is copied to it
 """
@@ -30,6 +31,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 GUIDE = ROOT / "docs" / "guide"
 SHORT = '--set "Time/End Time=1 us" --ranks 1'
+SHORTEST = "1 us"
 HELD = ("FSLOPE=0.549", "STREN=128.5e6", "B1=28.6e9", "B2=264e6", "p0_crush_curve=-1.2244e9")  # by the reduced form of a fit
 # Words that it leaves out: the specimens of strengths are what a fit takes its time for.
 LEFT_OUT = r" \S*triaxial_strength\.csv(?=.* --out)"
@@ -38,7 +40,7 @@ REDUCED = {"run": SHORT, "resume": '--until "1.2 us" --ranks 1', "converge": f"{
     "fit": "--start berea_sandstone " + " ".join(f"--fix {value}" for value in HELD)}
 # They read what a reduced command has written.
 READS_RUNS = ("report", "film", "compare", "drive")
-NOTE = re.compile(r"<!-- (exit|needs|lines|picture): (.*) -->$")
+NOTE = re.compile(r"<!-- (exit|needs|short|lines|picture): (.*) -->$")
 PICTURE = re.compile(r"!\[.*\]\((\S+\.png)\)")
 NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*(?:e[-+]?\d+)?")
 
@@ -52,6 +54,7 @@ class Commands:
     text: str
     code: int = 0
     needs: str = ""
+    short: str = SHORTEST
     kept: str = ""
     shown: tuple = ()
 
@@ -75,7 +78,8 @@ def parts_of(page):
         elif fence:
             end = next(i for i in range(at + 1, len(lines)) if lines[i] == "```")
             if fence.group(1) == "sh":
-                parts.append(Commands(page, at + 1, "\n".join(lines[at + 1 : end]), int(notes.get("exit", 0)), notes.get("needs", "")))
+                text = "\n".join(lines[at + 1 : end])
+                parts.append(Commands(page, at + 1, text, int(notes.get("exit", 0)), notes.get("needs", ""), notes.get("short", SHORTEST)))
             else:
                 parts[-1].shown, parts[-1].kept = (at + 1, end), notes.get("lines", "")
             notes, at = {}, end
@@ -86,13 +90,13 @@ def parts_of(page):
     return parts
 
 
-def reduced(text):
+def reduced(text, short=SHORTEST):
     """The commands with what makes them cheap."""
     out = []
     for line in re.sub(r"\\\n\s*", "", text).splitlines():
         words = line.split()
         add = REDUCED.get(words[1], "") if words[:1] == ["./barreno"] and len(words) > 1 else ""
-        out.append(f"{re.sub(LEFT_OUT, '', line)} {add}".rstrip() if add else line)
+        out.append(f"{re.sub(LEFT_OUT, '', line)} {add.replace(SHORTEST, short, 1)}".rstrip() if add else line)
     return "\n".join(out)
 
 
@@ -172,7 +176,7 @@ def title(part):
 
 def run_commands(shell, commands, full):
     """What is wrong with commands, and the lines that a page shows of what they print."""
-    text = commands.text if full else reduced(commands.text)
+    text = commands.text if full else reduced(commands.text, commands.short)
     code, printed = shell.run(text)
     if code != commands.code:
         return [f"{title(commands)}: ends with {code}, not {commands.code}:\n{text}\n{printed}"], []
@@ -242,7 +246,7 @@ def words():
     parser.add_argument("--write", action="store_true", help="the same, and write what they print into the pages")
     parser.add_argument("--ccx", type=pathlib.Path, help="CalculiX, as tests/hosts/build_ccx.sh builds it")
     parser.add_argument("--from", type=int, default=1, dest="first", metavar="N",
-        help="begin with lesson N: 1 or 4, which use no files of earlier ones")
+        help="begin with lesson N: 1, 4 or a later one than 5, which use no files of earlier ones")
     parser.add_argument("--to", type=int, dest="last", metavar="N", help="end with lesson N")
     options = parser.parse_args()
     if options.ccx is None or not options.ccx.is_file():
@@ -252,7 +256,8 @@ def words():
 
 def main():
     options = words()
-    pages = sorted(GUIDE.glob("[1-9]_*.md"))[options.first - 1 : options.last]
+    numbered = {int(page.name.partition("_")[0]): page for page in sorted(GUIDE.glob("[1-9]_*.md"))}
+    pages = [page for number, page in numbered.items() if options.first <= number <= (options.last or number)]
     problems, skipped, count = [], [], 0
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch).resolve()

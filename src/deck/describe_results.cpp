@@ -106,7 +106,7 @@ std::string result_page() {
     folder = folder.parent_path();
     pages.push_back(folder / "share/doc/barreno/docs/output.md");
   }
-  pages.push_back(fs::path(BARRENO_TOOLS_FOLDER) / "../../docs/output.md");
+  pages.push_back(fs::path(BARRENO_DOCS_FOLDER) / "output.md");
   for (const fs::path& page : pages) {
     std::ifstream in(page);
     if (!in) continue;

@@ -50,7 +50,7 @@ Scratch scratch_file(const std::string& picture) {
 
 std::string find_script() {
   return installed_file(
-             {BARRENO_TOOLS_IN_PREFIX, BARRENO_TOOLS_FOLDER, BARRENO_INSTALLED_TOOLS_FOLDER},
+             {BARRENO_PLOT_IN_PREFIX, BARRENO_PLOT_FOLDER, BARRENO_INSTALLED_PLOT_FOLDER},
              script_name
   )
       .string();
@@ -124,7 +124,7 @@ void draw_picture(const std::string& picture, const std::string& text) {
     refuse_picture(
         picture,
         std::string(script_name) + " of Barreno is neither beside the program nor in " +
-            BARRENO_TOOLS_FOLDER,
+            BARRENO_PLOT_FOLDER,
         "install Barreno with cmake --install"
     );
   }

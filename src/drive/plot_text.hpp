@@ -9,9 +9,9 @@
 
 namespace barreno {
 
-/// What verification/tools/plot_drive.py reads: lines "# word: value", a CSV table with a row for
-/// each state (time; strain, stress and bounded stress, see yield_view.hpp, each xx yy zz xy yz zx;
-/// pore_pressure where the model has one), a line "# yield surface" and the table of
+/// What src/python/barreno/materials/plot_drive.py reads: lines "# word: value", a CSV table with a
+/// row for each state (time; strain, stress and bounded stress, see yield_view.hpp, each xx yy zz
+/// xy yz zx; pore_pressure where the model has one), a line "# yield surface" and the table of
 /// yield_table.hpp, which may be empty.
 /// @param path  name of the path, for the picture's title
 std::string plot_text(

@@ -21,6 +21,9 @@ std::vector<double> wall_radii(
 /// Open channel from the wall of every row: its depth, and its radius in the middle.
 void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result);
 
+/// Distance of the wall from the axis at a depth of the open channel; 0 without one [length].
+double wall_at(const JetPath& path, const Penetration& found, double depth);
+
 /// Diameter of the hole (plane strain: its width) in the first whole row behind the front face of a
 /// layer; 0 where it is closed there [length].
 double entrance_diameter(const PathLayer& layer, const JetPath& path, const Penetration& found);

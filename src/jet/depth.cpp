@@ -144,6 +144,10 @@ void DepthWriter::measure(const Scene& scene, const State& state) {
   last_.depth = path_.direction * (path_.end - path_.face);
 }
 
+std::vector<RockZones> DepthWriter::zones(const Scene& scene, const State& state) const {
+  return measure_zones(scene, state, path_, last_);
+}
+
 void DepthWriter::write(const Scene& scene, const State& state) {
   const Region region("write_depth");
   measure(scene, state);

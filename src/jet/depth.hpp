@@ -4,6 +4,7 @@
 #include "base/gather.hpp"
 #include "files/text_file.hpp"
 #include "jet/path.hpp"
+#include "jet/rock_zones.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
 
@@ -56,7 +57,9 @@ public:
   void measure(const Scene& scene, const State& state);
   /// Collective. @throws FileError on every rank
   void write(const Scene& scene, const State& state);
-  const Penetration& last() const { return last_; }        ///< valid on the root
+  const Penetration& last() const { return last_; }  ///< valid on the root
+  /// Of the channel that was measured last. Collective.
+  std::vector<RockZones> zones(const Scene& scene, const State& state) const;
   double through_since() const { return through_since_; }  ///< valid on the root; 0: it is not
 
   std::uintmax_t bytes() const { return file_ ? file_->bytes() : 0; }

@@ -362,6 +362,7 @@ void Output::finish(const Scene& scene, const State& state, const RunVerdict& ve
   RunSummary summary = summarise(scene, state, seconds(), cpu_seconds() - o.cpu_start);
   if (o.rest) summary.rest = o.rest->last();
   const Penetration penetration = o.depth ? o.depth->last() : Penetration{};
+  if (o.depth) summary.zones = o.depth->zones(scene, state);
   const Extremes extremes = find_extremes(scene, state);
   RootWork work(*o.comm);
   work.run([&] {

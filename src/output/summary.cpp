@@ -174,6 +174,21 @@ void put_penetration(
   if (p.met) put_depth_error(reached, scene, time, p);
 }
 
+/// What crushing and dilation have made of the rock around the hole.
+void put_zones(Json& json, const Scene& scene, const std::vector<RockZones>& zones) {
+  for (const RockZones& found : zones) {
+    Json& one = json["penetration"]["zones_in_body"][as_utf8(scene.bodies[found.body].name)];
+    one["depth"] = number(found.depth);
+    one["radius"] = number(found.wall);
+    one["crushed_from"] = number(found.crushed_from);
+    one["crushed_to"] = number(found.crushed_to);
+    one["dilated_to"] = number(found.dilated_to);
+    one["least_porosity"] = number(found.least_porosity);
+    one["least_permeability"] = number(found.least_permeability);
+    one["skin"] = number(found.skin);  // null in plane strain
+  }
+}
+
 /// Whether the hole is at rest, and why not.
 void put_rest(Json& json, const Rest& rest) {
   Json& one = json["penetration"]["rest"];
@@ -347,6 +362,7 @@ std::string summary_text(
   put_prediction(json, run, summary);
   if (const auto path = recorded_path(scene, run.monitor))
     put_penetration(json, scene, *path, state.clock.time, penetration);
+  put_zones(json, scene, summary.zones);
   if (summary.rest) put_rest(json, *summary.rest);
   put_ledger(json, totals.ledger, "balances.");
   put_numerical_energy(json, summary);

@@ -3,6 +3,7 @@
 
 #include "jet/depth.hpp"
 #include "jet/rest.hpp"
+#include "jet/rock_zones.hpp"
 #include "jet/table.hpp"
 #include "output/anomalies.hpp"
 #include "output/history_writer.hpp"
@@ -43,6 +44,7 @@ struct RunSummary {
   std::map<std::string, long> warnings;
   std::optional<JetAudit> formed_jet;  ///< of a Jet Monitor
   std::optional<Rest> rest;            ///< of a launched jet's hole; valid on the root
+  std::vector<RockZones> zones;        ///< around that hole, by body
 };
 
 /// Collects memory, phases and kinematic anomalies over the ranks. Collective.

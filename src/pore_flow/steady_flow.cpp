@@ -141,7 +141,7 @@ SolveReport solve_rows(
   if (unknowns >= fewest_cells_for_multigrid) {
     Teuchos::ParameterList grids = lists;
     grids.sublist("MueLu").set("verbosity", std::string("none"));
-    const SolveReport report = solve(system, false, *make_linear_solver(comm, grids), solution);
+    SolveReport report = solve(system, false, *make_linear_solver(comm, grids), solution);
     if (report.converged) return report;
   }
   return solve(system, false, *make_linear_solver(comm, lists), solution);

@@ -11,10 +11,13 @@ import subprocess
 import sys
 import tempfile
 
+import numpy as np
+
 from barreno.report import hole as holes
 from barreno.report.deck import read_deck
 from barreno.report.files import read_csv
 from barreno.report.particles import ParticleFile
+from barreno.report.zones import Rock, rings_at
 from tools.runs import DECKS, Run, mpi_environment
 
 COARSE = ("Grid/Cell Size=5 mm", "Time/End Time=3 us")
@@ -114,6 +117,22 @@ def check_refined_hole(folder):
             hole.length, radius, one)
 
 
+def check_zones(folder):
+    """Rock around the hole, half-way down it: as the report finds it in particles.e, with walls of its own."""
+    found = run_quick(folder, "Time/End Time=20 us", "Output/Field Interval=20 us")[1]
+    assert set(found["zones_in_body"]) == {"Rock"}, found["zones_in_body"]
+    zones = found["zones_in_body"]["Rock"]
+    assert abs(zones["depth"] - (0.0127 + 0.5 * found["channel_depth_in_body"]["Rock"])) < 1e-12, found
+    file, deck = ParticleFile(folder / "particles.e"), read_deck(folder / "deck.xml")
+    hole = holes.measure_hole(file.frame(), deck, 0.0)
+    rings = rings_at(Rock(file.frame(), deck, 0.0), hole, zones["depth"])
+    assert abs(zones["radius"] - rings.edges[0]) < hole.cell / 6.0, (zones, rings.edges[0])
+    for name, radius in (("crushed_from", rings.crushed[0]), ("crushed_to", rings.crushed[1]), ("dilated_to", rings.dilated[1])):
+        assert abs(zones[name] - radius) < 1.25 * hole.cell, (name, zones, radius)
+    assert abs(zones["skin"] - rings.skin) < 0.1 * max(1.0, abs(rings.skin)), (zones, rings.skin)
+    assert abs(zones["least_porosity"] - np.nanmin(rings.porosity)) < 0.02, (zones, rings.porosity)
+
+
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
@@ -123,6 +142,7 @@ def main():
         check_through(folder / "through")
         check_liquid(folder / "liquid")
         check_refined_hole(folder)
+        check_zones(folder / "zones")
 
 
 if __name__ == "__main__":

@@ -287,6 +287,8 @@ def check_sweep(folder):
     table = barreno.sweep(deck, {"Confinement/Pressure": ["0 MPa", "34 MPa"]}, out=out, jobs=2, progress=False)
     depths = [json.loads((pathlib.Path(run) / "summary.json").read_text())["penetration"]["depth"] for run in table["run"]]
     assert table["penetration.depth"].tolist() == depths and table["Confinement/Pressure [MPa]"].tolist() == [0, 34], table.columns
+    named = {json.loads((pathlib.Path(run) / "summary.json").read_text())["deck"] for run in table["run"]}
+    assert named == {QUICK.name}, f"of a deck of dictionaries: {named}"
     with concurrent.futures.ThreadPoolExecutor(1) as other:  # as a window's worker; finished runs are taken
         again = other.submit(barreno.sweep, deck, {"Confinement/Pressure": "0,34 MPa"}, out=out, progress=False).result()
     assert again["penetration.depth"].tolist() == depths

@@ -21,7 +21,8 @@ SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
 COMMANDS = ("run", "resume", "check", "report", "film", "join", "converge", "sweep", "compare", "drive", "fit", "import-ups", "describe")
 FILES = ("libexec/barreno/barreno", "include/barreno_material.h", "share/barreno/commands.sh", "share/barreno/cards/berea_sandstone.xml",
          "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno/report/__main__.py",
-         "share/barreno/python/barreno/fit/__main__.py", "share/barreno/tools/plot_drive.py", "share/barreno/measured/update_costs.csv",
+         "share/barreno/python/barreno/fit/__main__.py", "share/barreno/python/barreno/materials/plot_drive.py",
+         "share/barreno/measured/update_costs.csv",
          "share/barreno/measured/depths_of_cells.csv", "share/doc/barreno/LICENSE",
          "share/doc/barreno/docs/deck.md", "share/man/man1/barreno.1", "share/bash-completion/completions/barreno")  # fmt: skip
 

@@ -41,12 +41,28 @@ def check_script(name):
     return code != 0
 
 
+def deep_scripts():
+    """Those in folders of verification that import from beside their folder, which ./barreno python makes possible."""
+    return [file for file in sorted((ROOT / "verification").glob("*/*.py")) if "__main__" in file.read_text()
+        and "from tools import foreign_python" in file.read_text()]
+
+
+def check_deep(script):
+    """Started by itself it says in one sentence how to start it."""
+    code, said = said_by_bare_python(script, "--help")
+    assert code == 1 and said.count("\n") == 1 and f"./barreno python {script}" in said, f"{script}: exit {code}: {said}"
+
+
 def main():
     wrong = not_executable()
     assert not wrong, "\n".join(wrong)
     lacking = [name for name in SCRIPTS if check_script(name)]
     assert {"verify.py", "pages.py"} <= set(lacking), lacking
-    print(f"scripts can be called, and {len(lacking)} of them say what a Python lacks")
+    deep = deep_scripts()
+    assert len(deep) > 15, deep
+    for script in deep:
+        check_deep(script)
+    print(f"scripts can be called, {len(lacking)} of them say what a Python lacks, and {len(deep)} how to start them")
 
 
 if __name__ == "__main__":

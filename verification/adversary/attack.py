@@ -22,6 +22,11 @@ import tempfile
 import time
 import traceback
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 import numpy as np
 from adversary.described import described_options
 from adversary.forged import SCENES, forgeries_of, prepared, try_forgery

@@ -11,6 +11,11 @@ import pathlib
 import resource
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 import numpy as np
 
 from tools.case import Result

@@ -14,6 +14,11 @@ import math
 import pathlib
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 import numpy as np
 
 from oracles import shell_statics as statics

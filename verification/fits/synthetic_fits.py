@@ -21,6 +21,11 @@ import sys
 import tempfile
 import time
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 import numpy
 
 from fits.synthetic_results import SETS, STORED, faults_of, held, is_open

@@ -11,6 +11,11 @@ import argparse
 import sys
 import xml.etree.ElementTree as ElementTree
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from oracles import arenisca_selfcheck
 from oracles.arenisca_laws import DEFAULTS, BadParameter
 from oracles.arenisca_paths import drive_file

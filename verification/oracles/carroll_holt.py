@@ -10,6 +10,11 @@ The closed form is shell_statics.py.
 import argparse
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from oracles import carroll_holt_selfcheck
 from oracles.shell_statics import Shell, curve
 

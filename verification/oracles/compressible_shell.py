@@ -13,6 +13,11 @@ surface in R (Runge-Kutta, fourth order), the inner radius by shooting. As K / G
 """
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 import numpy as np
 from scipy.optimize import brentq
 

@@ -15,6 +15,11 @@ import pathlib
 import sys
 import time
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from performance import scaling_decks
 
 from tools.resumed import must_work, program  # noqa: I001

@@ -16,6 +16,11 @@ import shutil
 import subprocess
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from tools.resumed import at_previous, must_work, program
 from tools.runs import ROOT, Run, scratch_folder
 from tools.small_decks import write_deck

@@ -16,6 +16,11 @@ import re
 import subprocess
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from tools.runs import mpi_environment, scratch_folder
 from tools.small_decks import symmetry, write_deck
 from tools.write_pages import write_pages

@@ -19,6 +19,11 @@ import statistics
 import subprocess
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from performance import scaling_decks
 from performance.scaling_decks import Problem
 

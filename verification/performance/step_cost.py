@@ -15,6 +15,11 @@ import re
 import subprocess
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from tools.write_pages import write_pages
 
 STORED = pathlib.Path(__file__).resolve().parents[1] / "results" / "step_cost.json"

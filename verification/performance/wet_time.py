@@ -12,6 +12,11 @@ import json
 import pathlib
 import sys
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 from tools.write_pages import write_pages
 
 HERE = pathlib.Path(__file__).resolve().parent

@@ -11,6 +11,11 @@ import re
 import sys
 import xml.etree.ElementTree as xml
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 import matplotlib
 
 matplotlib.use("Agg")

@@ -9,6 +9,12 @@ import hashlib
 import json
 import math
 import struct
+import sys
+
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
 
 from tools import depth_cost
 from tools.case_list import DOCS, cases, stored

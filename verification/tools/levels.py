@@ -5,6 +5,11 @@ import pathlib
 import sys
 import tempfile
 
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
 import matplotlib
 
 matplotlib.use("Agg")

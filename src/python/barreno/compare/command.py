@@ -18,6 +18,8 @@ RECORD = "compare.json"
 SHOWN = (
     re.compile(
         r"penetration\.(depth|through_since|channel_depth|channel_radius_mid|channel_volume|jet_mass_inside|tip_velocity)|"
+        r"penetration\.(channel_depth|entrance_diameter)_in_body\..+|"
+        r"penetration\.zones_in_body\..+\.(radius|crushed_to|dilated_to|skin)|"
         r"balances\.energy\.(kinetic|elastic|plastic|viscous|error)|"
         r"time|steps|particle_steps|wall_seconds|peak_resident_bytes")
 )  # fmt: skip

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 
 from barreno.imports.deck import deck_text
 from barreno.runs.faults import FILE, Fault, on_one_line
-from barreno.runs.program import as_set, found_program
+from barreno.runs.program import as_set, found_program, named
 from barreno.runs.regular_file import read_text
 from barreno.runs.tables import place
 
@@ -170,7 +170,8 @@ def file_of(deck):
     with tempfile.TemporaryDirectory(prefix="barreno-") as folder:
         file = pathlib.Path(folder) / deck.name
         deck.write(file)
-        yield file
+        with named(deck.name):
+            yield file
 
 
 def words_of(file, settings, fidelity):

@@ -11,11 +11,10 @@ from barreno.runs.effective_deck import lists_in, value_in
 from barreno.runs.faults import FILE, Fault, exit_code
 from barreno.runs.program import as_set, found_program
 from barreno.runs.tables import aligned, make_folder, place
+from barreno.runs.units import UNITS
 from barreno.runs.words import Words, quantity_of
 
 EXAMPLE = 'write for example barreno jet input_xml/perforation.xml --cut-off "2 km/s"'
-VELOCITIES = {"m/s": 1.0, "km/s": 1e3, "": 1.0}
-STRESSES = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "": 1.0}
 STRETCHES = 0.01  # rms of launch times over their span, up to which a jet comes from one origin
 
 
@@ -34,14 +33,14 @@ def parse(words):
 
 def velocity_of(text):
     try:
-        return quantity_of(text, VELOCITIES)
+        return quantity_of(text, UNITS["speed"])
     except ValueError:
         raise Fault(f'--cut-off "{text}" is no velocity; write for example --cut-off "2 km/s".') from None
 
 
 def stress_of(option, text):
     try:
-        return quantity_of(text, STRESSES)
+        return quantity_of(text, UNITS["stress"])
     except ValueError:
         raise Fault(f'{option} "{text}" is no stress; write for example {option} "1 GPa".') from None
 

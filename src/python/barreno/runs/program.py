@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program barreno, as a command starts it."""
 
+import contextlib
+import contextvars
 import os
 import re
 import shutil
@@ -14,13 +16,32 @@ from barreno.runs.faults import FILE, Fault
 from barreno.runs.ranks import with_mpi_environment
 
 
+DECK_NAME = contextvars.ContextVar("deck_name", default=None)  # of a deck in a temporary file, for summary.json and the screen
+
+
+@contextlib.contextmanager
+def named(name):
+    """Programs that are started within call their deck so, instead of by its path."""
+    token = DECK_NAME.set(name)
+    try:
+        yield
+    finally:
+        DECK_NAME.reset(token)
+
+
+def environment():
+    """Of a program that computes."""
+    return os.environ if DECK_NAME.get() is None else {**os.environ, "BARRENO_DECK_NAME": DECK_NAME.get()}
+
+
 class Child:
     """A started program. What it says of an error goes to a file, where it cannot fill a pipe that nobody reads."""
 
     def __init__(self, command, output=subprocess.DEVNULL):
         self.errors = tempfile.TemporaryFile()
         # Apart from the terminal: a key there reaches the command alone, which passes it on once.
-        self.process = subprocess.Popen(command, stdout=output, stderr=self.errors, start_new_session=True)
+        self.process = subprocess.Popen(command, stdout=output, stderr=self.errors, env=environment(),
+            start_new_session=True)
 
     def code(self):
         """Its exit code, None while it runs."""

@@ -5,9 +5,10 @@ import argparse
 import re
 
 from barreno.runs.faults import Fault
+from barreno.runs.units import UNITS
 
-LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "in": 0.0254}
-TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9, "": 1.0}
+LENGTH_UNITS = UNITS["length"]
+TIME_UNITS = {**UNITS["time"], "": 1.0}
 
 
 class Words(argparse.ArgumentParser):
