@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/plan.hpp"
 
+#include "base/error.hpp"
 #include "base/format.hpp"
 #include "check/awake_parts.hpp"
 #include "check/choices.hpp"
@@ -256,6 +257,20 @@ std::string time_line(const Scene& scene, const Prediction& cost) {
                  );
 }
 
+/// What a fidelity costs and promises, or why the deck cannot have it: it may make too many cells
+/// of a deck that is valid as it stands.
+std::string fidelity_row(
+    const std::function<Scene(const std::string&)>& scene_with, const std::string& name, int ranks
+) {
+  try {
+    const Scene scene = scene_with(name);
+    const Prediction cost = predict_cost(scene, probe_cost(scene), particle_counts(scene), ranks);
+    return cost_of_choice(cost) + "; errors: " + fidelity_errors(name) + depth_error(scene);
+  } catch (const DeckError& error) {
+    return std::string("not with this deck: ") + error.what();
+  }
+}
+
 }  // namespace
 
 std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene_with, int ranks) {
@@ -263,12 +278,8 @@ std::string fidelity_lines(const std::function<Scene(const std::string&)>& scene
       "Fidelity  (--fidelity NAME chooses what the deck leaves open. Errors measured in "
       "docs/trade.md: pressures of a shock, smooth strains of 0.3; depth: expected from the size "
       "of the cells)\n";
-  for (const std::string& name : fidelity_words()) {
-    const Scene scene = scene_with(name);
-    const Prediction cost = predict_cost(scene, probe_cost(scene), particle_counts(scene), ranks);
-    text += format("  %-22s ", name.c_str()) + cost_of_choice(cost) +
-            "; errors: " + fidelity_errors(name) + depth_error(scene) + "\n";
-  }
+  for (const std::string& name : fidelity_words())
+    text += format("  %-22s ", name.c_str()) + fidelity_row(scene_with, name, ranks) + "\n";
   return text;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/error.hpp"
 #include "base/format.hpp"
 #include "check/choices.hpp"
 #include "check/cost_tables.hpp"
@@ -53,6 +54,21 @@ TEST(Choices, SayWhatIsOffAndWhy) {
   scene.quasi_static = {100.0, 1e-3, 1e-1};
   EXPECT_TRUE(quasi_static_choice(scene).on);
   EXPECT_TRUE(says(quasi_static_choice(scene).why, "inertia x 100"));
+}
+
+TEST(Fidelities, SayWhichOneTheDeckCannotHave) {
+  const std::string lines = fidelity_lines(
+      [](const std::string& name) {
+        if (name == "reference") throw DeckError("deck.xml: too large; choose larger cells.");
+        return block();
+      },
+      1
+  );
+  EXPECT_TRUE(says(
+      lines,
+      "\n  reference              not with this deck: deck.xml: too large; choose larger cells.\n"
+  )) << lines;
+  EXPECT_FALSE(says(lines, "\n  balanced               not")) << lines;
 }
 
 TEST(LockingNote, WarnsOfWhatHardlyChangesItsVolume) {
