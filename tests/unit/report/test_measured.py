@@ -153,7 +153,7 @@ PROFILES = [
     (b"", "is empty"), (b"\n\n", "is empty"), (b"1,2\n3,4\n", "has no header, but begins with numbers"),
     ("deep [mm],radius [mm]\n1,2\n2,2\n", "has no column depth"), ("depth [mm],width [mm]\n1,2\n2,2\n", "has no column radius or diameter"),
     ("depth,radius [mm]\n1,2\n2,2\n", "gives its column depth no unit"),
-    ("depth [mm],radius [ft]\n1,2\n2,2\n", "the unit 'ft', which is no length"),
+    ("depth [mm],radius [furlong]\n1,2\n2,2\n", "the unit 'furlong', which is no length"),
     ("depth [mm],radius [mm]\n1,2\n", "a profile needs at least two"),
     ("depth [mm],radius [mm]\n1,2\n0.5,2\n", "in line 3 that is not larger"),
     ("depth [mm],radius [mm]\n1,2\n1,2\n", "in line 3 that is not larger"),
