@@ -78,7 +78,8 @@ def run(barreno, full):
         result.demand("discrete, divided up to 4 times, cells of half the size: change of the depth",
             divided(2.0 * CELLS, 2, 4, (CELLS, 4, 4)), 0.03)
         fine, coarse = volumes["discrete", 2.0 * CELLS, 2, 4], volumes["discrete", CELLS, 2, 4]
-        result.demand("discrete, divided up to 4 times, cells of half the size: change of the hole's volume", abs(fine / coarse - 1.0), 0.05)
+        result.demand("discrete, divided up to 4 times, cells of half the size: change of the hole's volume",
+            abs(fine / coarse - 1.0), 0.05)
     else:
         result.demand("continuous, from 2 to 4 particles per cell: change of the depth", change("continuous", 2, 4), 0.03)
     whole = losses["discrete", 2, 0]
