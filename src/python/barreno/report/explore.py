@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The explorable view at the top of a report's page: particles of all outputs, which a script of the page draws (explore.js)."""
+
+import html
+import json
+import pathlib
+
+import numpy as np
+
+from barreno.report.channel import line_of
+from barreno.report.explore_codes import packed
+from barreno.report.explore_curves import depth_plots, energy_plot
+from barreno.report.explore_fields import chosen_fields, field_of, material_field, state_field
+from barreno.report.explore_stack import PLACES, SHAPE, Stack, steps_between
+from barreno.report.fields import known_fields
+from barreno.report.files import reading
+from barreno.report.hole import cell_along_path, face_of
+from barreno.runs.regular_file import read_text
+
+HERE = pathlib.Path(__file__).parent
+MOST_BYTES = 15_000_000  # of a page
+MOST_ENTRIES = 8_000_000  # particles times outputs: what a browser holds easily
+LEVELS = (4095, 255)  # codes of a field: 12 bits, or 8 where a page would be too large
+TRIALS = 6
+
+
+class TooLarge(Exception):
+    """Two outputs do not fit either."""
+
+
+def file_text(name):
+    return read_text(HERE / name)
+
+
+def tips_of(run, table, stack):
+    """Along y [m], of every output: the bottom of the hole, before the hit the particle of the jet that is furthest along its flight, or
+    None."""
+    direction, found = run.deck.direction, []
+    depth = np.interp(stack.times, table["time"], table["depth"]) if table is not None else np.zeros(len(stack.times))
+    jet = run.deck.text("Jet/Material")
+    for output, deep in zip(stack.outputs, depth):
+        frame = output.frame
+        own = frame.block == frame.file.block_names.index(jet) if jet in frame.file.block_names else np.zeros(len(frame.block), bool)
+        if deep > 0.0:
+            found.append(face_of(table, run.file, run.deck) + direction * float(deep))
+        elif own.any():
+            found.append(direction * float((direction * run.file.frame(frame.step).centres[own, 1]).max()))
+        else:
+            found.append(None)
+    return found
+
+
+def grid_of(run):
+    """Cells of the largest size; those of particles are in the field cell_size where there are several."""
+    lower, size = run.deck.vector("Grid/Lower"), run.deck.number("Grid/Cell Size")
+    return {"lower": lower[:2], "size": size} if len(lower) >= 2 and np.isfinite(size) and size > 0.0 else None
+
+
+def scene_of(run, fields, table, steps, levels):
+    """All that the script needs, as JSON can hold it."""
+    file, deck = run.file, run.deck
+    stack = Stack(file, steps)
+    places, shapes, sizes, largest, areas = stack.places()
+    colours = [str(line_of(stack.outputs[0].frame, deck, block)[0]) for block in range(len(file.block_names))]
+    names = chosen_fields(known_fields(file, deck), fields)
+    return {
+        "times": [float(time) for time in stack.times], "outputs": len(file.times), "steps": [int(step) for step in steps],
+        "mirrored": bool(deck.mirrored()), "down": bool(deck.has_jet and deck.direction > 0.0), "cut": file.dimensions == 3,
+        "across": "r" if deck.mode == "axisymmetric" else "x", "jet": deck.text("Jet/Material"),
+        "low": [float(value) for value in stack.low], "quantum": stack.quantum, "largest": largest / PLACES, "shapeUnit": 1.0 / SHAPE,
+        "tips": tips_of(run, table, stack), "around": cell_along_path(file, deck), "grid": grid_of(run),
+        "numbers": packed(file.numbers[stack.elements].astype(np.uint32)), "there": packed(stack.there()),
+        "places": packed(places), "shapes": packed(shapes), "sizes": packed(sizes),
+        "fields": [*(field_of(stack, deck, name, areas, levels) for name in names), material_field(stack, colours),
+            state_field(stack, deck)],
+        "left": fields[0], "right": next((name for name in names if name == fields[1]), names[-1]),
+    }  # fmt: skip
+
+
+def as_json(scene):
+    """For a script element: no text in it can end the element or begin another."""
+    text = json.dumps(scene, allow_nan=False, ensure_ascii=True, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def fitted(run, fields, table, room):
+    """The scene as text of at most so many bytes: finer codes and all outputs where they fit."""
+    count = len(run.file.times)
+    most, levels = min(count, max(2, MOST_ENTRIES // max(run.file.elements, 1))), LEVELS[0]
+    for _ in range(TRIALS):
+        steps = steps_between(count, most)
+        text = as_json({**scene_of(run, fields, table, steps, levels), **curves_of(run, table)})
+        if len(text) <= room:
+            return text, len(steps)
+        if levels == LEVELS[0]:
+            levels = LEVELS[1]
+        elif len(steps) <= 2:
+            break
+        else:
+            most = max(2, min(len(steps) - 1, int(0.9 * len(steps) * room / len(text))))
+    raise TooLarge
+
+
+def curves_of(run, table):
+    plots = []
+    if table is not None:
+        with reading(run.folder / "depth.csv"):
+            plots += depth_plots(table)
+    history = run.history_table()
+    with reading(run.folder / "history.csv"):
+        return {"plots": [*plots, energy_plot(history)]}
+
+
+def about_outputs(shown, count):
+    return "" if shown == count else f"The view has {shown} of the run's {count} outputs, evenly spaced, so that the page stays below 15 MB."
+
+
+def inserted(page, run, fields):
+    """The page with the view below its title; where the run is too large for one, with a sentence that says so."""
+    table = run.depth_table()
+    scripts = [file_text(f"third_party/{name}") for name in ("regl.min.js", "uPlot.iife.min.js")] + [file_text("explore.js")]
+    style = file_text("third_party/uPlot.min.css") + file_text("explore.css")
+    view = file_text("explore.html")
+    room = MOST_BYTES - sum(len(text.encode()) for text in (page, style, view, *scripts)) - 1000
+    try:
+        with run.particles_read():
+            scene, shown = fitted(run, fields, table, room)
+    except TooLarge:
+        words = f"This page has no view to explore: the run's {run.file.elements} particles do not fit into a page of 15 MB."
+        return page.replace("</h1>", f"</h1>\n<p>{words}</p>", 1)
+    view = view.replace("{{outputs}}", html.escape(about_outputs(shown, len(run.file.times))))
+    ends = "".join(f"<script>\n{text}\n</script>\n" for text in scripts)
+    data = f'<script type="application/json" id="explore-data">{scene}</script>\n'
+    head, body = page.replace("</style>", f"\n{style}</style>", 1).split("</h1>", 1)
+    return f"{head}</h1>\n{view}{body.rpartition('</body>')[0]}{data}{ends}</body></html>\n"
