@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The explorable view of a report's page (docs/report.md). The data are the JSON that explore.py writes: whole numbers, packed by
-// explore_codes.py. regl draws the particles with WebGL, uPlot the curves.
+// explore_codes.py. Particles are drawn into a table of pixels, each with the number of the particle that it shows: outlines and the values
+// under the mouse follow from it, and no graphics card is needed. uPlot draws the curves.
 (() => {
 "use strict";
 
 const MILLI = 1e-3, MICRO = 1e-6;
-const WITHOUT = [191, 191, 191], HIDDEN = 255;  // colour of a material that lacks the field; code of what is not drawn
+const WITHOUT = 0xffbfbfbf;  // colour of a material that lacks the field
 const PLAY_PAUSE = 160;  // ms from one output to the next
 const OVERLAP = 1.02;  // shapes are rounded; the seams between neighbours are covered
+const MOST_PIXELS = 2e6;  // beyond, screens with small pixels are drawn coarser
+const VOID = 0xfff1ebe3, EDGE = 0.72;  // colour where no particle is (bytes from behind: alpha, blue, green, red); shade of outlines of particles
+const LEAST_EDGED = 4;  // pixels: particles with an outline
 const LEAST_CELL = 3;  // pixels
-const HALO = 1.3;  // pixels: outline of a material
 const ARRAYS = {u8: Uint8Array, i8: Int8Array, u16: Uint16Array, u32: Uint32Array};
 const WHOLE = {u8: Uint8Array, i8: Uint8Array, u16: Uint16Array, u32: Uint32Array};
 
@@ -63,20 +66,25 @@ function slackOf(field, code) {
   return Math.max(valueOf(field, code + 0.5) - value, value - valueOf(field, code - 0.5));
 }
 
-function share(field, value) {
-  const [low, high] = field.limits;
+function share(field, value, [low, high] = field.limits) {
   if (field.doubling) return value > 0 ? Math.log(value / low) / Math.log(high / low) : NaN;
   return (value - low) / (high - low);
 }
 
+// Colours of a field's codes from 1 on as pixels; 0 has none.
 function paletteOf(field) {
-  const pixels = new Uint8Array(4 * 256).fill(255);
   const colours = field.classes ? field.colours : field.palette.match(/.{6}/g).map(six => `#${six}`);
-  pixels.set(WITHOUT, 0);
-  colours.slice(0, 254).forEach((colour, i) => {
-    for (let part = 0; part < 3; part++) pixels[4 * (i + 1) + part] = parseInt(rgb(colour).slice(1 + 2 * part, 3 + 2 * part), 16);
-  });
-  return pixels;
+  return Uint32Array.from([WITHOUT, ...colours.map(pixelOf)]);
+}
+
+function pixelOf(colour) {
+  const [red, green, blue] = [1, 3, 5].map(i => parseInt(rgb(colour).slice(i, i + 2), 16));
+  return (255 << 24 | blue << 16 | green << 8 | red) >>> 0;
+}
+
+function shaded(pixel) {
+  const part = shift => Math.round(EDGE * (pixel >> shift & 255)) << shift;
+  return (255 << 24 | part(16) | part(8) | part(0)) >>> 0;
 }
 
 // Colours by name as six digits.
@@ -86,12 +94,12 @@ function rgb(colour) {
   return pen.fillStyle;
 }
 
-// Colour of every code, for the texture above.
-function coloursOf(field) {
-  if (field.classes) return code => code % 255;
+// Number in the palette of every code.
+function coloursOf(field, limits) {
+  if (field.classes) return code => code;
   const known = new Map();
   const colour = code => {
-    const part = share(field, valueOf(field, code));
+    const part = share(field, valueOf(field, code), limits);
     return Number.isFinite(part) ? 1 + Math.round(253 * Math.min(1, Math.max(0, part))) : 0;
   };
   return code => {
@@ -129,67 +137,33 @@ function say(words) {
   at("why").hidden = false;
 }
 
-const VERTEX = `
-precision highp float;
-attribute vec2 corner;
-attribute vec2 place;
-attribute vec4 shape;
-attribute float size, colour;
-uniform vec2 origin, scale, pixel;
-uniform float mirror, unit, sizeUnit, halo;
-varying vec2 inside, edge;
-varying float code;
-void main() {
-  vec4 half_edges = shape * (unit * sizeUnit * size);
-  vec2 lengths = vec2(length(half_edges.xy * pixel), length(half_edges.zw * pixel));
-  vec2 grown = corner * (${OVERLAP} + halo / max(lengths, vec2(0.01)));
-  vec2 at = place - origin * vec2(mirror, 1.0) + grown.x * half_edges.xy + grown.y * half_edges.zw;
-  inside = corner;
-  edge = lengths;
-  code = colour;
-  gl_Position = colour > 254.5 ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(at * scale * vec2(mirror, 1.0), 0.0, 1.0);
-}`;
-
-const FRAGMENT = `
-precision highp float;
-uniform sampler2D palette;
-uniform vec3 plain;
-uniform float plainly, edges;
-varying vec2 inside, edge;
-varying float code;
-void main() {
-  vec3 found = texture2D(palette, vec2((code + 0.5) / 256.0, 0.5)).rgb;
-  vec2 from = (1.0 - abs(inside)) * edge;
-  float dark = edges * (min(from.x, from.y) < 0.7 ? 0.3 : 0.0) * (min(edge.x, edge.y) > 2.5 ? 1.0 : 0.0);
-  gl_FragColor = vec4(mix(found * (1.0 - dark), plain, plainly), 1.0);
-}`;
-
-function startedDrawing(canvas, scene, count) {
-  const regl = window.createREGL({canvas, extensions: ["ANGLE_instanced_arrays"], attributes: {antialias: true, alpha: false}});
-  const filled = (array, type) => regl.buffer({data: array, type, usage: "dynamic"});
-  const buffers = {
-    place: filled(new Uint16Array(2 * count), "uint16"), shape: filled(new Int8Array(4 * count), "int8"),
-    size: filled(new Uint16Array(count), "uint16"), left: filled(new Uint8Array(count), "uint8"),
-    right: filled(new Uint8Array(count), "uint8"),
-  };
-  const attribute = (buffer, size, type, bytes) => (_, props) => ({buffer: buffers[buffer ?? props.side], size, type,
-    offset: bytes * props.first, stride: bytes, divisor: 1});
-  const quads = regl({
-    vert: VERTEX, frag: FRAGMENT, primitive: "triangle strip", count: 4, depth: {enable: false},
-    instances: regl.prop("instances"),
-    attributes: {
-      corner: regl.buffer([[-1, -1], [1, -1], [-1, 1], [1, 1]]), place: attribute("place", 2, "uint16", 4),
-      shape: attribute("shape", 4, "int8", 4), size: attribute("size", 1, "uint16", 2), colour: attribute(null, 1, "uint8", 1),
-    },
-    uniforms: {
-      origin: regl.prop("origin"), scale: regl.prop("scale"), pixel: regl.prop("pixel"), mirror: regl.prop("mirror"),
-      unit: scene.shapeUnit, sizeUnit: scene.largest / scene.quantum, halo: regl.prop("halo"), palette: regl.prop("palette"),
-      plain: regl.prop("plain"), plainly: regl.prop("plainly"), edges: regl.prop("edges"),
-    },
-    viewport: regl.prop("viewport"), scissor: {enable: true, box: regl.prop("viewport")},
-  });
-  const texture = () => regl.texture({width: 256, height: 1, data: new Uint8Array(1024), mag: "nearest", min: "nearest"});
-  return {regl, buffers, quads, palettes: {left: texture(), right: texture()}};
+// Writes a number into the pixels whose centres a parallelogram covers, or into the one that has its centre.
+function fill(ids, wide, high, number, [x, y, ax, ay, bx, by], from, to) {
+  const reachX = Math.abs(ax) + Math.abs(bx), reachY = Math.abs(ay) + Math.abs(by);
+  if (x + reachX < from || x - reachX > to || y + reachY < 0 || y - reachY > high) return;
+  const first = Math.max(0, Math.ceil(y - reachY - 0.5)), last = Math.min(high - 1, Math.floor(y + reachY - 0.5));
+  const area = ax * by - ay * bx;
+  let drawn = false;
+  for (let row = first; row <= last; row++) {
+    const dy = row + 0.5 - y;
+    // Of the distance dx across: |dx by - dy bx| <= |area| and |dy ax - dx ay| <= |area|.
+    let low = -reachX, up = reachX;
+    for (const [slope, shift] of [[by, dy * bx], [ay, dy * ax]]) {
+      const size = Math.abs(area);
+      if (Math.abs(slope) > 1e-9) {
+        const one = (shift - size) / slope, other = (shift + size) / slope;
+        low = Math.max(low, Math.min(one, other));
+        up = Math.min(up, Math.max(one, other));
+      } else if (Math.abs(shift) > size) up = -Infinity;
+    }
+    const end = Math.min(to - 1, Math.floor(x + up - 0.5));
+    for (let column = Math.max(from, Math.ceil(x + low - 0.5)); column <= end; column++) {
+      ids[row * wide + column] = number;
+      drawn = true;
+    }
+  }
+  const column = Math.floor(x), row = Math.floor(y);
+  if (!drawn && column >= from && column < to && row >= 0 && row < high) ids[row * wide + column] = number;
 }
 
 // State of the view; numbers are in steps of the places ("quantum") where not said otherwise.
@@ -199,16 +173,17 @@ async function start(scene) {
     scene.places, scene.shapes, scene.sizes, field.material.codes, field.state.codes].map(unpacked));
   const numbers = numberRow(0), sizes = sizeRow(0), material = materialRow(0), count = numbers.length;
   const canvas = at("particles"), marks = at("marks"), stage = at("stage");
-  const {regl, buffers, quads, palettes} = startedDrawing(canvas, scene, count);
+  const palettes = {}, picture = {ids: new Int32Array(0), wide: 0, high: 0, dense: 1, axis: 0};
   const rows = {material: materialRow, state: stateRow};
   const names = field.material.classes, blocks = blocksOf(material, names.length);
-  const hidden = new Set(), view = {x: 0, y: 0, scale: 1, follow: false, step: 0, left: null, right: null, mouse: null, hit: -1};
+  const hidden = new Set(), view = {x: 0, y: 0, scale: 1, follow: false, step: 0, left: null, right: null, mouse: null, hit: -1,
+    limits: {left: undefined, right: undefined}};
   const now = {there: null, place: null, shape: null, left: null, right: null, state: null};
   const toQuantum = (metres, axis) => (metres - scene.low[axis]) / scene.quantum;
   const toMetres = (quanta, axis) => quanta * scene.quantum + scene.low[axis];
   const axisAt = scene.mirrored ? toQuantum(0, 0) : 0;  // x of the mirror
   const panels = scene.mirrored ? 1 : 2, flip = scene.down ? -1 : 1;
-  let pending = false, playing = null, outlines = true, edges = false, cells = false;
+  let pending = false, playing = null, outlines = true, edges = false, cells = false, fitted = false;
 
   function blocksOf(codes, kinds) {
     const found = [];
@@ -228,11 +203,10 @@ async function start(scene) {
   }
 
   function paint(side) {
-    const name = view[side], codes = rows[name](view.step), colour = coloursOf(field[name]);
-    const bytes = new Uint8Array(count);
-    for (let i = 0; i < count; i++) bytes[i] = now.there[i] && !hidden.has(material[i]) ? colour(codes[i]) : HIDDEN;
-    now[side] = bytes;
-    buffers[side].subdata(bytes);
+    const name = view[side], codes = rows[name](view.step), colour = coloursOf(field[name], view.limits[side]);
+    const found = new Uint32Array(count), pixels = palettes[side];
+    for (let i = 0; i < count; i++) found[i] = pixels[colour(codes[i])];
+    now[side] = found;
   }
 
   function setStep(step) {
@@ -241,8 +215,6 @@ async function start(scene) {
     now.place = placeRow(view.step);
     now.shape = shapeRow(view.step);
     now.state = stateRow(view.step).slice();
-    buffers.place.subdata(now.place);
-    buffers.shape.subdata(now.shape);
     paint("left");
     paint("right");
     at("time").value = view.step;
@@ -255,9 +227,10 @@ async function start(scene) {
   async function setField(side, name) {
     await rowsOf(name);
     view[side] = name;
-    palettes[side].subimage({width: 256, height: 1, data: paletteOf(field[name])});
+    palettes[side] = paletteOf(field[name]);
     at(side).value = name;
-    drawBar(at(`bar-${side}`), field[name]);
+    view.limits[side] = undefined;
+    drawBar(side);
     if (now.there) paint(side);
     redraw();
   }
@@ -338,41 +311,109 @@ async function start(scene) {
   }
 
   function fit() {
-    const {wide, high} = size(), dense = window.devicePixelRatio || 1;
-    for (const one of [canvas, marks]) {
-      if (one.width === Math.round(wide * dense) && one.height === Math.round(high * dense)) continue;
-      one.width = Math.round(wide * dense);
-      one.height = Math.round(high * dense);
+    const {wide, high} = size(), dense = Math.min(window.devicePixelRatio || 1, Math.sqrt(MOST_PIXELS / Math.max(wide * high, 1)));
+    const pixels = [Math.max(1, Math.round(wide * dense)), Math.max(1, Math.round(high * dense))];
+    for (const one of [canvas, marks]) if (one.width !== pixels[0] || one.height !== pixels[1]) [one.width, one.height] = pixels;
+    if (picture.ids.length !== pixels[0] * pixels[1]) picture.ids = new Int32Array(pixels[0] * pixels[1]);
+    [picture.wide, picture.high] = pixels;
+    picture.dense = dense;
+  }
+
+  // Which particle every pixel shows; -1 for none.
+  function place() {
+    const {ids, wide, high, dense} = picture, zoom = view.scale * dense;
+    ids.fill(-1);
+    picture.axis = scene.mirrored ? Math.max(0, Math.min(wide, Math.round(screenOf(axisAt, 0)[0] * dense))) : 0;
+    const half = Math.round(wide / 2);
+    const parts = scene.mirrored ? [[-1, 0, 0, picture.axis], [1, 0, picture.axis, wide]] : [[1, 0, 0, half], [1, 1, half, wide]];
+    const unit = OVERLAP * scene.shapeUnit * scene.largest / scene.quantum * zoom;
+    for (const [mirror, panel, from, to] of parts) {
+      const [x0, y0] = screenOf(mirror < 0 ? 2 * axisAt : 0, 0, panel).map(value => value * dense);
+      for (const {kind, first, count: particles} of blocks) {
+        if (hidden.has(kind)) continue;
+        for (let i = first; i < first + particles; i++) {
+          if (!now.there[i]) continue;
+          const part = unit * sizes[i], x = x0 + mirror * zoom * now.place[2 * i], y = y0 - flip * zoom * now.place[2 * i + 1];
+          fill(ids, wide, high, i, [x, y, mirror * part * now.shape[4 * i], -flip * part * now.shape[4 * i + 1],
+            mirror * part * now.shape[4 * i + 2], -flip * part * now.shape[4 * i + 3]], from, to);
+        }
+      }
     }
-    return dense;
+  }
+
+  // Colour of the line between two materials, 0 is the void: of the one that is drawn above the other. Pieces of a jet in the hole would
+  // be all line, so a jet has one towards other materials alone.
+  const kinds = [{kind: 0}, ...blocks];
+  const lineOf = Array.from({length: names.length + 1}, () => new Uint32Array(names.length + 1));
+  kinds.forEach((one, rank) => kinds.slice(0, rank).forEach(other => {
+    if (one.jet && !other.kind) return;
+    lineOf[one.kind][other.kind] = lineOf[other.kind][one.kind] = pixelOf(one.colour);
+  }));
+
+  // Colours of the pixels, and lines where the next pixel is of another material.
+  function colour() {
+    const {ids, wide, high, axis} = picture, image = new ImageData(wide, high), pixels = new Uint32Array(image.data.buffer);
+    const change = scene.mirrored ? axis : Math.round(wide / 2);
+    const part = scene.shapeUnit * scene.largest / scene.quantum * view.scale * picture.dense * 20;
+    for (let row = 0, k = 0; row < high; row++) for (let column = 0; column < wide; column++, k++) {
+      const id = ids[k], right = column + 1 < wide && column + 1 !== change ? ids[k + 1] : id, below = row + 1 < high ? ids[k + wide] : id;
+      pixels[k] = id < 0 ? VOID : (column < change ? now.left : now.right)[id];
+      if (id === right && id === below) continue;
+      const own = id < 0 ? 0 : material[id], other = right < 0 ? 0 : material[right], under = below < 0 ? 0 : material[below];
+      const line = outlines && (lineOf[own][other] || lineOf[own][under]);
+      if (line) pixels[k] = line;
+      else if (edges && id >= 0 && 2 * part * sizes[id] > LEAST_EDGED) pixels[k] = shaded(pixels[k]);
+    }
+    canvas.getContext("2d").putImageData(image, 0, 0);
   }
 
   function draw() {
-    const dense = fit(), {high} = size(), wide = panelWide();
-    regl.poll();
-    regl.clear({color: [0.89, 0.922, 0.945, 1]});
-    const halves = scene.mirrored ? [["left", -1, 0], ["right", 1, 0]] : [["left", 1, 0], ["right", 1, 1]];
-    for (const [side, mirror, panel] of halves) {
-      const common = {
-        side, mirror, edges: edges ? 1 : 0, palette: palettes[side],
-        // The mirror is at x = axisAt: x' = 2 axisAt - x.
-        origin: [mirror < 0 ? view.x - 2 * axisAt : view.x, view.y],
-        scale: [2 * view.scale / wide, 2 * flip * view.scale / high], pixel: [view.scale * dense, view.scale * dense],
-        viewport: {x: Math.round(panel * wide * dense), y: 0, width: Math.round(wide * dense), height: Math.round(high * dense)},
-      };
-      const list = [];
-      for (const {first, count: instances, colour} of blocks) {
-        const plain = [1, 3, 5].map(i => parseInt(rgb(colour).slice(i, i + 2), 16) / 255);
-        if (outlines) list.push({...common, first, instances, halo: HALO * dense, plain, plainly: 1});
-        list.push({...common, first, instances, halo: 0, plain, plainly: 0});
+    fit();
+    place();
+    closeGaps();
+    if (fitted) fitColours();
+    colour();
+  }
+
+  // Shapes are rounded: a single pixel between two of one material is none of the void.
+  function closeGaps() {
+    const {ids, wide, high} = picture;
+    const same = (one, other) => one >= 0 && other >= 0 && material[one] === material[other];
+    for (let row = 1; row < high - 1; row++) for (let k = row * wide + 1; k < row * wide + wide - 1; k++) {
+      if (ids[k] >= 0) continue;
+      if (same(ids[k - 1], ids[k + 1])) ids[k] = ids[k - 1];
+      else if (same(ids[k - wide], ids[k + wide])) ids[k] = ids[k - wide];
+    }
+  }
+
+  // The range of colours becomes that of most of what is seen.
+  function fitColours() {
+    const {ids, wide} = picture, change = scene.mirrored ? picture.axis : Math.round(wide / 2);
+    for (const side of ["left", "right"]) {
+      const one = field[view[side]], codes = one.classes || one.doubling ? null : rows[view[side]](view.step), found = [];
+      if (!codes) continue;
+      const stride = 1 + Math.floor(ids.length / 20000) | 1;
+      for (let k = 0; k < ids.length; k += stride) {
+        const own = k % wide < change ? "left" : "right";
+        if (ids[k] >= 0 && codes[ids[k]] && (own === side || view.left === view.right)) found.push(valueOf(one, codes[ids[k]]));
       }
-      quads(list);
+      if (found.length < 50) continue;
+      found.sort((a, b) => a - b);
+      let [low, high] = [0.02, 0.98].map(part => found[Math.floor(part * (found.length - 1))]);
+      if (one.neutral !== null) {
+        const reach = Math.max(high - one.neutral, one.neutral - low);
+        [low, high] = [one.neutral - reach, one.neutral + reach];
+      }
+      if (!(high - low > 1e-6 * (one.limits[1] - one.limits[0]))) continue;
+      view.limits[side] = [low, high];
+      drawBar(side);
+      paint(side);
     }
   }
 
   function drawMarks() {
-    const dense = window.devicePixelRatio || 1, {wide, high} = size(), pen = marks.getContext("2d");
-    pen.setTransform(dense, 0, 0, dense, 0, 0);
+    const {wide, high} = size(), pen = marks.getContext("2d");
+    pen.setTransform(picture.dense, 0, 0, picture.dense, 0, 0);
     pen.clearRect(0, 0, wide, high);
     at("hint").textContent = "";
     for (let panel = 0; panel < panels; panel++) {
@@ -444,7 +485,7 @@ async function start(scene) {
     let smallest = Infinity;
     pen.beginPath();
     for (let i = 0; i < count; i++) {
-      if (now.left[i] === HIDDEN) continue;
+      if (!now.there[i] || hidden.has(material[i])) continue;
       const length = codes?.[i] ? valueOf(field.cell_size, codes[i]) / scene.quantum : whole;
       smallest = Math.min(smallest, length);
       const x = Math.floor((now.place[2 * i] - lower[0]) / length), y = Math.floor((now.place[2 * i + 1] - lower[1]) / length);
@@ -487,19 +528,8 @@ async function start(scene) {
   // ---- values under the mouse ----
 
   function particleAt(x, y) {
-    const place = placeAt(x, y), px = scene.mirrored && place.x < axisAt ? 2 * axisAt - place.x : place.x;
-    for (let k = blocks.length - 1; k >= 0; k--) {
-      const {first, count: instances} = blocks[k];
-      for (let i = first + instances - 1; i >= first; i--) {
-        if (now.left[i] === HIDDEN) continue;
-        const dx = px - now.place[2 * i], dy = place.y - now.place[2 * i + 1];
-        const far = 9.2 * scene.largest / scene.quantum * sizes[i];
-        if (Math.abs(dx) > far || Math.abs(dy) > far) continue;
-        const [ax, ay, bx, by] = halfEdges(i), area = ax * by - ay * bx;
-        if (Math.abs(dx * by - dy * bx) <= Math.abs(area) && Math.abs(ax * dy - ay * dx) <= Math.abs(area) && area) return i;
-      }
-    }
-    return -1;
+    const {ids, wide, high, dense} = picture, column = Math.floor(x * dense), row = Math.floor(y * dense);
+    return column >= 0 && column < wide && row >= 0 && row < high ? ids[row * wide + column] : -1;
   }
 
   function fieldText(one, code) {
@@ -535,7 +565,8 @@ async function start(scene) {
 
   // ---- bar of colours ----
 
-  function drawBar(bar, one) {
+  function drawBar(side) {
+    const bar = at(`bar-${side}`), one = field[view[side]], limits = view.limits[side] ?? one.limits;
     bar.replaceChildren(Object.assign(shown(one.label), {className: "explore-label"}));
     if (one.classes) {
       const list = document.createElement("ul");
@@ -552,16 +583,21 @@ async function start(scene) {
     strip.className = "explore-strip";
     strip.style.background = `linear-gradient(to top, ${colours.map(six => `#${six}`).join(",")})`;
     const put = (value, words, kind) => {
-      const part = share(one, value), mark = Object.assign(shown(words), {className: kind});
+      const part = share(one, value, limits), mark = Object.assign(shown(words), {className: kind});
       if (!(part > -0.001 && part < 1.001)) return;
       mark.style.bottom = `${100 * part}%`;
       strip.append(mark);
     };
-    const [low, high] = one.limits.map(value => value / one.size);
+    const [low, high] = limits.map(value => value / one.size);
     const few = one.doubling && one.scale.table && one.scale.table.length <= 8 ? one.scale.table.map(value => value / one.size) : null;
     for (const value of few ?? ticksBetween(low, high, 6)) put(value * one.size, Number(value.toPrecision(4)), "explore-tick");
-    for (const {value, materials} of one.initial) put(value, `at the start: ${materials.join(", ")}`, "explore-start");
-    bar.append(strip, Object.assign(shown("grey: not of this material"), {className: "explore-small"}));
+    const small = words => Object.assign(shown(words), {className: "explore-small"});
+    const notes = one.initial.map(({value, materials}) => {
+      put(value, "", "explore-start");
+      return small(`\u2501 at the start ${Number((value / one.size).toPrecision(3))} (${materials.join(", ")})`);
+    });
+    if (one.lacking.length) notes.push(small(`grey: ${one.lacking.join(", ")} without it`));
+    bar.append(strip, ...notes);
   }
 
   // ---- switches ----
@@ -581,16 +617,23 @@ async function start(scene) {
     for (const {kind, name, colour, jet} of [...blocks].reverse()) {
       addSwitch(jet ? `jet (${name})` : name, true, colour, on => {
         if (on) hidden.delete(kind); else hidden.add(kind);
-        paint("left");
-        paint("right");
       });
     }
-    addSwitch("outlines of materials", outlines, null, on => { outlines = on; });
-    addSwitch("outlines of particles", edges, null, on => { edges = on; });
-    if (scene.grid) addSwitch("outlines of cells", cells, null, async on => {
+    at("switches").append(shown("outlines of"));
+    addSwitch("materials", outlines, null, on => { outlines = on; });
+    addSwitch("particles", edges, null, on => { edges = on; });
+    if (scene.grid) addSwitch("cells", cells, null, async on => {
       if (field.cell_size) await rowsOf("cell_size");
       cells = on;
       redraw();
+    });
+    addSwitch("colours fitted to the view", fitted, null, on => {
+      fitted = on;
+      for (const side of ["left", "right"]) {
+        view.limits[side] = undefined;
+        drawBar(side);
+        paint(side);
+      }
     });
   }
 
@@ -600,23 +643,40 @@ async function start(scene) {
 
   function addCurves() {
     for (const {title, time, curves} of scene.plots) {
-      const box = document.createElement("div");
-      at("curves").append(box);
+      const box = document.createElement("div"), head = document.createElement("div");
+      head.className = "explore-curve";
+      at("curves").append(head, box);
       const chart = new window.uPlot({
-        width: box.clientWidth || 300, height: 148, title, cursor: {drag: {x: false, y: false}, points: {size: 5}},
-        legend: {live: true}, scales: {x: {time: false}},
+        width: box.clientWidth || 300, height: 112, cursor: {drag: {x: false, y: false}, points: {size: 5}},
+        legend: {show: false}, scales: {x: {time: false}},
         axes: [{size: 26, font: "11px sans-serif", space: 40, values: (_, ticks) => ticks}, {size: 46, font: "11px sans-serif", space: 24}],
         series: [{label: "t [µs]"}, ...curves.map(({name}, i) => ({label: name, stroke: INK[i % 3], width: 1.4, points: {show: false}}))],
       }, [time, ...curves.map(one => one.values)], box);
       const marker = Object.assign(document.createElement("div"), {className: "explore-now"});
-      marker.move = when => { marker.style.left = `${chart.valToPos(when, "x")}px`; marker.dataset.time = when; };
+      marker.move = when => {
+        marker.style.left = `${chart.valToPos(when, "x")}px`;
+        head.replaceChildren(Object.assign(shown(title), {className: "explore-title"}), ...curves.map(({name, values: known}, i) => {
+          const words = shown(`${name} ${known.some(one => one !== null) ? valueBetween(time, known, when) : ""}`);
+          words.style.color = INK[i % 3];
+          return words;
+        }));
+      };
       chart.over.append(marker);
       chart.over.addEventListener("click", event => setStep(nearest(chart.posToVal(event.offsetX, "x") * MICRO)));
       new ResizeObserver(() => {
-        chart.setSize({width: box.clientWidth, height: 148});
+        chart.setSize({width: box.clientWidth, height: 112});
         marker.move(scene.times[view.step] / MICRO);
       }).observe(box);
     }
+  }
+
+  function valueBetween(time, known, when) {
+    let k = time.findIndex(one => one >= when - 1e-9);
+    if (k < 0) k = time.length - 1;
+    const part = k > 0 ? Math.min(1, Math.max(0, (when - time[k - 1]) / (time[k] - time[k - 1] || 1))) : 1;
+    const from = known[Math.max(0, k - 1)], to = known[k];
+    if (to === null || (from === null && part < 1)) return "\u2013";
+    return Number((part < 1 ? from + part * (to - from) : to).toPrecision(4));
   }
 
   const nearest = time => scene.times.reduce((best, one, i) => Math.abs(one - time) < Math.abs(scene.times[best] - time) ? i : best, 0);
@@ -675,13 +735,11 @@ async function start(scene) {
       event.preventDefault();
       zoom(1.0015 ** -event.deltaY, event.clientX - box.left, event.clientY - box.top);
     }, {passive: false});
-    canvas.addEventListener("webglcontextlost", () => say("The browser has stopped drawing the particles; load the page again."));
     new ResizeObserver(redraw).observe(stage);
   }
 
   for (const side of ["left", "right"]) at(side).append(...scene.fields.map(one =>
     Object.assign(document.createElement("option"), {value: one.name, textContent: one.words})));
-  buffers.size.subdata(sizes);
   at("cut").textContent = scene.cut ? "In three dimensions the view is the cut of the pictures below." : "";
   document.getElementById("explore").hidden = false;
   addSwitches();
@@ -697,10 +755,8 @@ async function run() {
   const scene = JSON.parse(document.getElementById("explore-data").textContent);
   for (const one of scene.fields) one.words = one.label.replace(/ \[.*\]$/, "");
   if (typeof DecompressionStream === "undefined") return say("This browser is too old for the view to explore; the pictures below need no scripts.");
-  const trial = document.createElement("canvas").getContext("webgl");
-  if (!trial || !trial.getExtension("ANGLE_instanced_arrays"))
-    return say("This browser has no WebGL, which the view to explore needs; the pictures below are the same without it.");
-  trial.getExtension("WEBGL_lose_context")?.loseContext();
+  if (!document.createElement("canvas").getContext("2d"))
+    return say("This browser lets no page draw, which the view to explore needs; the pictures below are complete.");
   await start(scene);
 }
 

@@ -118,7 +118,7 @@ def about_outputs(shown, count):
 def inserted(page, run, fields):
     """The page with the view below its title; where the run is too large for one, with a sentence that says so."""
     table = run.depth_table()
-    scripts = [file_text(f"third_party/{name}") for name in ("regl.min.js", "uPlot.iife.min.js")] + [file_text("explore.js")]
+    scripts = [file_text(name) for name in ("third_party/uPlot.iife.min.js", "explore.js")]
     style = file_text("third_party/uPlot.min.css") + file_text("explore.css")
     view = file_text("explore.html")
     room = MOST_BYTES - sum(len(text.encode()) for text in (page, style, view, *scripts)) - 1000

@@ -7,8 +7,7 @@ import zlib
 import numpy as np
 
 FEW = 200  # distinct values that a field may have to be kept as they are
-LINEAR = 0.1  # part of the usual distance from the middle up to which steps between codes are about equal
-USUAL = 98.0  # percent of the values that differ from the middle
+LINEAR = 0.1  # part of the range of colours up to which, from the middle, steps between codes are about equal
 TYPES = {"u8": np.uint8, "i8": np.int8, "u16": np.uint16, "u32": np.uint32}
 
 
@@ -19,21 +18,21 @@ def few_values(finite):
     return found if len(found) <= FEW else None
 
 
-def scale_of(values, middle, levels):
+def scale_of(values, middle, span, levels):
     """How a field is coded: 0 is no value, code i from 1 on is a value of a table, or
 
         v_i = middle + width sinh(step (i - zero)).
 
     Steps are even near the middle, which a code meets exactly, and grow with the distance from it; codes reach the extremes.
 
+    @param span    of the colours
     @param levels  number of codes for values
     """
     finite = np.asarray(values, float)[np.isfinite(values)]
     few = few_values(finite)
     if few is not None:
         return {"table": [float(value) for value in few]}
-    away = np.abs(finite - middle)
-    width = LINEAR * float(np.percentile(away[away > 0.0], USUAL))
+    width = LINEAR * span
     low, high = np.arcsinh((finite.min() - middle) / width), np.arcsinh((finite.max() - middle) / width)
     low, high = min(low, 0.0), max(high, 0.0)
     step = float(high - low) / (levels - 2)

@@ -14,6 +14,7 @@ CHOICE = ("pressure", "speed", "equivalent_plastic_strain", "plastic_strain", "p
     "temperature", "pore_pressure", "shear_stress", "velocity_x", "velocity_y", "coherence", "burn", "cell_size", "step_length")
 COLOURS = 254  # of a field; two more bytes mean no value and not drawn
 DIVERGING = {"porosity": "RdBu"}  # the value at the start is neutral
+FROM_START = ("temperature",)  # colours begin at the least value at the start
 STATES = ("elastic", "yielded", "crushed", "dilated", "broken")
 STATE_COLOURS = ("#d9dee3", "#f2c14e", "#c0392b", "#2e86c1", "#4a235a")
 YIELDED = 0.002  # plastic strain
@@ -38,15 +39,20 @@ def palette(name):
 
 
 def starts(first, blocks, names):
-    """[{value, materials}] at the first output, of materials in which it is one value."""
+    """[{value, materials}] at the first output, of materials in which it is one value; values that are close together are one."""
     known = np.isfinite(first)
-    spread = float(np.ptp(first[known])) if known.any() else 0.0
-    found = {}
+    spread, found = float(np.ptp(first[known])) if known.any() else 0.0, []
     for block in np.unique(blocks[known]):
         values = first[known & (blocks == block)]
-        if np.ptp(values) <= max(UNIFORM * spread, 1e-6 * float(np.abs(values).max())):
-            found.setdefault(float(np.median(values)), []).append(names[block])
-    return [{"value": value, "materials": materials} for value, materials in found.items()]
+        value, close = float(np.median(values)), max(UNIFORM * spread, 1e-6 * float(np.abs(values).max()))
+        if np.ptp(values) > close:
+            continue
+        same = next((one for one in found if abs(one["value"] - value) <= close), None)
+        if same:
+            same["materials"].append(names[block])
+        else:
+            found.append({"value": value, "materials": [names[block]]})
+    return found
 
 
 def limits_of(values, areas, look):
@@ -73,15 +79,20 @@ def field_of(stack, deck, name, areas, levels):
     look, (unit, size) = look_of(name), unit_of(name)
     values = stack.table(lambda frame: values_of(frame, deck, name))
     values[~(np.abs(values) < 1e300)] = np.nan
-    initial = starts(values[0], stack.file.block[stack.elements], stack.file.block_names)
+    blocks = stack.file.block[stack.elements]
+    initial = starts(values[0], blocks, stack.file.block_names)
     middle = initial[0]["value"] if len(initial) == 1 else 0.0
-    limits, colours = limits_of(values, areas, look), look.colours
-    if name in DIVERGING and len(initial) == 1:
-        limits, colours = around(middle, limits), DIVERGING[name]
-    scale = scale_of(values, middle, levels)
+    limits, colours = limits_of(values, areas, look), DIVERGING.get(name, look.colours)
+    neutral = 0.0 if look.signed else middle if name in DIVERGING and len(initial) == 1 else None
+    if neutral is not None:
+        limits = around(neutral, limits)
+    elif name in FROM_START:
+        limits = max(limits[0], float(np.nanmin(values[0]))) if np.isfinite(values[0]).any() else limits[0], limits[1]
+    scale = scale_of(values, middle, limits[1] - limits[0], levels)
     return {
-        "name": name, "label": look.label, "unit": "" if unit == "-" else unit, "size": size, "limits": limits, "doubling": look.doubling,
-        "palette": palette(colours), "initial": initial, "scale": scale, "codes": packed(codes_of(values, scale, levels)),
+        "name": name, "label": look.label.removesuffix(" [-]"), "unit": "" if unit == "-" else unit, "size": size, "limits": limits, "doubling": look.doubling,
+        "palette": palette(colours), "initial": initial, "scale": scale, "neutral": neutral, "codes": packed(codes_of(values, scale, levels)),
+        "lacking": [stack.file.block_names[block] for block in np.unique(blocks) if not np.isfinite(values[:, blocks == block]).any()],
     }  # fmt: skip
 
 
