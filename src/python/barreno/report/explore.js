@@ -655,7 +655,7 @@ async function start(scene) {
       const marker = Object.assign(document.createElement("div"), {className: "explore-now"});
       marker.move = when => {
         marker.style.left = `${chart.valToPos(when, "x")}px`;
-        head.replaceChildren(Object.assign(shown(title), {className: "explore-title"}), ...curves.map(({name, values: known}, i) => {
+        head.replaceChildren(Object.assign(shown(`${title} against time [µs]`), {className: "explore-title"}), ...curves.map(({name, values: known}, i) => {
           const words = shown(`${name} ${known.some(one => one !== null) ? valueBetween(time, known, when) : ""}`);
           words.style.color = INK[i % 3];
           return words;

@@ -14,7 +14,8 @@ CHOICE = ("pressure", "speed", "equivalent_plastic_strain", "plastic_strain", "p
     "temperature", "pore_pressure", "shear_stress", "velocity_x", "velocity_y", "coherence", "burn", "cell_size", "step_length")
 COLOURS = 254  # of a field; two more bytes mean no value and not drawn
 DIVERGING = {"porosity": "RdBu"}  # the value at the start is neutral
-FROM_START = ("temperature",)  # colours begin at the least value at the start
+CLOSE = ("temperature", "density")  # far from zero: colours do not begin there
+LEAST = 1.5  # percent of the values that are below the colours of those
 STATES = ("elastic", "yielded", "crushed", "dilated", "broken")
 STATE_COLOURS = ("#d9dee3", "#f2c14e", "#c0392b", "#2e86c1", "#4a235a")
 YIELDED = 0.002  # plastic strain
@@ -86,8 +87,8 @@ def field_of(stack, deck, name, areas, levels):
     neutral = 0.0 if look.signed else middle if name in DIVERGING and len(initial) == 1 else None
     if neutral is not None:
         limits = around(neutral, limits)
-    elif name in FROM_START:
-        limits = max(limits[0], float(np.nanmin(values[0]))) if np.isfinite(values[0]).any() else limits[0], limits[1]
+    elif name in CLOSE and np.isfinite(values).any():
+        limits = min(float(np.nanpercentile(values, LEAST)), limits[1] - UNIFORM * abs(limits[1])), limits[1]
     scale = scale_of(values, middle, limits[1] - limits[0], levels)
     return {
         "name": name, "label": look.label.removesuffix(" [-]"), "unit": "" if unit == "-" else unit, "size": size, "limits": limits, "doubling": look.doubling,
