@@ -246,8 +246,8 @@ def check_camera(view):
     ActionChains(view.driver).click_and_hold(view.part("stage")).move_by_offset(40, 25).release().perform()
     view.settle()
     assert view.pixels() != tip and view.part("tip").get_attribute("aria-pressed") == "false"
-    view.driver.execute_script("document.getElementById('explore-stage').dispatchEvent(new WheelEvent('wheel', {deltaY: -300, bubbles: true,"
-        " cancelable: true, clientX: 500, clientY: 400}));")
+    view.driver.execute_script("document.getElementById('explore-stage').dispatchEvent(new WheelEvent('wheel', {deltaY: -300, bubbles: "
+        "true, cancelable: true, clientX: 500, clientY: 400}));")
     view.settle()
     view.click("whole")
     assert view.pixels() == whole

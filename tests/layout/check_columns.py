@@ -3,8 +3,8 @@
 """No line of text has more than 140 columns: in pages, in C and C++, in Python, in scripts and styles of pages.
 
 Excepted are rows of tables, pictures, code on pages and lines of a single word, an address for instance; blocks of text that a script
-writes as they stand (in three quotes); docs/deck.md, which the program writes, and CHANGELOG.md; what is generated among the results; built files of others in folders
-third_party.
+writes as they stand (in three quotes); docs/deck.md, which the program writes, and CHANGELOG.md; what is generated among the results;
+built files of others in folders third_party.
 `verification/tools/wrap_text.py` wraps what verification/pages.py writes.
 """
 import ast

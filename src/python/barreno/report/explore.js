@@ -10,7 +10,8 @@ const WITHOUT = 0xffbfbfbf;  // colour of a material that lacks the field
 const PLAY_PAUSE = 160;  // ms from one output to the next
 const OVERLAP = 1.02;  // shapes are rounded; the seams between neighbours are covered
 const MOST_PIXELS = 2e6;  // beyond, screens with small pixels are drawn coarser
-const VOID = 0xfff1ebe3, EDGE = 0.72;  // colour where no particle is (bytes from behind: alpha, blue, green, red); shade of outlines of particles
+const VOID = 0xfff1ebe3;  // colour where no particle is: alpha, blue, green, red
+const EDGE = 0.72;  // shade of outlines of particles
 const LEAST_EDGED = 4;  // pixels: particles with an outline
 const LEAST_CELL = 3;  // pixels
 const ARRAYS = {u8: Uint8Array, i8: Int8Array, u16: Uint16Array, u32: Uint32Array};
@@ -449,7 +450,8 @@ async function start(scene) {
   function drawTicks(pen, panel) {
     const {high} = size(), left = panel * panelWide(), wide = panelWide();
     const mm = (quanta, axis) => toMetres(quanta, axis) / MILLI, back = (value, axis) => toQuantum(value * MILLI, axis);
-    const from = placeAt(left + 1, high - 1), to = placeAt(left + wide - 1, 1), step = (one, two) => [Math.min(one, two), Math.max(one, two)];
+    const from = placeAt(left + 1, high - 1), to = placeAt(left + wide - 1, 1);
+    const step = (one, two) => [Math.min(one, two), Math.max(one, two)];
     pen.font = "11px sans-serif";
     pen.lineWidth = 3;
     pen.strokeStyle = "rgba(255,255,255,.85)";
@@ -655,8 +657,9 @@ async function start(scene) {
       const marker = Object.assign(document.createElement("div"), {className: "explore-now"});
       marker.move = when => {
         marker.style.left = `${chart.valToPos(when, "x")}px`;
-        head.replaceChildren(Object.assign(shown(`${title} against time [µs]`), {className: "explore-title"}), ...curves.map(({name, values: known}, i) => {
-          const words = shown(`${name} ${known.some(one => one !== null) ? valueBetween(time, known, when) : ""}`);
+        const heading = Object.assign(shown(`${title} against time [µs]`), {className: "explore-title"});
+        head.replaceChildren(heading, ...curves.map(({name, values: known}, i) => {
+          const words = shown(`${name} ${valueBetween(time, known, when)}`);
           words.style.color = INK[i % 3];
           return words;
         }));
@@ -754,7 +757,8 @@ async function start(scene) {
 async function run() {
   const scene = JSON.parse(document.getElementById("explore-data").textContent);
   for (const one of scene.fields) one.words = one.label.replace(/ \[.*\]$/, "");
-  if (typeof DecompressionStream === "undefined") return say("This browser is too old for the view to explore; the pictures below need no scripts.");
+  if (typeof DecompressionStream === "undefined")
+    return say("This browser is too old for the view to explore; the pictures below are complete.");
   if (!document.createElement("canvas").getContext("2d"))
     return say("This browser lets no page draw, which the view to explore needs; the pictures below are complete.");
   await start(scene);

@@ -4,6 +4,7 @@
 import html
 import json
 import pathlib
+import re
 
 import numpy as np
 
@@ -22,6 +23,7 @@ MOST_BYTES = 15_000_000  # of a page
 MOST_ENTRIES = 8_000_000  # particles times outputs: what a browser holds easily
 LEVELS = (4095, 255)  # codes of a field: 12 bits, or 8 where a page would be too large
 TRIALS = 6
+BANNER = re.compile(r"\A\s*/\*!.*?\*/\s*", re.DOTALL)
 
 
 class TooLarge(Exception):
@@ -112,13 +114,21 @@ def curves_of(run, table):
 
 
 def about_outputs(shown, count):
-    return "" if shown == count else f"The view has {shown} of the run's {count} outputs, evenly spaced, so that the page stays below 15 MB."
+    if shown == count:
+        return ""
+    return f"The view has {shown} of the run's {count} outputs, evenly spaced, so that the page stays below 15 MB."
+
+
+def library(name):
+    """A library's built file with its licence in the place of its first comment."""
+    licence = file_text(f"third_party/{name.split('.')[0]}.LICENSE").replace("*/", "* /")
+    return f"/*! {name}\n{licence}\n*/\n{BANNER.sub('', file_text(f'third_party/{name}'), 1)}"
 
 
 def inserted(page, run, fields):
     """The page with the view below its title; where the run is too large for one, with a sentence that says so."""
     table = run.depth_table()
-    scripts = [file_text(name) for name in ("third_party/uPlot.iife.min.js", "explore.js")]
+    scripts = [library("uPlot.iife.min.js"), file_text("explore.js")]
     style = file_text("third_party/uPlot.min.css") + file_text("explore.css")
     view = file_text("explore.html")
     room = MOST_BYTES - sum(len(text.encode()) for text in (page, style, view, *scripts)) - 1000

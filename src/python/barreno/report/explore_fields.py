@@ -2,12 +2,12 @@
 """Fields of the explorable view: which ones, their colours and range, their values at the start, and the state of particles."""
 
 import numpy as np
-from matplotlib import colormaps
 
 from barreno.report.explore_codes import codes_of, packed, scale_of
 from barreno.report.fields import PLASTIC_STRAIN, look_of, range_of, unit_of, values_of
 from barreno.report.porosity import permanent_porosity, virgin_porosity
 from barreno.report.zones import CHANGED
+from barreno.runs.plots import plt
 
 # In the order of the choice on the page; the fields of the still pictures come before them.
 CHOICE = ("pressure", "speed", "equivalent_plastic_strain", "plastic_strain", "plastic_volume_strain", "porosity", "damage", "density",
@@ -35,7 +35,7 @@ def chosen_fields(known, wished):
 
 def palette(name):
     """Colours as one text of six hexadecimal digits each."""
-    found = colormaps[name](np.linspace(0.0, 1.0, COLOURS))[:, :3]
+    found = plt.get_cmap(name)(np.linspace(0.0, 1.0, COLOURS))[:, :3]
     return "".join(f"{int(byte):02x}" for byte in np.rint(255.0 * found).ravel())
 
 
@@ -90,10 +90,12 @@ def field_of(stack, deck, name, areas, levels):
     elif name in CLOSE and np.isfinite(values).any():
         limits = min(float(np.nanpercentile(values, LEAST)), limits[1] - UNIFORM * abs(limits[1])), limits[1]
     scale = scale_of(values, middle, limits[1] - limits[0], levels)
+    lacking = [stack.file.block_names[block] for block in np.unique(blocks) if not np.isfinite(values[:, blocks == block]).any()]
     return {
-        "name": name, "label": look.label.removesuffix(" [-]"), "unit": "" if unit == "-" else unit, "size": size, "limits": limits, "doubling": look.doubling,
-        "palette": palette(colours), "initial": initial, "scale": scale, "neutral": neutral, "codes": packed(codes_of(values, scale, levels)),
-        "lacking": [stack.file.block_names[block] for block in np.unique(blocks) if not np.isfinite(values[:, blocks == block]).any()],
+        "name": name, "label": look.label.removesuffix(" [-]"), "unit": "" if unit == "-" else unit, "size": size, "limits": limits,
+        "doubling": look.doubling, "lacking": lacking,
+        "palette": palette(colours), "initial": initial, "scale": scale, "neutral": neutral,
+        "codes": packed(codes_of(values, scale, levels)),
     }  # fmt: skip
 
 
