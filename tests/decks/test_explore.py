@@ -192,6 +192,8 @@ def check_time(view, times):
     assert view.text("when") == at(0), view.text("when")
     view.click("on")
     assert view.text("when") == at(1), view.text("when")
+    view.press(Keys.ARROW_RIGHT)  # the button keeps the focus
+    assert view.text("when") == at(2), view.text("when")
     view.click("play")
     view.until(lambda: view.text("when") == at(last))
     view.click("play")

@@ -53,7 +53,7 @@ def check_codes():
 
 
 def unpacked(text):
-    """As explore.js does it, written anew."""
+    """As page/numbers.js does it, written anew."""
     raw = np.frombuffer(zlib.decompress(base64.b64decode(text["data"])), np.uint8)
     rows, columns, count, wide = text["rows"], text["columns"], text["changed"], np.dtype(TYPES[text["type"]]).itemsize
     mask = -(-columns // 8)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The explorable view at the top of a report's page: particles of all outputs, which a script of the page draws (explore.js)."""
+"""The explorable view at the top of a report's page: particles of all outputs, which scripts of the page draw (page/*.js)."""
 
 import html
 import json
@@ -12,7 +12,7 @@ from barreno.report.channel import line_of
 from barreno.report.explore_codes import packed
 from barreno.report.explore_curves import depth_plots, energy_plot
 from barreno.report.explore_fields import chosen_fields, field_of, material_field, state_field
-from barreno.report.explore_stack import PLACES, SHAPE, Stack, steps_between
+from barreno.report.explore_stack import PLACES, SHAPE, Stack, drawn, steps_between
 from barreno.report.fields import known_fields
 from barreno.report.files import reading
 from barreno.report.hole import cell_along_path, face_of
@@ -21,8 +21,9 @@ from barreno.runs.regular_file import read_text
 HERE = pathlib.Path(__file__).parent
 MOST_BYTES = 15_000_000  # of a page
 MOST_ENTRIES = 8_000_000  # particles times outputs: what a browser holds easily
-LEVELS = (4095, 255)  # codes of a field: 12 bits, or 8 where a page would be too large
+LEVELS = (4095, 1023, 255)  # codes of a field: 12 bits, fewer where a page would be too large
 TRIALS = 6
+SCRIPTS = ("numbers", "colours", "state", "camera", "pixels", "marks", "values", "bars", "curves", "controls", "start")
 BANNER = re.compile(r"\A\s*/\*!.*?\*/\s*", re.DOTALL)
 
 
@@ -32,6 +33,11 @@ class TooLarge(Exception):
 
 def file_text(name):
     return read_text(HERE / name)
+
+
+def view_script():
+    """The scripts of the page as one, whose names are its own."""
+    return "\n".join(["(() => {", '"use strict";', *(file_text(f"page/{name}.js") for name in SCRIPTS), "})();"])
 
 
 def tips_of(run, table, stack):
@@ -85,17 +91,23 @@ def as_json(scene):
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
+def shown_at_once(file):
+    """About how many particles an output shows: in three dimensions those of a cut."""
+    return file.elements if file.dimensions == 2 else len(drawn(file.frame(-1))[2])
+
+
 def fitted(run, fields, table, room):
     """The scene as text of at most so many bytes: finer codes and all outputs where they fit."""
     count = len(run.file.times)
-    most, levels = min(count, max(2, MOST_ENTRIES // max(run.file.elements, 1))), LEVELS[0]
+    most, levels = min(count, max(2, MOST_ENTRIES // max(shown_at_once(run.file), 1))), list(LEVELS)
     for _ in range(TRIALS):
         steps = steps_between(count, most)
-        text = as_json({**scene_of(run, fields, table, steps, levels), **curves_of(run, table)})
+        text = as_json({**scene_of(run, fields, table, steps, levels[0]), **curves_of(run, table)})
         if len(text) <= room:
             return text, len(steps)
-        if levels == LEVELS[0]:
-            levels = LEVELS[1]
+        if len(levels) > 1:
+            # A code of 12 bits that no compression makes smaller takes half as much again as one of 8.
+            levels = levels[1:] if len(text) < 1.5 * room else levels[-1:]
         elif len(steps) <= 2:
             break
         else:
@@ -128,9 +140,9 @@ def library(name):
 def inserted(page, run, fields):
     """The page with the view below its title; where the run is too large for one, with a sentence that says so."""
     table = run.depth_table()
-    scripts = [library("uPlot.iife.min.js"), file_text("explore.js")]
-    style = file_text("third_party/uPlot.min.css") + file_text("explore.css")
-    view = file_text("explore.html")
+    scripts = [library("uPlot.iife.min.js"), view_script()]
+    style = file_text("third_party/uPlot.min.css") + file_text("page/view.css")
+    view = file_text("page/view.html")
     room = MOST_BYTES - sum(len(text.encode()) for text in (page, style, view, *scripts)) - 1000
     try:
         with run.particles_read():

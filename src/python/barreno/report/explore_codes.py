@@ -51,7 +51,7 @@ def codes_of(values, scale, levels):
 
 
 def values_of_codes(codes, scale):
-    """Values that codes stand for; nan for 0. The page does the same in explore.js."""
+    """Values that codes stand for; nan for 0. The page does the same (page/numbers.js)."""
     codes = np.asarray(codes, float)
     if "table" in scale:
         values = np.array([np.nan, *scale["table"]])[codes.astype(int)]

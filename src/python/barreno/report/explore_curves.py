@@ -32,4 +32,6 @@ def depth_plots(table):
 
 
 def energy_plot(history):
-    return plot("energy [kJ]", history["time"], {name: history[name] / 1e3 for name in ("kinetic", "elastic", "plastic")})
+    energies = {name: history[name] for name in ("kinetic", "elastic", "plastic")}
+    unit, size = ("kJ", 1e3) if max(float(np.nanmax(np.abs(values))) for values in energies.values()) >= 1e3 else ("J", 1.0)
+    return plot(f"energy [{unit}]", history["time"], {name: values / size for name, values in energies.items()})
