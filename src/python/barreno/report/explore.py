@@ -22,6 +22,7 @@ HERE = pathlib.Path(__file__).parent
 MOST_BYTES = 15_000_000  # of a page
 MOST_ENTRIES = 8_000_000  # particles times outputs: what a browser holds easily
 LEVELS = (4095, 1023, 255)  # codes of a field: 12 bits, fewer where a page would be too large
+TRIED = 40  # outputs from which the size of many is estimated
 TRIALS = 6
 SCRIPTS = ("numbers", "colours", "state", "camera", "pixels", "marks", "values", "bars", "curves", "controls", "start")
 BANNER = re.compile(r"\A\s*/\*!.*?\*/\s*", re.DOTALL)
@@ -97,17 +98,20 @@ def shown_at_once(file):
 
 
 def fitted(run, fields, table, room):
-    """The scene as text of at most so many bytes: finer codes and all outputs where they fit."""
-    count = len(run.file.times)
+    """The scene as text of at most so many bytes, and its number of outputs: finer codes and all outputs where they fit."""
+    count, curves = len(run.file.times), curves_of(run, table)
+    text_of = lambda steps, levels: as_json({**scene_of(run, fields, table, steps, levels), **curves})  # noqa: E731
     most, levels = min(count, max(2, MOST_ENTRIES // max(shown_at_once(run.file), 1))), list(LEVELS)
+    if count > TRIED:
+        each = len(text_of(steps_between(count, TRIED), levels[-1])) / TRIED
+        most, levels = (most, levels) if each * most < room else (max(2, int(room / each)), levels[-1:])
     for _ in range(TRIALS):
         steps = steps_between(count, most)
-        text = as_json({**scene_of(run, fields, table, steps, levels[0]), **curves_of(run, table)})
+        text = text_of(steps, levels[0])
         if len(text) <= room:
             return text, len(steps)
         if len(levels) > 1:
-            # A code of 12 bits that no compression makes smaller takes half as much again as one of 8.
-            levels = levels[1:] if len(text) < 1.5 * room else levels[-1:]
+            levels = levels[1:]
         elif len(steps) <= 2:
             break
         else:
