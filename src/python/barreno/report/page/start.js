@@ -33,7 +33,7 @@ async function start() {
 
 async function run() {
   scene = JSON.parse(document.getElementById("explore-data").textContent);
-  for (const one of scene.fields) one.words = one.label.replace(/ \[.*\]$/, "");
+  for (const one of scene.fields) one.words = one.label.replace(/( \[|:).*$/, "");
   if (typeof DecompressionStream === "undefined")
     return say("This browser is too old for the view to explore; the pictures below are complete.");
   if (!document.createElement("canvas").getContext("2d"))
