@@ -225,6 +225,9 @@ def check_switches(view, jet):
     assert view.pixels() != before and all(view.hover(*spot)["material"] != jet for spot in spots)
     view.switch(f"jet ({jet})")
     assert view.pixels() == before
+    view.switch("plain jet")
+    assert view.pixels() != before
+    view.switch("plain jet")
     marks = "return document.getElementById('explore-marks').toDataURL();"
     without = view.driver.execute_script(marks)
     view.switch("cells")

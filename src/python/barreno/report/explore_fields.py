@@ -14,7 +14,8 @@ CHOICE = ("pressure", "speed", "equivalent_plastic_strain", "plastic_strain", "p
     "temperature", "pore_pressure", "shear_stress", "velocity_x", "velocity_y", "coherence", "burn", "cell_size", "step_length")
 COLOURS = 254  # of a field; two more bytes mean no value and not drawn
 DIVERGING = {"porosity": "RdBu"}  # the value at the start is neutral
-CLOSE = ("temperature", "density")  # far from zero: colours do not begin there
+IN_JET = ("speed", "velocity_x", "velocity_y", "temperature", "density", "cell_size", "step_length")  # looked at in the jet itself
+CLOSE = ("temperature",)  # far from zero: colours do not begin there
 LEAST = 1.5  # percent of the values that are below the colours of those
 STATES = ("elastic", "yielded", "crushed", "dilated", "broken")
 STATE_COLOURS = ("#d9dee3", "#f2c14e", "#c0392b", "#2e86c1", "#4a235a")
@@ -93,7 +94,7 @@ def field_of(stack, deck, name, areas, levels):
     lacking = [stack.file.block_names[block] for block in np.unique(blocks) if not np.isfinite(values[:, blocks == block]).any()]
     return {
         "name": name, "label": look.label.removesuffix(" [-]"), "unit": "" if unit == "-" else unit, "size": size, "limits": limits,
-        "doubling": look.doubling, "lacking": lacking,
+        "doubling": look.doubling, "lacking": lacking, "inJet": name in IN_JET,
         "palette": palette(colours), "initial": initial, "scale": scale, "neutral": neutral,
         "codes": packed(codes_of(values, scale, levels)),
     }  # fmt: skip
@@ -115,10 +116,15 @@ def states_of(frame, deck):
 
 def state_field(stack, deck):
     codes = np.nan_to_num(stack.table(lambda frame: states_of(frame, deck))).astype(np.uint8)
-    return {"name": "state", "label": "state", "classes": list(STATES), "colours": list(STATE_COLOURS), "codes": packed(codes)}
+    return {
+        "name": "state", "label": "state", "inJet": False, "classes": list(STATES), "colours": list(STATE_COLOURS), "codes": packed(codes),
+    }  # fmt: skip
 
 
 def material_field(stack, colours):
     """@param colours  one of every material"""
     codes = (1 + stack.file.block[stack.elements]).astype(np.uint8 if len(colours) < 255 else np.uint16)
-    return {"name": "material", "label": "material", "classes": stack.file.block_names, "colours": colours, "codes": packed(codes)}
+    return {
+        "name": "material", "label": "material", "inJet": True, "classes": stack.file.block_names, "colours": colours,
+        "codes": packed(codes),
+    }  # fmt: skip

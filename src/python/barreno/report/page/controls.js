@@ -30,7 +30,12 @@ function addSwitches() {
     option.cells = on;
     redraw();
   });
-  addSwitch("colours fitted to the view", option.fitted, null, on => {
+  if (blocks.some(one => one.jet)) addSwitch("plain jet", option.plain, null, on => {
+    option.plain = on;
+    paint("left");
+    paint("right");
+  });
+  addSwitch("colours of the view", option.fitted, null, on => {
     option.fitted = on;
     for (const side of ["left", "right"]) {
       view.limits[side] = undefined;

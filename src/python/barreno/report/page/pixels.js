@@ -133,10 +133,11 @@ function fitColours() {
   for (const side of ["left", "right"]) {
     const one = field[view[side]], codes = one.classes || one.doubling ? null : rows[view[side]](view.step), found = [];
     if (!codes) continue;
+    const plain = new Set(blocks.filter(block => isPlain(block, one)).map(block => block.kind));
     const stride = 1 + Math.floor(ids.length / 20000) | 1;
     for (let k = 0; k < ids.length; k += stride) {
       const own = k % wide < change ? "left" : "right";
-      if (ids[k] >= 0 && codes[ids[k]] && (own === side || view.left === view.right)) found.push(valueOf(one, codes[ids[k]]));
+      if (ids[k] >= 0 && codes[ids[k]] && !plain.has(material[ids[k]]) && (own === side || view.left === view.right)) found.push(valueOf(one, codes[ids[k]]));
     }
     if (found.length < 50) continue;
     found.sort((a, b) => a - b);

@@ -11,7 +11,7 @@ const rows = {};  // codes of the fields that were read, by name
 // What is shown: camera, output, fields, ranges of colours that are not the field's own, mouse, particle under it, materials left out.
 const view = {x: 0, y: 0, scale: 1, follow: false, step: 0, left: null, right: null, mouse: null, hit: -1,
   limits: {left: undefined, right: undefined}};
-const hidden = new Set(), option = {outlines: true, edges: false, cells: false, fitted: false};
+const hidden = new Set(), option = {outlines: true, edges: false, cells: false, fitted: false, plain: true};
 const palettes = {};  // pixels of the codes of colours, by side
 const now = {there: null, place: null, shape: null, left: null, right: null, state: null};  // rows of the output
 const picture = {ids: new Int32Array(0), wide: 0, high: 0, dense: 1, axis: 0};  // the particle of every pixel
@@ -46,8 +46,12 @@ function paint(side) {
   const name = view[side], codes = rows[name](view.step), colour = coloursOf(field[name], view.limits[side]);
   const found = new Uint32Array(count), pixels = palettes[side];
   for (let i = 0; i < count; i++) found[i] = pixels[colour(codes[i])];
+  for (const one of blocks) if (isPlain(one, field[name])) found.fill(pixelOf(one.colour), one.first, one.first + one.count);
   now[side] = found;
 }
+
+// A jet is in its own colour where the field is not looked at in a jet.
+const isPlain = (block, one) => block.jet && option.plain && !one.inJet;
 
 function setStep(step) {
   view.step = Math.max(0, Math.min(scene.times.length - 1, step));
