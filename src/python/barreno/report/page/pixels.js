@@ -137,7 +137,8 @@ function fitColours() {
     const stride = 1 + Math.floor(ids.length / 20000) | 1;
     for (let k = 0; k < ids.length; k += stride) {
       const own = k % wide < change ? "left" : "right";
-      if (ids[k] >= 0 && codes[ids[k]] && !plain.has(material[ids[k]]) && (own === side || view.left === view.right)) found.push(valueOf(one, codes[ids[k]]));
+      const code = ids[k] >= 0 && !plain.has(material[ids[k]]) ? codes[ids[k]] : 0;
+      if (code && (own === side || view.left === view.right)) found.push(valueOf(one, code));
     }
     if (found.length < 50) continue;
     found.sort((a, b) => a - b);
