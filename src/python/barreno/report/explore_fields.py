@@ -90,6 +90,8 @@ def field_of(stack, deck, name, areas, levels):
         limits = around(neutral, limits)
     elif name in CLOSE and np.isfinite(values).any():
         limits = min(float(np.nanpercentile(values, LEAST)), limits[1] - UNIFORM * abs(limits[1])), limits[1]
+    if np.nanmin(values, initial=np.inf) == np.nanmax(values, initial=-np.inf):
+        limits = limits[0], limits[0] + size  # one value everywhere: any range shows that
     scale = scale_of(values, middle, limits[1] - limits[0], levels)
     lacking = [stack.file.block_names[block] for block in np.unique(blocks) if not np.isfinite(values[:, blocks == block]).any()]
     return {

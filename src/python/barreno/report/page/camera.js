@@ -12,6 +12,8 @@ function extent() {
     high[axis] = Math.max(high[axis], value);
   }
   if (!(high[0] >= low[0])) return {low: [0, 0], high: [65535, 65535]};
+  const half = scene.largest / scene.quantum * sizes.reduce((most, one) => Math.max(most, one), 0);
+  for (const axis of [0, 1]) [low[axis], high[axis]] = [low[axis] - half, high[axis] + half];
   return {low: scene.mirrored ? [2 * axisAt - high[0], low[1]] : low, high};
 }
 

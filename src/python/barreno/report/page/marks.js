@@ -57,7 +57,7 @@ function drawTicks(pen, panel) {
   for (const value of ticksBetween(...step(mm(from.x, 0), mm(to.x, 0)), Math.max(2, wide / 90))) {
     const [x] = screenOf(back(value, 0), 0, panel);
     line(pen, [[x, high], [x, high - 6]], "#222", 1);
-    if (x > left + 50 && x < left + wide - 40) text(Number(Math.abs(scene.mirrored ? value : NaN) || value), x, high - 9);
+    if (x > left + 50 && x < left + wide - 62) text(Number(Math.abs(scene.mirrored ? value : NaN) || value), x, high - 9);
   }
   pen.textAlign = "left";
   for (const value of ticksBetween(...step(mm(from.y, 1), mm(to.y, 1)), Math.max(2, high / 70))) {
@@ -87,9 +87,11 @@ function drawCells(pen, panel) {
     found.add(key);
     outline(pen, lower[0] + x * length, lower[1] + y * length, length, panel);
   }
-  pen.strokeStyle = "rgba(20,20,20,.45)";
-  pen.lineWidth = 0.6;
-  pen.stroke();
+  for (const [colour, width] of [["rgba(255,255,255,.35)", 1.6], ["rgba(20,20,20,.5)", 0.6]]) {
+    pen.strokeStyle = colour;
+    pen.lineWidth = width;
+    pen.stroke();
+  }
   if (smallest * view.scale < LEAST_CELL) at("hint").textContent = "Zoom in: the smallest cells are too small to be outlined here.";
 }
 
