@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""No line of text has more than 140 columns: in pages, in C and C++, in Python.
+"""No line of text has more than 140 columns: in pages, in C and C++, in Python, in scripts and styles of pages.
 
 Excepted are rows of tables, pictures, code on pages and lines of a single word, an address for instance; blocks of text that a script
-writes as they stand (in three quotes); docs/deck.md, which the program writes, and CHANGELOG.md; what is generated among the results.
+writes as they stand (in three quotes); docs/deck.md, which the program writes, and CHANGELOG.md; what is generated among the results;
+built files of others in folders third_party.
 `verification/tools/wrap_text.py` wraps what verification/pages.py writes.
 """
 import ast
@@ -18,6 +19,7 @@ from tools.wrap_text import KEPT, WIDTH, WORD, code_lines
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXCEPTED = {"CHANGELOG.md", "docs/deck.md"}
 RESULTS = "verification/results/"
+THIRD_PARTY = "third_party"
 
 
 def long_lines(text):
@@ -53,7 +55,7 @@ def long_in_python(text):
     return [number for number in long_lines(text) if number not in kept]
 
 
-CHECKS = {".md": long_on_page, ".py": long_in_python, **dict.fromkeys((".cpp", ".hpp", ".c", ".h"), long_lines)}
+CHECKS = {".md": long_on_page, ".py": long_in_python, **dict.fromkeys((".cpp", ".hpp", ".c", ".h", ".js", ".css"), long_lines)}
 
 
 def files():
@@ -69,7 +71,7 @@ def main():
     problems, seen = [], 0
     for name in files():
         check = CHECKS.get(pathlib.Path(name).suffix)
-        if check is None or name in EXCEPTED or name.startswith(RESULTS):
+        if check is None or name in EXCEPTED or name.startswith(RESULTS) or THIRD_PARTY in pathlib.Path(name).parts:
             continue
         seen += 1
         problems += [f"{name}:{number}: more than {WIDTH} columns: wrap the line" for number in check((ROOT / name).read_text())]

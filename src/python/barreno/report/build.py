@@ -3,6 +3,7 @@
 
 import dataclasses
 
+from barreno.report.explore import inserted
 from barreno.report.fields import PLASTIC_STRAIN, check_field, known_fields
 from barreno.report.files import make_folder, reading, written, write_text
 from barreno.report.pages import as_html, as_markdown, write_pdf
@@ -55,12 +56,13 @@ def save(picture, folder):
         picture.figure.savefig(aside, dpi=130, bbox_inches="tight")
 
 
-def write_pages(title, sections, folder, pdf):
+def write_pages(run, fields, title, sections, pdf):
+    folder = run.folder / "report"
     for section in sections:
         for picture in section.pictures:
             save(picture, folder)
     write_text(folder / "index.md", as_markdown(title, sections))
-    write_text(folder / "index.html", as_html(title, sections, folder))
+    write_text(folder / "index.html", inserted(as_html(title, sections, folder), run, fields))
     if pdf:
         with written(folder / "report.pdf") as aside:
             write_pdf(aside, title, sections)
@@ -79,7 +81,7 @@ def make_report(folder, wishes=None):
             sections = all_sections(run, fields, wishes, paths, target)
             with reading(run.folder / "summary.json"):
                 title = on_one_line(run.summary.get("title") or run.folder.resolve().name)
-            write_pages(title, sections, target, wishes.pdf)
+            write_pages(run, fields, title, sections, wishes.pdf)
         finally:
             plt.close("all")
         make_folder(target / "paraview")

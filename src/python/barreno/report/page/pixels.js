@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Particles as a table of pixels: outlines and the values under the mouse follow from it, and no graphics card is needed.
+
+const OVERLAP = 1.02;  // shapes are rounded; the seams between neighbours are covered
+const MOST_PIXELS = 2e6;  // beyond, screens with small pixels are drawn coarser
+const VOID = 0xfff1ebe3;  // colour where no particle is: alpha, blue, green, red
+const LEAST_EDGED = 4;  // pixels: particles with an outline
+
+let pending = false;
+
+// Writes a number into the pixels whose centres a parallelogram covers, or into the one that has its centre.
+function fill(ids, wide, high, number, [x, y, ax, ay, bx, by], from, to) {
+  const reachX = Math.abs(ax) + Math.abs(bx), reachY = Math.abs(ay) + Math.abs(by);
+  if (x + reachX < from || x - reachX > to || y + reachY < 0 || y - reachY > high) return;
+  const first = Math.max(0, Math.ceil(y - reachY - 0.5)), last = Math.min(high - 1, Math.floor(y + reachY - 0.5));
+  const area = ax * by - ay * bx;
+  let drawn = false;
+  for (let row = first; row <= last; row++) {
+    const dy = row + 0.5 - y;
+    // Of the distance dx across: |dx by - dy bx| <= |area| and |dy ax - dx ay| <= |area|.
+    let low = -reachX, up = reachX;
+    for (const [slope, shift] of [[by, dy * bx], [ay, dy * ax]]) {
+      const size = Math.abs(area);
+      if (Math.abs(slope) > 1e-9) {
+        const one = (shift - size) / slope, other = (shift + size) / slope;
+        low = Math.max(low, Math.min(one, other));
+        up = Math.min(up, Math.max(one, other));
+      } else if (Math.abs(shift) > size) up = -Infinity;
+    }
+    const end = Math.min(to - 1, Math.floor(x + up - 0.5));
+    for (let column = Math.max(from, Math.ceil(x + low - 0.5)); column <= end; column++) {
+      ids[row * wide + column] = number;
+      drawn = true;
+    }
+  }
+  const column = Math.floor(x), row = Math.floor(y);
+  if (!drawn && column >= from && column < to && row >= 0 && row < high) ids[row * wide + column] = number;
+}
+
+// Colour of the line between two materials, 0 is the void: of the one that is drawn above the other. Pieces of a jet in the hole would
+// be all line, so a jet has one towards other materials alone.
+function linesBetween() {
+  const kinds = [{kind: 0}, ...blocks];
+  const found = Array.from({length: names.length + 1}, () => new Uint32Array(names.length + 1));
+  kinds.forEach((one, rank) => kinds.slice(0, rank).forEach(other => {
+    if (one.jet && !other.kind) return;
+    found[one.kind][other.kind] = found[other.kind][one.kind] = pixelOf(one.colour);
+  }));
+  return found;
+}
+
+function redraw() {
+  if (pending || !now.right) return;
+  pending = true;
+  requestAnimationFrame(() => {
+    pending = false;
+    draw();
+    drawMarks();
+    hover();
+  });
+}
+
+function fit() {
+  const {wide, high} = size(), dense = Math.min(window.devicePixelRatio || 1, Math.sqrt(MOST_PIXELS / Math.max(wide * high, 1)));
+  const pixels = [Math.max(1, Math.round(wide * dense)), Math.max(1, Math.round(high * dense))];
+  for (const one of [canvas, marks]) if (one.width !== pixels[0] || one.height !== pixels[1]) [one.width, one.height] = pixels;
+  if (picture.ids.length !== pixels[0] * pixels[1]) picture.ids = new Int32Array(pixels[0] * pixels[1]);
+  [picture.wide, picture.high] = pixels;
+  picture.dense = dense;
+}
+
+// Which particle every pixel shows; -1 for none.
+function place() {
+  const {ids, wide, high, dense} = picture, zoom = view.scale * dense;
+  ids.fill(-1);
+  picture.axis = scene.mirrored ? Math.max(0, Math.min(wide, Math.round(screenOf(axisAt, 0)[0] * dense))) : 0;
+  const half = Math.round(wide / 2);
+  const parts = scene.mirrored ? [[-1, 0, 0, picture.axis], [1, 0, picture.axis, wide]] : [[1, 0, 0, half], [1, 1, half, wide]];
+  const unit = OVERLAP * scene.shapeUnit * scene.largest / scene.quantum * zoom;
+  for (const [mirror, panel, from, to] of parts) {
+    const [x0, y0] = screenOf(mirror < 0 ? 2 * axisAt : 0, 0, panel).map(value => value * dense);
+    for (const {kind, first, count: particles} of blocks) {
+      if (hidden.has(kind)) continue;
+      for (let i = first; i < first + particles; i++) {
+        if (!now.there[i]) continue;
+        const part = unit * sizes[i], x = x0 + mirror * zoom * now.place[2 * i], y = y0 - flip * zoom * now.place[2 * i + 1];
+        fill(ids, wide, high, i, [x, y, mirror * part * now.shape[4 * i], -flip * part * now.shape[4 * i + 1],
+          mirror * part * now.shape[4 * i + 2], -flip * part * now.shape[4 * i + 3]], from, to);
+      }
+    }
+  }
+}
+
+// Colours of the pixels, and lines where the next pixel is of another material.
+function colour() {
+  const {ids, wide, high, axis} = picture, image = new ImageData(wide, high), pixels = new Uint32Array(image.data.buffer);
+  const change = scene.mirrored ? axis : Math.round(wide / 2);
+  const part = scene.shapeUnit * scene.largest / scene.quantum * view.scale * picture.dense * 20;
+  for (let row = 0, k = 0; row < high; row++) for (let column = 0; column < wide; column++, k++) {
+    const id = ids[k], right = column + 1 < wide && column + 1 !== change ? ids[k + 1] : id, below = row + 1 < high ? ids[k + wide] : id;
+    pixels[k] = id < 0 ? VOID : (column < change ? now.left : now.right)[id];
+    if (id === right && id === below) continue;
+    const own = id < 0 ? 0 : material[id], other = right < 0 ? 0 : material[right], under = below < 0 ? 0 : material[below];
+    const line = option.outlines && (lineOf[own][other] || lineOf[own][under]);
+    if (line) pixels[k] = line;
+    else if (option.edges && id >= 0 && 2 * part * sizes[id] > LEAST_EDGED) pixels[k] = shaded(pixels[k]);
+  }
+  canvas.getContext("2d").putImageData(image, 0, 0);
+}
+
+function draw() {
+  fit();
+  place();
+  closeGaps();
+  if (option.fitted) fitColours();
+  colour();
+}
+
+// Shapes are rounded: a single pixel between two of one material is none of the void.
+function closeGaps() {
+  const {ids, wide, high} = picture;
+  const same = (one, other) => one >= 0 && other >= 0 && material[one] === material[other];
+  for (let row = 1; row < high - 1; row++) for (let k = row * wide + 1; k < row * wide + wide - 1; k++) {
+    if (ids[k] >= 0) continue;
+    if (same(ids[k - 1], ids[k + 1])) ids[k] = ids[k - 1];
+    else if (same(ids[k - wide], ids[k + wide])) ids[k] = ids[k - wide];
+  }
+}
+
+// The range of colours becomes that of most of what is seen.
+function fitColours() {
+  const {ids, wide} = picture, change = scene.mirrored ? picture.axis : Math.round(wide / 2);
+  for (const side of ["left", "right"]) {
+    const one = field[view[side]], codes = one.classes || one.doubling ? null : rows[view[side]](view.step), found = [];
+    if (!codes) continue;
+    const plain = new Set(blocks.filter(block => isPlain(block, one)).map(block => block.kind));
+    const stride = 1 + Math.floor(ids.length / 20000) | 1;
+    for (let k = 0; k < ids.length; k += stride) {
+      const own = k % wide < change ? "left" : "right";
+      const code = ids[k] >= 0 && !plain.has(material[ids[k]]) ? codes[ids[k]] : 0;
+      if (code && (own === side || view.left === view.right)) found.push(valueOf(one, code));
+    }
+    if (found.length < 50) continue;
+    found.sort((a, b) => a - b);
+    let [low, high] = [0.02, 0.98].map(part => found[Math.floor(part * (found.length - 1))]);
+    if (one.neutral !== null) {
+      const reach = Math.max(high - one.neutral, one.neutral - low);
+      [low, high] = [one.neutral - reach, one.neutral + reach];
+    }
+    if (!(high - low > 1e-6 * (one.limits[1] - one.limits[0]))) continue;
+    view.limits[side] = [low, high];
+    drawBar(side);
+    paint(side);
+  }
+}
