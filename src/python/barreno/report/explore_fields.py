@@ -20,6 +20,7 @@ LEAST = 1.5  # percent of the values that are below the colours of those
 STATES = ("elastic", "yielded", "crushed", "dilated", "broken")
 STATE_COLOURS = ("#d9dee3", "#f2c14e", "#c0392b", "#2e86c1", "#4a235a")
 YIELDED = 0.002  # plastic strain
+NOTHING = 1e-6  # of the unit of the picture: less is no difference
 UNIFORM = 1e-3  # of the range: values of a material at the start that differ by less count as one
 
 
@@ -90,7 +91,7 @@ def field_of(stack, deck, name, areas, levels):
         limits = around(neutral, limits)
     elif name in CLOSE and np.isfinite(values).any():
         limits = min(float(np.nanpercentile(values, LEAST)), limits[1] - UNIFORM * abs(limits[1])), limits[1]
-    if np.nanmin(values, initial=np.inf) == np.nanmax(values, initial=-np.inf):
+    if np.nanmax(values, initial=-np.inf) - np.nanmin(values, initial=np.inf) < NOTHING * size:
         limits = limits[0], limits[0] + size  # one value everywhere: any range shows that
     scale = scale_of(values, middle, limits[1] - limits[0], levels)
     lacking = [stack.file.block_names[block] for block in np.unique(blocks) if not np.isfinite(values[:, blocks == block]).any()]
