@@ -20,6 +20,7 @@ LEAST = 1.5  # percent of the values that are below the colours of those
 STATES = ("elastic", "yielded", "crushed", "dilated", "broken")
 STATE_COLOURS = ("#d9dee3", "#f2c14e", "#c0392b", "#2e86c1", "#4a235a")
 YIELDED = 0.002  # plastic strain
+NOTHING = 1e-6  # of the unit of the picture: less is no difference
 UNIFORM = 1e-3  # of the range: values of a material at the start that differ by less count as one
 
 
@@ -70,6 +71,14 @@ def limits_of(values, areas, look):
     return min(float(np.median(low)), float(low[-1])), max(float(np.median(high)), float(high[-1]))
 
 
+def limits_of_one(value, size, signed):
+    """A range for a field that has one value everywhere, from zero to that value, or to one unit of the picture.
+
+    @param size  of the unit"""
+    reach = value if abs(value) >= NOTHING * size else size
+    return (-abs(reach), abs(reach)) if signed else (min(0.0, reach), max(0.0, reach))
+
+
 def around(middle, limits):
     """Range with a value in its middle: the neutral colour is that value."""
     reach = max(abs(limits[1] - middle), abs(limits[0] - middle), 1e-12)
@@ -90,8 +99,9 @@ def field_of(stack, deck, name, areas, levels):
         limits = around(neutral, limits)
     elif name in CLOSE and np.isfinite(values).any():
         limits = min(float(np.nanpercentile(values, LEAST)), limits[1] - UNIFORM * abs(limits[1])), limits[1]
-    if np.nanmin(values, initial=np.inf) == np.nanmax(values, initial=-np.inf):
-        limits = limits[0], limits[0] + size  # one value everywhere: any range shows that
+    least, most = np.nanmin(values, initial=np.inf), np.nanmax(values, initial=-np.inf)
+    if 0.0 <= most - least < NOTHING * size:
+        limits = limits_of_one(float(most), size, look.signed)
     scale = scale_of(values, middle, limits[1] - limits[0], levels)
     lacking = [stack.file.block_names[block] for block in np.unique(blocks) if not np.isfinite(values[:, blocks == block]).any()]
     return {
