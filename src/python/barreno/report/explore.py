@@ -8,7 +8,6 @@ import re
 
 import numpy as np
 
-from barreno.report.channel import line_of
 from barreno.report.explore_codes import packed
 from barreno.report.explore_curves import depth_plots, energy_plot
 from barreno.report.explore_fields import chosen_fields, field_of, material_field, state_field
@@ -16,6 +15,7 @@ from barreno.report.explore_stack import PLACES, SHAPE, Stack, drawn, steps_betw
 from barreno.report.fields import known_fields
 from barreno.report.files import reading
 from barreno.report.hole import cell_along_path, face_of
+from barreno.report.tones import tones_of
 from barreno.runs.regular_file import read_text
 
 HERE = pathlib.Path(__file__).parent
@@ -70,7 +70,8 @@ def scene_of(run, fields, table, steps, levels):
     file, deck = run.file, run.deck
     stack = Stack(file, steps)
     places, shapes, sizes, largest, areas = stack.places()
-    colours = [str(line_of(stack.outputs[0].frame, deck, block)[0]) for block in range(len(file.block_names))]
+    tones = tones_of(deck, file.block_names)
+    colours = [tones[name] for name in file.block_names]
     names = chosen_fields(known_fields(file, deck), fields)
     return {
         "times": [float(time) for time in stack.times], "outputs": len(file.times), "steps": [int(step) for step in steps],
