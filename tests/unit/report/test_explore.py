@@ -19,12 +19,12 @@ from netCDF4 import Dataset
 
 from barreno.report import explore
 from barreno.report.command import main as command
-from barreno.report.explore_codes import TYPES, codes_of, packed, scale_of, values_of_codes
-from barreno.report.explore_fields import starts
-from barreno.report.explore_stack import Stack, edges_of, steps_between
+from barreno.report.explore.codes import TYPES, codes_of, packed, scale_of, values_of_codes
+from barreno.report.explore.fields import starts
+from barreno.report.explore.stack import Stack, edges_of, steps_between
 from barreno.report.particles import ParticleFile
 
-HERE = pathlib.Path(explore.__file__).parent
+HERE = pathlib.Path(explore.__file__).parent.parent
 BAD = "<script>alert(1)</script>&lt;b"
 OUTPUTS, SIDE = 2000, 26  # of the forged run: outputs, and particles along an edge
 RANDOM = np.random.default_rng(7)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole numbers as explore_codes.py packs them, and the values of their codes.
+// Whole numbers as explore/codes.py packs them, and the values of their codes.
 
 const ARRAYS = {u8: Uint8Array, i8: Int8Array, u16: Uint16Array, u32: Uint32Array};
 const WHOLE = {u8: Uint8Array, i8: Uint8Array, u16: Uint16Array, u32: Uint32Array};
@@ -35,7 +35,7 @@ async function unpacked(packed) {
   };
 }
 
-// The equation of explore_codes.py.
+// The equation of explore/codes.py.
 function valueOf(field, code) {
   if (!code) return NaN;
   const {table, middle, width, step, zero} = field.scale;

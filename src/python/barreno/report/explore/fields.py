@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from barreno.report.explore_codes import codes_of, packed, scale_of
+from barreno.report.explore.codes import codes_of, packed, scale_of
 from barreno.report.fields import PLASTIC_STRAIN, look_of, range_of, unit_of, values_of
 from barreno.report.porosity import permanent_porosity, virgin_porosity
 from barreno.report.zones import CHANGED

@@ -8,17 +8,17 @@ import re
 
 import numpy as np
 
-from barreno.report.explore_codes import packed
-from barreno.report.explore_curves import depth_plots, energy_plot
-from barreno.report.explore_fields import chosen_fields, field_of, material_field, state_field
-from barreno.report.explore_stack import PLACES, SHAPE, Stack, drawn, steps_between
+from barreno.report.explore.codes import packed
+from barreno.report.explore.curves import depth_plots, energy_plot
+from barreno.report.explore.fields import chosen_fields, field_of, material_field, state_field
+from barreno.report.explore.stack import PLACES, SHAPE, Stack, drawn, steps_between
 from barreno.report.fields import known_fields
 from barreno.report.files import reading
 from barreno.report.hole import cell_along_path, face_of
 from barreno.report.tones import tones_of
 from barreno.runs.regular_file import read_text
 
-HERE = pathlib.Path(__file__).parent
+HERE = pathlib.Path(__file__).parent.parent
 MOST_BYTES = 15_000_000  # of a page
 MOST_ENTRIES = 8_000_000  # particles times outputs: what a browser holds easily
 LEVELS = (4095, 1023, 255)  # codes of a field: 12 bits, fewer where a page would be too large
