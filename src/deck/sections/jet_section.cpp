@@ -11,8 +11,32 @@ namespace {
 using namespace input;
 namespace dim = dimension;
 
+/// Particles and cells of the jet.
+void add_resolution(Entries<JetSpec>& entries) {
+  entries.push_back(
+      defaulted(&JetSpec::particles_per_cell, "Particles Per Cell", between(1, 16), "per direction")
+  );
+  entries.push_back(defaulted(
+      &JetSpec::splits,
+      "Splits",
+      between(0, 8),
+      "how often a particle that has become wider than half a cell is divided in two; files "
+      "keep a place for all of its 2^Splits parts (docs/method.md 15)"
+  ));
+  entries.push_back(defaulted(
+      &JetSpec::cells_per_radius,
+      "Cells Per Radius",
+      dim::none,
+      at_least(0.0),
+      "refines the grid along the jet's path, to 2.5 times the radius of its widest slug, "
+      "until "
+      "at least so many cells fit in the radius of its thinnest slug; depths are converged to "
+      "about 1 % with 4 (docs/trade.md). 0 leaves the grid as it is"
+  ));
+}
+
 SectionTable<JetSpec> jet_table() {
-  return {
+  SectionTable<JetSpec> jet{
       "Jet",
       "a jet launched along y through a plane, from a table of slugs",
       Presence::optional,
@@ -55,27 +79,9 @@ SectionTable<JetSpec> jet_table() {
            "Direction",
            Words<double>{{"+y", 1.0}, {"-y", -1.0}},
            "direction of flight"
-       ),
-       defaulted(
-           &JetSpec::particles_per_cell, "Particles Per Cell", between(1, 16), "per direction"
-       ),
-       defaulted(
-           &JetSpec::splits,
-           "Splits",
-           between(0, 8),
-           "how often a particle that has become wider than half a cell is divided in two; files "
-           "keep a place for all of its 2^Splits parts (docs/method.md 15)"
-       ),
-       defaulted(
-           &JetSpec::cells_per_radius,
-           "Cells Per Radius",
-           dim::none,
-           at_least(0.0),
-           "refines the grid along the jet's path, to 2.5 times the radius of its widest slug, "
-           "until "
-           "at least so many cells fit in the radius of its thinnest slug; depths are converged to "
-           "about 1 % with 4 (docs/trade.md). 0 leaves the grid as it is"
        )}};
+  add_resolution(jet.entries);
+  return jet;
 }
 
 }  // namespace
