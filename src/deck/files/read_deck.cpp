@@ -183,10 +183,10 @@ void include_jet_profile(
     input::refuse(
         source, path, "has no meaning in plane strain (such a jet is round); give Table or Slugs"
     );
+  material_at(deck, path_of(&JetSpec::material));  // refuses one that is in no list
   const auto profile = read_section<JetProfileSpec>(deck);
   const ParameterList& materials = values.sublist(table_of<MaterialSection>().path);
   const auto material = jet.get<std::string>(name_of(&JetSpec::material));
-  if (!materials.isSublist(material)) return;  // which the scene refuses
   const auto density = materials.sublist(material).get<double>("Density");
   const ProfileProblem problem = problem_of_profile(profile, density);
   if (!problem.sentence.empty() && problem.entry.empty())
