@@ -23,6 +23,8 @@ ROCK = {  # SI
 FORMS = {  # name: what its card has instead
     "published": {},
     "linear": {"STREN": 0, "YSLOPE": 0},
+    "strength limit": {"Strength limit": 400e6},
+    "linear, strength limit": {"STREN": 0, "YSLOPE": 0, "Strength limit": 300e6},
     "von Mises": {"PEAKI1": 0, "FSLOPE": 0, "YSLOPE": 0},
     "zero vertex": {"PEAKI1": 0, "YSLOPE": 0},
     "no pores": {"p3_crush_curve": 0, "B3": 1e9, "B4": 0.02},

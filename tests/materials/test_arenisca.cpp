@@ -463,7 +463,7 @@ double excess(const arenisca::Rock& rock, const Sym3& stress, double evp) {
 }
 
 std::vector<Parameters> sets_of_all_kinds() {
-  std::vector<Parameters> sets(9, demonstration());
+  std::vector<Parameters> sets(11, demonstration());
   sets[1] = set_a();
   sets[2].PEAKI1 = sets[2].STREN = sets[2].YSLOPE = 0.0;   // no strength at zero pressure
   sets[3].PEAKI1 = sets[3].YSLOPE = 0.0;                   // zero vertex to von Mises
@@ -478,6 +478,9 @@ std::vector<Parameters> sets_of_all_kinds() {
   sets[7].B4 = 0.01;
   sets[8].dilatancy_limit = 0.05;
   sets[8].dilatancy_pressure = 60e6;
+  sets[9].strength_limit = 0.6e9;
+  sets[10].STREN = sets[10].YSLOPE = 0.0;  // Lundborg's law
+  sets[10].strength_limit = 0.2e9;
   return sets;
 }
 
@@ -716,6 +719,7 @@ TEST(AreniscaCheck, refuses_by_name) {
       {&Parameters::YSLOPE, 0.5, "YSLOPE = 0.5"},
       {&Parameters::STREN, 4e5, "STREN = 400000"},
       {&Parameters::STREN, 0.0, "YSLOPE = 0.02"},
+      {&Parameters::strength_limit, 3e8, "Strength limit = 3e+08"},
       {&Parameters::FSLOPE, 0.0, "PEAKI1 = 2.1e+07"},
       {&Parameters::PEAKI1, -1.0, "PEAKI1 = -1"},
       {&Parameters::PEAKI1, nan, "PEAKI1 = nan"},
