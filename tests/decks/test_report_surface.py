@@ -64,7 +64,7 @@ def check_form(barreno, folder, name, changes):
         yield f"{name}: {result.stderr}"
         return
     shape = lode_shape(card.get("J3_type", "none"), card.get("J3_psi", 1.0))
-    strength = Strength(lambda parameter: float(card[parameter]), shape)
+    strength = Strength(lambda parameter: float(card.get(parameter, "nan")), shape)
     found = curves(folder / "answer_surface.csv")
     if strength.angled != (("extension", 0.0) in found):
         yield f"{name}: sections {sorted(found)}, but the report says {'one' if strength.angled else 'none'} in extension"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Dry sandstone on its shock adiabat: density under uniaxial compression to 40 GPa.
 
-The rock's law has no heat, so that its states under a steady shock are those of a slow uniaxial compression (the Rayleigh line only says how
-much heat there is besides). The reference has heat: porous silica, quartz that turns into stishovite.
+The rock's law has no heat, so that its states under a steady shock are those of a slow uniaxial compression. The reference has heat:
+porous silica, quartz that turns into stishovite.
 """
 import math
 import pathlib
@@ -152,9 +152,9 @@ def run(barreno, full):
             add(f"{CARD}, {parameter} {value:g}", CARD, {parameter: value})
     demand(result, path)
     result.notes = (
-        "The law has no heat and no memory of the transition: `Transition strain` is chosen so that the heat that expands shocked silica is "
-        "in it, and a release goes back the way it came. The differences at 20 to 40 GPa are therefore no test of the card; at 5 and 10 GPa, "
-        "below the transition, nothing was chosen by them. This is not the density of rock that is compressed slowly, and nothing here is a "
-        "measurement: points of Us and up of dry Berea sandstone were not at hand."
+        "The law has no heat and no memory of the transition: `Transition strain` is chosen so that the heat that expands shocked "
+        "silica is in it, and a release goes back the way it came. The differences at 20 to 40 GPa are therefore no test of the card. At "
+        "5 and 10 GPa, below the transition, nothing was chosen by them. This is not the density of rock that is compressed slowly, and "
+        "nothing here is a measurement: points of Us and up of dry Berea sandstone were not at hand."
     )
     return result
