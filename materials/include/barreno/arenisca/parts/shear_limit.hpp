@@ -130,35 +130,36 @@ struct ShearLimit {
   template <class R>
   struct Of {
     R a1{}, a2{}, a3{}, a4{};
-    R peak{};      ///< from which the cap's branch point is measured [stress]
-    R vertex{};    ///< P, largest admissible x; +infinity for von Mises [stress]
-    R steepest{};  ///< largest -dFf/dx, at the vertex: FSLOPE
-    bool straight = true;
+    R peak{};              ///< from which the cap's branch point is measured [stress]
+    R vertex{};            ///< P, largest admissible x; +infinity for von Mises [stress]
+    R steepest{};          ///< largest -dFf/dx, at the vertex: FSLOPE
+    bool straight = true;  ///< no exponential
     bool limited = false;  ///< a1 is S and the strength tends to M
     R per_strength{};      ///< a4/(M - S) [1/stress]
     R bend{};              ///< of the curvature: a2^2, or 1 where a2 = 0
+    R curl{};              ///< 2 a4/(M - S)/bend
 
     template <class X>
     BARRENO_FUNCTION LimitOf<X> limit_at(const X& x) const {
-      if (limited) return bent_limit_at(x);
       LimitOf<X> l;
       l.curved = straight ? X{} : X(a3 * real::exp(X(a2 * x)));
+      if (limited) {
+        bend_limit(x, l);
+        return l;
+      }
       l.value = a1 - l.curved - a4 * x;
       l.slope = -a2 * l.curved - a4;
       return l;
     }
     /// The same where the strength tends to a limit. Beyond the vertex, where trial states may lie,
     /// the hyperbola would come to its pole; its tangent goes on instead.
+    /// @param[in,out] l  with the exponential as `curved`
     template <class X>
-    BARRENO_FUNCTION LimitOf<X> bent_limit_at(const X& x) const {
-      const X exponential = a3 * real::exp(X(a2 * x));
-      const X part = part_at(x), fall = a4 * part * part;
-      LimitOf<X> l;
-      l.value = a1 - exponential + a4 * (peak - x) * part;
-      l.slope = -a2 * exponential - fall;
-      const X bent = 2.0 * per_strength * part * fall / bend;
-      l.curved = exponential + real::select(x < peak, bent, 0.0);
-      return l;
+    BARRENO_FUNCTION void bend_limit(const X& x, LimitOf<X>& l) const {
+      const X part = part_at(x), least = a4 * part, fall = least * part;
+      l.value = a1 - l.curved + least * (peak - x);
+      l.slope = -a2 * l.curved - fall;
+      l.curved = l.curved + real::select(x < peak, curl * part * fall, 0.0);
     }
     /// What the limit leaves of a4 y: 1/(1 + a4 y/(M - S)), and all beyond the vertex.
     template <class X>
@@ -176,7 +177,8 @@ struct ShearLimit {
     BARRENO_FUNCTION X lower_bound(const X& x) const {
       const X y = a2 * x;
       const X curved = a3 / (1.0 - y + 0.5 * y * y);
-      if (limited) return a1 - curved + a4 * (peak - x) * part_at(x);
+      // 1/(1 + z) >= 1 - z.
+      if (limited) return a1 - curved + a4 * (peak - x) * (1.0 - per_strength * (peak - x));
       return a1 - curved - a4 * x;
     }
     /// Gamma times as strong at the same pressure.
@@ -220,7 +222,7 @@ struct ShearLimit {
     s.a1 = s.straight ? R{} : R(s.a1 - s.a4 * s.peak);
     s.per_strength = s.a4 / (strength - s.a1);
     if (s.straight) s.bend = R{} + 1.0;
-    s.straight = false;
+    s.curl = 2.0 * s.per_strength / s.bend;
   }
   /// The limit of one point at every point, and that of one lane.
   template <class R>
@@ -236,7 +238,8 @@ struct ShearLimit {
         one.straight,
         one.limited,
         R{} + one.per_strength,
-        R{} + one.bend};
+        R{} + one.bend,
+        R{} + one.curl};
   }
   template <class R>
   static Of<double> lane(const Of<R>& s, int i) {
@@ -251,7 +254,8 @@ struct ShearLimit {
         s.straight,
         s.limited,
         s.per_strength[i],
-        s.bend[i]};
+        s.bend[i],
+        s.curl[i]};
   }
 };
 
