@@ -117,10 +117,10 @@ struct Elasticity {
         {}};
   }
   static std::string check(const Parameters& p) {
-    const std::string problem = check_bulk_modulus(p);
-    if (!problem.empty()) return problem;
-    const std::string other = check_shear_modulus(p);
-    return other.empty() ? check_transition(p) : other;
+    std::string problem;
+    for (const auto rule : {check_bulk_modulus, check_shear_modulus, check_transition})
+      if (problem.empty()) problem = rule(p);
+    return problem;
   }
   static Elasticity make(const Parameters& p) {
     Elasticity e{p.B0, p.B1, p.B2, p.B3, p.B4, p.G0, p.G1, p.G2};
