@@ -23,6 +23,8 @@ ROCK = {  # SI
 FORMS = {  # name: what its card has instead
     "published": {},
     "linear": {"STREN": 0, "YSLOPE": 0},
+    "strength limit": {"Strength limit": 400e6},
+    "linear, strength limit": {"STREN": 0, "YSLOPE": 0, "Strength limit": 300e6},
     "von Mises": {"PEAKI1": 0, "FSLOPE": 0, "YSLOPE": 0},
     "zero vertex": {"PEAKI1": 0, "YSLOPE": 0},
     "no pores": {"p3_crush_curve": 0, "B3": 1e9, "B4": 0.02},
@@ -62,7 +64,7 @@ def check_form(barreno, folder, name, changes):
         yield f"{name}: {result.stderr}"
         return
     shape = lode_shape(card.get("J3_type", "none"), card.get("J3_psi", 1.0))
-    strength = Strength(lambda parameter: float(card[parameter]), shape)
+    strength = Strength(lambda parameter: float(card.get(parameter, "nan")), shape)
     found = curves(folder / "answer_surface.csv")
     if strength.angled != (("extension", 0.0) in found):
         yield f"{name}: sections {sorted(found)}, but the report says {'one' if strength.angled else 'none'} in extension"

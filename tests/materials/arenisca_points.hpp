@@ -45,7 +45,7 @@ inline Arenisca::Parameters berea() {
 
 /// Sets with every kind of surface, elasticity and cap.
 inline std::vector<Arenisca::Parameters> sets_of_all_kinds() {
-  std::vector<Arenisca::Parameters> sets(9, Sample<Arenisca>::parameters());
+  std::vector<Arenisca::Parameters> sets(12, Sample<Arenisca>::parameters());
   sets[0] = berea();
   sets[1].PEAKI1 = sets[1].STREN = sets[1].YSLOPE = 0.0;   // no strength at zero pressure
   sets[2].PEAKI1 = sets[2].YSLOPE = 0.0;                   // zero vertex to von Mises
@@ -58,6 +58,14 @@ inline std::vector<Arenisca::Parameters> sets_of_all_kinds() {
   sets[7].B4 = 0.01;
   sets[8].dilatancy_limit = 0.05;
   sets[8].dilatancy_pressure = 60e6;
+  sets[9] = berea();
+  sets[9].strength_limit = 0.5e9;
+  sets[10].STREN = sets[10].YSLOPE = 0.0;  // Lundborg's law
+  sets[10].strength_limit = 0.3e9;
+  sets[11].grain_stiffening = 5.0;
+  sets[11].transition_strain = 0.15;  // within the pressures of these states
+  sets[11].transition_start = 0.2e9;
+  sets[11].transition_end = 2e9;
   return sets;
 }
 

@@ -19,13 +19,13 @@ BARRENO_FUNCTION Prediction predict(const Rock& rock, const Substep& step, doubl
   const Elasticity& e = rock.elasticity;
   const PressureTermOf<double> term = e.pressure_term(n.x, evp);
   const double coupling = e.coupling(n.x, evp);
-  const Moduli start = e.moduli(term.value, coupling);
+  const Moduli start = e.moduli(n.x, term.value, coupling);
   Moduli used = start;
   if (term.slope != 0.0) {
     double x = smaller(n.x + 3.0 * start.bulk * step.dv, rock.surface.vertex);
     if (cap.present) x = larger(x, cap.X);
     const double middle = term.value + 0.5 * term.slope * (x - n.x);
-    used = e.moduli(smaller(larger(middle, 0.0), 1.0), coupling);
+    used = e.moduli(n.x + 0.5 * (x - n.x), smaller(larger(middle, 0.0), 1.0), coupling);
   }
   Prediction p = predict_with(n, start, used, step.dv, step.de);
   p.term = term;
@@ -44,7 +44,7 @@ BARRENO_FUNCTION Moduli moduli_after(const Rock& rock, const PointState& n, cons
   if (n.x >= 0.0 || Elasticity::dilated(n.evp) || !is_short)
     return rock.elasticity.moduli_at(p.x, n.evp);
   const double value = p.term.value + change * (p.term.slope + 0.5 * change * p.term.curvature);
-  return rock.elasticity.moduli(value, p.coupling);
+  return rock.elasticity.moduli(p.x, value, p.coupling);
 }
 
 /// Whole step at once if it is elastic, well inside and the moduli hardly change: most points of a

@@ -35,7 +35,7 @@ public:
     const Outcome one = fast_.update_counted(point.increment, d.end, history, *record_);
     arenisca::SubstepReplay replay{*record_};
     const Outcome two = slow_.update_counted(point.increment, other, other_history, replay);
-    const double bulk = fast_.rock().elasticity.upper_bound().bulk;
+    const double bulk = fast_.rock().elasticity.published_bound().bulk;
     const double trial = norm(point.stress) + 3.0 * bulk * norm(point.increment.strain);
     d.sound = !one.failed() && !two.failed();
     d.flows = one.plastic_work > 0.0;

@@ -72,7 +72,7 @@ struct Difference {
 Difference difference(
     const ScalarArenisca& model, const RockPoint& point, const Result& a, const Result& b
 ) {
-  const double bulk = model.rock().elasticity.upper_bound().bulk;
+  const double bulk = model.rock().elasticity.published_bound().bulk;
   const double strain = norm(point.increment.strain);
   const double scale =
       std::max(model.rock().stress_floor, norm(point.stress) + 3.0 * bulk * strain);
@@ -109,7 +109,7 @@ bool has_several_ways(const ScalarArenisca& model, const RockPoint& point, const
   const double p3 = model.rock().crush.p3;
   if (p3 == 0.0 || result.plastic_work == 0.0) return false;
   constexpr double nearly_closed = 0.005;
-  const double bulk = model.rock().elasticity.upper_bound().bulk;
+  const double bulk = model.rock().elasticity.published_bound().bulk;
   return 1.0 + point.history.plastic_volume_strain / p3 < nearly_closed ||
          norm(result.stress - point.stress) > 3.0 * bulk * norm(point.increment.strain);
 }

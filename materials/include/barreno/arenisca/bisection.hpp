@@ -34,7 +34,7 @@ BARRENO_FUNCTION double return_to_limit(
     const double slope = 1.0 + trial.metric * (m.slope * m.slope - (trial.q - m.limit) * curvature);
     (residual > 0.0 ? upper : lower) = x;
     double next = x - residual / slope;
-    if (surface.straight) return next;
+    if (surface.straight && !surface.limited) return next;
     if (!(next >= lower && next <= upper)) next = 0.5 * (lower + upper);
     const bool done = std::fabs(next - x) <= 1e-14 * (std::fabs(x) + std::fabs(upper - lower));
     x = next;

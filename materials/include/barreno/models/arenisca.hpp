@@ -146,7 +146,7 @@ typename AreniscaOf<Parts>::Law AreniscaOf<Parts>::make_rock(const Parameters& p
   const double smallest_error = rock.tolerance * rock.stress_floor;
   rock.jump_width = std::fmax(
       arenisca::Elasticity::at_jump,
-      negligible * smallest_error / (3.0 * rock.elasticity.upper_bound().bulk)
+      negligible * smallest_error / (3.0 * rock.elasticity.published_bound().bulk)
   );
   return rock;
 }

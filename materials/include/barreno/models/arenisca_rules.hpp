@@ -18,6 +18,15 @@ inline std::string check_fluid(const AreniscaParameters& p) {
     return named("fluid_pressure_initial", p.fluid_pressure_initial) +
            " needs a fluid, but fluid_B0 = 0 (dry rock); set fluid_B0, or the pressure to 0.";
   }
+  if (p.grain_stiffening > 0.0 || p.transition_strain > 0.0) {
+    const bool stiffens = p.grain_stiffening > 0.0;
+    return named(
+               stiffens ? "Grain stiffening" : "Transition strain",
+               stiffens ? p.grain_stiffening : p.transition_strain
+           ) +
+           " is for dry rock, but fluid_B0 = " + shown(p.fluid_B0) +
+           " (the grains of wet rock have one bulk modulus, Matrix bulk modulus); leave one out.";
+  }
   if (is_poroplastic(p) && p.return_solver != 0) {
     return "Return solver = bisection does not go with Backstress strain = poroplastic (it is the "
            "published return, for dry rock and the published forms of the pore fluid); leave "

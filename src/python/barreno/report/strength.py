@@ -42,6 +42,8 @@ class Strength:
         """
         self.shape = shape
         self.peak, self.FSLOPE, self.STREN, self.YSLOPE = (number(name) for name in ("PEAKI1", "FSLOPE", "STREN", "YSLOPE"))
+        most = number("Strength limit")
+        self.most = most if most > 0.0 else np.inf
         self.CR, self.p0, self.p1, self.p3 = (number(name) for name in ("CR", "p0_crush_curve", "p1_crush_curve", "p3_crush_curve"))
         if not np.isfinite([self.peak, self.FSLOPE, self.STREN, self.YSLOPE]).all():
             raise ValueError("the card lacks a parameter of strength")
@@ -59,11 +61,17 @@ class Strength:
     def limit(self, x):
         """Ff(I1) without the cap."""
         if self.STREN == 0.0:
-            return self.FSLOPE * (self.peak - x)
+            return self.bent(self.FSLOPE * (self.peak - x), self.most)
         if self.FSLOPE == 0.0:
             return np.full_like(x, self.STREN)
         room = self.STREN - self.YSLOPE * self.peak
-        return self.STREN - room * np.exp((self.FSLOPE - self.YSLOPE) / room * (x - self.peak)) - self.YSLOPE * x
+        saturating = -room * np.expm1((self.FSLOPE - self.YSLOPE) / room * (x - self.peak))
+        return saturating + self.bent(self.YSLOPE * (self.peak - x), self.most - room)
+
+    @staticmethod
+    def bent(growing, room):
+        """A strength that grows without end, and what is left of it below a limit: Lundborg's hyperbola. No limit: infinity."""
+        return growing / (1.0 + growing / room)
 
     def hydrostatic_strength(self, e):
         """X of the crush curve at a volumetric plastic strain; -inf of rock whose pores are closed or that has none."""

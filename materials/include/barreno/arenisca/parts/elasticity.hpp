@@ -40,12 +40,22 @@ struct ElasticStateOf {
 ///                          nu = G1 + G2 exp(B2/I1), G = 1.5 K (1 - 2 nu)/(1 + nu)   if G1 and G2
 ///                          are both set
 ///
+/// Grains that stiffen under pressure, and turn into a denser phase, add to that (p = -I1/3):
+///
+///   K = K_g/(1 + c K_g),   K_g = B0 + (B1 + B' p) exp(B2/I1) - B3 exp(B4/evp)
+///   c = 6 D w (1 - w)/(p_e - p_s),   w = (p - p_s)/(p_e - p_s) within 0 to 1
+///
+/// B' is dK/dp at high pressure, after F. D. Murnaghan (Proc. Natl. Acad. Sci. 30 (1944) 244), D
+/// the logarithmic volume strain of the transition, which a return of the pressure undoes. G is
+/// that of K without either: grains yield before it matters.
+///
 /// Dilated rock (evp > 0) keeps the low-pressure moduli until it is compacted again. The published
 /// benchmark 08 depends on it (I1 = -1481 with it, -1527 without, at the seventh way point).
 struct Elasticity {
   struct Parameters {
     double B0, B1, B2, B3, B4;
     double G0, G1, G2, G3, G4;
+    double grain_stiffening, transition_strain, transition_start, transition_end;
   };
   static ParameterTable<Parameters> parameter_table() {
     using P = Parameters;
@@ -70,18 +80,62 @@ struct Elasticity {
          ),
          optional(&P::G2, "G2", d::none, any(), 0.0, "rise of Poisson's ratio under pressure"),
          optional(&P::G3, "G3", d::none, any(), 0.0, "published name without effect: must be 0"),
-         optional(&P::G4, "G4", d::none, any(), 0.0, "published name without effect: must be 0")},
+         optional(&P::G4, "G4", d::none, any(), 0.0, "published name without effect: must be 0"),
+         optional(
+             &P::grain_stiffening,
+             "Grain stiffening",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "B': dK/dp of dry rock whose grains bear the pressure. 0: K tends to B0 + B1, as "
+             "published"
+         ),
+         optional(
+             &P::transition_strain,
+             "Transition strain",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "D: logarithmic volume strain by which grains turn into a denser phase. 0: none"
+         ),
+         optional(
+             &P::transition_start,
+             "Transition start",
+             d::stress,
+             at_least(0.0),
+             0.0,
+             "p_s: mean pressure at which the transition begins"
+         ),
+         optional(
+             &P::transition_end,
+             "Transition end",
+             d::stress,
+             at_least(0.0),
+             0.0,
+             "p_e: mean pressure at which it is complete"
+         )},
         {}};
   }
   static std::string check(const Parameters& p) {
-    const std::string problem = check_bulk_modulus(p);
-    return problem.empty() ? check_shear_modulus(p) : problem;
+    std::string problem;
+    for (const auto rule : {check_bulk_modulus, check_shear_modulus, check_transition})
+      if (problem.empty()) problem = rule(p);
+    return problem;
   }
   static Elasticity make(const Parameters& p) {
-    return {p.B0, p.B1, p.B2, p.B3, p.B4, p.G0, p.G1, p.G2};
+    Elasticity e{p.B0, p.B1, p.B2, p.B3, p.B4, p.G0, p.G1, p.G2};
+    e.stiffening = p.grain_stiffening;
+    if (p.transition_strain == 0.0) return e;
+    e.per_transition = 1.0 / (p.transition_end - p.transition_start);
+    e.transition_start = p.transition_start;
+    e.transition_compliance = 6.0 * p.transition_strain * e.per_transition;
+    return e;
   }
 
   double B0, B1, B2, B3, B4, G0, G1, G2;
+  double stiffening = 0.0;             ///< B'
+  double transition_compliance = 0.0;  ///< 6 D/(p_e - p_s) [1/stress]; 0: no transition
+  double transition_start = 0.0, per_transition = 0.0;
 
   /// The moduli jump where rock becomes dilated; |evp| below this counts as at the jump (round-off
   /// of an isochoric flow is not dilation).
@@ -100,15 +154,19 @@ struct Elasticity {
   /// Whether the jump lies between two plastic volume strains.
   template <class R>
   BARRENO_FUNCTION MaskOf<R> crosses_jump(const R& begin, const R& end) const {
-    if (B1 == 0.0 && B3 == 0.0 && !variable_ratio()) return none_of<R>();
+    if (B1 == 0.0 && B3 == 0.0 && !variable_ratio() && !grains_change()) return none_of<R>();
     return ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
   }
   BARRENO_FUNCTION bool variable_ratio() const { return G1 != 0.0 && G2 != 0.0; }
+  BARRENO_FUNCTION bool grains_change() const {
+    return stiffening != 0.0 || transition_compliance != 0.0;
+  }
 
   template <class R>
   BARRENO_FUNCTION PressureTermOf<R> pressure_term(const R& I1, const R& evp) const {
     const MaskOf<R> pressed = (I1 < 0.0) & (evp <= at_jump);
-    if ((B1 == 0.0 && !variable_ratio()) || !real::any(pressed)) return {};
+    const bool constant = B1 == 0.0 && !variable_ratio() && !grains_change();
+    if (constant || !real::any(pressed)) return {};
     const R inverse = 1.0 / real::select(pressed, I1, -1.0);
     const R ratio = B2 * inverse;
     const R value = real::select(pressed, real::exp(ratio), 0.0);
@@ -127,27 +185,44 @@ struct Elasticity {
   }
 
   template <class R>
-  BARRENO_FUNCTION ModuliOf<R> moduli(const R& pressure_value, const R& coupling_value) const {
+  BARRENO_FUNCTION ModuliOf<R> moduli(const R& I1, const R& pressure_value, const R& coupling_value)
+      const {
     const R bulk = B0 + B1 * pressure_value - coupling_value;
-    if (!variable_ratio()) return {bulk, R{} + G0};
+    if (!variable_ratio()) return {of_grains(I1, pressure_value, bulk), R{} + G0};
     const R nu = G1 + G2 * pressure_value;
-    return {bulk, shear_from_ratio(bulk, nu)};
+    const R shear = shear_from_ratio(bulk, nu);
+    return {of_grains(I1, pressure_value, bulk), shear};
+  }
+  /// Bulk modulus with what the grains do under pressure [stress].
+  /// @param bulk  without
+  template <class R>
+  BARRENO_FUNCTION R of_grains(const R& I1, const R& pressure_value, const R& bulk) const {
+    if (!grains_change()) return bulk;
+    const R pressure = (-1.0 / 3.0) * real::smaller(I1, 0.0);
+    const R grains = bulk + stiffening * pressure * pressure_value;
+    if (transition_compliance == 0.0) return grains;
+    const R way = (pressure - transition_start) * per_transition;
+    const MaskOf<R> within = (way > 0.0) & (way < 1.0) & (pressure_value > 0.0);
+    if (!real::any(within)) return grains;
+    const R compliance = real::select(within, transition_compliance * way * (1.0 - way), 0.0);
+    return grains / (1.0 + compliance * grains);
   }
   template <class R>
   BARRENO_FUNCTION ModuliOf<R> moduli_at(const R& I1, const R& evp) const {
-    return moduli(pressure_term(I1, evp).value, coupling(I1, evp));
+    return moduli(I1, pressure_term(I1, evp).value, coupling(I1, evp));
   }
   template <class R>
   BARRENO_FUNCTION ElasticStateOf<R> state_at(const R& I1, const R& evp) const {
     ElasticStateOf<R> n{I1, evp, pressure_term(I1, evp), coupling(I1, evp)};
-    n.moduli = moduli(n.term.value, n.coupling);
+    n.moduli = moduli(n.x, n.term.value, n.coupling);
     return n;
   }
   /// Moduli half way to a change of I1, to second order.
   template <class R>
   BARRENO_FUNCTION ModuliOf<R> moduli_midway(const ElasticStateOf<R>& n, const R& change) const {
     const R middle = n.term.value + 0.5 * n.term.slope * change;
-    return moduli(R(real::smaller(real::larger(middle, 0.0), 1.0)), n.coupling);
+    const R value = real::smaller(real::larger(middle, 0.0), 1.0);
+    return moduli(R(n.x + 0.5 * change), value, n.coupling);
   }
   /// Moduli at the end of an elastic change of I1: a parabola in I1 for short ones in compression
   /// (its relative error in exp(B2/I1) is below (B2/I1 dI1/I1)^3, here 1e-6), else the exponential.
@@ -167,7 +242,7 @@ struct Elasticity {
       value = real::select(is_short, value, pressure_term(x_end, n.evp).value);
       coupled = real::select(is_short, coupled, coupling(x_end, n.evp));
     }
-    return moduli(value, coupled);
+    return moduli(x_end, value, coupled);
   }
 
   template <class R>
@@ -185,6 +260,26 @@ struct Elasticity {
       return named("B3", p.B3) +
              " with B4 = 0 makes the bulk modulus jump at the first crushing; set B4, the "
              "plastic strain over which it falls, or B3 = 0.";
+    }
+    return {};
+  }
+  static std::string check_transition(const Parameters& p) {
+    const std::string strain = named("Transition strain", p.transition_strain);
+    const std::string start = named("Transition start", p.transition_start);
+    const std::string end = named("Transition end", p.transition_end);
+    if (p.transition_strain == 0.0) {
+      const bool starts = p.transition_start > 0.0;
+      if (!starts && p.transition_end == 0.0) return {};
+      return (starts ? start : end) +
+             " needs a Transition strain, by which the grains become denser; set it, or leave the "
+             "transition out.";
+    }
+    if (!(p.transition_start > 0.0)) {
+      return strain + " needs the pressure at which the transition begins; set Transition start.";
+    }
+    if (!(p.transition_end > p.transition_start)) {
+      return end + " does not exceed " + start + " (grains turn into the denser phase between " +
+             "them); raise the end.";
     }
     return {};
   }
@@ -216,8 +311,13 @@ struct Elasticity {
     return {};
   }
 
-  /// Upper bounds over all reachable states, for the first time step.
+  /// Upper bounds over all reachable states of rock whose grains do not change; without bound else.
   BARRENO_FUNCTION Moduli upper_bound() const {
+    const Moduli published = published_bound();
+    return {grains_change() ? HUGE_VAL : published.bulk, published.shear};
+  }
+  /// Bounds on the published part of the moduli.
+  BARRENO_FUNCTION Moduli published_bound() const {
     const double bulk = B0 + B1;
     if (!variable_ratio()) return {bulk, G0};
     const double smallest_ratio = G2 < 0.0 ? G1 + G2 : G1;
