@@ -67,7 +67,8 @@ std::vector<Result> by_lanes(const Arenisca& model, const std::vector<RockPoint>
 /// Largest differences, relative to the larger of strength and trial stress.
 struct Difference {
   double stress = 0.0, plastic_strain = 0.0, work = 0.0, modulus = 0.0;
-  double largest() const { return std::max({stress, work, modulus}); }
+  /// Plastic strain in the measure of the others: a tenth of what they may differ by.
+  double largest() const { return std::max({stress, work, modulus, 10.0 * plastic_strain}); }
 };
 Difference difference(
     const ScalarArenisca& model, const RockPoint& point, const Result& a, const Result& b
