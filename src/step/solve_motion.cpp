@@ -6,6 +6,7 @@
 #include "step/boundary/prescribe_velocities.hpp"
 #include "step/dormant/find_dormant_tiles.hpp"
 #include "step/nodes/solve_velocity.hpp"
+#include "step/particles/relax_pressures.hpp"
 #include "step/particles/relax_volumes.hpp"
 #include "step/subcycle/tile_steps.hpp"
 #include "step/transfer/interpolate_motion.hpp"
@@ -71,6 +72,9 @@ void relax(
   const MaterialSpec& material = materials[static_cast<std::size_t>(particles.material)];
   const double rate = material.volume_relaxation, density = material.density();
   relax_volumes(state.grid, state.dormancy, rate, density, particles);
+  // Divided rows are small beside their cells.
+  if (particles.split_rule.most > 0 && material.holds_voids())
+    relax_pressures(state.grid, state.dormancy, density, particles);
 }
 
 /// What the motion of the nodes does to the particles of tiles whose steps end.

@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "shape/kinematics.hpp"
+#include "step/particles/shear_of_step.hpp"
 
 #include <cmath>
 
@@ -12,8 +13,6 @@ namespace {
 
 template <class M>
 struct RelaxVolumes {
-  static constexpr int dimensions = M::dimensions;
-
   double rate, reference_density;
   Dormancy dormancy;
   ArrayView<int> tile_begin, order;
@@ -26,27 +25,6 @@ struct RelaxVolumes {
   KOKKOS_INLINE_FUNCTION static bool is_intact(double log_ratio) {
     return log_ratio < intact_volume && log_ratio > -intact_volume;
   }
-  /// dt L_ij; the hoop strain is entry 4 in two dimensions.
-  KOKKOS_INLINE_FUNCTION double& entry(int p, int i, int j) const {
-    return increment(p, dimensions * i + j);
-  }
-
-  /// Norm of the deviator of dt D, the symmetric part of dt L.
-  KOKKOS_INLINE_FUNCTION double shear(int p) const {
-    const double hoop = dimensions == 2 ? increment(p, 4) : 0.0;
-    double trace = hoop, squares = hoop * hoop;
-    for (int i = 0; i < dimensions; ++i) {
-      trace += entry(p, i, i);
-      squares += entry(p, i, i) * entry(p, i, i);
-      for (int j = 0; j < i; ++j) {
-        const double twice = entry(p, i, j) + entry(p, j, i);
-        squares += 0.5 * twice * twice;
-      }
-    }
-    const double of_deviator = squares - trace * trace / 3.0;
-    return of_deviator > 0.0 ? std::sqrt(of_deviator) : 0.0;
-  }
-
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     if (dormancy.is_left(tile)) return;
     const int end = tile_begin(tile + 1);
@@ -67,9 +45,10 @@ struct RelaxVolumes {
   KOKKOS_INLINE_FUNCTION void relax(int p, double mean) const {
     const double own = log_ratio(p);
     if (!is_intact(own)) return;
-    const double wanted = rate * shear(p);
+    const double wanted = rate * shear_of_step<M>(increment, p);
     const double part = wanted < most_relaxed ? wanted : most_relaxed;
-    for (int i = 0; i < dimensions; ++i) entry(p, i, i) -= part * (own - mean) / dimensions;
+    for (int i = 0; i < M::dimensions; ++i)
+      increment_entry<M>(increment, p, i, i) -= part * (own - mean) / M::dimensions;
   }
 };
 
