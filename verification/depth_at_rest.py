@@ -26,7 +26,7 @@ from tools.write_pages import write_pages
 
 HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE / "results" / "depth_at_rest.json"
-CELLS = (1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
+CELLS = (1.2, 1.8, 2.4, 3.2, 4.0)  # in the radius of the tip
 PARTICLES = ("2", "4", "8", "2+4", "4+4")  # of the jet, in a cell along each direction + how often each may be divided
 ASSOCIATED = {"Materials/Sandstone/Card": "berea_sandstone.xml"}
 UNCONFINED = {"Confinement": ""}
@@ -76,6 +76,7 @@ def measured(finished):
     return {
         "depths": [float(depth) for depth in np.interp(times, table["time"], table["depth"])],
         "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
+        "volume": summary["penetration"]["channel_volume"],
         "removed": {cause: what["mass"] for cause, what in summary["removed_particles"].items() if what["count"]},
     }  # fmt: skip
 

@@ -3,6 +3,7 @@
 import json
 import statistics
 
+from scipy.optimize import brentq
 from tools import slug_ways_table
 from tools.case_list import RESULTS
 
@@ -132,6 +133,33 @@ def growths(found):
             yield f"{job_words}, with smaller particles: by 120 us the depth changes by {early}; by {COMMON} us by {late}."
 
 
+def order(sizes, depths):
+    """Order p and limit D of depths D - C h^p of three sizes h, coarse to fine; nothing where they do not approach a limit."""
+    (a, b, c), (first, second, third) = sizes, depths
+    ratio = (second - first) / (third - second)
+    off = lambda p: (a**p - b**p) / (b**p - c**p) - ratio  # noqa: E731
+    if not off(0.1) * off(8.0) < 0.0:
+        return None
+    p = brentq(off, 0.1, 8.0)
+    return p, third + (third - second) * c**p / (b**p - c**p)
+
+
+def limits(found):
+    """What depths at the end tend to with smaller cells, where particles are divided and at least three sizes of cells were run."""
+    for job, how in sorted({(job, how) for job, _, how in found if how[1]}, key=lambda of: (list(WORDS).index(of[0]), of[1])):
+        cells = sorted(size for of, size, particles in found if (of, particles) == (job, how))
+        ends = [1e3 * found[job, size, how]["depths"][-1] for size in cells]
+        if len(cells) < 3 or any(len(found[job, size, how]["depths"]) < len(TIMES) for size in cells):
+            continue
+        rows = ", ".join(f"{end:.0f} mm with {size:g}" for size, end in zip(cells, ends))
+        approach = order([1.0 / size for size in cells[-3:]], ends[-3:])
+        tends = "the last three do not tend to a limit" if approach is None else (
+            f"the last three tend with order {approach[0]:.1f} to {approach[1]:.0f} mm, of which the smallest cells lack "
+            f"{100 * (1.0 - ends[-1] / approach[1]):.1f} %")  # fmt: skip
+        words = f"{WORDS[job][0].upper()}{WORDS[job][1:]}, {in_words(*how)} particles per cell"
+        yield f"**{words}: by {TIMES[-1]} us {rows} cells per radius; {tends}.**"
+
+
 def falls(found):
     """What the confinement takes of the depth, where both were run."""
     for job, confined in CONFINED.items():
@@ -154,5 +182,5 @@ def scatter_table(scatter):
 
 def section():
     found, scatter = runs()
-    lines = [HEAD, *table(found), "", *growths(found), *falls(found), "", SCATTER, *scatter_table(scatter), ""]
+    lines = [HEAD, *table(found), "", *growths(found), *falls(found), "", *limits(found), "", SCATTER, *scatter_table(scatter), ""]
     return "\n".join([*lines, WAY, *slug_ways_table.table(), "", WHY])
