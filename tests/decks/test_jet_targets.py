@@ -15,7 +15,7 @@ import numpy as np
 
 from barreno.report import hole as holes
 from barreno.report.deck import read_deck
-from barreno.report.files import read_csv
+from barreno.report.files import read_columns
 from barreno.report.particles import ParticleFile
 from barreno.report.zones import Rock, rings_at
 from tools.runs import DECKS, Run, mpi_environment
@@ -92,7 +92,7 @@ def check_liquid(folder):
 
 def hole_in_report(folder):
     """(hole as the report measures it, its radius half way down the channel)."""
-    table, file = read_csv(folder / "depth.csv"), ParticleFile(folder / "particles.e")
+    table, file = read_columns(folder / "depth.csv"), ParticleFile(folder / "particles.e")
     hole = holes.measure_hole(file.frame(), read_deck(folder / "deck.xml"), 0.0)
     return hole, hole.radius_at(0.5 * table["channel_depth"][-1])
 

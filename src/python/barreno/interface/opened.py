@@ -290,7 +290,8 @@ class Run:
             If the deck has no jet.
         """
         need_fields()
-        from barreno.report.files import read_csv
+        needed("pandas")
+        from barreno.report.files import read_columns
         from barreno.report.hole import face_of, measure_hole
 
         with self._particle_file() as (file, deck):
@@ -298,7 +299,7 @@ class Run:
                 raise Fault(f"{self.folder} has no jet, and so no hole; its deck has neither Jet nor Jet Monitor.")
             frame = file.frame(step_of(list(file.times), time, self.folder))
             path = self.folder / "depth.csv"
-            return measure_hole(frame, deck, face_of(read_csv(path) if path.exists() else None, file, deck))
+            return measure_hole(frame, deck, face_of(read_columns(path) if path.exists() else None, file, deck))
 
 
 def open(folder):

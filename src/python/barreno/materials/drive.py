@@ -4,6 +4,7 @@
 import pathlib
 import tempfile
 
+from barreno.runs.csv_table import read_csv
 from barreno.runs.faults import needed
 from barreno.runs.program import as_set, found_program
 from barreno.runs.tables import place
@@ -21,5 +22,4 @@ def drive(card, path, steps_per_row, every_step, settings):
         words = ["drive", "--material", str(card), "--path", str(path), "--out", str(answer), "--steps-per-row", str(steps_per_row)]
         words += ["--every-step"] if every_step else []
         found_program("drive", 1).call([*words, *as_set(f"{name}={value}" for name, value in (settings or {}).items())])
-        comments = sum(line.startswith("#") for line in answer.read_text(encoding="utf-8").splitlines())
-        return pandas.read_csv(answer, skiprows=comments, float_precision="round_trip")
+        return read_csv(answer)
