@@ -131,7 +131,7 @@ def depths_in_rock(hole, top, wanted):
 
 
 def rings_and_zones(rock, hole, top, wanted, known):
-    """Rings for the picture, and zones for the table: at wanted depths; else where they are known, and a quarter and three quarters down."""
+    """Rings for the picture, and zones for the table: at wanted depths; else where they are known, a quarter and three quarters down."""
     depths = depths_in_rock(hole, top, wanted)
     known = {one["depth"]: one for one in known} if depths and not wanted else {}
     if known:
