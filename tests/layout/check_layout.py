@@ -32,7 +32,7 @@ ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "Teuchos_ParameterList": {"deck", "pore_flow"},
     "CGAL": {"deck"},
     "CLI/": {"."},
-    "nlohmann": {"output", "pore_flow"},
+    "nlohmann": {"output", "pore_flow", "check"},
 }
 LONGEST = 500
 # Of the top folder, so that none is forgotten there: what these are, README.md and docs/architecture.md say.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/launched_jet.hpp"
+#include "check/launched_jet.hpp"
 
 #include "deck/section_table.hpp"
 
