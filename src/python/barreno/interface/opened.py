@@ -69,6 +69,11 @@ def unit_of_field(name):
 class Run:
     """What a run wrote, as tables and arrays in SI units. Every call reads the files afresh, so a run may still be under way.
 
+    Parameters
+    ----------
+    folder : path
+        As `barreno.open` takes it.
+
     Attributes
     ----------
     folder : pathlib.Path
@@ -117,10 +122,20 @@ class Run:
     def table(self, name):
         """A table that the run wrote, such as "radii.csv".
 
+        Parameters
+        ----------
+        name : str
+            Of a CSV file in the folder.
+
         Returns
         -------
         pandas.DataFrame
             Its `attrs["units"]` has the unit of every column.
+
+        Raises
+        ------
+        Fault
+            If there is no such table, or the file is none; the sentence names those that are there.
         """
         if not (self.folder / name).exists():
             there = ", ".join(sorted(file.name for file in self.folder.glob("*.csv"))) or "none"
@@ -308,6 +323,7 @@ def open(folder):
     Parameters
     ----------
     folder : path
+        As "runs/perforation-1".
 
     Returns
     -------
