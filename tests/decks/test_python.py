@@ -356,9 +356,10 @@ def main():
         folder = pathlib.Path(name).resolve()
         run = barreno.run(QUICK, SHORT, ranks=1, out=folder / "run", progress=False)
         for check in (check_import, check_docstrings, lambda: check_bare_python(run), lambda: check_frames(run), check_units,
-                lambda: check_particles(run), lambda: check_grid(run), lambda: check_bad_folders(run, folder), lambda: check_running(binary, folder),
-                lambda: check_interrupt(folder), lambda: check_runs(folder), lambda: check_decks(folder), lambda: check_sweep(folder),
-                lambda: check_material(binary, folder), lambda: check_examples(folder)):
+                lambda: check_particles(run), lambda: check_grid(run), lambda: check_bad_folders(run, folder),
+                lambda: check_running(binary, folder), lambda: check_interrupt(folder), lambda: check_runs(folder),
+                lambda: check_decks(folder), lambda: check_sweep(folder), lambda: check_material(binary, folder),
+                lambda: check_examples(folder)):
             check()
     print("the package does as docs/python.md says")
 
