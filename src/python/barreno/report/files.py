@@ -7,7 +7,7 @@ import os
 import pathlib
 import xml.etree.ElementTree
 
-from barreno.runs.csv_table import BadTable, arrays_of, read_csv
+from barreno.runs.csv_table import BadTable, EmptyTable, arrays_of, read_csv
 from barreno.runs.faults import BadRun, on_one_line
 from barreno.runs.regular_file import read_text
 
@@ -73,6 +73,8 @@ def read_columns(file):
     with reading(file):
         try:
             frame = read_csv(file, cut=True)
+        except EmptyTable as error:
+            raise BadRun(f"{file.name} contains no row of numbers") from error
         except BadTable as error:
             if not error.where:
                 raise

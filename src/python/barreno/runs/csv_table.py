@@ -27,6 +27,13 @@ class BadTable(ValueError):
         self.where, self.what, self.column = where, what, column
 
 
+class EmptyTable(BadTable):
+    """The file has no line of names."""
+
+    def __init__(self):
+        super().__init__("", "it has no line of names")
+
+
 def read_csv(file, cells=NUMBERS, separator=",", cut=False):
     """A table under a line of names, behind lines of comment that begin with #.
 
@@ -84,7 +91,7 @@ def text_of(raw):
 def check_widths(rows, separator):
     """pandas fills up a short row, and cuts off a long one."""
     if not rows:
-        raise BadTable("", "it has no line of names")
+        raise EmptyTable
     widths = [re.sub(r'"[^"]*"', "", line).count(separator) + 1 for _, line in rows]
     for (number, _), width in zip(rows, widths):
         if width != widths[0]:
