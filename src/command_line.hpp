@@ -27,6 +27,7 @@ struct Options {
   bool markdown = false;                  ///< describe as docs/deck.md
   OutputTable table = OutputTable::none;  ///< describe that one
   bool print_deck = false;                ///< check: the effective deck instead of the plan
+  bool print_jet = false;                 ///< check: the slugs of the jet instead of the plan
 };
 
 /// @throws DeckError  with one sentence

@@ -140,7 +140,13 @@ CommandPage check_page() {
         nullptr,
         "print the effective deck, every value that a run\n"
         "would use, instead of the plan",
-        [](Options& options, const std::string&) { options.print_deck = true; }}},
+        [](Options& options, const std::string&) { options.print_deck = true; }},
+       {"--print-jet",
+        nullptr,
+        nullptr,
+        "print the slugs of the jet, as the deck has them\n"
+        "and as they are launched (JSON), instead of the plan",
+        [](Options& options, const std::string&) { options.print_jet = true; }}},
       "barreno check input_xml/perforation.xml --ranks 4"};
 }
 

@@ -12,7 +12,8 @@
 #   need_packages ...   sees to Debian packages of Python, plot_packages and the like
 
 plot_packages=(python3 python3-numpy python3-matplotlib)
-report_packages=("${plot_packages[@]}" python3-netcdf4)
+table_packages=("${plot_packages[@]}" python3-pandas)
+report_packages=("${table_packages[@]}" python3-netcdf4)
 fit_packages=("${plot_packages[@]}" python3-scipy)
 commands=(run resume check jet report flow film join converge sweep compare drive fit import-ups describe python)
 
@@ -302,7 +303,7 @@ carry_out() {  # the words of the command line
       shift
       demand_deck converge "--levels 3" "$@"
       check_ranks_in "$@"
-      need_packages "${plot_packages[@]}"
+      need_packages "${table_packages[@]}"
       prepare OFF
       mpi_environment
       export BARRENO_PROGRAM=$binary

@@ -3,6 +3,7 @@
 #include "base/interrupt.hpp"
 #include "base/process.hpp"
 #include "base/start_mpi.hpp"
+#include "check/launched_jet.hpp"
 #include "check/plan.hpp"
 #include "check/predict_cost.hpp"
 #include "command_line.hpp"
@@ -108,6 +109,11 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   check_solver_lists(deck, scene, *comm);
   if (options.print_deck) {
     if (is_root(*comm)) std::cout << effective_deck_xml(deck);
+    return static_cast<int>(ExitCode::finished);
+  }
+  if (options.print_jet) {
+    const std::string jet = launched_jet_json(deck, scene);
+    if (is_root(*comm)) std::cout << jet;
     return static_cast<int>(ExitCode::finished);
   }
   const auto scene_with = [&](const std::string& fidelity) {

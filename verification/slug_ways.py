@@ -14,6 +14,7 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
+from barreno.runs.csv_table import read_csv
 from tools.runs import DECKS, run_deck
 from tools.slug_ways_table import BINS, PICTURE, TIMES
 from tools.write_pages import write_pages
@@ -26,8 +27,7 @@ TIP, LAUNCH = 1e-3, -5e-3  # the tip's radius, and the launch plane [m]
 
 def jet_table():
     """Rows time, velocity, radius, length, density."""
-    rows = (line.split(",") for line in (DECKS / "jets" / "tungsten_320.csv").read_text().splitlines() if line[:1].isdigit())
-    return [[float(word) for word in row] for row in rows]
+    return read_csv(DECKS / "jets" / "tungsten_320.csv").to_numpy(float).tolist()
 
 
 def parts(length, cell, particles):

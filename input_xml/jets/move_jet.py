@@ -73,7 +73,7 @@ def virtual_origin_depth(standoff, tip, cut_off, break_up, jet_density, target_d
 
 
 def read_table(lines, source):
-    """Rows (time, velocity, radius, length, density) in SI of a jet table with plain numbers."""
+    """Rows (time, velocity, radius, length, density) in SI of a jet table with plain numbers. Without pandas: needs Python alone."""
     rows, header = [], False
     for number, line in enumerate(lines, 1):
         text = line.strip()

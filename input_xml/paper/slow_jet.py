@@ -9,7 +9,7 @@ twice that of the whole jet's tip, so that cells of 1 mm are half a radius. They
 are made into one of their mass and momentum, 1.2 to 3 mm long: with the thin ones cells of 2 and 1 mm give depths that differ by a third,
 with these by a tenth. Merging takes the energy of the velocity differences within a group, which main() prints.
 """
-import csv
+import csv  # not pandas: needs Python alone
 import math
 import pathlib
 

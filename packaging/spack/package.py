@@ -35,6 +35,7 @@ class Barreno(CMakePackage):
         depends_on("py-numpy", type="run")
         depends_on("py-scipy", type="run")
         depends_on("py-matplotlib", type="run")
+        depends_on("py-pandas", type="run")
         depends_on("py-netcdf4", type="run")
 
     generator("ninja")

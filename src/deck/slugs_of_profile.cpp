@@ -3,6 +3,7 @@
 
 #include "base/numbers.hpp"
 #include "deck/section_table.hpp"
+#include "deck/touching_duration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -242,19 +243,11 @@ std::vector<JetSlug> slugs_of_profile(const JetProfileSpec& profile, double meta
     if (slug.piece) slug.length = *profile.break_up_time * (high - low);
     slugs.push_back(slug);
   }
-  const auto whole = static_cast<std::size_t>(
-      std::count_if(slugs.begin(), slugs.end(), [](const JetSlug& slug) { return !slug.piece; })
-  );
   for (std::size_t i = 0; i < slugs.size(); ++i) {
     JetSlug& slug = slugs[i];
     if (!slug.piece) {
-      const double ahead = i > 0 ? slug.time - slugs[i - 1].time : 0.0;
-      const double behind = i + 1 < whole ? slugs[i + 1].time - slug.time : 0.0;
       const double alone = profile.virtual_origin * (1.0 / edges[i + 1] - 1.0 / edges[i]);
-      slug.length =
-          whole == 1 ? alone * slug.velocity
-                     : 0.5 * slug.velocity *
-                           (ahead > 0.0 && behind > 0.0 ? ahead + behind : 2.0 * (ahead + behind));
+      slug.length = slug.velocity * touching_duration(slugs, i).value_or(alone);
     }
     slug.radius = std::sqrt(masses[i] / (density * pi * slug.length));
   }

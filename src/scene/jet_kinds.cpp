@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/jet_kinds.hpp"
 
+#include "deck/touching_duration.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace barreno {
 namespace {
@@ -37,16 +40,10 @@ JetSlug thinned(const JetSlug& touching, Mode mode, double material_density) {
 
 std::vector<JetSlug> touching_slugs(const std::vector<JetSlug>& table) {
   std::vector<JetSlug> slugs = table;
-  const std::size_t count = table.size();
-  if (count < 2) return slugs;
-  const auto is_whole = [&](std::size_t i) { return i < count && !table[i].piece; };
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool ahead = i > 0 && is_whole(i - 1), behind = is_whole(i + 1);
-    if (table[i].piece || !(ahead || behind)) continue;
-    const double before =
-        ahead ? table[i].time - table[i - 1].time : table[i + 1].time - table[i].time;
-    const double after = behind ? table[i + 1].time - table[i].time : before;
-    slugs[i].length = 0.5 * (before + after) * table[i].velocity;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::optional<double> duration = touching_duration(table, i);
+    if (!duration) continue;
+    slugs[i].length = *duration * table[i].velocity;
     slugs[i].density = table[i].density * table[i].length / slugs[i].length;
   }
   return slugs;

@@ -12,8 +12,7 @@ namespace barreno {
 /// kinetic energy, slug by slug. docs/jets.md
 
 /// The rows of a table with the lengths at which neighbours touch when they cross the launch plane:
-/// velocity times duration, from half-way between row i - 1 and i to half-way between i and i + 1;
-/// the first and the last last as long as the interval next to them. Mass is kept: the density is
+/// velocity times touching_duration() (deck/touching_duration.hpp). Mass is kept: the density is
 /// the mean one. Rows that touch, and a single one, stay as they are.
 std::vector<JetSlug> touching_slugs(const std::vector<JetSlug>& table);
 

@@ -6,7 +6,6 @@ every bad input.
 
     test_converge.py BARRENO
 """
-import csv
 import json
 import os
 import pathlib
@@ -16,6 +15,7 @@ import tempfile
 import time
 
 import numpy
+from barreno.runs.csv_table import WORDS, read_csv
 
 from cases import shell_coasting
 from python_commands import process_of, said_by
@@ -50,8 +50,7 @@ def check_jet(folder):
     width = max(last["values"]) - min(last["values"])
     assert last["verdict"] == "unresolved" and last["extrapolated"] is None and last["values"][0] > last["values"][2] > 0.0, last
     assert abs(last["high"] - last["low"] - 2.0 * width) < 1e-12, last
-    with open(out / "converge.csv", newline="") as stream:
-        rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+    rows = read_csv(out / "converge.csv", cells=WORDS).to_dict("records")
     assert [float(row["cells_0.001"]) for row in rows] == [one["values"][0] for one in found["results"]], rows
     assert (out / "converge.png").read_bytes()[:4] == b"\x89PNG" and not list(out.glob(".*")), list(out.iterdir())
     depth = json.loads((out / "cells-1mm" / "summary.json").read_text())["penetration"]

@@ -5,7 +5,6 @@ leaves nothing behind.
 
     test_drive.py BARRENO
 """
-import csv
 import math
 import os
 import pathlib
@@ -13,6 +12,8 @@ import shlex
 import subprocess
 import sys
 import tempfile
+
+from barreno.runs.csv_table import MIXED, read_csv
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CARDS = sorted((ROOT / "materials" / "cards").glob("*.xml"))
@@ -228,9 +229,8 @@ def listing(folder):
 
 
 def table(file):
-    with open(file, newline="") as stream:
-        rows = list(csv.reader(line for line in stream if not line.startswith("#")))
-    return rows[0], [[float(value) for value in row] for row in rows[1:]]
+    frame = read_csv(file)
+    return list(frame.columns), frame.to_numpy(float).tolist()
 
 
 def check_bad_inputs(barreno, folder):
@@ -302,9 +302,9 @@ def shipped_command(path):
 
 def yield_curve(file, state, section):
     """(I1, sqrt(J2)) of one curve of a surface's table."""
-    with open(file, newline="") as stream:
-        rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
-    return [(float(r["I1"]), float(r["sqrt_J2"])) for r in rows if (r["state"], r["section"]) == (state, section)]
+    table = read_csv(file, cells=MIXED)
+    found = table[(table["state"] == state) & (table["section"] == section)]
+    return found[["I1", "sqrt_J2"]].to_numpy(float).tolist()
 
 
 def strength_at(curve, x):
@@ -432,11 +432,10 @@ def check_extension(barreno, folder):
         if result.returncode != 0:
             yield f"extension with beta = {beta}: {result.stderr}"
             return
-        lines = [line.split(",") for line in (folder / OUT[1]).read_text().splitlines()[1:]]
-        at = [lines[0].index(f"stress_{name}") for name in ("xx", "yy", "zz")]
-        pressures.append([-sum(float(line[i]) for i in at) / 3.0 for line in lines[1:]])
-        if not all(float(line[at[0]]) > 0.0 for line in lines[2:]):
-            yield f"the axis is not in tension: {lines}"
+        stress = read_csv(folder / OUT[1])[["stress_xx", "stress_yy", "stress_zz"]]
+        pressures.append((-stress.sum(axis=1) / 3.0).tolist())
+        if not (stress["stress_xx"][1:] > 0.0).all():
+            yield f"the axis is not in tension: {stress}"
     associated, less = pressures
     if not (associated[1] < 0.0 < associated[2] < associated[3] and max(less[1:]) < 0.0):
         yield f"pressures of extension: {pressures}"

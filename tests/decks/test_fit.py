@@ -24,6 +24,7 @@ from barreno.fit.kinds import DIMENSIONS
 from barreno.fit.parameters import PARAMETERS
 from barreno.fit.specimens import opened
 from barreno.materials import load
+from barreno.runs.csv_table import read_csv
 from barreno.runs.faults import Fault
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -292,8 +293,7 @@ def check_against_drive(folder, library, barreno):
         path.write_text("\n".join([f"time,{columns}", *(f"{i}," + row.format(e=repr(-e + 0.0)) for i, e in enumerate(strain.tolist()))])
             + "\n")
         subprocess.run([barreno, "drive", "--material", folder / "rock.xml", "--path", path, "--out", out], check=True, capture_output=True)
-        lines = [line for line in out.read_text().splitlines() if not line.startswith("#")]
-        stress = -numpy.array([float(line.split(",")[lines[0].split(",").index("stress_xx")]) for line in lines[1:]])
+        stress = -read_csv(out)["stress_xx"].to_numpy(float)
         off = numpy.abs(answer[channel] - stress).max() / stress.max()
         assert off < 1e-6, f"{kind}: {off}"
 

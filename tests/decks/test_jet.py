@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 
@@ -108,6 +109,34 @@ def check_kinds(folder):
     assert picture.read_bytes()[:4] == b"\x89PNG" and picture.stat().st_size > 5000
 
 
+def mass_of(slug):
+    return slug["density"] * slug["radius"] ** 2 * slug["length"]
+
+
+def check_launched(folder):
+    """`check --print-jet`: every kind keeps the mass of each slug; whole metal touches, of a continuous jet at the density of the table."""
+    profile = {**profile_of(), "Density": "6 g/cm3", "Rows": 40, "Break-up Time": "40 us"}
+    for kind in ("discrete", "thinned", "continuous"):
+        deck = deck_of(profile, kind)
+        deck["Materials/Copper/Expansion Strain"] = "on"
+        file = pathlib.Path(folder) / "launched.xml"
+        deck.write(file)
+        answer = subprocess.run([os.environ["BARRENO_PROGRAM"], "check", file, "--print-jet"], capture_output=True, text=True, check=True)
+        table, slugs = (json.loads(answer.stdout)[name] for name in ("table", "slugs"))
+        assert len(table) == len(slugs) == 40 and all(abs(mass_of(a) / mass_of(b) - 1.0) < 1e-12 for a, b in zip(table, slugs)), slugs
+        broken = [slug["velocity"] < STANDOFF / 40e-6 for slug in slugs]
+        assert [slug["piece"] for slug in slugs] == (broken if kind != "discrete" else [False] * 40) and 0 < sum(broken) < 40, slugs
+        whole = [slug for slug, piece in zip(slugs, broken) if not piece]
+        for one, other in zip(whole[1:-2], whole[2:-1]):  # those of the ends last for one interval
+            touches = 0.5 * (one["length"] / one["velocity"] + other["length"] / other["velocity"]) / (other["time"] - one["time"])
+            assert abs(touches - (6.0 / 8.93 if kind == "discrete" else 1.0)) < 0.01, (kind, touches)
+        assert abs(whole[3]["density"] - (6000.0 if kind == "continuous" else METAL)) < 1e-6 * METAL, whole[3]
+    del deck["Jet"]
+    deck.write(file)
+    answer = subprocess.run([os.environ["BARRENO_PROGRAM"], "check", file, "--print-jet"], capture_output=True, text=True)
+    assert answer.returncode == 1 and "Jet is missing, so nothing is launched (--print-jet); give one" in answer.stderr, answer.stderr
+
+
 def check_faults(folder):
     deck = deck_of(profile_of())
     for words, sentence in (
@@ -131,7 +160,7 @@ def check_faults(folder):
 def main():
     os.environ["BARRENO_PROGRAM"] = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
-        for check in (check_virtual_origin, check_rod, check_kinds, check_faults):
+        for check in (check_virtual_origin, check_rod, check_kinds, check_launched, check_faults):
             check(folder)
 
 

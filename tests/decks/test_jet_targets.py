@@ -15,9 +15,10 @@ import numpy as np
 
 from barreno.report import hole as holes
 from barreno.report.deck import read_deck
-from barreno.report.files import read_csv
+from barreno.report.files import read_columns
 from barreno.report.particles import ParticleFile
 from barreno.report.zones import Rock, rings_at
+from python_commands import said_by
 from tools.runs import DECKS, Run, mpi_environment
 
 COARSE = ("Grid/Cell Size=5 mm", "Time/End Time=3 us")
@@ -92,7 +93,7 @@ def check_liquid(folder):
 
 def hole_in_report(folder):
     """(hole as the report measures it, its radius half way down the channel)."""
-    table, file = read_csv(folder / "depth.csv"), ParticleFile(folder / "particles.e")
+    table, file = read_columns(folder / "depth.csv"), ParticleFile(folder / "particles.e")
     hole = holes.measure_hole(file.frame(), read_deck(folder / "deck.xml"), 0.0)
     return hole, hole.radius_at(0.5 * table["channel_depth"][-1])
 
@@ -131,6 +132,14 @@ def check_zones(folder):
         assert abs(zones[name] - radius) < 1.25 * hole.cell, (name, zones, radius)
     assert abs(zones["skin"] - rings.skin) < 0.1 * max(1.0, abs(rings.skin)), (zones, rings.skin)
     assert abs(zones["least_porosity"] - np.nanmin(rings.porosity)) < 0.02, (zones, rings.porosity)
+    # With one wall what is left is how sheared particles are spread over rings.
+    beside = rings_at(Rock(file.frame(), deck, 0.0), hole, zones["depth"], zones["radius"])
+    assert abs(zones["skin"] - beside.skin) < 0.03 * max(1.0, abs(beside.skin)), (zones, beside.skin)
+    said = said_by("barreno.report", "report", folder)
+    page = (folder / "report" / "index.md").read_text()
+    rows = [line.strip("| ").split(" | ") for line in page.split("least permeability / virgin")[1].splitlines()[2:5]]
+    assert len(rows) == 3 and rows[1][0] == f"{1e3 * zones['depth']:.1f}" and rows[1][1] == f"{1e3 * zones['radius']:.2f}", (said, rows)
+    assert rows[1][-1] == f"{zones['skin']:+.2f}" and rows[1][2] == f"{1e3 * zones['crushed_from']:.1f}", (zones, rows)
 
 
 def main():

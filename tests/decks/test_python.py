@@ -8,6 +8,7 @@ against the program, and what is said of folders that are cut, of another versio
 import concurrent.futures
 import contextlib
 import doctest
+import inspect
 import json
 import os
 import pathlib
@@ -40,6 +41,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 QUICK = DECKS / "perforation_quick.xml"
 SHORT = {"Time/End Time": "6 us", "Output/Field Interval": "2 us"}
 LONGEST_IMPORT = 0.3  # s
+AS_OF_A_DICTIONARY = {f"Deck.{name}" for name in ("get", "pop", "setdefault", "update")}
 HEAVY = ("numpy", "pandas", "xarray", "netCDF4", "scipy", "matplotlib")
 
 
@@ -63,6 +65,29 @@ def check_import():
     assert min(float(words[0]) for words in said) < LONGEST_IMPORT and all(len(words) == 1 for words in said), said
     assert set(barreno.__all__) <= set(dir(barreno))
     refused(lambda: barreno.hello, "no attribute 'hello'", "open", kind=AttributeError)
+
+
+def documented():
+    """{name: callable} of what `import barreno` offers, with the methods of its classes."""
+    found = {}
+    for name in barreno.__all__:
+        one = getattr(barreno, name)
+        found[name] = one
+        methods = vars(one) if isinstance(one, type) and not issubclass(one, Exception) else {}
+        found |= {f"{name}.{method}": getattr(one, method) for method in methods if not method.startswith("_")}
+    return found
+
+
+def check_docstrings():
+    """As numpydoc has them, with all parameters."""
+    for name, one in documented().items():
+        assert one.__doc__ and one.__doc__.strip(), f"{name} has no docstring"
+        if not callable(one) or name in AS_OF_A_DICTIONARY:
+            continue
+        parameters = one.__doc__.partition("Parameters\n")[2].partition("Returns\n")[0]
+        named = {word.strip() for line in parameters.splitlines() if " : " in line for word in line.partition(" : ")[0].split(",")}
+        missing = {word for word in inspect.signature(one).parameters if word != "self"} - named
+        assert not missing, f"{name} does not say what {', '.join(sorted(missing))} is"
 
 
 def check_bare_python(run):
@@ -269,6 +294,10 @@ def check_decks(folder):
         assert barreno.check(folder / file) == whole == deck.check() and whole["Schema Version"] == 1, file
     deck = barreno.Deck({"Time/x": 1}, name="mine.xml")
     deck["A/B"] = 2
+    deck.update({"D/E/F": 1}, G=2)
+    assert deck.pop("D/E/F") == 1 and deck.pop("D/E/F", 5) == 5 and deck.setdefault("D/E/F", 6) == 6 == deck.setdefault("D/E/F", 7), deck
+    assert deck.pop("D") == {"E": {"F": 6}} and deck.pop("G") == 2 and "D" not in deck, deck
+    refused(lambda: deck.pop("A/C"), "mine.xml has no 'A/C'", kind=KeyError)
     assert deck["A"] == {"B": 2} and "A/B" in deck and "A/C" not in deck and deck.get("A/C", 3) == 3
     refused(lambda: deck["A/b"], "mine.xml has no 'A/b'", "did you mean 'B'?", kind=KeyError)
     refused(lambda: deck["C/B"], "has no list 'C'", kind=KeyError)
@@ -287,6 +316,8 @@ def check_sweep(folder):
     table = barreno.sweep(deck, {"Confinement/Pressure": ["0 MPa", "34 MPa"]}, out=out, jobs=2, progress=False)
     depths = [json.loads((pathlib.Path(run) / "summary.json").read_text())["penetration"]["depth"] for run in table["run"]]
     assert table["penetration.depth"].tolist() == depths and table["Confinement/Pressure [MPa]"].tolist() == [0, 34], table.columns
+    units = table.attrs["units"]
+    assert units["Confinement/Pressure [MPa]"] == "MPa" and units["penetration.depth"] == "SI" and "state" not in units, units
     named = {json.loads((pathlib.Path(run) / "summary.json").read_text())["deck"] for run in table["run"]}
     assert named == {QUICK.name}, f"of a deck of dictionaries: {named}"
     with concurrent.futures.ThreadPoolExecutor(1) as other:  # as a window's worker; finished runs are taken
@@ -309,6 +340,10 @@ def check_material(binary, folder):
     stress = rock.drive(columns, steps_per_row=20)
     assert np.allclose(stress[["stress_yy", "stress_zz"]].iloc[-1], -40e6, rtol=1e-5) and stress["stress_xx"].iloc[-1] < -40e6, stress
     assert len(rock.drive(columns, 20, every_step=True)) == 41
+    units = stress.attrs["units"]
+    assert units["time"] == "s" and units["stress_xx"] == "Pa" and units["strain_zx"] == "-" and "porosity" not in units, units
+    refused(lambda: barreno.Material("nowhere"), "nowhere")
+    refused(lambda: rock.update(np.zeros((1, 5)), *rock.virgin(1)), "strain has the shape (1, 5); (1, 6) is needed")
     refused(lambda: rock.drive(folder / "nowhere.csv"), "does not exist (needed as a path)")
     refused(lambda: rock.drive({"time": [0, 1], "F11": ["a", "b"]}), "path.csv")
 
@@ -320,10 +355,11 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name).resolve()
         run = barreno.run(QUICK, SHORT, ranks=1, out=folder / "run", progress=False)
-        for check in (check_import, lambda: check_bare_python(run), lambda: check_frames(run), check_units, lambda: check_particles(run),
-                lambda: check_grid(run), lambda: check_bad_folders(run, folder), lambda: check_running(binary, folder),
-                lambda: check_interrupt(folder), lambda: check_runs(folder), lambda: check_decks(folder), lambda: check_sweep(folder),
-                lambda: check_material(binary, folder), lambda: check_examples(folder)):
+        for check in (check_import, check_docstrings, lambda: check_bare_python(run), lambda: check_frames(run), check_units,
+                lambda: check_particles(run), lambda: check_grid(run), lambda: check_bad_folders(run, folder),
+                lambda: check_running(binary, folder), lambda: check_interrupt(folder), lambda: check_runs(folder),
+                lambda: check_decks(folder), lambda: check_sweep(folder), lambda: check_material(binary, folder),
+                lambda: check_examples(folder)):
             check()
     print("the package does as docs/python.md says")
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from barreno.report import hole as holes
 from barreno.report.deck import read_deck
-from barreno.report.files import read_csv
+from barreno.report.files import read_columns
 from barreno.report.particles import ParticleFile
 from barreno.report.penetration import volumes_of
 from python_commands import process_of, said_by
@@ -65,7 +65,7 @@ def check_paths(run):
 def check_radius(run):
     """Half way down, the wall is where depth.csv has it, to what boxes around sheared particles and lines between its rows leave of a
     jagged wall; the hole is as long as the channel to a cell."""
-    table, file, deck = read_csv(run / "depth.csv"), ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
+    table, file, deck = read_columns(run / "depth.csv"), ParticleFile(run / "particles.e"), read_deck(run / "deck.xml")
     hole = holes.measure_hole(file.frame(), deck, holes.face_of(table, file, deck))
     radius = hole.radius_at(0.5 * table["channel_depth"][-1])
     assert abs(radius - table["channel_radius_mid"][-1]) <= hole.cell / 4.0, (radius, table["channel_radius_mid"][-1])
@@ -200,7 +200,7 @@ def check_space(barreno, folder):
     command("report", run.folder, "--particles", "near tip")
     check_radius(run.folder)
     check_names(run.folder / "report" / "paraview" / "view.py")
-    paths = np.genfromtxt(run.folder / "report" / "paths.csv", delimiter=",", names=True, skip_header=1)
+    paths = read_columns(run.folder / "report" / "paths.csv")
     assert paths["along_y"][0] > 6e7 and set(paths["time"]) == {0.0, 3e-6}, paths
     rows = [line.split(" | ")[2] for line in (run.folder / "report" / "index.md").read_text().split("## Stress paths")[1].splitlines()
         if "Sandstone |" in line]

@@ -5,7 +5,6 @@ functions, for every form of the shear limit and every shape of the third invari
 
     test_report_surface.py BARRENO
 """
-import csv
 import pathlib
 import subprocess
 import sys
@@ -14,6 +13,7 @@ import tempfile
 import numpy as np
 
 from barreno.report.strength import Strength, lode_shape
+from barreno.runs.csv_table import MIXED, read_csv
 
 ROCK = {  # SI
     "PEAKI1": 9.36e6, "FSLOPE": 0.549, "STREN": 128.5e6, "YSLOPE": 0.0724, "CR": 0.593, "B0": 6.74e9, "B1": 2.86e10, "B2": 2.64e8,
@@ -46,12 +46,9 @@ def write_card(file, values):
 
 def curves(file):
     """{(section, lode angle): (I1, sqrt(J2))} of the virgin rock's surface."""
-    with open(file, newline="") as stream:
-        rows = [row for row in csv.DictReader(line for line in stream if not line.startswith("#")) if row["state"] == "initial"]
-    found = {}
-    for row in rows:
-        found.setdefault((row["section"], float(row["lode_angle"])), []).append((float(row["I1"]), float(row["sqrt_J2"])))
-    return {key: np.array(points).T for key, points in found.items()}
+    table = read_csv(file, cells=MIXED)
+    groups = table[table["state"] == "initial"].groupby(["section", "lode_angle"])
+    return {key: rows[["I1", "sqrt_J2"]].to_numpy(float).T for key, rows in groups}
 
 
 def check_form(barreno, folder, name, changes):

@@ -5,7 +5,6 @@ continued, that a failure stops nothing else, the array job and what is collecte
 
     test_sweep.py BARRENO
 """
-import csv
 import json
 import os
 import pathlib
@@ -16,6 +15,7 @@ import sys
 import tempfile
 import time
 
+from barreno.runs.csv_table import WORDS, read_csv
 from python_commands import environment_of_runs, process_of, said_by
 from tools.runs import DECKS, mpi_environment
 
@@ -31,8 +31,7 @@ def sweep(*words, **more):
 
 
 def table_of(out, name="table.csv"):
-    with open(out / name, newline="", encoding="utf-8") as stream:
-        return list(csv.DictReader(line for line in stream if not line.startswith("#")))
+    return read_csv(out / name, cells=WORDS).to_dict("records")
 
 
 def how_of(out):

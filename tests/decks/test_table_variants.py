@@ -14,6 +14,7 @@ from table_variants import form_of, forms, forms_in_thousands
 from barreno.fit.data import numbers_of, read_test
 from barreno.fit.laboratory import Said, known_names
 from barreno.fit.table import decoded, split_table
+from barreno.runs.csv_table import read_csv
 from barreno.runs.faults import Fault
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -48,9 +49,7 @@ def driven(barreno, folder, raw):
     assert done.returncode in (0, 1) and out.exists() == (done.returncode == 0), done.stderr
     if done.returncode:
         return None, done.stderr
-    lines = [line.split(",") for line in out.read_text().splitlines()[1:]]
-    at = [lines[0].index(name) for name in ("time", "strain_xx", "stress_yy")]
-    return numpy.array([[float(line[i]) for i in at] for line in lines[1:]]), done.stdout + done.stderr
+    return read_csv(out)[["time", "strain_xx", "stress_yy"]].to_numpy(float), done.stdout + done.stderr
 
 
 def columns_of(raw):

@@ -6,7 +6,6 @@ sides against `barreno drive` in strain and stress.
     test_ccx_nlgeom.py LIBRARY FOLDER_OF_CCX BARRENO
 """
 
-import csv
 import math
 import pathlib
 import subprocess
@@ -14,6 +13,7 @@ import sys
 import tempfile
 
 import numpy
+from barreno.runs.csv_table import read_csv
 
 import barreno_library
 import calculix
@@ -85,11 +85,12 @@ def drive(barreno, folder, card, path):
     command = [barreno, "drive", "--material", card, "--path", "path.csv", "--out", "out.csv"]
     result = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=100)
     assert result.returncode == 0, result.stderr
-    rows = list(csv.reader(line for line in (folder / "out.csv").read_text().splitlines() if line[0] != "#"))
-    first = rows[0].index("stress_xx")
-    values = numpy.array([[float(cell) for cell in row[first:]] for row in rows[2:]])
+    table = read_csv(folder / "out.csv")
+    names = list(table.columns)
+    first = names.index("stress_xx")
+    values = table.to_numpy(float)[1:, first:]
     stresses = numpy.array([tensor(xx, yy, zz, xy, zx, yz) for xx, yy, zz, xy, yz, zx in values[:, :6]])
-    return stresses, values[:, 6:], scales_of(rows[0][first + 6 :], values[:, 6:])
+    return stresses, values[:, 6:], scales_of(names[first + 6 :], values[:, 6:])
 
 
 def gradients(turned):

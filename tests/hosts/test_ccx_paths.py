@@ -6,7 +6,6 @@ strains.
     test_ccx_paths.py LIBRARY FOLDER_OF_CCX BARRENO
 """
 
-import csv
 import math
 import pathlib
 import subprocess
@@ -14,6 +13,7 @@ import sys
 import tempfile
 
 import numpy
+from barreno.runs.csv_table import read_csv
 
 import barreno_library
 import calculix
@@ -94,8 +94,7 @@ def compare_drive(barreno, path, strains, own):
         command = [barreno, "drive", "--material", card, "--path", folder / "path.csv", "--out", folder / "out.csv"]
         result = subprocess.run(command, capture_output=True, text=True, timeout=100)
         assert result.returncode == 0, result.stderr
-        rows = list(csv.DictReader(line for line in (folder / "out.csv").read_text().splitlines() if line[0] != "#"))
-    driven = numpy.array([[float(row[f"stress_{c}"]) for c in ("xx", "yy", "zz", "xy", "zx", "yz")] for row in rows[1:]])
+        driven = read_csv(folder / "out.csv")[[f"stress_{c}" for c in ("xx", "yy", "zz", "xy", "zx", "yz")]].to_numpy(float)[1:]
     worst = abs(driven - own[:, :6]).max() / abs(own[:, :6]).max()
     print(f"{path}: barreno drive differs by {worst:.1e}")
     assert worst < TOLERANCE, path

@@ -32,7 +32,7 @@ ALLOWED_IN = {  # header prefix -> folders of src/ that may include it
     "Teuchos_ParameterList": {"deck", "pore_flow"},
     "CGAL": {"deck"},
     "CLI/": {"."},
-    "nlohmann": {"output", "pore_flow"},
+    "nlohmann": {"output", "pore_flow", "check"},
 }
 LONGEST = 500
 # Of the top folder, so that none is forgotten there: what these are, README.md and docs/architecture.md say.
@@ -156,6 +156,11 @@ def check_package():
     package = ROOT / "src" / "python" / "barreno"
     found = {path.name for path in package.iterdir() if path.is_dir() and any(path.glob("*.py"))}
     problems.extend(f"src/python/barreno/{name} is no part of this script's list" for name in sorted(found - set(PARTS)))
+    table = (ROOT / "docs" / "architecture.md").read_text().partition("| part of src/python/barreno |")[2].partition("\n\n")[0]
+    named = re.findall(r"^\| ([\w/]+) \|", table, re.MULTILINE)
+    if [name for name in named if "/" not in name] != PARTS:
+        problems.append(f"docs/architecture.md has the parts {', '.join(named)} of src/python/barreno, this script {', '.join(PARTS)}")
+    problems.extend(f"docs/architecture.md names {name}, which is no folder" for name in named if not (package / name).is_dir())
     for name in PARTS:
         for file in sorted((package / name).rglob("*.py")):
             for line, part in parts_of_package(file):

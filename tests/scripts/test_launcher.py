@@ -121,7 +121,7 @@ def check_report(machine, folder):
         assert result.returncode == 0 and f"made {list(map(str, words))}" in result.stdout, result.stderr
         (install,) = [call for call in calls if " install " in call]
         packages = install.split("--no-install-recommends ")[1].split()
-        assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
+        assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy", "python3-pandas"], packages
 
 
 def check_plot(machine):
@@ -147,7 +147,7 @@ def check_converge(machine, folder):
     assert result.returncode == 0 and f"converged ['{folder / 'a deck.xml'}', '--ranks', '3']" in result.stdout, result.stderr
     assert result.stdout.strip().endswith("a tree/build/release/src/barreno"), result.stdout
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
-    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-numpy"], packages
+    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-numpy", "python3-pandas"], packages
     result, _ = machine.run("converge", folder / "a deck.xml")
     assert re.search(r"'--ranks', '[1-9][0-9]*'\]", result.stdout), result.stdout
 
@@ -164,7 +164,7 @@ def check_sweep(machine, folder):
     assert result.returncode == 0 and f"swept ['{folder / 'a deck.xml'}', '--vary', 'A/B C=1,2 mm']" in result.stdout, result.stderr
     assert re.search(r"a tree/build/release/src/barreno [1-9][0-9]* .*a\\ tree/barreno sweep$", result.stdout.strip()), result.stdout
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
-    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy"], packages
+    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy", "python3-pandas"], packages
 
 
 def check_compare(machine, folder):

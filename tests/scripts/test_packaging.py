@@ -26,7 +26,9 @@ TRILINOS = {"Tpetra": "tpetra", "Belos": "belos", "Ifpack2": "ifpack2", "MueLu":
 
 def launcher_packages(name):
     text = (ROOT / "barreno").read_text() + (ROOT / "src" / "commands.sh").read_text()
-    return set(re.search(rf"^{name}=\((.*?)\)", text, re.MULTILINE | re.DOTALL).group(1).replace('"${plot_packages[@]}"', "").split())
+    words = re.search(rf"^{name}=\((.*?)\)", text, re.MULTILINE | re.DOTALL).group(1)
+    others = re.findall(r'"\$\{(\w+_packages)\[@\]\}"', words)
+    return {word for word in words.split() if "$" not in word}.union(*map(launcher_packages, others))
 
 
 def instructions():

@@ -4,7 +4,6 @@
 folders."""
 import argparse
 import contextlib
-import csv
 import io
 import os
 import pathlib
@@ -19,6 +18,7 @@ from barreno.compare import command as compare
 from barreno.compare import differences, results
 from barreno.converge import command as converge
 from barreno.runs import effective_deck, make_runs, run_folder
+from barreno.runs.csv_table import WORDS, read_csv
 from barreno.runs.faults import Fault
 from barreno.sweeps import compute, plan, sample, slurm, variation, words, write
 
@@ -253,8 +253,7 @@ def swept(folder, line, count=3):
 
 
 def rows_in(file):
-    with open(file, newline="", encoding="utf-8") as stream:
-        return list(csv.DictReader(line for line in stream if not line.startswith("#")))
+    return read_csv(file, cells=WORDS).to_dict("records")
 
 
 def check_results(folder):

@@ -5,6 +5,7 @@ import pathlib
 
 import h5py
 import numpy as np
+from barreno.runs.csv_table import read_csv
 
 from tools.resumed import different_fields, different_sums
 
@@ -17,8 +18,7 @@ OF_THE_WORK = ("ledger/particle_steps", "ledger/step_shares", "output/seconds")
 
 
 def numbers_of(file):
-    rows = [line.split(",") for line in file.read_text().splitlines() if line and not line.startswith("#")]
-    return np.array([[float(x) for x in row] for row in rows[1:]])
+    return read_csv(file).to_numpy(float)
 
 
 def far(a, b, tolerance):
@@ -106,9 +106,8 @@ def unsound(folder):
         file = folder / name
         if not file.exists():
             continue
-        text = file.read_text().lower()
-        wrong += [f"{name} holds {word}" for word in ("nan", "inf")
-            if any(cell.strip(" -+") == word for line in text.splitlines() if not line.startswith("#") for cell in line.split(","))]
+        values = numbers_of(file)
+        wrong += [f"{name} holds {word}" for word, found in (("nan", np.isnan(values)), ("inf", np.isinf(values))) if found.any()]
     summary = json.loads((folder / "summary.json").read_text(), parse_constant=lambda word: wrong.append(f"summary.json holds {word}"))
     error = summary["balances"]["mass"]["error"]
     if error is None or not abs(error) <= 1e-12:

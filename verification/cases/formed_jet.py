@@ -6,6 +6,7 @@ import sys
 import xml.etree.ElementTree as xml
 
 import numpy as np
+from barreno.runs.csv_table import arrays_of, read_csv
 from tools.case import Result
 from tools.penetration import depth_at
 from tools.runs import DECKS, run_deck, scratch_folder
@@ -78,9 +79,9 @@ def moved_table(folder, table, distance):
     """jets/move_jet.py, as a table of names."""
     text = subprocess.run([sys.executable, DECKS / "jets" / "move_jet.py", table, "--by", str(distance)], capture_output=True, text=True,
         check=True).stdout
-    rows = [line for line in text.splitlines() if line and not line.startswith("#")]
-    values = np.array([[float(cell) for cell in row.split(",")] for row in rows[1:]])
-    return dict(zip(rows[0].split(","), values.T))
+    file = pathlib.Path(folder) / "moved.csv"
+    file.write_text(text)
+    return arrays_of(read_csv(file))
 
 
 def run(barreno, full):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Late slugs of a jet dig into sandstone one after the other: the depth follows the number of particles in a slug."""
+from barreno.runs.csv_table import read_csv
 from tools.case import Result
 from tools.penetration import between_particles_and_grid
 from tools.runs import DECKS, run_deck
@@ -23,7 +24,7 @@ RUNS = {  # kind, cells, particles per cell, splits
 
 def late_slugs():
     """Rows time, velocity, radius, length, density; the times are those of arrival at FAR after free flight."""
-    rows = [[float(word) for word in line.split(",")] for line in TABLE.read_text().splitlines() if line[:1].isdigit()]
+    rows = read_csv(TABLE).to_numpy(float).tolist()
     late = [row for row in rows if SLOWEST <= row[1] <= FASTEST]
     first = FAR / late[0][1]
     return [[FAR / row[1] - first, *row[1:]] for row in late]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the cells do to the depth of a jet whose slugs are longer or shorter, of the same mass and momentum."""
-import csv
 import os
 
 import numpy as np
+from barreno.runs.csv_table import arrays_of, read_csv
 from tools.case import Result
 from tools.runs import DECKS, run_deck, scratch_folder
 
@@ -16,9 +16,8 @@ FINE = 4  # cells per radius of the runs that the others are compared with
 
 def slugs():
     """Columns of the shipped table."""
-    with open(DECKS / TABLE, newline="") as stream:
-        rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
-    return {name: np.array([float(row[name]) for row in rows]) for name in COLUMNS}
+    table = arrays_of(read_csv(DECKS / TABLE))
+    return {name: table[name] for name in COLUMNS}
 
 
 def joined(jet):

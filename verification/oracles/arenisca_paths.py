@@ -12,6 +12,7 @@ import math
 import sys
 
 import numpy as np
+from barreno.runs.csv_table import WORDS, read_csv
 
 from oracles.arenisca_model import Arenisca, as_six, invariants, lode_angle, UNIT
 
@@ -122,8 +123,7 @@ def triaxial_compression(model, pressure, axial_strains, substeps):
 
 def read_path(path):
     """(stressed flags, [(targets, time, substeps)])."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader((line for line in file if not line.lstrip().startswith("#")), skipinitialspace=True))
+    rows = read_csv(path, cells=WORDS).to_dict("records")
     if not rows:
         raise ValueError(f"{path}: no points")
     header = [name.strip() for name in rows[0]]

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 3: hydrostatic load and unload with the data of the card's fit, and the yield surface in principal stress space."""
-import csv
-
 import matplotlib.pyplot as plt
 import numpy as np
 from barreno.report.strength import Strength
+from barreno.runs.csv_table import WORDS, arrays_of, read_csv
 from paper_figures.lab import GIGA, MEGA, PAPER, ROOT, Table, least, most
 from paper_figures.surface import card_numbers, draw_surface
 
@@ -19,19 +18,16 @@ def driven(lab):
     """The material's answer along the path: pressure and volume strain, both positive in compression."""
     out = lab.folder / "hydrostat.csv"
     lab.program("drive", "--material", CARD, "--path", PATH, "--out", out, "--steps-per-row", STEPS, "--every-step")
-    with open(out, newline="") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    column = lambda name: np.array([float(row[name]) for row in rows])  # noqa: E731
-    pressure = -(column("stress_xx") + column("stress_yy") + column("stress_zz")) / 3.0
-    strain = -(column("strain_xx") + column("strain_yy") + column("strain_zz"))
-    return {"time": column("time"), "pressure": pressure, "strain": strain, "plastic": -column("plastic_volume_strain")}
+    table = arrays_of(read_csv(out))
+    pressure = -(table["stress_xx"] + table["stress_yy"] + table["stress_zz"]) / 3.0
+    strain = -(table["strain_xx"] + table["strain_yy"] + table["strain_zz"])
+    return {"time": table["time"], "pressure": pressure, "strain": strain, "plastic": -table["plastic_volume_strain"]}
 
 
 def data_rows(name):
     """Rows of a file of the fit, (value, value, ...), and which are read in a source, recalled or assumed."""
-    with open(DATA / name, newline="") as file:
-        rows = list(csv.reader((line for line in file if not line.startswith("#")), skipinitialspace=True))
-    return [[float(row[0]), float(row[1]), float(row[2]), row[-1].split(";")[-1].strip() if ";" in row[-1] else ""] for row in rows[1:]]
+    rows = read_csv(DATA / name, cells=WORDS).to_numpy().tolist()
+    return [[float(row[0]), float(row[1]), float(row[2]), row[-1].split(";")[-1].strip() if ";" in row[-1] else ""] for row in rows]
 
 
 def legs(answer):

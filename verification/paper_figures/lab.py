@@ -13,6 +13,7 @@ import time
 
 import matplotlib
 import numpy as np
+from barreno.runs.csv_table import WORDS, read_csv
 from tools.demands import met
 from paper_figures.progress import Progress
 from tools.runs import DECKS, ROOT, mpi_environment
@@ -92,10 +93,9 @@ def write_table(file, table):
 
 
 def read_table(file):
-    lines = pathlib.Path(file).read_text().splitlines()
-    remark = "\n".join(line[2:] for line in lines if line.startswith("# "))
-    head, *rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    return Table(remark, head, [[number_or_word(text) for text in row] for row in rows])
+    found = read_csv(file, cells=WORDS)
+    remark = "\n".join(line[2:] for line in found.attrs["comments"])
+    return Table(remark, list(found.columns), [[number_or_word(text) for text in row] for row in found.to_numpy().tolist()])
 
 
 class Lab:

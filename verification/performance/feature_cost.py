@@ -9,10 +9,16 @@ shape of the third invariant its own); --stored takes the last measurement inste
 build. The table of forms in docs/materials/arenisca.md comes from the same file (verification/pages.py --write).
 """
 import argparse
-import csv
 import pathlib
 import subprocess
 import sys
+
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
+from barreno.runs.csv_table import WORDS, read_csv
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -52,11 +58,9 @@ WHY_SLOWEST_ANGLE = (
 
 
 def read_table():
-    lines = TABLE.read_text(encoding="utf-8").splitlines()
-    notes = [line[2:] for line in lines if line.startswith("#")]
-    rows = list(csv.DictReader((line for line in lines if not line.startswith("#")), delimiter=";"))
-    words = ("form", "model", "card")
-    return notes, [{k: v if k in words else float(v) for k, v in row.items()} for row in rows]
+    table, words = read_csv(TABLE, cells=WORDS, separator=";"), ("form", "model", "card")
+    numbers = {name: float for name in table.columns if name not in words}
+    return [line[2:] for line in table.attrs["comments"]], table.astype(numbers).to_dict("records")
 
 
 def at_default(rows):

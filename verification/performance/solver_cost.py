@@ -8,11 +8,17 @@ runs barreno_solver_cost of that build over verification/performance/rock_points
 measurement instead (verification/results/solver_cost.csv) and asks for no build.
 """
 import argparse
-import csv
 import math
 import pathlib
 import subprocess
 import sys
+
+try:
+    from tools import foreign_python  # noqa: F401
+except ModuleNotFoundError:
+    sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
+
+from barreno.runs.csv_table import WORDS, read_csv
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -25,10 +31,9 @@ TARGET = 1e-6
 
 
 def read_table():
-    lines = TABLE.read_text(encoding="utf-8").splitlines()
-    notes = [line[2:] for line in lines if line.startswith("#")]
-    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
-    return notes, [{k: v if k == "solver" else float(v) for k, v in row.items()} for row in rows]
+    table = read_csv(TABLE, cells=WORDS)
+    numbers = {name: float for name in table.columns if name != "solver"}
+    return [line[2:] for line in table.attrs["comments"]], table.astype(numbers).to_dict("records")
 
 
 def at_error(rows, solver, column, target=TARGET):

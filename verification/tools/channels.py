@@ -27,7 +27,7 @@ from matplotlib.collections import PolyCollection
 
 from barreno.report.channel import MICRO, MILLI, draw_quads
 from barreno.report.fields import PLASTIC_STRAIN
-from barreno.report.files import read_csv
+from barreno.report.files import read_columns
 from barreno.report.particles import ParticleFile
 
 MOST = 1.0  # plastic strain at the end of the colours
@@ -35,7 +35,7 @@ MOST = 1.0  # plastic strain at the end of the colours
 
 def words_of(run):
     """Shape function, depth and steps of a run."""
-    depth = read_csv(run / "depth.csv")
+    depth = read_columns(run / "depth.csv")
     deck = (run / "deck.xml").read_text(encoding="utf-8")
     shape = deck.split('name="Shape Function"')[1].split('value="')[1].split('"')[0]
     return shape, depth["depth"][-1] / MILLI

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Drive one material point with `barreno drive`: the way in which verification cases use a model without a grid."""
-import csv
 import pathlib
 import tempfile
 
 import numpy as np
+from barreno.runs.csv_table import arrays_of, read_csv
 from tools.runs import call
 
 HEADER = "time,F11,F12,F13,F21,F22,F23,F31,F32,F33"
@@ -22,13 +22,6 @@ def write_path(file, rows):
     file.write_text("\n".join([HEADER, *lines]) + "\n")
 
 
-def read_table(file):
-    with open(file, newline="") as stream:
-        rows = list(csv.reader(line for line in stream if not line.startswith("#")))
-    values = np.array([[float(x) for x in row] for row in rows[1:]])
-    return {column: values[:, i] for i, column in enumerate(rows[0])}
-
-
 def drive(barreno, model, parameters, rows, steps=1, density=1000.0):
     """Columns of the answer as arrays; SI. An error of the code is an error here."""
     with tempfile.TemporaryDirectory(prefix="drive-") as scratch:
@@ -38,7 +31,7 @@ def drive(barreno, model, parameters, rows, steps=1, density=1000.0):
         result = call(barreno, ["drive", "--material", card, "--path", path, "--out", out, "--steps-per-row", steps])
         if result.returncode != 0:
             raise RuntimeError(f"{' '.join(result.args)} ended with {result.returncode}: {result.stderr.strip()}")
-        return read_table(out)
+        return arrays_of(read_csv(out))
 
 
 def knows(barreno, model, parameter):

@@ -4,7 +4,8 @@ sentence."""
 import sys
 
 PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib", "mpmath": "python3-mpmath",
-    "h5py": "python3-h5py", "netCDF4": "python3-netcdf4", "PIL": "python3-pil", "vtkmodules": "python3-vtk9"}  # fmt: skip
+    "h5py": "python3-h5py", "netCDF4": "python3-netcdf4", "pandas": "python3-pandas", "PIL": "python3-pil",
+    "vtkmodules": "python3-vtk9"}  # fmt: skip
 usual = sys.excepthook
 
 

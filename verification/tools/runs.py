@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Run a deck and read what it left: the one way in which verification cases use the code."""
 import atexit
-import csv
 import functools
 import json
 import os
@@ -11,6 +10,7 @@ import sys
 import tempfile
 
 import numpy as np
+from barreno.runs.csv_table import arrays_of, read_csv
 
 from tools.mpi_environment import mpi_environment
 
@@ -28,10 +28,7 @@ class Run:
 
     def table(self, name):
         """Columns of a CSV file as arrays."""
-        with open(self.folder / name, newline="") as stream:
-            rows = list(csv.reader(line for line in stream if not line.startswith("#")))
-        values = np.array([[float(x) for x in row] for row in rows[1:]])
-        return {column: values[:, i] for i, column in enumerate(rows[0])}
+        return arrays_of(read_csv(self.folder / name))
 
     def times(self):
         """Times that particles.e holds, the start included [s]."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Depths of perforation.xml with cells of one size (results/perforation_cells.csv), and errors of steady penetration
 (results/steady_penetration.csv): what a depth is compared with."""
-import csv
 import math
 
+from barreno.runs.csv_table import WORDS, read_csv
 from tools.case_list import RESULTS
 
 REFERENCE = 0.25  # mm, cells of the runs that the others are compared with
@@ -11,8 +11,8 @@ TIP = 1.0  # mm, radius of the jet's tip
 
 
 def read(name):
-    with open(RESULTS / name, newline="") as stream:
-        return list(csv.DictReader(line for line in stream if not line.startswith("#")))
+    """Rows {column: text}: pages show the digits as they stand."""
+    return read_csv(RESULTS / name, cells=WORDS).to_dict("records")
 
 
 def depths():

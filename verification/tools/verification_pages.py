@@ -15,9 +15,9 @@ worse fails, and so does one that begins to hold.
 
 | to do | command |
 |---|---|
-| one case, its cheap form (part of every test run: `ctest -L verification`) | `verification/verify.py build/release/src/barreno bar_wave` |
-| the full form of a case, and these pages | `verification/verify.py build/release/src/barreno --full --document bar_wave` |
-| these pages from the stored results | `verification/pages.py --write` |
+| one case, its cheap form (part of every test run: `ctest -L verification`) | `./barreno python verification/verify.py build/release/src/barreno bar_wave` |
+| the full form of a case, and these pages | `./barreno python verification/verify.py build/release/src/barreno --full --document bar_wave` |
+| these pages from the stored results | `./barreno python verification/pages.py --write` |
 
 """
 

@@ -172,6 +172,12 @@ std::string load_beside(
   return read_on_root(read, reading.comm);
 }
 
+/// The name of the list within Jet.
+std::string profile_list() {
+  const std::string& path = table_of<JetProfileSpec>().path;
+  return path.substr(path.rfind('/') + 1);
+}
+
 /// A profile becomes the slugs that it stands for.
 void include_jet_profile(
     const Reading& reading, const XMLObject& root, ParameterList& values, ParameterList& jet
@@ -201,7 +207,7 @@ void include_jet_profile(
   }
   jet.set(name_of(&JetSpec::slugs), table);
   jet.set(name_of(&JetSpec::pieces_below), pieces_below(profile));
-  jet.remove("Profile");
+  jet.remove(profile_list());
 }
 
 /// The table's rows become part of the deck, so that the effective deck needs no other file.
@@ -210,14 +216,14 @@ std::string include_jet_table(Reading& reading, const XMLObject& root, Parameter
   const std::string& slugs = name_of(&JetSpec::slugs);
   if (!values.isSublist(path)) return {};
   ParameterList& jet = values.sublist(path);
-  const bool has_profile = jet.isSublist("Profile");
+  const std::string profile = profile_list();
+  const bool has_profile = jet.isSublist(profile);
   if (int(jet.isParameter(file)) + int(jet.isParameter(slugs)) + int(has_profile) != 1) {
     input::refuse(
         reading.source.name,
         path,
-        "needs Table, Slugs or Profile (one of them must say what is launched); give exactly one "
-        "of "
-        "the three"
+        "needs " + file + ", " + slugs + " or " + profile +
+            " (one of them must say what is launched); give exactly one of the three"
     );
   }
   if (has_profile) include_jet_profile(reading, root, values, jet);

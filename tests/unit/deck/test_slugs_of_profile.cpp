@@ -2,6 +2,7 @@
 // A jet from tip, tail and mass: integrals by a rule of their own, slug by slug and as a whole.
 #include "base/numbers.hpp"
 #include "deck/slugs_of_profile.hpp"
+#include "deck/touching_duration.hpp"
 #include "scene/jet_kinds.hpp"
 
 #include <gtest/gtest.h>
@@ -145,6 +146,20 @@ TEST(SlugsOfProfile, AMassDecidesTheRadiiThatAreLeftOut) {
       if (!round) EXPECT_NEAR(slugs[197].radius, 2.3e-3, 2e-5);
     }
   }
+}
+
+TEST(TouchingDuration, IsFromHalfWayToHalfWayBetweenWholeNeighbours) {
+  std::vector<JetSlug> slugs(5);
+  const std::array times{0.0, 1.0, 3.0, 6.0, 10.0};
+  for (std::size_t i = 0; i < slugs.size(); ++i) slugs[i].time = times[i];
+  EXPECT_EQ(touching_duration(slugs, 0), 1.0);
+  EXPECT_EQ(touching_duration(slugs, 1), 1.5);
+  EXPECT_EQ(touching_duration(slugs, 4), 4.0);
+  slugs[3].piece = true;
+  EXPECT_EQ(touching_duration(slugs, 2), 2.0);
+  EXPECT_EQ(touching_duration(slugs, 3), std::nullopt);
+  EXPECT_EQ(touching_duration(slugs, 4), std::nullopt);
+  EXPECT_EQ(touching_duration({slugs[0]}, 0), std::nullopt);
 }
 
 TEST(SlugsOfProfile, TheSlugOfTheLinerFollowsInOnePiece) {

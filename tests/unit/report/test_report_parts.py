@@ -16,6 +16,7 @@ from PIL import Image
 
 from barreno.report import channel, command, energy_picture, fields, numbers, pages, penetration, scales, section
 from barreno.report.deck import read_deck
+from barreno.report.files import read_columns
 from barreno.report.outline import without_gaps
 from barreno.report.particles import ParticleFile, areas_of
 from synthetic_run import CELL, jet, lattice, rock, write_run
@@ -187,7 +188,7 @@ def check_page(run):
             "slower along its flight than the hole grows"):
         assert words in page.lower() and words in marked.lower(), words
     assert (run / "report" / "report.pdf").read_bytes()[:5] == b"%PDF-" and not list((run / "report").glob(".*"))
-    profile = np.genfromtxt(run / "report" / "profile.csv", delimiter=",", names=True, skip_header=1)
+    profile = read_columns(run / "report" / "profile.csv")
     inner = (profile["depth"] > CELL) & (profile["depth"] < 18 * CELL)
     assert np.abs(profile["radius"][inner] - RADIUS).max() < 0.1 * CELL, profile["radius"]
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A table as text, whatever program wrote it. The rules are those of src/deck/files/table_text.cpp and decimal_marks.cpp, which read the
-tables of decks and of `drive`: tests/decks/test_table_variants.py gives both the same files."""
+tables of decks and of `drive`: tests/decks/test_table_variants.py gives both the same files. So no pandas here: its guesses at separators,
+decimal marks and lines of titles are others."""
 
 import csv
 import re

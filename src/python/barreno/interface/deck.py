@@ -77,6 +77,14 @@ class Deck(dict):
     def read(cls, file):
         """A deck file.
 
+        Parameters
+        ----------
+        file : path
+
+        Returns
+        -------
+        Deck
+
         Raises
         ------
         Fault
@@ -129,7 +137,27 @@ class Deck(dict):
         return True
 
     def get(self, path, default=None):
+        """The value or list at a path; the default where there is none."""
         return self[path] if path in self else default
+
+    def pop(self, path, *default):
+        """The value or list at a path, which is removed; the default where there is none."""
+        if default and path not in self:
+            return default[0]
+        value = self[path]
+        del self[path]
+        return value
+
+    def setdefault(self, path, default=None):
+        """The value or list at a path, which becomes the default where there is none."""
+        if path not in self:
+            self[path] = default
+        return self[path]
+
+    def update(self, *entries, **more):
+        """Values by their paths."""
+        for path, value in dict(*entries, **more).items():
+            self[path] = value
 
     def text(self):
         """The XML of a deck file."""
@@ -142,6 +170,10 @@ class Deck(dict):
     def write(self, file):
         """Writes a deck file; files that the deck names are named by their whole paths.
 
+        Parameters
+        ----------
+        file : path
+
         Raises
         ------
         Fault
@@ -151,6 +183,16 @@ class Deck(dict):
 
     def check(self, set=None, fidelity=None):
         """The effective deck, with every value that would be used, in SI.
+
+        Parameters
+        ----------
+        set : dict, optional
+            {"List/Parameter": value}; None removes a value or a list.
+        fidelity : {"fast", "balanced", "reference"}, optional
+
+        Returns
+        -------
+        Deck
 
         Raises
         ------

@@ -1,18 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of a run as pandas frames."""
 
-import io
-
 from barreno.interface.units import unit_of_column
+from barreno.runs.csv_table import MIXED, NUMBERS, BadTable, read_csv
 from barreno.runs.faults import FILE, Fault, needed, on_one_line
-from barreno.runs.regular_file import read_text
-
-
-def whole_lines(text):
-    """Without comments above the names, and without a last line that was cut off."""
-    lines = text.replace("\r\n", "\n").split("\n")[:-1]
-    first = next((i for i, line in enumerate(lines) if not line.startswith("#")), len(lines))
-    return "".join(f"{line}\n" for line in lines[first:])
 
 
 def read_frame(file, texts=False):
@@ -29,17 +20,15 @@ def read_frame(file, texts=False):
     Fault
         If the file is not there, or no table.
     """
-    pandas = needed("pandas")
+    needed("pandas")
     try:
-        frame = pandas.read_csv(io.StringIO(whole_lines(read_text(file))), index_col=False, float_precision="round_trip")
+        return read_csv(file, cells=MIXED if texts else NUMBERS, cut=True)
     except FileNotFoundError:
         raise Fault(f"{file} does not exist; docs/output.md says which runs write it.", FILE) from None
-    except (OSError, ValueError) as error:
+    except (OSError, BadTable) as error:
+        if getattr(error, "column", ""):
+            raise Fault(f"{file} has something that is not a number in the column '{error.column}'; make the run again.", FILE) from None
         raise Fault(f"{file} cannot be read as a table ({on_one_line(error)[:200]}); make the run again.", FILE) from None
-    odd = [name for name in frame.columns if not texts and not pandas.api.types.is_numeric_dtype(frame[name])]
-    if odd:
-        raise Fault(f"{file} has something that is not a number in the column '{odd[0]}'; make the run again.", FILE)
-    return frame
 
 
 def read_columns(file):

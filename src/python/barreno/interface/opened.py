@@ -69,6 +69,11 @@ def unit_of_field(name):
 class Run:
     """What a run wrote, as tables and arrays in SI units. Every call reads the files afresh, so a run may still be under way.
 
+    Parameters
+    ----------
+    folder : path
+        As `barreno.open` takes it.
+
     Attributes
     ----------
     folder : pathlib.Path
@@ -117,10 +122,20 @@ class Run:
     def table(self, name):
         """A table that the run wrote, such as "radii.csv".
 
+        Parameters
+        ----------
+        name : str
+            Of a CSV file in the folder.
+
         Returns
         -------
         pandas.DataFrame
             Its `attrs["units"]` has the unit of every column.
+
+        Raises
+        ------
+        Fault
+            If there is no such table, or the file is none; the sentence names those that are there.
         """
         if not (self.folder / name).exists():
             there = ", ".join(sorted(file.name for file in self.folder.glob("*.csv"))) or "none"
@@ -290,7 +305,8 @@ class Run:
             If the deck has no jet.
         """
         need_fields()
-        from barreno.report.files import read_csv
+        needed("pandas")
+        from barreno.report.files import read_columns
         from barreno.report.hole import face_of, measure_hole
 
         with self._particle_file() as (file, deck):
@@ -298,7 +314,7 @@ class Run:
                 raise Fault(f"{self.folder} has no jet, and so no hole; its deck has neither Jet nor Jet Monitor.")
             frame = file.frame(step_of(list(file.times), time, self.folder))
             path = self.folder / "depth.csv"
-            return measure_hole(frame, deck, face_of(read_csv(path) if path.exists() else None, file, deck))
+            return measure_hole(frame, deck, face_of(read_columns(path) if path.exists() else None, file, deck))
 
 
 def open(folder):
@@ -307,6 +323,7 @@ def open(folder):
     Parameters
     ----------
     folder : path
+        As "runs/perforation-1".
 
     Returns
     -------

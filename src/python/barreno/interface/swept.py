@@ -68,6 +68,7 @@ def sweep(deck, vary, set=None, fidelity=None, sample="grid", samples=None, seed
     -------
     pandas.DataFrame
         A row for each run: its folder, what was varied, its state, and the numbers of its summary in SI (docs/sweep.md).
+        `attrs["units"]` has the unit of each column that was varied, and "SI" of the others.
 
     Raises
     ------
@@ -85,5 +86,6 @@ def sweep(deck, vary, set=None, fidelity=None, sample="grid", samples=None, seed
     frame = read_frame(folder / "table.csv", texts=True) if (folder / "table.csv").is_file() else None
     if frame is None or code and not (frame["state"] == "finished").any():
         raise Fault(f"no run of the sweep in {folder} has finished; the lines above say why.", code or 1)
-    frame.attrs["units"] = "SI"
+    # What was varied is in the unit of its values, numbers of the summary in SI.
+    frame.attrs["units"] = {**dict.fromkeys(frame.select_dtypes("number").columns, "SI"), **frame.attrs["units"]}
     return frame

@@ -49,47 +49,18 @@ def numbers_in(text):
     return [float(word) for word in text[text.index("{") + 1 : text.rindex("}")].split(",")]
 
 
-def slugs_of(deck):
-    """The slugs of an effective deck as its table has them."""
-    text = value_in(deck, "Jet/Slugs")
-    if text is None:
-        raise Fault("the deck has no Jet; give one that has.")
-    below = float(value_in(deck, "Jet/Pieces Below") or 0.0)
-    values = numbers_in(text)
-    return [theory.Slug(*values[i : i + 5], values[i + 1] < below) for i in range(0, len(values), 5)]
+def slugs_of(text):
+    """(slugs as the deck has them, as they are launched) of `barreno check --print-jet`."""
+    found = json.loads(text)
+    return [theory.Slug(**slug) for slug in found["table"]], [theory.Slug(**slug) for slug in found["slugs"]]
 
 
-def as_launched(slugs, kind, metal_density):
-    """Slugs of a discrete jet have the metal's density, and gaps; all of it are pieces where it has gaps."""
-    if kind != "discrete":
-        return slugs
-    launched = [theory.Slug(slug.time, slug.velocity, slug.radius, slug.length * slug.density / metal_density, metal_density, slug.piece)
-        for slug in slugs]
-    for i, slug in enumerate(launched[:-1]):
-        room = 0.5 * (slug.velocity + launched[i + 1].velocity) * (launched[i + 1].time - slug.time)
-        slug.piece = slug.piece or 0.5 * (slug.length + launched[i + 1].length) < 0.99 * room
-    launched[-1].piece = launched[-1].piece or (len(launched) > 1 and launched[-2].piece)
-    return launched
-
-
-def touching(slugs, metal_density):
-    """What a thinned or continuous jet makes of its whole slugs: they last until their neighbours."""
-    result = []
-    for i, slug in enumerate(slugs):
-        steps = [abs(slugs[j].time - slug.time) for j in (i - 1, i + 1) if 0 <= j < len(slugs) and not slugs[j].piece]
-        if slug.piece or not steps:
-            result.append(slug)
-            continue
-        length = slug.velocity * sum(steps) / len(steps)
-        density = min(metal_density, slug.density * slug.length / length)
-        result.append(theory.Slug(slug.time, slug.velocity, slug.radius, slug.mass / (density * math.pi * slug.radius**2), density, False))
-    return result
-
-
-def thinned(slugs, metal_density):
-    return [slug if slug.piece else
-        theory.Slug(slug.time, slug.velocity, slug.radius * math.sqrt(slug.density / metal_density), slug.length, metal_density, False)
-        for slug in slugs]
+def with_pieces(slugs, below):
+    """Slugs of a discrete jet: for theory they are pieces where they are slower than `below`, or have a gap behind."""
+    for i, slug in enumerate(slugs[:-1]):
+        room = 0.5 * (slug.velocity + slugs[i + 1].velocity) * (slugs[i + 1].time - slug.time)
+        slug.piece = slug.velocity < below or 0.5 * (slug.length + slugs[i + 1].length) < 0.99 * room
+    slugs[-1].piece = slugs[-1].velocity < below or (len(slugs) > 1 and slugs[-2].piece)
 
 
 def layers_of(deck, launch, sign):
@@ -180,12 +151,17 @@ class Jet:
     break_up: float  # time since the origin
 
 
-def jet_of(deck, name):
-    table = slugs_of(deck)
+def jet_of(words, name):
+    """@param words  the deck and its changes, as check takes them"""
+    program = found_program("jet", 1)
+    deck = program.effective_deck(words)
+    if value_in(deck, "Jet/Slugs") is None:
+        raise Fault("the deck has no Jet; give one that has.")
+    table, slugs = slugs_of(program.call(["check", *words, "--print-jet"]))
     material, kind = value_in(deck, "Jet/Material"), value_in(deck, "Jet/Kind")
     metal_density = float(value_in(deck, f"Materials/{material}/Density"))
-    slugs = as_launched(table, kind, metal_density) if kind == "discrete" else touching(table, metal_density)
-    slugs = thinned(slugs, metal_density) if kind == "thinned" else slugs
+    if kind == "discrete":
+        with_pieces(slugs, float(value_in(deck, "Jet/Pieces Below") or 0.0))
     sign = 1.0 if value_in(deck, "Jet/Direction") == "+y" else -1.0
     layers, start, others = layers_of(deck, float(value_in(deck, "Jet/Launch Position")), sign)
     origin, residual = origin_of(slugs)
@@ -251,7 +227,7 @@ def run(words):
     if not pathlib.Path(options.deck).is_file():
         raise Fault(f"{options.deck} does not exist (needed as the deck); check the path.", FILE)
     settings = [*as_set(options.settings), *(["--fidelity", options.fidelity] if options.fidelity else [])]
-    jet = jet_of(found_program("jet", 1).effective_deck([options.deck, *settings]), options.deck)
+    jet = jet_of([options.deck, *settings], options.deck)
     asked = asked_of(options, max(slug.velocity for slug in jet.slugs))
     depths = theory_rows(jet, asked)
     out = pathlib.Path(options.out) if options.out else pathlib.Path("runs") / f"{pathlib.Path(options.deck).stem}-jet"

@@ -19,6 +19,7 @@ import ctypes
 import numpy
 
 from barreno import places
+from barreno.runs.faults import Fault
 
 ABI_VERSION = 1
 STRESS, ELASTIC, CONSISTENT = 0, 1, 2  # what an update is asked for: stress alone, or with one of two tangents
@@ -102,18 +103,47 @@ def _pointer(array):
     return array.__array_interface__["data"][0]  # a tenth of the time of array.ctypes
 
 
+class MaterialFault(Fault, ValueError):
+    """The library's sentence on a card or on arrays that it cannot use."""
+
+
 class Material:
     """A card, by name or path, and the update of arrays of points.
 
     Strain increments and stresses are (n, 6), states (n, state_count), tangents (n, 6, 6). All zeros are virgin rock.
-    A card that cannot be used is a ValueError with the library's sentence.
+
+    Parameters
+    ----------
+    card : str or path
+        "berea_sandstone", or a file (docs/materials).
+    library : path, optional
+        libBARRENO.so; that of the tree or installation if it is not given.
+
+    Attributes
+    ----------
+    model, file : str
+        The constitutive model, and the file of the card.
+    density : float
+        [kg/m3]
+    state_names : list of str
+        Of the columns of states.
+
+    Raises
+    ------
+    barreno.Fault
+        If the card cannot be used; it is a ValueError too.
+
+    Examples
+    --------
+    >>> rock = barreno.Material("berea_sandstone")
+    >>> rock.drive({"time": [0.0, 1.0], "strain_xx": [0.0, -0.01]})["stress_xx"]
     """
 
     def __init__(self, card, library=None):
         self.library = library if isinstance(library, ctypes.CDLL) else load(library)
         self.handle = self.library.barreno_material_open(str(card).encode())
         if not self.handle:
-            raise ValueError(self.library.barreno_last_error().decode())
+            raise MaterialFault(self.library.barreno_last_error().decode())
         self.model = self.library.barreno_material_model(self.handle).decode()
         self.file = self.library.barreno_material_file(self.handle).decode()
         self.density = self.library.barreno_material_density(self.handle)
@@ -121,6 +151,7 @@ class Material:
         self.state_names = [self.library.barreno_material_state_name(self.handle, i).decode() for i in range(self.state_count)]
 
     def close(self):
+        """Gives the card back to the library; the end of a `with` block does so too."""
         if self.handle:
             self.library.barreno_material_close(self.handle)
         self.handle = None
@@ -132,11 +163,32 @@ class Material:
         self.close()
 
     def state_index(self, name):
-        """Column of a state variable."""
+        """Column of a state variable.
+
+        Parameters
+        ----------
+        name : str
+            One of `state_names`.
+
+        Returns
+        -------
+        int
+        """
         return self.state_names.index(name)
 
     def virgin(self, count):
-        """Stress and state of points that a host has not touched."""
+        """Stress and state of points that a host has not touched.
+
+        Parameters
+        ----------
+        count : int
+            Of points.
+
+        Returns
+        -------
+        stress, state : numpy.ndarray
+            (count, 6) and (count, state_count).
+        """
         return numpy.zeros((count, 6)), numpy.zeros((count, self.state_count))
 
     def why(self):
@@ -160,7 +212,7 @@ class Material:
         Returns
         -------
         pandas.DataFrame
-            In SI, tension positive.
+            In SI, tension positive; `attrs["units"]` has the units of time, strain, stress and pressure.
 
         Raises
         ------
@@ -175,12 +227,34 @@ class Material:
         """One increment of each point: new stress, new state, tangent (zeros if it is not wanted) and status.
 
         A point whose status is not OK (0) has failed, and its stress and state are the old ones: SUBSTEP_LIMIT (1) and NOT_CONVERGED (2)
-        may succeed with a smaller step, BAD_INPUT (3) will not. STATUS has words for each; why() says it of the first that failed."""
+        may succeed with a smaller step, BAD_INPUT (3) will not. STATUS has words for each; why() says it of the first that failed.
+
+        Parameters
+        ----------
+        strain : numpy.ndarray
+            Increments (n, 6): xx, yy, zz, xy, yz, zx, tensor components, tension positive.
+        stress, state : numpy.ndarray
+            At the start of the step: (n, 6) [Pa], and (n, state_count).
+        dt : float
+            Length of the step [s].
+        want : int
+            STRESS, or which tangent: CONSISTENT, ELASTIC.
+
+        Returns
+        -------
+        Answer
+            `stress`, `state`, `tangent` (n, 6, 6) [Pa] and `status` (n).
+
+        Raises
+        ------
+        barreno.Fault
+            If a shape is not that; it is a ValueError too.
+        """
         strain, stress, state = (numpy.ascontiguousarray(a, dtype=float) for a in (strain, stress, state))
         count = len(strain)
         for name, array, width in (("strain", strain, 6), ("stress", stress, 6), ("state", state, self.state_count)):
             if array.shape != (count, width):
-                raise ValueError(f"{name} has the shape {array.shape}; ({count}, {width}) is needed.")
+                raise MaterialFault(f"{name} has the shape {array.shape}; ({count}, {width}) is needed.")
         answer = Answer(
             numpy.empty((count, 6)),
             numpy.empty((count, self.state_count)),
@@ -194,23 +268,42 @@ class Material:
             pointer(answer.tangent) if want != STRESS else None, None, pointer(answer.status),
         )  # fmt: skip
         if self.library.barreno_material_update(self.handle, ctypes.byref(batch)) < 0:
-            raise ValueError(self.library.barreno_last_error().decode())
+            raise MaterialFault(self.library.barreno_last_error().decode())
         return answer
 
     def follow(self, strain, wanted, stress, state, dt=1.0):
         """Points along a path of steps in which each component has its strain increment given, or the stress that it reaches.
 
-        strain, wanted  (steps, n, 6): increments, and stresses at the ends of the steps, nan where the increment is given; where a
-        stress is wanted the increment is a first guess. Returns the increments and stresses of the steps (steps, n, 6), the state at
-        the end and the status of each point: NOT_CONVERGED where no strain gives the stress, or the update fails."""
+        Parameters
+        ----------
+        strain : numpy.ndarray
+            Increments (steps, n, 6); a first guess where a stress is wanted.
+        wanted : numpy.ndarray
+            Stresses at the ends of the steps (steps, n, 6) [Pa], nan where the increment is given.
+        stress, state : numpy.ndarray
+            At the start: (n, 6) [Pa], and (n, state_count).
+        dt : float
+            Length of a step [s].
+
+        Returns
+        -------
+        Followed
+            `strain` and `stress` of the steps (steps, n, 6), `state` at the end and `status` of each point: NOT_CONVERGED where no strain
+            gives the stress, or the update fails.
+
+        Raises
+        ------
+        barreno.Fault
+            If a shape is not that; it is a ValueError too.
+        """
         strain, wanted, stress, state = (numpy.ascontiguousarray(a, dtype=float) for a in (strain, wanted, stress, state))
         steps, count = strain.shape[:2]
         for name, array, shape in (("wanted", wanted, strain.shape), ("stress", stress, (count, 6)),
                 ("state", state, (count, self.state_count))):
             if array.shape != shape:
-                raise ValueError(f"{name} has the shape {array.shape}; {shape} is needed.")
+                raise MaterialFault(f"{name} has the shape {array.shape}; {shape} is needed.")
         out = Followed(numpy.empty_like(strain), numpy.empty_like(strain), state.copy(), numpy.zeros(count, dtype=numpy.intc))
         path = _Path(count, steps, dt, *map(_pointer, (strain, wanted, stress, state, out.strain, out.stress, out.state, out.status)))
         if self.library.barreno_material_follow(self.handle, ctypes.byref(path)) < 0:
-            raise ValueError(self.library.barreno_last_error().decode())
+            raise MaterialFault(self.library.barreno_last_error().decode())
         return out

@@ -2,11 +2,19 @@
 """One material point along a path, by the program."""
 
 import pathlib
+import re
 import tempfile
 
+from barreno.runs.csv_table import read_csv
 from barreno.runs.faults import needed
 from barreno.runs.program import as_set, found_program
 from barreno.runs.tables import place
+
+
+def unit_of(name):
+    """Of a column of the answer; None of a state variable, whose unit its model knows."""
+    kinds = {"time": "s", "strain": "-", "stress": "Pa", "pore_pressure": "Pa"}
+    return kinds.get(name) or kinds.get(name.rpartition("_")[0]) or ("-" if re.fullmatch("F[1-3][1-3]", name) else None)
 
 
 def drive(card, path, steps_per_row, every_step, settings):
@@ -21,5 +29,6 @@ def drive(card, path, steps_per_row, every_step, settings):
         words = ["drive", "--material", str(card), "--path", str(path), "--out", str(answer), "--steps-per-row", str(steps_per_row)]
         words += ["--every-step"] if every_step else []
         found_program("drive", 1).call([*words, *as_set(f"{name}={value}" for name, value in (settings or {}).items())])
-        comments = sum(line.startswith("#") for line in answer.read_text(encoding="utf-8").splitlines())
-        return pandas.read_csv(answer, skiprows=comments, float_precision="round_trip")
+        found = read_csv(answer)
+        found.attrs["units"] = {name: unit for name in found.columns if (unit := unit_of(name))}
+        return found

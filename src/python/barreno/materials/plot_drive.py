@@ -7,7 +7,7 @@
 `barreno drive --plot` writes the text (src/drive/plot_text.hpp) and runs this; the yield surface in it comes from the
 material's own functions. Exit code 3 where a package is missing, 2 where the picture cannot be drawn, with the reason.
 """
-import csv
+import csv  # not pandas: the program starts this file alone, with whatever Python has Matplotlib
 import os
 import pathlib
 import sys

@@ -7,10 +7,9 @@ import os
 import pathlib
 import xml.etree.ElementTree
 
-import numpy as np
-
+from barreno.runs.csv_table import BadTable, EmptyTable, arrays_of, read_csv
 from barreno.runs.faults import BadRun, on_one_line
-from barreno.runs.regular_file import read_bytes, read_text
+from barreno.runs.regular_file import read_text
 
 
 @contextlib.contextmanager
@@ -68,26 +67,21 @@ class Table(dict):
         return Table(self.file, {name: values[-1] for name, values in self.items()})
 
 
-def read_csv(file):
-    """A table of numbers under a header, comments left out. A run that was killed may have left half a line at the end, which
-    is left out too; line ends of other systems are line ends."""
+def read_columns(file):
+    """A table of numbers. A run that was killed may have left half a line at the end, which is left out."""
     file = pathlib.Path(file)
     with reading(file):
-        lines = read_bytes(file).decode("utf-8").replace("\r\n", "\n").split("\n")
-    rows = [(number, line.strip().split(",")) for number, line in enumerate(lines[:-1], 1) if line.strip() and not line.startswith("#")]
-    if len(rows) < 2:
-        raise BadRun(f"{file.name} contains no row of numbers")
-    header = rows[0][1]
-    values = []
-    for number, cells in rows[1:]:
-        if len(cells) != len(header):
-            raise BadRun(f"line {number} of {file.name} has {len(cells)} columns instead of {len(header)}")
         try:
-            values.append([float(cell) for cell in cells])
-        except ValueError as error:
-            raise BadRun(f"line {number} of {file.name} contains something that is not a number: {on_one_line(error)[:100]}") from error
-    table = np.array(values, float)
-    return Table(file, {name: table[:, i] for i, name in enumerate(header)}, [line for line in lines if line.startswith("#")])
+            frame = read_csv(file, cut=True)
+        except EmptyTable as error:
+            raise BadRun(f"{file.name} contains no row of numbers") from error
+        except BadTable as error:
+            if not error.where:
+                raise
+            raise BadRun(f"{error.where} of {file.name} {on_one_line(error.what)[:200]}") from error
+    if frame.empty:
+        raise BadRun(f"{file.name} contains no row of numbers")
+    return Table(file, arrays_of(frame), frame.attrs["comments"])
 
 
 def read_summary(file):

@@ -12,6 +12,8 @@ from barreno.report.zones import CHANGED, Rock, chosen_depths, rings_at, zones_o
 from barreno.runs.faults import Fault
 
 MILLI = 1e-3
+ROUND_OFF = 1e-9
+ZONES = ("depth", "radius", "crushed_from", "crushed_to", "dilated_to", "least_porosity", "least_permeability", "skin")
 COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall"
 
 
@@ -54,19 +56,26 @@ def rock_rows(rock):
     return [("virgin porosity", f"{100.0 * rock.virgin:.1f} %")]
 
 
-def ring_table(rings):
-    """Heads and rows: the zones at chosen depths."""
+def zones_of_summary(summary, time):
+    """What the run itself found half-way down the hole in each body of rock, if its summary is of that time."""
+    if "time" not in summary or abs(summary["time"] - time) > ROUND_OFF * time:
+        return []
+    found = summary.get("penetration", {}).get("zones_in_body", {})
+    return [{name: float(zones[name] if zones[name] is not None else "nan") for name in ZONES} for zones in found.values()]
+
+
+def zone_table(zones):
+    """Heads and rows.  @param zones  as Rings.zones"""
     heads = ("depth [mm]", "wall [mm]", "crushed from [mm]", "to [mm]", "dilated to [mm]", "least porosity [%]",
         "least permeability / virgin", "skin")
     rows = []
-    for ring in rings:
-        (crushed_from, crushed_to), dilated = ring.crushed, ring.dilated[1]
-        none = crushed_from == crushed_to
+    for one in zones:
+        none = one["crushed_from"] == one["crushed_to"]
         rows.append((
-            f"{ring.depth / MILLI:.1f}", f"{ring.edges[0] / MILLI:.2f}", "none" if none else f"{crushed_from / MILLI:.1f}",
-            "" if none else f"{crushed_to / MILLI:.1f}",
-            "none" if dilated == ring.edges[0] else f"{dilated / MILLI:.1f}", f"{100.0 * np.nanmin(ring.porosity):.1f}",
-            f"{np.nanmin(ring.permeability):.2f}", f"{ring.skin:+.2f}",
+            f"{one['depth'] / MILLI:.1f}", f"{one['radius'] / MILLI:.2f}", "none" if none else f"{one['crushed_from'] / MILLI:.1f}",
+            "" if none else f"{one['crushed_to'] / MILLI:.1f}",
+            "none" if one["dilated_to"] == one["radius"] else f"{one['dilated_to'] / MILLI:.1f}", f"{100.0 * one['least_porosity']:.1f}",
+            f"{one['least_permeability']:.2f}", f"{one['skin']:+.2f}",
         ))  # fmt: skip
     return heads, rows
 
@@ -121,22 +130,36 @@ def depths_in_rock(hole, top, wanted):
     return wanted or chosen_depths(hole, top)
 
 
-def hole_section(frame, deck, table, hole, wishes, folder):
-    """@param table  depth.csv; @param wishes  depths of rings, none: three, and a measured hole; @param folder  where profile.csv is
-    written"""
+def rings_and_zones(rock, hole, top, wanted, known):
+    """Rings for the picture, and zones for the table: at wanted depths; else where they are known, a quarter and three quarters down."""
+    depths = depths_in_rock(hole, top, wanted)
+    known = {one["depth"]: one for one in known} if depths and not wanted else {}
+    if known:
+        depths = sorted([depths[0], depths[-1], *known])
+    rings = [rings_at(rock, hole, depth, known[depth]["radius"] if depth in known else None) for depth in depths]
+    return rings, [known.get(ring.depth, ring.zones) for ring in rings]
+
+
+def hole_section(frame, deck, table, hole, wishes, folder, known=()):
+    """
+    @param table   depth.csv
+    @param wishes  depths of rings, none: three, and a measured hole
+    @param folder  where profile.csv is written
+    @param known   zones half-way down the hole, of summary.json
+    """
     if hole.open_rows == 0:
         return Section("Hole", words=["There is no hole in the target yet."])
     mark, rock = mark_at(table, frame.time), Rock(frame, deck, hole.face)
     top = face_of_rock(frame, deck, hole.face) if len(rock) else None
-    rings = [rings_at(rock, hole, depth) for depth in depths_in_rock(hole, top, wishes.depths)]
-    zones = zones_of(rock, hole, top) if top is not None else []
+    rings, zones = rings_and_zones(rock, hole, top, wishes.depths, known)
+    rows = zones_of(rock, hole, top) if top is not None else []
     write_text(folder / "profile.csv", profile_text(hole, rock, top))
     section = Section("Hole", hole_rows(hole, mark, frame.time, top) + (rock_rows(rock) if len(rock) else []), [WALL])
     if rings:
-        section.heads, section.table = ring_table(rings)
+        section.heads, section.table = zone_table(zones)
         section.words.append(ROCK)
     if deck.mode == "3D":
         section.words.append("In three dimensions the hole is measured in the plane of the picture.")
-    section.pictures.append(Picture("hole", hole_figure(hole, zones, rings, mark, wishes.measured),
+    section.pictures.append(Picture("hole", hole_figure(hole, rows, rings, mark, wishes.measured),
         "Wall of the hole against depth and porosity around it; porosity and permeability against radius."))
     return section

@@ -8,7 +8,7 @@ import numpy as np
 
 from barreno.report.deck import read_deck
 from barreno.runs.exodus_sets import files_of
-from barreno.report.files import read_csv, read_summary, reading
+from barreno.report.files import read_columns, read_summary, reading
 from barreno.report.particles import ParticleFile
 from barreno.runs.faults import BadRun, Fault, on_one_line
 
@@ -43,10 +43,10 @@ class Run:
 
     def depth_table(self):
         """Nothing for a run without a jet."""
-        return read_csv(self.folder / "depth.csv") if (self.folder / "depth.csv").exists() else None
+        return read_columns(self.folder / "depth.csv") if (self.folder / "depth.csv").exists() else None
 
     def history_table(self):
-        return read_csv(self.folder / "history.csv")
+        return read_columns(self.folder / "history.csv")
 
     def step_at(self, time):
         """The step of particles.e that is nearest to a time; the last one for None."""

@@ -11,7 +11,7 @@ from barreno.report.energy_picture import energy_figure, energy_terms
 from barreno.report.fields import known_fields, look_of
 from barreno.report.files import reading
 from barreno.report.hole import cell_along_path, face_of, hole_at
-from barreno.report.hole_section import hole_section
+from barreno.report.hole_section import hole_section, zones_of_summary
 from barreno.report.measured_section import measured_section
 from barreno.report.numbers import depth_interval, depth_text, numerical_shares, resolution_rows, run_rows
 from barreno.report.path_section import path_section
@@ -194,7 +194,9 @@ def particle_sections(run, fields, wishes, paths, table, folder):
         whole = View(hole=hole, measured=wishes.measured) if hole is not None and hole.open_rows else View()
         sections = [channel_section(run, frame, fields, table, whole)]
         if tip:
-            sections += [hole_section(frame, run.deck, table, hole, wishes, folder), strength_section(run, frame, table)]
+            with reading(run.folder / "summary.json"):
+                known = zones_of_summary(run.summary, frame.time)
+            sections += [hole_section(frame, run.deck, table, hole, wishes, folder, known), strength_section(run, frame, table)]
         if wishes.measured is not None:
             sections.insert(1, measured_section(hole, wishes.measured, folder))
         if paths:

@@ -50,6 +50,14 @@ class Rings:
     def dilated(self):
         return self.reach(self.porosity > (1.0 + CHANGED) * self.virgin)
 
+    @property
+    def zones(self):
+        """As summary.json has them half-way down the hole (`penetration.zones_in_body.NAME`)."""
+        (crushed_from, crushed_to), dilated_to = self.crushed, self.dilated[1]
+        return {"depth": self.depth, "radius": float(self.edges[0]), "crushed_from": crushed_from, "crushed_to": crushed_to,
+            "dilated_to": dilated_to, "least_porosity": float(np.nanmin(self.porosity)),
+            "least_permeability": float(np.nanmin(self.permeability)), "skin": self.skin}
+
 
 class Rock:
     """Particles with pores: where they are, their bulk and the part of it that is grains."""
@@ -83,10 +91,13 @@ def shares(middle, half, edges):
     return np.maximum(common, 0.0) / np.maximum(high - low, np.finfo(float).tiny)
 
 
-def rings_at(rock, hole, depth):
+def rings_at(rock, hole, depth, wall=None):
     """Rings one cell wide from the wall outwards, averaged over four cells of depth. A particle that is wider than a ring has its part in
-    each that it covers."""
-    wall = hole.radius_at(depth)
+    each that it covers.
+
+    @param wall  radius; None: that of the hole
+    """
+    wall = hole.radius_at(depth) if wall is None else wall
     count = max(1, int((rock.width - wall) / hole.cell))
     edges = wall + hole.cell * np.arange(count + 1)
     within = depth + HIGH * hole.cell * np.array([-1.0, 1.0])

@@ -15,7 +15,14 @@ PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "netCD
 
 
 class Fault(Exception):
-    """A whole sentence."""
+    """A whole sentence on what cannot be done, and why.
+
+    Parameters
+    ----------
+    sentence : str
+    code : int
+        Exit code of the command that says the same.
+    """
 
     def __init__(self, sentence, code=USAGE):
         super().__init__(on_one_line(sentence))

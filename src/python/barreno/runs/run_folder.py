@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a run folder holds (docs/output.md)."""
 
-import csv
 import json
 import pathlib
 import re
 
-from barreno.runs.faults import FILE, Fault
+from barreno.runs.csv_table import BadTable, arrays_of, read_csv
+from barreno.runs.faults import FILE, Fault, on_one_line
 from barreno.runs.program import body_of
 from barreno.runs.regular_file import open_regular, read_text
 
@@ -64,16 +64,10 @@ def read_summary(folder):
 
 def read_table(file):
     """Columns of a CSV file as arrays; a line that was cut off is left out."""
-    import numpy as np  # slow to load, and help does without
-
     try:
-        with open_regular(file, newline="") as stream:
-            rows = list(csv.reader(line for line in stream if line.strip() and not line.startswith("#")))
-        whole = [row for row in rows[1:] if len(row) == len(rows[0])]
-        values = np.array([[float(cell) for cell in row] for row in whole], float).reshape(len(whole), len(rows[0]))
-    except (OSError, LookupError, ValueError, csv.Error) as error:
-        raise Fault(f"{file} cannot be read as a table of numbers ({error}); make the run again.", FILE) from None
-    return {name: values[:, i] for i, name in enumerate(rows[0])}
+        return arrays_of(read_csv(file, cut=True))
+    except (OSError, BadTable) as error:
+        raise Fault(f"{file} cannot be read as a table of numbers ({on_one_line(error)[:200]}); make the run again.", FILE) from None
 
 
 def scalars_of(tree, path=""):
