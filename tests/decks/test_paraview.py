@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The script that a report has for ParaView, in ParaView itself, off-screen: both sides are there, the map is the same on both, balls cover
-what shapes cover, a state file brings back the time, and the colours are those of the report. Skipped where there is no pvpython; without a display by Xvfb.
+"""The script that a report has for ParaView, in ParaView itself, off-screen: both sides are there, the colours are those of the report, the
+map is the same on both sides, balls cover what they should, and a state file brings back the time. Skipped where there is no pvpython;
+without a display by Xvfb.
 
     test_paraview.py BARRENO
 """
@@ -24,7 +25,8 @@ PRESSURE = 10.0 * 6.894757e6  # Pa, of the deck
 COVERED = 0.7, 1.05  # of what shapes cover: ParaView's balls are octagons, 2 sqrt(2) / 4 = 0.707 of the square that they are as wide as
 ALIKE = 0.02  # share of pixels in which the halves of a map may differ: outlines do not fall on the same pixels
 LOAD = """
-from paraview.simple import GetActiveView, GetAnimationScene, LoadState, Render, SaveScreenshot
+from paraview.simple import GetActiveView, GetAnimationScene, LoadState, Render, SaveScreenshot, _DisableFirstRenderCameraReset
+_DisableFirstRenderCameraReset()  # as scripts of ParaView itself begin, which keeps the state's camera
 LoadState("a.pvsm")
 view = GetActiveView()
 Render(view)
