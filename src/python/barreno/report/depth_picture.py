@@ -12,7 +12,7 @@ MILLI, MICRO, KILO = 1e-3, 1e-6, 1e3
 def draw_depth(axes, table, interval):
     time = table["time"] / MICRO
     axes.plot(time, table["depth"] / MILLI, label="deepest jet material")
-    axes.plot(time, table["channel_depth"] / MILLI, label="open channel (whole cells)")
+    axes.plot(time, table["channel_depth"] / MILLI, "--", label="open channel (whole cells)")
     if interval:
         low, high, words = interval
         axes.errorbar([time[-1]], [0.5 * (low + high) / MILLI], [[0.5 * (high - low) / MILLI]], fmt="none", ecolor="k", capsize=5,

@@ -7,7 +7,7 @@ from barreno.report.legends import place_legends
 from barreno.report.run_tables import energies
 from barreno.runs.plots import plt
 
-MICRO = 1e-6
+MICRO, KILO = 1e-6, 1e3
 ALWAYS = ("kinetic", "elastic", "plastic")
 
 
@@ -35,9 +35,9 @@ def energy_terms(table, summary):
 def energy_figure(table, summary):
     time, parts = table["time"] / MICRO, parts_of(table)
     figure, axes = plt.subplots(2, 1, figsize=(8, 7), sharex=True, height_ratios=(3, 1), layout="constrained")
-    axes[0].stackplot(time, np.clip([values for _, values in parts], 0.0, None), labels=[name for name, _ in parts], alpha=0.85)
-    axes[0].plot(time, put_in(table, summary), "k--", label="put in")
-    axes[0].set_ylabel("energy [J]")
+    axes[0].stackplot(time, np.clip([values / KILO for _, values in parts], 0.0, None), labels=[name for name, _ in parts], alpha=0.85)
+    axes[0].plot(time, put_in(table, summary) / KILO, "k--", label="put in")
+    axes[0].set_ylabel("energy [kJ]")
     axes[1].plot(time, 100.0 * table["energy_error"], "k")
     axes[1].set_ylabel("remainder of\nthe ledger [%]")
     axes[1].set_xlabel("time [µs]")

@@ -4,18 +4,23 @@
 import os
 
 import numpy as np
+from matplotlib.colors import to_rgb
 
 from barreno.runs.exodus_sets import files_of
 from barreno.report.fields import look_in, norm_of, range_of, values_of
+from barreno.report.hole import jet_particles
 from barreno.report.particles import areas_of
 from barreno.report.pieces import carried, pieces_of
-from barreno.report.tones import WITHOUT
+from barreno.report.run_tables import UNITS
+from barreno.report.tones import JET, VOID, WITHOUT
+from barreno.report.view import MILLI, is_long, span_of
 from barreno.report.view_template import TEMPLATE
 from barreno.runs.plots import plt
 
 # The reader joins velocity_x and velocity_y into the vector "velocity_".
 VECTORS = ("velocity_", "darcy_velocity_")
 COLOURS = 33  # of a scale of colours
+ALONG, EDGE, BAR_LYING, BAR_UPRIGHT = 1400, 100, 150, 200  # pixels: along a picture, and what is left around it
 
 
 def array_of(name):
@@ -35,16 +40,44 @@ def colour_points(look, limits):
     return [float(f"{part:.6g}") for value, colour in zip(values, colours) for part in (value, *colour)]
 
 
+def title_of(look, name):
+    """Words of the report's bar of colours; the numbers of ParaView's are in SI."""
+    unit = UNITS.get("velocity_x" if name == "speed" else name)
+    words = look.label.rpartition(" [")[0] or look.label
+    return f"{words}, {unit}" if unit and unit != "-" else words
+
+
 def shown_field(frame, deck, name):
-    """(array, component, points of the colours) in SI. What the report computes from fields of the file is shown as the field that it comes
-    from."""
+    """(array, component, points of the colours in SI, title, whether the jet has the field's colours too). What the report computes from
+    fields of the file is shown as the field that it comes from."""
     if name == "porosity" and name not in frame.names:
         name = "plastic_volume_strain"
     shapes, of = frame.shapes
     look = look_in(frame.file, deck, name)
     values = values_of(frame, deck, name)[of] / look.scale
     seen = ~pieces_of(frame, deck).apart | carried(name)  # as in the picture of the report
-    return *array_of(name), colour_points(look, range_of(values[seen], areas_of(shapes)[seen], look))
+    points = colour_points(look, range_of(values[seen], areas_of(shapes)[seen], look))
+    return *array_of(name), points, title_of(look, name), carried(name)
+
+
+def page_of(frame, mirrored, lying):
+    """([width, height] in pixels, half of the height in m) of a picture that leaves room for the bars of colours."""
+    across, along = span_of(frame, mirrored) * MILLI
+    if lying:
+        scale = ALONG / along  # pixels per metre
+        shape = [ALONG + EDGE, round(across * scale) + 2 * BAR_LYING]
+    else:
+        scale = min(ALONG / along, ALONG / max(across, 1e-9))
+        shape = [round(across * scale) + 2 * BAR_UPRIGHT, round(along * scale) + EDGE]
+    return shape, 0.5 * shape[1] / scale
+
+
+def blocks_of(frame, deck):
+    """(blocks of bodies, blocks of the jet): a block is the jet's where all of its particles are."""
+    jet, names = jet_particles(frame, deck) if deck.has_jet else np.zeros(len(frame.block), bool), frame.file.block_names
+    launched = "" if deck.forms_jet else deck.text("Jet/Material")
+    of_jet = [name == launched and bool(jet[frame.block == n].all()) for n, name in enumerate(names)]
+    return [name for name, own in zip(names, of_jet) if not own], [name for name, own in zip(names, of_jet) if own]
 
 
 def size_of_points(file):
@@ -59,14 +92,20 @@ def view_script(run, fields, time):
     here = run.folder / "report" / "paraview"
     frame = run.frame(time)
     left, right = (shown_field(frame, run.deck, name) for name in fields)
+    bodies, jet = blocks_of(frame, run.deck)
+    mirrored, flies = run.deck.mirrored(), run.deck.direction if run.deck.has_jet else 0.0
+    lying = is_long(frame, mirrored)
+    shape, half = page_of(frame, mirrored, lying)
     values = {
         "FOLDER": str(here.resolve()),
-        "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "BLOCKS": run.file.block_names, "LEFT": left,
-        "RIGHT": right, "WITHOUT": [float(WITHOUT)] * 3,
-        "TIME": frame.time, "MIRRORED": run.deck.mirrored(), "DOWN": bool(run.deck.has_jet and run.deck.direction > 0.0),
+        "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "BODIES": bodies, "JET": jet,
+        "LEFT": left, "RIGHT": right, "WITHOUT": list(to_rgb(WITHOUT)), "JET_COLOUR": list(to_rgb(JET)), "VOID": list(to_rgb(VOID)),
+        "LYING": lying, "SHAPE": shape, "HALF": half,
+        "TIME": frame.time, "MIRRORED": mirrored, "DOWN": flies > 0.0, "BACK": flies < 0.0,
         "POINTS": frame.corners.shape[1] == 1, "SIZE": size_of_points(run.file), "DIMENSIONS": run.file.dimensions,
     }  # fmt: skip
     constants = "\n".join(f"{name} = {value!r}" for name, value in values.items())
     return TEMPLATE.replace("# CONSTANTS\n",
-        "# LEFT and RIGHT: array, component, and the report's colours as value in SI, red, green, blue; WITHOUT: of no value\n"
+        "# LEFT and RIGHT: array, component, the report's colours as value in SI, red, green, blue, title, whether the jet has them too;\n"
+        "# WITHOUT: colour of no value; HALF: half of the height of the picture in m\n"
         f"{constants}\n")

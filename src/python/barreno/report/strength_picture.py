@@ -42,7 +42,10 @@ def draw_points(axes, found, deck, most):
     for name, (p, q, _, e) in found.items():
         span = max(float(np.percentile(np.abs(e), 90.0)), 1e-6)
         points = axes.scatter(p / MEGA, q / MEGA, c=e, s=10, cmap="RdBu", vmin=-span, vmax=span, edgecolors="0.4", linewidths=0.3,
-            rasterized=True, label=f"{name} ({len(p)} particles{'' if strength_of(deck, name) else '; its surface is not drawn'})")
+            rasterized=True)
+        # The legend's point has no colour, which would be that of the first particle.
+        without = "" if strength_of(deck, name) else "; its surface is not drawn"
+        axes.scatter([], [], c="w", s=10, edgecolors="0.4", linewidths=0.8, label=f"{name} ({len(p)} particles{without})")
         lowest, highest = min(lowest, float(p.min())), max(highest, float(q[p <= most].max(initial=0.0)))
         strength = strength_of(deck, name)
         if strength:

@@ -23,7 +23,6 @@ HERE = os.path.dirname(os.path.abspath(__file__)) if "__file__" in globals() els
 PRESSURES = (30e6, 3e9)  # Pa: from white to full ink, logarithmic
 SHEARS = (10e6, 600e6)
 INKS = "cyan: pressure, 30 MPa to 3 GPa\\nmagenta: sqrt(J2), 10 to 600 MPa\\ndark: both; yellow: tension"
-SHAPE = [900, 1200]  # pixels of a picture
 
 
 def existing(reader):
@@ -71,8 +70,15 @@ def mapped(source, on):
     return Calculator(Input=source, AttributeType=kind, ResultArrayName="map", Function=" + ".join(f"({part})*{axis}" for part, axis in zip(parts, ("iHat", "jHat", "kHat"))))
 
 
-def show_map(source, view, on):
+def show_plain(source, view):
+    """Without light, which would turn the report's colours darker. @return what ParaView has of it in the view"""
     shown = Show(source, view)
+    shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
+    return shown
+
+
+def show_map(source, view, on):
+    shown = show_plain(source, view)
     ColorBy(shown, (on, "map"))
     shown.MapScalars = 0  # the array is the colour
     shown.SetScalarBarVisibility(view, False)
@@ -84,17 +90,37 @@ def mirrored(source):
     return image
 
 
-def show(source, view, field, on):
-    array, component, points = field
-    shown = Show(source, view)
+def show(source, view, field, on, place):
+    array, component, points, title, _ = field
+    shown = show_plain(source, view)
     ColorBy(shown, (on, array, component) if component else (on, array))
     scale = GetColorTransferFunction(array)
     scale.AutomaticRescaleRangeMode = "Never"
     scale.ColorSpace = "RGB"
     scale.RGBPoints = points
     scale.NanColor = WITHOUT
+    shown.AmbientColor = shown.DiffuseColor = WITHOUT  # of a block that lacks the array
     shown.SetScalarBarVisibility(view, True)
-    GetScalarBar(scale, view).Title = f"{array.rstrip('_')} [SI]"
+    bar = GetScalarBar(scale, view)
+    bar.Title, bar.ComponentTitle, bar.WindowLocation = title, "", place
+    bar.Orientation = "Horizontal" if LYING else "Vertical"
+
+
+def show_jet(source, view, field, on, place):
+    """Red, as in the report, where the field says nothing of a jet."""
+    if field[-1]:
+        show(source, view, field, on, place)
+        return
+    shown = show_plain(source, view)
+    shown.ColorArrayName = [on, ""]
+    shown.AmbientColor = shown.DiffuseColor = shown.EdgeColor = JET_COLOUR
+    shown.Representation = "Surface With Edges"  # pieces drawn out into needles are narrower than a pixel
+
+
+def show_half(sources, view, field, on, side):
+    place = {"left": "Upper Center", "right": "Lower Center"}[side] if LYING else f"Upper {side.capitalize()} Corner"
+    for source, how in zip(sources, (show, show_jet)):
+        how(source, view, field, on, place)
 
 
 def look(view, time):
@@ -102,11 +128,17 @@ def look(view, time):
     view.ViewSize = SHAPE
     view.InteractionMode = "2D"
     view.CameraParallelProjection = 1
+    if hasattr(view, "UseColorPaletteForBackground"):
+        view.UseColorPaletteForBackground = 0
+    view.Background = VOID
     ResetCamera(view)
-    if DOWN:  # a jet is shown flying down
-        x, y, _ = view.CameraFocalPoint
-        distance = abs(view.CameraPosition[2] - view.CameraFocalPoint[2])
+    x, y, _ = view.CameraFocalPoint
+    distance = abs(view.CameraPosition[2] - view.CameraFocalPoint[2])
+    if LYING:  # depth along the picture, x down; a jet is shown flying to the right
+        view.CameraPosition, view.CameraViewUp = [x, y, -distance if BACK else distance], [-1.0, 0.0, 0.0]
+    elif DOWN:  # a jet is shown flying down
         view.CameraPosition, view.CameraViewUp = [x, y, -distance], [0.0, -1.0, 0.0]
+    view.CameraParallelScale = HALF
 
 
 def words():
@@ -119,40 +151,48 @@ def words():
     return parser.parse_args(sys.argv[1:] if "__file__" in globals() else [])
 
 
-def show_fields(source, view, on):
+def show_fields(sources, view, on):
     """Two fields, or two views where they cannot share one. @return the views"""
-    show(source, view, RIGHT, on)
+    show_half(sources, view, RIGHT, on, "right")
     # Two components of one vector would share their colours, and without an axis there is no other half.
     beside = view if MIRRORED and (LEFT == RIGHT or LEFT[0] != RIGHT[0]) else CreateView("RenderView")
-    show(mirrored(source) if MIRRORED else source, beside, LEFT, on)
+    show_half([mirrored(source) if MIRRORED else source for source in sources], beside, LEFT, on, "left")
     return list({id(view): view, id(beside): beside}.values())
 
 
-def show_both(source, view, on):
+def show_both(sources, view, on):
     """Both sides in the colours of the map, and what they mean."""
-    for one in (source, mirrored(source)) if MIRRORED else (source,):  # a mirror would turn a colour over, which to ParaView is a vector
-        show_map(mapped(one, on), view, on)
+    for source in sources:
+        # A mirror would turn a colour over, which to ParaView is a vector.
+        for one in (source, mirrored(source)) if MIRRORED else (source,):
+            show_map(mapped(one, on), view, on)
     said = Show(Text(Text=INKS), view)
     said.WindowLocation, said.FontSize = "Lower Left Corner", 14
     return [view]
 
 
-def main():
-    options = words()
+def read(blocks):
     reader = ExodusIIReader(FileName=[os.path.join(HERE, FILES[0])])  # the others of a set are found by it
-    reader.ElementBlocks = BLOCKS
+    reader.ElementBlocks = blocks
     reader.ElementVariables = reader.ElementVariables.Available
     reader.ApplyDisplacements = 1
+    return reader
+
+
+def main():
+    options = words()
+    readers = [read(blocks) for blocks in (BODIES, JET) if blocks]
     scene = GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = options.time  # which a state file keeps
     LoadPalette("WhiteBackground")
-    reader.UpdatePipeline(options.time)
-    source, on = existing(reader), "CELLS"
+    for reader in readers:
+        reader.UpdatePipeline(options.time)
+    sources, on = [existing(reader) for reader in readers], "CELLS"
     if POINTS or options.glyphs:
-        source, on = (points if POINTS else balls)(source), "POINTS"
+        sources, on = [(points if POINTS else balls)(source) for source in sources], "POINTS"
     view = GetActiveViewOrCreate("RenderView")
-    views = (show_both if options.map else show_fields)(source, view, on)
+    views = (show_both if options.map else show_fields)(sources, view, on)
     for one in views:
         look(one, options.time)
         Render(one)
