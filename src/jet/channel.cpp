@@ -175,15 +175,28 @@ double radius_at(const std::vector<double>& radii, std::size_t open, double dept
 
 }  // namespace
 
+namespace {
+
+/// Rows from the face on whose wall, or that of the next one, is at least this far away.
+std::size_t rows_as_wide(const std::vector<double>& radii, double least) {
+  std::size_t row = 0;
+  while (row < radii.size() &&
+         (radii[row] >= least || radii[std::min(row + 1, radii.size() - 1)] >= least))
+    ++row;
+  return row;
+}
+
+}  // namespace
+
 void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result) {
   const double closed = closed_radius * path.bin;
-  const std::size_t last = radii.size() - 1;
-  std::size_t open = 0;
-  while (open < radii.size() && (radii[open] >= closed || radii[std::min(open + 1, last)] >= closed)
-  )
-    ++open;
-  result.channel_depth =
-      std::min(static_cast<double>(open) * path.bin, path.direction * (path.end - path.face));
+  const double length = path.direction * (path.end - path.face);
+  const auto length_of = [&](std::size_t rows) {
+    return std::min(static_cast<double>(rows) * path.bin, length);
+  };
+  const std::size_t open = rows_as_wide(radii, closed);
+  result.channel_depth = length_of(open);
+  result.probed_depth = length_of(rows_as_wide(radii, std::max(closed, path.origin.radius)));
   result.channel_radius_mid = radius_at(radii, open, 0.5 * static_cast<double>(open), closed);
 }
 

@@ -43,7 +43,12 @@ std::string depth_words(const Scene& scene, const Penetration& p) {
       break;
     }
   }
-  return text + number_line(", open channel %.2f mm", 1e3 * p.channel_depth);
+  text += number_line(", open channel %.2f mm", 1e3 * p.channel_depth);
+  const double widest = widest_radius(scene);
+  if (widest > 0.0)
+    text += number_line(", as wide as the jet (%.2f mm)", 2e3 * widest) +
+            number_line(" to %.2f mm", 1e3 * p.probed_depth);
+  return text;
 }
 
 }  // namespace

@@ -166,6 +166,7 @@ void put_penetration(
   reached["through_since"] =
       number(p.through ? p.through_since : std::numeric_limits<double>::quiet_NaN());
   reached["channel_depth"] = number(p.channel_depth);
+  reached["probed_depth"] = number(p.probed_depth);
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["channel_volume"] = number(channel_volume(scene.grid, path, p));
   reached["jet_mass_inside"] = number(p.jet_mass_inside);

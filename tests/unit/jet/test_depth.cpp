@@ -71,6 +71,27 @@ TEST(Channel, EndsAtTheFirstClosedBin) {
   EXPECT_EQ(result.channel_radius_mid, 9.0);
 }
 
+TEST(Channel, AProbeStopsWhereTheHoleIsNarrowerThanTheJet) {
+  JetPath path;
+  path.bin = 0.5;
+  path.end = 2.5;
+  path.bins = 5;
+  path.origin.radius = 2.0;
+  Penetration result;
+  measure_channel({3.0, 2.5, 1.0, 1.0, 1.0}, path, result);
+  EXPECT_EQ(result.probed_depth, 1.0);
+  EXPECT_EQ(result.channel_depth, 2.5) << "which goes on as a thread";
+  measure_channel({3.0, 1.0, 2.0, 0.5, 0.5}, path, result);  // a crumb in the second row
+  EXPECT_EQ(result.probed_depth, 1.5);
+  measure_channel({1.9, 1.9, 3.0, 0.0, 0.0}, path, result);
+  EXPECT_EQ(result.probed_depth, 0.0) << "the casing's hole is narrower than the jet";
+  measure_channel({3.0, 3.0, 3.0, 3.0, 3.0}, path, result);
+  EXPECT_EQ(result.probed_depth, 2.5);
+  path.origin.radius = 0.0;  // no slug: a probe is a quarter of a cell in radius
+  measure_channel({3.0, 0.1, 0.1, 0.5, 0.5}, path, result);
+  EXPECT_EQ(result.probed_depth, result.channel_depth);
+}
+
 TEST(Penetration, FollowsAJetOfKnownMotion) {
   const Scene scene = synthetic::make_scene();
   const auto comm = Teuchos::DefaultComm<int>::getComm();

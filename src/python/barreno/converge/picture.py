@@ -3,7 +3,7 @@
 
 from barreno.runs.plots import plt
 
-LENGTHS = ("depth", "channel_depth", "channel_radius_mid", "inner_radius", "outer_radius")
+LENGTHS = ("depth", "channel_depth", "probed_depth", "channel_radius_mid", "inner_radius", "outer_radius")
 ENERGIES = ("kinetic", "elastic", "plastic", "viscous", "friction", "stress_integration", "transfer", "removed_kinetic", "launched_kinetic",
     "boundary_work",
             "body_work", "fluid_work", "damped", "explosive")  # fmt: skip

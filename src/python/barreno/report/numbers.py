@@ -68,6 +68,13 @@ def rest_rows(penetration):
     return [("at the end", sentence)] if sentence else []
 
 
+def probe_rows(depth, penetration):
+    """How far the hole is as wide as the jet; of runs that know it."""
+    if not {"probed_depth"} <= set(depth) or penetration.get("cells_per_radius") is None:
+        return []
+    return [("as wide as the jet's widest slug", f"to {depth['probed_depth'] / MILLI:.2f} mm")]
+
+
 def depth_rows(summary, depth):
     if not depth:
         return []
@@ -76,6 +83,7 @@ def depth_rows(summary, depth):
         *rest_rows(summary.get("penetration", {})),
         *resolution_rows(summary.get("penetration", {})),
         ("open channel", f"{depth['channel_depth'] / MILLI:.2f} mm (in whole cells of the finest size)"),
+        *probe_rows(depth, summary.get("penetration", {})),
         ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
         *entrance_rows(summary.get("penetration", {})),
         ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),

@@ -17,7 +17,8 @@ NUMBER, LIST = (int, float), dict
 KINDS = {  # what commands reckon with, where a summary has it: a number, an object, or the word that says so
     "time": NUMBER, "wall_seconds": NUMBER, "steps": NUMBER, "exit_code": NUMBER, "reason": str, "version": str, "penetration": LIST,
     "penetration.depth": NUMBER,
-    "penetration.channel_depth": NUMBER, "penetration.cells_per_radius": LIST, "penetration.cells_per_radius.tip": NUMBER,
+    "penetration.channel_depth": NUMBER, "penetration.probed_depth": NUMBER,
+    "penetration.cells_per_radius": LIST, "penetration.cells_per_radius.tip": NUMBER,
     "penetration.rest": LIST, "penetration.rest.sentence": str, "penetration.depth_error": LIST,
     "penetration.depth_error.value": NUMBER, "penetration.depth_error.low": NUMBER, "penetration.depth_error.high": NUMBER,
     "penetration.depth_error.cells_per_radius": NUMBER,

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""How deep the hole is as wide as the jet, for shots unlike each other, with several sizes of cells.
+
+    depth_shots.py BARRENO [--cells N ...] [SHOT ...]    all shots, or those named; 1.2 and 1.8 cells in the radius of the jet's tip
+                                                         or those given: verification/results/depth_shots.json, and docs/trade.md
+
+Decks: perforation_at_rest.xml with divided particles of the jet, and what tools/depth_shots.py changes in it, until the hole as wide as the
+jet no longer grows. Minutes of one core each with 1.2 cells, half an hour with 2.4.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+from tools import foreign_python  # noqa: F401
+from tools.depth_shots import SHOTS, TIMES, settings_of
+from tools.penetration import between_particles_and_grid
+from tools.runs import run_deck
+from tools.write_pages import write_pages
+
+STORED = pathlib.Path(__file__).resolve().parent / "results" / "depth_shots.json"
+DIVIDED = {"Jet/Particles Per Cell": "2", "Jet/Splits": "4", "Output/Field Interval": "0 us"}
+
+
+def measured(finished, scale):
+    """Depths at TIMES of a jet that is slower by `scale`, and what else is kept of a run."""
+    import numpy as np
+
+    summary, table = finished.summary, finished.table("depth.csv")
+    at = lambda name: [round(float(depth), 6) for depth in np.interp([1e-6 * scale * time for time in TIMES], table["time"], table[name])]  # noqa: E731
+    return {
+        "depth": at("depth"), "probed_depth": at("probed_depth"), "channel_volume": summary["penetration"]["channel_volume"],
+        "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
+    }  # fmt: skip
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("barreno", type=pathlib.Path)
+    parser.add_argument("--cells", nargs="+", default=["1.2", "1.8"])
+    parser.add_argument("what", nargs="*", metavar="SHOT")
+    options = parser.parse_args()
+    unknown = [what for what in options.what if what not in SHOTS]
+    if unknown:
+        parser.error(f"there is no shot '{unknown[0]}'; there are {', '.join(SHOTS)}")
+    for shot in options.what or SHOTS:
+        for cells in options.cells:
+            entries, scale = settings_of(shot)
+            one = measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", {**entries, **DIVIDED, "Jet/Cells Per Radius": cells}), scale)
+            print(shot, cells, one, flush=True)
+            found = json.loads(STORED.read_text()) if STORED.exists() else {}
+            found.setdefault(shot, {})[cells] = one
+            STORED.write_text(json.dumps({name: found[name] for name in SHOTS if name in found}, indent=1) + "\n")
+    write_pages()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
